@@ -1,0 +1,59 @@
+# Every third-party package Burin uses: named here once, with why. `./dev` installs the Debian
+# packages that the `apt` words name; CMake finds them through the lines that follow each.
+#
+#   burin_dependency(apt PACKAGE... why "...")
+function(burin_dependency)
+endfunction()
+
+# An imported target for a library without a usable CMake configuration.
+function(burin_find_library target header library)
+  find_path(${library}_INCLUDE_DIR ${header} REQUIRED)
+  find_library(${library}_LIBRARY ${library} REQUIRED)
+  add_library(${target} UNKNOWN IMPORTED GLOBAL)
+  set_target_properties(${target} PROPERTIES
+    IMPORTED_LOCATION "${${library}_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${${library}_INCLUDE_DIR}")
+endfunction()
+
+burin_dependency(apt g++ cmake ninja-build why "compiler and build")
+
+burin_dependency(apt libeigen3-dev why "vectors, small matrices, sparse solvers")
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+
+burin_dependency(apt libtbb-dev why "threads: parallel loops and sorts")
+find_package(TBB REQUIRED)
+
+burin_dependency(apt libxxhash-dev why "result hashes of replays")
+burin_find_library(xxhash::xxhash xxhash.h xxhash)
+
+burin_dependency(apt libfmt-dev why "text formatting")
+find_package(fmt REQUIRED)
+
+burin_dependency(apt libtinyobjloader-dev why "OBJ files with n-gons and subdivision tags")
+find_package(tinyobjloader REQUIRED)
+
+burin_dependency(apt libassimp-dev why "PLY and STL files")
+find_package(assimp REQUIRED)
+
+burin_dependency(apt libembree-dev why "picking, closest point, rendered pictures")
+find_package(embree 3.13 REQUIRED)
+
+burin_dependency(apt libosd-dev why "Catmull-Clark and Loop refinement")
+# Not find_package: Debian's configuration of it names a static library that its package lacks.
+burin_find_library(OpenSubdiv::osdCPU opensubdiv/far/topologyRefiner.h osdCPU)
+
+burin_dependency(apt nlohmann-json3-dev why "stroke files, reports")
+find_package(nlohmann_json 3.11 REQUIRED)
+
+burin_dependency(apt libopenimageio-dev why "EXR stamps in, PNG pictures out")
+find_package(OpenImageIO 2.4 REQUIRED)
+
+burin_dependency(apt libcli11-dev why "command line of burin")
+find_package(CLI11 REQUIRED)
+
+if(BURIN_TESTS)
+  burin_dependency(apt libgtest-dev why "tests")
+  find_package(GTest REQUIRED)
+
+  burin_dependency(apt xz-utils why "tests unpack the compressed meshes of ../shared/data")
+  find_program(XZ_PROGRAM xz REQUIRED)
+endif()

@@ -1,0 +1,41 @@
+/* burin/abi/ext/curve_filter.h - brush ability: moves the stroke itself before a chart is made of it. */
+#ifndef BURIN_ABI_EXT_CURVE_FILTER_H
+#define BURIN_ABI_EXT_CURVE_FILTER_H
+
+#include "../brush.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define BURIN_EXT_CURVE_FILTER "burin.curve-filter/1"
+
+/* Points of the stroke's surface curve, in order. */
+typedef struct burin_curve_points {
+  uint32_t struct_size;
+  uint32_t count;
+  burin_floats t;         /* arc length at the point */
+  burin_vectors position; /* on the base surface */
+  burin_vectors normal;   /* unit, outward */
+  burin_vectors e1;       /* unit, tangent to surface and curve */
+} burin_curve_points;
+
+typedef struct burin_curve_filter {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double lookahead; /* how far ahead (object units) the moved curve depends on the drawn one; may be
+                       infinite: the host then filters finished strokes only */
+
+  /* Writes for every point the offset along e1 (along) and e2 (across), object units, that moves it; the
+   * host brings the moved points back onto the surface. Offsets arrive as zero.
+   * [stroke-thread, between begin and end] */
+  burin_status(BURIN_CALL* filter)(const burin_brush* brush, void* stroke,
+                                   const burin_stroke_context* context, const burin_params* params,
+                                   const burin_curve_points* points, burin_floats_out along,
+                                   burin_floats_out across, burin_text* error);
+} burin_curve_filter;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

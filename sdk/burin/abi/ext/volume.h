@@ -1,0 +1,36 @@
+/* burin/abi/ext/volume.h - brush ability: solids in stroke space (t, d, h), h the height over the base
+ * surface along its normal, positive outside. */
+#ifndef BURIN_ABI_EXT_VOLUME_H
+#define BURIN_ABI_EXT_VOLUME_H
+
+#include "../brush.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define BURIN_EXT_VOLUME "burin.volume/1"
+
+typedef struct burin_volume {
+  uint32_t struct_size;
+  uint32_t reserved;
+
+  /* Bounds of h (object units) outside of which the solid is empty.
+   * [stroke-thread, between begin and end] */
+  burin_status(BURIN_CALL* bounds)(const burin_brush* brush, void* stroke,
+                                   const burin_stroke_context* context, const burin_params* params,
+                                   double* h_min, double* h_max, burin_text* error);
+
+  /* Writes the signed distance to the solid (object units, negative inside) at every place (t, d, h) of
+   * a batch of batch->count; of the batch's arrays those declared in inputs_read are filled. A lower
+   * bound of the distance will do away from the solid.
+   * [any thread, concurrent, between begin and end] */
+  burin_status(BURIN_CALL* distance)(const burin_brush* brush, void* stroke,
+                                     const burin_stroke_context* context, const burin_batch* batch,
+                                     burin_floats h, burin_floats_out distance, burin_text* error);
+} burin_volume;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

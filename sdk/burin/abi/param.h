@@ -1,0 +1,74 @@
+/* burin/abi/param.h - typed parameters: how a brush declares them, how their values arrive. */
+#ifndef BURIN_ABI_PARAM_H
+#define BURIN_ABI_PARAM_H
+
+#include "base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef int32_t burin_param_type;
+enum {
+  BURIN_PARAM_UNKNOWN = 0,
+  BURIN_PARAM_FLOAT = 1,
+  BURIN_PARAM_INT = 2,    /* travels as a float holding a whole number, |value| <= 2^24 */
+  BURIN_PARAM_BOOL = 3,   /* travels as 0 or 1 */
+  BURIN_PARAM_CHOICE = 4, /* travels as the index into `choices` */
+  BURIN_PARAM_COLOUR = 5, /* four floats, linear RGBA, 0..1 */
+  BURIN_PARAM_FILE = 6,   /* a path, UTF-8 */
+  BURIN_PARAM_CURVE = 7   /* knots (x, y), x rising, straight lines between, constant beyond the ends */
+};
+
+/* What a number measures, so that a host can show and scale it. */
+typedef int32_t burin_param_unit;
+enum {
+  BURIN_UNIT_UNKNOWN = 0,
+  BURIN_UNIT_NONE = 1,   /* a plain number or ratio */
+  BURIN_UNIT_RADIUS = 2, /* multiples of the stroke's radius */
+  BURIN_UNIT_LENGTH = 3, /* object units */
+  BURIN_UNIT_ANGLE = 4,  /* radians */
+  BURIN_UNIT_TIME = 5    /* seconds */
+};
+
+/* All text is the plugin's, UTF-8, and lives as long as the descriptor that holds this.
+ * Values outside the hard range are never delivered; the soft range is what a slider spans. */
+typedef struct burin_param_info {
+  uint32_t struct_size;
+  burin_param_type type;
+  const char* id;   /* stable across versions, [a-z0-9_]+: files and scripts use it */
+  const char* name; /* for people */
+  const char* help; /* one sentence; may be null */
+  burin_param_unit unit;
+  float hard_min, hard_max;
+  float soft_min, soft_max;       /* within the hard range */
+  float default_number;           /* FLOAT, INT, BOOL, CHOICE */
+  float default_colour[4];        /* COLOUR */
+  const char* default_file;       /* FILE: may be null, then the user must give one */
+  const char* const* choices;     /* CHOICE: stable ids, ended by a null pointer */
+  const float* default_knots;     /* CURVE: x0 y0 x1 y1 ... */
+  uint32_t default_knot_count;    /* CURVE: pairs, at least 1 */
+  uint32_t dynamic;               /* 1: may vary along the stroke (input dynamics); 0: constant */
+} burin_param_info;
+
+/* FROZEN. One parameter's value; which member counts follows from the declared type. */
+typedef struct burin_param_value {
+  burin_floats number;    /* FLOAT, INT, BOOL, CHOICE: a number an element, or stride 0 */
+  burin_floats colour[4]; /* COLOUR */
+  const char* file;       /* FILE: UTF-8, absolute or relative to the working directory; never null */
+  const float* knots;     /* CURVE: x0 y0 x1 y1 ... */
+  uint32_t knot_count;    /* CURVE: pairs */
+  uint32_t reserved;
+} burin_param_value;
+
+/* An immutable snapshot of all parameters, in the order of the descriptor. Valid during the call. */
+typedef struct burin_params {
+  uint32_t struct_size;
+  uint32_t count; /* equals the descriptor's param_count */
+  const burin_param_value* values;
+} burin_params;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,60 @@
+/* burin/abi/plugin.h - the one symbol that a plugin module exports, and the factory behind it. */
+#ifndef BURIN_ABI_PLUGIN_H
+#define BURIN_ABI_PLUGIN_H
+
+#include "brush.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(_WIN32)
+#define BURIN_EXPORT __declspec(dllexport)
+#elif defined(__GNUC__)
+#define BURIN_EXPORT __attribute__((visibility("default")))
+#else
+#define BURIN_EXPORT
+#endif
+
+/* Name of the exported symbol, a `const burin_plugin_entry`. */
+#define BURIN_PLUGIN_SYMBOL "burin_plugin"
+
+#define BURIN_BRUSH_FACTORY "burin.brush-factory/1"
+
+/* Lists and creates the brushes of a module. Owned by the plugin; lives from init to deinit. */
+typedef struct burin_brush_factory {
+  uint32_t struct_size;
+  uint32_t brush_count;
+  const burin_brush_descriptor* const* brushes; /* brush_count pointers */
+
+  /* A new brush of the descriptor with this id, or null and a text. The host outlives the brush.
+   * [main-thread] */
+  const burin_brush*(BURIN_CALL* create)(const struct burin_brush_factory* factory, const burin_host* host,
+                                         const char* brush_id, burin_text* error);
+} burin_brush_factory;
+
+typedef struct burin_plugin_entry {
+  uint32_t struct_size;
+  uint32_t abi_major; /* BURIN_ABI_MAJOR at the time of compilation */
+  uint32_t abi_minor;
+  uint32_t reserved;
+
+  /* Called before anything else; may be called again, each call that returned BURIN_OK being paired with
+   * one deinit (counted: only the first does work). plugin_path is the file of the module, UTF-8, for
+   * finding resources beside it. [main-thread] */
+  burin_status(BURIN_CALL* init)(const char* plugin_path, burin_text* error);
+
+  /* Undoes one init. [main-thread, every brush destroyed before the last] */
+  void(BURIN_CALL* deinit)(void);
+
+  /* The factory with this id (BURIN_BRUSH_FACTORY), or null. [main-thread, between init and deinit] */
+  const void*(BURIN_CALL* get_factory)(const char* factory_id);
+} burin_plugin_entry;
+
+/* The module defines it: BURIN_EXPORT const burin_plugin_entry burin_plugin = { ... }; */
+BURIN_EXPORT extern const burin_plugin_entry burin_plugin;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

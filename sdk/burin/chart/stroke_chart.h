@@ -1,0 +1,39 @@
+#pragma once
+#include <burin/chart/chart.h>
+#include <burin/stroke/surface_curve.h>
+#include <burin/surface/surface.h>
+
+#include <memory>
+
+namespace burin {
+
+enum class Cap {
+  butt,   ///< the chart ends where t leaves [0, length]
+  round,  ///< half a geodesic disc of the stroke's radius beyond each end
+};
+
+struct ChartOptions {
+  double radius = 0;  ///< half width of the stroke, object units, > 0
+  Cap cap = Cap::round;
+};
+
+/// Computes stroke charts on one surface [Schmidt 2013, section 4]. Holds scratch memory of four bytes a
+/// vertex, so keep one as long as the surface; a chart costs in proportion to its own region only.
+/// The surface must outlive it. One thread at a time.
+class StrokeCharter {
+ public:
+  explicit StrokeCharter(const Surface& surface);
+  ~StrokeCharter();
+  StrokeCharter(StrokeCharter&&) noexcept;
+  StrokeCharter& operator=(StrokeCharter&&) noexcept;
+
+  /// The chart of a curve of at least one point. The result is a function of surface, curve and options.
+  /// Throws ContractError for a radius that is not finite and positive or a curve without points.
+  Chart chart(const SurfaceCurve& curve, const ChartOptions& options);
+
+ private:
+  struct Front;
+  std::unique_ptr<Front> front_;
+};
+
+}  // namespace burin

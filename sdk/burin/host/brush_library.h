@@ -1,0 +1,58 @@
+#pragma once
+#include <burin/abi/plugin.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// A brush that a module lists. The descriptor lives as long as the library.
+struct BrushEntry {
+  const burin_brush_descriptor* descriptor;
+  std::filesystem::path module;
+};
+
+struct BrushDeleter {
+  void operator()(const burin_brush* brush) const { brush->destroy(brush); }
+};
+using BrushPtr = std::unique_ptr<const burin_brush, BrushDeleter>;
+
+/// The plugin modules of a process and their brushes. Main thread.
+class BrushLibrary {
+ public:
+  /// Starts empty; services are those of this host: log (to `log`, or nowhere) and stamps.
+  using Log = void (*)(int severity, std::string_view line);
+  explicit BrushLibrary(Log log = nullptr);
+  ~BrushLibrary();
+  BrushLibrary(const BrushLibrary&) = delete;
+  BrushLibrary& operator=(const BrushLibrary&) = delete;
+
+  /// Loads one module. Throws FileError naming the file and what is wrong: unreadable, no symbol, another
+  /// version, a descriptor that breaks the contract, a brush id already there.
+  void load(const std::filesystem::path& module);
+
+  /// Loads all `*.burin` files of a folder, by name.
+  void load_folder(const std::filesystem::path& folder);
+
+  /// Loads the folders of BURIN_PLUGIN_PATH (colon-separated; semicolons on Windows), then `own_folder`,
+  /// which may be missing. A folder that the variable names must exist.
+  void load_search_path(const std::filesystem::path& own_folder);
+
+  const std::vector<BrushEntry>& brushes() const;
+
+  /// Throws Error naming the brushes there are when there is none of this id.
+  const BrushEntry& find(std::string_view id) const;
+
+  /// A new instance; it must be gone before the library. Throws Error: creation failed, or the brush reads
+  /// an input or writes an output that this host does not offer (named).
+  BrushPtr create(const BrushEntry& entry) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace burin

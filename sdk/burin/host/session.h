@@ -1,0 +1,89 @@
+#pragma once
+#include <burin/chart/stroke_chart.h>
+#include <burin/host/brush_library.h>
+#include <burin/stroke/recording.h>
+#include <burin/surface/picker.h>
+#include <burin/surface/surface.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace burin {
+
+/// What a stroke is drawn with.
+struct StrokeSettings {
+  std::string brush;        ///< id, "org.burin.groove"
+  double radius = 0;        ///< object units, > 0
+  double strength = 1;      ///< factor on the brush's displacement
+  Cap cap = Cap::round;
+  ParamSettings params;     ///< what differs from the brush's defaults
+  PenFields fields;         ///< what the pen really reports
+  std::uint64_t seed = 0;   ///< of the brush's random numbers
+};
+
+/// What became of one sample.
+struct StrokeEvent {
+  enum class Outcome {
+    drawn,         ///< the stroke now reaches to the sample
+    off_surface,   ///< the ray misses, or nothing is near the place: nothing changed
+    disconnected,  ///< on the surface, but across a gap or silhouette: nothing changed
+  };
+  Outcome outcome = Outcome::off_surface;
+  /// Vertices whose shown position or normal changed, ascending. Valid until the next call.
+  std::span<const Index> changed;
+};
+
+/// A surface being sculpted: the one class that an embedding application needs. Strokes are drawn one at
+/// a time, sample by sample; a stroke sees the surface as it was when the stroke began. Vertex numbers are
+/// those of surface(). One thread; it uses all threads of oneTBB inside.
+/// A call that throws leaves the surface as it was before the stroke, and no stroke open.
+class Session {
+ public:
+  /// `brushes` must outlive the session.
+  Session(Surface surface, const BrushLibrary& brushes);
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+
+  /// The surface as of the last finished stroke. Its arrays stay in place.
+  const Surface& surface() const;
+  const Picker& picker() const;
+
+  /// What is to be shown now, the open stroke included; [vertex].
+  std::span<const Vec3f> positions() const;
+  std::span<const Vec3f> normals() const;
+
+  /// Opens a stroke. Throws Error: unknown brush or parameter, a value out of its range, a file that
+  /// cannot be read, a brush that reads what this host does not offer.
+  void begin_stroke(const StrokeSettings& settings);
+
+  /// The next sample: where a ray meets the surface, or the closest place to a point that is at most one
+  /// radius away. Throws Error when the brush fails or returns a value that is not finite.
+  StrokeEvent add_sample(const Ray& ray, double time, const Pen& pen);
+  StrokeEvent add_sample(const Vec3d& position, double time, const Pen& pen);
+
+  /// Ends the open stroke and makes it part of the surface. A stroke without a sample leaves no trace.
+  /// Returns the vertices that the end changed, valid until the next call.
+  std::span<const Index> end_stroke();
+
+  /// Drops the open stroke.
+  void cancel_stroke();
+
+  /// The chart of the open stroke, or of the last one.
+  const Chart& chart() const;
+  const SurfaceCurve& curve() const;
+
+  /// Takes back the last finished stroke bit for bit; false when there is none.
+  bool undo();
+
+  /// XXH3 of the shown positions in the order of the mesh that the surface was made of.
+  std::uint64_t result_hash() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace burin

@@ -1,0 +1,24 @@
+#pragma once
+#include <burin/base/vector.h>
+#include <burin/surface/picker.h>
+
+#include <Eigen/Core>
+
+namespace burin {
+
+/// A view with OpenGL's conventions: clip = projection * view * (position, 1), z towards the viewer.
+struct Camera {
+  Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
+  Eigen::Matrix4d projection = Eigen::Matrix4d::Identity();
+  int width = 0, height = 0;  ///< viewport, pixels
+};
+
+/// The ray through a place of the viewport; pixels from the top left corner, centres at .5.
+Ray pixel_ray(const Camera& camera, double x, double y);
+
+/// A perspective camera that looks along `direction` at the middle of the box and shows all of it.
+/// field_of_view: vertical, radians.
+Camera framing_camera(const Vec3d& box_min, const Vec3d& box_max, const Vec3d& direction, const Vec3d& up,
+                      int width, int height, double field_of_view);
+
+}  // namespace burin

@@ -1,0 +1,49 @@
+#pragma once
+#include <burin/stroke/camera.h>
+#include <burin/stroke/pen.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace burin {
+
+/// A brush parameter as files and scripts give it: bool, number, text (file path or choice), or numbers
+/// (a colour's four, a curve's x0 y0 x1 y1 ...).
+using ParamSetting = std::variant<bool, double, std::string, std::vector<double>>;
+using ParamSettings = std::map<std::string, ParamSetting>;
+
+enum class StrokeSpace {
+  object,  ///< samples are places near the surface, object units
+  screen,  ///< samples are pixels from the top left; z is not used
+};
+
+struct Sample {
+  double time = 0;  ///< seconds
+  Vec3d position = Vec3d::Zero();
+  Pen pen;
+};
+
+/// One stroke as it was drawn. What the file leaves open is empty and must come from elsewhere.
+struct RecordedStroke {
+  std::optional<std::string> brush;
+  std::optional<double> radius;  ///< object units, > 0
+  double strength = 1;
+  bool closed = false;
+  ParamSettings params;
+  PenFields fields;
+  std::vector<Sample> samples;  ///< finite, time not falling
+};
+
+/// A `.stroke` file.
+struct Recording {
+  StrokeSpace space = StrokeSpace::object;
+  std::optional<Camera> camera;  ///< always there for StrokeSpace::screen
+  std::vector<RecordedStroke> strokes;
+  /// The last line was cut off in the middle (a crash of the recorder) and has been left out.
+  bool cut_off = false;
+};
+
+}  // namespace burin

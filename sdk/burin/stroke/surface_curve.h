@@ -1,0 +1,75 @@
+#pragma once
+#include <burin/stroke/recording.h>
+#include <burin/surface/picker.h>
+#include <burin/surface/surface.h>
+
+#include <vector>
+
+namespace burin {
+
+/// A point of a stroke on a surface with its Darboux frame: e1 = tangent, n = normal, e2 = n x e1.
+struct CurvePoint {
+  SurfacePoint at;
+  Vec3f normal;   ///< of the surface, interpolated, unit
+  Vec3f tangent;  ///< unit, at right angles to the normal, in the direction of travel
+  double t;       ///< arc length from the first point, object units
+  double time;    ///< seconds since the first sample
+  Pen pen;
+};
+
+/// A stroke on a surface: a polyline whose points lie on it, at most about half an edge apart.
+struct SurfaceCurve {
+  std::vector<CurvePoint> points;
+
+  double length() const { return points.empty() ? 0 : points.back().t; }
+};
+
+/// Turns the samples of one stroke into its surface curve as they arrive. Between two samples the curve
+/// follows the centripetal Catmull-Rom spline of the samples, brought onto the surface by closest points.
+/// The curve depends on the surface, the samples so far and the radius only, not on when it was asked
+/// for: the part up to the last sample but one is final, the rest is replaced by the next add().
+/// Surface and picker must outlive the tracer. One thread.
+class CurveTracer {
+ public:
+  /// `radius`: of the stroke, object units; bounds the spacing of points from below (radius / 1000).
+  CurveTracer(const Surface& surface, const Picker& picker, double radius);
+
+  /// Whether a point can follow the samples so far: no point of the chord to it is farther from the
+  /// surface than a quarter of the chord. Not so where the pen jumps over a silhouette or a gap.
+  bool connects(const SurfacePoint& point) const;
+
+  /// Appends a sample at this place. A sample at the place of the one before only updates time and pen.
+  void add(const SurfacePoint& point, double time, const Pen& pen);
+
+  const SurfaceCurve& curve() const { return curve_; }
+
+  /// Points of curve() that later samples leave as they are.
+  std::size_t final_points() const { return final_points_; }
+
+ private:
+  struct Knot {
+    SurfacePoint at;
+    double time;
+    Pen pen;
+  };
+  void trace_segment(std::size_t knot);
+  void append(const SurfacePoint& at, double time, const Pen& pen);
+  void update_frames(std::size_t first);
+
+  const Surface* surface_;
+  const Picker* picker_;
+  double min_spacing_;
+  std::vector<Knot> knots_;
+  SurfaceCurve curve_;
+  std::size_t final_points_ = 0;
+};
+
+/// Pen and time where the arc length is t, between the points around it; at the ends beyond them.
+struct PenAt {
+  Pen pen;
+  double time;   ///< seconds since the first sample
+  double speed;  ///< object units a second, 0 where time stands still
+};
+PenAt pen_at(const SurfaceCurve& curve, double t);
+
+}  // namespace burin

@@ -1,0 +1,18 @@
+#pragma once
+#include <burin/surface/polygon_mesh.h>
+#include <burin/surface/triangle_mesh.h>
+
+#include <filesystem>
+
+namespace burin {
+
+/// Reads OBJ (polygons, subdivision tags), PLY or STL, told apart by the extension. The vertex order is
+/// the file's; of an STL file, which shares no vertices, equal positions become one vertex in order of
+/// first appearance. Throws FileError naming the line or the face: unreadable, truncated, an index out of
+/// range, a coordinate that is not finite, no face at all.
+PolygonMesh read_mesh(const std::filesystem::path& path);
+
+/// Writes a binary little-endian PLY, whole or not at all. Throws FileError.
+void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh);
+
+}  // namespace burin

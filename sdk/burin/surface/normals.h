@@ -1,0 +1,17 @@
+#pragma once
+#include <burin/surface/surface.h>
+
+#include <span>
+
+namespace burin {
+
+/// Normal at a vertex of a surface whose vertices stand at `positions`: the triangles' normals weighted
+/// by their angle at the vertex [Thuermer and Wuethrich 1998], unit. Degenerate triangles count for
+/// nothing; where nothing is left the normal is (0, 0, 1).
+Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex);
+
+/// Sets normals[v] for all v in `vertices`, in parallel.
+void update_normals(const Surface& surface, std::span<const Vec3f> positions, std::span<const Index> vertices,
+                    std::span<Vec3f> normals);
+
+}  // namespace burin

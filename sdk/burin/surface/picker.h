@@ -1,0 +1,40 @@
+#pragma once
+#include <burin/surface/surface.h>
+#include <burin/surface/surface_point.h>
+
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace burin {
+
+struct Ray {
+  Vec3f origin;
+  Vec3f direction;  ///< any length
+};
+
+/// Answers where a ray meets a surface and which point of it is closest. Looks at the surface's own
+/// positions and triangles, which must stay in place while the picker lives.
+/// pick and closest: any thread, concurrent, but not during update.
+class Picker {
+ public:
+  explicit Picker(const Surface& surface);
+  ~Picker();
+  Picker(Picker&&) noexcept;
+  Picker& operator=(Picker&&) noexcept;
+
+  /// First hit along the ray, from either side.
+  std::optional<SurfacePoint> pick(const Ray& ray) const;
+
+  /// The closest point within max_distance; of equally close triangles the lowest.
+  std::optional<SurfacePoint> closest(const Vec3f& position, float max_distance) const;
+
+  /// Follows the surface after these vertices moved. Costs in proportion to the chunks they lie in.
+  void update(std::span<const Index> moved_vertices);
+
+ private:
+  struct Scene;
+  std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace burin

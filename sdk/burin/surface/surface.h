@@ -1,0 +1,30 @@
+#pragma once
+#include <burin/base/progress.h>
+#include <burin/surface/csr.h>
+#include <burin/surface/triangle_mesh.h>
+
+#include <vector>
+
+namespace burin {
+
+/// A triangle mesh made ready for strokes: vertices and triangles sorted along a space-filling curve,
+/// unit vertex normals, neighbourhoods. Any triangle soup will do: non-manifold, open, degenerate.
+struct Surface {
+  std::vector<Vec3f> positions;      ///< object units
+  std::vector<Vec3f> normals;        ///< unit and finite at every vertex, outward, weighted by angle
+  std::vector<Triangle> triangles;   ///< no triangle names a vertex twice
+  Csr neighbours;                    ///< vertices joined by an edge, ascending, each once
+  Csr incident;                      ///< triangles around a vertex, ascending
+  std::vector<Index> source_vertex;  ///< [vertex] its index in the mesh given to make_surface
+
+  Index vertex_count() const { return static_cast<Index>(positions.size()); }
+};
+
+/// Sorts and connects. Triangles that name a vertex twice are left out; unreferenced vertices stay.
+/// Throws Error when no triangle with an area remains. The result depends on the mesh alone.
+Surface make_surface(TriangleMesh mesh, const Progress& progress = {});
+
+/// Diagonal of the bounding box.
+double object_scale(const Surface& surface);
+
+}  // namespace burin

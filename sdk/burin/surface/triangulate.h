@@ -1,0 +1,11 @@
+#pragma once
+#include <burin/surface/polygon_mesh.h>
+#include <burin/surface/triangle_mesh.h>
+
+namespace burin {
+
+/// Splits every polygon into triangles without new vertices: quads along the shorter diagonal that lies
+/// inside, larger polygons by ear clipping in their mean plane.
+TriangleMesh triangulate(const PolygonMesh& mesh);
+
+}  // namespace burin

@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace burin::test {
+
+/// The file of this name below ../shared/data, unpacked where the folder has it as NAME.xz; nothing where
+/// the folder is absent, as it is for users. BURIN_SHARED_DATA in the environment names another folder.
+std::optional<std::filesystem::path> shared_data(std::string_view name);
+
+/// A new empty folder for files of the running test, removed when the object dies.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder();
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace burin::test
+
+/// Defines `path` as the file, or skips the test with a message.
+#define BURIN_SHARED_DATA_OR_SKIP(path, name)                                                 \
+  const auto path##_found = ::burin::test::shared_data(name);                                 \
+  if (!path##_found) GTEST_SKIP() << "../shared/data/" << (name) << " is not on this machine"; \
+  const std::filesystem::path& path = *path##_found
