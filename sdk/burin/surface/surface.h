@@ -10,7 +10,9 @@ namespace burin {
 /// A triangle mesh made ready for strokes: vertices and triangles sorted along a space-filling curve,
 /// unit vertex normals, neighbourhoods. Any triangle soup will do: non-manifold, open, degenerate.
 struct Surface {
-  std::vector<Vec3f> positions;      ///< object units
+  /// Object units. make_surface leaves room for one more, as Embree reads 16 bytes at the last position
+  /// too; Picker needs a copy where the room is gone.
+  std::vector<Vec3f> positions;
   std::vector<Vec3f> normals;        ///< unit and finite at every vertex, outward, weighted by angle
   std::vector<Triangle> triangles;   ///< no triangle names a vertex twice
   Csr neighbours;                    ///< vertices joined by an edge, ascending, each once
@@ -21,7 +23,8 @@ struct Surface {
 };
 
 /// Sorts and connects. Triangles that name a vertex twice are left out; unreferenced vertices stay.
-/// Throws Error when no triangle with an area remains. The result depends on the mesh alone.
+/// Throws Error when no triangle with an area remains or a position is not finite, ContractError when a
+/// triangle names a vertex that is not there. The result depends on the mesh alone.
 Surface make_surface(TriangleMesh mesh, const Progress& progress = {});
 
 /// Diagonal of the bounding box.

@@ -1,0 +1,98 @@
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/surface/adjacency.h>
+#include <burin/surface/normals.h>
+#include <burin/surface/spatial_order.h>
+#include <burin/surface/surface.h>
+#include <oneapi/tbb/parallel_sort.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <tuple>
+
+namespace burin {
+namespace {
+
+constexpr std::size_t elements_a_block = 16384;
+
+bool names_a_vertex_twice(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+bool has_area(const TriangleMesh& mesh, const Triangle& triangle) {
+  const auto corner = [&](int i) -> Vec3d { return mesh.positions[triangle[i]].cast<double>(); };
+  return !(corner(1) - corner(0)).cross(corner(2) - corner(0)).isZero(0);
+}
+
+void check(const TriangleMesh& mesh) {
+  const auto in_range = [&](Index vertex) { return vertex < mesh.positions.size(); };
+  for (const Triangle& triangle : mesh.triangles)
+    if (!std::ranges::all_of(triangle, in_range))
+      throw ContractError("a triangle names a vertex that is not there");
+  if (!std::ranges::all_of(mesh.positions, [](const Vec3f& p) { return p.allFinite(); }))
+    throw Error("a vertex has a coordinate that is not finite");
+  if (std::ranges::none_of(mesh.triangles, [&](const Triangle& t) { return has_area(mesh, t); }))
+    throw Error("no triangle has an area");
+}
+
+/// Renumbers the vertices along the space-filling curve, positions and triangles with them.
+void sort_vertices(TriangleMesh& mesh, Surface& surface) {
+  surface.source_vertex = spatial_order(mesh.positions);
+  const std::vector<Index>& source = surface.source_vertex;
+  // Room for one more: see Surface::positions.
+  surface.positions.reserve(source.size() + 1);
+  surface.positions.resize(source.size());
+  std::vector<Index> sorted(source.size());
+  parallel_blocks(source.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      surface.positions[i] = mesh.positions[source[i]];
+      sorted[source[i]] = static_cast<Index>(i);
+    }
+  });
+  std::vector<Vec3f>().swap(mesh.positions);
+  parallel_blocks(mesh.triangles.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      for (Index& vertex : mesh.triangles[i]) vertex = sorted[vertex];
+  });
+}
+
+/// By lowest vertex. Triangles that compare equal are the same bits, so any sort gives one result.
+void sort_triangles(std::vector<Triangle>& triangles) {
+  tbb::parallel_sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) {
+    return std::tuple(std::ranges::min(a), a) < std::tuple(std::ranges::min(b), b);
+  });
+}
+
+void compute_all_normals(Surface& surface) {
+  surface.normals.resize(surface.positions.size());
+  parallel_blocks(surface.positions.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
+    for (Index vertex = static_cast<Index>(begin); vertex < end; ++vertex)
+      surface.normals[vertex] = vertex_normal(surface, surface.positions, vertex);
+  });
+}
+
+}  // namespace
+
+Surface make_surface(TriangleMesh mesh, const Progress& progress) {
+  check(mesh);
+  Surface surface;
+  report(progress, "sorting the surface", 0);
+  sort_vertices(mesh, surface);
+  surface.triangles = std::move(mesh.triangles);
+  std::erase_if(surface.triangles, names_a_vertex_twice);
+  report(progress, "sorting the surface", 0.3);
+  sort_triangles(surface.triangles);
+  report(progress, "connecting the surface", 0.6);
+  surface.incident = incident_triangles(surface.positions.size(), surface.triangles);
+  surface.neighbours = neighbour_vertices(surface.triangles, surface.incident);
+  report(progress, "computing normals", 0.8);
+  compute_all_normals(surface);
+  report(progress, "computing normals", 1);
+  return surface;
+}
+
+double object_scale(const Surface& surface) {
+  Eigen::AlignedBox3f box;
+  for (const Vec3f& position : surface.positions) box.extend(position);
+  return box.isEmpty() ? 0 : (box.max().cast<double>() - box.min().cast<double>()).norm();
+}
+
+}  // namespace burin
