@@ -1,0 +1,20 @@
+#pragma once
+#include <burin/surface/surface.h>
+#include <burin/surface/surface_point.h>
+
+namespace burin {
+
+/// The point of a triangle that is closest to a query: u * corner 1 + v * corner 2 + (1 - u - v) * corner 0.
+struct TrianglePoint {
+  double u, v;
+  Vec3d position;
+  double squared_distance;
+};
+
+/// Exact for triangles without area too: they count as their edges.
+TrianglePoint closest_point(const Surface& surface, Index triangle, const Vec3d& query);
+
+/// Where (u, v) of the point's triangle is now.
+Vec3f position_at(const Surface& surface, const SurfacePoint& point);
+
+}  // namespace burin

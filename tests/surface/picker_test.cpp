@@ -1,0 +1,196 @@
+#include <burin/surface/picker.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "surface/test_meshes.h"
+
+namespace burin {
+namespace {
+
+constexpr unsigned seed = 20130721;
+constexpr float unlimited = std::numeric_limits<float>::infinity();
+
+class Random {
+ public:
+  Vec3f point(float half_width) {
+    std::uniform_real_distribution<float> coordinate(-half_width, half_width);
+    const float x = coordinate(generator_), y = coordinate(generator_), z = coordinate(generator_);
+    return {x, y, z};
+  }
+
+ private:
+  std::mt19937 generator_{seed};
+};
+
+std::array<Vec3d, 3> corners(const Surface& surface, Index triangle) {
+  const auto corner = [&](int i) -> Vec3d {
+    return surface.positions[surface.triangles[triangle][i]].cast<double>();
+  };
+  return {corner(0), corner(1), corner(2)};
+}
+
+/// Moller and Trumbore 1997, in doubles: distance along the ray, or infinity.
+double ray_distance(const Surface& surface, Index triangle, const Ray& ray) {
+  const auto [a, b, c] = corners(surface, triangle);
+  const Vec3d direction = ray.direction.cast<double>(), to_origin = ray.origin.cast<double>() - a;
+  const Vec3d p = direction.cross(c - a), q = to_origin.cross(b - a);
+  const double determinant = (b - a).dot(p);
+  const double u = to_origin.dot(p) / determinant, v = direction.dot(q) / determinant;
+  const double distance = (c - a).dot(q) / determinant;
+  return u >= 0 && v >= 0 && u + v <= 1 && distance >= 0 ? distance : std::numeric_limits<double>::infinity();
+}
+
+Vec3d closest_on_segment(const Vec3d& a, const Vec3d& b, const Vec3d& p) {
+  return a + std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0) * (b - a);
+}
+
+/// The foot in the triangle's plane where it lies inside, else the nearest point of the three edges.
+Vec3d closest_on_triangle(const std::array<Vec3d, 3>& t, const Vec3d& p) {
+  const auto& [a, b, c] = t;
+  const Vec3d normal = (b - a).cross(c - a).normalized();
+  const Vec3d foot = p - (p - a).dot(normal) * normal;
+  const auto left_of = [&](const Vec3d& from, const Vec3d& to) {
+    return (to - from).cross(foot - from).dot(normal) >= 0;
+  };
+  if (left_of(a, b) && left_of(b, c) && left_of(c, a)) return foot;
+  return std::min({closest_on_segment(a, b, p), closest_on_segment(b, c, p), closest_on_segment(c, a, p)},
+                  [&](const Vec3d& x, const Vec3d& y) { return (x - p).norm() < (y - p).norm(); });
+}
+
+/// Least of value(triangle) over all triangles.
+template <class Value>
+double least(const Surface& surface, const Value& value) {
+  double result = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < surface.triangles.size(); ++i) result = std::min(result, value(i));
+  return result;
+}
+
+Vec3d at_barycentrics(const Surface& surface, const SurfacePoint& point) {
+  const auto [a, b, c] = corners(surface, point.triangle);
+  return a + double{point.u} * (b - a) + double{point.v} * (c - a);
+}
+
+/// More triangles than one chunk of the picker.
+const Surface& ring() {
+  static const Surface surface = make_surface(test::torus(160, 80));
+  return surface;
+}
+
+TEST(Picker, HitsWhatBruteForceHits) {
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const Picker picker(ring());
+  Random random;
+  int hits = 0, misses = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Ray ray{random.point(3), random.point(1) * 2};
+    const double expected = least(ring(), [&](Index t) { return ray_distance(ring(), t, ray); });
+    const auto hit = picker.pick(ray);
+    ASSERT_EQ(hit.has_value(), std::isfinite(expected)) << "ray " << i;
+    ++(hit ? hits : misses);
+    if (!hit) continue;
+    EXPECT_LT((hit->position - (ray.origin + static_cast<float>(expected) * ray.direction)).norm(), 1e-5f);
+    EXPECT_LT((hit->position.cast<double>() - at_barycentrics(ring(), *hit)).norm(), 1e-6);
+  }
+  EXPECT_GT(hits, 50);
+  EXPECT_GT(misses, 50);
+}
+
+TEST(Picker, HitsFromBothSides) {
+  const Surface surface = make_surface({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  const Picker picker(surface);
+  EXPECT_TRUE(picker.pick({{0.2f, 0.2f, 1}, {0, 0, -1}}));
+  EXPECT_TRUE(picker.pick({{0.2f, 0.2f, -1}, {0, 0, 5}}));
+  EXPECT_FALSE(picker.pick({{0.2f, 0.2f, 1}, {0, 0, 1}}));
+}
+
+TEST(Picker, FindsTheClosestPointThatBruteForceFinds) {
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const Picker picker(ring());
+  Random random;
+  int within = 0, beyond = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3f query = random.point(3);
+    const double expected = least(ring(), [&](Index t) {
+      return (closest_on_triangle(corners(ring(), t), query.cast<double>()) - query.cast<double>()).norm();
+    });
+    const auto found = picker.closest(query, unlimited);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR((found->position - query).norm(), expected, 1e-5);
+    EXPECT_LT((found->position.cast<double>() - at_barycentrics(ring(), *found)).norm(), 1e-6);
+    const auto near = picker.closest(query, 0.5f);
+    EXPECT_EQ(near.has_value(), expected <= 0.5);
+    ++(near ? within : beyond);
+  }
+  EXPECT_GT(within, 50);
+  EXPECT_GT(beyond, 50);
+}
+
+TEST(Picker, PrefersTheLowestOfEquallyNearTriangles) {
+  const Surface surface = make_surface(test::torus(40, 20));
+  const Picker picker(surface);
+  for (Index vertex = 0; vertex < surface.vertex_count(); ++vertex) {
+    const auto found = picker.closest(surface.positions[vertex], 1);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->triangle, surface.incident[vertex].front());
+    EXPECT_EQ(found->position, surface.positions[vertex]);
+  }
+}
+
+TEST(Picker, OfTwoTrianglesInOnePlaceHitsTheLower) {
+  const Surface surface =
+      make_surface({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}, {0, 1, 2}}});
+  const auto hit = Picker(surface).pick({{0.2f, 0.2f, 1}, {0, 0, -1}});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->triangle, 0u);
+}
+
+TEST(Picker, ClosestPointOfATriangleWithoutAreaIsOnItsEdges) {
+  const Surface surface = make_surface(
+      {{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {0, 9, 0}, {1, 9, 0}, {0, 9, 1}}, {{0, 1, 2}, {3, 4, 5}}});
+  const auto found = Picker(surface).closest({2, 1, 0}, unlimited);
+  ASSERT_TRUE(found);
+  EXPECT_LT((found->position - Vec3f(2, 0, 0)).norm(), 1e-6f);
+}
+
+/// A picker that followed moved vertices answers like a new one, bit for bit.
+void expect_follows(Surface surface) {
+  Picker picker(surface);
+  std::vector<Index> moved(500);
+  std::iota(moved.begin(), moved.end(), surface.vertex_count() / 2);
+  moved.push_back(surface.vertex_count() - 1);
+  for (const Index vertex : moved) surface.positions[vertex] += 0.3f * surface.normals[vertex];
+  picker.update(moved);
+  const Picker fresh(surface);
+  Random random;
+  int on_moved = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3f from = random.point(3);
+    const auto followed = picker.closest(from, unlimited), expected = fresh.closest(from, unlimited);
+    ASSERT_EQ(followed->triangle, expected->triangle);
+    ASSERT_EQ(followed->position, expected->position);
+    on_moved += std::ranges::any_of(surface.triangles[expected->triangle],
+                                    [&](Index v) { return std::ranges::find(moved, v) != moved.end(); });
+    const Ray ray{from, random.point(1)};
+    const auto hit = picker.pick(ray), expected_hit = fresh.pick(ray);
+    ASSERT_EQ(hit.has_value(), expected_hit.has_value());
+    ASSERT_EQ(hit ? hit->position : from, expected_hit ? expected_hit->position : from);
+  }
+  EXPECT_GT(on_moved, 30);
+}
+
+TEST(Picker, FollowsMovedVertices) { expect_follows(make_surface(test::torus(160, 80))); }
+
+TEST(Picker, FollowsMovedVerticesOfASurfaceWithoutRoomForOneMorePosition) {
+  Surface surface = make_surface(test::torus(160, 80));
+  std::vector<Vec3f>(surface.positions).swap(surface.positions);
+  ASSERT_EQ(surface.positions.capacity(), surface.positions.size());
+  expect_follows(std::move(surface));
+}
+
+}  // namespace
+}  // namespace burin
