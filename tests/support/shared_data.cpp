@@ -24,7 +24,8 @@ fs::path unpacked(const fs::path& packed, const fs::path& name) {
   if (fs::exists(file)) return file;
   fs::create_directories(file.parent_path());
   const fs::path partial = file.string() + "." + std::to_string(getpid());
-  const std::string command = std::string(BURIN_XZ) + " -dc '" + packed.string() + "' > '" + partial.string() + "'";
+  const std::string command =
+      std::string(BURIN_XZ) + " -dc '" + packed.string() + "' > '" + partial.string() + "'";
   if (std::system(command.c_str()) != 0) throw std::runtime_error("cannot unpack " + packed.string());
   fs::rename(partial, file);
   return file;
@@ -43,7 +44,8 @@ std::optional<fs::path> shared_data(std::string_view name) {
 
 TemporaryFolder::TemporaryFolder() {
   static std::atomic<int> count{0};
-  path_ = fs::temp_directory_path() / ("burin-test-" + std::to_string(getpid()) + "-" + std::to_string(count++));
+  path_ =
+      fs::temp_directory_path() / ("burin-test-" + std::to_string(getpid()) + "-" + std::to_string(count++));
   fs::create_directories(path_);
 }
 

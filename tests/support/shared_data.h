@@ -25,7 +25,7 @@ class TemporaryFolder {
 }  // namespace burin::test
 
 /// Defines `path` as the file, or skips the test with a message.
-#define BURIN_SHARED_DATA_OR_SKIP(path, name)                                                 \
-  const auto path##_found = ::burin::test::shared_data(name);                                 \
+#define BURIN_SHARED_DATA_OR_SKIP(path, name)                                                  \
+  const auto path##_found = ::burin::test::shared_data(name);                                  \
   if (!path##_found) GTEST_SKIP() << "../shared/data/" << (name) << " is not on this machine"; \
   const std::filesystem::path& path = *path##_found

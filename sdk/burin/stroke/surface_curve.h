@@ -17,7 +17,7 @@ struct CurvePoint {
   Pen pen;
 };
 
-/// A stroke on a surface: a polyline whose points lie on it, at most about half an edge apart.
+/// A stroke on a surface: a polyline whose points lie on it, about half an edge apart.
 struct SurfaceCurve {
   std::vector<CurvePoint> points;
 
@@ -31,7 +31,8 @@ struct SurfaceCurve {
 /// Surface and picker must outlive the tracer. One thread.
 class CurveTracer {
  public:
-  /// `radius`: of the stroke, object units; bounds the spacing of points from below (radius / 1000).
+  /// `radius`: of the stroke, object units. Points are half an edge apart, but at least radius / 1000 and
+  /// at most radius / 8.
   CurveTracer(const Surface& surface, const Picker& picker, double radius);
 
   /// Whether a point can follow the samples so far: no point of the chord to it is farther from the
@@ -49,18 +50,21 @@ class CurveTracer {
  private:
   struct Knot {
     SurfacePoint at;
-    double time;
+    double time;  ///< since the first sample
     Pen pen;
   };
+  void retrace_tail();
   void trace_segment(std::size_t knot);
-  void append(const SurfacePoint& at, double time, const Pen& pen);
-  void update_frames(std::size_t first);
+  double spacing(Index triangle) const;
+  void append(const SurfacePoint& at, const Vec3d& direction, double time, const Pen& pen);
 
   const Surface* surface_;
   const Picker* picker_;
-  double min_spacing_;
+  double min_spacing_, max_spacing_;
+  double first_time_ = 0;
   std::vector<Knot> knots_;
   SurfaceCurve curve_;
+  std::size_t final_segments_ = 0;
   std::size_t final_points_ = 0;
 };
 

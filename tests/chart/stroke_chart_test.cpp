@@ -1,0 +1,193 @@
+#include <burin/base/error.h>
+#include <burin/chart/stroke_chart.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/shapes.h"
+#include "support/traced.h"
+
+namespace burin {
+namespace {
+
+/// Largest and mean |error| of t and d over the nodes with 0 <= t <= length, in shares of the radius.
+struct ChartError {
+  double t_mean = 0, t_max = 0, d_mean = 0, d_max = 0;
+  std::size_t count = 0;
+};
+
+struct Coordinates {
+  double t, d;
+};
+
+/// `exact` gives (t, d) of a position on the surface; nodes closer than `margin` to the stroke's ends are
+/// left out.
+template <class Exact>
+ChartError error_against(const Surface& surface, const Chart& chart, double length, double radius,
+                         double margin, const Exact& exact) {
+  ChartError error;
+  for (std::size_t i = 0; i < chart.size(); ++i) {
+    const Coordinates truth = exact(surface.positions[chart.vertex[i]].template cast<double>());
+    if (truth.t < margin || truth.t > length - margin) continue;
+    const double t = std::abs(chart.t[i] - truth.t) / radius;
+    const double d = std::abs(static_cast<double>(chart.d[i]) - truth.d) / radius;
+    error.t_mean += t;
+    error.d_mean += d;
+    error.t_max = std::max(error.t_max, t);
+    error.d_max = std::max(error.d_max, d);
+    ++error.count;
+  }
+  error.t_mean /= static_cast<double>(error.count);
+  error.d_mean /= static_cast<double>(error.count);
+  return error;
+}
+
+std::vector<Vec3d> sampled(int count, const std::function<Vec3d(double)>& curve) {
+  std::vector<Vec3d> samples;
+  for (int i = 0; i < count; ++i) samples.push_back(curve(static_cast<double>(i) / (count - 1)));
+  return samples;
+}
+
+struct Scene {
+  Surface surface;
+  Picker picker;
+  StrokeCharter charter;
+
+  explicit Scene(TriangleMesh mesh)
+      : surface(make_surface(std::move(mesh))), picker(surface), charter(surface) {}
+};
+
+TEST(StrokeChart, IsExactForAStraightStrokeOnAPlane) {
+  Scene scene(test::shuffled(test::plane(1, 0.01, 7), 8));
+  const double radius = 0.2;
+  const Vec3d from(-0.5, -0.31, 0), to(0.62, 0.27, 0);
+  const Vec3d along = (to - from).normalized(), left(-along.y(), along.x(), 0);
+  const SurfaceCurve curve =
+      test::traced(scene.surface, scene.picker, radius,
+                   sampled(40, [&](double s) { return Vec3d(from + s * (to - from)); }));
+  EXPECT_NEAR(curve.length(), (to - from).norm(), 1e-5 * radius);
+  const Chart chart = scene.charter.chart(curve, {radius, Cap::round});
+
+  const auto error = error_against(scene.surface, chart, curve.length(), radius, 0, [&](const Vec3d& x) {
+    return Coordinates{(x - from).dot(along), (x - from).dot(left)};
+  });
+  EXPECT_GT(error.count, 4000);
+  EXPECT_LE(error.t_max, 1e-5);
+  EXPECT_LE(error.d_max, 1e-5);
+}
+
+TEST(StrokeChart, HoldsExactlyTheVerticesWithinTheStrokeOnAPlane) {
+  Scene scene(test::plane(1, 0.02, 3));
+  const double radius = 0.25, slack = 1e-5;
+  const SurfaceCurve curve =
+      test::traced(scene.surface, scene.picker, radius,
+                   sampled(11, [](double s) { return Vec3d(-0.4 + 0.8 * s, 0.003, 0); }));
+  for (const Cap cap : {Cap::round, Cap::butt}) {
+    const Chart chart = scene.charter.chart(curve, {radius, cap});
+    std::vector<bool> held(scene.surface.vertex_count(), false);
+    for (const Index v : chart.vertex) held[v] = true;
+    for (Index v = 0; v < scene.surface.vertex_count(); ++v) {
+      const Vec3f& x = scene.surface.positions[v];
+      const double beyond = std::max(std::abs(static_cast<double>(x.x())) - 0.4, 0.);
+      const double across = std::abs(static_cast<double>(x.y()) - 0.003);
+      const double outside = cap == Cap::round ? std::hypot(beyond, across) - radius
+                                               : std::max(beyond > 0 ? beyond : -1, across - radius);
+      if (std::abs(outside) <= slack) continue;
+      EXPECT_EQ(held[v], outside < 0) << x.transpose();
+    }
+  }
+}
+
+TEST(StrokeChart, PutsPositiveDistanceOnTheLeft) {
+  Scene scene(test::plane(1, 0.05, 3));
+  const SurfaceCurve curve = test::traced(scene.surface, scene.picker, 0.3, {{-0.5, 0, 0}, {0.5, 0, 0}});
+  const Chart chart = scene.charter.chart(curve, {0.3, Cap::butt});
+  ASSERT_GT(chart.size(), 100U);
+  for (std::size_t i = 0; i < chart.size(); ++i) {
+    EXPECT_NEAR(chart.d[i], scene.surface.positions[chart.vertex[i]].y(), 1e-5F);
+    EXPECT_LT((chart.e1[i] - Vec3f::UnitX()).norm(), 1e-5F);
+  }
+}
+
+ChartError error_along_cylinder(double jitter) {
+  const double radius = 0.3;
+  Scene scene(test::shuffled(test::cylinder(1, 1, radius / 20, jitter, 5), 6));
+  const SurfaceCurve curve = test::traced(scene.surface, scene.picker, radius,
+                                          sampled(60, [](double s) { return Vec3d(1, 0, -0.8 + 1.6 * s); }));
+  const Chart chart = scene.charter.chart(curve, {radius, Cap::round});
+  // Upwards along the ruling through (1, 0) with the outward normal, the left is the side of falling angle.
+  return error_against(scene.surface, chart, curve.length(), radius, 0, [](const Vec3d& x) {
+    return Coordinates{x.z() + 0.8, -std::atan2(x.y(), x.x())};
+  });
+}
+
+TEST(StrokeChart, IsExactAlongACylinder) {
+  const ChartError error = error_along_cylinder(0);
+  EXPECT_GT(error.count, 3000);
+  EXPECT_LE(error.t_max, 1e-5);
+  EXPECT_LE(error.d_max, 1e-5);
+}
+
+// Vertices off the rulings: the facets are no developable surface any more and the normals no exact ones.
+TEST(StrokeChart, StaysCloseAlongAnIrregularCylinder) {
+  const ChartError error = error_along_cylinder(0.3);
+  EXPECT_LE(error.t_max, 4e-5);
+  EXPECT_LE(error.d_max, 2e-5);
+}
+
+TEST(StrokeChart, FollowsAGreatCircleOfTheSphere) {
+  Scene scene(test::shuffled(test::sphere(6, 0.15, 11), 12));
+  const double radius = 0.3;
+  const SurfaceCurve curve =
+      test::traced(scene.surface, scene.picker, radius,
+                   sampled(120, [](double s) { return Vec3d(std::cos(2 * s), std::sin(2 * s), 0); }));
+  EXPECT_NEAR(curve.length(), 2, 1e-3);
+  const Chart chart = scene.charter.chart(curve, {radius, Cap::round});
+  const auto error = error_against(scene.surface, chart, 2, radius, radius / 2, [](const Vec3d& x) {
+    return Coordinates{std::atan2(x.y(), x.x()), std::asin(x.z() / x.norm())};
+  });
+  EXPECT_GT(error.count, 3000);
+  EXPECT_LE(error.d_mean, 5e-4);
+}
+
+TEST(StrokeChart, IsADiscAroundASinglePoint) {
+  Scene scene(test::plane(1, 0.02, 4));
+  const SurfaceCurve curve = test::traced(scene.surface, scene.picker, 0.2, {{0.1, 0.1, 0}});
+  ASSERT_EQ(curve.points.size(), 1U);
+  const Chart chart = scene.charter.chart(curve, {0.2, Cap::round});
+  EXPECT_GT(chart.size(), 280U);
+  for (std::size_t i = 0; i < chart.size(); ++i) {
+    const float distance = (scene.surface.positions[chart.vertex[i]] - Vec3f(0.1F, 0.1F, 0)).norm();
+    EXPECT_NEAR(std::hypot(chart.t[i], static_cast<double>(chart.d[i])), distance, 1e-5);
+  }
+}
+
+TEST(StrokeChart, DependsOnNothingButItsArguments) {
+  Scene scene(test::sphere(5, 0.2, 21));
+  const auto circle = [&](double height, double radius) {
+    return test::traced(scene.surface, scene.picker, radius, sampled(30, [&](double s) {
+                          return Vec3d(std::cos(s), std::sin(s), height).normalized();
+                        }));
+  };
+  const SurfaceCurve first = circle(0.1, 0.2), other = circle(-0.4, 0.5);
+  const Chart before = scene.charter.chart(first, {0.2, Cap::round});
+  scene.charter.chart(other, {0.5, Cap::butt});
+  const Chart after = scene.charter.chart(first, {0.2, Cap::round});
+  EXPECT_EQ(before.vertex, after.vertex);
+  EXPECT_EQ(before.t, after.t);
+  EXPECT_EQ(before.d, after.d);
+  EXPECT_EQ(before.e1, after.e1);
+}
+
+TEST(StrokeChart, RefusesWhatIsNoStroke) {
+  Scene scene(test::plane(1, 0.5, 1));
+  const SurfaceCurve curve = test::traced(scene.surface, scene.picker, 0.2, {{0, 0, 0}});
+  EXPECT_THROW(scene.charter.chart(curve, {0, Cap::round}), ContractError);
+  EXPECT_THROW(scene.charter.chart(curve, {std::numeric_limits<double>::infinity(), Cap::round}),
+               ContractError);
+  EXPECT_THROW(scene.charter.chart({}, {1, Cap::round}), ContractError);
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,126 @@
+#include <burin/stroke/surface_curve.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/shapes.h"
+#include "support/traced.h"
+
+namespace burin {
+namespace {
+
+struct Ground {
+  Surface surface;
+  Picker picker;
+  explicit Ground(const TriangleMesh& mesh) : surface(make_surface(mesh)), picker(surface) {}
+};
+
+std::vector<Vec3d> circle(int samples, double radius, double z) {
+  std::vector<Vec3d> places;
+  for (int i = 0; i < samples; ++i) {
+    const double angle = 1.5 * i / (samples - 1);
+    places.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+  }
+  return places;
+}
+
+TEST(CurveTracer, FollowsAnArcBetweenSparseSamples) {
+  Ground ground(test::plane(1, 0.02, 1));
+  const SurfaceCurve curve = test::traced(ground.surface, ground.picker, 0.1, circle(16, 0.7, 0));
+  EXPECT_NEAR(curve.length(), 1.5 * 0.7, 1e-3);
+  for (const CurvePoint& point : curve.points) {
+    if (point.t < 0.1 || point.t > curve.length() - 0.1) continue;  // the ends have one-sided tangents
+    const Vec3f radial = point.at.position.normalized();
+    EXPECT_NEAR(point.at.position.norm(), 0.7F, 1e-4F);
+    EXPECT_NEAR(point.tangent.dot(radial), 0, 5e-3F);
+    EXPECT_NEAR(point.tangent.norm(), 1, 1e-5F);
+  }
+}
+
+TEST(CurveTracer, LeavesPointsHalfAnEdgeApart) {
+  Ground ground(test::plane(1, 0.02, 1));
+  const SurfaceCurve curve = test::traced(ground.surface, ground.picker, 0.2, {{-0.5, 0, 0}, {0.5, 0, 0}});
+  EXPECT_NEAR(static_cast<double>(curve.points.size()), 1 / 0.011, 10);
+  for (std::size_t i = 1; i < curve.points.size(); ++i) {
+    EXPECT_GT(curve.points[i].t, curve.points[i - 1].t);
+    EXPECT_LT(curve.points[i].t - curve.points[i - 1].t, 0.025);
+  }
+}
+
+TEST(CurveTracer, LiesOnTheSurfaceWithTangentFrames) {
+  Ground ground(test::sphere(5, 0.2, 3));
+  const SurfaceCurve curve = test::traced(ground.surface, ground.picker, 0.2, circle(12, 0.9, 0.435));
+  ASSERT_GT(curve.points.size(), 50U);
+  for (const CurvePoint& point : curve.points) {
+    const auto closest = ground.picker.closest(point.at.position, 0.1F);
+    ASSERT_TRUE(closest.has_value());
+    EXPECT_LT((closest->position - point.at.position).norm(), 1e-6F);
+    EXPECT_NEAR(point.normal.norm(), 1, 1e-5F);
+    EXPECT_NEAR(point.tangent.dot(point.normal), 0, 1e-5F);
+  }
+}
+
+TEST(CurveTracer, LeavesTheFinalPartAloneWhenSamplesArrive) {
+  Ground ground(test::sphere(4, 0.2, 3));
+  CurveTracer tracer(ground.surface, ground.picker, 0.2);
+  std::vector<CurvePoint> final_part;
+  for (const Vec3d& sample : circle(20, 0.8, 0.6)) {
+    tracer.add(*ground.picker.closest(sample.cast<float>(), 1), 0, {});
+    const auto& points = tracer.curve().points;
+    for (std::size_t i = 0; i < final_part.size(); ++i) {
+      EXPECT_EQ(points[i].at.position, final_part[i].at.position);
+      EXPECT_EQ(points[i].tangent, final_part[i].tangent);
+      EXPECT_EQ(points[i].t, final_part[i].t);
+    }
+    final_part.assign(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(tracer.final_points()));
+  }
+  EXPECT_GT(final_part.size(), 20U);
+  EXPECT_LT(final_part.size(), tracer.curve().points.size());
+}
+
+TEST(CurveTracer, TakesRepeatedSamplesAsOne) {
+  Ground ground(test::plane(1, 0.1, 1));
+  const std::vector<Vec3d> once = {{-0.5, 0, 0}, {0, 0.2, 0}, {0.5, 0, 0}};
+  const std::vector<Vec3d> often = {{-0.5, 0, 0}, {-0.5, 0, 0}, {0, 0.2, 0},
+                                    {0, 0.2, 0},  {0, 0.2, 0},  {0.5, 0, 0}};
+  const auto a = test::traced(ground.surface, ground.picker, 0.1, once);
+  const auto b = test::traced(ground.surface, ground.picker, 0.1, often);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  EXPECT_EQ(a.length(), b.length());
+}
+
+TEST(CurveTracer, ConnectsAlongTheSurfaceButNotAcrossAGap) {
+  TriangleMesh two = test::plane(1, 0.1, 1);
+  const auto count = static_cast<Index>(two.positions.size());
+  TriangleMesh lower = two;
+  for (Vec3f& p : lower.positions) two.positions.emplace_back(p - Vec3f(0, 0, 3));
+  for (const auto& [a, b, c] : lower.triangles) two.triangles.push_back({a + count, b + count, c + count});
+  Ground ground(two);
+  CurveTracer tracer(ground.surface, ground.picker, 0.1);
+  tracer.add(*ground.picker.closest(Vec3f(0, 0, 0), 1), 0, {});
+  EXPECT_TRUE(tracer.connects(*ground.picker.closest(Vec3f(0.9F, 0.3F, 0), 1)));
+  EXPECT_FALSE(tracer.connects(*ground.picker.closest(Vec3f(0.2F, 0, -3), 1)));
+}
+
+TEST(PenAt, InterpolatesPressureTimeAndSpeed) {
+  Ground ground(test::plane(1, 0.1, 1));
+  CurveTracer tracer(ground.surface, ground.picker, 0.1);
+  const auto add = [&](float x, double time, float pressure) {
+    tracer.add(*ground.picker.closest(Vec3f(x, 0, 0), 1), time, {pressure, 0, 0, 0});
+  };
+  add(-0.5F, 10, 0);
+  add(0, 10.5, 0.5F);
+  add(0.5F, 11.5, 1);
+  const PenAt middle = pen_at(tracer.curve(), 0.25), late = pen_at(tracer.curve(), 0.75);
+  EXPECT_NEAR(middle.pen.pressure, 0.25F, 0.01F);
+  EXPECT_NEAR(middle.time, 0.25, 0.01);
+  EXPECT_NEAR(middle.speed, 1, 0.1);
+  EXPECT_NEAR(late.time, 1, 0.03);
+  EXPECT_NEAR(late.speed, 0.5, 0.05);
+  EXPECT_EQ(pen_at(tracer.curve(), -1).pen.pressure, 0);
+  EXPECT_EQ(pen_at(tracer.curve(), 9).pen.pressure, 1);
+}
+
+}  // namespace
+}  // namespace burin

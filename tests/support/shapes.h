@@ -1,0 +1,35 @@
+#pragma once
+#include <burin/base/vector.h>
+#include <burin/surface/triangle_mesh.h>
+
+#include <cstdint>
+#include <functional>
+
+namespace burin::test {
+
+/// A rectangle of the (u, v) plane cut into cells, its inner grid points moved at random and the diagonals
+/// of its cells chosen at random, then mapped into space. u x v points outward.
+struct PatchGrid {
+  double u_min, u_max, v_min, v_max;
+  int cells_u, cells_v;
+  bool wrap_u = false;                    ///< u_max is u_min again
+  double jitter_u = 0.3, jitter_v = 0.3;  ///< share of a cell by which points move at most
+  std::uint32_t seed = 1;
+};
+TriangleMesh patch(const PatchGrid& grid, const std::function<Vec3d(double u, double v)>& map);
+
+/// The square |x|, |y| <= half_width in the plane z = 0, normal +z.
+TriangleMesh plane(double half_width, double edge, std::uint32_t seed);
+
+/// The cylinder of this radius about the z axis, |z| <= half_length, open at the ends. Its vertices stand on
+/// rulings `edge` apart, moved around the axis by at most `jitter` edges.
+TriangleMesh cylinder(double radius, double half_length, double edge, double jitter, std::uint32_t seed);
+
+/// The unit sphere: an icosahedron whose triangles are split into four `levels` times, its vertices then
+/// moved along the sphere by at most `jitter` mean edges.
+TriangleMesh sphere(int levels, double jitter, std::uint32_t seed);
+
+/// The same mesh with its vertices and triangles in random order.
+TriangleMesh shuffled(const TriangleMesh& mesh, std::uint32_t seed);
+
+}  // namespace burin::test

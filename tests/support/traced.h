@@ -1,0 +1,23 @@
+#pragma once
+#include <burin/stroke/surface_curve.h>
+#include <burin/surface/picker.h>
+#include <burin/surface/surface.h>
+
+#include <vector>
+
+namespace burin::test {
+
+/// The surface curve of samples near the surface, 1/240 s apart.
+inline SurfaceCurve traced(const Surface& surface, const Picker& picker, double radius,
+                           const std::vector<Vec3d>& samples) {
+  CurveTracer tracer(surface, picker, radius);
+  double time = 0;
+  for (const Vec3d& sample : samples) {
+    const auto at = picker.closest(sample.cast<float>(), static_cast<float>(radius));
+    if (at) tracer.add(*at, time, {});
+    time += 1. / 240;
+  }
+  return tracer.curve();
+}
+
+}  // namespace burin::test
