@@ -46,6 +46,10 @@ find_package(nlohmann_json 3.11 REQUIRED)
 
 burin_dependency(apt libopenimageio-dev why "EXR stamps in, PNG pictures out")
 find_package(OpenImageIO 2.4 REQUIRED)
+# Debian's configuration of it names a folder of OpenCV that its package does not bring; the headers' own
+# folder comes with OpenImageIO_Util.
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
+  INTERFACE_INCLUDE_DIRECTORIES "" INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "")
 
 burin_dependency(apt libcli11-dev why "command line of burin")
 find_package(CLI11 REQUIRED)

@@ -34,7 +34,7 @@ struct RecordedStroke {
   bool closed = false;
   ParamSettings params;
   PenFields fields;
-  std::vector<Sample> samples;  ///< finite, time not falling
+  std::vector<Sample> samples;  ///< finite as floats, pressure 0..1, time not falling
 };
 
 /// A `.stroke` file.
@@ -42,7 +42,8 @@ struct Recording {
   StrokeSpace space = StrokeSpace::object;
   std::optional<Camera> camera;  ///< always there for StrokeSpace::screen
   std::vector<RecordedStroke> strokes;
-  /// The last line was cut off in the middle (a crash of the recorder) and has been left out.
+  /// The recorder stopped in the middle: a last line that was cut off has been left out, or the last
+  /// stroke has no end and holds the samples that were written.
   bool cut_off = false;
 };
 

@@ -1,0 +1,54 @@
+#include <burin/stroke/recording_faults.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+namespace {
+
+bool finite(double value) { return std::isfinite(value); }
+
+bool finite(const ParamSetting& setting) {
+  if (const auto* number = std::get_if<double>(&setting)) return finite(*number);
+  if (const auto* numbers = std::get_if<std::vector<double>>(&setting))
+    return std::all_of(numbers->begin(), numbers->end(), [](double number) { return finite(number); });
+  return true;
+}
+
+bool invertible(const Eigen::Matrix4d& matrix) {
+  return matrix.allFinite() && Eigen::FullPivLU<Eigen::Matrix4d>(matrix).isInvertible();
+}
+
+}  // namespace
+
+std::string_view fault_of(const Camera& camera) {
+  if (!invertible(camera.view)) return "camera: the view matrix has no inverse";
+  if (!invertible(camera.projection)) return "camera: the projection matrix has no inverse";
+  if (!(camera.projection * camera.view).inverse().allFinite()) return "camera: the matrices overflow";
+  if (camera.width <= 0 || camera.height <= 0) return "camera: the viewport is empty";
+  return {};
+}
+
+std::string_view fault_of(const RecordedStroke& settings) {
+  if (settings.radius && !(*settings.radius > 0 && finite(*settings.radius)))
+    return "radius must be positive";
+  if (!finite(settings.strength)) return "strength must be finite";
+  for (const auto& [id, setting] : settings.params)
+    if (!finite(setting)) return "params must be finite";
+  return {};
+}
+
+std::string_view fault_of(const Sample& sample) {
+  const Pen& pen = sample.pen;
+  if (!finite(sample.time)) return "time is not finite";
+  if (!(sample.position.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()) ||
+      !sample.position.allFinite())
+    return "the position is not finite, or too large";
+  if (!(pen.pressure >= 0 && pen.pressure <= 1)) return "pressure must lie in 0..1";
+  if (!finite(pen.tilt_x) || !finite(pen.tilt_y) || !finite(pen.twist)) return "tilt or twist is not finite";
+  return {};
+}
+
+}  // namespace burin
