@@ -5,14 +5,7 @@
 function(burin_dependency)
 endfunction()
 
-# An imported target for a library without a usable CMake configuration.
-function(burin_find_library target header library)
-  find_path(${library}_INCLUDE_DIR ${header} REQUIRED)
-  find_library(${library}_LIBRARY ${library} REQUIRED)
-  add_library(${target} UNKNOWN IMPORTED GLOBAL)
-  set_target_properties(${target} PROPERTIES
-    IMPORTED_LOCATION "${${library}_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${${library}_INCLUDE_DIR}")
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/BurinFindLibrary.cmake)
 
 burin_dependency(apt g++ cmake ninja-build why "compiler and build")
 

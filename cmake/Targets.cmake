@@ -22,6 +22,7 @@ function(burin_interface_library name)
   target_include_directories(burin_${name} INTERFACE
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/sdk> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(burin_${name} INTERFACE ${ARGN})
+  burin_install_library(${name})
 endfunction()
 
 # burin_library(NAME LINK (public) ... PRIVATE ...): a folder of the SDK, all its sources.
@@ -39,15 +40,16 @@ function(burin_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/sdk> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(burin_${name} PUBLIC cxx_std_20)
   target_link_libraries(burin_${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:burin_build_flags>)
+  burin_install_library(${name})
 endfunction()
 
 # burin_brush_plugin(NAME): one source, one shared module that sees the plugin SDK only.
 function(burin_brush_plugin name)
-  add_library(burin_brush_${name} MODULE ${name}.cpp)
-  target_link_libraries(burin_brush_${name} PRIVATE burin::plugin burin_build_flags)
+  burin_add_brush(burin_brush_${name} ${name}.cpp)
+  target_link_libraries(burin_brush_${name} PRIVATE burin_build_flags)
   set_target_properties(burin_brush_${name} PROPERTIES
-    PREFIX "" OUTPUT_NAME ${name} SUFFIX ".burin"
-    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin/brushes)
+    OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin/brushes)
+  burin_install_brush(burin_brush_${name})
 endfunction()
 
 # burin_test(NAME LINK ... [LABELS ...]): the folder's *_test.cpp as one GoogleTest program NAME_test, one

@@ -4,7 +4,8 @@
  *  - Lengths are in object units of the mesh, angles in radians, time in seconds, pressure in 0..1.
  *  - Every struct that may grow starts with `uint32_t struct_size`, set by whoever fills the struct.
  *    A reader takes a member only if struct_size covers it (BURIN_HAS); a missing tail means the
- *    defaults that its members document. Structs marked FROZEN never grow.
+ *    defaults that its members document, zero or null where they say nothing. Structs marked FROZEN
+ *    never grow.
  *  - Whoever allocates, frees. Buffers belong to the caller; text that a call returns lives until the
  *    object that returned it is destroyed.
  *  - Enumerations are int32_t or bit masks in uint64_t; the value 0 of an enumeration means "unknown".
@@ -40,12 +41,12 @@ extern "C" {
 
 typedef int32_t burin_status;
 enum {
-  BURIN_STATUS_UNKNOWN = 0,    /* never returned on purpose: a zeroed result is no success */
+  BURIN_STATUS_UNKNOWN = 0, /* never returned on purpose: a zeroed result is no success */
   BURIN_OK = 1,
-  BURIN_ERROR = 2,             /* anything the text explains */
-  BURIN_INVALID_ARGUMENT = 3,  /* the caller broke the contract */
-  BURIN_UNSUPPORTED = 4,       /* valid, but not offered here */
-  BURIN_NOT_FOUND = 5,         /* a file, id or handle that does not exist */
+  BURIN_ERROR = 2,            /* anything the text explains */
+  BURIN_INVALID_ARGUMENT = 3, /* the caller broke the contract */
+  BURIN_UNSUPPORTED = 4,      /* valid, but not offered here */
+  BURIN_NOT_FOUND = 5,        /* a file, id or handle that does not exist */
   BURIN_OUT_OF_MEMORY = 6
 };
 

@@ -23,15 +23,15 @@ extern "C" {
 typedef struct burin_brush_descriptor {
   uint32_t struct_size;
   uint32_t param_count;
-  const char* id;      /* reverse DNS, "org.burin.groove": never changes */
-  const char* name;    /* for people */
+  const char* id;   /* reverse DNS, "org.burin.groove": never changes */
+  const char* name; /* for people */
   const char* vendor;
-  const char* version; /* of the brush, "1.2.0" */
-  const char* help;    /* one or two sentences; may be null */
+  const char* version;                   /* of the brush, "1.2.0" */
+  const char* help;                      /* one or two sentences; may be null */
   const char* const* features;           /* tags such as "procedural", "stamp"; ended by a null pointer */
   const burin_param_info* const* params; /* param_count pointers; their order is that of burin_params */
-  uint64_t inputs_read;     /* BURIN_INPUT_* */
-  uint64_t outputs_written; /* BURIN_OUTPUT_* */
+  uint64_t inputs_read;                  /* BURIN_INPUT_* */
+  uint64_t outputs_written;              /* BURIN_OUTPUT_* */
 } burin_brush_descriptor;
 
 /* What a stroke needs of the host, told at begin() since it may follow from the parameters.
@@ -41,7 +41,9 @@ typedef struct burin_stroke_plan {
   uint32_t passes;      /* >= 1, default 1: evaluate runs over the whole stroke once a pass, and inputs
                            (position, laplacian, displacement) are those after the pass before */
   double end_influence; /* how far back from the end (object units, >= 0, default 0) the result depends
-                           on context.length or BURIN_STROKE_FINAL; infinity is allowed */
+                           on context.length or BURIN_STROKE_FINAL; infinity is allowed. When either
+                           changes, the host evaluates anew all nodes with
+                           t > (length before) - end_influence, round cap included */
 } burin_stroke_plan;
 
 typedef struct burin_brush {

@@ -32,7 +32,8 @@ enum {
 };
 
 /* All text is the plugin's, UTF-8, and lives as long as the descriptor that holds this.
- * Values outside the hard range are never delivered; the soft range is what a slider spans. */
+ * Values outside the hard range are never delivered; the soft range is what a slider spans. Types other
+ * than FLOAT and INT know their range and ignore both. */
 typedef struct burin_param_info {
   uint32_t struct_size;
   burin_param_type type;
@@ -40,15 +41,15 @@ typedef struct burin_param_info {
   const char* name; /* for people */
   const char* help; /* one sentence; may be null */
   burin_param_unit unit;
-  float hard_min, hard_max;
-  float soft_min, soft_max;       /* within the hard range */
-  float default_number;           /* FLOAT, INT, BOOL, CHOICE */
-  float default_colour[4];        /* COLOUR */
-  const char* default_file;       /* FILE: may be null, then the user must give one */
-  const char* const* choices;     /* CHOICE: stable ids, ended by a null pointer */
-  const float* default_knots;     /* CURVE: x0 y0 x1 y1 ... */
-  uint32_t default_knot_count;    /* CURVE: pairs, at least 1 */
-  uint32_t dynamic;               /* 1: may vary along the stroke (input dynamics); 0: constant */
+  float hard_min, hard_max;    /* FLOAT, INT: may be infinite */
+  float soft_min, soft_max;    /* FLOAT, INT: finite, within the hard range */
+  float default_number;        /* FLOAT, INT, BOOL, CHOICE */
+  float default_colour[4];     /* COLOUR */
+  const char* default_file;    /* FILE: may be null, then the user must give one */
+  const char* const* choices;  /* CHOICE: stable ids, ended by a null pointer */
+  const float* default_knots;  /* CURVE: x0 y0 x1 y1 ... */
+  uint32_t default_knot_count; /* CURVE: pairs, at least 1 */
+  uint32_t dynamic;            /* 1: may vary along the stroke (input dynamics); 0: constant */
 } burin_param_info;
 
 /* FROZEN. One parameter's value; which member counts follows from the declared type. */

@@ -51,7 +51,7 @@ typedef struct burin_plugin_entry {
   const void*(BURIN_CALL* get_factory)(const char* factory_id);
 } burin_plugin_entry;
 
-/* The module defines it: BURIN_EXPORT const burin_plugin_entry burin_plugin = { ... }; */
+/* The module defines it: const burin_plugin_entry burin_plugin = { ... }; */
 BURIN_EXPORT extern const burin_plugin_entry burin_plugin;
 
 #ifdef __cplusplus

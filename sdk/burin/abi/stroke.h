@@ -3,7 +3,8 @@
  * The chart gives each node x near the stroke the coordinates (t, d): t is the arc length along the
  * stroke at the nearest point, d the geodesic distance to it, positive on the left of the direction of
  * travel. At every node stands a right-handed frame (e1, e2, n): e1 along the stroke, n the outward
- * normal, e2 = n x e1 in the direction of growing d.
+ * normal, e2 = n x e1 in the direction of growing d. Beyond an end, in a round cap, t and d continue the
+ * frame of that end: the distance to the stroke is hypot(t, d) before it and hypot(t - length, d) after.
  */
 #ifndef BURIN_ABI_STROKE_H
 #define BURIN_ABI_STROKE_H
@@ -50,14 +51,14 @@ extern "C" {
 /* Constant during a call. */
 typedef struct burin_stroke_context {
   uint32_t struct_size;
-  uint32_t pass;         /* 0 .. burin_stroke_plan.passes - 1 */
-  uint64_t flags;        /* BURIN_STROKE_*; a bit that is not known is to be ignored */
-  uint64_t pen_present;  /* BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME: what the recording really has */
-  uint64_t seed;         /* key of the counter-based generator, with node id and channel */
-  double length;         /* arc length of the stroke so far */
-  double radius_min;     /* bounds of the radius along the stroke so far */
-  double radius_max;
-  double object_scale;   /* diagonal of the surface's bounding box */
+  uint32_t pass;        /* 0 .. burin_stroke_plan.passes - 1 */
+  uint64_t flags;       /* BURIN_STROKE_*; a bit that is not known is to be ignored */
+  uint64_t pen_present; /* BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME: what the recording really has */
+  uint64_t seed;        /* key of the counter-based generator, with node id and channel */
+  double length;        /* arc length of the stroke so far */
+  double radius_min;    /* bounds of the radius along the stroke, however it will go on: from begin on */
+  double radius_max;    /* the same two numbers in every call of a stroke */
+  double object_scale;  /* diagonal of the surface's bounding box */
 } burin_stroke_context;
 
 /* Chart nodes, one element each. An array that the brush did not declare in inputs_read is null, and
@@ -99,12 +100,12 @@ typedef struct burin_batch {
  * the stroke, so that strength 0 leaves every surface untouched. */
 typedef struct burin_outputs {
   uint32_t struct_size;
-  uint32_t count;               /* equals the batch's */
-  burin_floats_out along;       /* displacement from the base surface along e1, object units */
-  burin_floats_out across;      /* the same along e2 */
-  burin_floats_out up;          /* the same along the normal */
-  burin_floats_out mask;        /* 0..1 */
-  burin_floats_out colour[4];   /* linear RGBA, 0..1 */
+  uint32_t count;             /* equals the batch's */
+  burin_floats_out along;     /* displacement from the base surface along e1, object units */
+  burin_floats_out across;    /* the same along e2 */
+  burin_floats_out up;        /* the same along the normal */
+  burin_floats_out mask;      /* 0..1 */
+  burin_floats_out colour[4]; /* linear RGBA, 0..1 */
 } burin_outputs;
 
 #ifdef __cplusplus

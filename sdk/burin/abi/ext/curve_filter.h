@@ -23,8 +23,11 @@ typedef struct burin_curve_points {
 typedef struct burin_curve_filter {
   uint32_t struct_size;
   uint32_t reserved;
-  double lookahead; /* how far ahead (object units) the moved curve depends on the drawn one; may be
-                       infinite: the host then filters finished strokes only */
+
+  /* How far ahead (object units, >= 0) the moved curve depends on the drawn one; may be infinite: the host
+   * then filters finished strokes only. The same all through a stroke.
+   * [stroke-thread, between begin and end] */
+  double(BURIN_CALL* lookahead)(const burin_brush* brush, void* stroke);
 
   /* Writes for every point the offset along e1 (along) and e2 (across), object units, that moves it; the
    * host brings the moved points back onto the surface. Offsets arrive as zero.

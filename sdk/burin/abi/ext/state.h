@@ -27,8 +27,8 @@ typedef struct burin_state {
 
   /* Takes a state that save of the given version wrote. On failure the brush is as before.
    * [main-thread, no stroke open] */
-  burin_status(BURIN_CALL* load)(const burin_brush* brush, uint32_t version, const void* data,
-                                 uint64_t size, burin_text* error);
+  burin_status(BURIN_CALL* load)(const burin_brush* brush, uint32_t version, const void* data, uint64_t size,
+                                 burin_text* error);
 } burin_state;
 
 #ifdef __cplusplus

@@ -1,0 +1,103 @@
+// org.burin.groove: pushes a profile into the surface along the stroke, fading out towards its ends.
+
+#include <burin/plugin/plugin.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace burin::plugin;
+
+class Groove : public Brush {
+ public:
+  static constexpr BrushInfo info{
+      .id = "org.burin.groove",
+      .name = "Groove",
+      .vendor = "Burin",
+      .version = "1.0.0",
+      .help = "Engraves a procedural profile along the stroke.",
+      .features = {"procedural"},
+      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
+      .outputs = BURIN_OUTPUT_DISPLACEMENT,
+  };
+  static constexpr FloatParam depth{
+      .id = "depth",
+      .name = "Depth",
+      .help = "Depth along the middle; below 0 a ridge.",
+      .unit = BURIN_UNIT_RADIUS,
+      .hard = {-10, 10},
+      .soft = {0, 1},
+      .initial = 0.25f,
+      .dynamic = true,
+  };
+  static constexpr FloatParam width{
+      .id = "width",
+      .name = "Width",
+      .help = "Distance from the middle to the rim.",
+      .unit = BURIN_UNIT_RADIUS,
+      .hard = {0.01f, 1},
+      .initial = 1,
+      .dynamic = true,
+  };
+  static constexpr FloatParam taper{
+      .id = "taper",
+      .name = "Taper",
+      .help = "Length over which the groove rises to the surface at either end.",
+      .unit = BURIN_UNIT_RADIUS,
+      .hard = {0, 1000},
+      .soft = {0, 10},
+      .initial = 2,
+  };
+  enum Profile { round, v, flat };
+  static constexpr ChoiceParam profile{
+      .id = "profile",
+      .name = "Profile",
+      .help = "Shape across the groove.",
+      .choices = {"round", "v", "flat"},
+      .initial = round,
+  };
+  static constexpr auto params = param_list(depth, width, taper, profile);
+
+  explicit Groove(StrokeStart& start)
+      : taper_(start.params[taper].value()), profile_(start.params[profile].value()) {
+    start.end_influence = taper_ * start.stroke.radius_max();
+  }
+
+  void evaluate(const Batch& in, const Outputs& out) const override {
+    const Floats t = in.t(), d = in.d(), radius = in.radius();
+    const Floats depths = in.params[depth], widths = in.params[width];
+    const FloatsOut up = out.up();
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      const float across = in.stroke.distance(t[i], d[i]) / (widths[i] * radius[i]);
+      up[i] = -depths[i] * radius[i] * shape(across) * end_factor(in.stroke, t[i], radius[i]);
+    }
+  }
+
+ private:
+  /// 1 in the middle (x = 0); falls to 0 at the rim (x = 1) with level tangent.
+  float shape(float x) const {
+    const float inside = std::max(1 - x, 0.0f);
+    switch (profile_) {
+      case v:
+        return inside * inside;
+      case flat:
+        return smooth_step(2 * inside);
+      default:
+        return inside * inside * (1 + x) * (1 + x);
+    }
+  }
+
+  /// 0 at an open end and beyond it, 1 from a taper's length on.
+  float end_factor(const Stroke& stroke, float t, float radius) const {
+    if (stroke.closed() || taper_ == 0) return 1;
+    const float to_end = std::min(t, static_cast<float>(stroke.length() - t));
+    return smooth_step(to_end / (taper_ * radius));
+  }
+
+  const float taper_;  // radii
+  const int profile_;
+};
+
+}  // namespace
+
+BURIN_PLUGIN(Groove);

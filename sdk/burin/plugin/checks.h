@@ -1,0 +1,86 @@
+#pragma once
+#include <burin/abi/param.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <string_view>
+
+/// What the compiler checks of a brush's declarations, so that a host need never refuse them.
+namespace burin::plugin::checks {
+
+constexpr bool present(const char* text) { return text && *text; }
+
+constexpr bool only(std::string_view text, std::string_view allowed) {
+  return !text.empty() && text.find_first_not_of(allowed) == std::string_view::npos;
+}
+
+/// "org.example.ripple": parts of letters, digits, - and _ between dots.
+constexpr bool reverse_dns(const char* id) {
+  if (!present(id)) return false;
+  const std::string_view text = id;
+  constexpr std::string_view characters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.";
+  return only(text, characters) && text.find('.') != text.npos && text.find("..") == text.npos &&
+         text.front() != '.' && text.back() != '.';
+}
+
+constexpr bool finite(float x) {
+  return x >= std::numeric_limits<float>::lowest() && x <= std::numeric_limits<float>::max();
+}
+
+/// Default within the soft range's limits, soft range within the hard one.
+constexpr bool ranges(const burin_param_info& info) {
+  return info.hard_min <= info.soft_min && info.soft_min <= info.soft_max && info.soft_max <= info.hard_max &&
+         finite(info.soft_min) && finite(info.soft_max) && info.hard_min <= info.default_number &&
+         info.default_number <= info.hard_max;
+}
+
+/// Whole numbers that a float holds exactly.
+constexpr bool whole(const burin_param_info& info) {
+  constexpr float limit = 16777216;
+  return -limit <= info.hard_min && info.hard_max <= limit;
+}
+
+constexpr bool rising(const float* knots, std::size_t count) {
+  for (std::size_t i = 1; i < count; ++i)
+    if (!(knots[2 * i - 2] < knots[2 * i])) return false;
+  return count > 0;
+}
+
+constexpr bool param(const burin_param_info& info) {
+  if (!present(info.id) || !only(info.id, "abcdefghijklmnopqrstuvwxyz0123456789_") || !present(info.name))
+    return false;
+  switch (info.type) {
+    case BURIN_PARAM_INT:
+      return ranges(info) && whole(info);
+    case BURIN_PARAM_FLOAT:
+    case BURIN_PARAM_BOOL:
+    case BURIN_PARAM_CHOICE:
+      return ranges(info);
+    case BURIN_PARAM_CURVE:
+      return rising(info.default_knots, info.default_knot_count);
+    default:
+      return true;
+  }
+}
+
+constexpr bool all_differ(std::initializer_list<std::string_view> ids) {
+  for (auto id = ids.begin(); id != ids.end(); ++id)
+    if (std::find(ids.begin(), id, *id) != id) return false;
+  return true;
+}
+
+/// Every parameter well formed, every id used once.
+template <std::size_t N>
+constexpr bool params(const std::array<burin_param_info, N>& infos) {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (!param(infos[i])) return false;
+    for (std::size_t j = 0; j < i; ++j)
+      if (std::string_view(infos[i].id) == infos[j].id) return false;
+  }
+  return true;
+}
+
+}  // namespace burin::plugin::checks

@@ -1,0 +1,30 @@
+#pragma once
+#include <burin/abi/ext/log.h>
+#include <burin/plugin/host.h>
+
+#include <string>
+
+namespace burin::plugin {
+
+/// Lines for the host's log; silent where the host keeps none. Any thread, concurrently.
+class Log {
+ public:
+  explicit Log(const Host& host) : host_(host.raw()) {
+    if (const auto* log = host.service<burin_log>(BURIN_EXT_LOG)) write_ = complete(*log).write;
+  }
+
+  void debug(const std::string& line) const { write(BURIN_LOG_DEBUG, line); }
+  void info(const std::string& line) const { write(BURIN_LOG_INFO, line); }
+  void warning(const std::string& line) const { write(BURIN_LOG_WARNING, line); }
+  void error(const std::string& line) const { write(BURIN_LOG_ERROR, line); }
+
+ private:
+  void write(burin_log_severity severity, const std::string& line) const {
+    if (write_) write_(host_, severity, line.c_str());
+  }
+
+  const burin_host* host_;
+  decltype(burin_log::write) write_ = nullptr;
+};
+
+}  // namespace burin::plugin

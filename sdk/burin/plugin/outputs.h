@@ -1,0 +1,40 @@
+#pragma once
+#include <burin/abi/brush.h>
+#include <burin/plugin/complete.h>
+#include <burin/plugin/error.h>
+#include <burin/plugin/views.h>
+
+#include <string>
+
+namespace burin::plugin {
+
+/// Where the results go, an element each; burin/abi/stroke.h says what each output means and what it holds
+/// before. An output throws Error unless BrushInfo::outputs declares it.
+class Outputs {
+ public:
+  explicit Outputs(const burin_outputs& outputs) : outputs_(complete(outputs)) {}
+
+  /// Displacement from the base surface along e1, e2 and the normal, object units. Zero before.
+  FloatsOut along() const { return floats(outputs_.along, "displacement"); }
+  FloatsOut across() const { return floats(outputs_.across, "displacement"); }
+  FloatsOut up() const { return floats(outputs_.up, "displacement"); }
+
+  FloatsOut mask() const { return floats(outputs_.mask, "mask"); }
+  ColoursOut colour() const {
+    const auto& rgba = outputs_.colour;
+    return {floats(rgba[0], "colour"), floats(rgba[1], "colour"), floats(rgba[2], "colour"),
+            floats(rgba[3], "colour")};
+  }
+
+ private:
+  static FloatsOut floats(const burin_floats_out& values, const char* name) {
+    if (!values.data)
+      throw Error(std::string("the brush writes output '") + name + "' without declaring it",
+                  BURIN_INVALID_ARGUMENT);
+    return {values.data, values.stride};
+  }
+
+  burin_outputs outputs_;
+};
+
+}  // namespace burin::plugin

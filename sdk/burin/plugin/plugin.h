@@ -1,0 +1,9 @@
+#pragma once
+/// All that a brush author needs; see brush.h for where to start.
+#include <burin/plugin/brush.h>
+#include <burin/plugin/entry.h>
+#include <burin/plugin/error.h>
+#include <burin/plugin/falloff.h>
+#include <burin/plugin/log.h>
+#include <burin/plugin/params.h>
+#include <burin/plugin/stamps.h>

@@ -1,0 +1,44 @@
+#pragma once
+#include <burin/abi/stroke.h>
+#include <burin/plugin/complete.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace burin::plugin {
+
+/// The stroke as a whole, as far as it is drawn.
+class Stroke {
+ public:
+  explicit Stroke(const burin_stroke_context& context) : context_(complete(context)) {}
+
+  double length() const { return context_.length; }          ///< so far, object units; 0 when it begins
+  double radius_min() const { return context_.radius_min; }  ///< along the whole stroke, object units
+  double radius_max() const { return context_.radius_max; }
+  double object_scale() const { return context_.object_scale; }  ///< diagonal of the surface's bounding box
+  std::uint64_t seed() const { return context_.seed; }           ///< key of random numbers
+  std::uint32_t pass() const { return context_.pass; }  ///< of those that StrokeStart::passes asked for
+
+  /// t lives modulo length: the stroke has no ends.
+  bool closed() const { return context_.flags & BURIN_STROKE_CLOSED; }
+
+  /// The pen is up: length will not change any more.
+  bool finished() const { return context_.flags & BURIN_STROKE_FINAL; }
+
+  /// Whether the recording really has this pen input (BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME); the others
+  /// read as their neutral value.
+  bool has_pen(std::uint64_t input) const { return context_.pen_present & input; }
+
+  /// Distance to the stroke of the place (t, d): |d| beside it, round its ends within caps.
+  float distance(float t, float d) const {
+    const float before = -t, after = t - static_cast<float>(context_.length);
+    const float beyond = std::max(before, after);
+    return beyond > 0 && !closed() ? std::hypot(beyond, d) : std::abs(d);
+  }
+
+ private:
+  burin_stroke_context context_;
+};
+
+}  // namespace burin::plugin

@@ -1,0 +1,60 @@
+#pragma once
+#include <burin/abi/base.h>
+
+#include <cstddef>
+
+namespace burin::plugin {
+
+/// The values of one quantity for the elements of a batch, uniform or varying alike. Points into the
+/// host's buffers: valid until evaluate (or the constructor that got it) returns.
+template <class Stored, class Value = Stored>
+class View {
+ public:
+  View(const Stored* data, std::size_t stride) : data_(data), stride_(stride) {}
+
+  Value operator[](std::size_t element) const { return static_cast<Value>(data_[element * stride_]); }
+
+  /// The value of what does not vary: a parameter that is not dynamic, any number while a stroke begins.
+  Value value() const { return (*this)[0]; }
+
+ private:
+  const Stored* data_;
+  std::size_t stride_;
+};
+
+using Floats = View<float>;
+using Indices = View<std::uint32_t>;
+using Ints = View<float, int>;
+using Bools = View<float, bool>;
+
+/// Where an output goes, an element each. Points into the host's buffers, as View does.
+class FloatsOut {
+ public:
+  FloatsOut(float* data, std::size_t stride) : data_(data), stride_(stride) {}
+
+  float& operator[](std::size_t element) const { return data_[element * stride_]; }
+
+  /// The elements from `first` on.
+  FloatsOut from(std::size_t first) const { return {data_ + first * stride_, stride_}; }
+
+  burin_floats_out raw() const { return {data_, static_cast<std::uint32_t>(stride_), 0}; }
+
+ private:
+  float* data_;
+  std::size_t stride_;
+};
+
+struct Vectors {
+  Floats x, y, z;
+};
+
+/// Linear RGB and coverage, each 0..1.
+struct Colours {
+  Floats r, g, b, a;
+};
+
+struct ColoursOut {
+  FloatsOut r, g, b, a;
+};
+
+}  // namespace burin::plugin
