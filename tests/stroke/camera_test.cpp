@@ -116,6 +116,15 @@ TEST(FramingCamera, ShowsAllOfTheBoxAndFillsTheFrame) {
   }
 }
 
+TEST(FramingCamera, HasTheFieldOfViewAndSquarePixels) {
+  const Camera camera =
+      framing_camera(Vec3d(-1, -2, -3), Vec3d(1, 2, 3), Vec3d(1, 2, -3), Vec3d(0, 1, 0), 900, 300, 0.7);
+  const Ray top = pixel_ray(camera, 450, 0), bottom = pixel_ray(camera, 450, 300);
+  EXPECT_NEAR(std::acos(top.direction.dot(bottom.direction)), 0.7, 1e-5);
+  const Ray left = pixel_ray(camera, 300, 150), right = pixel_ray(camera, 600, 150);
+  EXPECT_NEAR(std::acos(left.direction.dot(right.direction)), 0.7, 1e-5);
+}
+
 TEST(FramingCamera, CopesWithABoxWithoutExtentAndUpAlongTheView) {
   const Vec3d place(1, 2, 3);
   const Camera camera = framing_camera(place, place, Vec3d(0, -1, 0), Vec3d(0, 1, 0), 640, 480, 1);
