@@ -24,8 +24,8 @@ class TemporaryFolder {
 
 }  // namespace burin::test
 
-/// Defines `path` as the file, or skips the test with a message.
-#define BURIN_SHARED_DATA_OR_SKIP(path, name)                                                  \
-  const auto path##_found = ::burin::test::shared_data(name);                                  \
-  if (!path##_found) GTEST_SKIP() << "../shared/data/" << (name) << " is not on this machine"; \
-  const std::filesystem::path& path = *path##_found
+/// Defines `variable` as the path of the file, or skips the test with a message.
+#define BURIN_SHARED_DATA_OR_SKIP(variable, name)                                                  \
+  const auto variable##_found = ::burin::test::shared_data(name);                                  \
+  if (!variable##_found) GTEST_SKIP() << "../shared/data/" << (name) << " is not on this machine"; \
+  const std::filesystem::path& variable = *variable##_found
