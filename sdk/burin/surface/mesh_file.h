@@ -8,8 +8,9 @@ namespace burin {
 
 /// Reads OBJ (polygons, subdivision tags), PLY or STL, told apart by the extension. The vertex order is
 /// the file's; of an STL file, which shares no vertices, equal positions become one vertex in order of
-/// first appearance. Throws FileError naming the line or the face: unreadable, truncated, an index out of
-/// range, a coordinate that is not finite, no face at all.
+/// first appearance. Throws FileError naming the line, or the face or vertex counted from 1: unreadable,
+/// truncated, an index out of range, a coordinate that is not finite, no face at all, an OBJ face of more
+/// than 255 corners.
 PolygonMesh read_mesh(const std::filesystem::path& path);
 
 /// Writes a binary little-endian PLY, whole or not at all. Throws FileError.

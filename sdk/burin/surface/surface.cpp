@@ -4,6 +4,7 @@
 #include <burin/surface/normals.h>
 #include <burin/surface/spatial_order.h>
 #include <burin/surface/surface.h>
+#include <burin/surface/triangle_shape.h>
 #include <oneapi/tbb/parallel_sort.h>
 
 #include <Eigen/Geometry>
@@ -14,13 +15,6 @@ namespace burin {
 namespace {
 
 constexpr std::size_t elements_a_block = 16384;
-
-bool names_a_vertex_twice(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
-bool has_area(const TriangleMesh& mesh, const Triangle& triangle) {
-  const auto corner = [&](int i) -> Vec3d { return mesh.positions[triangle[i]].cast<double>(); };
-  return !(corner(1) - corner(0)).cross(corner(2) - corner(0)).isZero(0);
-}
 
 void check(const TriangleMesh& mesh) {
   const auto in_range = [&](Index vertex) { return vertex < mesh.positions.size(); };

@@ -1,0 +1,65 @@
+#include <burin/base/error.h>
+#include <burin/surface/mesh_file.h>
+#include <burin/surface/mesh_formats.h>
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace burin {
+namespace fs = std::filesystem;
+
+namespace {
+
+void check_readable(const fs::path& path) {
+  if (fs::is_directory(path)) throw FileError(path.string(), "is a folder, not a file");
+  if (!std::ifstream(path)) throw FileError(path.string(), std::strerror(errno));
+  if (fs::file_size(path) == 0) throw FileError(path.string(), "is empty");
+}
+
+PolygonMesh read_by_extension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension == ".obj") return read_obj(path);
+  if (extension == ".ply") return read_ply(path);
+  if (extension == ".stl") return read_stl(path);
+  throw FileError(path.string(),
+                  fmt::format("'{}' is not a mesh format; .obj, .ply and .stl are", extension));
+}
+
+[[noreturn]] void fail_at(const fs::path& path, std::string_view element, std::size_t index,
+                          std::string_view what) {
+  throw FileError(path.string(), fmt::format("{} {}", element, index + 1), what);
+}
+
+void check_positions(const fs::path& path, const PolygonMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    if (!mesh.positions[i].allFinite()) fail_at(path, "vertex", i, "a coordinate is not finite");
+}
+
+void check_faces(const fs::path& path, const PolygonMesh& mesh) {
+  if (mesh.face_sizes.empty()) throw FileError(path.string(), "has no face");
+  std::size_t corner = 0;
+  for (std::size_t face = 0; face < mesh.face_sizes.size(); ++face) {
+    const Index size = mesh.face_sizes[face];
+    if (size < 3) fail_at(path, "face", face, fmt::format("a face of {} corners", size));
+    for (const std::size_t end = corner + size; corner < end; ++corner)
+      if (mesh.face_vertices[corner] >= mesh.positions.size())
+        fail_at(path, "face", face,
+                fmt::format("names a vertex that is not among the {}", mesh.positions.size()));
+  }
+}
+
+}  // namespace
+
+PolygonMesh read_mesh(const fs::path& path) {
+  check_readable(path);
+  PolygonMesh mesh = read_by_extension(path);
+  check_positions(path, mesh);
+  check_faces(path, mesh);
+  return mesh;
+}
+
+}  // namespace burin

@@ -1,0 +1,279 @@
+#include <burin/base/error.h>
+#include <burin/base/file.h>
+#include <burin/surface/mesh_file.h>
+#include <burin/surface/triangulate.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "support/shared_data.h"
+#include "surface/test_meshes.h"
+
+namespace burin {
+namespace {
+
+/// A file of this content in a folder of its own.
+class File {
+ public:
+  File(const std::string& name, const std::string& content) : path_(folder_.path() / name) {
+    write_file_whole(path_, [&](std::ostream& out) { out << content; });
+  }
+  const std::filesystem::path& path() const { return path_; }
+  /// What read_mesh says about it, without the folder.
+  std::string message() const {
+    try {
+      read_mesh(path_);
+    } catch (const FileError& error) {
+      return std::string(error.what()).substr(folder_.path().string().size() + 1);
+    }
+    return "no error";
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+  std::filesystem::path path_;
+};
+
+std::string obj_message(const std::string& content) { return File("a.obj", content).message(); }
+std::string ply_message(const std::string& content) { return File("a.ply", content).message(); }
+
+const std::string three_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+std::string ply_header(int vertices, int faces) {
+  return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(vertices) +
+         "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(faces) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+TEST(ReadObj, KeepsPolygonsInTheFilesOrder) {
+  const File file("a.OBJ",
+                  "# five corners, then a quad by negative indices, in two groups\n"
+                  "v 0 0 0\r\nv 1 0 0\nv +2 1e0 .5\nv 1 2 0 1.0\nv 0 1 0 0.5 0.5 0.5\n"
+                  "g one\nf 1/1/1 2//1 3 4 5\ng two\nf -5 -4 -2 -1\n");
+  const PolygonMesh mesh = read_mesh(file.path());
+  EXPECT_EQ(mesh.positions.size(), 5u);
+  EXPECT_EQ(mesh.positions[2], Vec3f(2, 1, 0.5f));
+  EXPECT_EQ(mesh.face_sizes, (std::vector<Index>{5, 4}));
+  EXPECT_EQ(mesh.face_vertices, (std::vector<Index>{0, 1, 2, 3, 4, 0, 1, 3, 4}));
+  EXPECT_TRUE(mesh.creases.empty());
+  EXPECT_EQ(mesh.boundary, BoundaryRule::edges_only);
+}
+
+TEST(ReadObj, GathersTagsOfAllGroupsOnce) {
+  const File file("a.obj", three_vertices +
+                               "t crease 2/1/0 0 1 2.5\ng one\nf 1 2 3\nt corner 1/1/0 2 10\n"
+                               "g two\nf 3 2 1\nt interpolateboundary 1/0/0 1\n");
+  const PolygonMesh mesh = read_mesh(file.path());
+  ASSERT_EQ(mesh.creases.size(), 1u);
+  EXPECT_EQ(mesh.creases[0].a, 0u);
+  EXPECT_EQ(mesh.creases[0].b, 1u);
+  EXPECT_EQ(mesh.creases[0].sharpness, 2.5f);
+  ASSERT_EQ(mesh.corners.size(), 1u);
+  EXPECT_EQ(mesh.corners[0].vertex, 2u);
+  EXPECT_EQ(mesh.corners[0].sharpness, 10.0f);
+  EXPECT_EQ(mesh.boundary, BoundaryRule::edges_and_corners);
+}
+
+TEST(ReadObj, NamesTheLineThatIsWrong) {
+  EXPECT_EQ(obj_message("v 0 0 nan\n"), "a.obj:1: the coordinate 'nan' is not finite");
+  EXPECT_EQ(obj_message("\nv 0 0 1e39\n"), "a.obj:2: the coordinate '1e39' is not finite");
+  EXPECT_EQ(obj_message("v 1 2\n"), "a.obj:1: a vertex needs three coordinates");
+  EXPECT_EQ(obj_message("v 1 2 x3\n"), "a.obj:1: 'x3' is not a coordinate");
+  EXPECT_EQ(obj_message("v 1 2 3,5\n"), "a.obj:1: '3,5' is not a coordinate");
+  EXPECT_EQ(obj_message(three_vertices + "f 1 2\n"), "a.obj:4: a face of 2 corners");
+  EXPECT_EQ(obj_message(three_vertices + "f 1 2 a\n"), "a.obj:4: 'a' is not a vertex of a face");
+  EXPECT_EQ(obj_message(three_vertices + "f 1 2 0\n"), "a.obj:4: '0' is not a vertex of a face");
+  EXPECT_EQ(obj_message(three_vertices + "f 1 2 4\nf 1 2 3\n"), "a.obj:4: the face names vertex 4 of 3");
+  EXPECT_EQ(obj_message(three_vertices + "f 1 2 -4\n"), "a.obj:4: the face names vertex -4 of 3 so far");
+  EXPECT_EQ(obj_message(three_vertices + "f 1 2 99999999999999999999\n"),
+            "a.obj:4: '99999999999999999999' is not a vertex of a face");
+}
+
+TEST(ReadObj, RejectsFacesOfMoreCornersThanTheLoaderCounts) {
+  std::string vertices, face = "f";
+  for (int i = 1; i <= 255; ++i) {
+    vertices.append("v ").append(std::to_string(i)).append(" 0 0\n");
+    face.append(" ").append(std::to_string(i));
+  }
+  EXPECT_EQ(read_mesh(File("a.obj", vertices + face).path()).face_sizes, std::vector<Index>{255});
+  EXPECT_EQ(obj_message(vertices + face + " 1\n"),
+            "a.obj:256: a face of 256 corners; more than 255 cannot be read");
+}
+
+TEST(ReadObj, RejectsBrokenTags) {
+  EXPECT_EQ(obj_message(three_vertices + "f 1 2 3\nt crease 2/1/0 0 3 1\n"),
+            "a.obj:tag crease: names vertex 3, counted from 0, of 3");
+  EXPECT_EQ(obj_message(three_vertices + "f 1 2 3\nt crease 1/1/0 0 1\n"),
+            "a.obj:tag crease: takes 2 integers and 1 real numbers");
+  EXPECT_EQ(obj_message(three_vertices + "f 1 2 3\nt corner 1/1/0 0 -1\n"),
+            "a.obj:tag corner: has a negative sharpness");
+}
+
+TEST(ReadMesh, RejectsFilesThatAreNotMeshes) {
+  const std::filesystem::path missing = "/nowhere/at/all.obj";
+  try {
+    read_mesh(missing);
+    FAIL();
+  } catch (const FileError& error) {
+    EXPECT_STREQ(error.what(), "/nowhere/at/all.obj: No such file or directory");
+  }
+  EXPECT_EQ(obj_message(""), "a.obj: is empty");
+  EXPECT_EQ(obj_message(three_vertices), "a.obj: has no face");
+  EXPECT_EQ(File("a.xyz", "1 2 3").message(), "a.xyz: '.xyz' is not a mesh format; .obj, .ply and .stl are");
+  EXPECT_NE(ply_message("ply\nrubbish\n"), "no error");
+  EXPECT_NE(File("a.stl", "rubbish").message(), "no error");
+}
+
+TEST(ReadPly, KeepsPolygonsAndSharing) {
+  const File file("a.ply",
+                  ply_header(6, 2) + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n-1 .5 0\n1 0 0\n4 0 1 2 3\n3 0 3 4\n");
+  const PolygonMesh mesh = read_mesh(file.path());
+  EXPECT_EQ(mesh.positions.size(), 6u);
+  EXPECT_EQ(mesh.positions[4], Vec3f(-1, 0.5f, 0));
+  EXPECT_EQ(mesh.face_sizes, (std::vector<Index>{4, 3}));
+  EXPECT_EQ(mesh.face_vertices, (std::vector<Index>{0, 1, 2, 3, 0, 3, 4}));
+}
+
+TEST(ReadPly, RejectsWhatIsWrong) {
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_EQ(ply_message(ply_header(3, 1) + vertices + "3 0 1 3\n"),
+            "a.ply:face 1: names a vertex that is not among the 3");
+  EXPECT_EQ(ply_message(ply_header(3, 1) + vertices + "3 0 1 -1\n"), "a.ply:face 1: names vertex -1");
+  EXPECT_EQ(ply_message(ply_header(3, 2) + vertices + "3 0 1 2\n2 0 1\n"),
+            "a.ply:face 2: a face of 2 corners");
+  EXPECT_EQ(ply_message(ply_header(3, 2) + vertices + "3 0 1 2\n-1 0 1\n"),
+            "a.ply:face 2: has a list of -1 entries");
+  EXPECT_EQ(ply_message(ply_header(3, 1) + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n"),
+            "a.ply:vertex 2: a coordinate is not finite");
+  EXPECT_EQ(ply_message(ply_header(3, 1) + "0 0 0\n1 0 x\n0 1 0\n3 0 1 2\n"),
+            "a.ply:vertex 2: 'x' is not a number");
+  EXPECT_EQ(ply_message(ply_header(3, 1) + "0 0 0\n1 0\n"), "a.ply:vertex 2: the file is cut off");
+  EXPECT_EQ(ply_message(ply_header(3, 0) + vertices), "a.ply: has no face");
+  EXPECT_EQ(ply_message(ply_header(2000000000, 1)), "a.ply: is too short for 2000000000 vertex elements");
+}
+
+TEST(ReadPly, RejectsBrokenHeaders) {
+  EXPECT_EQ(ply_message("plx\n"), "a.ply:1: is not a PLY file: it does not begin with 'ply'");
+  EXPECT_EQ(ply_message("ply\nformat ascii 1.0\nelement vertex 3"), "a.ply:4: the header is cut off");
+  EXPECT_EQ(ply_message("ply\nformat middle_endian 1.0\n"), "a.ply:2: 'middle_endian' is not a PLY format");
+  EXPECT_EQ(ply_message("ply\nelement vertex many\n"), "a.ply:2: 'many' is not a number of elements");
+  EXPECT_EQ(ply_message("ply\nelement vertex 3\nproperty list uchar quad x\n"),
+            "a.ply:3: 'quad' is not a PLY type");
+  EXPECT_EQ(ply_message("ply\nelement vertex 3\nend_header\n"), "a.ply:3: the header names no format");
+  EXPECT_EQ(ply_message("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n"),
+            "a.ply: its element 'vertex' has no property 'y'");
+}
+
+TEST(ReadPly, RejectsFilesCutOffAnywhere) {
+  test::TemporaryFolder folder;
+  const auto whole = folder.path() / "whole.ply";
+  write_ply(whole, test::torus(5, 4));
+  const std::string bytes = read_file(whole);
+  const std::size_t header = bytes.find("end_header") + 10;
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    const std::string message = ply_message(bytes.substr(0, size));
+    ASSERT_NE(message, "no error") << "cut at " << size;
+    ASSERT_TRUE(size <= header || message.ends_with("is cut off")) << message << " cut at " << size;
+  }
+}
+
+TEST(ReadPly, ReadsDataThatBeginsWithALineEnd) {
+  test::TemporaryFolder folder;
+  TriangleMesh mesh = test::torus(5, 4);
+  mesh.positions[0].x() = std::bit_cast<float>(0x3f800d0au);
+  write_ply(folder.path() / "a.ply", mesh);
+  EXPECT_EQ(read_mesh(folder.path() / "a.ply").positions, mesh.positions);
+}
+
+TEST(ReadPly, ReadsEveryTypeInBothByteOrdersAndSkipsTheRest) {
+  const std::string names[] = {"format",
+                               "element note 1",
+                               "property uchar a",
+                               "element vertex 3",
+                               "property short x",
+                               "property double y",
+                               "property list uchar int skipped",
+                               "property float z",
+                               "element face 1",
+                               "property list ushort uint vertex_index"};
+  for (const bool big : {false, true}) {
+    std::string header = "ply\r\ncomment\r\n";
+    for (const std::string& line : names) {
+      header += line;
+      if (line == "format") header += big ? " binary_big_endian 1.0" : " binary_little_endian 1.0";
+      header += "\r\n";
+    }
+    header += "end_header\r\n";
+    std::string data;
+    const auto put = [&](auto value) {
+      char bytes[sizeof value];
+      std::memcpy(bytes, &value, sizeof value);
+      if (big != (std::endian::native == std::endian::big)) std::reverse(bytes, bytes + sizeof value);
+      data.append(bytes, sizeof value);
+    };
+    put(std::uint8_t{7});
+    for (const int i : {0, 1, 2}) {
+      put(static_cast<std::int16_t>(-300 * i));
+      put(0.25 * i);
+      put(std::uint8_t{1});
+      put(std::int32_t{99});
+      put(static_cast<float>(i * i));
+    }
+    put(std::uint16_t{3});
+    for (const std::uint32_t vertex : {2u, 1u, 0u}) put(vertex);
+    const PolygonMesh mesh = read_mesh(File("a.ply", header + data).path());
+    EXPECT_EQ(mesh.positions, (std::vector<Vec3f>{{0, 0, 0}, {-300, 0.25f, 1}, {-600, 0.5f, 4}}));
+    EXPECT_EQ(mesh.face_vertices, (std::vector<Index>{2, 1, 0}));
+  }
+}
+
+TEST(ReadPly, ReadsTheDragon) {
+  BURIN_SHARED_DATA_OR_SKIP(path, "meshes/dragon_vrip.ply");
+  const PolygonMesh mesh = read_mesh(path);
+  EXPECT_EQ(mesh.positions.size(), 437645u);
+  EXPECT_EQ(mesh.face_sizes.size(), 871414u);
+  EXPECT_EQ(mesh.face_vertices.size(), 3 * 871414u);
+}
+
+TEST(ReadStl, WeldsEqualPositions) {
+  const File file(
+      "a.stl",
+      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+      "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 1 0 -0\nvertex 1 1 0\nvertex 0 1 0\nendloop\n"
+      "endfacet\nendsolid a\n");
+  const PolygonMesh mesh = read_mesh(file.path());
+  EXPECT_EQ(mesh.positions, (std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
+  EXPECT_EQ(mesh.face_vertices, (std::vector<Index>{0, 1, 2, 1, 3, 2}));
+}
+
+TEST(ReadStl, ReadsASoup) {
+  BURIN_SHARED_DATA_OR_SKIP(path, "meshes/nasty/soup.stl");
+  const PolygonMesh mesh = read_mesh(path);
+  EXPECT_EQ(mesh.positions.size(), 300u);
+  EXPECT_EQ(mesh.face_sizes, std::vector<Index>(100, 3));
+  const std::string bytes = read_file(path);
+  EXPECT_NE(File("a.stl", bytes.substr(0, 3000)).message(), "no error");
+}
+
+TEST(WritePly, ComesBackBitForBit) {
+  test::TemporaryFolder folder;
+  TriangleMesh mesh = test::torus(300, 150);
+  mesh.positions[7] = {-0.0f, std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max()};
+  write_ply(folder.path() / "a.ply", mesh);
+  const TriangleMesh back = triangulate(read_mesh(folder.path() / "a.ply"));
+  ASSERT_EQ(back.positions.size(), mesh.positions.size());
+  EXPECT_EQ(std::memcmp(back.positions.data(), mesh.positions.data(), mesh.positions.size() * sizeof(Vec3f)),
+            0);
+  EXPECT_EQ(back.triangles, mesh.triangles);
+}
+
+TEST(WritePly, NamesTheFolderThatIsNotThere) {
+  EXPECT_THROW(write_ply("/nowhere/at/all.ply", test::torus(4, 4)), FileError);
+}
+
+}  // namespace
+}  // namespace burin
