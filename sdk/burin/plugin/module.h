@@ -156,8 +156,9 @@ class Module {
     const burin_brush* brush = nullptr;
     guarded(error, [&] {
       const std::string_view id = brush_id;
-      const bool found =
-          ((id == Brushes::info.id && (brush = Instance<Tag, Brushes>::create(host, state_.path))) || ...);
+      const bool found = ((id == Declaration<Tag, Brushes>::descriptor.id &&
+                           (brush = Instance<Tag, Brushes>::create(host, state_.path))) ||
+                          ...);
       if (!found) throw Error("this plugin has no brush '" + std::string(id) + "'", BURIN_NOT_FOUND);
     });
     return brush;
