@@ -46,27 +46,36 @@ TEST(ParamChecks, WantTheDefaultInTheHardRangeAndTheSoftOneWithin) {
   EXPECT_FALSE(number({0, 2}, {1, 0.5f}, 0));
   EXPECT_FALSE(number({2, 0}, {}, 1));
   EXPECT_FALSE(number({0, infinity}, {}, 1)) << "a slider of infinite length";
+  EXPECT_FALSE(number({0, infinity}, {0, 1}, infinity));
   EXPECT_FALSE(number({0, std::numeric_limits<float>::quiet_NaN()}, {}, 0));
 }
 
 TEST(ParamChecks, WantWholeNumbersThatAFloatHolds) {
   EXPECT_TRUE(accepted(IntParam{.id = "a", .name = "A", .hard = {-16777216, 16777216}}));
   EXPECT_FALSE(accepted(IntParam{.id = "a", .name = "A", .hard = {0, 33554432}}));
+  EXPECT_FALSE(accepted(IntParam{.id = "a", .name = "A", .hard = {0, 8}, .soft = {0, 1.5f}}));
 }
 
 TEST(ParamChecks, WantAChoiceThatExists) {
   EXPECT_TRUE(accepted(ChoiceParam{.id = "a", .name = "A", .choices = {"x", "y"}, .initial = 1}));
   EXPECT_FALSE(accepted(ChoiceParam{.id = "a", .name = "A", .choices = {"x", "y"}, .initial = 2}));
   EXPECT_FALSE(accepted(ChoiceParam{.id = "a", .name = "A"}));
+  EXPECT_FALSE(accepted(ChoiceParam{.id = "a", .name = "A", .choices = {"x", "y", "x"}}));
+}
+
+TEST(ParamChecks, WantColoursOfShares) {
+  EXPECT_TRUE(accepted(ColourParam{.id = "a", .name = "A", .initial = {0, 1, 0.5f, 1}}));
+  EXPECT_FALSE(accepted(ColourParam{.id = "a", .name = "A", .initial = {0, 1, 0.5f, 1.5f}}));
 }
 
 TEST(ParamChecks, WantKnotsThatRise) {
   const auto curve = [](std::span<const float> knots) {
     return accepted(CurveParam{.id = "a", .name = "A", .initial = knots});
   };
-  const float rising[] = {0, 5, 1, 2}, level[] = {1, 5, 1, 2};
+  const float rising[] = {0, 5, 1, 2}, level[] = {1, 5, 1, 2}, endless[] = {1, 5, 2, infinity};
   EXPECT_TRUE(curve(rising));
   EXPECT_FALSE(curve(level));
+  EXPECT_FALSE(curve(endless));
   EXPECT_FALSE(curve({}));
 }
 
