@@ -5,7 +5,8 @@
 #   command  burin
 include(CMakePackageConfigHelpers)
 set(BURIN_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/Burin)
-set(BURIN_BRUSHES_FOLDER ${CMAKE_INSTALL_LIBDIR}/burin/brushes)
+# Not CMAKE_INSTALL_LIBDIR: the command looks here, beside the folder it lies in.
+set(BURIN_BRUSHES_FOLDER lib/burin/brushes)
 
 # Library and headers of the SDK folder whose CMakeLists.txt is being read.
 function(burin_install_library name)

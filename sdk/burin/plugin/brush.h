@@ -18,7 +18,7 @@ struct BrushInfo {
   const char* vendor = nullptr;
   const char* version = nullptr;  ///< of the brush, "1.2.0"
   const char* help = nullptr;     ///< one or two sentences
-  TextList features;              ///< tags such as "procedural", "stamp"
+  TextList features{};            ///< tags such as "procedural", "stamp"
   std::uint64_t inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS;
   std::uint64_t outputs = BURIN_OUTPUT_DISPLACEMENT;
 };

@@ -30,22 +30,38 @@ constexpr bool finite(float x) {
   return x >= std::numeric_limits<float>::lowest() && x <= std::numeric_limits<float>::max();
 }
 
-/// Default within the soft range's limits, soft range within the hard one.
+/// Default within the hard range and finite, soft range within the hard one and finite.
 constexpr bool ranges(const burin_param_info& info) {
   return info.hard_min <= info.soft_min && info.soft_min <= info.soft_max && info.soft_max <= info.hard_max &&
          finite(info.soft_min) && finite(info.soft_max) && info.hard_min <= info.default_number &&
-         info.default_number <= info.hard_max;
+         info.default_number <= info.hard_max && finite(info.default_number);
 }
 
-/// Whole numbers that a float holds exactly.
-constexpr bool whole(const burin_param_info& info) {
+/// A whole number that a float holds exactly.
+constexpr bool whole(float x) {
   constexpr float limit = 16777216;
-  return -limit <= info.hard_min && info.hard_max <= limit;
+  return -limit <= x && x <= limit && static_cast<float>(static_cast<int>(x)) == x;
 }
 
+constexpr bool whole_ranges(const burin_param_info& info) {
+  return whole(info.hard_min) && whole(info.hard_max) && whole(info.soft_min) && whole(info.soft_max);
+}
+
+constexpr bool different(const char* const* texts) {
+  for (auto text = texts; *text; ++text)
+    for (auto before = texts; before != text; ++before)
+      if (!present(*text) || std::string_view(*text) == *before) return false;
+  return true;
+}
+
+constexpr bool shares(const float (&channels)[4]) {
+  return std::all_of(channels, channels + 4, [](float x) { return x >= 0 && x <= 1; });
+}
+
+/// Knots (x, y), finite, x rising.
 constexpr bool rising(const float* knots, std::size_t count) {
-  for (std::size_t i = 1; i < count; ++i)
-    if (!(knots[2 * i - 2] < knots[2 * i])) return false;
+  for (std::size_t i = 0; i < 2 * count; ++i)
+    if (!finite(knots[i]) || (i >= 2 && i % 2 == 0 && !(knots[i - 2] < knots[i]))) return false;
   return count > 0;
 }
 
@@ -54,11 +70,14 @@ constexpr bool param(const burin_param_info& info) {
     return false;
   switch (info.type) {
     case BURIN_PARAM_INT:
-      return ranges(info) && whole(info);
+      return ranges(info) && whole_ranges(info);
     case BURIN_PARAM_FLOAT:
     case BURIN_PARAM_BOOL:
-    case BURIN_PARAM_CHOICE:
       return ranges(info);
+    case BURIN_PARAM_CHOICE:
+      return ranges(info) && different(info.choices);
+    case BURIN_PARAM_COLOUR:
+      return shares(info.default_colour);
     case BURIN_PARAM_CURVE:
       return rising(info.default_knots, info.default_knot_count);
     default:

@@ -2,7 +2,7 @@
 #include <burin/abi/base.h>
 
 #include <algorithm>
-#include <cstring>
+#include <cstddef>
 #include <exception>
 #include <new>
 #include <stdexcept>

@@ -39,7 +39,8 @@ struct Declaration {
   static_assert(
       checks::params(params),
       "a parameter lacks id or name, its id is used twice or not of [a-z0-9_], its default or soft range "
-      "is outside of the hard range, its soft range is infinite, or its knots do not rise");
+      "is outside of the hard range, its soft range is infinite, a range of whole numbers is not whole, "
+      "its choices are equal, its colour is not within 0..1, or its knots do not rise");
 
   template <std::size_t... I>
   static constexpr std::array<const burin_param_info*, sizeof...(I)> pointers(std::index_sequence<I...>) {
@@ -156,8 +157,9 @@ class Module {
     const burin_brush* brush = nullptr;
     guarded(error, [&] {
       const std::string_view id = brush_id;
-      const bool found =
-          ((id == Brushes::info.id && (brush = Instance<Tag, Brushes>::create(host, state_.path))) || ...);
+      const bool found = ((id == Declaration<Tag, Brushes>::descriptor.id &&
+                           (brush = Instance<Tag, Brushes>::create(host, state_.path))) ||
+                          ...);
       if (!found) throw Error("this plugin has no brush '" + std::string(id) + "'", BURIN_NOT_FOUND);
     });
     return brush;

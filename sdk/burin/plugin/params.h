@@ -73,7 +73,7 @@ struct ChoiceParam {
   const char* id = nullptr;
   const char* name = nullptr;
   const char* help = nullptr;
-  TextList choices;  ///< stable ids; the value of the parameter is the index
+  TextList choices{};  ///< stable ids; the value of the parameter is the index
   int initial = 0;
   bool dynamic = false;
 };
@@ -97,7 +97,7 @@ struct CurveParam {
   const char* id = nullptr;
   const char* name = nullptr;
   const char* help = nullptr;
-  std::span<const float> initial;  ///< x0 y0 x1 y1 ... of an array that lives on, x rising
+  std::span<const float> initial{};  ///< x0 y0 x1 y1 ... of an array that lives on, x rising
 };
 
 }  // namespace burin::plugin

@@ -2,6 +2,7 @@
 #include <burin/abi/base.h>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace burin::plugin {
 
