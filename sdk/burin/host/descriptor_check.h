@@ -5,6 +5,9 @@
 
 namespace burin {
 
+/// 2^24, to which floats hold every whole number: INT parameters stay within.
+inline constexpr float largest_whole_param = 16777216;
+
 /// What breaks the contract of burin_brush_descriptor, in a line; empty when all is in order.
 std::string descriptor_problem(const burin_brush_descriptor& descriptor);
 

@@ -9,8 +9,6 @@
 namespace burin {
 namespace {
 
-constexpr float largest_whole = 16777216;  // 2^24: floats hold every whole number up to it
-
 bool is_param_id(const char* id) {
   if (!id || *id == '\0') return false;
   return std::string_view(id).find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") ==
@@ -18,22 +16,21 @@ bool is_param_id(const char* id) {
 }
 
 std::string range_problem(const burin_param_info& info) {
-  const float bounds[] = {info.hard_min, info.soft_min, info.soft_max, info.hard_max};
-  for (const float bound : bounds)
-    if (!std::isfinite(bound)) return "a bound of its range is not finite";
-  if (info.hard_min > info.hard_max) return "its hard range is empty";
+  if (std::isnan(info.hard_min) || std::isnan(info.hard_max) || info.hard_min > info.hard_max)
+    return "its hard range is empty";
+  if (!std::isfinite(info.soft_min) || !std::isfinite(info.soft_max)) return "its soft range is not finite";
   if (info.soft_min > info.soft_max) return "its soft range is empty";
   if (info.soft_min < info.hard_min || info.soft_max > info.hard_max)
     return "its soft range exceeds the hard range";
-  // Also false for NaN.
+  if (!std::isfinite(info.default_number)) return "its default is not finite";
   if (info.default_number >= info.hard_min && info.default_number <= info.hard_max) return {};
   return fmt::format("its default {} lies outside {} .. {}", info.default_number, info.hard_min,
                      info.hard_max);
 }
 
 std::string int_problem(const burin_param_info& info) {
-  for (const float number : {info.hard_min, info.hard_max, info.default_number})
-    if (std::trunc(number) != number || std::abs(number) > largest_whole)
+  for (const float number : {info.soft_min, info.soft_max, info.default_number})
+    if (std::trunc(number) != number || std::abs(number) > largest_whole_param)
       return fmt::format("{} is no whole number within 2^24", number);
   return range_problem(info);
 }

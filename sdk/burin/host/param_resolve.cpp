@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/host/descriptor_check.h>
 #include <burin/host/param_snapshot.h>
 #include <fmt/format.h>
 
@@ -44,7 +45,8 @@ float number_in_range(const Target& target, double number) {
 
 float whole_number(const Target& target, const ParamSetting& setting) {
   const double number = expect<double>(target, setting, "a whole number");
-  if (std::trunc(number) != number) target.refuse(fmt::format("{} is no whole number", number));
+  if (std::trunc(number) != number || std::abs(number) > largest_whole_param)
+    target.refuse(fmt::format("{} is no whole number within 2^24", number));
   return number_in_range(target, number);
 }
 
