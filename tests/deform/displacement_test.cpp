@@ -1,7 +1,6 @@
 #include <burin/deform/displacement.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 namespace burin {

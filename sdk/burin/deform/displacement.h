@@ -1,8 +1,6 @@
 #pragma once
 #include <burin/base/vector.h>
 
-#include <Eigen/Geometry>
-
 namespace burin {
 
 /// `base` moved by (x along e1, y along e2 = n x e1, z along n). No displacement gives the bits of `base`.
