@@ -8,6 +8,10 @@
 namespace burin {
 namespace {
 
+FileError incomplete(const std::filesystem::path& path) {
+  return FileError(path.string(), "its plugin entry is incomplete");
+}
+
 const burin_plugin_entry* checked_entry(const Module& module, const std::filesystem::path& path) {
   const auto* entry = static_cast<const burin_plugin_entry*>(module.symbol(BURIN_PLUGIN_SYMBOL));
   if (!entry)
@@ -15,9 +19,7 @@ const burin_plugin_entry* checked_entry(const Module& module, const std::filesys
   if (!BURIN_HAS(entry, burin_plugin_entry, abi_major) || entry->abi_major != BURIN_ABI_MAJOR)
     throw FileError(path.string(), fmt::format("is made for version {} of the plugin interface, not for {}",
                                                entry->abi_major, BURIN_ABI_MAJOR));
-  const bool whole =
-      BURIN_HAS(entry, burin_plugin_entry, get_factory) && entry->init && entry->deinit && entry->get_factory;
-  if (!whole) throw FileError(path.string(), "its plugin entry is incomplete");
+  if (!BURIN_HAS(entry, burin_plugin_entry, get_factory) || !entry->init) throw incomplete(path);
   return entry;
 }
 
@@ -44,6 +46,7 @@ PluginModule::Life::Life(const burin_plugin_entry& entry, const std::filesystem:
   ErrorText error;
   const burin_status status = entry.init(utf8(path).c_str(), error.abi());
   if (status != BURIN_OK) throw FileError(path.string(), "cannot be initialised: " + error.line(status));
+  if (!entry.deinit || !entry.get_factory) throw incomplete(path);
 }
 
 PluginModule::PluginModule(const std::filesystem::path& path)
