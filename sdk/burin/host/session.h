@@ -14,13 +14,13 @@ namespace burin {
 
 /// What a stroke is drawn with.
 struct StrokeSettings {
-  std::string brush;        ///< id, "org.burin.groove"
-  double radius = 0;        ///< object units, > 0
-  double strength = 1;      ///< factor on the brush's displacement
+  std::string brush;    ///< id, "org.burin.groove"
+  double radius = 0;    ///< object units, > 0
+  double strength = 1;  ///< factor on the brush's displacement
   Cap cap = Cap::round;
-  ParamSettings params;     ///< what differs from the brush's defaults
-  PenFields fields;         ///< what the pen really reports
-  std::uint64_t seed = 0;   ///< of the brush's random numbers
+  ParamSettings params;    ///< what differs from the brush's defaults
+  PenFields fields;        ///< what the pen really reports
+  std::uint64_t seed = 0;  ///< of the brush's random numbers
 };
 
 /// What became of one sample.
@@ -31,7 +31,8 @@ struct StrokeEvent {
     disconnected,  ///< on the surface, but across a gap or silhouette: nothing changed
   };
   Outcome outcome = Outcome::off_surface;
-  /// Vertices whose shown position or normal changed, ascending. Valid until the next call.
+  /// Vertices that moved and their neighbours, whose normals may have changed; ascending. Valid until the
+  /// next call.
   std::span<const Index> changed;
 };
 
@@ -65,17 +66,17 @@ class Session {
   StrokeEvent add_sample(const Vec3d& position, double time, const Pen& pen);
 
   /// Ends the open stroke and makes it part of the surface. A stroke without a sample leaves no trace.
-  /// Returns the vertices that the end changed, valid until the next call.
+  /// Returns the vertices that the end changed, as StrokeEvent::changed, valid until the next call.
   std::span<const Index> end_stroke();
 
-  /// Drops the open stroke.
+  /// Drops the open stroke, if there is one.
   void cancel_stroke();
 
   /// The chart of the open stroke, or of the last one.
   const Chart& chart() const;
   const SurfaceCurve& curve() const;
 
-  /// Takes back the last finished stroke bit for bit; false when there is none.
+  /// Takes back the last finished stroke bit for bit; false when there is none. Not while one is open.
   bool undo();
 
   /// XXH3 of the shown positions in the order of the mesh that the surface was made of.

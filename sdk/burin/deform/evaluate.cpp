@@ -1,0 +1,134 @@
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/deform/displacement.h>
+#include <burin/deform/error_text.h>
+#include <burin/deform/evaluate.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <utility>
+
+namespace burin {
+
+/// Batches that are not in use. Not thread-local: a brush that runs parallel loops of its own may make a
+/// thread start a second batch in the middle of the first.
+class Evaluator::BatchPool {
+ public:
+  std::unique_ptr<Batch> take() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) return std::make_unique<Batch>();
+    std::unique_ptr<Batch> batch = std::move(free_.back());
+    free_.pop_back();
+    return batch;
+  }
+
+  void give_back(std::unique_ptr<Batch> batch) {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(batch));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Batch>> free_;
+};
+
+namespace {
+
+/// The failure with the lowest element among those that several threads note.
+class FirstFailure {
+ public:
+  /// Elements from `begin` on need not be computed any more.
+  bool lies_before(std::size_t begin) const { return element_.load(std::memory_order_relaxed) < begin; }
+
+  void note(std::size_t element, std::string what) {
+    const std::lock_guard lock(mutex_);
+    if (element >= element_.load(std::memory_order_relaxed)) return;
+    element_.store(element, std::memory_order_relaxed);
+    what_ = std::move(what);
+  }
+
+  void throw_if_any(const BrushStroke& stroke, const Chart& chart, std::span<const Index> nodes) const {
+    if (element_ == none) return;
+    const Index node = nodes[element_];
+    throw ContractError(fmt::format("{}: {} at t = {:.6g}, d = {:.6g}", stroke.descriptor().id, what_,
+                                    chart.t[node], chart.d[node]));
+  }
+
+ private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::atomic<std::size_t> element_{none};
+  std::mutex mutex_;
+  std::string what_;
+};
+
+/// What one pass over the nodes has to do.
+struct Pass {
+  const BrushStroke& stroke;
+  const burin_stroke_context& context;
+  const NodeSource& source;
+  std::span<const Index> nodes;
+  std::span<Vec3f> displacement;
+  FirstFailure& failure;
+};
+
+/// Computes the elements [begin, end) of the pass.
+void evaluate_batch(const Pass& pass, Batch& batch, std::size_t begin, std::size_t end) {
+  const std::span<Vec3f> displacement = pass.displacement.subspan(begin, end - begin);
+  batch.fill(pass.source, pass.stroke.descriptor().inputs_read, pass.stroke.params(),
+             pass.nodes.subspan(begin, end - begin),
+             pass.context.pass == 0 ? std::span<const Vec3f>{} : displacement);
+  ErrorText error;
+  const burin_status status =
+      pass.stroke.evaluate(pass.context, batch.inputs(), batch.outputs(), error.abi());
+  if (status != BURIN_OK) return pass.failure.note(begin, error.line(status));
+  for (std::size_t i = 0; i < displacement.size(); ++i) {
+    displacement[i] = batch.displacement(i);
+    if (displacement[i].allFinite()) continue;
+    return pass.failure.note(begin + i, "returned a displacement that is not finite");
+  }
+}
+
+void place(const Pass& pass, float strength, std::size_t begin, std::size_t end, std::span<Vec3f> places) {
+  const Chart& chart = pass.source.nodes.chart;
+  const Surface& surface = pass.source.surface;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Index node = pass.nodes[i], vertex = chart.vertex[node];
+    const Vec3f scaled = strength * pass.displacement[i];
+    places[i] = displaced(surface.positions[vertex], chart.e1[node], surface.normals[vertex], scaled);
+    if (!places[i].allFinite()) return pass.failure.note(i, "displaces beyond the range of floats");
+  }
+}
+
+}  // namespace
+
+Evaluator::Evaluator() : pool_(std::make_unique<BatchPool>()) {}
+Evaluator::~Evaluator() = default;
+
+std::span<const Vec3f> Evaluator::evaluate(const BrushStroke& stroke, const burin_stroke_context& context,
+                                           const NodeSource& source, std::span<const Index> nodes,
+                                           float strength) {
+  displacement_.resize(nodes.size());
+  places_.resize(nodes.size());
+  FirstFailure failure;
+  burin_stroke_context now = context;
+  const Pass pass{stroke, now, source, nodes, displacement_, failure};
+  for (now.pass = 0; now.pass < stroke.plan().passes; ++now.pass) {
+    parallel_blocks(nodes.size(), Batch::capacity, [&](std::size_t begin, std::size_t end) {
+      if (failure.lies_before(begin)) return;
+      std::unique_ptr<Batch> batch = pool_->take();
+      evaluate_batch(pass, *batch, begin, end);
+      pool_->give_back(std::move(batch));
+    });
+    failure.throw_if_any(stroke, source.nodes.chart, nodes);
+  }
+  parallel_blocks(nodes.size(), Batch::capacity,
+                  [&](std::size_t begin, std::size_t end) { place(pass, strength, begin, end, places_); });
+  failure.throw_if_any(stroke, source.nodes.chart, nodes);
+  return places_;
+}
+
+}  // namespace burin

@@ -1,0 +1,58 @@
+#pragma once
+#include <burin/chart/stroke_chart.h>
+#include <burin/deform/brush_stroke.h>
+#include <burin/deform/evaluate.h>
+#include <burin/deform/stroke_nodes.h>
+#include <burin/host/param_snapshot.h>
+#include <burin/host/session.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace burin {
+
+/// Vertices, each once, and where they go.
+struct VertexMoves {
+  std::vector<Index> vertices;
+  std::vector<Vec3f> places;  ///< [i] of vertices[i]
+};
+
+/// The stroke that a session is drawing. Surface, picker, brush and descriptor must outlive it. Functions
+/// that throw leave nodes and moves unspoken for: the stroke is to be dropped.
+class OpenStroke {
+ public:
+  /// Begins a stroke of the brush. Throws Error as Session::begin_stroke.
+  OpenStroke(const Surface& surface, const Picker& picker, const burin_brush& brush,
+             const burin_brush_descriptor& descriptor, const StrokeSettings& settings);
+
+  bool empty() const { return tracer_.curve().points.empty(); }
+  double radius() const { return settings_.radius; }
+  const Chart& chart() const { return nodes_.chart; }
+  const SurfaceCurve& curve() const { return tracer_.curve(); }
+
+  /// Whether the stroke so far can go on at this place.
+  bool connects(const SurfacePoint& at) const { return empty() || tracer_.connects(at); }
+
+  /// Draws on to `at`. Vertices that leave the chart go back to their base.
+  VertexMoves add(const SurfacePoint& at, double time, const Pen& pen, StrokeCharter& charter,
+                  Evaluator& evaluator);
+
+  /// The last evaluation: what depends on the stroke's length, told that it is final.
+  VertexMoves finish(Evaluator& evaluator);
+
+ private:
+  burin_stroke_context context(std::uint64_t flags) const;
+  VertexMoves evaluate(Evaluator& evaluator, const StrokeNodes& nodes, const std::vector<Index>& stale,
+                       std::uint64_t flags) const;
+
+  const Surface* surface_;
+  StrokeSettings settings_;
+  double object_scale_;
+  ParamSnapshot params_;
+  CurveTracer tracer_;
+  BrushStroke brush_stroke_;
+  double last_time_;
+  StrokeNodes nodes_;
+};
+
+}  // namespace burin

@@ -1,0 +1,137 @@
+#include <burin/base/error.h>
+#include <burin/host/replay.h>
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace burin {
+namespace {
+
+using Outcome = StrokeEvent::Outcome;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+StrokeSettings settings_of(const Recording& recording, std::size_t index, const StrokeOverrides& overrides) {
+  const RecordedStroke& stroke = recording.strokes[index];
+  const auto& brush = overrides.brush ? overrides.brush : stroke.brush;
+  const auto& radius = overrides.radius ? overrides.radius : stroke.radius;
+  if (!brush) throw Error(fmt::format("stroke {} names no brush", index + 1));
+  if (!radius) throw Error(fmt::format("stroke {} has no radius", index + 1));
+  StrokeSettings settings;
+  settings.brush = *brush;
+  settings.radius = *radius;
+  settings.strength = overrides.strength.value_or(stroke.strength);
+  settings.params = overrides.params;
+  // Parameters of another brush mean nothing to this one.
+  if (stroke.brush == brush) settings.params.insert(stroke.params.begin(), stroke.params.end());
+  settings.fields = stroke.fields;
+  settings.seed = index;
+  return settings;
+}
+
+std::vector<StrokeSettings> all_settings(const Recording& recording, const StrokeOverrides& overrides) {
+  std::vector<StrokeSettings> settings;
+  for (std::size_t i = 0; i < recording.strokes.size(); ++i)
+    settings.push_back(settings_of(recording, i, overrides));
+  return settings;
+}
+
+/// Draws one recorded stroke after the other, in as many pieces as it takes.
+class Replayer {
+ public:
+  Replayer(Session& session, const Recording& recording, const ReplayObserver& observer)
+      : session_(session), recording_(recording), observer_(observer) {
+    for (const RecordedStroke& stroke : recording.strokes) samples_ += stroke.samples.size();
+  }
+
+  void draw(const RecordedStroke& stroke, const StrokeSettings& settings);
+  ReplayResult finish();
+
+ private:
+  Outcome add(const Sample& sample);
+  StrokeEvent hand_over(const Sample& sample);
+  void end_piece();
+  void report_progress();
+
+  Session& session_;
+  const Recording& recording_;
+  const ReplayObserver& observer_;
+  std::size_t samples_ = 0, samples_done_ = 0;
+  std::size_t drawn_in_piece_ = 0;
+  ReplayResult result_;
+};
+
+void Replayer::draw(const RecordedStroke& stroke, const StrokeSettings& settings) {
+  ++result_.strokes;
+  if (stroke.closed) ++result_.closed_strokes;
+  session_.begin_stroke(settings);
+  for (const Sample& sample : stroke.samples) {
+    Outcome outcome = add(sample);
+    if (outcome != Outcome::drawn && drawn_in_piece_ > 0) {
+      end_piece();
+      session_.begin_stroke(settings);
+      if (outcome == Outcome::disconnected) outcome = add(sample);
+    }
+    if (outcome == Outcome::off_surface) ++result_.samples_off_surface;
+    report_progress();
+  }
+  end_piece();
+}
+
+Outcome Replayer::add(const Sample& sample) {
+  const auto start = std::chrono::steady_clock::now();
+  const StrokeEvent event = hand_over(sample);
+  const double seconds = seconds_since(start);
+  if (event.outcome != Outcome::drawn) return event.outcome;
+  result_.latencies.push_back(seconds);
+  result_.vertices_changed += event.changed.size();
+  ++result_.samples_drawn;
+  ++drawn_in_piece_;
+  return event.outcome;
+}
+
+StrokeEvent Replayer::hand_over(const Sample& sample) {
+  if (recording_.space == StrokeSpace::object)
+    return session_.add_sample(sample.position, sample.time, sample.pen);
+  const Ray ray = pixel_ray(*recording_.camera, sample.position.x(), sample.position.y());
+  return session_.add_sample(ray, sample.time, sample.pen);
+}
+
+void Replayer::end_piece() {
+  const auto start = std::chrono::steady_clock::now();
+  result_.vertices_changed += session_.end_stroke().size();
+  result_.end_seconds += seconds_since(start);
+  if (drawn_in_piece_ == 0) return;
+  ++result_.pieces;
+  drawn_in_piece_ = 0;
+  if (observer_.piece_ended) observer_.piece_ended(session_);
+}
+
+void Replayer::report_progress() {
+  const std::size_t steps = 200;
+  const std::size_t step_before = samples_done_ * steps / samples_;
+  if (++samples_done_ * steps / samples_ == step_before) return;
+  report(observer_.progress, "replaying strokes",
+         static_cast<double>(samples_done_) / static_cast<double>(samples_));
+}
+
+ReplayResult Replayer::finish() {
+  result_.hash = session_.result_hash();
+  return std::move(result_);
+}
+
+}  // namespace
+
+ReplayResult replay(Session& session, const Recording& recording, const StrokeOverrides& overrides,
+                    const ReplayObserver& observer) {
+  if (recording.space == StrokeSpace::screen && !recording.camera)
+    throw ContractError("a recording in screen space without a camera");
+  const std::vector<StrokeSettings> settings = all_settings(recording, overrides);
+  Replayer replayer(session, recording, observer);
+  for (std::size_t i = 0; i < settings.size(); ++i) replayer.draw(recording.strokes[i], settings[i]);
+  return replayer.finish();
+}
+
+}  // namespace burin

@@ -1,0 +1,47 @@
+#pragma once
+#include <burin/base/progress.h>
+#include <burin/host/session.h>
+#include <burin/stroke/recording.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// What is to hold instead of a recording's own settings.
+struct StrokeOverrides {
+  std::optional<std::string> brush;
+  std::optional<double> radius;
+  std::optional<double> strength;
+  ParamSettings params;  ///< name by name over the recording's, where the brush is the recording's own
+};
+
+/// Who watches a replay; both may be empty.
+struct ReplayObserver {
+  Progress progress;
+  /// Called when a piece of a stroke has been drawn and ended; session.chart() is its chart.
+  std::function<void(const Session& session)> piece_ended;
+};
+
+struct ReplayResult {
+  std::size_t strokes = 0;         ///< of the recording
+  std::size_t closed_strokes = 0;  ///< of these, those marked closed: drawn open
+  std::size_t pieces = 0;  ///< what they were drawn as: a stroke breaks where the pen leaves the surface
+  std::size_t samples_drawn = 0;
+  std::size_t samples_off_surface = 0;
+  std::uint64_t vertices_changed = 0;  ///< sum of StrokeEvent::changed over all samples and ends
+  std::vector<double> latencies;       ///< wall time of each drawn sample's add_sample, seconds
+  double end_seconds = 0;              ///< wall time of all end_stroke calls
+  std::uint64_t hash = 0;              ///< Session::result_hash at the end
+};
+
+/// Draws all strokes of a recording. Throws Error naming the stroke's number, from 1, before anything is
+/// drawn, when a stroke has no brush or radius; else as Session.
+ReplayResult replay(Session& session, const Recording& recording, const StrokeOverrides& overrides = {},
+                    const ReplayObserver& observer = {});
+
+}  // namespace burin

@@ -1,0 +1,158 @@
+#include <burin/base/error.h>
+#include <burin/base/hash.h>
+#include <burin/deform/shown_surface.h>
+#include <burin/deform/undo_journal.h>
+#include <burin/host/open_stroke.h>
+#include <burin/host/session.h>
+
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace burin {
+
+struct Session::Impl {
+  Impl(Surface given, const BrushLibrary& library)
+      : surface(std::move(given)), picker(surface), charter(surface), shown(surface), brushes(&library) {}
+
+  const burin_brush& brush(const BrushEntry& entry);
+  OpenStroke& open_stroke();
+  StrokeEvent draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen);
+  std::span<const Index> finish();
+  void drop();
+
+  /// Runs `body`; when it throws, the open stroke is gone as if it had never begun.
+  template <class Body>
+  auto guarded(const Body& body) {
+    try {
+      return body();
+    } catch (...) {
+      drop();
+      throw;
+    }
+  }
+
+  Surface surface;
+  Picker picker;
+  StrokeCharter charter;
+  ShownSurface shown;
+  const BrushLibrary* brushes;
+  std::map<const burin_brush_descriptor*, BrushPtr> created;
+  Evaluator evaluator;
+  std::optional<OpenStroke> stroke;
+  Chart last_chart;
+  SurfaceCurve last_curve;
+  std::vector<Index> changed_at_end;
+  UndoJournal journal;
+};
+
+const burin_brush& Session::Impl::brush(const BrushEntry& entry) {
+  BrushPtr& brush = created[entry.descriptor];
+  if (!brush) brush = brushes->create(entry);
+  return *brush;
+}
+
+OpenStroke& Session::Impl::open_stroke() {
+  if (!stroke) throw ContractError("no stroke is open");
+  return *stroke;
+}
+
+StrokeEvent Session::Impl::draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen) {
+  if (!at) return {StrokeEvent::Outcome::off_surface, {}};
+  if (!stroke->connects(*at)) return {StrokeEvent::Outcome::disconnected, {}};
+  const VertexMoves moves = stroke->add(*at, time, pen, charter, evaluator);
+  return {StrokeEvent::Outcome::drawn, shown.move(surface, moves.vertices, moves.places)};
+}
+
+std::span<const Index> Session::Impl::finish() {
+  if (open_stroke().empty()) {
+    stroke.reset();
+    return {};
+  }
+  const VertexMoves moves = stroke->finish(evaluator);
+  const std::span<const Index> changed = shown.move(surface, moves.vertices, moves.places);
+  changed_at_end.assign(changed.begin(), changed.end());
+  const std::vector<Index> displaced = shown.displaced_among(surface, stroke->chart().vertex);
+  journal.record(displaced, surface.positions);
+  shown.commit(surface, displaced);
+  picker.update(displaced);
+  last_chart = stroke->chart();
+  last_curve = stroke->curve();
+  stroke.reset();
+  return changed_at_end;
+}
+
+void Session::Impl::drop() {
+  if (!stroke) return;
+  const std::vector<Index> displaced = shown.displaced_among(surface, stroke->chart().vertex);
+  std::vector<Vec3f> bases;
+  bases.reserve(displaced.size());
+  for (const Index vertex : displaced) bases.push_back(surface.positions[vertex]);
+  shown.move(surface, displaced, bases);
+  stroke.reset();
+}
+
+Session::Session(Surface surface, const BrushLibrary& brushes)
+    : impl_(std::make_unique<Impl>(std::move(surface), brushes)) {}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+const Surface& Session::surface() const { return impl_->surface; }
+const Picker& Session::picker() const { return impl_->picker; }
+std::span<const Vec3f> Session::positions() const { return impl_->shown.positions(); }
+std::span<const Vec3f> Session::normals() const { return impl_->shown.normals(); }
+
+void Session::begin_stroke(const StrokeSettings& settings) {
+  impl_->guarded([&] {
+    if (impl_->stroke) throw ContractError("a stroke is open already");
+    const BrushEntry& entry = impl_->brushes->find(settings.brush);
+    impl_->stroke.emplace(impl_->surface, impl_->picker, impl_->brush(entry), *entry.descriptor, settings);
+  });
+}
+
+StrokeEvent Session::add_sample(const Ray& ray, double time, const Pen& pen) {
+  return impl_->guarded([&] {
+    impl_->open_stroke();
+    return impl_->draw(impl_->picker.pick(ray), time, pen);
+  });
+}
+
+StrokeEvent Session::add_sample(const Vec3d& position, double time, const Pen& pen) {
+  return impl_->guarded([&] {
+    const auto reach = static_cast<float>(impl_->open_stroke().radius());
+    return impl_->draw(impl_->picker.closest(position.cast<float>(), reach), time, pen);
+  });
+}
+
+std::span<const Index> Session::end_stroke() {
+  return impl_->guarded([&] { return impl_->finish(); });
+}
+
+void Session::cancel_stroke() { impl_->drop(); }
+
+const Chart& Session::chart() const { return impl_->stroke ? impl_->stroke->chart() : impl_->last_chart; }
+const SurfaceCurve& Session::curve() const {
+  return impl_->stroke ? impl_->stroke->curve() : impl_->last_curve;
+}
+
+bool Session::undo() {
+  return impl_->guarded([&] {
+    if (impl_->stroke) throw ContractError("a stroke is open");
+    const std::optional<UndoStep> step = impl_->journal.take();
+    if (!step) return false;
+    impl_->shown.move(impl_->surface, step->vertices, step->positions);
+    impl_->shown.commit(impl_->surface, step->vertices);
+    impl_->picker.update(step->vertices);
+    return true;
+  });
+}
+
+std::uint64_t Session::result_hash() const {
+  const std::span<const Vec3f> shown = positions();
+  std::vector<Vec3f> ordered(shown.size());
+  for (std::size_t v = 0; v < shown.size(); ++v) ordered[impl_->surface.source_vertex[v]] = shown[v];
+  return hash_bytes(ordered.data(), ordered.size() * sizeof(Vec3f));
+}
+
+}  // namespace burin

@@ -1,0 +1,108 @@
+#include "deform_fixtures.h"
+
+#include <burin/deform/batch.h>
+#include <burin/deform/offered.h>
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace burin {
+namespace {
+
+class BatchTest : public ::testing::Test {
+ protected:
+  BatchTest() : surface_(test::square(12)) {
+    nodes_.chart = test::straight_chart(surface_, 0.6f, 0.3f);
+    listed_.resize(nodes_.chart.size() - 5);
+    std::iota(listed_.begin(), listed_.end(), 5u);
+  }
+
+  const burin_batch& fill(std::uint64_t inputs, std::span<const Vec3f> displacement = {}) {
+    batch_.fill({surface_, nodes_, 0.3f}, inputs, params_, listed_, displacement);
+    return batch_.inputs();
+  }
+
+  Index vertex(std::size_t i) const { return nodes_.chart.vertex[listed_[i]]; }
+
+  Surface surface_;
+  StrokeNodes nodes_;
+  std::vector<Index> listed_;
+  burin_params params_{sizeof(burin_params), 0, nullptr};
+  Batch batch_;
+};
+
+float at(const burin_floats& floats, std::size_t i) { return floats.data[i * floats.stride]; }
+
+TEST_F(BatchTest, LeavesWhatIsNotDeclaredNull) {
+  const burin_batch& batch = fill(BURIN_INPUT_D);
+  EXPECT_EQ(batch.count, listed_.size());
+  EXPECT_EQ(batch.params, &params_);
+  EXPECT_NE(batch.d.data, nullptr);
+  for (const void* array :
+       {static_cast<const void*>(batch.t.data), static_cast<const void*>(batch.radius.data),
+        static_cast<const void*>(batch.position.x.data), static_cast<const void*>(batch.displacement.z.data),
+        static_cast<const void*>(batch.node_id.data), static_cast<const void*>(batch.sheet.data),
+        static_cast<const void*>(batch.time.data), static_cast<const void*>(batch.laplacian.x.data)})
+    EXPECT_EQ(array, nullptr);
+  EXPECT_EQ(batch_.outputs().mask.data, nullptr);
+  EXPECT_EQ(batch_.outputs().colour[0].data, nullptr);
+}
+
+TEST_F(BatchTest, FillsTheNodesInTheirOrder) {
+  const burin_batch& batch = fill(offered_inputs);
+  ASSERT_GT(batch.count, 30u);
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    const Vec3f& position = surface_.positions[vertex(i)];
+    EXPECT_EQ(at(batch.t, i), position.x());
+    EXPECT_EQ(at(batch.d, i), position.y() - 0.5f);
+    EXPECT_EQ(at(batch.position.y, i), position.y());
+    EXPECT_EQ(at(batch.normal.z, i), surface_.normals[vertex(i)].z());
+    EXPECT_EQ(at(batch.e1.x, i), 1.0f);
+    EXPECT_EQ(batch.node_id.data[i * batch.node_id.stride], surface_.source_vertex[vertex(i)]);
+  }
+}
+
+TEST_F(BatchTest, SaysOnceWhatIsTheSameForAll) {
+  const burin_batch& batch = fill(offered_inputs);
+  const burin_floats uniform[] = {batch.radius, batch.displacement.x, batch.pressure, batch.tilt_x,
+                                  batch.time};
+  for (const burin_floats& floats : uniform) EXPECT_EQ(floats.stride, 0u);
+  EXPECT_EQ(*batch.radius.data, 0.3f);
+  EXPECT_EQ(*batch.displacement.x.data, 0.0f);
+  EXPECT_EQ(*batch.pressure.data, 1.0f);
+  EXPECT_EQ(*batch.tilt_y.data, 0.0f);
+  EXPECT_EQ(batch.sheet.stride, 0u);
+  EXPECT_EQ(*batch.sheet.data, 0u);
+  EXPECT_EQ(*batch.visit_count.data, 1u);
+}
+
+TEST_F(BatchTest, FillsThePenWhereNodesHaveOne) {
+  nodes_.pen.resize(nodes_.chart.size());
+  for (std::size_t i = 0; i < nodes_.pen.size(); ++i) nodes_.pen[i].pressure = static_cast<float>(i) * 0.001f;
+  const burin_batch& batch = fill(BURIN_INPUT_PRESSURE | BURIN_INPUT_SPEED);
+  EXPECT_EQ(at(batch.pressure, 0), nodes_.pen[5].pressure);
+  EXPECT_EQ(at(batch.pressure, 3), nodes_.pen[8].pressure);
+  EXPECT_EQ(at(batch.speed, 3), 0.0f);
+  EXPECT_EQ(batch.tilt_x.data, nullptr);
+}
+
+TEST_F(BatchTest, ShowsThePassBefore) {
+  const std::vector<Vec3f> displacement(listed_.size(), Vec3f(0.1f, 0.2f, 0.3f));
+  const burin_batch& batch = fill(BURIN_INPUT_POSITION | BURIN_INPUT_DISPLACEMENT, displacement);
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    const Vec3f moved = surface_.positions[vertex(i)] + Vec3f(0.1f, 0.2f, 0.3f);
+    EXPECT_EQ(Vec3f(at(batch.position.x, i), at(batch.position.y, i), at(batch.position.z, i)), moved);
+    EXPECT_EQ(at(batch.displacement.z, i), 0.3f);
+  }
+}
+
+TEST_F(BatchTest, HandsOutZeroedOutputsEveryTime) {
+  fill(BURIN_INPUT_T);
+  batch_.outputs().up.data[2] = 7;
+  EXPECT_EQ(batch_.displacement(2), Vec3f(0, 0, 7));
+  fill(BURIN_INPUT_T);
+  EXPECT_EQ(batch_.displacement(2), Vec3f(0, 0, 0));
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,88 @@
+#pragma once
+#include <burin/abi/brush.h>
+#include <burin/chart/chart.h>
+#include <burin/surface/surface.h>
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <utility>
+
+namespace burin::test {
+
+/// A square of `side` x `side` vertices over [0, 1]^2 in the plane z = 0, facing up.
+inline Surface square(Index side) {
+  TriangleMesh mesh;
+  const float step = 1.0f / static_cast<float>(side - 1);
+  for (Index row = 0; row < side; ++row)
+    for (Index column = 0; column < side; ++column)
+      mesh.positions.emplace_back(static_cast<float>(column) * step, static_cast<float>(row) * step, 0.0f);
+  for (Index row = 0; row + 1 < side; ++row)
+    for (Index column = 0; column + 1 < side; ++column) {
+      const Index corner = row * side + column;
+      mesh.triangles.push_back({corner, corner + 1, corner + side});
+      mesh.triangles.push_back({corner + 1, corner + side + 1, corner + side});
+    }
+  return make_surface(std::move(mesh));
+}
+
+/// The chart of the stroke from (0, 0.5) along x to (length, 0.5) on `square`, of butt caps.
+inline Chart straight_chart(const Surface& surface, float length, float radius) {
+  Chart chart;
+  for (Index vertex = 0; vertex < surface.vertex_count(); ++vertex) {
+    const Vec3f& position = surface.positions[vertex];
+    const float d = position.y() - 0.5f;
+    if (position.x() > length || std::abs(d) > radius) continue;
+    chart.vertex.push_back(vertex);
+    chart.t.push_back(position.x());
+    chart.d.push_back(d);
+    chart.e1.push_back(Vec3f::UnitX());
+  }
+  return chart;
+}
+
+/// A brush whose evaluate is a function of the test.
+class TestBrush {
+ public:
+  using Evaluate = std::function<burin_status(const burin_stroke_context&, const burin_batch&,
+                                              const burin_outputs&, burin_text*)>;
+
+  TestBrush(std::uint64_t inputs, Evaluate evaluate) : evaluate_(std::move(evaluate)) {
+    descriptor.struct_size = sizeof(descriptor);
+    descriptor.id = "org.burin.test.function";
+    descriptor.inputs_read = inputs;
+    descriptor.outputs_written = BURIN_OUTPUT_DISPLACEMENT;
+    brush.struct_size = sizeof(brush);
+    brush.self = this;
+    brush.begin = [](const burin_brush* self, const burin_stroke_context*, const burin_params*,
+                     burin_stroke_plan* plan, void**, burin_text*) -> burin_status {
+      TestBrush& test = of(self);
+      plan->passes = test.passes;
+      plan->end_influence = test.end_influence;
+      if (test.begin_status == BURIN_OK) ++test.open_strokes;
+      return test.begin_status;
+    };
+    brush.evaluate = [](const burin_brush* self, void*, const burin_stroke_context* now,
+                        const burin_batch* batch, const burin_outputs* outputs,
+                        burin_text* error) { return of(self).evaluate_(*now, *batch, *outputs, error); };
+    brush.end = [](const burin_brush* self, void*) { --of(self).open_strokes; };
+  }
+  TestBrush(const TestBrush&) = delete;
+  TestBrush& operator=(const TestBrush&) = delete;
+
+  burin_brush brush{};
+  burin_brush_descriptor descriptor{};
+  burin_params params{sizeof(burin_params), 0, nullptr};
+  burin_stroke_context context{};
+  std::uint32_t passes = 1;
+  double end_influence = 0;
+  burin_status begin_status = BURIN_OK;
+  int open_strokes = 0;
+
+ private:
+  static TestBrush& of(const burin_brush* brush) { return *static_cast<TestBrush*>(brush->self); }
+
+  Evaluate evaluate_;
+};
+
+}  // namespace burin::test

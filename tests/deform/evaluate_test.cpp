@@ -1,0 +1,156 @@
+#include "deform_fixtures.h"
+
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/deform/evaluate.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace burin {
+namespace {
+
+/// A ridge that looks at everything that could depend on the batch.
+burin_status ridge(const burin_stroke_context& context, const burin_batch& batch,
+                   const burin_outputs& outputs, burin_text*) {
+  for (std::uint32_t i = 0; i < batch.count; ++i) {
+    const float t = batch.t.data[i * batch.t.stride], d = batch.d.data[i * batch.d.stride];
+    const auto noise = static_cast<float>(batch.node_id.data[i * batch.node_id.stride] % 17);
+    outputs.up.data[i * outputs.up.stride] = 0.1f - d * d + 0.001f * noise + static_cast<float>(context.seed);
+    outputs.across.data[i * outputs.across.stride] = 0.01f * t;
+  }
+  return BURIN_OK;
+}
+constexpr std::uint64_t ridge_inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_NODE_ID;
+
+class EvaluateTest : public ::testing::Test {
+ protected:
+  EvaluateTest() : surface_(test::square(100)) {
+    nodes_.chart = test::straight_chart(surface_, 1, 0.5f);
+    all_.resize(nodes_.chart.size());
+    std::iota(all_.begin(), all_.end(), 0u);
+  }
+
+  std::vector<Vec3f> evaluate(test::TestBrush& brush, std::span<const Index> nodes, float strength = 1) {
+    const BrushStroke stroke(brush.brush, brush.descriptor, brush.context, brush.params);
+    const auto places = evaluator_.evaluate(stroke, brush.context, {surface_, nodes_, 0.5f}, nodes, strength);
+    return {places.begin(), places.end()};
+  }
+
+  std::string failure(test::TestBrush& brush) {
+    try {
+      evaluate(brush, all_);
+    } catch (const ContractError& error) {
+      return error.what();
+    }
+    return "none";
+  }
+
+  Surface surface_;
+  StrokeNodes nodes_;
+  std::vector<Index> all_;
+  Evaluator evaluator_;
+};
+
+TEST_F(EvaluateTest, DisplacesFromTheBaseByStrength) {
+  test::TestBrush brush(ridge_inputs, ridge);
+  const std::vector<Vec3f> full = evaluate(brush, all_), half = evaluate(brush, all_, 0.5f);
+  ASSERT_EQ(full.size(), 10000u);
+  for (const Index node : all_) {
+    const Index vertex = nodes_.chart.vertex[node];
+    const Vec3f& base = surface_.positions[vertex];
+    const float d = base.y() - 0.5f;
+    const float up = 0.1f - d * d + 0.001f * static_cast<float>(surface_.source_vertex[vertex] % 17);
+    EXPECT_EQ(full[node].z(), up);
+    EXPECT_EQ(full[node].y(), base.y() + 0.01f * base.x());
+    EXPECT_EQ(half[node].z(), 0.5f * up);
+  }
+}
+
+TEST_F(EvaluateTest, StrengthZeroLeavesEveryBit) {
+  test::TestBrush brush(ridge_inputs, ridge);
+  const std::vector<Vec3f> places = evaluate(brush, all_, 0);
+  for (const Index node : all_) EXPECT_EQ(places[node], surface_.positions[nodes_.chart.vertex[node]]);
+}
+
+TEST_F(EvaluateTest, DoesNotDependOnTheSplitIntoBatchesOrThreads) {
+  test::TestBrush brush(ridge_inputs, ridge);
+  const std::vector<Vec3f> whole = evaluate(brush, all_);
+  for (const std::size_t threads : {1u, 2u}) {
+    const ThreadLimit limit(threads);
+    for (const std::size_t part : {1u, 37u, 1023u, 1024u, 1025u, 4001u}) {
+      for (std::size_t begin = 0; begin < all_.size(); begin += part * 3) {
+        const auto nodes = std::span(all_).subspan(begin, std::min(part, all_.size() - begin));
+        const std::vector<Vec3f> places = evaluate(brush, nodes);
+        for (std::size_t i = 0; i < nodes.size(); ++i) ASSERT_EQ(places[i], whole[begin + i]) << part;
+      }
+    }
+  }
+}
+
+TEST_F(EvaluateTest, EachPassSeesTheOneBeforeAtFullStrength) {
+  test::TestBrush brush(BURIN_INPUT_POSITION | BURIN_INPUT_DISPLACEMENT,
+                        [](const burin_stroke_context& context, const burin_batch& batch,
+                           const burin_outputs& outputs, burin_text*) -> burin_status {
+                          for (std::uint32_t i = 0; i < batch.count; ++i) {
+                            const float so_far = batch.displacement.z.data[i * batch.displacement.z.stride];
+                            if (batch.position.z.data[i * batch.position.z.stride] != so_far)
+                              return BURIN_ERROR;
+                            outputs.up.data[i] = 2 * so_far + static_cast<float>(context.pass) + 1;
+                          }
+                          return BURIN_OK;
+                        });
+  brush.passes = 3;
+  // 1, then 2 * 1 + 2, then 2 * 4 + 3.
+  for (const Vec3f& place : evaluate(brush, all_, 0.5f)) EXPECT_EQ(place.z(), 5.5f);
+}
+
+TEST_F(EvaluateTest, NamesTheLowestNodeThatIsNotFinite) {
+  test::TestBrush brush(BURIN_INPUT_NODE_ID,
+                        [&](const burin_stroke_context&, const burin_batch& batch,
+                            const burin_outputs& outputs, burin_text*) -> burin_status {
+                          for (std::uint32_t i = 0; i < batch.count; ++i)
+                            if (batch.node_id.data[i] % 1000 == 999)
+                              outputs.along.data[i] = std::numeric_limits<float>::quiet_NaN();
+                          return BURIN_OK;
+                        });
+  Index lowest = 0;
+  while (surface_.source_vertex[nodes_.chart.vertex[lowest]] % 1000 != 999) ++lowest;
+  char place[100];
+  std::snprintf(place, sizeof(place), "t = %.6g, d = %.6g", nodes_.chart.t[lowest],
+                static_cast<double>(nodes_.chart.d[lowest]));
+  for (const std::size_t threads : {1u, 2u}) {
+    const ThreadLimit limit(threads);
+    for (int round = 0; round < 20; ++round)
+      ASSERT_EQ(failure(brush), "org.burin.test.function: returned a displacement that is not finite at " +
+                                    std::string(place));
+  }
+  EXPECT_EQ(brush.open_strokes, 0);
+}
+
+TEST_F(EvaluateTest, PassesOnWhatABrushSaysOfItsFailure) {
+  test::TestBrush brush(BURIN_INPUT_D,
+                        [](const burin_stroke_context&, const burin_batch&, const burin_outputs&,
+                           burin_text* error) -> burin_status {
+                          std::snprintf(error->data, error->capacity, "no wood left");
+                          return BURIN_ERROR;
+                        });
+  EXPECT_EQ(failure(brush).find("org.burin.test.function: no wood left at t = "), 0u) << failure(brush);
+}
+
+TEST_F(EvaluateTest, RefusesToLeaveTheRangeOfFloats) {
+  test::TestBrush brush(0,
+                        [](const burin_stroke_context&, const burin_batch& batch,
+                           const burin_outputs& outputs, burin_text*) -> burin_status {
+                          for (std::uint32_t i = 0; i < batch.count; ++i) outputs.up.data[i] = 3e38f;
+                          return BURIN_OK;
+                        });
+  EXPECT_EQ(evaluate(brush, all_)[0].z(), 3e38f);
+  EXPECT_THROW(evaluate(brush, all_, 10), ContractError);
+}
+
+}  // namespace
+}  // namespace burin

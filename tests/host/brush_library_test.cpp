@@ -1,0 +1,93 @@
+#include "sessions.h"
+#include "support/shared_data.h"
+
+#include <burin/host/brush_library.h>
+
+#include <fstream>
+
+namespace burin {
+namespace {
+namespace fs = std::filesystem;
+
+/// The line that loading this test plugin fails with, less the path that it must begin with.
+std::string load_error(const std::string& name) {
+  BrushLibrary library;
+  const fs::path path = test::test_plugins_folder / (name + ".burin");
+  const std::string line = test::error_of([&] { library.load(path); });
+  EXPECT_TRUE(library.brushes().empty());
+  EXPECT_EQ(line.find(path.string() + ": "), 0u) << line;
+  return line.substr(std::min(line.size(), path.string().size() + 2));
+}
+
+TEST(BrushLibrary, LoadsTheStockBrushesByName) {
+  BrushLibrary library;
+  library.load_folder(test::brushes_folder);
+  ASSERT_EQ(library.brushes().size(), 2u);
+  EXPECT_STREQ(library.brushes()[0].descriptor->id, "org.burin.groove");
+  EXPECT_EQ(library.brushes()[0].module, test::brushes_folder / "groove.burin");
+  EXPECT_STREQ(library.find("org.burin.scales").descriptor->id, "org.burin.scales");
+  EXPECT_TRUE(library.create(library.find("org.burin.groove")));
+}
+
+TEST(BrushLibrary, NamesTheBrushesThereAre) {
+  BrushLibrary library;
+  EXPECT_EQ(test::error_of([&] { library.find("org.burin.none"); }),
+            "no brush 'org.burin.none'; there are: none");
+  library.load_folder(test::brushes_folder);
+  EXPECT_EQ(test::error_of([&] { library.find("groove"); }),
+            "no brush 'groove'; there are: org.burin.groove, org.burin.scales");
+}
+
+TEST(BrushLibrary, SaysWhatIsWrongWithAModule) {
+  EXPECT_EQ(load_error("missing"), "cannot open shared object file: No such file or directory");
+  EXPECT_EQ(load_error("no_symbol"), "is no Burin plugin: it does not export 'burin_plugin'");
+  EXPECT_EQ(load_error("wrong_major"), "is made for version 999 of the plugin interface, not for 1");
+  EXPECT_EQ(load_error("init_fails"), "cannot be initialised: no licence");
+  EXPECT_EQ(load_error("broken_descriptor"), "a brush's id is no reverse DNS name such as org.example.brush");
+  EXPECT_EQ(load_error("broken_params"),
+            "brush org.burin.test.broken-params: counts parameters but lists none");
+}
+
+TEST(BrushLibrary, RefusesWhatIsNoModule) {
+  const test::TemporaryFolder folder;
+  const fs::path path = folder.path() / "text.burin";
+  std::ofstream(path) << "This is a text and not a shared module, whatever its name says.\n";
+  BrushLibrary library;
+  const std::string line = test::error_of([&] { library.load(path); });
+  EXPECT_EQ(line, path.string() + ": invalid ELF header");
+}
+
+TEST(BrushLibrary, RefusesABrushThatIsThere) {
+  BrushLibrary library;
+  library.load_folder(test::brushes_folder);
+  const fs::path groove = test::brushes_folder / "groove.burin";
+  EXPECT_EQ(test::error_of([&] { library.load(groove); }),
+            groove.string() + ": brush org.burin.groove is already there, from " + groove.string());
+  EXPECT_EQ(library.brushes().size(), 2u);
+}
+
+TEST(BrushLibrary, RefusesABrushThatReadsWhatIsNotOffered) {
+  BrushLibrary library;
+  const fs::path greedy = test::test_plugins_folder / "greedy_brush.burin";
+  library.load(greedy);
+  EXPECT_EQ(test::error_of([&] { library.create(library.brushes().at(0)); }),
+            greedy.string() + ": brush org.burin.test.greedy reads what this host does not offer: laplacian");
+}
+
+TEST(BrushLibrary, SearchesTheEnvironmentFirst) {
+  const test::TemporaryFolder folder;
+  fs::copy(test::test_plugins_folder / "nan_brush.burin", folder.path());
+  setenv("BURIN_PLUGIN_PATH", folder.path().c_str(), 1);
+  BrushLibrary library;
+  library.load_search_path(test::brushes_folder);
+  unsetenv("BURIN_PLUGIN_PATH");
+  ASSERT_EQ(library.brushes().size(), 3u);
+  EXPECT_STREQ(library.brushes()[0].descriptor->id, "org.burin.test.nan");
+
+  BrushLibrary alone;
+  alone.load_search_path(folder.path() / "missing");
+  EXPECT_TRUE(alone.brushes().empty());
+}
+
+}  // namespace
+}  // namespace burin

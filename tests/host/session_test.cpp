@@ -1,0 +1,288 @@
+#include "sessions.h"
+
+#include <burin/base/parallel.h>
+#include <burin/deform/evaluate.h>
+#include <burin/deform/stroke_nodes.h>
+#include <burin/host/param_snapshot.h>
+#include <burin/surface/normals.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <set>
+
+namespace burin {
+namespace {
+
+using test::add;
+using test::draw;
+using test::error_of;
+using test::settings;
+using test::Snapshot;
+
+constexpr PenFields all_fields{.time = true, .pressure = true, .tilt = true, .twist = true};
+
+StrokeSettings every_input() {
+  StrokeSettings every = settings("org.burin.test.every-input");
+  every.fields = all_fields;
+  return every;
+}
+
+/// Where the finished stroke of every_input() must have put the surface, computed in one go from its final
+/// curve: the function that a stroke is.
+std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& curve) {
+  const BrushEntry& entry = test::brushes().find("org.burin.test.every-input");
+  const BrushPtr brush = test::brushes().create(entry);
+  const ParamSnapshot params(*entry.descriptor, {});
+  const std::uint64_t pen = pen_inputs_present(all_fields);
+  burin_stroke_context context{sizeof(burin_stroke_context),
+                               0,
+                               BURIN_STROKE_FINAL,
+                               pen,
+                               0,
+                               curve.length(),
+                               0.15,
+                               0.15,
+                               object_scale(base)};
+  const BrushStroke stroke(*brush, *entry.descriptor, context, params.abi());
+  const StrokeNodes nodes =
+      make_stroke_nodes(StrokeCharter(base).chart(curve, {0.15, Cap::round}), curve, pen);
+  std::vector<Index> all(nodes.chart.size());
+  std::iota(all.begin(), all.end(), 0u);
+  Evaluator evaluator;
+  const auto places = evaluator.evaluate(stroke, context, {base, nodes, 0.15f}, all, 1);
+  std::vector<Vec3f> positions = base.positions;
+  for (const Index node : all) positions[nodes.chart.vertex[node]] = places[node];
+  return positions;
+}
+
+void expect_normals_of_positions(const Session& session) {
+  for (Index vertex = 0; vertex < session.surface().vertex_count(); ++vertex)
+    ASSERT_EQ(session.normals()[vertex], vertex_normal(session.surface(), session.positions(), vertex))
+        << vertex;
+}
+
+TEST(Session, GrowsAStrokeToWhatOneEvaluationGives) {
+  for (const bool round : {false, true}) {
+    Session session = round ? test::sphere_session() : test::plane_session();
+    const Surface base = session.surface();
+    draw(session, every_input(), round ? test::wave_on_sphere() : test::wave());
+    EXPECT_GT(session.chart().size(), 500u);
+    EXPECT_EQ(session.surface().positions, in_one_go(base, session.curve()));
+    EXPECT_TRUE(std::equal(session.positions().begin(), session.positions().end(),
+                           session.surface().positions.begin()));
+    expect_normals_of_positions(session);
+  }
+}
+
+TEST(Session, ReportsAllThatChangesAtEveryEvent) {
+  Session session = test::plane_session();
+  session.begin_stroke(every_input());
+  Snapshot before(session);
+  for (const Sample& sample : test::wave()) {
+    const auto changed = session.add_sample(sample.position, sample.time, sample.pen).changed;
+    const std::set<Index> reported(changed.begin(), changed.end());
+    EXPECT_EQ(reported.size(), changed.size());
+    EXPECT_TRUE(std::is_sorted(changed.begin(), changed.end()));
+    const Snapshot now(session);
+    EXPECT_EQ(now.positions, before.positions) << "the surface waits for the stroke's end";
+    for (Index vertex = 0; vertex < session.surface().vertex_count(); ++vertex) {
+      const bool same = now.shown_positions[vertex] == before.shown_positions[vertex] &&
+                        now.shown_normals[vertex] == before.shown_normals[vertex];
+      ASSERT_TRUE(same || reported.count(vertex)) << vertex;
+    }
+    before = now;
+  }
+  EXPECT_FALSE(session.end_stroke().empty()) << "the brush looks at the end of the stroke";
+}
+
+TEST(Session, TouchesOnlyWhatTheLastSampleReaches) {
+  Session session = test::plane_session();
+  session.begin_stroke(settings("org.burin.groove", 0.05));
+  std::vector<std::size_t> changed;
+  for (const Sample& sample : test::wave(80))
+    changed.push_back(session.add_sample(sample.position, sample.time, sample.pen).changed.size());
+  EXPECT_GT(session.chart().size(), 5 * *std::max_element(changed.begin() + 20, changed.end()) / 2);
+}
+
+TEST(Session, GivesTheSameBitsOnOneThreadAndTwo) {
+  std::set<std::uint64_t> hashes;
+  for (const std::size_t threads : {1u, 2u, 2u}) {
+    const ThreadLimit limit(threads);
+    Session session = test::sphere_session();
+    draw(session, every_input(), test::wave_on_sphere());
+    draw(session, settings("org.burin.groove", 0.3), test::wave_on_sphere(9));
+    hashes.insert(session.result_hash());
+  }
+  EXPECT_EQ(hashes.size(), 1u);
+}
+
+TEST(Session, HashesPositionsInTheOrderOfTheMesh) {
+  const TriangleMesh mesh = test::plane(1, 0.1, 4);
+  Session session(make_surface(mesh), test::brushes());
+  const std::uint64_t untouched = session.result_hash();
+  EXPECT_EQ(untouched, Session(make_surface(mesh), test::brushes()).result_hash());
+  session.begin_stroke(settings("org.burin.groove", 0.3));
+  add(session, test::wave());
+  EXPECT_NE(session.result_hash(), untouched) << "what is shown counts";
+  session.cancel_stroke();
+  EXPECT_EQ(session.result_hash(), untouched);
+}
+
+TEST(Session, UndoesStrokesBitForBit) {
+  Session session = test::sphere_session();
+  std::vector<Snapshot> states = {Snapshot(session)};
+  for (const double radius : {0.1, 0.3, 0.2}) {
+    draw(session, settings("org.burin.groove", radius), test::wave_on_sphere());
+    states.emplace_back(session);
+    ASSERT_FALSE(states.back() == states[states.size() - 2]);
+  }
+  for (std::size_t i = states.size() - 1; i-- > 0;) {
+    EXPECT_TRUE(session.undo());
+    EXPECT_TRUE(Snapshot(session) == states[i]) << i;
+  }
+  EXPECT_FALSE(session.undo());
+  draw(session, settings("org.burin.groove", 0.1), test::wave_on_sphere());
+  EXPECT_TRUE(Snapshot(session) == states[1]) << "as if nothing had ever been undone";
+}
+
+TEST(Session, PicksTheSurfaceAsOfTheLastFinishedStroke) {
+  Session session = test::plane_session();
+  const Ray down{Vec3f(0, 0, 1), Vec3f(0, 0, -1)};
+  StrokeSettings ridge = settings("org.burin.groove", 0.3);
+  ridge.params = {{"depth", -1.0}, {"taper", 0.0}, {"profile", std::string("flat")}};
+  std::vector<Sample> line;
+  for (int i = 0; i < 20; ++i) line.push_back({0.01 * i, Vec3d(-0.5 + 0.05 * i, 0, 0), {}});
+  session.begin_stroke(ridge);
+  add(session, line);
+  EXPECT_NEAR(session.picker().pick(down)->position.z(), 0, 1e-6);
+  session.end_stroke();
+  EXPECT_NEAR(session.picker().pick(down)->position.z(), 0.3, 1e-4);
+  session.undo();
+  EXPECT_NEAR(session.picker().pick(down)->position.z(), 0, 1e-6);
+}
+
+TEST(Session, CancelsWithoutATrace) {
+  Session session = test::sphere_session();
+  const Snapshot before(session);
+  session.begin_stroke(every_input());
+  add(session, test::wave_on_sphere());
+  session.cancel_stroke();
+  EXPECT_TRUE(Snapshot(session) == before);
+  EXPECT_FALSE(session.undo());
+  session.cancel_stroke();
+}
+
+TEST(Session, LeavesNoTraceOfAStrokeWithoutSamples) {
+  Session session = test::plane_session();
+  session.begin_stroke(settings("org.burin.groove"));
+  EXPECT_TRUE(session.end_stroke().empty());
+  EXPECT_FALSE(session.undo());
+}
+
+TEST(Session, SkipsSamplesOffTheSurface) {
+  Session session = test::plane_session();
+  session.begin_stroke(settings("org.burin.groove"));
+  using Outcome = StrokeEvent::Outcome;
+  EXPECT_EQ(session.add_sample(Vec3d(0, 0, 0.2), 0, {}).outcome, Outcome::off_surface);
+  EXPECT_EQ(session.add_sample(Ray{Vec3f(5, 0, 1), Vec3f(0, 0, -1)}, 0, {}).outcome, Outcome::off_surface);
+  EXPECT_EQ(session.add_sample(Vec3d(0, 0, 0.1), 0, {}).outcome, Outcome::drawn);
+  EXPECT_EQ(session.add_sample(Ray{Vec3f(0.1f, 0, 1), Vec3f(0, 0, -1)}, 0.1, {}).outcome, Outcome::drawn);
+  session.end_stroke();
+  EXPECT_NEAR(session.curve().length(), 0.1, 1e-6);
+}
+
+TEST(Session, StrengthZeroLeavesEveryBit) {
+  Session session = test::sphere_session();
+  const Snapshot before(session);
+  StrokeSettings faint = every_input();
+  faint.strength = 0;
+  session.begin_stroke(faint);
+  for (const Sample& sample : test::wave_on_sphere())
+    EXPECT_TRUE(session.add_sample(sample.position, sample.time, sample.pen).changed.empty());
+  EXPECT_TRUE(session.end_stroke().empty());
+  EXPECT_TRUE(Snapshot(session) == before);
+  EXPECT_TRUE(session.undo()) << "it was a stroke all the same";
+}
+
+TEST(Session, DisplacesOnlyInsideTheChart) {
+  Session session = test::sphere_session();
+  const Surface base = session.surface();
+  draw(session, every_input(), test::wave_on_sphere());
+  const std::vector<Index>& chart = session.chart().vertex;
+  std::size_t moved = 0;
+  for (Index vertex = 0; vertex < base.vertex_count(); ++vertex) {
+    if (session.positions()[vertex] == base.positions[vertex]) continue;
+    ++moved;
+    ASSERT_TRUE(std::binary_search(chart.begin(), chart.end(), vertex));
+  }
+  EXPECT_GT(moved, chart.size() / 2);
+}
+
+/// Draws with a brush that fails after a stroke that does not; all must be as after the good one.
+std::string failure_of(const StrokeSettings& bad) {
+  Session session = test::sphere_session();
+  draw(session, settings("org.burin.groove"), test::wave_on_sphere());
+  const Snapshot before(session);
+  const std::string line = error_of([&] { draw(session, bad, test::wave_on_sphere()); });
+  EXPECT_TRUE(Snapshot(session) == before) << line;
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  EXPECT_EQ(error_of([&] { session.end_stroke(); }), "no stroke is open");
+  draw(session, settings("org.burin.groove"), test::wave_on_sphere());
+  return line;
+}
+
+TEST(Session, SurvivesBrushesThatMisbehave) {
+  const std::string nan = failure_of(settings("org.burin.test.nan"));
+  EXPECT_EQ(nan.find("org.burin.test.nan: returned a displacement that is not finite at t = "), 0u) << nan;
+  const std::string error = failure_of(settings("org.burin.test.error"));
+  EXPECT_EQ(error.find("org.burin.test.error: the error brush never works at t = "), 0u) << error;
+  const std::string thrown = failure_of(settings("org.burin.test.throwing"));
+  EXPECT_EQ(thrown.find("org.burin.test.throwing: thrown by the brush at t = "), 0u) << thrown;
+
+  StrokeSettings throws_at_begin = settings("org.burin.test.throwing");
+  throws_at_begin.params = {{"where", std::string("begin")}, {"what", std::string("not_found")}};
+  EXPECT_EQ(failure_of(throws_at_begin), "org.burin.test.throwing: gone");
+  EXPECT_NE(failure_of(settings("org.burin.test.greedy")).find("does not offer: laplacian"),
+            std::string::npos);
+}
+
+TEST(Session, SaysWhatIsWrongWithSettings) {
+  StrokeSettings deep = settings("org.burin.groove"), unknown = deep, no_radius = deep, faint = deep;
+  deep.params = {{"depth", 70.0}};
+  unknown.params = {{"colour", 1.0}};
+  no_radius.radius = 0;
+  faint.strength = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(failure_of(deep), "parameter 'depth' of org.burin.groove: 70 is above the maximum 10");
+  EXPECT_EQ(failure_of(unknown),
+            "org.burin.groove has no parameter 'colour'; there are: depth, width, taper, profile");
+  EXPECT_EQ(failure_of(no_radius), "a stroke's radius must be above 0, not 0");
+  EXPECT_EQ(failure_of(faint), "a stroke's strength is not finite");
+  EXPECT_EQ(failure_of(settings("org.burin.scales")),
+            "parameter 'stamp' of org.burin.scales: a file must be given");
+  StrokeSettings no_stamp = settings("org.burin.scales");
+  no_stamp.params = {{"stamp", std::string("/no/such/stamp.exr")}};
+  EXPECT_EQ(failure_of(no_stamp).find("org.burin.scales: /no/such/stamp.exr: "), 0u);
+}
+
+TEST(Session, DropsTheStrokeOnCallsOutOfOrder) {
+  Session session = test::plane_session();
+  const Snapshot before(session);
+  EXPECT_EQ(error_of([&] { session.add_sample(Vec3d(0, 0, 0), 0, {}); }), "no stroke is open");
+  const auto mistakes = {
+      +[](Session& s) { s.begin_stroke(settings("org.burin.groove")); },
+      +[](Session& s) { s.undo(); },
+      +[](Session& s) { s.add_sample(Vec3d(0, 0, 0), -5, {}); },
+      +[](Session& s) { s.add_sample(Vec3d(0, 0, 0), std::numeric_limits<double>::quiet_NaN(), {}); },
+  };
+  for (const auto mistake : mistakes) {
+    session.begin_stroke(every_input());
+    add(session, test::wave());
+    EXPECT_THROW(mistake(session), ContractError);
+    EXPECT_TRUE(Snapshot(session) == before);
+    EXPECT_EQ(error_of([&] { session.end_stroke(); }), "no stroke is open");
+  }
+}
+
+}  // namespace
+}  // namespace burin
