@@ -1,6 +1,5 @@
 #include <burin/base/file.h>
 #include <burin/chart/stroke_chart.h>
-#include <burin/stroke/stroke_file.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +16,7 @@
 #include "options.h"
 #include "output_file.h"
 #include "render.h"
+#include "stroke_input.h"
 #include "stroke_trace.h"
 #include "view.h"
 
@@ -25,7 +25,7 @@ namespace {
 
 struct ChartCommandOptions {
   std::string strokes, csv, png;
-  std::size_t stroke = 0;
+  std::size_t stroke = 1;  // from 1
   std::optional<double> radius;
   Cap cap = Cap::round;
   MeshOptions mesh;
@@ -34,7 +34,7 @@ struct ChartCommandOptions {
 };
 
 const RecordedStroke& chosen_stroke(const ChartCommandOptions& options, const Recording& recording) {
-  if (options.stroke < recording.strokes.size()) return recording.strokes[options.stroke];
+  if (options.stroke <= recording.strokes.size()) return recording.strokes[options.stroke - 1];
   throw FileError(options.strokes,
                   fmt::format("has no stroke {}: it holds {}", options.stroke, recording.strokes.size()));
 }
@@ -44,6 +44,20 @@ double chosen_radius(const ChartCommandOptions& options, const RecordedStroke& s
   if (stroke.radius) return *stroke.radius;
   throw FileError(options.strokes,
                   fmt::format("stroke {} has no radius: give one with --radius", options.stroke));
+}
+
+/// The longest piece of the stroke, since one chart has one t.
+SurfaceCurve chosen_curve(const ChartCommandOptions& options, std::vector<SurfaceCurve> pieces) {
+  if (pieces.empty()) {
+    throw FileError(options.strokes, fmt::format("stroke {} does not meet the surface", options.stroke));
+  }
+  if (pieces.size() > 1) {
+    warn(fmt::format("{}: stroke {} leaves the surface: took the longest of its {} pieces", options.strokes,
+                     options.stroke, pieces.size()));
+  }
+  return *std::max_element(pieces.begin(), pieces.end(), [](const SurfaceCurve& a, const SurfaceCurve& b) {
+    return a.length() < b.length();
+  });
 }
 
 /// One row a vertex, sorted by its number in the file; the shortest digits that read back as the same bits.
@@ -94,15 +108,13 @@ void print_result(const ChartCommandOptions& options, const LoadedSurface& loade
 void run(const ChartCommandOptions& options) {
   check_output_path(options.csv);
   check_output_path(options.png);
-  const Recording recording = read_strokes(options.strokes);
+  const Recording recording = read_strokes_on_console(options.strokes);
   const RecordedStroke& stroke = chosen_stroke(options, recording);
   const double radius = chosen_radius(options, stroke);
   const LoadedSurface loaded = load_surface_on_console(options.mesh);
   const Picker picker(loaded.surface);
-  const SurfaceCurve curve = trace_stroke(loaded.surface, picker, recording, stroke, radius);
-  if (curve.points.empty()) {
-    throw FileError(options.strokes, fmt::format("stroke {} does not meet the surface", options.stroke));
-  }
+  const SurfaceCurve curve =
+      chosen_curve(options, trace_stroke(loaded.surface, picker, recording, stroke, radius));
   const Chart chart = StrokeCharter(loaded.surface).chart(curve, {radius, options.cap});
   if (!options.png.empty()) {
     const bool recorded_view = recording.space == StrokeSpace::screen && !options.view.direction;
@@ -122,7 +134,9 @@ void add_chart(CLI::App& app) {
   command.add_option("stroke_file", options->strokes, "recorded strokes")
       ->required()
       ->type_name("FILE.stroke");
-  command.add_option("--stroke", options->stroke, "which stroke of the file, from 0")->capture_default_str();
+  command.add_option("--stroke", options->stroke, "which stroke of the file, from 1")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   add_mesh_options(command, options->mesh);
   add_view_options(command, options->view);
   command.add_option("--radius", options->radius, "object units, instead of the recorded one")

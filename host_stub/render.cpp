@@ -75,7 +75,7 @@ Painter::Painter(const Surface& surface, const Picker& picker, const Camera& cam
       camera_(camera),
       albedo_(albedo),
       to_world_(camera.view.topLeftCorner<3, 3>().cast<float>().transpose()),
-      key_(from_camera(-0.55f, 0.65f, 0.5f)),
+      key_(from_camera(-0.62f, 0.6f, 0.38f)),
       fill_(from_camera(0.8f, 0.05f, 0.55f)),
       rim_(from_camera(0.3f, 0.6f, -0.7f)),
       up_(from_camera(0, 1, 0.25f)) {}
@@ -127,7 +127,7 @@ Vec3f Painter::sky_light(const Hit& hit, int sample, const Vec2f& noise) const {
     const auto blocker = picker_.pick({origin, direction});
     const float distance = blocker ? (blocker->position - origin).norm() / reach : 1.0f;
     const float open = std::min(1.0f, distance);
-    light += (0.12f + 0.88f * open) * sky(direction);
+    light += (0.05f + 0.95f * open) * sky(direction);
   }
   return light / sky_rays;
 }
@@ -140,8 +140,8 @@ Vec3f Painter::radiance(const Hit& hit, int sample, const Vec2f& noise) const {
   const float edge = 1 - std::max(0.0f, n.dot(hit.to_eye));
   const float rim = edge * edge * edge * std::max(0.0f, 0.3f + n.dot(rim_));
   const float gloss = std::pow(std::max(0.0f, n.dot((key_ + hit.to_eye).normalized())), 40.0f);
-  const Vec3f diffuse = key * Vec3f(1.0f, 0.95f, 0.87f) + fill * Vec3f(0.16f, 0.19f, 0.24f) +
-                        0.55f * sky_light(hit, sample, noise);
+  const Vec3f diffuse = key * Vec3f(1.25f, 1.17f, 1.05f) + fill * Vec3f(0.09f, 0.11f, 0.15f) +
+                        0.42f * sky_light(hit, sample, noise);
   return albedo_(hit.point).cwiseProduct(diffuse) +
          Vec3f::Constant(0.5f * rim + (key > 0 ? 0.06f * gloss : 0.0f));
 }
@@ -169,7 +169,7 @@ void Painter::paint_row(int y, std::uint8_t* rgb) const {
 
 }  // namespace
 
-Vec3f clay(const SurfacePoint&) { return {0.66f, 0.56f, 0.48f}; }
+Vec3f clay(const SurfacePoint&) { return {0.62f, 0.47f, 0.37f}; }
 
 Picture render(const Surface& surface, const Picker& picker, const Camera& camera, const Albedo& albedo,
                const Progress& progress) {

@@ -13,14 +13,22 @@ std::optional<SurfacePoint> place(const Picker& picker, const Recording& recordi
 
 }  // namespace
 
-SurfaceCurve trace_stroke(const Surface& surface, const Picker& picker, const Recording& recording,
-                          const RecordedStroke& stroke, double radius) {
+std::vector<SurfaceCurve> trace_stroke(const Surface& surface, const Picker& picker,
+                                       const Recording& recording, const RecordedStroke& stroke,
+                                       double radius) {
+  std::vector<SurfaceCurve> pieces;
   CurveTracer tracer(surface, picker, radius);
+  const auto end_piece = [&] {
+    if (!tracer.curve().points.empty()) pieces.push_back(tracer.curve());
+    tracer = CurveTracer(surface, picker, radius);
+  };
   for (const Sample& sample : stroke.samples) {
     const auto point = place(picker, recording, sample.position, radius);
-    if (point && tracer.connects(*point)) tracer.add(*point, sample.time, sample.pen);
+    if (!point || !tracer.connects(*point)) end_piece();
+    if (point) tracer.add(*point, sample.time, sample.pen);
   }
-  return tracer.curve();
+  end_piece();
+  return pieces;
 }
 
 }  // namespace burin
