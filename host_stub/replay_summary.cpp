@@ -1,10 +1,10 @@
 #include "replay_summary.h"
 
 #include <burin/base/hash.h>
+#include <burin/host/percentile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace burin {
@@ -36,24 +36,19 @@ void add_result(ReplaySummary& summary, ReplayResult result) {
   std::sort(sum.latencies.begin(), sum.latencies.end());
 }
 
-double percentile(const std::vector<double>& sorted, double share) {
-  if (sorted.empty()) return 0;
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
-}
-
 Json summary_json(const ReplaySummary& summary) {
   const ReplayResult& result = summary.result;
+  const Percentiles latency = percentiles(result.latencies);
   return {{"files", summary.files},
           {"strokes", result.strokes},
           {"pieces", result.pieces},
           {"events", result.samples_drawn},
           {"events_off_surface", result.samples_off_surface},
           {"latency_ms",
-           {{"p50", 1e3 * percentile(result.latencies, 0.5)},
-            {"p95", 1e3 * percentile(result.latencies, 0.95)},
-            {"p99", 1e3 * percentile(result.latencies, 0.99)},
-            {"max", 1e3 * percentile(result.latencies, 1)}}},
+           {{"p50", 1e3 * latency.p50},
+            {"p95", 1e3 * latency.p95},
+            {"p99", 1e3 * latency.p99},
+            {"max", 1e3 * latency.max}}},
           {"vertices_changed", result.vertices_changed},
           {"vertices_per_second", vertices_per_second(result)},
           {"peak_memory_bytes", summary.peak_memory},
@@ -64,7 +59,7 @@ Json summary_json(const ReplaySummary& summary) {
 
 std::string summary_text(const ReplaySummary& summary) {
   const ReplayResult& result = summary.result;
-  const auto ms = [&](double share) { return 1e3 * percentile(result.latencies, share); };
+  const Percentiles latency = percentiles(result.latencies);
   return fmt::format(
       "strokes         {} in {} pieces, {} events ({} more off the surface)\n"
       "event latency   p50 {:.2f} ms, p95 {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms\n"
@@ -72,9 +67,10 @@ std::string summary_text(const ReplaySummary& summary) {
       "peak memory     {:.0f} MB, {:.0f} bytes a vertex\n"
       "to first event  {:.2f} s\n"
       "result hash     {}\n",
-      result.strokes, result.pieces, result.samples_drawn, result.samples_off_surface, ms(0.5), ms(0.95),
-      ms(0.99), ms(1), vertices_per_second(result), static_cast<double>(summary.peak_memory) / 1e6,
-      memory_per_vertex(summary), summary.seconds_to_first_event, hash_text(result.hash));
+      result.strokes, result.pieces, result.samples_drawn, result.samples_off_surface, 1e3 * latency.p50,
+      1e3 * latency.p95, 1e3 * latency.p99, 1e3 * latency.max, vertices_per_second(result),
+      static_cast<double>(summary.peak_memory) / 1e6, memory_per_vertex(summary),
+      summary.seconds_to_first_event, hash_text(result.hash));
 }
 
 }  // namespace burin

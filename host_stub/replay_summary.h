@@ -21,9 +21,6 @@ struct ReplaySummary {
 /// Adds what one more recording gave.
 void add_result(ReplaySummary& summary, ReplayResult result);
 
-/// The value that a share of the sorted values does not exceed (nearest rank); 0 of none.
-double percentile(const std::vector<double>& sorted, double share);
-
 Json summary_json(const ReplaySummary& summary);
 std::string summary_text(const ReplaySummary& summary);
 
