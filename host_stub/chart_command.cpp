@@ -1,0 +1,156 @@
+#include <burin/base/file.h>
+#include <burin/chart/stroke_chart.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <numeric>
+
+#include "checkerboard.h"
+#include "command.h"
+#include "curve_overlay.h"
+#include "mesh_input.h"
+#include "name_file.h"
+#include "options.h"
+#include "output_file.h"
+#include "render.h"
+#include "stroke_input.h"
+#include "stroke_trace.h"
+#include "view.h"
+
+namespace burin::command {
+namespace {
+
+struct ChartCommandOptions {
+  std::string strokes, csv, png;
+  std::size_t stroke = 1;  // from 1
+  std::optional<double> radius;
+  Cap cap = Cap::round;
+  MeshOptions mesh;
+  ViewOptions view;
+  bool json = false;
+};
+
+const RecordedStroke& chosen_stroke(const ChartCommandOptions& options, const Recording& recording) {
+  if (options.stroke <= recording.strokes.size()) return recording.strokes[options.stroke - 1];
+  throw FileError(options.strokes,
+                  fmt::format("has no stroke {}: it holds {}", options.stroke, recording.strokes.size()));
+}
+
+double chosen_radius(const ChartCommandOptions& options, const RecordedStroke& stroke) {
+  if (options.radius) return *options.radius;
+  if (stroke.radius) return *stroke.radius;
+  throw FileError(options.strokes,
+                  fmt::format("stroke {} has no radius: give one with --radius", options.stroke));
+}
+
+/// The longest piece of the stroke, since one chart has one t.
+SurfaceCurve chosen_curve(const ChartCommandOptions& options, std::vector<SurfaceCurve> pieces) {
+  if (pieces.empty()) {
+    throw FileError(options.strokes, fmt::format("stroke {} does not meet the surface", options.stroke));
+  }
+  if (pieces.size() > 1) {
+    warn(fmt::format("{}: stroke {} leaves the surface: took the longest of its {} pieces", options.strokes,
+                     options.stroke, pieces.size()));
+  }
+  return *std::max_element(pieces.begin(), pieces.end(), [](const SurfaceCurve& a, const SurfaceCurve& b) {
+    return a.length() < b.length();
+  });
+}
+
+/// One row a vertex, sorted by its number in the file; the shortest digits that read back as the same bits.
+void write_csv(const std::string& path, const Surface& surface, const Chart& chart) {
+  std::vector<std::size_t> order(chart.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto source = [&](std::size_t node) { return surface.source_vertex[chart.vertex[node]]; };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return source(a) < source(b); });
+  write_file_whole(path, [&](std::ostream& out) {
+    constexpr int sheet = 0;
+    std::string line = "vertex,sheet,t,d,e1x,e1y,e1z\n";
+    for (const std::size_t node : order) {
+      out << line;
+      const Vec3f& e1 = chart.e1[node];
+      line.clear();
+      fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{}\n", source(node), sheet, chart.t[node],
+                     chart.d[node], e1.x(), e1.y(), e1.z());
+    }
+    out << line;
+  });
+}
+
+Picture draw_chart(const Surface& surface, const Picker& picker, const SurfaceCurve& curve,
+                   const Chart& chart, double radius, const Camera& camera) {
+  Checkerboard checkerboard(surface);
+  checkerboard.add(chart, radius);
+  ProgressBar bar;
+  Picture picture = render(surface, picker, camera, checkerboard, bar.progress());
+  draw_curve(picture, camera, picker, curve);
+  return picture;
+}
+
+void print_result(const ChartCommandOptions& options, const LoadedSurface& loaded, const SurfaceCurve& curve,
+                  const Chart& chart, double radius) {
+  if (options.json) {
+    fmt::print("{}\n", json_text({{"mesh", mesh_json(options.mesh, loaded)},
+                                  {"stroke", options.stroke},
+                                  {"radius", radius},
+                                  {"length", curve.length()},
+                                  {"vertices", chart.size()}}));
+  } else {
+    fmt::print("{}\nstroke {} of {}: length {:.6g}, radius {:.6g}, chart of {} vertices\n",
+               mesh_text(options.mesh, loaded), options.stroke, options.strokes, curve.length(), radius,
+               chart.size());
+  }
+}
+
+void run(const ChartCommandOptions& options) {
+  check_output_path(options.csv);
+  check_output_path(options.png);
+  const Recording recording = read_strokes_on_console(options.strokes);
+  const RecordedStroke& stroke = chosen_stroke(options, recording);
+  const double radius = chosen_radius(options, stroke);
+  const LoadedSurface loaded = load_surface_on_console(options.mesh);
+  const Picker picker(loaded.surface);
+  const SurfaceCurve curve =
+      chosen_curve(options, trace_stroke(loaded.surface, picker, recording, stroke, radius));
+  const Chart chart = StrokeCharter(loaded.surface).chart(curve, {radius, options.cap});
+  if (!options.png.empty()) {
+    const bool recorded_view = recording.space == StrokeSpace::screen && !options.view.direction;
+    const Camera camera = recorded_view ? fit_into(*recording.camera, options.view.width)
+                                        : stroke_view(loaded.surface, {&curve, 1}, radius, options.view);
+    write_png(options.png, draw_chart(loaded.surface, picker, curve, chart, radius, camera));
+  }
+  if (!options.csv.empty()) write_csv(options.csv, loaded.surface, chart);
+  print_result(options, loaded, curve, chart, radius);
+}
+
+}  // namespace
+
+void add_chart(CLI::App& app) {
+  const auto options = std::make_shared<ChartCommandOptions>();
+  CLI::App& command = *app.add_subcommand("chart", "compute the coordinates (t, d) around a recorded stroke");
+  command.add_option("stroke_file", options->strokes, "recorded strokes")
+      ->required()
+      ->type_name("FILE.stroke");
+  command.add_option("--stroke", options->stroke, "which stroke of the file, from 1")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  add_mesh_options(command, options->mesh);
+  add_view_options(command, options->view);
+  command.add_option("--radius", options->radius, "object units, instead of the recorded one")
+      ->check(positive_number());
+  static const std::map<std::string, Cap> caps = {{"butt", Cap::butt}, {"round", Cap::round}};
+  command
+      .add_option_function<std::string>(
+          "--cap", [options](const std::string& name) { options->cap = caps.at(name); },
+          "ends: round or butt")
+      ->check(CLI::IsMember({"butt", "round"}));
+  command.add_option("--csv", options->csv, "table to write")->type_name("FILE");
+  command.add_option("--png", options->png, "picture to write: a checkerboard of (t, d)")->type_name("FILE");
+  command.add_flag("--json", options->json, "write JSON to the standard output");
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace burin::command

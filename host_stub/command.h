@@ -1,0 +1,14 @@
+#pragma once
+#include <CLI/CLI.hpp>
+
+namespace burin::command {
+
+/// Each adds one subcommand, which runs while `app` parses the command line. What goes wrong in it leaves
+/// the parser as a burin::Error.
+void add_replay(CLI::App& app);
+void add_chart(CLI::App& app);
+void add_render(CLI::App& app);
+void add_list(CLI::App& app);
+void add_import(CLI::App& app);
+
+}  // namespace burin::command

@@ -1,0 +1,37 @@
+#include "console.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "platform.h"
+
+namespace burin {
+
+std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+
+void warn(std::string_view text) { fmt::print(stderr, "burin: warning: {}\n", text); }
+
+ProgressBar::ProgressBar() : terminal_(stderr_is_terminal()) {}
+
+ProgressBar::~ProgressBar() {
+  if (!drawn_.empty()) std::fputs("\r\033[K", stderr);
+}
+
+Progress ProgressBar::progress() {
+  if (!terminal_) return {};
+  return [this](std::string_view stage, double done) { draw(stage, done); };
+}
+
+void ProgressBar::draw(std::string_view stage, double done) {
+  constexpr int width = 32;
+  const int filled = std::clamp(static_cast<int>(done * width), 0, width);
+  std::string line = fmt::format("\r\033[K{:<20} [{:#<{}}{:<{}}] {:3.0f} %", stage, "", filled, "",
+                                 width - filled, std::clamp(done, 0.0, 1.0) * 100);
+  if (line == drawn_) return;
+  std::fputs(line.c_str(), stderr);
+  drawn_ = std::move(line);
+}
+
+}  // namespace burin

@@ -1,0 +1,10 @@
+#pragma once
+#include <burin/stamp/picture.h>
+#include <burin/stroke/surface_curve.h>
+
+namespace burin {
+
+/// Draws the visible part of a curve as a dark line over a picture that was rendered with this camera.
+void draw_curve(Picture& picture, const Camera& camera, const Picker& picker, const SurfaceCurve& curve);
+
+}  // namespace burin

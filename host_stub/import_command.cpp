@@ -1,0 +1,96 @@
+#include <burin/stroke/import.h>
+#include <burin/stroke/stroke_file.h>
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "command.h"
+#include "mesh_input.h"
+#include "options.h"
+#include "output_file.h"
+#include "view.h"
+
+namespace burin::command {
+namespace {
+
+struct ImportOptions {
+  std::string recording, out, format = "auto", brush;
+  MeshOptions mesh;
+  ViewOptions view;
+  std::optional<double> radius;
+  bool json = false;
+};
+
+/// Pointer events are one JSON object; libmypaint's recordings are plain numbers.
+bool holds_pointer_events(const std::string& path, const std::string& format) {
+  if (format != "auto") return format == "pointer";
+  return std::filesystem::path(path).extension() == ".json";
+}
+
+Recording read_recording(const ImportOptions& options, const Camera& camera) {
+  Recording recording = holds_pointer_events(options.recording, options.format)
+                            ? import_pointer_events(options.recording, camera)
+                            : import_mypaint_events(options.recording, camera);
+  for (RecordedStroke& stroke : recording.strokes) {
+    if (!options.brush.empty()) stroke.brush = options.brush;
+    stroke.radius = options.radius;
+  }
+  return recording;
+}
+
+/// Under a name beside its own until it is whole.
+void write_recording(const std::string& path, const Recording& recording) {
+  const std::filesystem::path partial = path + ".partial";
+  try {
+    StrokeWriter writer(partial, recording.space, recording.camera);
+    for (const RecordedStroke& stroke : recording.strokes) {
+      writer.begin(stroke);
+      for (const Sample& sample : stroke.samples) writer.add(sample);
+      writer.end();
+    }
+    std::filesystem::rename(partial, path);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(partial, ignored);
+    throw;
+  }
+}
+
+void run(const ImportOptions& options) {
+  check_output_path(options.out);
+  const Camera camera = whole_view(load_surface_on_console(options.mesh).surface, options.view);
+  const Recording recording = read_recording(options, camera);
+  write_recording(options.out, recording);
+  std::size_t samples = 0;
+  for (const RecordedStroke& stroke : recording.strokes) samples += stroke.samples.size();
+  if (options.json) {
+    fmt::print("{}\n", json_text({{"recording", options.recording},
+                                  {"out", options.out},
+                                  {"strokes", recording.strokes.size()},
+                                  {"samples", samples}}));
+  } else {
+    fmt::print("{}: {} strokes, {} samples\n", options.out, recording.strokes.size(), samples);
+  }
+}
+
+}  // namespace
+
+void add_import(CLI::App& app) {
+  const auto options = std::make_shared<ImportOptions>();
+  CLI::App& command =
+      *app.add_subcommand("import", "turn a pen recording into a .stroke file in front of a surface");
+  command.add_option("recording", options->recording, "libmypaint events or HTML PointerEvent JSON")
+      ->required();
+  command.add_option("--format", options->format, "of the recording; auto: pointer for .json, else mypaint")
+      ->check(CLI::IsMember({"auto", "mypaint", "pointer"}))
+      ->capture_default_str();
+  add_mesh_options(command, options->mesh);
+  add_view_options(command, options->view);
+  command.add_option("--brush", options->brush, "brush of all strokes")->type_name("ID");
+  command.add_option("--radius", options->radius, "of all strokes, object units")->check(positive_number());
+  command.add_option("--out", options->out, "file to write")->required()->type_name("FILE.stroke");
+  command.add_flag("--json", options->json, "write JSON to the standard output");
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace burin::command

@@ -1,0 +1,146 @@
+#include <burin/host/brush_library.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "brush_folder.h"
+#include "command.h"
+#include "console.h"
+
+namespace burin::command {
+namespace {
+
+const char* type_name(burin_param_type type) {
+  switch (type) {
+    case BURIN_PARAM_FLOAT:
+      return "float";
+    case BURIN_PARAM_INT:
+      return "int";
+    case BURIN_PARAM_BOOL:
+      return "bool";
+    case BURIN_PARAM_CHOICE:
+      return "choice";
+    case BURIN_PARAM_COLOUR:
+      return "colour";
+    case BURIN_PARAM_FILE:
+      return "file";
+    case BURIN_PARAM_CURVE:
+      return "curve";
+    default:
+      return "unknown";
+  }
+}
+
+const char* unit_name(burin_param_unit unit) {
+  switch (unit) {
+    case BURIN_UNIT_RADIUS:
+      return "radius";
+    case BURIN_UNIT_LENGTH:
+      return "length";
+    case BURIN_UNIT_ANGLE:
+      return "radians";
+    case BURIN_UNIT_TIME:
+      return "seconds";
+    default:
+      return "";
+  }
+}
+
+std::string text_or_empty(const char* text) { return text ? text : ""; }
+
+/// JSON knows no infinity: such a bound is null.
+Json bound(float value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json choices_json(const burin_param_info& param) {
+  Json choices = Json::array();
+  for (const char* const* choice = param.choices; choice && *choice; ++choice) choices.push_back(*choice);
+  return choices;
+}
+
+Json default_json(const burin_param_info& param) {
+  switch (param.type) {
+    case BURIN_PARAM_BOOL:
+      return param.default_number != 0;
+    case BURIN_PARAM_CHOICE:
+      return param.choices[static_cast<int>(param.default_number)];
+    case BURIN_PARAM_COLOUR:
+      return Json(param.default_colour);
+    case BURIN_PARAM_FILE:
+      return param.default_file ? Json(param.default_file) : Json();
+    case BURIN_PARAM_CURVE:
+      return std::vector<float>(param.default_knots, param.default_knots + 2 * param.default_knot_count);
+    default:
+      return param.default_number;
+  }
+}
+
+Json param_json(const burin_param_info& param) {
+  Json json = {{"id", param.id},
+               {"name", param.name},
+               {"type", type_name(param.type)},
+               {"unit", unit_name(param.unit)},
+               {"default", default_json(param)},
+               {"help", text_or_empty(param.help)}};
+  if (param.type == BURIN_PARAM_FLOAT || param.type == BURIN_PARAM_INT) {
+    json["range"] = {bound(param.hard_min), bound(param.hard_max)};
+    json["soft_range"] = {bound(param.soft_min), bound(param.soft_max)};
+  }
+  if (param.type == BURIN_PARAM_CHOICE) json["choices"] = choices_json(param);
+  return json;
+}
+
+Json brush_json(const BrushEntry& entry) {
+  const burin_brush_descriptor& brush = *entry.descriptor;
+  Json params = Json::array();
+  for (std::uint32_t i = 0; i < brush.param_count; ++i) params.push_back(param_json(*brush.params[i]));
+  return {{"id", brush.id},
+          {"name", brush.name},
+          {"vendor", text_or_empty(brush.vendor)},
+          {"version", text_or_empty(brush.version)},
+          {"help", text_or_empty(brush.help)},
+          {"module", entry.module.string()},
+          {"params", params}};
+}
+
+/// "0 .. 1, radius" or what stands in for a range.
+std::string range_text(const burin_param_info& param) {
+  if (param.type == BURIN_PARAM_CHOICE) return choices_json(param).dump();
+  if (param.type != BURIN_PARAM_FLOAT && param.type != BURIN_PARAM_INT) return "";
+  const std::string unit = unit_name(param.unit);
+  return fmt::format("{:g} .. {:g}{}{}", param.hard_min, param.hard_max, unit.empty() ? "" : " ", unit);
+}
+
+void print_brush(const BrushEntry& entry) {
+  const burin_brush_descriptor& brush = *entry.descriptor;
+  fmt::print("{}  {} {}\n  {}\n", brush.id, brush.name, text_or_empty(brush.version), entry.module.string());
+  if (brush.help) fmt::print("  {}\n", brush.help);
+  for (std::uint32_t i = 0; i < brush.param_count; ++i) {
+    const burin_param_info& param = *brush.params[i];
+    fmt::print("    {:<16} {:<7} {:<24} default {:<10} {}\n", param.id, type_name(param.type),
+               range_text(param), default_json(param).dump(), text_or_empty(param.help));
+  }
+}
+
+void run(bool json) {
+  BrushLibrary library;
+  library.load_search_path(own_brush_folder());
+  if (!json) {
+    for (const BrushEntry& entry : library.brushes()) print_brush(entry);
+    return;
+  }
+  Json brushes = Json::array();
+  for (const BrushEntry& entry : library.brushes()) brushes.push_back(brush_json(entry));
+  fmt::print("{}\n", json_text({{"brushes", brushes}}));
+}
+
+}  // namespace
+
+void add_list(CLI::App& app) {
+  const auto json = std::make_shared<bool>(false);
+  CLI::App& command = *app.add_subcommand("list", "list the brushes and their parameters");
+  command.add_flag("--json", *json, "write JSON to the standard output");
+  command.callback([json] { run(*json); });
+}
+
+}  // namespace burin::command

@@ -1,0 +1,88 @@
+#include "mesh_input.h"
+
+#include <burin/surface/defects.h>
+#include <burin/surface/mesh_file.h>
+#include <burin/surface/triangulate.h>
+#include <fmt/format.h>
+
+#include <map>
+
+#include "name_file.h"
+
+namespace burin {
+namespace {
+
+TriangleMesh refined(const PolygonMesh& cage, const MeshOptions& options, const Progress& progress) {
+  const SubdivisionScheme scheme = options.scheme.value_or(natural_scheme(cage));
+  const int level =
+      options.subdivide ? *options.subdivide : level_for_triangles(cage, scheme, *options.target_triangles);
+  return refine(cage, scheme, level, progress);
+}
+
+}  // namespace
+
+void add_mesh_options(CLI::App& command, MeshOptions& options) {
+  command.add_option("--mesh", options.path, "surface or cage: OBJ, PLY or STL")
+      ->required()
+      ->type_name("FILE");
+  auto* levels = command.add_option("--subdivide", options.subdivide, "refine the cage by this many levels")
+                     ->check(CLI::Range(0, 16));
+  command
+      .add_option("--target-triangles", options.target_triangles,
+                  "refine the cage to at least so many triangles")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31))
+      ->excludes(levels);
+  using Scheme = std::optional<SubdivisionScheme>;
+  command
+      .add_option_function<std::string>(
+          "--scheme",
+          [&options](const std::string& name) {
+            static const std::map<std::string, Scheme> schemes = {
+                {"auto", std::nullopt},
+                {"catmull-clark", SubdivisionScheme::catmull_clark},
+                {"loop", SubdivisionScheme::loop}};
+            options.scheme = schemes.at(name);
+          },
+          "subdivision scheme; auto: Loop for a cage of triangles only, else Catmull-Clark")
+      ->check(CLI::IsMember({"auto", "catmull-clark", "loop"}));
+}
+
+LoadedSurface load_surface(const MeshOptions& options, const Progress& progress) {
+  return naming_file(options.path, [&] {
+    const PolygonMesh polygons = read_mesh(options.path);
+    LoadedSurface loaded;
+    TriangleMesh mesh;
+    if (options.subdivide || options.target_triangles) {
+      mesh = refined(polygons, options, progress);
+    } else {
+      mesh = triangulate(polygons);
+      const MeshDefects defects = find_defects(mesh);
+      if (defects.any()) loaded.defects = defects.text();
+    }
+    loaded.surface = make_surface(std::move(mesh), progress);
+    return loaded;
+  });
+}
+
+LoadedSurface load_surface_on_console(const MeshOptions& options) {
+  LoadedSurface loaded = [&] {
+    ProgressBar bar;
+    return load_surface(options, bar.progress());
+  }();
+  if (!loaded.defects.empty()) warn(options.path + ": " + loaded.defects);
+  return loaded;
+}
+
+Json mesh_json(const MeshOptions& options, const LoadedSurface& loaded) {
+  return {{"file", options.path},
+          {"vertices", loaded.surface.vertex_count()},
+          {"triangles", loaded.surface.triangles.size()},
+          {"defects", loaded.defects}};
+}
+
+std::string mesh_text(const MeshOptions& options, const LoadedSurface& loaded) {
+  return fmt::format("{}: {} vertices, {} triangles", options.path, loaded.surface.vertex_count(),
+                     loaded.surface.triangles.size());
+}
+
+}  // namespace burin

@@ -1,0 +1,41 @@
+#pragma once
+#include <burin/subdiv/refine.h>
+#include <burin/surface/surface.h>
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "console.h"
+
+namespace burin {
+
+/// The surface that a command works on, as the command line names it.
+struct MeshOptions {
+  std::string path;
+  std::optional<int> subdivide;                 ///< levels
+  std::optional<std::size_t> target_triangles;  ///< subdivide until there are at least so many
+  std::optional<SubdivisionScheme> scheme;      ///< the cage's natural one unless given
+};
+
+/// Adds --mesh, --subdivide, --target-triangles and --scheme.
+void add_mesh_options(CLI::App& command, MeshOptions& options);
+
+struct LoadedSurface {
+  Surface surface;
+  std::string defects;  ///< of a mesh that was not refined, counted; empty for none
+};
+
+/// Reads the mesh, refines or triangulates it and makes it ready. Throws FileError.
+LoadedSurface load_surface(const MeshOptions& options, const Progress& progress);
+
+/// As load_surface, with a progress bar and a warning that counts the defects.
+LoadedSurface load_surface_on_console(const MeshOptions& options);
+
+/// File, vertices, triangles and defects.
+Json mesh_json(const MeshOptions& options, const LoadedSurface& loaded);
+
+/// "FILE: 12 vertices, 34 triangles".
+std::string mesh_text(const MeshOptions& options, const LoadedSurface& loaded);
+
+}  // namespace burin

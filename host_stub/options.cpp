@@ -1,0 +1,87 @@
+#include "options.h"
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace burin {
+namespace {
+
+std::optional<double> parse_number(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+/// All numbers between commas, or nothing when one of them is none.
+std::optional<std::vector<double>> parse_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const auto number = parse_number(text.substr(0, comma));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    if (comma == std::string_view::npos) return numbers;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+ParamSetting parse_setting(const std::string& text) {
+  if (text == "true") return true;
+  if (text == "false") return false;
+  const auto numbers = parse_numbers(text);
+  if (!numbers) return text;
+  if (numbers->size() == 1) return numbers->front();
+  return *numbers;
+}
+
+Vec3d parse_vector(const std::string& name, const std::string& text) {
+  const auto numbers = parse_numbers(text);
+  if (!numbers || numbers->size() != 3)
+    throw CLI::ValidationError(name, "takes three numbers x,y,z, not " + text);
+  const Vec3d vector((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+  if (vector.isZero(0)) throw CLI::ValidationError(name, "must not be zero");
+  return vector;
+}
+
+}  // namespace
+
+const CLI::Validator& positive_number() {
+  static const CLI::Validator validator(
+      [](std::string& text) {
+        const auto number = parse_number(text);
+        return number && *number > 0 ? std::string() : "must be a number above 0, not " + text;
+      },
+      "NUMBER > 0");
+  return validator;
+}
+
+const CLI::Validator& finite_number() {
+  static const CLI::Validator validator(
+      [](std::string& text) { return parse_number(text) ? std::string() : "must be a number, not " + text; },
+      "NUMBER");
+  return validator;
+}
+
+void add_vector_option(CLI::App& command, const std::string& name, std::optional<Vec3d>& vector,
+                       const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          name, [name, &vector](const std::string& text) { vector = parse_vector(name, text); }, help)
+      ->type_name("X,Y,Z");
+}
+
+ParamSettings parse_param_settings(const std::vector<std::string>& texts) {
+  ParamSettings settings;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos) {
+      throw CLI::ValidationError("--param", "takes NAME=VALUE, not " + text);
+    }
+    settings[text.substr(0, equals)] = parse_setting(text.substr(equals + 1));
+  }
+  return settings;
+}
+
+}  // namespace burin

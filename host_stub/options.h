@@ -1,0 +1,26 @@
+#pragma once
+#include <burin/base/vector.h>
+#include <burin/stroke/recording.h>
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// Accepts finite numbers above zero.
+const CLI::Validator& positive_number();
+
+/// Accepts finite numbers.
+const CLI::Validator& finite_number();
+
+/// Adds an option that takes "x,y,z", finite and not all zero.
+void add_vector_option(CLI::App& command, const std::string& name, std::optional<Vec3d>& vector,
+                       const std::string& help);
+
+/// The value of "NAME=VALUE": true and false, a number, numbers between commas, else text.
+/// Throws CLI::ValidationError without a NAME.
+ParamSettings parse_param_settings(const std::vector<std::string>& texts);
+
+}  // namespace burin

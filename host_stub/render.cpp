@@ -1,0 +1,194 @@
+#include "render.h"
+
+#include <burin/base/parallel.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "srgb.h"
+
+namespace burin {
+namespace {
+
+constexpr int grid = 2;  // samples a pixel in each direction
+constexpr int samples = grid * grid;
+constexpr int sky_rays = 6;  // a sample
+
+struct Hit {
+  SurfacePoint point;
+  Vec3f normal;       // smooth, towards the eye
+  Vec3f flat_normal;  // of the triangle, towards the eye
+  Vec3f to_eye;
+  float frame_height;  // of the picture where the hit is, object units: the scale for offsets
+};
+
+/// Two numbers in 0..1 that differ between close pixels. [Jimenez 2014], interleaved gradient noise.
+Vec2f pixel_noise(int x, int y) {
+  const auto noise = [](float a, float b) {
+    const float inner = 0.06711056f * a + 0.00583715f * b;
+    const float outer = 52.9829189f * (inner - std::floor(inner));
+    return outer - std::floor(outer);
+  };
+  const auto column = static_cast<float>(x), row = static_cast<float>(y);
+  return {noise(column, row), noise(column + 47.0f, row + 17.0f)};
+}
+
+/// Cosine-weighted direction around `normal`, number `index` of all that a pixel sends.
+Vec3f sky_direction(const Vec3f& normal, int index, const Vec2f& noise) {
+  constexpr float golden = 0.618034f;
+  const float share = (static_cast<float>(index) + noise.x()) / static_cast<float>(samples * sky_rays);
+  const float angle = 2 * std::numbers::pi_v<float> * (static_cast<float>(index) * golden + noise.y());
+  const float radius = std::sqrt(share);
+  const Vec3f side = normal.unitOrthogonal();
+  return (radius * std::cos(angle) * side + radius * std::sin(angle) * normal.cross(side) +
+          std::sqrt(std::max(0.0f, 1 - share)) * normal)
+      .normalized();
+}
+
+class Painter {
+ public:
+  Painter(const Surface& surface, const Picker& picker, const Camera& camera, const Albedo& albedo);
+  void paint_row(int y, std::uint8_t* rgb) const;
+
+ private:
+  std::optional<Hit> hit(const Ray& ray) const;
+  Vec3f radiance(const Hit& hit, int sample, const Vec2f& noise) const;
+  Vec3f sky_light(const Hit& hit, int sample, const Vec2f& noise) const;
+  Vec3f sky(const Vec3f& direction) const;
+  bool in_shadow(const Hit& hit, const Vec3f& to_light) const;
+  Vec3f background(int y) const;
+  Vec3f from_camera(float right, float up, float towards_eye) const;
+
+  const Surface& surface_;
+  const Picker& picker_;
+  const Camera& camera_;
+  const Albedo& albedo_;
+  Eigen::Matrix3f to_world_;
+  Vec3f key_, fill_, rim_, up_;
+};
+
+Painter::Painter(const Surface& surface, const Picker& picker, const Camera& camera, const Albedo& albedo)
+    : surface_(surface),
+      picker_(picker),
+      camera_(camera),
+      albedo_(albedo),
+      to_world_(camera.view.topLeftCorner<3, 3>().cast<float>().transpose()),
+      key_(from_camera(-0.62f, 0.6f, 0.38f)),
+      fill_(from_camera(0.8f, 0.05f, 0.55f)),
+      rim_(from_camera(0.3f, 0.6f, -0.7f)),
+      up_(from_camera(0, 1, 0.25f)) {}
+
+Vec3f Painter::from_camera(float right, float up, float towards_eye) const {
+  return (to_world_ * Vec3f(right, up, towards_eye)).normalized();
+}
+
+std::optional<Hit> Painter::hit(const Ray& ray) const {
+  const auto point = picker_.pick(ray);
+  if (!point) return std::nullopt;
+  const Triangle& triangle = surface_.triangles[point->triangle];
+  const Vec3f& a = surface_.positions[triangle[0]];
+  const Vec3f smooth = (1 - point->u - point->v) * surface_.normals[triangle[0]] +
+                       point->u * surface_.normals[triangle[1]] + point->v * surface_.normals[triangle[2]];
+  Hit hit;
+  hit.point = *point;
+  hit.to_eye = -ray.direction.normalized();
+  hit.flat_normal =
+      (surface_.positions[triangle[1]] - a).cross(surface_.positions[triangle[2]] - a).normalized();
+  hit.normal = smooth.squaredNorm() > 1e-12f ? smooth.normalized() : hit.flat_normal;
+  if (hit.flat_normal.dot(hit.to_eye) < 0) {
+    hit.flat_normal = -hit.flat_normal;
+    hit.normal = -hit.normal;
+  }
+  const Eigen::Vector4d clip =
+      camera_.projection * camera_.view * point->position.cast<double>().homogeneous();
+  hit.frame_height = static_cast<float>(2 * clip.w() / camera_.projection(1, 1));
+  return hit;
+}
+
+bool Painter::in_shadow(const Hit& hit, const Vec3f& to_light) const {
+  const Vec3f origin = hit.point.position + 2e-4f * hit.frame_height * hit.flat_normal;
+  return picker_.pick({origin, to_light}).has_value();
+}
+
+Vec3f Painter::sky(const Vec3f& direction) const {
+  const float height = 0.5f + 0.5f * direction.dot(up_);
+  return (1 - height) * Vec3f(0.34f, 0.31f, 0.29f) + height * Vec3f(0.86f, 0.93f, 1.0f);
+}
+
+/// Light from the sky that arrives; what is near shades the more the nearer it is.
+Vec3f Painter::sky_light(const Hit& hit, int sample, const Vec2f& noise) const {
+  const float reach = 0.12f * hit.frame_height;
+  const Vec3f origin = hit.point.position + 2e-4f * hit.frame_height * hit.flat_normal;
+  Vec3f light = Vec3f::Zero();
+  for (int ray = 0; ray < sky_rays; ++ray) {
+    const Vec3f direction = sky_direction(hit.normal, sample + samples * ray, noise);
+    const auto blocker = picker_.pick({origin, direction});
+    const float distance = blocker ? (blocker->position - origin).norm() / reach : 1.0f;
+    const float open = std::min(1.0f, distance);
+    light += (0.05f + 0.95f * open) * sky(direction);
+  }
+  return light / sky_rays;
+}
+
+Vec3f Painter::radiance(const Hit& hit, int sample, const Vec2f& noise) const {
+  const Vec3f& n = hit.normal;
+  const float facing = n.dot(key_);
+  const float key = facing > 0 && !in_shadow(hit, key_) ? facing : 0.0f;
+  const float fill = std::max(0.0f, n.dot(fill_));
+  const float edge = 1 - std::max(0.0f, n.dot(hit.to_eye));
+  const float rim = edge * edge * edge * std::max(0.0f, 0.3f + n.dot(rim_));
+  const float gloss = std::pow(std::max(0.0f, n.dot((key_ + hit.to_eye).normalized())), 40.0f);
+  const Vec3f diffuse = key * Vec3f(1.25f, 1.17f, 1.05f) + fill * Vec3f(0.09f, 0.11f, 0.15f) +
+                        0.42f * sky_light(hit, sample, noise);
+  return albedo_(hit.point).cwiseProduct(diffuse) +
+         Vec3f::Constant(0.5f * rim + (key > 0 ? 0.06f * gloss : 0.0f));
+}
+
+Vec3f Painter::background(int y) const {
+  const float share = (static_cast<float>(y) + 0.5f) / static_cast<float>(camera_.height);
+  return (1 - share) * Vec3f(0.20f, 0.21f, 0.23f) + share * Vec3f(0.46f, 0.46f, 0.46f);
+}
+
+void Painter::paint_row(int y, std::uint8_t* rgb) const {
+  for (int x = 0; x < camera_.width; ++x) {
+    const Vec2f noise = pixel_noise(x, y);
+    Vec3f light = Vec3f::Zero();
+    for (int sample = 0; sample < samples; ++sample) {
+      const double column = x + (sample % grid + 0.5) / grid;
+      const double row = y + (sample / grid + 0.5) / grid;
+      const auto seen = hit(pixel_ray(camera_, column, row));
+      light += seen ? radiance(*seen, sample, noise) : background(y);
+    }
+    for (int channel = 0; channel < 3; ++channel) {
+      rgb[3 * x + channel] = to_srgb(light[channel] / samples);
+    }
+  }
+}
+
+}  // namespace
+
+Vec3f clay(const SurfacePoint&) { return {0.62f, 0.47f, 0.37f}; }
+
+Picture render(const Surface& surface, const Picker& picker, const Camera& camera, const Albedo& albedo,
+               const Progress& progress) {
+  constexpr int rows_at_once = 32;
+  const Painter painter(surface, picker, camera, albedo);
+  Picture picture{camera.width, camera.height, {}};
+  const auto row_size = static_cast<std::size_t>(camera.width) * 3;
+  picture.rgb.resize(row_size * static_cast<std::size_t>(camera.height));
+  for (int first = 0; first < camera.height; first += rows_at_once) {
+    report(progress, "drawing", static_cast<double>(first) / camera.height);
+    const int count = std::min(rows_at_once, camera.height - first);
+    parallel_blocks(static_cast<std::size_t>(count), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = begin; row < end; ++row) {
+        const std::size_t y = static_cast<std::size_t>(first) + row;
+        painter.paint_row(static_cast<int>(y), picture.rgb.data() + y * row_size);
+      }
+    });
+  }
+  return picture;
+}
+
+}  // namespace burin

@@ -1,0 +1,48 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "command.h"
+#include "mesh_input.h"
+#include "output_file.h"
+#include "render.h"
+#include "view.h"
+
+namespace burin::command {
+namespace {
+
+struct RenderOptions {
+  MeshOptions mesh;
+  ViewOptions view;
+  std::string png;
+  bool json = false;
+};
+
+void run(const RenderOptions& options) {
+  check_output_path(options.png);
+  const LoadedSurface loaded = load_surface_on_console(options.mesh);
+  const Picker picker(loaded.surface);
+  ProgressBar bar;
+  write_png(options.png,
+            render(loaded.surface, picker, whole_view(loaded.surface, options.view), clay, bar.progress()));
+  if (options.json) {
+    fmt::print("{}\n", json_text({{"mesh", mesh_json(options.mesh, loaded)}, {"png", options.png}}));
+  } else {
+    fmt::print("{}\n{}: {} x {} pixels\n", mesh_text(options.mesh, loaded), options.png, options.view.width,
+               options.view.height);
+  }
+}
+
+}  // namespace
+
+void add_render(CLI::App& app) {
+  const auto options = std::make_shared<RenderOptions>();
+  CLI::App& command = *app.add_subcommand("render", "draw a shaded picture of a surface");
+  add_mesh_options(command, options->mesh);
+  add_view_options(command, options->view);
+  command.add_option("--png", options->png, "picture to write")->required()->type_name("FILE");
+  command.add_flag("--json", options->json, "write JSON to the standard output");
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace burin::command

@@ -1,0 +1,125 @@
+#include <burin/host/replay.h>
+#include <burin/surface/mesh_file.h>
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "brush_folder.h"
+#include "command.h"
+#include "mesh_input.h"
+#include "name_file.h"
+#include "options.h"
+#include "output_file.h"
+#include "platform.h"
+#include "replay_report.h"
+#include "source_order.h"
+#include "stroke_input.h"
+
+namespace burin::command {
+namespace {
+
+struct ReplayOptions {
+  std::vector<std::string> strokes, params;
+  MeshOptions mesh;
+  StrokeOverrides overrides;
+  std::string save_mesh, report;
+  bool json = false;
+};
+
+std::vector<Recording> read_recordings(const std::vector<std::string>& paths) {
+  std::vector<Recording> recordings;
+  for (const std::string& path : paths) recordings.push_back(read_strokes_on_console(path));
+  return recordings;
+}
+
+void print_log(int, std::string_view line) { fmt::print(stderr, "burin: {}\n", line); }
+
+ReplaySummary replay_all(Session& session, const ReplayOptions& options,
+                         const std::vector<Recording>& recordings, StrokeWitness& witness) {
+  ReplaySummary summary{
+      options.strokes, {}, session.surface().vertex_count(), seconds_since_process_start(), 0};
+  ProgressBar bar;
+  ReplayObserver observer{bar.progress(), {}};
+  if (!options.report.empty()) observer.piece_ended = [&](const Session& done) { witness.piece_ended(done); };
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    naming_file(options.strokes[i],
+                [&] { add_result(summary, replay(session, recordings[i], options.overrides, observer)); });
+  }
+  summary.peak_memory = peak_memory();
+  return summary;
+}
+
+void warn_of_left_out(const ReplaySummary& summary) {
+  const ReplayResult& result = summary.result;
+  if (result.closed_strokes > 0) warn(fmt::format("{} closed strokes are drawn open", result.closed_strokes));
+  if (result.samples_drawn == 0) warn("no stroke meets the surface");
+}
+
+/// Of the first recording in screen space.
+std::optional<Camera> recorded_camera(const std::vector<Recording>& recordings) {
+  for (const Recording& recording : recordings) {
+    if (recording.space == StrokeSpace::screen) return recording.camera;
+  }
+  return std::nullopt;
+}
+
+void check_options(const ReplayOptions& options, const BrushLibrary& library) {
+  check_output_path(options.save_mesh);
+  check_report_folder(options.report);
+  if (options.overrides.brush) naming_file("--brush", [&] { library.find(*options.overrides.brush); });
+}
+
+void run(const ReplayOptions& options) {
+  BrushLibrary library(print_log);
+  library.load_search_path(own_brush_folder());
+  check_options(options, library);
+  const std::vector<Recording> recordings = read_recordings(options.strokes);
+  LoadedSurface loaded = load_surface_on_console(options.mesh);
+  const Json mesh = mesh_json(options.mesh, loaded);
+  const std::string mesh_line = mesh_text(options.mesh, loaded);
+  Session session(std::move(loaded.surface), library);
+  StrokeWitness witness;
+  const ReplaySummary summary = replay_all(session, options, recordings, witness);
+  warn_of_left_out(summary);
+  Json json = {{"mesh", mesh}};
+  json.update(summary_json(summary));
+  if (!options.save_mesh.empty()) {
+    write_ply(options.save_mesh, in_source_order(session.surface(), session.positions()));
+  }
+  if (!options.report.empty()) {
+    ProgressBar bar;
+    write_report(options.report, summary, json,
+                 draw_replay(session, witness, recorded_camera(recordings), bar.progress()));
+  }
+  fmt::print("{}\n", options.json ? json_text(json) : mesh_line + "\n" + summary_text(summary));
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app) {
+  const auto options = std::make_shared<ReplayOptions>();
+  CLI::App& command = *app.add_subcommand("replay", "draw recorded strokes on a surface with a brush");
+  command.add_option("stroke_files", options->strokes, "recorded strokes")
+      ->required()
+      ->type_name("FILE.stroke");
+  add_mesh_options(command, options->mesh);
+  StrokeOverrides& overrides = options->overrides;
+  command.add_option("--brush", overrides.brush, "instead of the recorded brush")->type_name("ID");
+  command.add_option("--radius", overrides.radius, "object units, instead of the recorded one")
+      ->check(positive_number());
+  command.add_option("--strength", overrides.strength, "factor on the brush's displacement")
+      ->check(finite_number());
+  command.add_option("--param", options->params, "parameter of the brush, repeatable")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_option("--save-mesh", options->save_mesh, "surface to write")->type_name("FILE.ply");
+  command.add_option("--report", options->report, "folder for a report with pictures")->type_name("FOLDER");
+  command.add_flag("--json", options->json, "write JSON to the standard output");
+  command.callback([options] {
+    options->overrides.params = parse_param_settings(options->params);
+    run(*options);
+  });
+}
+
+}  // namespace burin::command

@@ -1,0 +1,51 @@
+#include "replay_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curve_overlay.h"
+#include "render.h"
+#include "view.h"
+
+namespace burin {
+namespace {
+
+double widest_in(const Chart& chart) {
+  double widest = 0;
+  for (const float d : chart.d) widest = std::max(widest, std::abs(static_cast<double>(d)));
+  return widest;
+}
+
+}  // namespace
+
+void StrokeWitness::piece_ended(const Session& session) {
+  if (!checkerboard_) checkerboard_.emplace(session.surface());
+  const double widest = widest_in(session.chart());
+  if (widest > 0) checkerboard_->add(session.chart(), widest);
+  widest_ = std::max(widest_, widest);
+  curves_.push_back(session.curve());
+}
+
+Vec3f StrokeWitness::colour(const SurfacePoint& point) const {
+  return checkerboard_ ? (*checkerboard_)(point) : clay(point);
+}
+
+ReplayPictures draw_replay(Session& session, const StrokeWitness& witness,
+                           const std::optional<Camera>& recorded, const Progress& progress) {
+  const ViewOptions options;
+  const Camera camera = recorded
+                            ? fit_into(*recorded, options.width)
+                            : stroke_view(session.surface(), witness.curves(), witness.widest(), options);
+  ReplayPictures pictures;
+  pictures.after = render(session.surface(), session.picker(), camera, clay, progress);
+  while (session.undo()) {
+  }
+  pictures.before = render(session.surface(), session.picker(), camera, clay, progress);
+  const Albedo checkers = [&](const SurfacePoint& point) { return witness.colour(point); };
+  pictures.chart = render(session.surface(), session.picker(), camera, checkers, progress);
+  for (const SurfaceCurve& curve : witness.curves())
+    draw_curve(pictures.chart, camera, session.picker(), curve);
+  return pictures;
+}
+
+}  // namespace burin

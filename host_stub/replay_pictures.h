@@ -1,0 +1,40 @@
+#pragma once
+#include <burin/host/session.h>
+#include <burin/stamp/picture.h>
+
+#include <optional>
+#include <vector>
+
+#include "checkerboard.h"
+
+namespace burin {
+
+/// Remembers what strokes drew, for pictures of it.
+class StrokeWitness {
+ public:
+  /// Takes note of the session's last stroke.
+  void piece_ended(const Session& session);
+
+  const std::vector<SurfaceCurve>& curves() const { return curves_; }
+  double widest() const { return widest_; }  ///< largest |d| of all charts, object units
+
+  /// Linear RGB; clay everywhere when nothing was drawn.
+  Vec3f colour(const SurfacePoint& point) const;
+
+ private:
+  std::vector<SurfaceCurve> curves_;
+  std::optional<Checkerboard> checkerboard_;
+  double widest_ = 0;
+};
+
+struct ReplayPictures {
+  Picture before, after;
+  Picture chart;  ///< the strokes' (t, d) and curves on the surface before
+};
+
+/// Draws the surface with and without the strokes of the session, which are undone for it. `camera`: that of
+/// the recording; without one the pictures show the strokes from above.
+ReplayPictures draw_replay(Session& session, const StrokeWitness& witness,
+                           const std::optional<Camera>& camera, const Progress& progress);
+
+}  // namespace burin

@@ -1,0 +1,15 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace burin {
+
+/// Linear light as an sRGB byte [IEC 61966-2-1]; outside 0..1 it is cut.
+inline std::uint8_t to_srgb(float light) {
+  const float x = std::clamp(light, 0.0f, 1.0f);
+  const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
+  return static_cast<std::uint8_t>(std::lround(255 * encoded));
+}
+
+}  // namespace burin

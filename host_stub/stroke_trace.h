@@ -1,0 +1,15 @@
+#pragma once
+#include <burin/stroke/recording.h>
+#include <burin/stroke/surface_curve.h>
+
+#include <vector>
+
+namespace burin {
+
+/// The curves of a stroke of `recording` on the surface as it is: one for each piece between the places
+/// where the pen leaves the surface or jumps over a gap, as replay() draws them. `radius` in object units.
+std::vector<SurfaceCurve> trace_stroke(const Surface& surface, const Picker& picker,
+                                       const Recording& recording, const RecordedStroke& stroke,
+                                       double radius);
+
+}  // namespace burin

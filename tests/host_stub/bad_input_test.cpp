@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "command.h"
+#include "support/shapes.h"
+
+namespace burin::test {
+namespace {
+
+/// A folder with good and bad files, by their names.
+void fill(const CommandFolder& folder) {
+  const std::string sphere_text = obj_text(sphere(2, 0, 1));
+  const std::string good = "\"brush\":\"org.burin.groove\",\"radius\":0.3";
+  const std::string stroke = equator_stroke(-0.5, 0.5, 21, good);
+  folder.write("sphere.obj", sphere_text);
+  folder.write("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  folder.write("empty.obj", "");
+  folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  folder.write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n");
+  folder.write("mesh.xyz", "0 0 0\n");
+  folder.write("three_quads.obj",
+               "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 1 0 1\nv 0 1 0\nv 0 1 1\nv -1 0 0\nv -1 0 1\n"
+               "f 1 2 4 3\nf 1 2 6 5\nf 1 2 8 7\n");
+  folder.write("cube.obj", cube_obj());
+  folder.write("good.stroke", stroke);
+  folder.write("empty.stroke", "");
+  folder.write("header_only.stroke", "{\"burin_stroke\":1,\"space\":\"object\"}\n");
+  folder.write("no_header.stroke", equator_stroke_lines(-0.5, 0.5, 21, good));
+  folder.write("garbage.stroke", stroke.substr(0, stroke.find("[0.05")) + "[0.05,what\n[0.06,0,0,1]\n");
+  folder.write("arity.stroke", stroke.substr(0, stroke.find("[0.05")) + "[0.05,0,1]\n[0.06,0,0,1]\n");
+  folder.write("nan.stroke", stroke.substr(0, stroke.find("[0.05")) + "[0.05,NaN,0,1]\n[0.06,0,0,1]\n");
+  folder.write("back.stroke", stroke.substr(0, stroke.find("[0.05")) + "[0.01,0,0,1]\n[0.06,0,0,1]\n");
+  folder.write("unknown_brush.stroke",
+               equator_stroke(-0.5, 0.5, 21, "\"brush\":\"org.none\",\"radius\":0.3"));
+  folder.write("no_brush.stroke", equator_stroke(-0.5, 0.5, 21, "\"radius\":0.3"));
+  folder.write("no_radius.stroke", equator_stroke(-0.5, 0.5, 21, "\"brush\":\"org.burin.groove\""));
+  folder.write("bad_param.stroke", equator_stroke(-0.5, 0.5, 21, good + ",\"params\":{\"depth\":\"deep\"}"));
+  folder.write("events.dat", "0.0 1 1 0.5\n0.1 2 x 0.5\n");
+  folder.write("events.json", "{\"x\":[1,2,3],\"y\":[1,2]}");
+  std::filesystem::create_directory(folder.path("folder"));
+}
+
+struct BadInput {
+  std::string name;
+  std::vector<std::string> arguments;  // "@NAME" stands for a file of the folder
+  std::string culprit;                 // what the line must name; "@" likewise
+};
+
+void PrintTo(const BadInput& input, std::ostream* out) { *out << input.name; }
+
+class BadInputs : public ::testing::TestWithParam<BadInput> {};
+
+std::string resolved(const CommandFolder& folder, const std::string& text) {
+  return !text.empty() && text[0] == '@' ? folder.path(text.substr(1)) : text;
+}
+
+TEST_P(BadInputs, GiveOneLineAndNoFile) {
+  const CommandFolder folder;
+  fill(folder);
+  const auto before = folder.content();
+  std::vector<std::string> arguments;
+  for (const std::string& argument : GetParam().arguments) arguments.push_back(resolved(folder, argument));
+  const ProcessResult result = burin(arguments);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err.rfind("burin: ", 0), 0u) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_NE(result.err.find(resolved(folder, GetParam().culprit)), std::string::npos) << result.err;
+  EXPECT_EQ(folder.content(), before);
+}
+
+std::vector<std::string> replay(const std::string& stroke, const std::string& mesh,
+                                const std::vector<std::string>& options = {}) {
+  std::vector<std::string> arguments = {"replay",      stroke,       "--mesh",   mesh,
+                                        "--save-mesh", "@saved.ply", "--report", "@report"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return arguments;
+}
+
+std::vector<std::string> chart(const std::string& stroke, const std::vector<std::string>& options = {}) {
+  std::vector<std::string> arguments = {"chart", stroke, "--mesh", "@sphere.obj"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return arguments;
+}
+
+std::vector<BadInput> meshes() {
+  return {{"missing_mesh", replay("@good.stroke", "@none.obj"), "@none.obj"},
+          {"folder_as_mesh", replay("@good.stroke", "@folder"), "@folder"},
+          {"index_out_of_range", replay("@good.stroke", "@cut.obj"), "@cut.obj"},
+          {"empty_mesh", replay("@good.stroke", "@empty.obj"), "@empty.obj"},
+          {"mesh_without_area", replay("@good.stroke", "@flat.obj"), "@flat.obj"},
+          {"truncated_ply", replay("@good.stroke", "@cut.ply"), "@cut.ply"},
+          {"unknown_format", replay("@good.stroke", "@mesh.xyz"), "@mesh.xyz"},
+          {"non_manifold_cage", replay("@good.stroke", "@three_quads.obj", {"--subdivide", "1"}),
+           "@three_quads.obj"},
+          {"loop_of_quads", replay("@good.stroke", "@cube.obj", {"--subdivide", "1", "--scheme", "loop"}),
+           "@cube.obj"},
+          {"too_many_triangles", replay("@good.stroke", "@cube.obj", {"--subdivide", "16"}), "@cube.obj"}};
+}
+
+std::vector<BadInput> strokes() {
+  const auto draw = [](const std::string& stroke) { return replay(stroke, "@sphere.obj"); };
+  return {{"missing_stroke", draw("@none.stroke"), "@none.stroke"},
+          {"folder_as_stroke", draw("@folder"), "@folder"},
+          {"empty_stroke", draw("@empty.stroke"), "@empty.stroke"},
+          {"header_only", draw("@header_only.stroke"), "@header_only.stroke"},
+          {"no_header", draw("@no_header.stroke"), "@no_header.stroke:1"},
+          {"garbage_line", draw("@garbage.stroke"), "@garbage.stroke:8"},
+          {"wrong_arity", draw("@arity.stroke"), "@arity.stroke:8"},
+          {"not_a_number", draw("@nan.stroke"), "@nan.stroke:8"},
+          {"time_falls", draw("@back.stroke"), "@back.stroke:8"},
+          {"unknown_brush", draw("@unknown_brush.stroke"), "@unknown_brush.stroke"},
+          {"no_brush", draw("@no_brush.stroke"), "@no_brush.stroke"},
+          {"no_radius", draw("@no_radius.stroke"), "@no_radius.stroke"},
+          {"recorded_param_of_wrong_type", draw("@bad_param.stroke"), "@bad_param.stroke"}};
+}
+
+std::vector<BadInput> settings() {
+  const auto draw = [](const std::vector<std::string>& options) {
+    return replay("@good.stroke", "@sphere.obj", options);
+  };
+  return {{"unknown_brush_option", draw({"--brush", "org.none"}), "org.none"},
+          {"unknown_param", draw({"--param", "colour=1"}), "colour"},
+          {"param_out_of_range", draw({"--param", "depth=1000"}), "depth"},
+          {"param_of_wrong_type", draw({"--param", "depth=deep"}), "depth"},
+          {"param_without_value", draw({"--param", "depth"}), "--param"},
+          {"negative_radius", draw({"--radius", "-1"}), "--radius"},
+          {"radius_nan", draw({"--radius", "nan"}), "--radius"},
+          {"strength_infinite", draw({"--strength", "inf"}), "--strength"},
+          {"two_levels", draw({"--subdivide", "1", "--target-triangles", "100"}), "--subdivide"},
+          {"unknown_scheme", draw({"--subdivide", "1", "--scheme", "doo-sabin"}), "--scheme"},
+          {"unknown_option", draw({"--colour", "red"}), "--colour"}};
+}
+
+std::vector<BadInput> outputs() {
+  return {{"save_mesh_without_folder",
+           {"replay", "@good.stroke", "--mesh", "@sphere.obj", "--save-mesh", "@none/out.ply"},
+           "@none/out.ply"},
+          {"save_mesh_is_a_folder",
+           {"replay", "@good.stroke", "--mesh", "@sphere.obj", "--save-mesh", "@folder"},
+           "@folder"},
+          {"report_is_a_file",
+           {"replay", "@good.stroke", "--mesh", "@sphere.obj", "--report", "@sphere.obj"},
+           "@sphere.obj"},
+          {"chart_csv_without_folder", chart("@good.stroke", {"--png", "@a.png", "--csv", "@none/a.csv"}),
+           "@none/a.csv"},
+          {"chart_png_without_folder", chart("@good.stroke", {"--csv", "@a.csv", "--png", "@none/a.png"}),
+           "@none/a.png"},
+          {"render_png_without_folder",
+           {"render", "--mesh", "@sphere.obj", "--png", "@none/a.png"},
+           "@none/a.png"},
+          {"import_without_folder",
+           {"import", "@events.dat", "--mesh", "@sphere.obj", "--out", "@none/a.stroke"},
+           "@none/a.stroke"}};
+}
+
+std::vector<BadInput> other_commands() {
+  return {
+      {"nothing", {}, "subcommand"},
+      {"unknown_command", {"paint"}, "paint"},
+      {"chart_without_radius", chart("@no_radius.stroke", {"--csv", "@a.csv"}), "@no_radius.stroke"},
+      {"chart_of_no_stroke", chart("@good.stroke", {"--stroke", "2", "--csv", "@a.csv"}), "@good.stroke"},
+      {"chart_off_the_surface", chart("@good.stroke", {"--radius", "1e-9", "--csv", "@a.csv"}),
+       "@good.stroke"},
+      {"render_missing_mesh", {"render", "--mesh", "@none.obj", "--png", "@a.png"}, "@none.obj"},
+      {"render_without_png", {"render", "--mesh", "@sphere.obj"}, "--png"},
+      {"view_of_two_numbers",
+       {"render", "--mesh", "@sphere.obj", "--png", "@a.png", "--view", "1,2"},
+       "--view"},
+      {"view_of_zeros", {"render", "--mesh", "@sphere.obj", "--png", "@a.png", "--view", "0,0,0"}, "--view"},
+      {"missing_recording",
+       {"import", "@none.dat", "--mesh", "@sphere.obj", "--out", "@a.stroke"},
+       "@none.dat"},
+      {"malformed_events",
+       {"import", "@events.dat", "--mesh", "@sphere.obj", "--out", "@a.stroke"},
+       "@events.dat:2"},
+      {"malformed_pointer_events",
+       {"import", "@events.json", "--mesh", "@sphere.obj", "--out", "@a.stroke"},
+       "@events.json"}};
+}
+
+std::string test_name(const ::testing::TestParamInfo<BadInput>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Meshes, BadInputs, ::testing::ValuesIn(meshes()), test_name);
+INSTANTIATE_TEST_SUITE_P(Strokes, BadInputs, ::testing::ValuesIn(strokes()), test_name);
+INSTANTIATE_TEST_SUITE_P(Settings, BadInputs, ::testing::ValuesIn(settings()), test_name);
+INSTANTIATE_TEST_SUITE_P(Outputs, BadInputs, ::testing::ValuesIn(outputs()), test_name);
+INSTANTIATE_TEST_SUITE_P(OtherCommands, BadInputs, ::testing::ValuesIn(other_commands()), test_name);
+
+TEST(Help, ExplainsEveryCommand) {
+  for (const char* command : {"replay", "chart", "render", "list", "import"}) {
+    EXPECT_NE(burin_output({"--help"}).find(command), std::string::npos);
+    EXPECT_NE(burin_output({command, "--help"}).find("--json"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace burin::test

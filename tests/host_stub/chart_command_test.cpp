@@ -1,0 +1,242 @@
+#include <burin/stroke/stroke_file.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <sstream>
+
+#include "command.h"
+#include "picture_file.h"
+#include "support/shapes.h"
+
+namespace burin::test {
+namespace {
+
+struct Row {
+  Index vertex, sheet;
+  double t;
+  float d;
+  Vec3f e1;
+};
+
+constexpr const char* header = "vertex,sheet,t,d,e1x,e1y,e1z";
+
+std::vector<std::string> lines_of(const std::string& path) {
+  std::ifstream in(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+Row parse_row(const std::string& line) {
+  std::istringstream in(line);
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+  if (cells.size() != 7) throw std::runtime_error("not seven cells: " + line);
+  return {static_cast<Index>(std::stoul(cells[0])), static_cast<Index>(std::stoul(cells[1])),
+          std::stod(cells[2]), std::stof(cells[3]),
+          Vec3f(std::stof(cells[4]), std::stof(cells[5]), std::stof(cells[6]))};
+}
+
+std::vector<Row> read_csv(const std::string& path) {
+  const std::vector<std::string> lines = lines_of(path);
+  if (lines.empty() || lines[0] != header) throw std::runtime_error("wrong header");
+  std::vector<Row> rows;
+  std::transform(lines.begin() + 1, lines.end(), std::back_inserter(rows), parse_row);
+  return rows;
+}
+
+/// A unit sphere in random vertex order and a stroke of this radius along its equator, angles -0.6 .. 0.6.
+struct Equator {
+  CommandFolder folder;
+  TriangleMesh mesh = shuffled(sphere(5, 0.2, 7), 8);
+  std::string mesh_path = folder.write("sphere.obj", obj_text(mesh));
+  std::string stroke = folder.write("a.stroke", equator_stroke(-0.6, 0.6, 61, "\"radius\":0.2"));
+
+  std::vector<Row> chart(const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"chart",   stroke,  "--mesh",
+                                          mesh_path, "--csv", folder.path("a.csv")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    burin_output(arguments);
+    return read_csv(folder.path("a.csv"));
+  }
+};
+
+TEST(ChartCommand, TabulatesTheStrokeByTheVerticesOfTheFile) {
+  Equator equator;
+  const std::vector<Row> rows = equator.chart({});
+  ASSERT_GT(rows.size(), 300u);
+  std::size_t beside = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Row& row = rows[i];
+    if (i > 0) {
+      EXPECT_LT(rows[i - 1].vertex, row.vertex);
+    }
+    EXPECT_EQ(row.sheet, 0u);
+    EXPECT_NEAR(row.e1.norm(), 1, 1e-5);
+    const Vec3d p = equator.mesh.positions[row.vertex].cast<double>();
+    if (row.t < 0 || row.t > 1.2) continue;
+    ++beside;
+    EXPECT_NEAR(row.d, std::asin(p.y()), 0.004) << "left of the travel from -x to x, seen from z, is up";
+    EXPECT_NEAR(row.t, std::atan2(p.x(), p.z()) + 0.6, 0.01);
+    EXPECT_GT(row.e1.dot(Vec3f(static_cast<float>(p.z()), 0, static_cast<float>(-p.x()))), 0.95f);
+  }
+  EXPECT_GT(beside, 250u);
+}
+
+TEST(ChartCommand, WritesNumbersThatReadBackAsTheyWere) {
+  Equator equator;
+  equator.chart({});
+  const std::vector<std::string> lines = lines_of(equator.folder.path("a.csv"));
+  std::size_t long_numbers = 0;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const Row row = parse_row(lines[i]);
+    EXPECT_EQ(lines[i], fmt::format("{},{},{},{},{},{},{}", row.vertex, row.sheet, row.t, row.d, row.e1.x(),
+                                    row.e1.y(), row.e1.z()));
+    long_numbers += lines[i].size() > 60 ? 1 : 0;
+  }
+  EXPECT_GT(long_numbers, lines.size() / 2) << "all digits of the numbers are there";
+}
+
+TEST(ChartCommand, EndsAsTheCapSays) {
+  Equator equator;
+  const auto [first, last] = [&] {
+    const std::vector<Row> rows = equator.chart({"--cap", "round"});
+    const auto less = [](const Row& a, const Row& b) { return a.t < b.t; };
+    return std::pair(std::min_element(rows.begin(), rows.end(), less)->t,
+                     std::max_element(rows.begin(), rows.end(), less)->t);
+  }();
+  EXPECT_LT(first, -0.12);
+  EXPECT_GT(last, 1.2 + 0.12);
+  const std::vector<Row> butt = equator.chart({"--cap", "butt"});
+  ASSERT_GT(butt.size(), 200u);
+  for (const Row& row : butt) {
+    EXPECT_GE(row.t, 0);
+    EXPECT_LE(row.t, 1.2001);
+  }
+}
+
+TEST(ChartCommand, TakesTheRadiusOfTheCommandLine) {
+  Equator equator;
+  float widest = 0;
+  for (const Row& row : equator.chart({"--radius", "0.35"})) widest = std::max(widest, std::abs(row.d));
+  EXPECT_LE(widest, 0.35f);
+  EXPECT_GT(widest, 0.32f);
+}
+
+TEST(ChartCommand, ChoosesTheStroke) {
+  Equator equator;
+  equator.stroke = equator.folder.write("b.stroke", equator_stroke(-0.6, 0.6, 61, "\"radius\":0.2") +
+                                                        equator_stroke_lines(0, 0.5, 26, "\"radius\":0.1"));
+  const auto chart = [&](const std::string& number) {
+    return burin_json({"chart", equator.stroke, "--mesh", equator.mesh_path, "--stroke", number});
+  };
+  EXPECT_NEAR(chart("1")["length"], 1.2, 1e-3);
+  EXPECT_NEAR(chart("2")["length"], 0.5, 1e-3);
+  EXPECT_EQ(chart("2")["radius"], 0.1);
+}
+
+TEST(ChartCommand, TakesTheLongestPieceOfABrokenStroke) {
+  Equator equator;
+  std::string text = equator_stroke(-0.6, 0.6, 61, "\"radius\":0.2");
+  // Far off the surface for one sample after 0.4 of length.
+  const std::string sample = "[0.2,";
+  const std::size_t at = text.find(sample);
+  text.replace(at, text.find('\n', at) - at, "[0.2,9,9,9]");
+  equator.stroke = equator.folder.write("b.stroke", text);
+  const ProcessResult result = burin({"chart", equator.stroke, "--mesh", equator.mesh_path, "--json"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("2 pieces"), std::string::npos) << result.err;
+  EXPECT_NEAR(nlohmann::json::parse(result.out)["length"], 39 * 0.02, 1e-3);
+}
+
+// The picture ------------------------------------------------------------------------------------------
+
+/// Writes the equator as pixels in front of a camera that looks along -z.
+Camera write_screen_stroke(const std::string& path) {
+  const Vec3d corner = Vec3d::Ones();
+  const Camera camera = framing_camera(-corner, corner, -Vec3d::UnitZ(), Vec3d::UnitY(), 640, 480, 0.5);
+  RecordedStroke stroke;
+  stroke.radius = 0.2;
+  stroke.fields.time = true;
+  StrokeWriter writer(path, StrokeSpace::screen, camera);
+  writer.begin(stroke);
+  for (int i = 0; i <= 60; ++i) {
+    const double angle = -0.6 + 0.02 * i;
+    const Eigen::Vector4d clip =
+        camera.projection * camera.view * Eigen::Vector4d(std::sin(angle), 0, std::cos(angle), 1);
+    Sample sample;
+    sample.time = 0.01 * i;
+    sample.position = {(0.5 + 0.5 * clip.x() / clip.w()) * 640, 240, 0};
+    writer.add(sample);
+  }
+  writer.end();
+  return camera;
+}
+
+double linear(int srgb) { return std::pow(srgb / 255.0, 2.2); }
+
+/// Warm or cool, deep or pale.
+std::pair<bool, bool> square_class(const Rgb& rgb) {
+  const double r = linear(rgb[0]), g = linear(rgb[1]), b = linear(rgb[2]);
+  return {r > b, g / std::max(r, b) < 0.55};
+}
+
+double to_square_border(double x) { return std::abs(x - std::round(x)); }
+
+TEST(ChartCommand, DrawsACheckerboardThatAgreesWithTheTable) {
+  Equator equator;
+  equator.stroke = equator.folder.path("screen.stroke");
+  const Camera camera = write_screen_stroke(equator.stroke);
+  const std::vector<Row> rows = equator.chart({"--png", equator.folder.path("a.png")});
+  const Picture picture = read_png(equator.folder.path("a.png"));
+  ASSERT_EQ(picture.width, 640);
+  std::map<std::pair<bool, bool>, int> seen;
+  for (const Row& row : rows) {
+    const double t = row.t * 4 / 0.2, d = row.d * 4 / 0.2;
+    if (to_square_border(t) < 0.25 || to_square_border(d) < 0.25 || std::abs(d) > 3.5) continue;
+    if (row.t < 0 || row.t > 1.2) continue;
+    const Vec3d p = equator.mesh.positions[row.vertex].cast<double>();
+    const Eigen::Vector4d clip = camera.projection * camera.view * p.homogeneous();
+    const Rgb rgb = pixel(picture, static_cast<int>((0.5 + 0.5 * clip.x() / clip.w()) * 640),
+                          static_cast<int>((0.5 - 0.5 * clip.y() / clip.w()) * 480));
+    const bool odd = (static_cast<int>(std::floor(t)) + static_cast<int>(std::floor(d))) % 2 != 0;
+    EXPECT_EQ(square_class(rgb), std::pair(row.d > 0, odd))
+        << "vertex " << row.vertex << " t " << t << " d " << d;
+    ++seen[{row.d > 0, odd}];
+  }
+  for (const bool left : {false, true}) {
+    for (const bool odd : {false, true}) EXPECT_GT((seen[{left, odd}]), 5);
+  }
+}
+
+TEST(ChartCommand, DrawsTheCurve) {
+  Equator equator;
+  equator.stroke = equator.folder.path("screen.stroke");
+  write_screen_stroke(equator.stroke);
+  equator.chart({"--png", equator.folder.path("a.png")});
+  const Picture picture = read_png(equator.folder.path("a.png"));
+  for (const int column : {280, 320, 360}) {
+    for (const int channel : {0, 1, 2}) {
+      EXPECT_LT(pixel(picture, column, 240)[static_cast<std::size_t>(channel)], 40) << column;
+    }
+  }
+  EXPECT_GT(pixel(picture, 320, 230)[0] + pixel(picture, 320, 230)[2], 200);
+}
+
+TEST(ChartCommand, LooksAtTheStroke) {
+  Equator equator;
+  equator.chart({"--png", equator.folder.path("a.png"), "--width", "300", "--height", "200"});
+  const Picture picture = read_png(equator.folder.path("a.png"));
+  ASSERT_EQ(picture.width, 300);
+  ASSERT_EQ(picture.height, 200);
+  const Rgb middle = pixel(picture, 150, 100);
+  EXPECT_LT(middle[0] + middle[1] + middle[2], 120) << "the curve crosses the middle of the picture";
+}
+
+}  // namespace
+}  // namespace burin::test

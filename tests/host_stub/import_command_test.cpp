@@ -1,0 +1,89 @@
+#include <burin/stroke/stroke_file.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "command.h"
+#include "support/shapes.h"
+
+namespace burin::test {
+namespace {
+
+/// Two strokes, 12 samples with the pen down, an L of 100 x 50 pixels altogether.
+std::string mypaint_events() {
+  std::string text;
+  double time = 0;
+  const auto event = [&](double x, double y, double pressure) {
+    text += fmt::format("{} {} {} {}\n", time += 0.008, x, y, pressure);
+  };
+  event(10, 10, 0);
+  for (int i = 0; i < 6; ++i) event(10 + 20 * i, 10, 0.5);
+  event(110, 10, 0);
+  for (int i = 0; i < 6; ++i) event(110, 10 + 10 * i, 0.25);
+  event(110, 60, 0);
+  return text;
+}
+
+TEST(ImportCommand, GivesStrokesInFrontOfTheMesh) {
+  const CommandFolder folder;
+  const std::string mesh = folder.write("sphere.obj", obj_text(sphere(4, 0, 1)));
+  const std::string events = folder.write("events.dat", mypaint_events());
+  const auto json =
+      burin_json({"import", events, "--mesh", mesh, "--view", "0,0,-1", "--width", "400", "--height", "300",
+                  "--out", folder.path("a.stroke"), "--brush", "org.burin.groove", "--radius", "0.05"});
+  EXPECT_EQ(json["strokes"], 2);
+  const Recording recording = read_strokes(folder.path("a.stroke"));
+  EXPECT_EQ(recording.space, StrokeSpace::screen);
+  ASSERT_TRUE(recording.camera);
+  EXPECT_EQ(recording.camera->width, 400);
+  EXPECT_EQ(recording.camera->height, 300);
+  ASSERT_EQ(recording.strokes.size(), 2u);
+  std::size_t samples = 0;
+  for (const RecordedStroke& stroke : recording.strokes) {
+    EXPECT_EQ(stroke.brush, "org.burin.groove");
+    EXPECT_EQ(stroke.radius, 0.05);
+    EXPECT_TRUE(stroke.fields.pressure);
+    samples += stroke.samples.size();
+  }
+  EXPECT_EQ(json["samples"], samples);
+  EXPECT_NEAR(recording.strokes[0].samples[0].position.x(), 40, 1e-3)
+      << "a margin of a tenth of the viewport";
+  EXPECT_FALSE(std::filesystem::exists(folder.path("a.stroke.partial")));
+  const auto replayed = burin_json({"replay", folder.path("a.stroke"), "--mesh", mesh});
+  EXPECT_GT(replayed["events"], 5);
+}
+
+TEST(ImportCommand, LeavesSettingsOpenUnlessGiven) {
+  const CommandFolder folder;
+  const std::string mesh = folder.write("cube.obj", cube_obj());
+  const std::string events = folder.write("events.json", mypaint_events());
+  burin_output({"import", events, "--format", "mypaint", "--mesh", mesh, "--out", folder.path("a.stroke")});
+  const Recording recording = read_strokes(folder.path("a.stroke"));
+  ASSERT_EQ(recording.strokes.size(), 2u);
+  EXPECT_FALSE(recording.strokes[0].brush);
+  EXPECT_FALSE(recording.strokes[0].radius);
+}
+
+TEST(ImportCommand, ReadsPointerEventsByTheExtension) {
+  BURIN_SHARED_DATA_OR_SKIP(events, "strokes/bdalab_html5_pointer_signal.json");
+  const CommandFolder folder;
+  const std::string mesh = folder.write("cube.obj", cube_obj());
+  const auto json = burin_json({"import", events.string(), "--mesh", mesh, "--out", folder.path("a.stroke")});
+  EXPECT_EQ(json["strokes"], 1);
+  EXPECT_TRUE(read_strokes(folder.path("a.stroke")).strokes[0].fields.tilt);
+}
+
+TEST(ImportCommand, GivesAPaintingThatReplays) {
+  BURIN_SHARED_DATA_OR_SKIP(painting, "strokes/painting30sec.dat");
+  BURIN_SHARED_DATA_OR_SKIP(spot, "meshes/spot_control_mesh.obj");
+  const CommandFolder folder;
+  const std::string strokes = folder.path("painting.stroke");
+  burin_output({"import", painting.string(), "--mesh", spot.string(), "--view", "-1,0,0", "--brush",
+                "org.burin.groove", "--radius", "0.03", "--out", strokes});
+  const auto json = burin_json({"replay", strokes, "--mesh", spot.string(), "--subdivide", "4"});
+  EXPECT_GT(json["events"], 1000);
+  EXPECT_EQ(json["strokes"], read_strokes(strokes).strokes.size());
+}
+
+}  // namespace
+}  // namespace burin::test

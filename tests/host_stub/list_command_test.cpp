@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include "command.h"
+
+namespace burin::test {
+namespace {
+
+using nlohmann::json;
+
+json find(const json& list, const std::string& id) {
+  for (const json& entry : list) {
+    if (entry["id"] == id) return entry;
+  }
+  return nullptr;
+}
+
+TEST(ListCommand, ListsTheStockBrushesWithTheirParameters) {
+  const json brushes = burin_json({"list"})["brushes"];
+  const json groove = find(brushes, "org.burin.groove");
+  ASSERT_FALSE(groove.is_null());
+  EXPECT_NE(groove["version"], "");
+  EXPECT_TRUE(std::filesystem::is_regular_file(groove["module"].get<std::string>()));
+  const json depth = find(groove["params"], "depth");
+  ASSERT_FALSE(depth.is_null());
+  EXPECT_EQ(depth["type"], "float");
+  EXPECT_GE(depth["default"], depth["range"][0]);
+  EXPECT_LE(depth["default"], depth["range"][1]);
+  const json scales = find(brushes, "org.burin.scales");
+  ASSERT_FALSE(scales.is_null());
+  bool takes_a_file = false;
+  for (const json& param : scales["params"]) takes_a_file = takes_a_file || param["type"] == "file";
+  EXPECT_TRUE(takes_a_file);
+}
+
+TEST(ListCommand, NamesEveryParameterInItsText) {
+  const std::string text = burin_output({"list"});
+  for (const json& brush : burin_json({"list"})["brushes"]) {
+    EXPECT_NE(text.find(brush["id"].get<std::string>()), std::string::npos);
+    for (const json& param : brush["params"]) {
+      EXPECT_NE(text.find("    " + param["id"].get<std::string>() + " "), std::string::npos) << param["id"];
+    }
+  }
+}
+
+TEST(ListCommand, NamesAModuleThatIsNone) {
+  const CommandFolder folder;
+  const std::string module = folder.write("broken.burin", "this is no module");
+  const ProcessResult result = run_process({BURIN_COMMAND, "list"}, {"BURIN_PLUGIN_PATH=" + folder.path("")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find("broken.burin"), std::string::npos) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+}
+
+}  // namespace
+}  // namespace burin::test

@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace burin::test {
+
+/// All includes below the repository's sdk/burin, brushes and host_stub that break the house, each as
+/// "FILE:LINE: WHAT".
+std::vector<std::string> wrong_includes(const std::filesystem::path& repository);
+
+/// How many include lines wrong_includes looks at.
+std::size_t count_includes(const std::filesystem::path& repository);
+
+}  // namespace burin::test
