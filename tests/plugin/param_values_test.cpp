@@ -16,6 +16,7 @@ class ParamsProbe : public testing::Test {
   test::StrokeDriver stroke_{module_, "org.burin.test.params", host_.abi};
 
   void evaluate() {
+    stroke_.end();
     ASSERT_EQ(stroke_.begin().status, BURIN_OK);
     const test::Answer answer = stroke_.evaluate({{0.25f, 0.75f}, {0, 0}});
     ASSERT_EQ(answer.status, BURIN_OK) << answer.text;

@@ -25,7 +25,8 @@ class Stamp {
   /// Throws Error: the host has no stamps, or it cannot open the file (with the host's words).
   Stamp(const Host& host, const char* path) : host_(host.raw()) {
     const auto* stamps = host.service<burin_stamps>(BURIN_EXT_STAMPS);
-    if (!stamps) throw Error("this host cannot sample stamps", BURIN_UNSUPPORTED);
+    if (!stamps || !BURIN_HAS(stamps, burin_stamps, sample))
+      throw Error("this host cannot sample stamps", BURIN_UNSUPPORTED);
     service_ = complete(*stamps);
     std::array<char, 512> line{};
     burin_text text{sizeof text, static_cast<std::uint32_t>(line.size()), line.data()};
