@@ -9,18 +9,18 @@
 namespace burin::test {
 namespace {
 
-/// Two strokes, 12 samples with the pen down, an L of 100 x 50 pixels altogether.
+/// Two strokes, a cross of 100 x 50 pixels, with the pen down for 22 events.
 std::string mypaint_events() {
   std::string text;
   double time = 0;
   const auto event = [&](double x, double y, double pressure) {
     text += fmt::format("{} {} {} {}\n", time += 0.008, x, y, pressure);
   };
-  event(10, 10, 0);
-  for (int i = 0; i < 6; ++i) event(10 + 20 * i, 10, 0.5);
-  event(110, 10, 0);
-  for (int i = 0; i < 6; ++i) event(110, 10 + 10 * i, 0.25);
-  event(110, 60, 0);
+  event(10, 35, 0);
+  for (int i = 0; i <= 10; ++i) event(10 + 10 * i, 35, 0.5);
+  event(60, 10, 0);
+  for (int i = 0; i <= 10; ++i) event(60, 10 + 5 * i, 0.25);
+  event(60, 60, 0);
   return text;
 }
 
@@ -50,7 +50,7 @@ TEST(ImportCommand, GivesStrokesInFrontOfTheMesh) {
       << "a margin of a tenth of the viewport";
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.stroke.partial")));
   const auto replayed = burin_json({"replay", folder.path("a.stroke"), "--mesh", mesh});
-  EXPECT_GT(replayed["events"], 5);
+  EXPECT_GT(replayed["events"], 10);
 }
 
 TEST(ImportCommand, LeavesSettingsOpenUnlessGiven) {

@@ -83,7 +83,7 @@ TEST(RenderCommand, DrawsCrevicesDarker) {
   burin_output({"render", "--mesh", mesh, "--png", folder.path("a.png"), "--view", "0,0,-1", "--width", "300",
                 "--height", "200"});
   const Picture picture = read_png(folder.path("a.png"));
-  EXPECT_LT(brightness(picture, 150, 100), 0.7 * brightness(picture, 150, 70));
+  EXPECT_LT(brightness(picture, 150, 100), 0.8 * brightness(picture, 150, 70));
 }
 
 TEST(RenderCommand, TellsWhatItDrew) {
