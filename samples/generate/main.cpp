@@ -1,0 +1,43 @@
+// Writes the samples into a folder: burin_samples FOLDER
+#include <burin/subdiv/refine.h>
+#include <burin/surface/surface.h>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+#include "cage_file.h"
+#include "ewer_cage.h"
+#include "sample_strokes.h"
+#include "scales_stamp.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_samples(const fs::path& folder) {
+  for (const char* name : {"meshes", "strokes", "stamps"}) fs::create_directories(folder / name);
+  const burin::PolygonMesh cage = burin::samples::ewer_cage();
+  burin::samples::write_cage(folder / "meshes/ewer.obj", "A ewer, to be refined by Catmull-Clark", cage);
+  burin::samples::write_scales(folder / "stamps/scales.exr");
+  // Within 2e-5 units of the limit surface: an edge e bulges by e^2 / 8R, about 0.011^2 / (8 * 0.7).
+  const auto ewer = burin::make_surface(burin::refine(cage, burin::SubdivisionScheme::catmull_clark, 4));
+  burin::samples::write_sample_strokes(folder / "strokes", ewer);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    fmt::print(stderr, "usage: burin_samples FOLDER\n");
+    return 2;
+  }
+  try {
+    write_samples(argv[1]);
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "burin_samples: {}\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,148 @@
+#include "sample_strokes.h"
+
+#include <burin/base/error.h>
+#include <burin/stroke/stroke_file.h>
+#include <burin/surface/picker.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "pen_motion.h"
+
+namespace burin::samples {
+
+namespace {
+
+using std::numbers::pi;
+namespace fs = std::filesystem;
+
+constexpr PenFields tablet{.time = true, .pressure = true, .tilt = true};
+
+double smoothstep(double x) {
+  const double s = std::clamp(x, 0., 1.);
+  return s * s * (3 - 2 * s);
+}
+
+/// To a decimal place, so that files stay small.
+double rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
+float rounded(float value) { return static_cast<float>(rounded(static_cast<double>(value), 1e4)); }
+
+/// Where the ewer's body is at an angle around its axis and a height.
+Vec3d on_body(const Picker& picker, double angle, double height) {
+  const Vec3f outwards(static_cast<float>(std::cos(angle)), 0, static_cast<float>(-std::sin(angle)));
+  const auto hit = picker.pick({Vec3f(0, static_cast<float>(height), 0), outwards});
+  if (!hit) throw Error("the sample surface has a hole");
+  return hit->position.cast<double>();
+}
+
+// Angles run counter-clockwise seen from above; 0 is under the lip, pi under the handle.
+
+/// Around the shoulder from one side of the handle to the other, down there, and once more around the foot.
+std::pair<double, double> meander_at(double u) {
+  const double angle = pi + .55 + u * (4 * pi - 1.55);
+  const double down = smoothstep((angle - (3 * pi - .95)) / .95);
+  const double upper = .27 + .06 * std::cos(5 * angle), lower = -.50 + .06 * std::cos(5 * angle);
+  return {angle, upper + down * (lower - upper)};
+}
+
+std::pair<double, double> scale_band_at(double u) {
+  const double angle = pi + .40 + u * (2 * pi - 1.50);
+  return {angle, -.12 + .03 * std::cos(2 * angle)};
+}
+
+/// Cornu's spiral: curls one way at its start and the other way at its end. In its own units, about -1..1.
+Vec3d scroll_at(double u) {
+  constexpr int slices = 400;
+  const double end = 1.75 * (2 * u - 1), slice = end / slices;
+  Vec3d sum = Vec3d::Zero();
+  for (int i = 0; i < slices; ++i) {
+    const double s = (i + .5) * slice;
+    sum += Vec3d(std::cos(pi / 2 * s * s), std::sin(pi / 2 * s * s), 0) * slice;
+  }
+  return sum;
+}
+
+void write_stroke(const fs::path& path, StrokeSpace space, const std::optional<Camera>& camera,
+                  const RecordedStroke& stroke, double per_unit) {
+  StrokeWriter writer(path, space, camera);
+  writer.begin(stroke);
+  for (Sample sample : stroke.samples) {
+    sample.time = rounded(sample.time, 1e5);
+    for (double& x : sample.position) x = rounded(x, per_unit);
+    sample.pen = {.pressure = rounded(sample.pen.pressure),
+                  .tilt_x = rounded(sample.pen.tilt_x),
+                  .tilt_y = rounded(sample.pen.tilt_y)};
+    writer.add(sample);
+  }
+  writer.end();
+}
+
+struct BrushUse {
+  const char* brush;
+  double radius;
+  ParamSettings params;
+};
+
+RecordedStroke drawn(const BrushUse& use, const PenPath& path, const PenStyle& style) {
+  RecordedStroke stroke;
+  stroke.brush = use.brush;
+  stroke.radius = use.radius;
+  stroke.params = use.params;
+  stroke.fields = tablet;
+  for (const PenEvent& event : draw(path, style))
+    stroke.samples.push_back({event.time, path(event.u) + event.tremor, event.pen});
+  return stroke;
+}
+
+void write_on_body(const fs::path& path, const Picker& picker, std::pair<double, double> (*place)(double),
+                   const BrushUse& use, const PenStyle& style) {
+  const PenPath on_path = [&](double u) {
+    const auto [angle, height] = place(u);
+    return on_body(picker, angle, height);
+  };
+  RecordedStroke stroke = drawn(use, on_path, style);
+  for (Sample& sample : stroke.samples)
+    sample.position = picker.closest(sample.position.cast<float>(), 1)->position.cast<double>();
+  write_stroke(path, StrokeSpace::object, {}, stroke, 1e5);
+}
+
+Camera side_camera(const Surface& ewer) {
+  Vec3f low = ewer.positions.front(), high = low;
+  for (const Vec3f& p : ewer.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Vec3d direction(-.35, -.25, -.9);
+  Camera camera =
+      framing_camera(low.cast<double>(), high.cast<double>(), direction, Vec3d::UnitY(), 1280, 960, pi / 6);
+  // The last bits of sines differ between machines.
+  for (Eigen::Matrix4d* matrix : {&camera.view, &camera.projection})
+    *matrix = matrix->unaryExpr([](double x) { return rounded(x, 1e9); });
+  return camera;
+}
+
+void write_scroll(const fs::path& path, const Surface& ewer, const BrushUse& use, const PenStyle& style) {
+  const PenPath on_screen = [](double u) -> Vec3d {
+    return Vec3d(673, 528, 0) + 170 * scroll_at(u).cwiseProduct(Vec3d(1, -1, 0));
+  };
+  write_stroke(path, StrokeSpace::screen, side_camera(ewer), drawn(use, on_screen, style), 1e2);
+}
+
+}  // namespace
+
+void write_sample_strokes(const fs::path& folder, const Surface& ewer) {
+  const Picker picker(ewer);
+  write_on_body(folder / "meander.stroke", picker, meander_at,
+                {"org.burin.groove", .18, {{"depth", .2}, {"width", .4}}},
+                {.speed = 1.1, .acceleration = 3, .bend_radius = .6, .tremor = .0015, .seed = 1});
+  write_on_body(folder / "scale_band.stroke", picker, scale_band_at,
+                {"org.burin.scales", .2, {{"depth", .2}, {"stamp", "samples/stamps/scales.exr"}}},
+                {.speed = .9, .acceleration = 3, .bend_radius = .6, .tremor = .0015, .seed = 2});
+  write_scroll(folder / "scroll.stroke", ewer, {"org.burin.groove", .1, {{"depth", .25}, {"width", .6}}},
+               {.speed = 420, .acceleration = 1600, .bend_radius = 260, .tremor = .8, .seed = 3});
+}
+
+}  // namespace burin::samples

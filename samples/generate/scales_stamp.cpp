@@ -1,0 +1,81 @@
+#include "scales_stamp.h"
+
+#include <OpenImageIO/imageio.h>
+#include <burin/base/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace burin::samples {
+
+namespace {
+
+constexpr int size = 256;        // texels each way
+constexpr int period = 64;       // texels
+constexpr int oversampling = 4;  // each way: the edges are steps
+
+// In periods.
+constexpr double scale_radius = .64;
+
+/// Height of the scale around the origin, 0 where it does not reach: a plate that rises towards its free
+/// edge, arched across, with a rounded rim and a low keel.
+double scale_height(double u, double v) {
+  const double along = u / scale_radius, across = v / scale_radius;
+  const double rho = std::hypot(along, across);
+  if (rho >= 1) return 0;
+  const double rim = std::sqrt(1 - std::pow(rho, 8));
+  const double keel = .10 * std::exp(-std::pow(across / .09, 2)) * (1 - rho);
+  return (.55 + .40 * along - .22 * across * across + keel) * rim;
+}
+
+/// Highest of the scales in a lattice with one at (0, 0) and one at (1/2, 1/2) of every period.
+double pattern_height(double u, double v) {
+  double highest = 0;
+  for (int row = -1; row <= 2; ++row)
+    for (int column = -1; column <= 2; ++column) {
+      highest = std::max(highest, scale_height(u - row, v - column));
+      highest = std::max(highest, scale_height(u - row - .5, v - column - .5));
+    }
+  return highest;
+}
+
+double texel_height(int x, int y) {
+  double sum = 0;
+  for (int i = 0; i < oversampling; ++i)
+    for (int j = 0; j < oversampling; ++j)
+      sum += pattern_height((x + (i + .5) / oversampling) / period, (y + (j + .5) / oversampling) / period);
+  return sum / (oversampling * oversampling);
+}
+
+/// One period, spread to 0..1.
+std::vector<float> period_heights() {
+  std::vector<float> heights;
+  for (int y = 0; y < period; ++y)
+    for (int x = 0; x < period; ++x) heights.push_back(static_cast<float>(texel_height(x, y)));
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  const float base = *low, range = *high - *low;
+  for (float& height : heights) height = (height - base) / range;
+  return heights;
+}
+
+}  // namespace
+
+void write_scales(const std::filesystem::path& path) {
+  const std::vector<float> tile = period_heights();
+  std::vector<float> texels;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      texels.push_back(tile[static_cast<std::size_t>(y % period * period + x % period)]);
+
+  OIIO::ImageSpec spec(size, size, 1, OIIO::TypeDesc::HALF);
+  spec.channelnames = {"Y"};
+  spec.attribute("compression", "zip");
+  const auto out = OIIO::ImageOutput::create(path.string());
+  if (!out || !out->open(path.string(), spec)) throw FileError(path.string(), OIIO::geterror());
+  if (!out->write_image(OIIO::TypeDesc::FLOAT, texels.data()) || !out->close())
+    throw FileError(path.string(), out->geterror());
+}
+
+}  // namespace burin::samples

@@ -1,0 +1,74 @@
+#include <burin/base/file.h>
+#include <burin/stamp/stamp_image.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "support/shared_data.h"
+
+namespace burin {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path committed = BURIN_SAMPLES;
+
+/// What the generator writes, once for all tests of this process.
+const fs::path& generated() {
+  static const test::TemporaryFolder folder;
+  static const int status = std::system((BURIN_SAMPLE_GENERATOR " '" + folder.path().string() + "'").c_str());
+  EXPECT_EQ(status, 0);
+  return folder.path();
+}
+
+/// The sample files of a folder by relative path.
+std::map<std::string, fs::path> sample_files(const fs::path& root) {
+  std::map<std::string, fs::path> files;
+  for (const char* kind : {"meshes", "strokes", "stamps"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / kind))
+      if (entry.is_regular_file()) files[fs::relative(entry.path(), root).string()] = entry.path();
+  return files;
+}
+
+TEST(Generator, WritesTheCommittedFilesAndNoOthers) {
+  const auto expected = sample_files(committed), written = sample_files(generated());
+  ASSERT_EQ(expected.size(), 5u);
+  for (const auto& [name, path] : expected) EXPECT_TRUE(written.contains(name)) << name;
+  EXPECT_EQ(written.size(), expected.size());
+}
+
+TEST(Generator, WritesTheCommittedText) {
+  for (const auto& [name, path] : sample_files(committed)) {
+    if (path.extension() == ".exr") continue;
+    EXPECT_TRUE(read_file(path) == read_file(generated() / name)) << name << " differs";
+  }
+}
+
+TEST(Generator, WritesTheCommittedTexels) {
+  const StampImage expected = read_stamp(committed / "stamps/scales.exr");
+  const StampImage written = read_stamp(generated() / "stamps/scales.exr");
+  EXPECT_EQ(written.width, expected.width);
+  EXPECT_EQ(written.channels, expected.channels);
+  EXPECT_TRUE(written.texels == expected.texels);
+}
+
+TEST(Generator, KeepsTheSamplesSmall) {
+  std::uintmax_t bytes = 0;
+  for (const auto& [name, path] : sample_files(committed)) bytes += fs::file_size(path);
+  EXPECT_LT(bytes, 1'000'000u);
+  EXPECT_LT(fs::file_size(committed / "meshes/ewer.obj"), 40'000u);
+}
+
+TEST(Generator, RefusesAFolderThatItCannotMake) {
+  test::TemporaryFolder folder;
+  write_file_whole(folder.path() / "file", [](std::ostream& out) { out << "in the way"; });
+  const std::string command =
+      BURIN_SAMPLE_GENERATOR " '" + (folder.path() / "file/below").string() + "' 2>/dev/null";
+  EXPECT_NE(std::system(command.c_str()), 0);
+}
+
+}  // namespace
+}  // namespace burin
