@@ -122,6 +122,18 @@ TEST(Refine, GivesCatmullAndClarksCube) {
   expect_same_points(refine(cube, catmull_clark, 1).positions, expected, 1e-6);
 }
 
+TEST(Refine, KeepsSharpCorners) {
+  PolygonMesh cage = tetrahedron();
+  cage.corners = {{1, 10}, {2, 1}};
+  const auto distance = [&](int corner, int level) {
+    return distance_to_nearest(cage.positions[corner], refine(cage, loop, level).positions);
+  };
+  EXPECT_EQ(distance(1, 3), 0);
+  EXPECT_EQ(distance(2, 1), 0);  // sharpness 1 lasts for one level
+  EXPECT_GT(distance(2, 2), 0.1);
+  EXPECT_GT(distance(3, 1), 0.1);
+}
+
 TEST(Refine, KeepsTheOutsideOutside) {
   const PolygonMesh cage = tetrahedron();
   for (const auto scheme : {catmull_clark, loop})

@@ -171,7 +171,7 @@ TEST(ReadPly, RejectsBrokenHeaders) {
 TEST(ReadPly, RejectsFilesCutOffAnywhere) {
   test::TemporaryFolder folder;
   const auto whole = folder.path() / "whole.ply";
-  write_ply(whole, test::torus(5, 4));
+  write_ply(whole, test::torus(3, 3));
   const std::string bytes = read_file(whole);
   const std::size_t header = bytes.find("end_header") + 10;
   for (std::size_t size = 0; size < bytes.size(); ++size) {
@@ -257,6 +257,15 @@ TEST(ReadStl, ReadsASoup) {
   EXPECT_EQ(mesh.face_sizes, std::vector<Index>(100, 3));
   const std::string bytes = read_file(path);
   EXPECT_NE(File("a.stl", bytes.substr(0, 3000)).message(), "no error");
+}
+
+TEST(ReadStl, RejectsCoordinatesThatAreNotFinite) {
+  std::string bytes(80, ' ');
+  const auto put = [&](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  put(std::uint32_t{1});
+  for (int i = 0; i < 12; ++i) put(i == 7 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(i));
+  put(std::uint16_t{0});
+  EXPECT_EQ(File("a.stl", bytes).message(), "a.stl:vertex 2: a coordinate is not finite");
 }
 
 TEST(WritePly, ComesBackBitForBit) {

@@ -98,6 +98,15 @@ TEST(Normals, AreUpWhereNoTriangleHasADirection) {
   for (const Vec3f& normal : make_surface(mesh).normals) EXPECT_EQ(normal, Vec3f(0, 0, 1));
 }
 
+TEST(Normals, IgnoreANeedleWhoseDirectionIsRounding) {
+  // The needle's middle vertex stands off its line by a rounding, sideways, at an angle of almost pi.
+  const TriangleMesh mesh{{{1, 1, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 1e-7f}, {2, 1, 1e-7f}},
+                          {{0, 1, 2}, {3, 0, 4}}};
+  const Surface surface = make_surface(mesh);
+  const auto middle = std::ranges::find(surface.source_vertex, Index{0}) - surface.source_vertex.begin();
+  EXPECT_EQ(surface.normals[static_cast<std::size_t>(middle)], Vec3f(0, 0, 1));
+}
+
 TEST(UpdateNormals, SetsThoseItIsAskedFor) {
   Surface surface = make_surface(test::torus(40, 20));
   std::vector<Vec3f> moved = surface.positions;

@@ -141,20 +141,37 @@ TEST(Picker, PrefersTheLowestOfEquallyNearTriangles) {
   }
 }
 
-TEST(Picker, OfTwoTrianglesInOnePlaceHitsTheLower) {
-  const Surface surface =
-      make_surface({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}, {0, 1, 2}}});
-  const auto hit = Picker(surface).pick({{0.2f, 0.2f, 1}, {0, 0, -1}});
-  ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->triangle, 0u);
+TEST(Picker, OfTrianglesInOnePlaceHitsTheLowest) {
+  TriangleMesh mesh = test::torus(40, 20);
+  const std::vector<Triangle> once = mesh.triangles;
+  for (int copy = 0; copy < 8; ++copy) mesh.triangles.insert(mesh.triangles.end(), once.begin(), once.end());
+  const Surface surface = make_surface(mesh);
+  const Picker picker(surface);
+  Random random;
+  int hits = 0;
+  for (int i = 0; i < 500; ++i) {
+    const auto hit = picker.pick({random.point(3), random.point(1)});
+    if (!hit) continue;
+    ++hits;
+    const auto lowest = std::ranges::find(surface.triangles, surface.triangles[hit->triangle]);
+    EXPECT_EQ(hit->triangle, lowest - surface.triangles.begin());
+  }
+  EXPECT_GT(hits, 50);
 }
 
 TEST(Picker, ClosestPointOfATriangleWithoutAreaIsOnItsEdges) {
-  const Surface surface = make_surface(
-      {{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {0, 9, 0}, {1, 9, 0}, {0, 9, 1}}, {{0, 1, 2}, {3, 4, 5}}});
-  const auto found = Picker(surface).closest({2, 1, 0}, unlimited);
-  ASSERT_TRUE(found);
-  EXPECT_LT((found->position - Vec3f(2, 0, 0)).norm(), 1e-6f);
+  Random random;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3f along = random.point(1), from = along / 2, query = random.point(2);
+    // Corners and their differences are exact, so the second triangle, far away, has the only area.
+    const Surface surface = make_surface(
+        {{from, 2 * from, 4 * from, {0, 90, 0}, {1, 90, 0}, {0, 90, 1}}, {{0, 1, 2}, {3, 4, 5}}});
+    const auto found = Picker(surface).closest(query, unlimited);
+    ASSERT_TRUE(found);
+    const Vec3d expected =
+        closest_on_segment(from.cast<double>(), 4 * from.cast<double>(), query.cast<double>());
+    EXPECT_LT((found->position.cast<double>() - expected).norm(), 1e-6);
+  }
 }
 
 /// A picker that followed moved vertices answers like a new one, bit for bit.

@@ -46,7 +46,6 @@ TrianglePoint closest_on_edges(const Corners& t, const Vec3d& query) {
 TrianglePoint closest_point(const Surface& surface, Index triangle, const Vec3d& query) {
   const Corners t = corners_of(surface, triangle);
   const Vec3d ab = t.b - t.a, ac = t.c - t.a;
-  if (ab.cross(ac).isZero(0)) return closest_on_edges(t, query);
   const Vec3d from_a = query - t.a, from_b = query - t.b, from_c = query - t.c;
   const double ab_a = ab.dot(from_a), ac_a = ac.dot(from_a);
   if (ab_a <= 0 && ac_a <= 0) return point_at(t, query, 0, 0);
