@@ -47,6 +47,11 @@ Vec3f sky_direction(const Vec3f& normal, int index, const Vec2f& noise) {
       .normalized();
 }
 
+struct SkyLight {
+  Vec3f colour = Vec3f::Zero();
+  float open = 0;  // 1: nothing near shades the place
+};
+
 class Painter {
  public:
   Painter(const Surface& surface, const Picker& picker, const Camera& camera, const Albedo& albedo);
@@ -55,8 +60,9 @@ class Painter {
  private:
   std::optional<Hit> hit(const Ray& ray) const;
   Vec3f radiance(const Hit& hit, int sample, const Vec2f& noise) const;
-  Vec3f sky_light(const Hit& hit, int sample, const Vec2f& noise) const;
+  SkyLight sky_light(const Hit& hit, int sample, const Vec2f& noise) const;
   Vec3f sky(const Vec3f& direction) const;
+  Vec3f to_key_light(int sample, const Vec2f& noise) const;
   bool in_shadow(const Hit& hit, const Vec3f& to_light) const;
   Vec3f background(int y) const;
   Vec3f from_camera(float right, float up, float towards_eye) const;
@@ -75,7 +81,7 @@ Painter::Painter(const Surface& surface, const Picker& picker, const Camera& cam
       camera_(camera),
       albedo_(albedo),
       to_world_(camera.view.topLeftCorner<3, 3>().cast<float>().transpose()),
-      key_(from_camera(-0.62f, 0.6f, 0.38f)),
+      key_(from_camera(-0.6f, 0.62f, 0.52f)),
       fill_(from_camera(0.8f, 0.05f, 0.55f)),
       rim_(from_camera(0.3f, 0.6f, -0.7f)),
       up_(from_camera(0, 1, 0.25f)) {}
@@ -117,33 +123,44 @@ Vec3f Painter::sky(const Vec3f& direction) const {
   return (1 - height) * Vec3f(0.34f, 0.31f, 0.29f) + height * Vec3f(0.86f, 0.93f, 1.0f);
 }
 
-/// Light from the sky that arrives; what is near shades the more the nearer it is.
-Vec3f Painter::sky_light(const Hit& hit, int sample, const Vec2f& noise) const {
+/// What is near shades the more the nearer it is.
+SkyLight Painter::sky_light(const Hit& hit, int sample, const Vec2f& noise) const {
   const float reach = 0.12f * hit.frame_height;
   const Vec3f origin = hit.point.position + 2e-4f * hit.frame_height * hit.flat_normal;
-  Vec3f light = Vec3f::Zero();
+  SkyLight light;
   for (int ray = 0; ray < sky_rays; ++ray) {
     const Vec3f direction = sky_direction(hit.normal, sample + samples * ray, noise);
     const auto blocker = picker_.pick({origin, direction});
     const float distance = blocker ? (blocker->position - origin).norm() / reach : 1.0f;
     const float open = std::min(1.0f, distance);
-    light += (0.05f + 0.95f * open) * sky(direction);
+    light.open += open / sky_rays;
+    light.colour += (0.05f + 0.95f * open) / sky_rays * sky(direction);
   }
-  return light / sky_rays;
+  return light;
+}
+
+/// Towards a point of the key light, a disc: one point for each sample of a pixel.
+Vec3f Painter::to_key_light(int sample, const Vec2f& noise) const {
+  const float angle = 2 * std::numbers::pi_v<float> * (noise.x() + static_cast<float>(sample) / samples);
+  const float radius = 0.16f * std::sqrt(noise.y());
+  const Vec3f side = key_.unitOrthogonal();
+  return (key_ + radius * (std::cos(angle) * side + std::sin(angle) * key_.cross(side))).normalized();
 }
 
 Vec3f Painter::radiance(const Hit& hit, int sample, const Vec2f& noise) const {
   const Vec3f& n = hit.normal;
-  const float facing = n.dot(key_);
-  const float key = facing > 0 && !in_shadow(hit, key_) ? facing : 0.0f;
+  const Vec3f to_key = to_key_light(sample, noise);
+  const float key = n.dot(to_key) > 0 && !in_shadow(hit, to_key) ? n.dot(to_key) : 0.0f;
   const float fill = std::max(0.0f, n.dot(fill_));
   const float edge = 1 - std::max(0.0f, n.dot(hit.to_eye));
   const float rim = edge * edge * edge * std::max(0.0f, 0.3f + n.dot(rim_));
-  const float gloss = std::pow(std::max(0.0f, n.dot((key_ + hit.to_eye).normalized())), 40.0f);
-  const Vec3f diffuse = key * Vec3f(1.25f, 1.17f, 1.05f) + fill * Vec3f(0.09f, 0.11f, 0.15f) +
-                        0.42f * sky_light(hit, sample, noise);
-  return albedo_(hit.point).cwiseProduct(diffuse) +
-         Vec3f::Constant(0.5f * rim + (key > 0 ? 0.06f * gloss : 0.0f));
+  const float gloss = std::pow(std::max(0.0f, n.dot((key_ + hit.to_eye).normalized())), 30.0f);
+  const SkyLight from_sky = sky_light(hit, sample, noise);
+  // Crevices dim the lamps too: untrue, but it lets relief be read.
+  const float relief = 0.25f + 0.75f * from_sky.open * from_sky.open;
+  const Vec3f lamps = key * Vec3f(1.25f, 1.17f, 1.05f) + fill * Vec3f(0.09f, 0.11f, 0.15f);
+  return albedo_(hit.point).cwiseProduct(relief * lamps + 0.36f * from_sky.colour) +
+         Vec3f::Constant(0.4f * rim + (key > 0 ? 0.12f * relief * gloss : 0.0f));
 }
 
 Vec3f Painter::background(int y) const {
@@ -169,7 +186,7 @@ void Painter::paint_row(int y, std::uint8_t* rgb) const {
 
 }  // namespace
 
-Vec3f clay(const SurfacePoint&) { return {0.62f, 0.47f, 0.37f}; }
+Vec3f clay(const SurfacePoint&) { return {0.56f, 0.41f, 0.32f}; }
 
 Picture render(const Surface& surface, const Picker& picker, const Camera& camera, const Albedo& albedo,
                const Progress& progress) {
