@@ -16,6 +16,7 @@ int fail(int code, const char* what) {
 int run(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty()) return fail(2, "a subcommand is required: burin --help lists them");
     if (std::fflush(stdout) != 0) return fail(2, "standard output: writing failed");
     return 0;
   } catch (const CLI::ParseError& error) {
@@ -33,7 +34,8 @@ int run(CLI::App& app, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   CLI::App app("Burin draws recorded pen strokes on surfaces with brush plugins.", "burin");
-  app.require_subcommand(1);
+  // Not required of CLI11, which would then not name an unknown one.
+  app.require_subcommand(0, 1);
   burin::command::add_replay(app);
   burin::command::add_chart(app);
   burin::command::add_render(app);

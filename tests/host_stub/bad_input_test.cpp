@@ -24,6 +24,10 @@ void fill(const CommandFolder& folder) {
                "f 1 2 4 3\nf 1 2 6 5\nf 1 2 8 7\n");
   folder.write("cube.obj", cube_obj());
   folder.write("good.stroke", stroke);
+  folder.write("off.stroke",
+               "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{\"radius\":0.3},\"fields\":[\"x\","
+               "\"y\",\"z\"]}\n"
+               "[5,0,0]\n[5,0.1,0]\n{\"end\":true}\n");
   folder.write("empty.stroke", "");
   folder.write("header_only.stroke", "{\"burin_stroke\":1,\"space\":\"object\"}\n");
   folder.write("no_header.stroke", equator_stroke_lines(-0.5, 0.5, 21, good));
@@ -161,8 +165,7 @@ std::vector<BadInput> other_commands() {
       {"unknown_command", {"paint"}, "paint"},
       {"chart_without_radius", chart("@no_radius.stroke", {"--csv", "@a.csv"}), "@no_radius.stroke"},
       {"chart_of_no_stroke", chart("@good.stroke", {"--stroke", "2", "--csv", "@a.csv"}), "@good.stroke"},
-      {"chart_off_the_surface", chart("@good.stroke", {"--radius", "1e-9", "--csv", "@a.csv"}),
-       "@good.stroke"},
+      {"chart_off_the_surface", chart("@off.stroke", {"--csv", "@a.csv"}), "@off.stroke"},
       {"render_missing_mesh", {"render", "--mesh", "@none.obj", "--png", "@a.png"}, "@none.obj"},
       {"render_without_png", {"render", "--mesh", "@sphere.obj"}, "--png"},
       {"view_of_two_numbers",
