@@ -151,6 +151,46 @@ TEST(StrokeChart, FollowsAGreatCircleOfTheSphere) {
   EXPECT_LE(error.d_mean, 5e-4);
 }
 
+// Two runs of a hairpin whose fronts meet head-on: every vertex keeps the coordinates of the nearer run.
+TEST(StrokeChart, KeepsFrontsThatMeetApart) {
+  Scene scene(test::shuffled(test::plane(1, 0.02, 31), 32));
+  const double radius = 0.25;
+  const std::vector<Vec3d> hairpin = {{-0.6, 0.2, 0}, {0, 0.2, 0},  {0.4, 0.2, 0},  {0.6, 0, 0},
+                                      {0.4, -0.2, 0}, {0, -0.2, 0}, {-0.6, -0.2, 0}};
+  const SurfaceCurve curve = test::traced(scene.surface, scene.picker, radius, hairpin);
+  const Chart chart = scene.charter.chart(curve, {radius, Cap::round});
+  std::size_t between = 0;
+  for (std::size_t i = 0; i < chart.size(); ++i) {
+    const Vec3f& x = scene.surface.positions[chart.vertex[i]];
+    if (x.x() < -0.6F || x.x() > 0.1F || std::abs(x.y()) > 0.42F) continue;
+    // To the right along the upper run, back along the lower one: between them both have it on the right.
+    const float d = x.y() > 0 ? x.y() - 0.2F : -0.2F - x.y();
+    EXPECT_NEAR(chart.d[i], d, 0.01F) << x.transpose();
+    between += std::abs(x.y()) < 0.2F;
+  }
+  EXPECT_GT(between, 300U);
+}
+
+TEST(StrokeChart, DoesNotGrowBeyondItsWidthWhereOppositeSidesMeet) {
+  Scene scene(test::shuffled(test::plane(1, 0.02, 31), 32));
+  const double radius = 0.25;
+  // An S whose middle run has the left of one neighbour and the right of the other beside it.
+  const std::vector<Vec3d> s_curve = {{-0.5, 0.4, 0},  {0, 0.4, 0},   {0.4, 0.4, 0}, {0.55, 0.2, 0},
+                                      {0.4, 0, 0},     {0, 0, 0},     {-0.4, 0, 0},  {-0.55, -0.2, 0},
+                                      {-0.4, -0.4, 0}, {0.5, -0.4, 0}};
+  const SurfaceCurve curve = test::traced(scene.surface, scene.picker, radius, s_curve);
+  const Chart chart = scene.charter.chart(curve, {radius, Cap::round});
+  ASSERT_GT(chart.size(), 2000U);
+  for (std::size_t i = 0; i < chart.size(); ++i) {
+    const Vec3f& x = scene.surface.positions[chart.vertex[i]];
+    double nearest = 1;
+    for (const CurvePoint& point : curve.points) {
+      nearest = std::min(nearest, static_cast<double>((x - point.at.position).norm()));
+    }
+    EXPECT_LE(nearest, 1.05 * radius) << x.transpose();
+  }
+}
+
 TEST(StrokeChart, IsADiscAroundASinglePoint) {
   Scene scene(test::plane(1, 0.02, 4));
   const SurfaceCurve curve = test::traced(scene.surface, scene.picker, 0.2, {{0.1, 0.1, 0}});

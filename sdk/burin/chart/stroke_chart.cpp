@@ -5,8 +5,10 @@
 //   P(x)  = sum of w (P(q) + T_q(x)) / sum of w                     (Eq. 2)
 //   e1(x) = sum of w R(q, x) e1(q), made unit and tangent           (Eq. 3)
 // over its upwind neighbours q: those in the chart with (g_q, q) < (g_x, x) in lexicographic order. Weights
-// w = 1 / |q - x|. Seeds keep the coordinates of their own foot point. The front stops where P leaves the
-// stroke's width. Upwind is a property of g alone, so the result does not depend on the processing order.
+// w = 1 / |q - x|. Of neighbours that disagree, only those count that go with the one nearest to the stroke:
+// beyond the paper, so that fronts which meet keep their own coordinates. Seeds keep the coordinates of their
+// own foot point. The front stops where P leaves the stroke's width. Upwind is a property of g alone, so the
+// result does not depend on the processing order.
 #include <burin/base/error.h>
 #include <burin/chart/frame_step.h>
 #include <burin/chart/seeds.h>
@@ -41,9 +43,17 @@ struct FrontEntry {
   }
 };
 
-/// Sums of Eq. 2 and 3. t is summed relative to the first neighbour's, for floats of full accuracy.
+/// P(q) + T_q(x) and R(q, x) e1(q) of one upwind neighbour q.
+struct Prediction {
+  Index from;
+  float length;  ///< |x - q|
+  double t;
+  float d;
+  Vec3f e1;
+};
+
+/// Sums of Eq. 2 and 3. t is summed relative to one prediction's, for floats of full accuracy.
 struct UpwindMean {
-  double t_origin = 0;
   float weight = 0, t = 0, d = 0;
   Vec3f e1 = Vec3f::Zero();
 };
@@ -57,9 +67,11 @@ struct StrokeCharter::Front {
 
   void start(const SurfaceCurve& curve, const ChartOptions& chart_options);
   void propagate();
-  void settle(Index vertex, Node& node) const;
-  bool average_upwind(Index vertex, Node& node) const;
-  void add_prediction(UpwindMean& mean, Index from, const Node& node, Index to) const;
+  void settle(Index vertex, Node& node);
+  bool average_upwind(Index vertex, Node& node);
+  void collect_predictions(Index vertex);
+  bool consistent(const Prediction& a, const Prediction& b) const;
+  void add(UpwindMean& mean, const Prediction& prediction, double t_origin) const;
   bool within_width(const Node& node) const;
   void relax_neighbours(Index vertex, float g);
   void reach(Index vertex, float g);
@@ -69,6 +81,7 @@ struct StrokeCharter::Front {
   VertexNodes index;
   std::vector<Node> nodes;  ///< [node of index]
   Queue queue;
+  std::vector<Prediction> predictions;  ///< of the vertex being settled
   ChartOptions options;
   double length = 0;
   float weight_epsilon = 0;  ///< keeps Eq. 2's weights finite; object units
@@ -96,20 +109,21 @@ void StrokeCharter::Front::propagate() {
   }
 }
 
-void StrokeCharter::Front::settle(Index vertex, Node& node) const {
+void StrokeCharter::Front::settle(Index vertex, Node& node) {
   const bool known = node.is_seed || average_upwind(vertex, node);
   node.state = known && within_width(node) ? State::inside : State::outside;
 }
 
-bool StrokeCharter::Front::average_upwind(Index vertex, Node& node) const {
+bool StrokeCharter::Front::average_upwind(Index vertex, Node& node) {
+  collect_predictions(vertex);
+  if (predictions.empty()) return false;
+  const Prediction& nearest = *std::ranges::min_element(
+      predictions, {}, [](const Prediction& p) { return std::pair(std::abs(p.d), p.from); });
   UpwindMean mean;
-  for (const Index neighbour : surface->neighbours[vertex]) {
-    const Index found = index.find(neighbour);
-    if (found == no_index || nodes[found].state != State::inside) continue;
-    add_prediction(mean, neighbour, nodes[found], vertex);
+  for (const Prediction& prediction : predictions) {
+    if (consistent(prediction, nearest)) add(mean, prediction, nearest.t);
   }
-  if (!(mean.weight > 0)) return false;
-  node.t = mean.t_origin + static_cast<double>(mean.t / mean.weight);
+  node.t = nearest.t + static_cast<double>(mean.t / mean.weight);
   node.d = mean.d / mean.weight;
 
   const Vec3f& normal = surface->normals[vertex];
@@ -119,19 +133,38 @@ bool StrokeCharter::Front::average_upwind(Index vertex, Node& node) const {
   return true;
 }
 
-void StrokeCharter::Front::add_prediction(UpwindMean& mean, Index from, const Node& node, Index to) const {
-  const Vec3f &q = surface->positions[from], &x = surface->positions[to];
-  const auto [step, e1] = step_along_edge(q, surface->normals[from], node.e1, x, surface->normals[to]);
-  const float w = 1 / ((x - q).norm() + weight_epsilon);
-  if (mean.weight == 0) mean.t_origin = node.t;
+void StrokeCharter::Front::collect_predictions(Index vertex) {
+  predictions.clear();
+  const Vec3f &x = surface->positions[vertex], &normal = surface->normals[vertex];
+  for (const Index neighbour : surface->neighbours[vertex]) {
+    const Index found = index.find(neighbour);
+    if (found == no_index || nodes[found].state != State::inside) continue;
+    const Node& q = nodes[found];
+    const Vec3f& place = surface->positions[neighbour];
+    const auto [step, e1] = step_along_edge(place, surface->normals[neighbour], q.e1, x, normal);
+    predictions.push_back(
+        {neighbour, (x - place).norm(), q.t + static_cast<double>(step.x()), q.d + step.y(), e1});
+  }
+}
+
+/// Where fronts of different parts of the stroke meet, the mean of their coordinates would mean nothing.
+bool StrokeCharter::Front::consistent(const Prediction& a, const Prediction& b) const {
+  const double reach = 2 * static_cast<double>(a.length + b.length);
+  return std::hypot(a.t - b.t, static_cast<double>(a.d - b.d)) <= reach;
+}
+
+void StrokeCharter::Front::add(UpwindMean& mean, const Prediction& prediction, double t_origin) const {
+  const float w = 1 / (prediction.length + weight_epsilon);
   mean.weight += w;
-  mean.t += w * (static_cast<float>(node.t - mean.t_origin) + step.x());
-  mean.d += w * (node.d + step.y());
-  mean.e1 += w * e1;
+  mean.t += w * static_cast<float>(prediction.t - t_origin);
+  mean.d += w * prediction.d;
+  mean.e1 += w * prediction.e1;
 }
 
 bool StrokeCharter::Front::within_width(const Node& node) const {
   const double beyond = std::max({-node.t, node.t - length, 0.});
+  // The graph distance is never much longer than the geodesic: beyond, the coordinates have gone astray.
+  if (static_cast<double>(node.g) > 2 * options.radius) return false;
   return std::hypot(beyond, static_cast<double>(node.d)) <= options.radius;
 }
 
