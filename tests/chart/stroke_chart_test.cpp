@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "support/shapes.h"
 #include "support/traced.h"
@@ -166,6 +167,9 @@ TEST(StrokeChart, KeepsFrontsThatMeetApart) {
     // To the right along the upper run, back along the lower one: between them both have it on the right.
     const float d = x.y() > 0 ? x.y() - 0.2F : -0.2F - x.y();
     EXPECT_NEAR(chart.d[i], d, 0.01F) << x.transpose();
+    if (std::abs(x.y()) < 0.01F) continue;  // as near to one run as to the other
+    const double along = static_cast<double>(x.x()) + 0.6;
+    EXPECT_NEAR(chart.t[i], x.y() > 0 ? along : curve.length() - along, 0.02) << x.transpose();
     between += std::abs(x.y()) < 0.2F;
   }
   EXPECT_GT(between, 300U);
@@ -203,6 +207,93 @@ TEST(StrokeChart, IsADiscAroundASinglePoint) {
   }
 }
 
+void expect_same(const Chart& a, const Chart& b) {
+  EXPECT_EQ(a.vertex, b.vertex);
+  EXPECT_EQ(a.t, b.t);
+  EXPECT_EQ(a.d, b.d);
+  EXPECT_EQ(a.e1, b.e1);
+}
+
+/// Draws samples one by one; after each the extended chart must be the one computed afresh.
+void expect_extension_equals_fresh_charts(Scene& scene, const std::vector<Vec3d>& samples, double radius) {
+  StrokeCharter fresh(scene.surface);
+  CurveTracer tracer(scene.surface, scene.picker, radius);
+  std::size_t extended = 0;
+  for (const Vec3d& sample : samples) {
+    const auto at = scene.picker.closest(sample.cast<float>(), static_cast<float>(radius));
+    ASSERT_TRUE(at.has_value());
+    const bool first = tracer.curve().points.empty();
+    tracer.add(*at, 0, {});
+    const Chart chart = first ? scene.charter.chart(tracer.curve(), {radius, Cap::round})
+                              : scene.charter.extend(tracer.curve());
+    expect_same(chart, fresh.chart(tracer.curve(), {radius, Cap::round}));
+    if (testing::Test::HasFailure()) FAIL() << "after sample " << extended;
+    ++extended;
+  }
+  EXPECT_GT(extended, 20U);
+}
+
+TEST(StrokeChart, ExtendsToTheChartOfTheWholeCurve) {
+  Scene scene(test::shuffled(test::sphere(5, 0.2, 41), 42));
+  expect_extension_equals_fresh_charts(
+      scene,
+      sampled(40,
+              [](double s) {
+                return Vec3d(std::cos(2 * s), std::sin(2 * s), 0.4 * std::sin(9 * s)).normalized();
+              }),
+      0.25);
+}
+
+// Crossing itself, turning back on itself, standing still: seeds and fronts of old parts give way to new
+// ones.
+TEST(StrokeChart, ExtendsAcrossItself) {
+  Scene scene(test::shuffled(test::plane(1, 0.04, 43), 44));
+  std::vector<Vec3d> samples =
+      sampled(60, [](double s) { return Vec3d(0.6 * std::sin(12 * s), 0.6 * std::sin(8 * s), 0); });
+  for (int i = 0; i < 10; ++i)
+    samples.push_back(samples[samples.size() - 2 - 2 * static_cast<std::size_t>(i)]);
+  samples.push_back(samples.back());
+  expect_extension_equals_fresh_charts(scene, samples, 0.2);
+}
+
+// From any curve to any other: seeds come, go and change all over the surface.
+TEST(StrokeChart, ExtendsToAnyOtherCurve) {
+  const std::uint32_t seed = 47;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  Scene scene(test::shuffled(test::sphere(4, 0.25, 48), 49));
+  StrokeCharter fresh(scene.surface);
+  const auto uniform = [&] { return static_cast<double>(random() % 2001) / 1000 - 1; };
+  std::vector<Vec3d> samples = {Vec3d::UnitX()};
+  std::size_t longer = 0, shorter = 0;
+  scene.charter.chart(test::traced(scene.surface, scene.picker, 0.3, samples), {0.3, Cap::round});
+  for (int i = 0; i < 200; ++i) {
+    const std::size_t before = samples.size();
+    samples.resize(std::max<std::size_t>(1, samples.size() - random() % 4));
+    for (std::uint32_t more = random() % 5; more > 0; --more) {
+      samples.push_back((samples.back() + 0.4 * Vec3d(uniform(), uniform(), uniform())).normalized());
+    }
+    longer += samples.size() > before;
+    shorter += samples.size() < before;
+    const SurfaceCurve curve = test::traced(scene.surface, scene.picker, 0.3, samples);
+    expect_same(scene.charter.extend(curve), fresh.chart(curve, {0.3, Cap::round}));
+    if (HasFailure()) FAIL() << "at curve " << i;
+  }
+  EXPECT_GT(longer, 50U);
+  EXPECT_GT(shorter, 30U);
+}
+
+TEST(StrokeChart, CanBeShortened) {
+  Scene scene(test::shuffled(test::plane(1, 0.04, 45), 46));
+  const auto line = [&](double length) {
+    return test::traced(scene.surface, scene.picker, 0.2,
+                        {{-0.7, 0.1, 0}, {-0.7 + length, -0.2 * length, 0}});
+  };
+  scene.charter.chart(line(1.2), {0.2, Cap::butt});
+  const Chart shortened = scene.charter.extend(line(0.5));
+  expect_same(shortened, StrokeCharter(scene.surface).chart(line(0.5), {0.2, Cap::butt}));
+}
+
 TEST(StrokeChart, DependsOnNothingButItsArguments) {
   Scene scene(test::sphere(5, 0.2, 21));
   const auto circle = [&](double height, double radius) {
@@ -214,15 +305,13 @@ TEST(StrokeChart, DependsOnNothingButItsArguments) {
   const Chart before = scene.charter.chart(first, {0.2, Cap::round});
   scene.charter.chart(other, {0.5, Cap::butt});
   const Chart after = scene.charter.chart(first, {0.2, Cap::round});
-  EXPECT_EQ(before.vertex, after.vertex);
-  EXPECT_EQ(before.t, after.t);
-  EXPECT_EQ(before.d, after.d);
-  EXPECT_EQ(before.e1, after.e1);
+  expect_same(before, after);
 }
 
 TEST(StrokeChart, RefusesWhatIsNoStroke) {
   Scene scene(test::plane(1, 0.5, 1));
   const SurfaceCurve curve = test::traced(scene.surface, scene.picker, 0.2, {{0, 0, 0}});
+  EXPECT_THROW(scene.charter.extend(curve), ContractError);
   EXPECT_THROW(scene.charter.chart(curve, {0, Cap::round}), ContractError);
   EXPECT_THROW(scene.charter.chart(curve, {std::numeric_limits<double>::infinity(), Cap::round}),
                ContractError);

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/base/vector.h>
+#include <burin/chart/upwind.h>
 #include <burin/chart/vertex_nodes.h>
 #include <burin/stroke/surface_curve.h>
 #include <burin/surface/surface.h>
@@ -11,10 +12,8 @@ namespace burin {
 /// A vertex beside the stroke with the coordinates of its own foot point on a stroke segment.
 struct Seed {
   Index vertex;
-  float distance;  ///< to the foot, object units
-  double t;        ///< arc length at the foot; beyond the ends along the end's tangent
-  float d;
-  Vec3f e1;  ///< the tangent at the foot, transported to the vertex
+  float distance;    ///< to the foot, object units
+  ChartFrame frame;  ///< t at the foot, beyond the ends along the end's tangent; e1 transported from it
 };
 
 /// Finds, for every vertex of the triangles that the curve's points lie in and of their one-ring, the

@@ -17,7 +17,7 @@ struct ChartOptions {
   Cap cap = Cap::round;
 };
 
-/// Computes stroke charts on one surface [Schmidt 2013, section 4]. Holds scratch memory of four bytes a
+/// Computes stroke charts on one surface [Schmidt 2013, section 4]. Holds scratch memory of eight bytes a
 /// vertex, so keep one as long as the surface; a chart costs in proportion to its own region only.
 /// The surface must outlive it. One thread at a time.
 class StrokeCharter {
@@ -31,9 +31,14 @@ class StrokeCharter {
   /// Throws ContractError for a radius that is not finite and positive or a curve without points.
   Chart chart(const SurfaceCurve& curve, const ChartOptions& options);
 
+  /// The chart of a curve with the options of the last chart(), bit for bit what chart() would give, at the
+  /// cost of what differs: meant for a stroke that grows. The surface must be as it was for chart().
+  /// Throws ContractError for a curve without points or when there is no last chart.
+  Chart extend(const SurfaceCurve& curve);
+
  private:
-  struct Front;
-  std::unique_ptr<Front> front_;
+  struct Stroke;
+  std::unique_ptr<Stroke> stroke_;
 };
 
 }  // namespace burin

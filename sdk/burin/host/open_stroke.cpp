@@ -35,12 +35,13 @@ VertexMoves OpenStroke::add(const SurfacePoint& at, double time, const Pen& pen,
   if (!std::isfinite(time) || time < last_time_)
     throw ContractError(fmt::format("time goes from {} to {}", last_time_, time));
   last_time_ = time;
+  const bool first = empty();
   const double length_before = curve().length();
   tracer_.add(at, time, pen);
   const std::uint64_t pen_inputs =
       brush_stroke_.descriptor().inputs_read & pen_inputs_present(settings_.fields);
-  StrokeNodes nodes =
-      make_stroke_nodes(charter.chart(curve(), {settings_.radius, settings_.cap}), curve(), pen_inputs);
+  Chart chart = first ? charter.chart(curve(), {settings_.radius, settings_.cap}) : charter.extend(curve());
+  StrokeNodes nodes = make_stroke_nodes(std::move(chart), curve(), pen_inputs);
   const double end_zone = std::min(length_before, curve().length()) - brush_stroke_.plan().end_influence;
   const StrokeChanges changes = find_changes(nodes_, nodes, end_zone);
   VertexMoves moves = evaluate(evaluator, nodes, changes.stale, 0);
