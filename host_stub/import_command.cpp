@@ -1,3 +1,4 @@
+#include <burin/base/error.h>
 #include <burin/stroke/import.h>
 #include <burin/stroke/stroke_file.h>
 #include <fmt/format.h>
@@ -38,22 +39,27 @@ Recording read_recording(const ImportOptions& options, const Camera& camera) {
   return recording;
 }
 
+void write_strokes(const std::filesystem::path& path, const Recording& recording) {
+  StrokeWriter writer(path, recording.space, recording.camera);
+  for (const RecordedStroke& stroke : recording.strokes) {
+    writer.begin(stroke);
+    for (const Sample& sample : stroke.samples) writer.add(sample);
+    writer.end();
+  }
+}
+
 /// Under a name beside its own until it is whole.
 void write_recording(const std::string& path, const Recording& recording) {
   const std::filesystem::path partial = path + ".partial";
+  std::error_code error;
   try {
-    StrokeWriter writer(partial, recording.space, recording.camera);
-    for (const RecordedStroke& stroke : recording.strokes) {
-      writer.begin(stroke);
-      for (const Sample& sample : stroke.samples) writer.add(sample);
-      writer.end();
-    }
-    std::filesystem::rename(partial, path);
+    write_strokes(partial, recording);
   } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
+    std::filesystem::remove(partial, error);
     throw;
   }
+  std::filesystem::rename(partial, path, error);
+  if (error) throw FileError(path, error.message());
 }
 
 void run(const ImportOptions& options) {
