@@ -44,7 +44,7 @@ Vec3d on_body(const Picker& picker, double angle, double height) {
 std::pair<double, double> meander_at(double u) {
   const double angle = pi + .55 + u * (4 * pi - 1.55);
   const double down = smoothstep((angle - (3 * pi - .95)) / .95);
-  const double upper = .27 + .06 * std::cos(5 * angle), lower = -.50 + .06 * std::cos(5 * angle);
+  const double upper = .27 + .045 * std::cos(5 * angle), lower = -.50 + .045 * std::cos(5 * angle);
   return {angle, upper + down * (lower - upper)};
 }
 
@@ -136,13 +136,13 @@ void write_scroll(const fs::path& path, const Surface& ewer, const BrushUse& use
 void write_sample_strokes(const fs::path& folder, const Surface& ewer) {
   const Picker picker(ewer);
   write_on_body(folder / "meander.stroke", picker, meander_at,
-                {"org.burin.groove", .18, {{"depth", .2}, {"width", .4}}},
-                {.speed = 1.1, .acceleration = 3, .bend_radius = .6, .tremor = .0015, .seed = 1});
+                {"org.burin.groove", .18, {{"depth", .18}, {"width", .3}}},
+                {.speed = 1.9, .acceleration = 8, .bend_radius = .6, .tremor = .0004, .seed = 1});
   write_on_body(folder / "scale_band.stroke", picker, scale_band_at,
                 {"org.burin.scales", .2, {{"depth", .2}, {"stamp", "samples/stamps/scales.exr"}}},
-                {.speed = .9, .acceleration = 3, .bend_radius = .6, .tremor = .0015, .seed = 2});
+                {.speed = 1.4, .acceleration = 6, .bend_radius = .6, .tremor = .0004, .seed = 2});
   write_scroll(folder / "scroll.stroke", ewer, {"org.burin.groove", .1, {{"depth", .25}, {"width", .6}}},
-               {.speed = 420, .acceleration = 1600, .bend_radius = 260, .tremor = .8, .seed = 3});
+               {.speed = 420, .acceleration = 1600, .bend_radius = 260, .tremor = .15, .seed = 3});
 }
 
 }  // namespace burin::samples

@@ -1,0 +1,141 @@
+#include <burin/base/file.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "markdown.h"
+#include "support/shared_data.h"
+
+namespace burin::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source_folder = BURIN_SOURCE_FOLDER;
+
+std::string readme() { return read_file(source_folder / "README.md"); }
+
+/// A folder that looks like the root of a built checkout, to run commands in.
+class Checkout {
+ public:
+  Checkout() {
+    fs::create_directory(folder_.path() / "build");
+    fs::create_directory_symlink(BURIN_BUILD_FOLDER, folder_.path() / "build/release");
+    fs::create_directory_symlink(source_folder / "samples", folder_.path() / "samples");
+  }
+
+  /// Exit status of a script that stops at its first failure.
+  int run(const std::string& script) const {
+    write_file_whole(folder_.path() / "script", [&](std::ostream& out) { out << "set -e\n" << script; });
+    return std::system(fmt::format("cd '{}' && bash script </dev/null", folder_.path().string()).c_str());
+  }
+
+  const fs::path& path() const { return folder_.path(); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+/// The same commands on surfaces small enough for a test.
+std::string at_test_size(const std::string& script) {
+  static const std::regex size("--(target-triangles|subdivide) [0-9]+");
+  return std::regex_replace(script, size, "--subdivide 3");
+}
+
+/// Files and folders that a script's options name as outputs.
+std::vector<std::string> outputs_of(const std::string& script) {
+  static const std::regex output(R"(--(?:report|png|csv|save-mesh|out) ([^\s]+))");
+  std::vector<std::string> outputs;
+  for (std::sregex_iterator match(script.begin(), script.end(), output), end; match != end; ++match)
+    outputs.push_back((*match)[1]);
+  return outputs;
+}
+
+TEST(Readme, RunsAsItSays) {
+  const Checkout checkout;
+  std::size_t scripts = 0, outputs = 0;
+  for (const std::string& block : fenced_blocks(readme(), "sh")) {
+    if (block.starts_with("./dev")) continue;
+    SCOPED_TRACE(block);
+    ASSERT_EQ(checkout.run(at_test_size(block)), 0);
+    ++scripts;
+    for (const std::string& output : outputs_of(block)) {
+      EXPECT_TRUE(fs::exists(checkout.path() / output)) << output;
+      ++outputs;
+    }
+  }
+  EXPECT_GE(scripts, 2u);
+  EXPECT_GE(outputs, 4u);
+}
+
+TEST(Readme, NamesCommandsOfDev) {
+  const Checkout checkout;
+  ASSERT_EQ(checkout.run(fmt::format("'{}/dev' help > help", source_folder.string())), 0);
+  const std::string help = read_file(checkout.path() / "help");
+  std::size_t commands = 0;
+  for (const std::string& block : fenced_blocks(readme(), "sh")) {
+    if (!block.starts_with("./dev")) continue;
+    for (const std::string& line : lines_of(block)) {
+      ASSERT_TRUE(line.starts_with("./dev ")) << line << " stands where tests do not run it";
+      const std::string word = line.substr(6, line.find(' ', 6) - 6);
+      EXPECT_NE(help.find(fmt::format("\n  {} ", word)), std::string::npos) << line;
+      ++commands;
+    }
+  }
+  EXPECT_GE(commands, 2u);
+}
+
+TEST(Readme, ShowsTheSampleBrush) {
+  const auto blocks = fenced_blocks(readme(), "cpp");
+  ASSERT_EQ(blocks.size(), 1u);
+  EXPECT_EQ(blocks.front(), read_file(source_folder / "samples/hello_brush/hello_brush.cpp"));
+}
+
+TEST(Readme, LinksToFilesThatAreThere) {
+  std::size_t pictures = 0;
+  for (const std::string& target : link_targets(readme())) {
+    EXPECT_TRUE(fs::exists(source_folder / target)) << target;
+    if (!target.ends_with(".png")) continue;
+    EXPECT_LT(fs::file_size(source_folder / target), 400'000u) << target;
+    ++pictures;
+  }
+  EXPECT_GE(pictures, 1u);
+}
+
+using Arrows = std::set<std::pair<std::string, std::string>>;
+
+/// The arrows between SDK folders in the README's diagram, from the included to the including.
+Arrows drawn_arrows(const std::string& diagram) {
+  static const std::regex arrow(R"((\w+) --> (?=(\w+)))");
+  Arrows arrows;
+  for (std::sregex_iterator match(diagram.begin(), diagram.end(), arrow), end; match != end; ++match)
+    if (fs::exists(source_folder / "sdk/burin" / (*match)[2].str())) arrows.emplace((*match)[1], (*match)[2]);
+  return arrows;
+}
+
+Arrows linked_targets() {
+  static const std::regex target(R"(burin::(\w+))");
+  Arrows arrows;
+  for (const auto& entry : fs::directory_iterator(source_folder / "sdk/burin")) {
+    if (!entry.is_directory()) continue;
+    const std::string text = read_file(entry.path() / "CMakeLists.txt");
+    for (std::sregex_iterator match(text.begin(), text.end(), target), end; match != end; ++match)
+      arrows.emplace((*match)[1], entry.path().filename().string());
+  }
+  return arrows;
+}
+
+TEST(Readme, DrawsTheHouseAsItIsLinked) {
+  const auto diagrams = fenced_blocks(readme(), "mermaid");
+  ASSERT_EQ(diagrams.size(), 1u);
+  EXPECT_EQ(drawn_arrows(diagrams.front()), linked_targets());
+}
+
+}  // namespace
+}  // namespace burin::test
