@@ -269,8 +269,8 @@ TEST(StrokeChart, ExtendsToAnyOtherCurve) {
   scene.charter.chart(test::traced(scene.surface, scene.picker, 0.3, samples), {0.3, Cap::round});
   for (int i = 0; i < 200; ++i) {
     const std::size_t before = samples.size();
-    samples.resize(std::max<std::size_t>(1, samples.size() - random() % 4));
-    for (std::uint32_t more = random() % 5; more > 0; --more) {
+    samples.resize(samples.size() - std::min<std::size_t>(random() % 4, samples.size() - 1));
+    for (auto more = random() % 5; more > 0; --more) {
       samples.push_back((samples.back() + 0.4 * Vec3d(uniform(), uniform(), uniform())).normalized());
     }
     longer += samples.size() > before;
