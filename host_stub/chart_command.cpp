@@ -86,7 +86,7 @@ Picture draw_chart(const Surface& surface, const Picker& picker, const SurfaceCu
   checkerboard.add(chart, radius);
   ProgressBar bar;
   Picture picture = render(surface, picker, camera, checkerboard, bar.progress());
-  draw_curve(picture, camera, picker, curve);
+  draw_curve(picture, camera, picker, curve, 0);
   return picture;
 }
 

@@ -37,18 +37,27 @@ std::optional<Eigen::Vector2d> project(const Camera& camera, const Vec3d& positi
                          (0.5 - 0.5 * clip.y() / clip.w()) * camera.height);
 }
 
-bool visible(const Camera& camera, const Picker& picker, const Eigen::Vector2d& pixel,
-             const Vec3d& position) {
+/// Draws lines that the surface hides where it does.
+struct Pencil {
+  const Camera& camera;
+  const Picker& picker;
+  double depth;  // how far below the surface a place is still seen, object units
+  Coverage coverage;
+
+  bool sees(const Eigen::Vector2d& pixel, const Vec3d& position) const;
+  void draw(const Vec3d& a, const Vec3d& b);
+};
+
+bool Pencil::sees(const Eigen::Vector2d& pixel, const Vec3d& position) const {
   if (pixel.x() < 0 || pixel.y() < 0 || pixel.x() > camera.width || pixel.y() > camera.height) return false;
   const Ray ray = pixel_ray(camera, pixel.x(), pixel.y());
   const auto hit = picker.pick(ray);
   const double distance = (position - ray.origin.cast<double>()).norm();
-  return !hit || (hit->position - ray.origin).cast<double>().norm() > 0.99 * distance;
+  return !hit || (hit->position - ray.origin).cast<double>().norm() > 0.99 * distance - depth;
 }
 
 /// The line from a to b as dots half a pixel apart.
-void add_segment(Coverage& coverage, const Camera& camera, const Picker& picker, const Vec3d& a,
-                 const Vec3d& b) {
+void Pencil::draw(const Vec3d& a, const Vec3d& b) {
   const auto from = project(camera, a), to = project(camera, b);
   if (!from || !to) return;
   const double far = 4.0 * (camera.width + camera.height);
@@ -56,7 +65,7 @@ void add_segment(Coverage& coverage, const Camera& camera, const Picker& picker,
   for (int dot = 0; dot <= dots; ++dot) {
     const Vec3d position = a + (b - a) * (static_cast<double>(dot) / dots);
     const auto pixel = project(camera, position);
-    if (pixel && visible(camera, picker, *pixel, position)) coverage.add_dot(pixel->x(), pixel->y());
+    if (pixel && sees(*pixel, position)) coverage.add_dot(pixel->x(), pixel->y());
   }
 }
 
@@ -73,13 +82,14 @@ void blend(Picture& picture, const Coverage& coverage) {
 
 }  // namespace
 
-void draw_curve(Picture& picture, const Camera& camera, const Picker& picker, const SurfaceCurve& curve) {
-  Coverage coverage{picture.width, picture.height, std::vector<float>(picture.rgb.size() / 3)};
+void draw_curve(Picture& picture, const Camera& camera, const Picker& picker, const SurfaceCurve& curve,
+                double depth) {
+  Pencil pencil{
+      camera, picker, depth, {picture.width, picture.height, std::vector<float>(picture.rgb.size() / 3)}};
   for (std::size_t i = 1; i < curve.points.size(); ++i) {
-    add_segment(coverage, camera, picker, curve.points[i - 1].at.position.cast<double>(),
-                curve.points[i].at.position.cast<double>());
+    pencil.draw(curve.points[i - 1].at.position.cast<double>(), curve.points[i].at.position.cast<double>());
   }
-  blend(picture, coverage);
+  blend(picture, pencil.coverage);
 }
 
 }  // namespace burin

@@ -15,6 +15,7 @@ namespace {
 constexpr int grid = 2;  // samples a pixel in each direction
 constexpr int samples = grid * grid;
 constexpr int sky_rays = 6;  // a sample
+constexpr float golden = 0.618034f;
 
 struct Hit {
   SurfacePoint point;
@@ -37,7 +38,6 @@ Vec2f pixel_noise(int x, int y) {
 
 /// Cosine-weighted direction around `normal`, number `index` of all that a pixel sends.
 Vec3f sky_direction(const Vec3f& normal, int index, const Vec2f& noise) {
-  constexpr float golden = 0.618034f;
   const float share = (static_cast<float>(index) + noise.x()) / static_cast<float>(samples * sky_rays);
   const float angle = 2 * std::numbers::pi_v<float> * (static_cast<float>(index) * golden + noise.y());
   const float radius = std::sqrt(share);
@@ -142,7 +142,8 @@ SkyLight Painter::sky_light(const Hit& hit, int sample, const Vec2f& noise) cons
 /// Towards a point of the key light, a disc: one point for each sample of a pixel.
 Vec3f Painter::to_key_light(int sample, const Vec2f& noise) const {
   const float angle = 2 * std::numbers::pi_v<float> * (noise.x() + static_cast<float>(sample) / samples);
-  const float radius = 0.16f * std::sqrt(noise.y());
+  const float share = noise.y() + golden * static_cast<float>(sample);
+  const float radius = 0.16f * std::sqrt(share - std::floor(share));
   const Vec3f side = key_.unitOrthogonal();
   return (key_ + radius * (std::cos(angle) * side + std::sin(angle) * key_.cross(side))).normalized();
 }

@@ -43,8 +43,10 @@ ReplayPictures draw_replay(Session& session, const StrokeWitness& witness,
   pictures.before = render(session.surface(), session.picker(), camera, clay, progress);
   const Albedo checkers = [&](const SurfacePoint& point) { return witness.colour(point); };
   pictures.chart = render(session.surface(), session.picker(), camera, checkers, progress);
-  for (const SurfaceCurve& curve : witness.curves())
-    draw_curve(pictures.chart, camera, session.picker(), curve);
+  // Later strokes run where earlier ones had moved the surface, perhaps below what the picture shows.
+  for (const SurfaceCurve& curve : witness.curves()) {
+    draw_curve(pictures.chart, camera, session.picker(), curve, witness.widest());
+  }
   return pictures;
 }
 
