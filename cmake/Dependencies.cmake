@@ -24,7 +24,8 @@ find_package(fmt REQUIRED)
 burin_dependency(apt libtinyobjloader-dev why "OBJ files with n-gons and subdivision tags")
 find_package(tinyobjloader REQUIRED)
 
-burin_dependency(apt libassimp-dev why "STL files")
+# zlib because Debian's configuration of assimp links its development files without bringing them.
+burin_dependency(apt libassimp-dev zlib1g-dev why "STL files")
 find_package(assimp REQUIRED)
 
 burin_dependency(apt libembree-dev why "picking, closest point, rendered pictures")
