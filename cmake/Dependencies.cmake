@@ -24,7 +24,8 @@ find_package(fmt REQUIRED)
 burin_dependency(apt libtinyobjloader-dev why "OBJ files with n-gons and subdivision tags")
 find_package(tinyobjloader REQUIRED)
 
-burin_dependency(apt libassimp-dev why "STL files")
+# zlib because Debian's configuration of assimp links its development files without bringing them.
+burin_dependency(apt libassimp-dev zlib1g-dev why "STL files")
 find_package(assimp REQUIRED)
 
 burin_dependency(apt libembree-dev why "picking, closest point, rendered pictures")
@@ -37,7 +38,8 @@ burin_find_library(OpenSubdiv::osdCPU opensubdiv/far/topologyRefiner.h osdCPU)
 burin_dependency(apt nlohmann-json3-dev why "stroke files, reports")
 find_package(nlohmann_json 3.11 REQUIRED)
 
-burin_dependency(apt libopenimageio-dev why "EXR stamps in, PNG pictures out")
+# The tools because Debian's configuration of the library insists on finding them.
+burin_dependency(apt libopenimageio-dev openimageio-tools why "EXR stamps in, PNG pictures out")
 find_package(OpenImageIO 2.4 REQUIRED)
 # Debian's configuration of it names a folder of OpenCV that its package does not bring; the headers' own
 # folder comes with OpenImageIO_Util.
