@@ -108,7 +108,7 @@ void print_result(const ChartCommandOptions& options, const LoadedSurface& loade
 void run(const ChartCommandOptions& options) {
   check_output_path(options.csv);
   check_output_path(options.png);
-  const Recording recording = read_strokes_on_console(options.strokes);
+  const Recording recording = read_whole_strokes(options.strokes);
   const RecordedStroke& stroke = chosen_stroke(options, recording);
   const double radius = chosen_radius(options, stroke);
   const LoadedSurface loaded = load_surface_on_console(options.mesh);

@@ -28,7 +28,7 @@ struct ReplayOptions {
 
 std::vector<Recording> read_recordings(const std::vector<std::string>& paths) {
   std::vector<Recording> recordings;
-  for (const std::string& path : paths) recordings.push_back(read_strokes_on_console(path));
+  for (const std::string& path : paths) recordings.push_back(read_whole_strokes(path));
   return recordings;
 }
 

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 
-#include "console.h"
-
 namespace burin {
 
-Recording read_strokes_on_console(const std::string& path) {
-  Recording recording = read_strokes(path);
-  if (recording.cut_off) warn(path + ": the last line is cut off and left out");
+Recording read_whole_strokes(const std::string& path) {
+  const Recording recording = read_strokes(path);
+  if (recording.cut_off_at) {
+    throw FileError(
+        path, std::to_string(*recording.cut_off_at),
+        "the recording is cut off here; to use what came before, replace what is broken of this line "
+        "by {\"end\": true} on a line of its own");
+  }
   const bool drawn = std::any_of(recording.strokes.begin(), recording.strokes.end(),
                                  [](const RecordedStroke& stroke) { return !stroke.samples.empty(); });
   if (!drawn) throw FileError(path, "holds no samples");

@@ -5,8 +5,8 @@
 
 namespace burin {
 
-/// Reads a `.stroke` file; warns of one that a crash cut off. Throws FileError, also when no stroke of it
-/// has a sample.
-Recording read_strokes_on_console(const std::string& path);
+/// Reads a `.stroke` file that is whole and has a sample. Throws FileError; of a recording that was cut off
+/// the message says how to mend it, since a replay of half a stroke is no comparison.
+Recording read_whole_strokes(const std::string& path);
 
 }  // namespace burin

@@ -57,7 +57,7 @@ TEST_P(NastyMesh, StandsRandomStrokes) {
   std::mt19937 random(seed);
   std::size_t charted = 0, long_strokes = 0;
   for (int i = 0; i < 60; ++i) {
-    const double radius = object_scale(surface) * 0.01 * static_cast<double>(1 + random() % 30);
+    const double radius = surface.scale * 0.01 * static_cast<double>(1 + random() % 30);
     const SurfaceCurve curve = random_stroke(surface, picker, radius, random);
     ASSERT_FALSE(curve.points.empty());
     for (const CurvePoint& point : curve.points) {

@@ -43,7 +43,7 @@ std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& curve) {
                                curve.length(),
                                0.15,
                                0.15,
-                               object_scale(base)};
+                               base.scale};
   const BrushStroke stroke(*brush, *entry.descriptor, context, params.abi());
   const StrokeNodes nodes =
       make_stroke_nodes(StrokeCharter(base).chart(curve, {0.15, Cap::round}), curve, pen);

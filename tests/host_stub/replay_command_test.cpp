@@ -213,16 +213,21 @@ TEST(ReplayCommand, CountsTheDefectsOfAMesh) {
   EXPECT_GT(report["events"], 10);
 }
 
-TEST(ReplayCommand, WarnsOfARecordingThatWasCutOff) {
+TEST(ReplayCommand, RefusesARecordingThatWasCutOffUntilItIsMended) {
   Engraving engraving;
   const std::string text = equator_stroke(-0.6, 0.6, 61, groove);
   const std::string cut = text.substr(0, text.size() - 20);
   ASSERT_NE(cut.back(), '\n');
   engraving.stroke = engraving.folder.write("cut.stroke", cut);
-  const ProcessResult result = burin(engraving.command({"--json"}));
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.err, "burin: warning: " + engraving.stroke + ": the last line is cut off and left out\n");
-  EXPECT_EQ(json::parse(result.out)["events"], 60);
+  const ProcessResult refused = burin(engraving.command({"--json"}));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.err.rfind("burin: " + engraving.stroke + ":63: the recording is cut off here", 0), 0u)
+      << refused.err;
+
+  engraving.folder.write("cut.stroke", cut.substr(0, cut.rfind('\n') + 1) + "{\"end\": true}\n");
+  const ProcessResult mended = burin(engraving.command({"--json"}));
+  EXPECT_EQ(mended.exit_code, 0) << mended.err;
+  EXPECT_EQ(json::parse(mended.out)["events"], 60);
 }
 
 TEST(ReplayCommand, WarnsWhenNoStrokeMeetsTheSurface) {

@@ -76,7 +76,7 @@ TEST_F(ReadStrokes, ReadsEverySettingAndFieldsInAnyOrder) {
   const Recording recording = read(rich_file);
   EXPECT_EQ(recording.space, StrokeSpace::object);
   EXPECT_FALSE(recording.camera);
-  EXPECT_FALSE(recording.cut_off);
+  EXPECT_FALSE(recording.cut_off_at);
   ASSERT_EQ(recording.strokes.size(), 2u);
   const RecordedStroke& stroke = recording.strokes[0];
   EXPECT_EQ(stroke.brush, "org.burin.scales");
@@ -264,7 +264,7 @@ TEST_F(ReadStrokes, KeepsAllWholeLinesOfARecordingCutAnywhere) {
     EXPECT_EQ(samples, samples_before(rich_file, size));
     const std::string last = text.substr(text.find_last_of('\n', size - 2) + 1);
     const bool between_strokes = last == end || last == end + "\n" || last == header || last == header + "\n";
-    EXPECT_EQ(recording.cut_off, !between_strokes);
+    EXPECT_EQ(recording.cut_off_at.has_value(), !between_strokes);
   }
 }
 

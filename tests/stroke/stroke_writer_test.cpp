@@ -100,10 +100,10 @@ TEST(StrokeWriter, HasEveryLineOnDiskBeforeItReturns) {
   for (std::size_t i = 1; i < 5; ++i) {
     writer.add({});
     EXPECT_EQ(read_strokes(path).strokes.at(0).samples.size(), i);
-    EXPECT_TRUE(read_strokes(path).cut_off);
+    EXPECT_TRUE(read_strokes(path).cut_off_at);
   }
   writer.end();
-  EXPECT_FALSE(read_strokes(path).cut_off);
+  EXPECT_FALSE(read_strokes(path).cut_off_at);
 }
 
 TEST(StrokeWriter, RefusesWhatTheReaderWouldRefuse) {
@@ -196,7 +196,7 @@ TEST(StrokeWriter, LosesAtMostTheSampleBeingWrittenWhenKilled) {
     waitpid(child, nullptr, 0);
 
     const Recording recording = read_strokes(path);
-    EXPECT_TRUE(recording.cut_off);
+    EXPECT_TRUE(recording.cut_off_at);
     const std::vector<Sample>& samples = recording.strokes.at(0).samples;
     EXPECT_GE(samples.size(), *written);
     EXPECT_LE(samples.size(), *written + 1);

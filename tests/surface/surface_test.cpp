@@ -175,8 +175,8 @@ TEST(MakeSurface, ReportsItsProgressInOrder) {
             (std::vector<std::string>{"sorting the surface", "connecting the surface", "computing normals"}));
 }
 
-TEST(ObjectScale, IsTheDiagonal) {
-  EXPECT_DOUBLE_EQ(object_scale(make_surface({{{0, 0, 0}, {3, 0, 0}, {3, 4, 12}}, {{0, 1, 2}}})), 13);
+TEST(MakeSurface, MeasuresTheDiagonal) {
+  EXPECT_DOUBLE_EQ(make_surface({{{0, 0, 0}, {3, 0, 0}, {3, 4, 12}}, {{0, 1, 2}}}).scale, 13);
 }
 
 }  // namespace

@@ -24,7 +24,6 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, const burin
                        const burin_brush_descriptor& descriptor, const StrokeSettings& settings)
     : surface_(&surface),
       settings_(checked(settings)),
-      object_scale_(object_scale(surface)),
       params_(descriptor, settings.params),
       tracer_(surface, picker, settings.radius),
       brush_stroke_(brush, descriptor, context(0), params_.abi()),
@@ -66,7 +65,7 @@ burin_stroke_context OpenStroke::context(std::uint64_t flags) const {
   context.seed = settings_.seed;
   context.length = curve().length();
   context.radius_min = context.radius_max = settings_.radius;
-  context.object_scale = object_scale_;
+  context.object_scale = surface_->scale;
   return context;
 }
 

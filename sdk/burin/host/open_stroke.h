@@ -47,7 +47,6 @@ class OpenStroke {
 
   const Surface* surface_;
   StrokeSettings settings_;
-  double object_scale_;
   ParamSnapshot params_;
   CurveTracer tracer_;
   BrushStroke brush_stroke_;

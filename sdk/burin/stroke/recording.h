@@ -42,9 +42,9 @@ struct Recording {
   StrokeSpace space = StrokeSpace::object;
   std::optional<Camera> camera;  ///< always there for StrokeSpace::screen
   std::vector<RecordedStroke> strokes;
-  /// The recorder stopped in the middle: a last line that was cut off has been left out, or the last
-  /// stroke has no end and holds the samples that were written.
-  bool cut_off = false;
+  /// The recorder stopped in the middle, at this line (from 1): a last line that was cut off has been left
+  /// out, or the last stroke has no end and holds the samples that were written.
+  std::optional<std::size_t> cut_off_at;
 };
 
 }  // namespace burin

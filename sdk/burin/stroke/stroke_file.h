@@ -8,7 +8,7 @@ namespace burin {
 
 /// Reads a `.stroke` file (JSON Lines, UTF-8). Blank lines, keys and fields that are not known are passed
 /// over. A last line without its newline that is no valid JSON is a recording cut off by a crash: left out,
-/// with `cut_off` set, as it is when the last stroke has no end. Anything else that is wrong throws
+/// with `cut_off_at` set, as it is when the last stroke has no end. Anything else that is wrong throws
 /// FileError "PATH:LINE: ...": malformed JSON, wrong arity, a value that is not finite, time that falls
 /// within a stroke, a missing header or camera, a sample outside a stroke.
 Recording read_strokes(const std::filesystem::path& path);

@@ -46,7 +46,7 @@ void Reader::take_line(std::string_view text, bool complete) {
   if (text.find_first_not_of(" \t\r") == text.npos) return;
   const std::optional<Json> line = parse(text, complete);
   if (!line) {
-    recording_.cut_off = true;
+    recording_.cut_off_at = line_;
     return;
   }
   try {
@@ -119,7 +119,7 @@ void Reader::take_sample(const Json& line) {
 
 Recording Reader::finish() {
   if (!header_seen_) throw FileError(path_, "1", "the header {\"burin_stroke\": 1, ...} is missing");
-  if (open_) recording_.cut_off = true;
+  if (open_ && !recording_.cut_off_at) recording_.cut_off_at = line_;
   return std::move(recording_);
 }
 

@@ -70,7 +70,7 @@ Pen interpolate(const Pen& a, const Pen& b, float s) {
 CurveTracer::CurveTracer(const Surface& surface, const Picker& picker, double radius)
     : surface_(&surface),
       picker_(&picker),
-      min_spacing_(std::max(radius / 1000, object_scale(surface) * 1e-5)),
+      min_spacing_(std::max(radius / 1000, surface.scale * 1e-5)),
       max_spacing_(std::max(radius / 8, min_spacing_)) {}
 
 bool CurveTracer::connects(const SurfacePoint& point) const {

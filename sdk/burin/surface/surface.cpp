@@ -63,6 +63,12 @@ void compute_all_normals(Surface& surface) {
   });
 }
 
+double bounding_box_diagonal(const std::vector<Vec3f>& positions) {
+  Eigen::AlignedBox3f box;
+  for (const Vec3f& position : positions) box.extend(position);
+  return (box.max().cast<double>() - box.min().cast<double>()).norm();
+}
+
 }  // namespace
 
 Surface make_surface(TriangleMesh mesh, const Progress& progress) {
@@ -70,6 +76,7 @@ Surface make_surface(TriangleMesh mesh, const Progress& progress) {
   Surface surface;
   report(progress, "sorting the surface", 0);
   sort_vertices(mesh, surface);
+  surface.scale = bounding_box_diagonal(surface.positions);
   surface.triangles = std::move(mesh.triangles);
   std::erase_if(surface.triangles, names_a_vertex_twice);
   report(progress, "sorting the surface", 0.3);
@@ -81,12 +88,6 @@ Surface make_surface(TriangleMesh mesh, const Progress& progress) {
   compute_all_normals(surface);
   report(progress, "computing normals", 1);
   return surface;
-}
-
-double object_scale(const Surface& surface) {
-  Eigen::AlignedBox3f box;
-  for (const Vec3f& position : surface.positions) box.extend(position);
-  return box.isEmpty() ? 0 : (box.max().cast<double>() - box.min().cast<double>()).norm();
 }
 
 }  // namespace burin

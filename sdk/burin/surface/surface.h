@@ -18,6 +18,7 @@ struct Surface {
   Csr neighbours;                    ///< vertices joined by an edge, ascending, each once
   Csr incident;                      ///< triangles around a vertex, ascending
   std::vector<Index> source_vertex;  ///< [vertex] its index in the mesh given to make_surface
+  double scale = 0;                  ///< diagonal of the bounding box when the surface was made
 
   Index vertex_count() const { return static_cast<Index>(positions.size()); }
 };
@@ -26,8 +27,5 @@ struct Surface {
 /// Throws Error when no triangle with an area remains or a position is not finite, ContractError when a
 /// triangle names a vertex that is not there. The result depends on the mesh alone.
 Surface make_surface(TriangleMesh mesh, const Progress& progress = {});
-
-/// Diagonal of the bounding box.
-double object_scale(const Surface& surface);
 
 }  // namespace burin
