@@ -67,7 +67,8 @@ void write_scales(const std::filesystem::path& path) {
   std::vector<float> texels;
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
-      texels.push_back(tile[static_cast<std::size_t>(y % period * period + x % period)]);
+      texels.push_back(
+          tile[static_cast<std::size_t>(y % period) * period + static_cast<std::size_t>(x % period)]);
 
   OIIO::ImageSpec spec(size, size, 1, OIIO::TypeDesc::HALF);
   spec.channelnames = {"Y"};
