@@ -23,7 +23,6 @@ class Scales : public Brush {
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
   };
   static constexpr FileParam stamp{
-
       .id = "stamp",
       .name = "Stamp",
       .help = "A tileable EXR image of heights.",

@@ -25,9 +25,7 @@ endfunction()
 
 # The command and the CMake package, once all targets are known.
 function(burin_install_package)
-  if(TARGET burin)
-    install(TARGETS burin RUNTIME COMPONENT command)
-  endif()
+  install(TARGETS burin RUNTIME COMPONENT command)
   foreach(component plugin runtime)
     install(EXPORT burin_${component} NAMESPACE burin:: FILE Burin-${component}.cmake
       DESTINATION ${BURIN_PACKAGE_FOLDER} COMPONENT ${component})

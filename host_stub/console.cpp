@@ -11,7 +11,7 @@ namespace burin {
 
 std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
 
-void warn(std::string_view text) { fmt::print(stderr, "burin: warning: {}\n", text); }
+void warn(std::string_view text) { std::fputs(fmt::format("burin: warning: {}\n", text).c_str(), stderr); }
 
 ProgressBar::ProgressBar() : terminal_(stderr_is_terminal()) {}
 

@@ -59,7 +59,10 @@ void write_recording(const std::string& path, const Recording& recording) {
     throw;
   }
   std::filesystem::rename(partial, path, error);
-  if (error) throw FileError(path, error.message());
+  if (!error) return;
+  const std::string reason = error.message();
+  std::filesystem::remove(partial, error);
+  throw FileError(path, reason);
 }
 
 void run(const ImportOptions& options) {

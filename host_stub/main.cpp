@@ -9,7 +9,7 @@ namespace {
 
 /// 2: bad input or usage; 1: a fault of the machine or of Burin.
 int fail(int code, const char* what) {
-  fmt::print(stderr, "burin: {}\n", what);
+  std::fputs(fmt::format("burin: {}\n", what).c_str(), stderr);
   return code;
 }
 

@@ -12,11 +12,10 @@
 namespace burin {
 namespace {
 
-TriangleMesh refined(const PolygonMesh& cage, const MeshOptions& options, const Progress& progress) {
-  const SubdivisionScheme scheme = options.scheme.value_or(natural_scheme(cage));
-  const int level =
-      options.subdivide ? *options.subdivide : level_for_triangles(cage, scheme, *options.target_triangles);
-  return refine(cage, scheme, level, progress);
+/// Levels by which the options ask to refine.
+int levels(const PolygonMesh& mesh, SubdivisionScheme scheme, const MeshOptions& options) {
+  if (options.target_triangles) return level_for_triangles(mesh, scheme, *options.target_triangles);
+  return options.subdivide.value_or(0);
 }
 
 }  // namespace
@@ -26,11 +25,11 @@ void add_mesh_options(CLI::App& command, MeshOptions& options) {
       ->required()
       ->type_name("FILE");
   auto* levels = command.add_option("--subdivide", options.subdivide, "refine the cage by this many levels")
-                     ->check(CLI::Range(0, 16));
+                     ->check(CLI::Range(0, 15));
   command
       .add_option("--target-triangles", options.target_triangles,
                   "refine the cage to at least so many triangles")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31))
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30))
       ->excludes(levels);
   using Scheme = std::optional<SubdivisionScheme>;
   command
@@ -52,8 +51,9 @@ LoadedSurface load_surface(const MeshOptions& options, const Progress& progress)
     const PolygonMesh polygons = read_mesh(options.path);
     LoadedSurface loaded;
     TriangleMesh mesh;
-    if (options.subdivide || options.target_triangles) {
-      mesh = refined(polygons, options, progress);
+    const SubdivisionScheme scheme = options.scheme.value_or(natural_scheme(polygons));
+    if (const int level = levels(polygons, scheme, options); level > 0) {
+      mesh = refine(polygons, scheme, level, progress);
     } else {
       mesh = triangulate(polygons);
       const MeshDefects defects = find_defects(mesh);

@@ -32,7 +32,7 @@ std::vector<Recording> read_recordings(const std::vector<std::string>& paths) {
   return recordings;
 }
 
-void print_log(int, std::string_view line) { fmt::print(stderr, "burin: {}\n", line); }
+void print_log(int, std::string_view line) { std::fputs(fmt::format("burin: {}\n", line).c_str(), stderr); }
 
 ReplaySummary replay_all(Session& session, const ReplayOptions& options,
                          const std::vector<Recording>& recordings, StrokeWitness& witness) {

@@ -10,10 +10,9 @@ namespace burin {
 Recording read_whole_strokes(const std::string& path) {
   const Recording recording = read_strokes(path);
   if (recording.cut_off_at) {
-    throw FileError(
-        path, std::to_string(*recording.cut_off_at),
-        "the recording is cut off here; to use what came before, replace what is broken of this line "
-        "by {\"end\": true} on a line of its own");
+    throw FileError(path, std::to_string(*recording.cut_off_at),
+                    "the recording is cut off here; to use it, delete this line if it is broken, and append "
+                    "{\"end\": true}");
   }
   const bool drawn = std::any_of(recording.strokes.begin(), recording.strokes.end(),
                                  [](const RecordedStroke& stroke) { return !stroke.samples.empty(); });

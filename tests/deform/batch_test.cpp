@@ -17,8 +17,9 @@ class BatchTest : public ::testing::Test {
     std::iota(listed_.begin(), listed_.end(), 5u);
   }
 
-  const burin_batch& fill(std::uint64_t inputs, std::span<const Vec3f> displacement = {}) {
-    batch_.fill({surface_, nodes_, 0.3f}, inputs, params_, listed_, displacement);
+  const burin_batch& fill(std::uint64_t inputs, std::span<const Vec3f> displacement = {},
+                          std::uint64_t outputs = BURIN_OUTPUT_DISPLACEMENT) {
+    batch_.fill({surface_, nodes_, 0.3f}, inputs, outputs, params_, listed_, displacement);
     return batch_.inputs();
   }
 
@@ -48,6 +49,14 @@ TEST_F(BatchTest, LeavesWhatIsNotDeclaredNull) {
   EXPECT_EQ(batch_.outputs().colour[0].data, nullptr);
 }
 
+TEST_F(BatchTest, LeavesOutputsThatAreNotDeclaredNullAndTheSurfaceWhereItIs) {
+  fill(BURIN_INPUT_D, {}, 0);
+  EXPECT_EQ(batch_.outputs().along.data, nullptr);
+  EXPECT_EQ(batch_.outputs().across.data, nullptr);
+  EXPECT_EQ(batch_.outputs().up.data, nullptr);
+  EXPECT_EQ(batch_.displacement(3), Vec3f(0, 0, 0));
+}
+
 TEST_F(BatchTest, FillsTheNodesInTheirOrder) {
   const burin_batch& batch = fill(offered_inputs);
   ASSERT_GT(batch.count, 30u);
@@ -71,9 +80,6 @@ TEST_F(BatchTest, SaysOnceWhatIsTheSameForAll) {
   EXPECT_EQ(*batch.displacement.x.data, 0.0f);
   EXPECT_EQ(*batch.pressure.data, 1.0f);
   EXPECT_EQ(*batch.tilt_y.data, 0.0f);
-  EXPECT_EQ(batch.sheet.stride, 0u);
-  EXPECT_EQ(*batch.sheet.data, 0u);
-  EXPECT_EQ(*batch.visit_count.data, 1u);
 }
 
 TEST_F(BatchTest, FillsThePenWhereNodesHaveOne) {

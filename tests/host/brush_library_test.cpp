@@ -60,9 +60,18 @@ TEST(BrushLibrary, RefusesWhatIsNoModule) {
 TEST(BrushLibrary, RefusesABrushThatIsThere) {
   BrushLibrary library;
   library.load_folder(test::brushes_folder);
-  const fs::path groove = test::brushes_folder / "groove.burin";
-  EXPECT_EQ(test::error_of([&] { library.load(groove); }),
-            groove.string() + ": brush org.burin.groove is already there, from " + groove.string());
+  const test::TemporaryFolder folder;
+  const fs::path groove = test::brushes_folder / "groove.burin", copy = folder.path() / "copy.burin";
+  fs::copy_file(groove, copy);
+  EXPECT_EQ(test::error_of([&] { library.load(copy); }),
+            copy.string() + ": brush org.burin.groove is already there, from " + groove.string());
+  EXPECT_EQ(library.brushes().size(), 2u);
+}
+
+TEST(BrushLibrary, TakesOneModuleUnderTwoNamesOnce) {
+  BrushLibrary library;
+  library.load_folder(test::brushes_folder);
+  library.load(test::brushes_folder / ".." / test::brushes_folder.filename() / "groove.burin");
   EXPECT_EQ(library.brushes().size(), 2u);
 }
 

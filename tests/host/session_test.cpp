@@ -35,15 +35,8 @@ std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& curve) {
   const BrushPtr brush = test::brushes().create(entry);
   const ParamSnapshot params(*entry.descriptor, {});
   const std::uint64_t pen = pen_inputs_present(all_fields);
-  burin_stroke_context context{sizeof(burin_stroke_context),
-                               0,
-                               BURIN_STROKE_FINAL,
-                               pen,
-                               0,
-                               curve.length(),
-                               0.15,
-                               0.15,
-                               base.scale};
+  burin_stroke_context context{
+      sizeof(burin_stroke_context), 0, BURIN_STROKE_FINAL, pen, 0, curve.length(), 0.15, 0.15, base.scale};
   const BrushStroke stroke(*brush, *entry.descriptor, context, params.abi());
   const StrokeNodes nodes =
       make_stroke_nodes(StrokeCharter(base).chart(curve, {0.15, Cap::round}), curve, pen);

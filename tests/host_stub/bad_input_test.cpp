@@ -100,7 +100,7 @@ std::vector<BadInput> meshes() {
            "@three_quads.obj"},
           {"loop_of_quads", replay("@good.stroke", "@cube.obj", {"--subdivide", "1", "--scheme", "loop"}),
            "@cube.obj"},
-          {"too_many_triangles", replay("@good.stroke", "@cube.obj", {"--subdivide", "16"}), "@cube.obj"}};
+          {"too_many_triangles", replay("@good.stroke", "@cube.obj", {"--subdivide", "15"}), "@cube.obj"}};
 }
 
 std::vector<BadInput> strokes() {

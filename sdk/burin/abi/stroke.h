@@ -75,7 +75,7 @@ typedef struct burin_batch {
   burin_floats stretch;        /* J = |dP/dt| at constant d; 1 on the stroke */
   burin_floats footprint_t;    /* size of the node's cell along t, object units */
   burin_floats footprint_d;    /* the same across */
-  burin_vectors position;      /* base surface */
+  burin_vectors position;      /* base surface; from the second pass on, as the pass before displaced it */
   burin_vectors normal;        /* base surface, unit, outward */
   burin_vectors e1;            /* unit, tangent to the base surface; e2 = normal x e1 */
   burin_floats mean_curvature; /* base surface, 1/length, positive where convex seen from outside */

@@ -32,7 +32,8 @@ class Scratch {
 }  // namespace
 
 std::string read_file(const fs::path& path) {
-  if (fs::is_directory(path)) throw FileError(path.string(), "is a folder, not a file");
+  std::error_code error;
+  if (fs::is_directory(path, error)) throw FileError(path.string(), "is a folder, not a file");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw FileError(path.string(), std::strerror(errno));
   std::ostringstream bytes;

@@ -23,7 +23,8 @@ void parallel_blocks(std::size_t count, std::size_t grain, const Body& body) {
 /// While it lives, loops of this process run on at most this many threads.
 class ThreadLimit {
  public:
-  explicit ThreadLimit(std::size_t threads) : control_(tbb::global_control::max_allowed_parallelism, threads) {}
+  explicit ThreadLimit(std::size_t threads)
+      : control_(tbb::global_control::max_allowed_parallelism, threads) {}
 
  private:
   tbb::global_control control_;

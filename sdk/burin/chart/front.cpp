@@ -20,6 +20,9 @@ void Front::restart(double radius) {
   nodes_.clear();
   seeds_.clear();
   inside_.clear();
+  waiting_.clear();
+  stack_.clear();
+  queue_ = {};
 }
 
 void Front::update(std::span<const Seed> seeds, double length) {

@@ -62,10 +62,11 @@ Seed seed_at(const Surface& surface, const SurfaceCurve& curve, const Foot& foot
   const bool at_end = foot.segment + 1 == segment_count(curve) && (foot.s == 1 || curve.points.size() == 1);
   const bool beyond = (at_begin && step.x() < 0) || (at_end && step.x() > 0);
   const double t = a.t + static_cast<double>(foot.s) * (b.t - a.t);
+  // Adding 0 makes one zero of both, for comparisons bit by bit.
   return {vertex,
           foot.distance,
           {beyond ? t + static_cast<double>(step.x()) : t,
-           beyond ? step.y() : std::copysign(step.norm(), step.y()), e1}};
+           beyond ? step.y() : std::copysign(step.norm(), step.y()) + 0.0F, e1}};
 }
 
 /// The best foot so far of every vertex around the curve's points.

@@ -31,8 +31,9 @@ class StrokeCharter {
   /// Throws ContractError for a radius that is not finite and positive or a curve without points.
   Chart chart(const SurfaceCurve& curve, const ChartOptions& options);
 
-  /// The chart of a curve with the options of the last chart(), bit for bit what chart() would give, at the
-  /// cost of what differs: meant for a stroke that grows. The surface must be as it was for chart().
+  /// The chart of a curve with the options of the last chart(), bit for bit what chart() would give. The
+  /// front is propagated only where something differs; besides, the whole curve and chart are walked through
+  /// once: meant for a stroke that grows. The surface must be as it was for chart().
   /// Throws ContractError for a curve without points or when there is no last chart.
   Chart extend(const SurfaceCurve& curve);
 

@@ -10,7 +10,6 @@ constexpr std::size_t output_columns = 3;
 constexpr std::size_t input_columns = 20;  // t, d; position, normal, e1, displacement; six of the pen
 
 constexpr float zero = 0, one = 1;
-constexpr std::uint32_t first_sheet = 0, one_visit = 1;
 
 burin_floats uniform(const float& value) { return {&value, 0, 0}; }
 
@@ -18,8 +17,9 @@ burin_floats uniform(const float& value) { return {&value, 0, 0}; }
 
 Batch::Batch() : columns_((output_columns + input_columns) * capacity), node_ids_(capacity) {}
 
-void Batch::fill(const NodeSource& source, std::uint64_t inputs, const burin_params& params,
-                 std::span<const Index> nodes, std::span<const Vec3f> displacement) {
+void Batch::fill(const NodeSource& source, std::uint64_t inputs, std::uint64_t outputs,
+                 const burin_params& params, std::span<const Index> nodes,
+                 std::span<const Vec3f> displacement) {
   batch_ = {};
   batch_.struct_size = sizeof(burin_batch);
   batch_.count = static_cast<std::uint32_t>(nodes.size());
@@ -28,9 +28,11 @@ void Batch::fill(const NodeSource& source, std::uint64_t inputs, const burin_par
   outputs_.struct_size = sizeof(burin_outputs);
   outputs_.count = batch_.count;
   used_columns_ = 0;
-  for (burin_floats_out* out : {&outputs_.along, &outputs_.across, &outputs_.up}) {
-    *out = {next_column(), 1, 0};
-    std::fill_n(out->data, nodes.size(), 0.0f);
+  if (outputs & BURIN_OUTPUT_DISPLACEMENT) {
+    for (burin_floats_out* out : {&outputs_.along, &outputs_.across, &outputs_.up}) {
+      *out = {next_column(), 1, 0};
+      std::fill_n(out->data, nodes.size(), 0.0f);
+    }
   }
   fill_chart(source, inputs, nodes);
   fill_place(source, inputs, nodes, displacement);
@@ -39,6 +41,7 @@ void Batch::fill(const NodeSource& source, std::uint64_t inputs, const burin_par
 }
 
 Vec3f Batch::displacement(std::size_t i) const {
+  if (!outputs_.up.data) return Vec3f::Zero();
   return {outputs_.along.data[i], outputs_.across.data[i], outputs_.up.data[i]};
 }
 
@@ -109,8 +112,6 @@ void Batch::fill_pen(const std::vector<NodePen>& pen, std::uint64_t inputs, std:
 }
 
 void Batch::fill_names(const NodeSource& source, std::uint64_t inputs, std::span<const Index> nodes) {
-  if (inputs & BURIN_INPUT_SHEET) batch_.sheet = {&first_sheet, 0, 0};
-  if (inputs & BURIN_INPUT_VISIT_COUNT) batch_.visit_count = {&one_visit, 0, 0};
   if (!(inputs & BURIN_INPUT_NODE_ID)) return;
   for (std::size_t i = 0; i < nodes.size(); ++i)
     node_ids_[i] = source.surface.source_vertex[source.nodes.chart.vertex[nodes[i]]];

@@ -25,7 +25,7 @@ class Batch {
 
   /// Fills the declared `inputs` of at most `capacity` nodes and zeroes the outputs. `displacement`: [i] of
   /// nodes[i] after the pass before, in (e1, e2, n); empty in the first pass.
-  void fill(const NodeSource& source, std::uint64_t inputs, const burin_params& params,
+  void fill(const NodeSource& source, std::uint64_t inputs, std::uint64_t outputs, const burin_params& params,
             std::span<const Index> nodes, std::span<const Vec3f> displacement);
 
   const burin_batch& inputs() const { return batch_; }

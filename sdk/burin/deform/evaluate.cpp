@@ -78,8 +78,8 @@ struct Pass {
 /// Computes the elements [begin, end) of the pass.
 void evaluate_batch(const Pass& pass, Batch& batch, std::size_t begin, std::size_t end) {
   const std::span<Vec3f> displacement = pass.displacement.subspan(begin, end - begin);
-  batch.fill(pass.source, pass.stroke.descriptor().inputs_read, pass.stroke.params(),
-             pass.nodes.subspan(begin, end - begin),
+  batch.fill(pass.source, pass.stroke.descriptor().inputs_read, pass.stroke.descriptor().outputs_written,
+             pass.stroke.params(), pass.nodes.subspan(begin, end - begin),
              pass.context.pass == 0 ? std::span<const Vec3f>{} : displacement);
   ErrorText error;
   const burin_status status =

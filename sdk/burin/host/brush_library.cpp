@@ -49,6 +49,9 @@ BrushLibrary::BrushLibrary(Log log) : impl_(std::make_unique<Impl>(log)) {}
 BrushLibrary::~BrushLibrary() = default;
 
 void BrushLibrary::load(const fs::path& module) {
+  std::error_code error;
+  const auto same_file = [&](const auto& loaded) { return fs::equivalent(loaded->path(), module, error); };
+  if (std::any_of(impl_->modules.begin(), impl_->modules.end(), same_file)) return;
   auto plugin = std::make_unique<PluginModule>(module);
   std::vector<BrushEntry> brushes = impl_->brushes;
   for (const burin_brush_descriptor* descriptor : plugin->brushes()) {
@@ -67,7 +70,8 @@ void BrushLibrary::load_folder(const fs::path& folder) {
 
 void BrushLibrary::load_search_path(const fs::path& own_folder) {
   for (const fs::path& folder : plugin_search_path()) load_folder(folder);
-  if (fs::exists(own_folder)) load_folder(own_folder);
+  std::error_code error;
+  if (fs::exists(own_folder, error)) load_folder(own_folder);
 }
 
 const std::vector<BrushEntry>& BrushLibrary::brushes() const { return impl_->brushes; }

@@ -30,8 +30,8 @@ class BrushLibrary {
   BrushLibrary(const BrushLibrary&) = delete;
   BrushLibrary& operator=(const BrushLibrary&) = delete;
 
-  /// Loads one module. Throws FileError naming the file and what is wrong: unreadable, no symbol, another
-  /// version, a descriptor that breaks the contract, a brush id already there.
+  /// Loads one module; once, also by several names. Throws FileError naming the file and what is wrong:
+  /// unreadable, no symbol, another version, a descriptor that breaks the contract, a brush id already there.
   void load(const std::filesystem::path& module);
 
   /// Loads all `*.burin` files of a folder, by name.

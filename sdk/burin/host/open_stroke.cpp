@@ -12,9 +12,11 @@ namespace burin {
 namespace {
 
 const StrokeSettings& checked(const StrokeSettings& settings) {
-  if (!(std::isfinite(settings.radius) && settings.radius > 0))
+  // Brushes compute in floats.
+  const auto radius = static_cast<float>(settings.radius), strength = static_cast<float>(settings.strength);
+  if (!(std::isfinite(radius) && radius > 0))
     throw ContractError(fmt::format("a stroke's radius must be above 0, not {}", settings.radius));
-  if (!std::isfinite(settings.strength)) throw ContractError("a stroke's strength is not finite");
+  if (!std::isfinite(strength)) throw ContractError("a stroke's strength is not finite");
   return settings;
 }
 

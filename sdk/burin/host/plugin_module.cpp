@@ -16,7 +16,8 @@ const burin_plugin_entry* checked_entry(const Module& module, const std::filesys
   const auto* entry = static_cast<const burin_plugin_entry*>(module.symbol(BURIN_PLUGIN_SYMBOL));
   if (!entry)
     throw FileError(path.string(), "is no Burin plugin: it does not export '" BURIN_PLUGIN_SYMBOL "'");
-  if (!BURIN_HAS(entry, burin_plugin_entry, abi_major) || entry->abi_major != BURIN_ABI_MAJOR)
+  if (!BURIN_HAS(entry, burin_plugin_entry, abi_major)) throw incomplete(path);
+  if (entry->abi_major != BURIN_ABI_MAJOR)
     throw FileError(path.string(), fmt::format("is made for version {} of the plugin interface, not for {}",
                                                entry->abi_major, BURIN_ABI_MAJOR));
   if (!BURIN_HAS(entry, burin_plugin_entry, get_factory) || !entry->init) throw incomplete(path);
@@ -46,7 +47,9 @@ PluginModule::Life::Life(const burin_plugin_entry& entry, const std::filesystem:
   ErrorText error;
   const burin_status status = entry.init(utf8(path).c_str(), error.abi());
   if (status != BURIN_OK) throw FileError(path.string(), "cannot be initialised: " + error.line(status));
-  if (!entry.deinit || !entry.get_factory) throw incomplete(path);
+  if (entry.deinit && entry.get_factory) return;
+  if (entry.deinit) entry.deinit();
+  throw incomplete(path);
 }
 
 PluginModule::PluginModule(const std::filesystem::path& path)

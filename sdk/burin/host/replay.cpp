@@ -130,7 +130,13 @@ ReplayResult replay(Session& session, const Recording& recording, const StrokeOv
     throw ContractError("a recording in screen space without a camera");
   const std::vector<StrokeSettings> settings = all_settings(recording, overrides);
   Replayer replayer(session, recording, observer);
-  for (std::size_t i = 0; i < settings.size(); ++i) replayer.draw(recording.strokes[i], settings[i]);
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    try {
+      replayer.draw(recording.strokes[i], settings[i]);
+    } catch (const Error& error) {
+      throw Error(fmt::format("stroke {}: {}", i + 1, error.what()));
+    }
+  }
   return replayer.finish();
 }
 

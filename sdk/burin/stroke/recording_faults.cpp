@@ -32,9 +32,10 @@ std::string_view fault_of(const Camera& camera) {
 }
 
 std::string_view fault_of(const RecordedStroke& settings) {
-  if (settings.radius && !(*settings.radius > 0 && finite(*settings.radius)))
-    return "radius must be positive";
-  if (!finite(settings.strength)) return "strength must be finite";
+  // Brushes compute in floats.
+  const auto radius = static_cast<float>(settings.radius.value_or(1));
+  if (!(radius > 0 && std::isfinite(radius))) return "radius must be positive";
+  if (!std::isfinite(static_cast<float>(settings.strength))) return "strength must be finite";
   for (const auto& [id, setting] : settings.params)
     if (!finite(setting)) return "params must be finite";
   return {};

@@ -15,8 +15,8 @@ namespace {
 namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 
-constexpr std::size_t most_triangles = std::size_t{1} << 31;
-constexpr int highest_level = 15;  ///< OpenSubdiv counts levels in 4 bits
+constexpr std::size_t most_triangles = std::size_t{1} << 30;  ///< OpenSubdiv counts corners in ints
+constexpr int highest_level = 15;                             ///< OpenSubdiv counts levels in 4 bits
 
 /// A position as OpenSubdiv's refiner wants to combine it.
 struct RefinedPosition {

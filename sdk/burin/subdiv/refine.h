@@ -18,7 +18,7 @@ SubdivisionScheme natural_scheme(const PolygonMesh& cage);
 /// Triangles that refine() gives at this level.
 std::size_t refined_triangle_count(const PolygonMesh& cage, SubdivisionScheme scheme, int level);
 
-/// The lowest level with at least `triangles` triangles. Throws Error beyond 2^31 triangles.
+/// The lowest level with at least `triangles` triangles. Throws Error beyond 2^30 triangles.
 int level_for_triangles(const PolygonMesh& cage, SubdivisionScheme scheme, std::size_t triangles);
 
 /// Vertices of the refined cage after `level` uniform steps (positions of that level, not of the limit
@@ -26,7 +26,7 @@ int level_for_triangles(const PolygonMesh& cage, SubdivisionScheme scheme, std::
 /// quad of the cage the same way. Level 0 gives the triangulated cage, whatever its topology. Above it,
 /// throws Error naming the face, edge or vertex, counted from 1, when the cage is not a manifold with
 /// consistent orientation, has a face that names a vertex twice or a crease that is no edge; for a level of
-/// more than 2^31 triangles; for Loop on a cage with larger polygons.
+/// more than 2^30 triangles; for Loop on a cage with larger polygons.
 TriangleMesh refine(const PolygonMesh& cage, SubdivisionScheme scheme, int level,
                     const Progress& progress = {});
 

@@ -14,9 +14,12 @@ namespace fs = std::filesystem;
 namespace {
 
 void check_readable(const fs::path& path) {
-  if (fs::is_directory(path)) throw FileError(path.string(), "is a folder, not a file");
+  std::error_code error;
+  if (fs::is_directory(path, error)) throw FileError(path.string(), "is a folder, not a file");
   if (!std::ifstream(path)) throw FileError(path.string(), std::strerror(errno));
-  if (fs::file_size(path) == 0) throw FileError(path.string(), "is empty");
+  const auto size = fs::file_size(path, error);
+  if (error) throw FileError(path.string(), error.message());
+  if (size == 0) throw FileError(path.string(), "is empty");
 }
 
 PolygonMesh read_by_extension(const fs::path& path) {
