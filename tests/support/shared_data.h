@@ -28,4 +28,4 @@ class TemporaryFolder {
 #define BURIN_SHARED_DATA_OR_SKIP(variable, name)                                                  \
   const auto variable##_found = ::burin::test::shared_data(name);                                  \
   if (!variable##_found) GTEST_SKIP() << "../shared/data/" << (name) << " is not on this machine"; \
-  const std::filesystem::path& variable = *variable##_found
+  const std::filesystem::path& variable = *variable##_found  // NOLINT(bugprone-macro-parentheses)

@@ -11,9 +11,9 @@ namespace burin {
 
 /// A vertex beside the stroke with the coordinates of its own foot point on a stroke segment.
 struct Seed {
-  Index vertex;
-  float distance;    ///< to the foot, object units
-  ChartFrame frame;  ///< t at the foot, beyond the ends along the end's tangent; e1 transported from it
+  Index vertex = no_index;
+  float distance = 0;  ///< to the foot, object units
+  ChartFrame frame;    ///< t at the foot, beyond the ends along the end's tangent; e1 transported from it
 };
 
 /// Finds, for every vertex of the triangles that the curve's points lie in and of their one-ring, the

@@ -16,8 +16,8 @@ struct ChartFrame {
 
 /// P(q) + T_q(x) and R(q, x) e1(q) of one upwind neighbour q of x.
 struct Prediction {
-  Index from;
-  float length;  ///< |x - q|, object units
+  Index from = no_index;
+  float length = 0;  ///< |x - q|, object units
   ChartFrame frame;
 };
 

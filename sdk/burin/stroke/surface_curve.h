@@ -10,10 +10,10 @@ namespace burin {
 /// A point of a stroke on a surface with its Darboux frame: e1 = tangent, n = normal, e2 = n x e1.
 struct CurvePoint {
   SurfacePoint at;
-  Vec3f normal;   ///< of the surface, interpolated, unit
-  Vec3f tangent;  ///< unit, at right angles to the normal, in the direction of travel
-  double t;       ///< arc length from the first point, object units
-  double time;    ///< seconds since the first sample
+  Vec3f normal;     ///< of the surface, interpolated, unit
+  Vec3f tangent;    ///< unit, at right angles to the normal, in the direction of travel
+  double t = 0;     ///< arc length from the first point, object units
+  double time = 0;  ///< seconds since the first sample
   Pen pen;
 };
 
@@ -50,7 +50,7 @@ class CurveTracer {
  private:
   struct Knot {
     SurfacePoint at;
-    double time;  ///< since the first sample
+    double time = 0;  ///< since the first sample
     Pen pen;
   };
   void retrace_tail();
@@ -71,8 +71,8 @@ class CurveTracer {
 /// Pen and time where the arc length is t, between the points around it; at the ends beyond them.
 struct PenAt {
   Pen pen;
-  double time;   ///< seconds since the first sample
-  double speed;  ///< object units a second, 0 where time stands still
+  double time = 0;   ///< seconds since the first sample
+  double speed = 0;  ///< object units a second, 0 where time stands still
 };
 PenAt pen_at(const SurfaceCurve& curve, double t);
 
