@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/file.h>
 #include <burin/stroke/import.h>
 #include <burin/stroke/stroke_file.h>
 #include <fmt/format.h>
@@ -48,28 +49,11 @@ void write_strokes(const std::filesystem::path& path, const Recording& recording
   }
 }
 
-/// Under a name beside its own until it is whole.
-void write_recording(const std::string& path, const Recording& recording) {
-  const std::filesystem::path partial = path + ".partial";
-  std::error_code error;
-  try {
-    write_strokes(partial, recording);
-  } catch (...) {
-    std::filesystem::remove(partial, error);
-    throw;
-  }
-  std::filesystem::rename(partial, path, error);
-  if (!error) return;
-  const std::string reason = error.message();
-  std::filesystem::remove(partial, error);
-  throw FileError(path, reason);
-}
-
 void run(const ImportOptions& options) {
   check_output_path(options.out);
   const Camera camera = whole_view(load_surface_on_console(options.mesh).surface, options.view);
   const Recording recording = read_recording(options, camera);
-  write_recording(options.out, recording);
+  replace_file(options.out, [&](const std::filesystem::path& partial) { write_strokes(partial, recording); });
   std::size_t samples = 0;
   for (const RecordedStroke& stroke : recording.strokes) samples += stroke.samples.size();
   if (options.json) {

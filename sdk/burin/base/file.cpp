@@ -42,17 +42,23 @@ std::string read_file(const fs::path& path) {
   return std::move(bytes).str();
 }
 
-void write_file_whole(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
   Scratch scratch(path.string() + ".partial");
-  std::ofstream out(scratch.path(), std::ios::binary | std::ios::trunc);
-  if (!out) throw FileError(path.string(), std::strerror(errno));
-  write(out);
-  out.close();
-  if (!out) throw FileError(path.string(), "writing failed");
+  write(scratch.path());
   std::error_code error;
   fs::rename(scratch.path(), path, error);
   if (error) throw FileError(path.string(), error.message());
   scratch.keep();
+}
+
+void write_file_whole(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+  replace_file(path, [&](const fs::path& partial) {
+    std::ofstream out(partial, std::ios::binary | std::ios::trunc);
+    if (!out) throw FileError(path.string(), std::strerror(errno));
+    write(out);
+    out.close();
+    if (!out) throw FileError(path.string(), "writing failed");
+  });
 }
 
 }  // namespace burin

@@ -14,4 +14,8 @@ std::string read_file(const std::filesystem::path& path);
 /// throws passes through.
 void write_file_whole(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
+/// The same for what writes files by their name: `write` gets the name to write to.
+void replace_file(const std::filesystem::path& path,
+                  const std::function<void(const std::filesystem::path& partial)>& write);
+
 }  // namespace burin
