@@ -1,6 +1,7 @@
 #include "deform_fixtures.h"
 
 #include <burin/deform/shown_surface.h>
+#include <burin/surface/curvature.h>
 #include <burin/surface/normals.h>
 #include <gtest/gtest.h>
 
@@ -77,6 +78,9 @@ TEST(ShownSurface, CommitsAndGoesBackBitForBit) {
   EXPECT_TRUE(std::equal(surface.positions.begin(), surface.positions.end(), shown.positions().begin()));
   EXPECT_TRUE(std::equal(surface.normals.begin(), surface.normals.end(), shown.normals().begin()));
   EXPECT_NE(surface.normals, original.normals);
+  EXPECT_NE(surface.gauss_curvature, original.gauss_curvature);
+  for (Index v = 0; v < surface.vertex_count(); ++v)
+    ASSERT_EQ(surface.gauss_curvature[v], gauss_curvature(surface, v));
 
   std::vector<Vec3f> old;
   for (const Index vertex : moves.vertices) old.push_back(original.positions[vertex]);
@@ -84,6 +88,7 @@ TEST(ShownSurface, CommitsAndGoesBackBitForBit) {
   shown.commit(surface, moves.vertices);
   EXPECT_EQ(surface.positions, original.positions);
   EXPECT_EQ(surface.normals, original.normals);
+  EXPECT_EQ(surface.gauss_curvature, original.gauss_curvature);
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include <burin/stroke/camera.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "command.h"
@@ -74,12 +77,25 @@ TEST(RenderCommand, LooksAlongTheView) {
 TEST(RenderCommand, DrawsCrevicesDarker) {
   const CommandFolder folder;
   // A floor in a deep square well is seen from above, as the ground around it is.
-  const std::string mesh = folder.write(
-      "well.obj",
-      "v -4 -4 0\nv 4 -4 0\nv 4 4 0\nv -4 4 0\nv -0.3 -0.3 0\nv 0.3 -0.3 0\nv 0.3 0.3 0\nv -0.3 0.3 0\n"
-      "v -0.3 -0.3 -0.6\nv 0.3 -0.3 -0.6\nv 0.3 0.3 -0.6\nv -0.3 0.3 -0.6\n"
-      "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 5 6 10 9\nf 6 7 11 10\nf 7 8 12 11\nf 8 5 9 12\nf 9 10 "
-      "11 12\n");
+  // Every face has vertices of its own, a hair from the others', so that shading is flat.
+  std::string obj;
+  int vertices = 0;
+  const auto face = [&](std::initializer_list<std::array<double, 3>> corners) {
+    const double hair = 1 + 1e-6 * vertices;
+    for (const auto& [x, y, z] : corners) obj += fmt::format("v {} {} {}\n", hair * x, hair * y, hair * z);
+    obj += fmt::format("f {} {} {} {}\n", vertices + 1, vertices + 2, vertices + 3, vertices + 4);
+    vertices += 4;
+  };
+  constexpr double a = 4, b = 0.3, deep = -0.6;
+  const std::array<std::array<double, 2>, 4> corners = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto [x, y] = corners[i];
+    const auto [u, v] = corners[(i + 1) % 4];
+    face({{a * x, a * y, 0}, {a * u, a * v, 0}, {b * u, b * v, 0}, {b * x, b * y, 0}});
+    face({{b * x, b * y, 0}, {b * u, b * v, 0}, {b * u, b * v, deep}, {b * x, b * y, deep}});
+  }
+  face({{-b, -b, deep}, {b, -b, deep}, {b, b, deep}, {-b, b, deep}});
+  const std::string mesh = folder.write("well.obj", obj);
   burin_output({"render", "--mesh", mesh, "--png", folder.path("a.png"), "--view", "0,0,-1", "--width", "300",
                 "--height", "200"});
   const Picture picture = read_png(folder.path("a.png"));

@@ -60,7 +60,7 @@ TEST(Normals, OfASphereApproachItsRadius) {
 }
 
 /// A cylinder cut into columns of quads: by symmetry the normal is radial at every inner vertex if, and only
-/// if, angles and not areas or counts weigh the triangles.
+/// if, neither areas nor counts weigh the triangles.
 TEST(Normals, OfACylinderAreRadialHoweverItsQuadsAreSplit) {
   TriangleMesh mesh;
   constexpr Index n = 24, rows = 5;

@@ -1,19 +1,11 @@
 #pragma once
 #include <burin/base/vector.h>
+#include <burin/surface/parallel_transport.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace burin {
-
-/// `tangent`, at right angles to the unit normal `from`, after the minimal rotation that takes `from` to
-/// the unit normal `to`: parallel transport [Schmidt 2013, Eq. 3]. For opposite normals, where that
-/// rotation is not defined, the tangent as it is.
-inline Vec3f transport(const Vec3f& tangent, const Vec3f& from, const Vec3f& to) {
-  const float cosine = from.dot(to);
-  if (cosine < -0.999F) return tangent;
-  return tangent - (to.dot(tangent) / (1 + cosine)) * (from + to);
-}
 
 /// A frame at q carried along the edge to x.
 struct FrameStep {

@@ -13,8 +13,9 @@
 
 namespace burin {
 
-void Front::restart(double radius) {
+void Front::restart(double radius, int order) {
   radius_ = radius;
+  order_ = order;
   length_ = 0;
   index_.clear();
   nodes_.clear();
@@ -130,26 +131,29 @@ void Front::settle(Index node) {
   if (settled.seed_distance <= settled.g) {
     settled.frame = settled.seed;
   } else {
-    predict(node);
+    collect_arms(node);
     const float epsilon = 4 * std::numeric_limits<float>::epsilon() * static_cast<float>(radius_);
-    settled.frame = upwind_mean(predictions_, surface_->normals[index_.vertex(node)], epsilon);
+    const Vec3f& normal = surface_->normals[index_.vertex(node)];
+    keep_agreeing(arms_);
+    settled.frame =
+        order_ == 1 ? first_order_frame(arms_, normal, epsilon) : second_order_frame(arms_, normal, epsilon);
   }
   settled.state = within_stroke(settled) ? State::inside : State::outside;
   settled_.push_back(node);
 }
 
-void Front::predict(Index node) {
-  predictions_.clear();
+void Front::collect_arms(Index node) {
+  arms_.clear();
   const Index vertex = index_.vertex(node);
   const Vec3f &x = surface_->positions[vertex], &normal = surface_->normals[vertex];
   for (const Index neighbour : surface_->neighbours[vertex]) {
     const Index found = index_.find(neighbour);
     if (found == no_index || nodes_[found].state != State::inside || !is_upwind(found, node)) continue;
     const Vec3f& q = surface_->positions[neighbour];
-    const ChartFrame& from = nodes_[found].frame;
-    const auto [step, e1] = step_along_edge(q, surface_->normals[neighbour], from.e1, x, normal);
-    predictions_.push_back(
-        {neighbour, (x - q).norm(), {from.t + static_cast<double>(step.x()), from.d + step.y(), e1}});
+    const ChartFrame& frame = nodes_[found].frame;
+    arms_.push_back({neighbour, frame, step_along_edge(q, surface_->normals[neighbour], frame.e1, x, normal),
+                     (x - q).norm(),
+                     (surface_->gauss_curvature[vertex] + surface_->gauss_curvature[neighbour]) / 2});
   }
 }
 

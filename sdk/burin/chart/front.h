@@ -26,7 +26,7 @@ class Front {
   explicit Front(const Surface& surface) : surface_(&surface), index_(surface.vertex_count()) {}
 
   /// Forgets everything; the surface may have changed. `radius`: half width of the stroke, object units.
-  void restart(double radius);
+  void restart(double radius, int order);
 
   /// Makes these the seeds (one a vertex) of a stroke of this length.
   void update(std::span<const Seed> seeds, double length);
@@ -69,7 +69,7 @@ class Front {
   void settle(Index node);
   void lead_on(Index node);
   void reach(Index node, float g);
-  void predict(Index node);
+  void collect_arms(Index node);
   bool within_stroke(const Node& node) const;
   bool is_upwind(Index a, Index b) const;
   float distance_through(Index from, Index to) const;
@@ -77,13 +77,14 @@ class Front {
 
   const Surface* surface_;
   double radius_ = 0, length_ = 0;
+  int order_ = 2;
   VertexNodes index_;
   std::vector<Node> nodes_;  ///< [node of index_]
   std::vector<Index> seeds_;
   std::vector<Index> inside_;
   std::vector<Index> settled_;  ///< in the running update
   std::vector<Index> waiting_, stack_;
-  std::vector<Prediction> predictions_;
+  std::vector<UpwindArm> arms_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 

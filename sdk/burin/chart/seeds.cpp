@@ -2,6 +2,7 @@
 // of the paper), vertices near the stroke take their coordinates from the nearest point of its segments.
 #include <burin/chart/frame_step.h>
 #include <burin/chart/seeds.h>
+#include <burin/stroke/geodesic_curvature.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,10 +49,57 @@ Foot nearest_from(const SurfaceCurve& curve, Foot foot, const Vec3f& x) {
   }
 }
 
-Seed seed_at(const Surface& surface, const SurfaceCurve& curve, const Foot& foot, Index vertex) {
-  const CurvePoint& a = curve.points[foot.segment];
-  const CurvePoint& b = curve.points[std::min(foot.segment + 1, curve.points.size() - 1)];
+/// The curve between two points beside the chord between them, as its tangents tell: a cubic in the tangent
+/// plane. Tangents far from the chord are a corner, and the chord stays straight.
+class Arc {
+ public:
+  Arc(const CurvePoint& a, const CurvePoint& b, const Vec3f& normal) : from_(a.at.position) {
+    const Vec3f chord = b.at.position - a.at.position;
+    length_ = chord.norm();
+    if (!(length_ > 0)) return;
+    along_ = chord / length_;
+    left_ = normal.cross(along_);
+    const float begin = slope(a.tangent), end = slope(b.tangent);
+    constexpr float steepest = 0.5F;
+    if (std::max(std::abs(begin), std::abs(end)) > steepest) return;
+    begin_ = begin;
+    end_ = end;
+  }
+
+  Vec3f position(float s) const { return from_ + s * length_ * along_ + offset(s) * left_; }
+
+  /// Where x projects onto the arc, from a first guess. Slightly beyond 0 and 1 where the joint's wedge is.
+  float foot(const Vec3f& x, float s) const {
+    if (!(length_ > 0)) return s;
+    const float ahead = (x - from_).dot(along_), beside = (x - from_).dot(left_);
+    for (int i = 0; i < 2; ++i) s = (ahead + (beside - offset(s)) * slope_at(s)) / length_;
+    return std::clamp(s, -0.5F, 1.5F);
+  }
+
+ private:
+  float slope(const Vec3f& tangent) const {
+    const float forward = tangent.dot(along_);
+    return forward > 0 ? tangent.dot(left_) / forward : std::numeric_limits<float>::infinity();
+  }
+  float offset(float s) const { return length_ * s * (1 - s) * (begin_ * (1 - s) - end_ * s); }
+  float slope_at(float s) const { return begin_ * (1 - s) * (1 - 3 * s) - end_ * s * (2 - 3 * s); }
+
+  Vec3f from_, along_ = Vec3f::Zero(), left_ = Vec3f::Zero();
+  float length_ = 0, begin_ = 0, end_ = 0;  ///< slopes against the chord
+};
+
+/// `curvature`: geodesic, of the curve at its points.
+Seed seed_at(const Surface& surface, const SurfaceCurve& curve, const std::vector<float>& curvature,
+             Foot foot, Index vertex) {
+  const std::size_t next = std::min(foot.segment + 1, curve.points.size() - 1);
+  const CurvePoint &a = curve.points[foot.segment], &b = curve.points[next];
   const Vec3f normal = ((1 - foot.s) * a.normal + foot.s * b.normal).normalized();
+  const bool clamped = (foot.segment == 0 && foot.s == 0) || (next + 1 == curve.points.size() && foot.s == 1);
+  if (!clamped) {
+    const Arc arc(a, b, normal);
+    foot.s = arc.foot(surface.positions[vertex], foot.s);
+    foot.position = arc.position(foot.s);
+  }
   const Vec3f along = (1 - foot.s) * a.tangent + foot.s * b.tangent;
   const Vec3f flat = along - normal.dot(along) * normal;
   const Vec3f tangent = flat.squaredNorm() > 0 ? Vec3f(flat.normalized()) : a.tangent;
@@ -61,12 +109,21 @@ Seed seed_at(const Surface& surface, const SurfaceCurve& curve, const Foot& foot
   const bool at_begin = foot.segment == 0 && foot.s == 0;
   const bool at_end = foot.segment + 1 == segment_count(curve) && (foot.s == 1 || curve.points.size() == 1);
   const bool beyond = (at_begin && step.x() < 0) || (at_end && step.x() > 0);
-  const double t = a.t + static_cast<double>(foot.s) * (b.t - a.t);
+  Seed seed{vertex, foot.distance, {}};
+  seed.frame.t =
+      a.t + static_cast<double>(foot.s) * (b.t - a.t) + (beyond ? static_cast<double>(step.x()) : 0);
   // Adding 0 makes one zero of both, for comparisons bit by bit.
-  return {vertex,
-          foot.distance,
-          {beyond ? t + static_cast<double>(step.x()) : t,
-           beyond ? step.y() : std::copysign(step.norm(), step.y()) + 0.0F, e1}};
+  seed.frame.d = beyond ? step.y() : std::copysign(step.norm(), step.y()) + 0.0F;
+  seed.frame.e1 = e1;
+
+  const float k = (1 - foot.s) * curvature[foot.segment] + foot.s * curvature[next], d = seed.frame.d;
+  const float gauss = surface.gauss_curvature[vertex];
+  // Beside a bend whose centre is nearer than the seed the coordinates fold, and count as straight.
+  if (std::abs(k * d) < 0.5F) {
+    seed.frame.curvature = k / (1 - k * d) + gauss * d;
+    seed.frame.stretch = 1 - k * d - gauss * d * d / 2;
+  }
+  return seed;
 }
 
 /// The best foot so far of every vertex around the curve's points.
@@ -104,7 +161,8 @@ class NearestFeet {
 
 }  // namespace
 
-std::vector<Seed> find_seeds(const Surface& surface, const SurfaceCurve& curve, VertexNodes& found) {
+std::vector<Seed> find_seeds(const Surface& surface, const SurfaceCurve& curve, double radius,
+                             VertexNodes& found) {
   NearestFeet nearest(surface, curve, found);
   for (std::size_t segment = 0; segment < segment_count(curve); ++segment) {
     const Index from = curve.points[segment].at.triangle;
@@ -113,12 +171,13 @@ std::vector<Seed> find_seeds(const Surface& surface, const SurfaceCurve& curve, 
     if (to != from) nearest.offer_one_ring(to, segment);
   }
 
+  const std::vector<float> curvature = geodesic_curvature(curve, radius * 0.4);
   std::vector<Seed> seeds;
   seeds.reserve(found.size());
   for (Index node = 0; node < found.size(); ++node) {
     const Index vertex = found.vertex(node);
     const Foot foot = nearest_from(curve, nearest.feet()[node], surface.positions[vertex]);
-    seeds.push_back(seed_at(surface, curve, foot, vertex));
+    seeds.push_back(seed_at(surface, curve, curvature, foot, vertex));
   }
   return seeds;
 }

@@ -1,6 +1,6 @@
 #pragma once
 #include <burin/base/vector.h>
-#include <burin/chart/upwind.h>
+#include <burin/chart/chart_frame.h>
 #include <burin/chart/vertex_nodes.h>
 #include <burin/stroke/surface_curve.h>
 #include <burin/surface/surface.h>
@@ -17,7 +17,9 @@ struct Seed {
 };
 
 /// Finds, for every vertex of the triangles that the curve's points lie in and of their one-ring, the
-/// nearest foot on the segments nearby; one seed a vertex, in order of first appearance. `found` is scratch.
-std::vector<Seed> find_seeds(const Surface& surface, const SurfaceCurve& curve, VertexNodes& found);
+/// nearest foot on the segments nearby; one seed a vertex, in order of first appearance. Curvature and
+/// stretch are those of a stroke of this radius. `found` is scratch.
+std::vector<Seed> find_seeds(const Surface& surface, const SurfaceCurve& curve, double radius,
+                             VertexNodes& found);
 
 }  // namespace burin

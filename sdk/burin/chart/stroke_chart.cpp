@@ -22,7 +22,7 @@ struct StrokeCharter::Stroke {
 
 Chart StrokeCharter::Stroke::update(const SurfaceCurve& curve) {
   if (curve.points.empty()) throw ContractError("a stroke chart needs a curve of at least one point");
-  front.update(find_seeds(*surface, curve, found), curve.length());
+  front.update(find_seeds(*surface, curve, options.radius, found), curve.length());
   return collect(curve.length());
 }
 
@@ -53,7 +53,7 @@ Chart StrokeCharter::chart(const SurfaceCurve& curve, const ChartOptions& option
     throw ContractError("a stroke's radius must be a finite number above 0");
   }
   stroke_->options = options;
-  stroke_->front.restart(options.radius);
+  stroke_->front.restart(options.radius, options.order);
   return stroke_->update(curve);
 }
 

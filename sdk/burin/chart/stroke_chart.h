@@ -15,6 +15,7 @@ enum class Cap {
 struct ChartOptions {
   double radius = 0;  ///< half width of the stroke, object units, > 0
   Cap cap = Cap::round;
+  int order = 2;  ///< 1: Eq. 2 and 3 of the paper; 2: second order on curved strokes and surfaces
 };
 
 /// Computes stroke charts on one surface [Schmidt 2013, section 4]. Holds scratch memory of eight bytes a

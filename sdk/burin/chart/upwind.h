@@ -1,30 +1,32 @@
 #pragma once
-#include <burin/base/vector.h>
+#include <burin/chart/chart_frame.h>
+#include <burin/chart/frame_step.h>
 
 #include <span>
+#include <vector>
 
 namespace burin {
 
-/// What the front knows at a vertex of the chart.
-struct ChartFrame {
-  double t = 0;              ///< arc length along the stroke, object units
-  float d = 0;               ///< signed geodesic distance to it
-  Vec3f e1 = Vec3f::Zero();  ///< unit tangent along the stroke
-
-  bool operator==(const ChartFrame&) const = default;
+/// An upwind neighbour q of a vertex x.
+struct UpwindArm {
+  Index from = no_index;  ///< vertex q
+  ChartFrame frame;       ///< at q; t unwrapped so that all arms of a vertex lie on one line
+  FrameStep edge;         ///< from q to x
+  float length = 0;       ///< |x - q|, object units
+  float gauss = 0;        ///< Gauss curvature along the edge, 1 / length^2
 };
 
-/// P(q) + T_q(x) and R(q, x) e1(q) of one upwind neighbour q of x.
-struct Prediction {
-  Index from = no_index;
-  float length = 0;  ///< |x - q|, object units
-  ChartFrame frame;
-};
+/// Leaves of the arms, at least one, those that go with the one that places x nearest to the stroke: where
+/// fronts of different parts of the stroke meet, the mean of their coordinates would mean nothing. Arms
+/// agree that place x no farther apart than two edges.
+void keep_agreeing(std::vector<UpwindArm>& arms);
 
-/// Eq. 2 and 3 of the paper: the frame at x, of this unit normal, as the mean of at least one prediction,
-/// weighted by 1 / (length + epsilon). Of predictions that disagree by more than two edges only those count
-/// that go with the one nearest to the stroke: where the fronts of different parts of the stroke meet, the
-/// mean of their coordinates would mean nothing.
-ChartFrame upwind_mean(std::span<const Prediction> predictions, const Vec3f& normal, float epsilon);
+/// The frame at x, of this unit normal, from at least one arm: Eq. 2 and 3 of the paper, weighted by
+/// 1 / (length + epsilon). Curvature and stretch stay those of a straight stroke on a plane.
+ChartFrame first_order_frame(std::span<const UpwindArm> arms, const Vec3f& normal, float epsilon);
+
+/// The same, to second order in the length of the arms, on curved strokes and surfaces. Near focal points,
+/// where no such frame is, the first order.
+ChartFrame second_order_frame(std::span<const UpwindArm> arms, const Vec3f& normal, float epsilon);
 
 }  // namespace burin

@@ -1,4 +1,5 @@
 #include <burin/deform/shown_surface.h>
+#include <burin/surface/curvature.h>
 #include <burin/surface/normals.h>
 
 #include <cstddef>
@@ -41,6 +42,10 @@ void ShownSurface::commit(Surface& base, std::span<const Index> vertices) {
   collect_with_neighbours(base, vertices);
   for (const Index vertex : vertices) base.positions[vertex] = positions_[vertex];
   for (const Index vertex : changed_) base.normals[vertex] = normals_[vertex];
+  // A vertex's curvature depends on the normals of its neighbours.
+  moved_ = changed_;
+  collect_with_neighbours(base, moved_);
+  update_gauss_curvature(base, changed_);
 }
 
 void ShownSurface::collect_with_neighbours(const Surface& base, std::span<const Index> vertices) {

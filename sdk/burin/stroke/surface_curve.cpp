@@ -51,12 +51,33 @@ Vec3d knot_tangent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return (b - a) / before - (c - a) / (before + after) + (c - b) / after;
 }
 
-/// The segment from b to c; where a or d is missing the spline leaves in the direction of the chord.
+/// The same at a, of the parabola through the three: the spline's tangent where it begins, or, in reverse,
+/// where it ends.
+Vec3d end_tangent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const double near = std::sqrt((b - a).norm()), far = std::sqrt((c - b).norm());
+  const Vec3d first = (b - a) / near, second = (c - b) / far;
+  return first + near / (near + far) * (first - second);
+}
+
+/// The segment from b to c; a or d may be missing.
 HermiteSegment spline_segment(const Vec3d* a, const Vec3d& b, const Vec3d& c, const Vec3d* d) {
   const double interval = std::sqrt((c - b).norm());
   const Vec3d chord = c - b;
-  return {b, c, a ? Vec3d(interval * knot_tangent(*a, b, c)) : chord,
-          d ? Vec3d(interval * knot_tangent(b, c, *d)) : chord};
+  const Vec3d at_b = a   ? Vec3d(interval * knot_tangent(*a, b, c))
+                     : d ? Vec3d(interval * end_tangent(b, c, *d))
+                         : chord;
+  const Vec3d at_c = d   ? Vec3d(interval * knot_tangent(b, c, *d))
+                     : a ? Vec3d(-interval * end_tangent(c, b, *a))
+                         : chord;
+  return {b, c, at_b, at_c};
+}
+
+/// Of the circular arc that turns from the one tangent to the other over the chord. At a corner, the chord.
+double arc_length(const CurvePoint& from, const Vec3f& to, const Vec3f& tangent) {
+  const double chord = (to - from.at.position).cast<double>().norm();
+  const double turn = (tangent - from.tangent).cast<double>().squaredNorm();
+  constexpr double corner = 0.25;
+  return turn < corner ? chord * (1 + turn / 24) : chord;
 }
 
 Pen interpolate(const Pen& a, const Pen& b, float s) {
@@ -97,11 +118,7 @@ void CurveTracer::add(const SurfacePoint& point, double time, const Pen& pen) {
 void CurveTracer::retrace_tail() {
   curve_.points.resize(final_points_);
   const std::size_t last = knots_.size() - 1;
-  if (final_points_ == 0) {
-    const Knot& first = knots_[0];
-    append(first.at, (knots_[std::min<std::size_t>(1, last)].at.position - first.at.position).cast<double>(),
-           first.time, first.pen);
-  }
+  if (last == 0) append(knots_[0].at, Vec3d::Zero(), knots_[0].time, knots_[0].pen);
   for (std::size_t segment = final_segments_; segment < last; ++segment) {
     trace_segment(segment);
     if (segment + 2 <= last) {
@@ -121,6 +138,7 @@ void CurveTracer::trace_segment(std::size_t k) {
       spline_segment(has_before ? &before : nullptr, place(k), place(k + 1), has_after ? &after : nullptr);
   const double chord = (spline.to - spline.from).norm();
 
+  if (k == 0) append(from.at, spline.velocity(0), from.time, from.pen);
   double s = 0;
   for (;;) {
     const double speed = std::max(spline.velocity(s).norm(), chord / 4);
@@ -142,11 +160,11 @@ double CurveTracer::spacing(Index triangle) const {
 
 void CurveTracer::append(const SurfacePoint& at, const Vec3d& direction, double time, const Pen& pen) {
   const Vec3f normal = normal_at(*surface_, at);
-  const double t =
-      curve_.points.empty()
-          ? 0
-          : curve_.points.back().t + (at.position - curve_.points.back().at.position).cast<double>().norm();
-  curve_.points.push_back({at, normal, unit_tangent(direction.cast<float>(), normal), t, time, pen});
+  const Vec3f tangent = unit_tangent(direction.cast<float>(), normal);
+  const double t = curve_.points.empty()
+                       ? 0
+                       : curve_.points.back().t + arc_length(curve_.points.back(), at.position, tangent);
+  curve_.points.push_back({at, normal, tangent, t, time, pen});
 }
 
 PenAt pen_at(const SurfaceCurve& curve, double t) {

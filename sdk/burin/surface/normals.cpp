@@ -13,21 +13,13 @@ constexpr std::size_t vertices_a_block = 2048;
 /// Below this sine of its corner a triangle's direction is rounding noise of its float corners.
 constexpr double least_sine = 1e-6;
 
-/// Angle of a right triangle with these legs, sine >= 0. Scaled first so that floats suffice.
-double angle_of(double sine, double cosine) {
-  const double scale = 1 / std::max(sine, std::abs(cosine));
-  return std::atan2(static_cast<float>(sine * scale), static_cast<float>(cosine * scale));
-}
-
-/// The triangle's unit normal times its angle at the corner between the two edges. In doubles products of
-/// any finite floats stay in range.
+/// The corner's share of the normal: the cross product of its two edges over the squares of their lengths.
+/// In doubles products of any finite floats stay in range.
 Vec3d weighted_normal(const Vec3d& edge, const Vec3d& next_edge) {
   const Vec3d cross = edge.cross(next_edge);
-  const double square = cross.squaredNorm();
-  if (!(square > least_sine * least_sine * edge.squaredNorm() * next_edge.squaredNorm()))
-    return Vec3d::Zero();
-  const double sine = std::sqrt(square);
-  return cross * (angle_of(sine, edge.dot(next_edge)) / sine);
+  const double squares = edge.squaredNorm() * next_edge.squaredNorm();
+  if (!(cross.squaredNorm() > least_sine * least_sine * squares)) return Vec3d::Zero();
+  return cross / squares;
 }
 
 /// Position of the vertex among the triangle's corners.
@@ -40,16 +32,19 @@ int corner_of(const Triangle& triangle, Index vertex) {
 Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex) {
   const Vec3d here = positions[vertex].cast<double>();
   Vec3d sum = Vec3d::Zero();
+  double weights = 0;
   for (const Index index : surface.incident[vertex]) {
     const Triangle& triangle = surface.triangles[index];
     const int corner = corner_of(triangle, vertex);
     const Vec3d edge = positions[triangle[(corner + 1) % 3]].cast<double>() - here;
     const Vec3d next_edge = positions[triangle[(corner + 2) % 3]].cast<double>() - here;
-    sum += weighted_normal(edge, next_edge);
+    const Vec3d share = weighted_normal(edge, next_edge);
+    sum += share;
+    weights += share.norm();
   }
   const double length = sum.norm();
   // Sheets that face each other cancel up to rounding: no side is the outside there.
-  if (!(length > 1e-6)) return Vec3f::UnitZ();
+  if (!(length > 1e-6 * weights)) return Vec3f::UnitZ();
   return (sum / length).cast<float>();
 }
 

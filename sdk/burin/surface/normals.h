@@ -6,8 +6,9 @@
 namespace burin {
 
 /// Normal at a vertex of a surface whose vertices stand at `positions`: the triangles' normals weighted
-/// by their angle at the vertex [Thuermer and Wuethrich 1998], unit. Degenerate triangles count for
-/// nothing; where nothing is left the normal is (0, 0, 1).
+/// by the sine of their angle at the vertex over the lengths of their edges there, unit: exact for vertices
+/// on a sphere, and hardly moved by slivers [Max 1999, Weights for Computing Vertex Normals from Facet
+/// Normals]. Degenerate triangles count for nothing; where nothing is left the normal is (0, 0, 1).
 Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex);
 
 /// Sets normals[v] for all v in `vertices`, in parallel.

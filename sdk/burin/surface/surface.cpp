@@ -1,6 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/surface/adjacency.h>
+#include <burin/surface/curvature.h>
 #include <burin/surface/normals.h>
 #include <burin/surface/spatial_order.h>
 #include <burin/surface/surface.h>
@@ -63,6 +64,14 @@ void compute_all_normals(Surface& surface) {
   });
 }
 
+void compute_all_curvatures(Surface& surface) {
+  surface.gauss_curvature.resize(surface.positions.size());
+  parallel_blocks(surface.positions.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
+    for (Index vertex = static_cast<Index>(begin); vertex < end; ++vertex)
+      surface.gauss_curvature[vertex] = gauss_curvature(surface, vertex);
+  });
+}
+
 double bounding_box_diagonal(const std::vector<Vec3f>& positions) {
   Eigen::AlignedBox3f box;
   for (const Vec3f& position : positions) box.extend(position);
@@ -86,6 +95,7 @@ Surface make_surface(TriangleMesh mesh, const Progress& progress) {
   surface.neighbours = neighbour_vertices(surface.triangles, surface.incident);
   report(progress, "computing normals", 0.8);
   compute_all_normals(surface);
+  compute_all_curvatures(surface);
   report(progress, "computing normals", 1);
   return surface;
 }

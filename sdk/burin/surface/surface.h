@@ -13,12 +13,13 @@ struct Surface {
   /// Object units. make_surface leaves room for one more, as Embree reads 16 bytes at the last position
   /// too; Picker needs a copy where the room is gone.
   std::vector<Vec3f> positions;
-  std::vector<Vec3f> normals;        ///< unit and finite at every vertex, outward, weighted by angle
-  std::vector<Triangle> triangles;   ///< no triangle names a vertex twice
-  Csr neighbours;                    ///< vertices joined by an edge, ascending, each once
-  Csr incident;                      ///< triangles around a vertex, ascending
-  std::vector<Index> source_vertex;  ///< [vertex] its index in the mesh given to make_surface
-  double scale = 0;                  ///< diagonal of the bounding box when the surface was made
+  std::vector<Vec3f> normals;          ///< unit and finite at every vertex, outward, see normals.h
+  std::vector<Triangle> triangles;     ///< no triangle names a vertex twice
+  std::vector<float> gauss_curvature;  ///< [vertex] see curvature.h
+  Csr neighbours;                      ///< vertices joined by an edge, ascending, each once
+  Csr incident;                        ///< triangles around a vertex, ascending
+  std::vector<Index> source_vertex;    ///< [vertex] its index in the mesh given to make_surface
+  double scale = 0;                    ///< diagonal of the bounding box when the surface was made
 
   Index vertex_count() const { return static_cast<Index>(positions.size()); }
 };
