@@ -43,7 +43,11 @@ void expect_finite_and_within(const Chart& chart, double radius) {
     ASSERT_TRUE(std::isfinite(chart.t[i]));
     ASSERT_LE(std::abs(chart.d[i]), radius * 1.000001);
     ASSERT_NEAR(chart.e1[i].norm(), 1, 1e-4);
-    ASSERT_TRUE(i == 0 || chart.vertex[i - 1] < chart.vertex[i]);
+    if (i == 0) continue;
+    const bool same = chart.vertex[i - 1] == chart.vertex[i];
+    ASSERT_LE(chart.vertex[i - 1], chart.vertex[i]);
+    ASSERT_EQ(chart.sheet[i], same ? chart.sheet[i - 1] + 1 : 0);
+    ASSERT_TRUE(!same || chart.t[i - 1] < chart.t[i]);
   }
 }
 

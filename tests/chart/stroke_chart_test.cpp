@@ -156,27 +156,61 @@ TEST(StrokeChart, FollowsAGreatCircleOfTheSphere) {
   EXPECT_LE(error.d_mean, 5e-4);
 }
 
-// Two runs of a hairpin whose fronts meet head-on: every vertex keeps the coordinates of the nearer run.
-TEST(StrokeChart, KeepsFrontsThatMeetApart) {
+// To the right along the upper run of a hairpin, back along the lower one: between them both have the
+// vertices on the right. Far from the bend they are two visits and every vertex has the sheets of the runs it
+// is near.
+TEST(StrokeChart, KeepsASheetForEachRunOfAHairpin) {
   Scene scene(test::shuffled(test::plane(1, 0.02, 31), 32));
   const double radius = 0.25;
   const std::vector<Vec3d> hairpin = {{-0.6, 0.2, 0}, {0, 0.2, 0},  {0.4, 0.2, 0},  {0.6, 0, 0},
                                       {0.4, -0.2, 0}, {0, -0.2, 0}, {-0.6, -0.2, 0}};
   const SurfaceCurve curve = test::traced(scene.surface, scene.picker, radius, hairpin);
   const Chart chart = scene.charter.chart(curve, {radius, Cap::round});
+  std::vector<int> sheets(scene.surface.vertex_count(), 0);
+  for (std::size_t i = 0; i < chart.size(); ++i) {
+    const Vec3f& x = scene.surface.positions[chart.vertex[i]];
+    if (x.x() < -0.58F || x.x() > 0.05F) continue;
+    const bool upper = chart.t[i] < curve.length() / 2;
+    EXPECT_EQ(chart.sheet[i], sheets[chart.vertex[i]]++);
+    EXPECT_NEAR(chart.d[i], upper ? x.y() - 0.2F : -0.2F - x.y(), 0.01F) << x.transpose();
+    const double along = static_cast<double>(x.x()) + 0.6;
+    EXPECT_NEAR(chart.t[i], upper ? along : curve.length() - along, 0.02) << x.transpose();
+  }
+  int doubled = 0;
+  for (Index v = 0; v < scene.surface.vertex_count(); ++v) {
+    const Vec3f& x = scene.surface.positions[v];
+    const float upper = std::abs(x.y() - 0.2F), lower = std::abs(x.y() + 0.2F);
+    if (x.x() < -0.58F || x.x() > 0.05F || std::abs(upper - 0.25F) < 0.01F || std::abs(lower - 0.25F) < 0.01F)
+      continue;
+    EXPECT_EQ(sheets[v], (upper < 0.25F) + (lower < 0.25F)) << x.transpose();
+    doubled += sheets[v] == 2;
+  }
+  EXPECT_GT(doubled, 100);
+}
+
+// Inside a bend tighter than the radius the discs never let go of a vertex: one visit, and it keeps the
+// coordinates of the nearer run although the fronts of both meet there.
+TEST(StrokeChart, KeepsFrontsThatMeetInABendApart) {
+  Scene scene(test::shuffled(test::plane(1, 0.02, 31), 32));
+  const double radius = 0.25;
+  const std::vector<Vec3d> hairpin = {{-0.6, 0.12, 0}, {0, 0.12, 0},  {0.4, 0.12, 0},  {0.52, 0, 0},
+                                      {0.4, -0.12, 0}, {0, -0.12, 0}, {-0.6, -0.12, 0}};
+  const SurfaceCurve curve = test::traced(scene.surface, scene.picker, radius, hairpin);
+  const Chart chart = scene.charter.chart(curve, {radius, Cap::round});
   std::size_t between = 0;
   for (std::size_t i = 0; i < chart.size(); ++i) {
     const Vec3f& x = scene.surface.positions[chart.vertex[i]];
-    if (x.x() < -0.6F || x.x() > 0.1F || std::abs(x.y()) > 0.42F) continue;
-    // To the right along the upper run, back along the lower one: between them both have it on the right.
-    const float d = x.y() > 0 ? x.y() - 0.2F : -0.2F - x.y();
-    EXPECT_NEAR(chart.d[i], d, 0.01F) << x.transpose();
-    if (std::abs(x.y()) < 0.01F) continue;  // as near to one run as to the other
-    const double along = static_cast<double>(x.x()) + 0.6;
-    EXPECT_NEAR(chart.t[i], x.y() > 0 ? along : curve.length() - along, 0.02) << x.transpose();
-    between += std::abs(x.y()) < 0.2F;
+    if (x.x() < 0.27F || x.x() > 0.38F || std::abs(x.y()) < 0.01F || std::abs(x.y()) > 0.1F) continue;
+    float nearest = 1;
+    for (const CurvePoint& point : curve.points) {
+      if ((point.at.position.y() > 0) == (x.y() > 0))
+        nearest = std::min(nearest, (x - point.at.position).norm());
+    }
+    EXPECT_EQ(chart.sheet[i], 0U);
+    EXPECT_NEAR(chart.d[i], -nearest, 0.005F) << x.transpose();
+    ++between;
   }
-  EXPECT_GT(between, 300U);
+  EXPECT_GT(between, 40U);
 }
 
 TEST(StrokeChart, DoesNotGrowBeyondItsWidthWhereOppositeSidesMeet) {
@@ -213,6 +247,8 @@ TEST(StrokeChart, IsADiscAroundASinglePoint) {
 
 void expect_same(const Chart& a, const Chart& b) {
   EXPECT_EQ(a.vertex, b.vertex);
+  EXPECT_EQ(a.sheet, b.sheet);
+  EXPECT_EQ(a.stretch, b.stretch);
   EXPECT_EQ(a.t, b.t);
   EXPECT_EQ(a.d, b.d);
   EXPECT_EQ(a.e1, b.e1);

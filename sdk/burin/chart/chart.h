@@ -2,18 +2,25 @@
 #include <burin/base/vector.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace burin {
 
-/// The coordinates of the region around a stroke, one node a vertex, structure of arrays. At each node
-/// stands the frame (e1, e2 = n x e1, n); d > 0 on the left of the direction of travel, in the direction
-/// of e2. (The sign formula of the paper, section 2, gives the right.)
+/// The coordinates of the region around a stroke, structure of arrays. A node is a vertex and one visit of
+/// the stroke to it: where the stroke overlaps itself a vertex has several, its sheets. At each node stands
+/// the frame (e1, e2 = n x e1, n); d > 0 on the left of the direction of travel, in the direction of e2. (The
+/// sign formula of the paper, section 2, gives the right.)
 struct Chart {
-  std::vector<Index> vertex;  ///< of the surface, ascending
-  std::vector<double> t;      ///< arc length along the stroke, object units; beyond [0, length] in round caps
-  std::vector<float> d;       ///< signed geodesic distance to the stroke, object units, |d| <= radius
-  std::vector<Vec3f> e1;      ///< unit, at right angles to the vertex normal, along the stroke
+  std::vector<Index> vertex;         ///< of the surface, ascending; once for each of its sheets
+  std::vector<std::uint32_t> sheet;  ///< 0, 1, ... at each vertex, in the order of t
+  std::vector<double> t;       ///< arc length along the stroke, object units; beyond [0, length] in round
+                               ///< caps, in [0, length) of a closed stroke
+  std::vector<float> d;        ///< signed geodesic distance to the stroke, object units, |d| <= radius
+  std::vector<Vec3f> e1;       ///< unit, at right angles to the vertex normal, along the stroke
+  std::vector<float> stretch;  ///< J = |dP/dt|, 1 on the stroke; 1 everywhere in charts of first order
+  double length = 0;           ///< of the stroke, object units
+  bool closed = false;         ///< t goes around
 
   std::size_t size() const { return vertex.size(); }
 };

@@ -12,12 +12,21 @@
 #include <iterator>
 
 namespace burin {
+namespace {
+
+bool same_for_charts(const CurvePoint& a, const CurvePoint& b) {
+  return a.at.triangle == b.at.triangle && a.at.position == b.at.position && a.normal == b.normal &&
+         a.tangent == b.tangent && a.t == b.t && a.width == b.width;
+}
+
+}  // namespace
 
 void Front::restart(double radius, int order) {
   radius_ = radius;
   order_ = order;
-  length_ = 0;
-  index_.clear();
+  points_.clear();
+  samples_.clear();
+  chart_nodes_.clear();
   nodes_.clear();
   seeds_.clear();
   inside_.clear();
@@ -26,30 +35,43 @@ void Front::restart(double radius, int order) {
   queue_ = {};
 }
 
-void Front::update(std::span<const Seed> seeds, double length) {
+void Front::update(const SurfaceCurve& curve) {
   settled_.clear();
-  replace_length(length);
-  replace_seeds(seeds);
+  replace_curve(curve);
+  replace_seeds(seed_finder_.find(curve, curvature_, samples_, chart_nodes_));
   reach_waiting();
   propagate();
   list_inside();
 }
 
-Index Front::node_of(Index vertex) {
-  const Index found = index_.find(vertex);
-  if (found != no_index) return found;
-  nodes_.emplace_back();
-  return index_.insert(vertex);
+/// Takes back what may be other than before because of the samples: nodes whose run has gone, and those from
+/// the first changed sample on.
+void Front::replace_curve(const SurfaceCurve& curve) {
+  if (curve.closed || samples_.closed()) restart(radius_, order_);
+  const auto differ = std::ranges::mismatch(points_, curve.points, same_for_charts);
+  const auto unchanged = static_cast<std::size_t>(differ.in1 - points_.begin());
+  points_.resize(unchanged);
+  points_.insert(points_.end(), differ.in2, curve.points.end());
+
+  constexpr double curvature_window = 0.4;  // of the radius
+  curvature_.update(curve, curvature_window * radius_, unchanged);
+  const Index changed = samples_.update(curve, radius_);
+  chart_nodes_.update(samples_, changed);
+  const double unchanged_t = changed > 1 ? samples_.t(changed - 2) : -std::numeric_limits<double>::infinity();
+  for (Index node = 0; node < nodes_.size(); ++node) {
+    if (nodes_[node].state == State::open) continue;
+    if (nodes_[node].frame.t > unchanged_t || chart_nodes_.vacant(node)) take_back(node);
+  }
 }
 
 void Front::replace_seeds(std::span<const Seed> seeds) {
+  nodes_.resize(chart_nodes_.size());
   std::vector<Index> before = std::move(seeds_);
   seeds_.clear();
   for (const Seed& seed : seeds) {
-    const Index node = node_of(seed.vertex);
-    nodes_[node].seeded = true;
-    seeds_.push_back(node);
-    set_seed(node, seed.distance, seed.frame);
+    nodes_[seed.node].seeded = true;
+    seeds_.push_back(seed.node);
+    set_seed(seed.node, seed.distance, seed.frame);
   }
   for (const Index node : before) {
     if (!nodes_[node].seeded) set_seed(node, unreached, {});
@@ -65,62 +87,58 @@ void Front::set_seed(Index node, float distance, const ChartFrame& seed) {
   take_back(node);
 }
 
-/// Beyond the shorter of the two ends other vertices may be within the stroke.
-void Front::replace_length(double length) {
-  const double end = std::min(length_, length);
-  length_ = length;
-  for (Index node = 0; node < nodes_.size(); ++node) {
-    if (nodes_[node].state != State::open && nodes_[node].frame.t > end) take_back(node);
+/// Calls `visit` with the nodes of the neighbouring vertices.
+template <class Visit>
+void Front::for_each_around(Index node, const Visit& visit) const {
+  for (const Index neighbour : surface_->neighbours[vertex(node)]) {
+    for (Index around = chart_nodes_.first(neighbour); around != no_index; around = chart_nodes_.next(around))
+      visit(around);
   }
 }
 
-/// Opens a vertex and the settled ones downwind of it, all of which then wait to be reached again.
+/// Opens a node and the settled ones downwind of it, all of which then wait to be reached again.
 void Front::take_back(Index node) {
   stack_.push_back(node);
   while (!stack_.empty()) {
     const Index next = stack_.back();
     stack_.pop_back();
     Node& taken = nodes_[next];
-    const bool led_on = taken.state == State::inside;
-    if (led_on) take_back_downwind(next);
+    if (taken.state == State::inside) take_back_downwind(next);
     taken.state = State::open;
     taken.g = unreached;
+    taken.listed = false;
     if (taken.waiting) continue;
     taken.waiting = true;
     waiting_.push_back(next);
   }
 }
 
-/// Pushes onto the stack what depends on a vertex inside: settled vertices downwind of it, and open ones,
-/// which it may have reached.
+/// Pushes onto the stack what may depend on a node inside: settled nodes downwind of it, and open ones, which
+/// it may have reached.
 void Front::take_back_downwind(Index node) {
-  for (const Index neighbour : surface_->neighbours[index_.vertex(node)]) {
-    const Index found = index_.find(neighbour);
-    if (found == no_index) continue;
-    const bool open = nodes_[found].state == State::open;
-    if (open ? !nodes_[found].waiting : is_upwind(node, found)) stack_.push_back(found);
-  }
+  for_each_around(node, [&](Index around) {
+    const bool open = nodes_[around].state == State::open;
+    if (open ? !nodes_[around].waiting : is_upwind(node, around)) stack_.push_back(around);
+  });
 }
 
 void Front::reach_waiting() {
   for (const Index node : waiting_) {
     nodes_[node].waiting = false;
     if (nodes_[node].seed_distance < unreached) reach(node, nodes_[node].seed_distance);
-    for (const Index neighbour : surface_->neighbours[index_.vertex(node)]) {
-      const Index found = index_.find(neighbour);
-      if (found == no_index || nodes_[found].state != State::inside) continue;
-      reach(node, distance_through(found, node));
-    }
+    for_each_around(node, [&](Index around) {
+      if (nodes_[around].state == State::inside && leads_to(around, node))
+        reach(node, distance_through(around, node));
+    });
   }
   waiting_.clear();
 }
 
 void Front::propagate() {
   while (!queue_.empty()) {
-    const Entry next = queue_.top();
+    const auto [g, vertex, node] = queue_.top();
     queue_.pop();
-    const Index node = index_.find(next.vertex);
-    if (nodes_[node].state != State::open || nodes_[node].g != next.g) continue;
+    if (nodes_[node].state != State::open || nodes_[node].g != g) continue;
     settle(node);
     if (nodes_[node].state == State::inside) lead_on(node);
   }
@@ -128,45 +146,51 @@ void Front::propagate() {
 
 void Front::settle(Index node) {
   Node& settled = nodes_[node];
-  if (settled.seed_distance <= settled.g) {
-    settled.frame = settled.seed;
-  } else {
-    collect_arms(node);
-    const float epsilon = 4 * std::numeric_limits<float>::epsilon() * static_cast<float>(radius_);
-    const Vec3f& normal = surface_->normals[index_.vertex(node)];
-    keep_agreeing(arms_);
-    settled.frame =
-        order_ == 1 ? first_order_frame(arms_, normal, epsilon) : second_order_frame(arms_, normal, epsilon);
-  }
-  settled.state = within_stroke(settled) ? State::inside : State::outside;
+  settled.frame = settled.seed_distance <= settled.g ? settled.seed : frame_from_arms(node);
+  settled.frame.t = samples_.wrapped(settled.frame.t);
+  settled.state = within_stroke(node) ? State::inside : State::outside;
   settled_.push_back(node);
+}
+
+ChartFrame Front::frame_from_arms(Index node) {
+  collect_arms(node);
+  keep_agreeing(arms_);
+  const Vec3f& normal = surface_->normals[vertex(node)];
+  const float epsilon = 4 * std::numeric_limits<float>::epsilon() * static_cast<float>(radius_);
+  return order_ == 1 ? first_order_frame(arms_, normal, epsilon) : second_order_frame(arms_, normal, epsilon);
 }
 
 void Front::collect_arms(Index node) {
   arms_.clear();
-  const Index vertex = index_.vertex(node);
-  const Vec3f &x = surface_->positions[vertex], &normal = surface_->normals[vertex];
-  for (const Index neighbour : surface_->neighbours[vertex]) {
-    const Index found = index_.find(neighbour);
-    if (found == no_index || nodes_[found].state != State::inside || !is_upwind(found, node)) continue;
-    const Vec3f& q = surface_->positions[neighbour];
-    const ChartFrame& frame = nodes_[found].frame;
-    arms_.push_back({neighbour, frame, step_along_edge(q, surface_->normals[neighbour], frame.e1, x, normal),
-                     (x - q).norm(),
-                     (surface_->gauss_curvature[vertex] + surface_->gauss_curvature[neighbour]) / 2});
-  }
+  const Vec3f &x = surface_->positions[vertex(node)], &normal = surface_->normals[vertex(node)];
+  const float gauss = surface_->gauss_curvature[vertex(node)];
+  for_each_around(node, [&](Index around) {
+    if (nodes_[around].state != State::inside || !is_upwind(around, node) || !leads_to(around, node)) return;
+    const Index from = vertex(around);
+    const Vec3f& q = surface_->positions[from];
+    const ChartFrame& frame = nodes_[around].frame;
+    arms_.push_back({from, frame, step_along_edge(q, surface_->normals[from], frame.e1, x, normal),
+                     (x - q).norm(), (gauss + surface_->gauss_curvature[from]) / 2});
+  });
+  // Of a vertex with several nodes more than one may lead here; sums need an order.
+  std::ranges::sort(arms_, {}, [](const UpwindArm& arm) { return std::pair(arm.from, arm.frame.t); });
+  for (UpwindArm& arm : arms_) arm.frame.t = samples_.unwrapped(arm.frame.t, arms_[0].frame.t);
 }
 
-/// Reaches the open neighbours of a vertex just settled inside; those downwind that were settled without it
-/// are taken back first.
+/// Reaches the open nodes around a node just settled inside that it leads on to; those downwind that were
+/// settled without it are taken back first.
 void Front::lead_on(Index node) {
-  for (const Index neighbour : surface_->neighbours[index_.vertex(node)]) {
-    const Index found = node_of(neighbour);
+  const Index sample = samples_.at(nodes_[node].frame.t);
+  ahead_.clear();
+  for (const Index neighbour : surface_->neighbours[vertex(node)]) {
+    const Index found = chart_nodes_.at(samples_, neighbour, sample);
+    if (found == no_index) continue;
+    if (found >= nodes_.size()) nodes_.resize(found + 1);
+    ahead_.push_back(found);
     if (nodes_[found].state != State::open && is_upwind(node, found)) take_back(found);
   }
   reach_waiting();
-  for (const Index neighbour : surface_->neighbours[index_.vertex(node)]) {
-    const Index found = index_.find(neighbour);
+  for (const Index found : ahead_) {
     if (nodes_[found].state == State::open) reach(found, distance_through(node, found));
   }
 }
@@ -174,44 +198,53 @@ void Front::lead_on(Index node) {
 void Front::reach(Index node, float g) {
   if (g >= nodes_[node].g) return;
   nodes_[node].g = g;
-  queue_.push({g, index_.vertex(node)});
+  queue_.push({g, vertex(node), node});
+}
+
+bool Front::leads_to(Index from, Index to) const {
+  return chart_nodes_.holds(to, samples_.at(nodes_[from].frame.t));
 }
 
 bool Front::is_upwind(Index a, Index b) const {
-  return std::pair(nodes_[a].g, index_.vertex(a)) < std::pair(nodes_[b].g, index_.vertex(b));
+  return std::pair(nodes_[a].g, vertex(a)) < std::pair(nodes_[b].g, vertex(b));
 }
 
 float Front::distance_through(Index from, Index to) const {
   const float g = nodes_[from].g;
-  const float edge =
-      (surface_->positions[index_.vertex(to)] - surface_->positions[index_.vertex(from)]).norm();
+  const float edge = (surface_->positions[vertex(to)] - surface_->positions[vertex(from)]).norm();
   // Edges too short to tell in floats still lead downwind, or Upwind would depend on the order.
   return std::max(g + edge, std::nextafter(g, unreached));
 }
 
-bool Front::within_stroke(const Node& node) const {
-  // The graph distance is never much longer than the geodesic: beyond, the coordinates have gone astray.
-  if (static_cast<double>(node.g) > 2 * radius_) return false;
-  const double beyond = std::max({-node.frame.t, node.frame.t - length_, 0.});
-  return std::hypot(beyond, static_cast<double>(node.frame.d)) <= radius_;
+bool Front::within_stroke(Index node) const {
+  const Node& settled = nodes_[node];
+  const double t = settled.frame.t, half_width = samples_.half_width(t);
+  const double beyond = samples_.closed() ? 0 : std::max({-t, t - samples_.length(), 0.});
+  const double distance = std::hypot(beyond, static_cast<double>(settled.frame.d));
+  if (!(distance <= half_width)) return false;
+  // Coordinates have gone astray whose foot is not in the node's own visit, is farther off on the straight
+  // line than it should be on the surface, or was reached on a way much longer than a geodesic.
+  const Index foot = samples_.at(t);
+  return chart_nodes_.holds(node, foot) && static_cast<double>(settled.g) <= 2 * radius_ &&
+         static_cast<double>(samples_.chord(foot, surface_->positions[vertex(node)])) <=
+             distance + radius_ / 4;
 }
 
 void Front::list_inside() {
-  const auto by_vertex = [this](Index node) { return index_.vertex(node); };
-  std::erase_if(inside_, [this](Index node) {
-    nodes_[node].listed = nodes_[node].state == State::inside;
-    return !nodes_[node].listed;
-  });
+  const auto earlier = [this](Index a, Index b) {
+    return std::pair(vertex(a), chart_nodes_.begin(a)) < std::pair(vertex(b), chart_nodes_.begin(b));
+  };
+  std::erase_if(inside_, [this](Index node) { return !nodes_[node].listed; });
   std::vector<Index> joined;
   for (const Index node : settled_) {
     if (nodes_[node].state != State::inside || nodes_[node].listed) continue;
     nodes_[node].listed = true;
     joined.push_back(node);
   }
-  std::ranges::sort(joined, {}, by_vertex);
+  std::ranges::sort(joined, earlier);
   std::vector<Index> merged;
   merged.reserve(inside_.size() + joined.size());
-  std::ranges::merge(inside_, joined, std::back_inserter(merged), {}, by_vertex, by_vertex);
+  std::ranges::merge(inside_, joined, std::back_inserter(merged), earlier);
   inside_ = std::move(merged);
 }
 

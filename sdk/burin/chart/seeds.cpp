@@ -2,7 +2,6 @@
 // of the paper), vertices near the stroke take their coordinates from the nearest point of its segments.
 #include <burin/chart/frame_step.h>
 #include <burin/chart/seeds.h>
-#include <burin/stroke/geodesic_curvature.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,42 +10,45 @@
 namespace burin {
 namespace {
 
-/// The nearest point of one segment, from points[segment] to the next, to some vertex.
-struct Foot {
-  std::size_t segment;
-  float s;  ///< 0..1 along the segment
-  Vec3f position;
-  float distance;
-};
-
 Foot foot_on(const SurfaceCurve& curve, std::size_t segment, const Vec3f& x) {
   const Vec3f& from = curve.points[segment].at.position;
-  const Vec3f& to = curve.points[std::min(segment + 1, curve.points.size() - 1)].at.position;
-  const Vec3f chord = to - from;
+  const Vec3f chord = curve.points[curve.next(segment)].at.position - from;
   const float squared = chord.squaredNorm();
   const float s = squared > 0 ? std::clamp((x - from).dot(chord) / squared, 0.F, 1.F) : 0;
   const Vec3f position = from + s * chord;
   return {segment, s, position, (x - position).norm()};
 }
 
-std::size_t segment_count(const SurfaceCurve& curve) {
-  return std::max<std::size_t>(curve.points.size(), 2) - 1;
+bool at_begin(const SurfaceCurve& curve, const Foot& foot) {
+  return !curve.closed && foot.segment == 0 && foot.s == 0;
+}
+
+bool at_end(const SurfaceCurve& curve, const Foot& foot) {
+  return !curve.closed && foot.segment + 1 == curve.segment_count() &&
+         (foot.s == 1 || curve.points.size() == 1);
 }
 
 /// Walks along the curve as long as the next segment has a point at right angles to x that is no farther: the
 /// segment that found the vertex need not be the one that the vertex projects onto.
 Foot nearest_from(const SurfaceCurve& curve, Foot foot, const Vec3f& x) {
-  for (;;) {
-    const bool forward = foot.s == 1 && foot.segment + 1 < segment_count(curve);
-    const bool backward = foot.s == 0 && foot.segment > 0;
-    if (!forward && !backward) return foot;
-    const Foot next = foot_on(curve, forward ? foot.segment + 1 : foot.segment - 1, x);
+  const std::size_t count = curve.segment_count();
+  for (std::size_t walked = 0; walked < count; ++walked) {
+    const bool forward = foot.s == 1 && !at_end(curve, foot);
+    const bool backward = foot.s == 0 && !at_begin(curve, foot);
+    if (!forward && !backward) break;
+    const Foot next = foot_on(curve, (foot.segment + (forward ? 1 : count - 1)) % count, x);
     const bool passes_joint = forward ? next.s > 0 : next.s < 1;
     // Where the foot moves little, its distance changes by less than a float can tell.
     const float rounding = 4 * std::numeric_limits<float>::epsilon() * foot.distance;
-    if (!passes_joint || next.distance > foot.distance + rounding) return foot;
+    if (!passes_joint || next.distance > foot.distance + rounding) break;
     foot = next;
   }
+  return foot;
+}
+
+double arc_length_at(const SurfaceCurve& curve, const Foot& foot) {
+  const double from = curve.points[foot.segment].t;
+  return from + static_cast<double>(foot.s) * (curve.segment_end(foot.segment) - from);
 }
 
 /// The curve between two points beside the chord between them, as its tangents tell: a cubic in the tangent
@@ -88,14 +90,14 @@ class Arc {
   float length_ = 0, begin_ = 0, end_ = 0;  ///< slopes against the chord
 };
 
-/// `curvature`: geodesic, of the curve at its points.
-Seed seed_at(const Surface& surface, const SurfaceCurve& curve, const std::vector<float>& curvature,
-             Foot foot, Index vertex) {
-  const std::size_t next = std::min(foot.segment + 1, curve.points.size() - 1);
+/// The frame at a vertex, from its foot. Curvature and stretch to second order in the distance.
+ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const GeodesicCurvature& curvature,
+                      Foot foot, Index vertex) {
+  const std::size_t next = curve.next(foot.segment);
   const CurvePoint &a = curve.points[foot.segment], &b = curve.points[next];
+  const bool begin = at_begin(curve, foot), end = at_end(curve, foot);
   const Vec3f normal = ((1 - foot.s) * a.normal + foot.s * b.normal).normalized();
-  const bool clamped = (foot.segment == 0 && foot.s == 0) || (next + 1 == curve.points.size() && foot.s == 1);
-  if (!clamped) {
+  if (!begin && !end) {
     const Arc arc(a, b, normal);
     foot.s = arc.foot(surface.positions[vertex], foot.s);
     foot.position = arc.position(foot.s);
@@ -106,79 +108,63 @@ Seed seed_at(const Surface& surface, const SurfaceCurve& curve, const std::vecto
   const auto [step, e1] =
       step_along_edge(foot.position, normal, tangent, surface.positions[vertex], surface.normals[vertex]);
 
-  const bool at_begin = foot.segment == 0 && foot.s == 0;
-  const bool at_end = foot.segment + 1 == segment_count(curve) && (foot.s == 1 || curve.points.size() == 1);
-  const bool beyond = (at_begin && step.x() < 0) || (at_end && step.x() > 0);
-  Seed seed{vertex, foot.distance, {}};
-  seed.frame.t =
-      a.t + static_cast<double>(foot.s) * (b.t - a.t) + (beyond ? static_cast<double>(step.x()) : 0);
+  const bool beyond = (begin && step.x() < 0) || (end && step.x() > 0);
+  ChartFrame frame;
+  frame.t = arc_length_at(curve, foot) + (beyond ? static_cast<double>(step.x()) : 0);
   // Adding 0 makes one zero of both, for comparisons bit by bit.
-  seed.frame.d = beyond ? step.y() : std::copysign(step.norm(), step.y()) + 0.0F;
-  seed.frame.e1 = e1;
+  frame.d = beyond ? step.y() : std::copysign(step.norm(), step.y()) + 0.0F;
+  frame.e1 = e1;
 
-  const float k = (1 - foot.s) * curvature[foot.segment] + foot.s * curvature[next], d = seed.frame.d;
+  const float k = (1 - foot.s) * curvature[foot.segment] + foot.s * curvature[next], d = frame.d;
   const float gauss = surface.gauss_curvature[vertex];
   // Beside a bend whose centre is nearer than the seed the coordinates fold, and count as straight.
   if (std::abs(k * d) < 0.5F) {
-    seed.frame.curvature = k / (1 - k * d) + gauss * d;
-    seed.frame.stretch = 1 - k * d - gauss * d * d / 2;
+    frame.curvature = k / (1 - k * d) + gauss * d;
+    frame.stretch = 1 - k * d - gauss * d * d / 2;
   }
-  return seed;
+  return frame;
 }
-
-/// The best foot so far of every vertex around the curve's points.
-class NearestFeet {
- public:
-  NearestFeet(const Surface& surface, const SurfaceCurve& curve, VertexNodes& found)
-      : surface_(surface), curve_(curve), found_(found) {
-    found_.clear();
-  }
-
-  void offer_one_ring(Index triangle, std::size_t segment) {
-    for (const Index corner : surface_.triangles[triangle]) {
-      for (const Index vertex : surface_.neighbours[corner]) offer(vertex, segment);
-    }
-  }
-  const std::vector<Foot>& feet() const { return feet_; }
-
- private:
-  void offer(Index vertex, std::size_t segment) {
-    const Foot foot = foot_on(curve_, segment, surface_.positions[vertex]);
-    const Index known = found_.find(vertex);
-    if (known == no_index) {
-      found_.insert(vertex);
-      feet_.push_back(foot);
-    } else if (foot.distance < feet_[known].distance) {
-      feet_[known] = foot;
-    }
-  }
-
-  const Surface& surface_;
-  const SurfaceCurve& curve_;
-  VertexNodes& found_;
-  std::vector<Foot> feet_;  ///< [node of found_]
-};
 
 }  // namespace
 
-std::vector<Seed> find_seeds(const Surface& surface, const SurfaceCurve& curve, double radius,
-                             VertexNodes& found) {
-  NearestFeet nearest(surface, curve, found);
-  for (std::size_t segment = 0; segment < segment_count(curve); ++segment) {
+void SeedFinder::offer(const SurfaceCurve& curve, const StrokeSamples& samples, ChartNodes& nodes,
+                       Index vertex, std::size_t segment) {
+  const Foot foot = foot_on(curve, segment, surface_->positions[vertex]);
+  const Index node = nodes.at(samples, vertex, samples.at(arc_length_at(curve, foot)));
+  if (node == no_index) return;
+  if (node >= entry_.size()) entry_.resize(node + 1, no_index);
+  if (entry_[node] == no_index) {
+    entry_[node] = static_cast<Index>(found_.size());
+    found_.push_back(node);
+    feet_.push_back(foot);
+  } else if (foot.distance < feet_[entry_[node]].distance) {
+    feet_[entry_[node]] = foot;
+  }
+}
+
+std::vector<Seed> SeedFinder::find(const SurfaceCurve& curve, const GeodesicCurvature& curvature,
+                                   const StrokeSamples& samples, ChartNodes& nodes) {
+  for (std::size_t segment = 0; segment < curve.segment_count(); ++segment) {
+    const auto offer_one_ring = [&](Index triangle) {
+      for (const Index corner : surface_->triangles[triangle])
+        for (const Index vertex : surface_->neighbours[corner]) offer(curve, samples, nodes, vertex, segment);
+    };
     const Index from = curve.points[segment].at.triangle;
-    const Index to = curve.points[std::min(segment + 1, curve.points.size() - 1)].at.triangle;
-    nearest.offer_one_ring(from, segment);
-    if (to != from) nearest.offer_one_ring(to, segment);
+    const Index to = curve.points[curve.next(segment)].at.triangle;
+    offer_one_ring(from);
+    if (to != from) offer_one_ring(to);
   }
 
-  const std::vector<float> curvature = geodesic_curvature(curve, radius * 0.4);
   std::vector<Seed> seeds;
-  seeds.reserve(found.size());
-  for (Index node = 0; node < found.size(); ++node) {
-    const Index vertex = found.vertex(node);
-    const Foot foot = nearest_from(curve, nearest.feet()[node], surface.positions[vertex]);
-    seeds.push_back(seed_at(surface, curve, curvature, foot, vertex));
+  seeds.reserve(found_.size());
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    const Index node = found_[i], vertex = nodes.vertex(node);
+    const Foot foot = nearest_from(curve, feet_[i], surface_->positions[vertex]);
+    seeds.push_back({node, foot.distance, frame_from(*surface_, curve, curvature, foot, vertex)});
+    entry_[node] = no_index;
   }
+  found_.clear();
+  feet_.clear();
   return seeds;
 }
 

@@ -4,41 +4,59 @@
 #include <burin/chart/front.h>
 #include <burin/chart/stroke_chart.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burin {
 
 struct StrokeCharter::Stroke {
-  explicit Stroke(const Surface& s) : surface(&s), front(s), found(s.vertex_count()) {}
+  explicit Stroke(const Surface& s) : surface(&s), front(s) {}
 
   Chart update(const SurfaceCurve& curve);
-  Chart collect(double length) const;
+  Chart collect(const SurfaceCurve& curve) const;
 
   const Surface* surface;
   ChartOptions options;
   Front front;
-  VertexNodes found;  ///< scratch of find_seeds
 };
 
 Chart StrokeCharter::Stroke::update(const SurfaceCurve& curve) {
   if (curve.points.empty()) throw ContractError("a stroke chart needs a curve of at least one point");
-  front.update(find_seeds(*surface, curve, options.radius, found), curve.length());
-  return collect(curve.length());
+  front.update(curve);
+  return collect(curve);
 }
 
-Chart StrokeCharter::Stroke::collect(double length) const {
+Chart StrokeCharter::Stroke::collect(const SurfaceCurve& curve) const {
+  std::vector<Index> nodes(front.inside().begin(), front.inside().end());
+  if (options.cap == Cap::butt && !curve.closed) {
+    std::erase_if(nodes, [&](Index node) {
+      const double t = front.frame(node).t;
+      return t < 0 || t > curve.length();
+    });
+  }
+  if (curve.closed) {
+    std::ranges::sort(nodes, {},
+                      [&](Index node) { return std::pair(front.vertex(node), front.frame(node).t); });
+  }
   Chart chart;
-  chart.vertex.reserve(front.inside().size());
-  chart.t.reserve(front.inside().size());
-  chart.d.reserve(front.inside().size());
-  chart.e1.reserve(front.inside().size());
-  for (const Index node : front.inside()) {
+  chart.length = curve.length();
+  chart.closed = curve.closed;
+  for (auto* numbers : {&chart.d, &chart.stretch}) numbers->reserve(nodes.size());
+  chart.vertex.reserve(nodes.size());
+  chart.sheet.reserve(nodes.size());
+  chart.t.reserve(nodes.size());
+  chart.e1.reserve(nodes.size());
+  for (const Index node : nodes) {
     const ChartFrame& frame = front.frame(node);
-    if (options.cap == Cap::butt && (frame.t < 0 || frame.t > length)) continue;
-    chart.vertex.push_back(front.vertex(node));
+    const Index vertex = front.vertex(node);
+    chart.sheet.push_back(!chart.vertex.empty() && chart.vertex.back() == vertex ? chart.sheet.back() + 1
+                                                                                 : 0);
+    chart.vertex.push_back(vertex);
     chart.t.push_back(frame.t);
     chart.d.push_back(frame.d);
     chart.e1.push_back(frame.e1);
+    chart.stretch.push_back(frame.stretch);
   }
   return chart;
 }

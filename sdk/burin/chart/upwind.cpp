@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace burin {
 namespace {
@@ -109,8 +110,9 @@ Vec2f step_in(const Vec3f& e1, const Vec3f& normal, const FrameStep& edge) {
 }  // namespace
 
 void keep_agreeing(std::vector<UpwindArm>& arms) {
-  const UpwindArm nearest = *std::ranges::min_element(
-      arms, {}, [](const UpwindArm& arm) { return std::pair(std::abs(placed_d(arm)), arm.from); });
+  const UpwindArm nearest = *std::ranges::min_element(arms, {}, [](const UpwindArm& arm) {
+    return std::tuple(std::abs(placed_d(arm)), arm.from, arm.frame.t);
+  });
   std::erase_if(arms, [&](const UpwindArm& arm) { return !agree(arm, nearest); });
 }
 

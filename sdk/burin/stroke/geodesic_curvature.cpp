@@ -8,16 +8,14 @@
 namespace burin {
 namespace {
 
-/// The angle by which the tangent has turned since the first point, radians.
-std::vector<double> turning_angles(const std::vector<CurvePoint>& points) {
-  std::vector<double> angles(points.size(), 0);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const Vec3f& normal = points[i].normal;
-    const Vec3f carried = transport(points[i - 1].tangent, points[i - 1].normal, normal);
-    const double sine = normal.cross(carried).dot(points[i].tangent);
-    angles[i] = angles[i - 1] + std::atan2(sine, static_cast<double>(carried.dot(points[i].tangent)));
-  }
-  return angles;
+/// A turn between neighbouring points that is a corner of the stroke, radians.
+constexpr double corner = 0.5;
+
+/// The angle by which the tangent turns from a to b, radians.
+double turn_between(const CurvePoint& a, const CurvePoint& b) {
+  const Vec3f carried = transport(a.tangent, a.normal, b.normal);
+  const double sine = b.normal.cross(carried).dot(b.tangent);
+  return std::atan2(sine, static_cast<double>(carried.dot(b.tangent)));
 }
 
 /// Least-squares polynomial through values over places around 0, in units of the reach.
@@ -50,20 +48,53 @@ class LocalFit {
 
 }  // namespace
 
-std::vector<float> geodesic_curvature(const SurfaceCurve& curve, double window) {
+void GeodesicCurvature::update(const SurfaceCurve& curve, double window, std::size_t first_changed) {
   const auto& points = curve.points;
-  const std::vector<double> angles = turning_angles(points);
-  std::vector<float> curvature(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double t = points[i].t, to_end = std::min(t, curve.length() - t);
-    const double reach = std::clamp(to_end, window / 2, window);
-    LocalFit fit(reach);
-    for (std::size_t j = i; j < points.size() && points[j].t <= t + reach; ++j)
-      fit.add(points[j].t - t, angles[j]);
-    for (std::size_t j = i; j-- > 0 && points[j].t >= t - reach;) fit.add(points[j].t - t, angles[j]);
-    curvature[i] = static_cast<float>(fit.slope(to_end < reach ? 2 : 3));
-  }
-  return curvature;
+  if (curve.closed) first_changed = 0;
+  turn(curve, first_changed);
+  // A point whose window reaches beyond the last unchanged one may see the change, or the end.
+  const double unchanged = first_changed > 0 ? points[first_changed - 1].t : 0;
+  while (first_changed > 0 && points[first_changed - 1].t + window >= unchanged) --first_changed;
+  curvature_.resize(points.size());
+  for (std::size_t i = first_changed; i < points.size(); ++i) curvature_[i] = slope_at(curve, window, i);
+}
+
+void GeodesicCurvature::turn(const SurfaceCurve& curve, std::size_t first_changed) {
+  const auto& points = curve.points;
+  angles_.resize(points.size());
+  angles_[0] = 0;
+  for (std::size_t i = std::max<std::size_t>(first_changed, 1); i < points.size(); ++i)
+    angles_[i] = angles_[i - 1] + turn_between(points[i - 1], points[i]);
+  closing_angle_ = curve.closed ? turn_between(points.back(), points.front()) : 0;
+}
+
+float GeodesicCurvature::slope_at(const SurfaceCurve& curve, double window, std::size_t point) const {
+  const auto& points = curve.points;
+  const double t = points[point].t, length = curve.length();
+  const double to_end = curve.closed ? length / 2 : std::min(t, length - t);
+  const double reach = std::clamp(to_end, window / 2, window);
+  LocalFit fit(reach);
+  fit.add(0, 0);
+  const auto walk = [&](bool forward) {
+    double place = 0, angle = 0;
+    for (std::size_t i = point;;) {
+      const bool wraps = forward ? i + 1 == points.size() : i == 0;
+      if (wraps && !curve.closed) return;
+      const std::size_t next = forward ? curve.next(i) : wraps ? points.size() - 1 : i - 1;
+      const std::size_t segment = forward ? i : next;
+      const double turned =
+          segment + 1 < points.size() ? angles_[segment + 1] - angles_[segment] : closing_angle_;
+      const double extent = curve.segment_end(segment) - points[segment].t;
+      place += forward ? extent : -extent;
+      angle += forward ? turned : -turned;
+      if (std::abs(place) > reach || std::abs(turned) > corner || next == point) return;
+      fit.add(place, angle);
+      i = next;
+    }
+  };
+  walk(true);
+  walk(false);
+  return static_cast<float>(fit.slope(to_end < reach ? 2 : 3));
 }
 
 }  // namespace burin

@@ -1,15 +1,34 @@
 #pragma once
 #include <burin/stroke/surface_curve.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace burin {
 
 /// Geodesic curvature of a surface curve at its points, 1 / length, positive where it bends to the left.
-/// Estimated as the slope of the least-squares line through the angle by which the tangent has turned
-/// against parallel transport, over the points within `window` of arc length on either side: the noise of
-/// the samples averages out, and a bend shorter than the window is spread over it. Near the ends the window
-/// shrinks with the distance to the end, to no less than half.
-std::vector<float> geodesic_curvature(const SurfaceCurve& curve, double window);
+///
+/// Estimated from the angle by which the tangent has turned against parallel transport: the slope, at the
+/// point, of the least-squares cubic through the angles over the points within `window` of arc length on
+/// either side. So the noise of the samples averages out, while only the curvature's own third order over the
+/// window biases it. Near the ends of an open curve the window shrinks with the distance to the end, to no
+/// less than half, and a parabola serves where it reaches over the end. No window reaches over a corner, a
+/// turn of more than half a radian between neighbouring points.
+class GeodesicCurvature {
+ public:
+  /// Follows a change of the curve from this point on (0: all of it).
+  void update(const SurfaceCurve& curve, double window, std::size_t first_changed = 0);
+
+  float operator[](std::size_t point) const { return curvature_[point]; }
+  const std::vector<float>& values() const { return curvature_; }
+
+ private:
+  void turn(const SurfaceCurve& curve, std::size_t first_changed);
+  float slope_at(const SurfaceCurve& curve, double window, std::size_t point) const;
+
+  std::vector<double> angles_;  ///< by which the tangent has turned since the first point, radians
+  double closing_angle_ = 0;    ///< from the last point to the first of a closed curve
+  std::vector<float> curvature_;
+};
 
 }  // namespace burin

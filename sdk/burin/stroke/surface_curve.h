@@ -3,6 +3,8 @@
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace burin {
@@ -15,13 +17,30 @@ struct CurvePoint {
   double t = 0;     ///< arc length from the first point, object units
   double time = 0;  ///< seconds since the first sample
   Pen pen;
+  float width = 1;  ///< of the stroke here, a share of its radius, in (0, 1]; linear between points
 };
 
-/// A stroke on a surface: a polyline whose points lie on it, about half an edge apart.
+/// A stroke on a surface: a polyline whose points lie on it, about half an edge apart. A closed one goes on
+/// from its last point to the first.
 struct SurfaceCurve {
   std::vector<CurvePoint> points;
+  bool closed = false;
+  double closing_length = 0;  ///< arc length from the last point to the first of a closed curve
 
-  double length() const { return points.empty() ? 0 : points.back().t; }
+  double length() const { return points.empty() ? 0 : points.back().t + closing_length; }
+
+  /// Segments go from a point to the next. A curve of one point has one, without extent.
+  std::size_t segment_count() const {
+    return closed ? points.size() : std::max<std::size_t>(points.size(), 2) - 1;
+  }
+  /// The point at which the segment from this point ends.
+  std::size_t next(std::size_t point) const {
+    return point + 1 < points.size() ? point + 1 : closed ? 0 : points.size() - 1;
+  }
+  /// Arc length at the end of a segment.
+  double segment_end(std::size_t segment) const {
+    return segment + 1 < points.size() ? points[segment + 1].t : length();
+  }
 };
 
 /// Turns the samples of one stroke into its surface curve as they arrive. Between two samples the curve

@@ -1,0 +1,56 @@
+#pragma once
+#include <burin/stroke/surface_curve.h>
+
+#include <vector>
+
+namespace burin {
+
+/// Evenly spaced points of a stroke by which its visits to a vertex are told apart: discs of 1.25 times the
+/// stroke's half width around them, an eighth of its radius apart [Schmidt 2013, section 4.1: "slide a
+/// geodesic disc along S"].
+class StrokeSamples {
+ public:
+  /// Takes the samples of another curve, of at least one point. Returns the first that differs.
+  Index update(const SurfaceCurve& curve, double radius);
+  void clear() { samples_.clear(); }
+
+  Index size() const { return static_cast<Index>(samples_.size()); }
+  double length() const { return length_; }
+  bool closed() const { return closed_; }
+
+  /// The sample nearest to the arc length t; beyond the ends of an open stroke the last one there.
+  Index at(double t) const;
+
+  /// Arc length of a sample.
+  double t(Index sample) const { return samples_[sample].t; }
+
+  /// Arc lengths of a closed stroke brought to [0, length), and to within half a length of another. Those of
+  /// an open one as they are.
+  double wrapped(double t) const;
+  double unwrapped(double t, double near) const;
+
+  /// Half width of the stroke at the arc length t, object units.
+  double half_width(double t) const;
+
+  /// Whether the disc around the sample holds a point with this normal. Its geodesic distance is taken for
+  /// the length of a circular arc over the chord, at whose ends the two normals stand.
+  bool disc_holds(Index sample, const Vec3f& position, const Vec3f& normal) const;
+
+  /// Straight distance, object units.
+  float chord(Index sample, const Vec3f& position) const {
+    return (position - samples_[sample].position).norm();
+  }
+
+ private:
+  struct Sample {
+    double t;
+    Vec3f position, normal;
+    float half_width;
+    bool operator==(const Sample&) const = default;
+  };
+  std::vector<Sample> samples_;
+  double length_ = 0, spacing_ = 0;
+  bool closed_ = false;
+};
+
+}  // namespace burin
