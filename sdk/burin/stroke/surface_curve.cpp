@@ -1,28 +1,14 @@
 // Surface curves: samples joined by centripetal Catmull-Rom splines [Barry and Goldman 1988; Yuksel et al.
 // 2011], brought onto the surface by closest points.
 #include <burin/stroke/surface_curve.h>
+#include <burin/surface/normals.h>
+#include <burin/surface/unit_tangent.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace burin {
 namespace {
-
-Vec3f normal_at(const Surface& surface, const SurfacePoint& at) {
-  const Triangle& corners = surface.triangles[at.triangle];
-  const Vec3f normal = (1 - at.u - at.v) * surface.normals[corners[0]] + at.u * surface.normals[corners[1]] +
-                       at.v * surface.normals[corners[2]];
-  const float length = normal.norm();
-  return length > 1e-6F ? Vec3f(normal / length) : surface.normals[corners[0]];
-}
-
-/// `direction` turned into the tangent plane, or any tangent where nothing of it is left.
-Vec3f unit_tangent(const Vec3f& direction, const Vec3f& normal) {
-  const Vec3f tangent = direction - normal.dot(direction) * normal;
-  const float length = tangent.norm();
-  if (length > 1e-6F * direction.norm()) return tangent / length;
-  return normal.unitOrthogonal();
-}
 
 float half_mean_edge(const Surface& surface, Index triangle) {
   const Triangle& c = surface.triangles[triangle];

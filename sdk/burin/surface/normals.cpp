@@ -61,4 +61,12 @@ void update_normals(const Surface& surface, std::span<const Vec3f> positions, st
   });
 }
 
+Vec3f normal_at(const Surface& surface, const SurfacePoint& point) {
+  const Triangle& corners = surface.triangles[point.triangle];
+  const Vec3f normal = (1 - point.u - point.v) * surface.normals[corners[0]] +
+                       point.u * surface.normals[corners[1]] + point.v * surface.normals[corners[2]];
+  const float length = normal.norm();
+  return length > 1e-6F ? Vec3f(normal / length) : surface.normals[corners[0]];
+}
+
 }  // namespace burin
