@@ -72,7 +72,8 @@ void DabCharter::Dab::restart(const SurfacePoint& at, const Vec3f& direction, co
   centre = at.position;
   normal = normal_at(*surface, at);
   e1 = unit_tangent(direction, normal);
-  for (const Index corner : surface->triangles[at.triangle]) {
+  for (const Index corner : at.corners) {
+    seed(corner);
     for (const Index vertex : surface->neighbours[corner]) seed(vertex);
   }
 }
@@ -197,7 +198,8 @@ DabChart DabCharter::chart(const SurfacePoint& centre, const Vec3f& e1, const Da
     throw ContractError("a dab's radius must be a finite number above 0");
   }
   if (!e1.allFinite() || e1.isZero(0)) throw ContractError("a dab's direction must be finite and not zero");
-  if (centre.triangle >= dab_->surface->triangles.size() || !centre.position.allFinite()) {
+  const auto on_surface = [this](Index corner) { return corner < dab_->surface->vertex_count(); };
+  if (!std::ranges::all_of(centre.corners, on_surface) || !centre.position.allFinite()) {
     throw ContractError("a dab's centre must lie on the surface");
   }
   dab_->restart(centre, e1, options);

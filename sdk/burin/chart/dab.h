@@ -10,16 +10,17 @@ namespace burin {
 
 /// How normal coordinates spread from the centre p. A step from q to its neighbour x is added to the
 /// coordinates of q after it was turned into the basis of p; the methods differ in that turn, which is to
-/// say in the frame that they put at q, and in how many neighbours have a say.
+/// say in the frame that they put at q, and in how many neighbours have a say. Where curvature varies little
+/// within the radius all are alike, the first two a little better: on a sphere their frames are exact.
 enum class DabMethod {
   /// The discrete exponential map [Schmidt, Grimm and Wyvill 2006]: the one neighbour on the shortest path
   /// of the edge graph; the frame at q is that of p turned by the minimal rotation between their normals,
-  /// whatever lies between. Passes smoothly around a horn and collapses it; wrong on cones.
+  /// whatever lies between. Passes around a horn and collapses it; wrong on cones.
   dem,
-  /// The same frames, the mean over all upwind neighbours [Schmidt 2010]: less noise.
+  /// The same frames, the mean over all upwind neighbours [Schmidt 2010]: no tears from one path to the next.
   dem_upwind,
   /// Frames propagated from neighbour to neighbour and averaged like the coordinates [Schmidt 2013, section
-  /// 3]: right on developable surfaces, and closest to the log map elsewhere. Tears behind a horn.
+  /// 3]: right on developable surfaces, cones included. Wraps around a horn and tears behind it.
   frame_propagation,
 };
 

@@ -77,8 +77,9 @@ class NearestFeet {
     found_.clear();
   }
 
-  void offer_one_ring(Index triangle, std::size_t segment) {
-    for (const Index corner : surface_.triangles[triangle]) {
+  void offer_one_ring(const SurfacePoint& at, std::size_t segment) {
+    for (const Index corner : at.corners) {
+      offer(corner, segment);
       for (const Index vertex : surface_.neighbours[corner]) offer(vertex, segment);
     }
   }
@@ -107,10 +108,10 @@ class NearestFeet {
 std::vector<Seed> find_seeds(const Surface& surface, const SurfaceCurve& curve, VertexNodes& found) {
   NearestFeet nearest(surface, curve, found);
   for (std::size_t segment = 0; segment < segment_count(curve); ++segment) {
-    const Index from = curve.points[segment].at.triangle;
-    const Index to = curve.points[std::min(segment + 1, curve.points.size() - 1)].at.triangle;
+    const SurfacePoint& from = curve.points[segment].at;
+    const SurfacePoint& to = curve.points[std::min(segment + 1, curve.points.size() - 1)].at;
     nearest.offer_one_ring(from, segment);
-    if (to != from) nearest.offer_one_ring(to, segment);
+    if (to.corners != from.corners) nearest.offer_one_ring(to, segment);
   }
 
   std::vector<Seed> seeds;

@@ -16,7 +16,7 @@ struct Seed {
   ChartFrame frame;    ///< t at the foot, beyond the ends along the end's tangent; e1 transported from it
 };
 
-/// Finds, for every vertex of the triangles that the curve's points lie in and of their one-ring, the
+/// Finds, for every corner of the curve's points and of their one-ring, the
 /// nearest foot on the segments nearby; one seed a vertex, in order of first appearance. `found` is scratch.
 std::vector<Seed> find_seeds(const Surface& surface, const SurfaceCurve& curve, VertexNodes& found);
 

@@ -10,8 +10,8 @@
 namespace burin {
 namespace {
 
-float half_mean_edge(const Surface& surface, Index triangle) {
-  const Triangle& c = surface.triangles[triangle];
+float half_mean_edge(const Surface& surface, const SurfacePoint& at) {
+  const auto& c = at.corners;
   const Vec3f &a = surface.positions[c[0]], &b = surface.positions[c[1]], &d = surface.positions[c[2]];
   return ((b - a).norm() + (d - b).norm() + (a - d).norm()) / 6;
 }
@@ -110,7 +110,7 @@ void CurveTracer::trace_segment(std::size_t k) {
   double s = 0;
   for (;;) {
     const double speed = std::max(spline.velocity(s).norm(), chord / 4);
-    const double step = spacing(curve_.points.back().at.triangle) / speed;
+    const double step = spacing(curve_.points.back().at) / speed;
     s += step;
     if (s > 1 - step / 2) break;
     const auto at = picker_->closest(spline.position(s).cast<float>(), static_cast<float>(chord));
@@ -122,8 +122,8 @@ void CurveTracer::trace_segment(std::size_t k) {
   append(to.at, spline.velocity(1), to.time, to.pen);
 }
 
-double CurveTracer::spacing(Index triangle) const {
-  return std::clamp<double>(half_mean_edge(*surface_, triangle), min_spacing_, max_spacing_);
+double CurveTracer::spacing(const SurfacePoint& at) const {
+  return std::clamp<double>(half_mean_edge(*surface_, at), min_spacing_, max_spacing_);
 }
 
 void CurveTracer::append(const SurfacePoint& at, const Vec3d& direction, double time, const Pen& pen) {

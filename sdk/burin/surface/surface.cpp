@@ -1,13 +1,13 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/surface/adjacency.h>
+#include <burin/surface/bounding_box.h>
 #include <burin/surface/normals.h>
 #include <burin/surface/spatial_order.h>
 #include <burin/surface/surface.h>
 #include <burin/surface/triangle_shape.h>
 #include <oneapi/tbb/parallel_sort.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <tuple>
 
@@ -61,12 +61,6 @@ void compute_all_normals(Surface& surface) {
     for (Index vertex = static_cast<Index>(begin); vertex < end; ++vertex)
       surface.normals[vertex] = vertex_normal(surface, surface.positions, vertex);
   });
-}
-
-double bounding_box_diagonal(const std::vector<Vec3f>& positions) {
-  Eigen::AlignedBox3f box;
-  for (const Vec3f& position : positions) box.extend(position);
-  return (box.max().cast<double>() - box.min().cast<double>()).norm();
 }
 
 }  // namespace
