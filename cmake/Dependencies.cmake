@@ -31,6 +31,9 @@ find_package(assimp REQUIRED)
 burin_dependency(apt libembree-dev why "picking, closest point, rendered pictures")
 find_package(embree 3.13 REQUIRED)
 
+burin_dependency(apt libnanoflann-dev why "nearest neighbours among the points of a point set; headers only")
+find_package(nanoflann 1.4 REQUIRED)
+
 burin_dependency(apt libosd-dev why "Catmull-Clark and Loop refinement")
 # Not find_package: Debian's configuration of it names a static library that its package lacks.
 burin_find_library(OpenSubdiv::osdCPU opensubdiv/far/topologyRefiner.h osdCPU)

@@ -111,7 +111,10 @@ void run(const ChartCommandOptions& options) {
   const Recording recording = read_whole_strokes(options.strokes);
   const RecordedStroke& stroke = chosen_stroke(options, recording);
   const double radius = chosen_radius(options, stroke);
-  const LoadedSurface loaded = load_surface_on_console(options.mesh);
+  const LoadedSurface loaded = load_mesh_or_points_on_console(options.mesh);
+  if (loaded.surface.is_point_set() && !options.png.empty()) {
+    throw FileError(options.mesh.path, "holds points without faces, which --png cannot draw");
+  }
   const Picker picker(loaded.surface);
   const SurfaceCurve curve =
       chosen_curve(options, trace_stroke(loaded.surface, picker, recording, stroke, radius));
@@ -138,6 +141,8 @@ void add_chart(CLI::App& app) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   add_mesh_options(command, options->mesh);
+  command.get_option("--mesh")->description(
+      "surface, cage or point set (PLY without faces, with nx, ny, nz)");
   add_view_options(command, options->view);
   command.add_option("--radius", options->radius, "object units, instead of the recorded one")
       ->check(positive_number());

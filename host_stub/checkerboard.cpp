@@ -16,7 +16,7 @@ Vec3f checker_colour(float t, float d) {
   return odd ? Vec3f(0.05f, 0.20f, 0.55f) : Vec3f(0.50f, 0.70f, 0.85f);
 }
 
-Checkerboard::Checkerboard(const Surface& surface) : surface_(&surface), nodes_(surface.positions.size()) {}
+Checkerboard::Checkerboard(const Surface& surface) : nodes_(surface.positions.size()) {}
 
 void Checkerboard::add(const Chart& chart, double radius) {
   ++charts_;
@@ -28,9 +28,9 @@ void Checkerboard::add(const Chart& chart, double radius) {
 }
 
 Vec3f Checkerboard::operator()(const SurfacePoint& point) const {
-  const Triangle& triangle = surface_->triangles[point.triangle];
-  const std::array<Node, 3> corners = {nodes_[triangle[0]], nodes_[triangle[1]], nodes_[triangle[2]]};
-  const std::array<float, 3> weights = {1 - point.u - point.v, point.u, point.v};
+  const auto& [a, b, c] = point.corners;
+  const std::array<Node, 3> corners = {nodes_[a], nodes_[b], nodes_[c]};
+  const std::array<float, 3>& weights = point.weights;
   const auto [t_min, t_max] = std::minmax({corners[0].t, corners[1].t, corners[2].t});
   const bool one_chart = corners[0].chart == corners[1].chart && corners[0].chart == corners[2].chart;
   // Where two charts, or two passes of one stroke, meet inside a triangle nothing lies between them.

@@ -10,7 +10,7 @@ namespace burin {
 
 /// Colours a surface by stroke charts: squares of a quarter of the radius in (t, d), warm on the left
 /// (d > 0) and cool on the right, clay where no chart reaches. Where charts overlap the last one shows.
-/// Holds 12 bytes a vertex. The surface must outlive it.
+/// Holds 12 bytes a vertex.
 class Checkerboard {
  public:
   explicit Checkerboard(const Surface& surface);
@@ -26,7 +26,6 @@ class Checkerboard {
     std::uint32_t chart = 0;  // 0: none
   };
 
-  const Surface* surface_;
   std::vector<Node> nodes_;
   std::uint32_t charts_ = 0;
 };

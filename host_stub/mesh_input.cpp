@@ -18,6 +18,15 @@ int levels(const PolygonMesh& mesh, SubdivisionScheme scheme, const MeshOptions&
   return options.subdivide.value_or(0);
 }
 
+LoadedSurface load_points(const MeshOptions& options, const Progress& progress) {
+  if (options.subdivide.value_or(0) > 0 || options.target_triangles) {
+    throw FileError(options.path, "holds points without faces, which cannot be refined");
+  }
+  return naming_file(options.path, [&] {
+    return LoadedSurface{make_point_surface(read_points(options.path), default_links, progress), ""};
+  });
+}
+
 }  // namespace
 
 void add_mesh_options(CLI::App& command, MeshOptions& options) {
@@ -48,6 +57,9 @@ void add_mesh_options(CLI::App& command, MeshOptions& options) {
 
 LoadedSurface load_surface(const MeshOptions& options, const Progress& progress) {
   return naming_file(options.path, [&] {
+    if (holds_points(options.path)) {
+      throw FileError(options.path, "holds points without faces; only 'burin chart' takes a point set");
+    }
     const PolygonMesh polygons = read_mesh(options.path);
     LoadedSurface loaded;
     TriangleMesh mesh;
@@ -73,6 +85,12 @@ LoadedSurface load_surface_on_console(const MeshOptions& options) {
   return loaded;
 }
 
+LoadedSurface load_mesh_or_points_on_console(const MeshOptions& options) {
+  if (!holds_points(options.path)) return load_surface_on_console(options);
+  ProgressBar bar;
+  return load_points(options, bar.progress());
+}
+
 Json mesh_json(const MeshOptions& options, const LoadedSurface& loaded) {
   return {{"file", options.path},
           {"vertices", loaded.surface.vertex_count()},
@@ -81,6 +99,9 @@ Json mesh_json(const MeshOptions& options, const LoadedSurface& loaded) {
 }
 
 std::string mesh_text(const MeshOptions& options, const LoadedSurface& loaded) {
+  if (loaded.surface.is_point_set()) {
+    return fmt::format("{}: {} points", options.path, loaded.surface.vertex_count());
+  }
   return fmt::format("{}: {} vertices, {} triangles", options.path, loaded.surface.vertex_count(),
                      loaded.surface.triangles.size());
 }

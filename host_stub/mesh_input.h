@@ -26,16 +26,19 @@ struct LoadedSurface {
   std::string defects;  ///< of a mesh that was not refined, counted; empty for none
 };
 
-/// Reads the mesh, refines or triangulates it and makes it ready. Throws FileError.
+/// Reads the mesh, refines or triangulates it and makes it ready. Throws FileError, for a point set too.
 LoadedSurface load_surface(const MeshOptions& options, const Progress& progress);
 
 /// As load_surface, with a progress bar and a warning that counts the defects.
 LoadedSurface load_surface_on_console(const MeshOptions& options);
 
+/// As load_surface_on_console, of a mesh or of a point set.
+LoadedSurface load_mesh_or_points_on_console(const MeshOptions& options);
+
 /// File, vertices, triangles and defects.
 Json mesh_json(const MeshOptions& options, const LoadedSurface& loaded);
 
-/// "FILE: 12 vertices, 34 triangles".
+/// "FILE: 12 vertices, 34 triangles" or "FILE: 12 points".
 std::string mesh_text(const MeshOptions& options, const LoadedSurface& loaded);
 
 }  // namespace burin

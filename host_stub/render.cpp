@@ -93,15 +93,15 @@ Vec3f Painter::from_camera(float right, float up, float towards_eye) const {
 std::optional<Hit> Painter::hit(const Ray& ray) const {
   const auto point = picker_.pick(ray);
   if (!point) return std::nullopt;
-  const Triangle& triangle = surface_.triangles[point->triangle];
-  const Vec3f& a = surface_.positions[triangle[0]];
-  const Vec3f smooth = (1 - point->u - point->v) * surface_.normals[triangle[0]] +
-                       point->u * surface_.normals[triangle[1]] + point->v * surface_.normals[triangle[2]];
+  const auto& [a, b, c] = point->corners;
+  const Vec3f smooth = point->weights[0] * surface_.normals[a] + point->weights[1] * surface_.normals[b] +
+                       point->weights[2] * surface_.normals[c];
   Hit hit;
   hit.point = *point;
   hit.to_eye = -ray.direction.normalized();
-  hit.flat_normal =
-      (surface_.positions[triangle[1]] - a).cross(surface_.positions[triangle[2]] - a).normalized();
+  hit.flat_normal = (surface_.positions[b] - surface_.positions[a])
+                        .cross(surface_.positions[c] - surface_.positions[a])
+                        .normalized();
   hit.normal = smooth.squaredNorm() > 1e-12f ? smooth.normalized() : hit.flat_normal;
   if (hit.flat_normal.dot(hit.to_eye) < 0) {
     hit.flat_normal = -hit.flat_normal;

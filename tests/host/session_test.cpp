@@ -11,6 +11,8 @@
 #include <numeric>
 #include <set>
 
+#include "support/point_shapes.h"
+
 namespace burin {
 namespace {
 
@@ -275,6 +277,12 @@ TEST(Session, DropsTheStrokeOnCallsOutOfOrder) {
     EXPECT_TRUE(Snapshot(session) == before);
     EXPECT_EQ(error_of([&] { session.end_stroke(); }), "no stroke is open");
   }
+}
+
+TEST(Session, RefusesAPointSet) {
+  const PointSet points =
+      test::points_of(test::plane(1, 0.1, 4), [](const Vec3f&) { return Vec3f::UnitZ(); });
+  EXPECT_THROW(Session(make_point_surface(points), test::brushes()), ContractError);
 }
 
 }  // namespace

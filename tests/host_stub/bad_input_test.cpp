@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "command.h"
-#include "support/shapes.h"
+#include "support/point_shapes.h"
 
 namespace burin::test {
 namespace {
@@ -19,6 +19,16 @@ void fill(const CommandFolder& folder) {
   folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
   folder.write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n");
   folder.write("mesh.xyz", "0 0 0\n");
+  folder.write("points.ply", ply_text(sphere_points(3, 1)));
+  folder.write(
+      "no_normals.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "end_header\n0 0 0\n1 0 0\n0 1 0\n");
+  folder.write(
+      "zero_normal.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\n"
+      "end_header\n0 0 0 0 0 1\n1 0 0 0 0 0\n0 1 0 0 0 1\n");
   folder.write("three_quads.obj",
                "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 1 0 1\nv 0 1 0\nv 0 1 1\nv -1 0 0\nv -1 0 1\n"
                "f 1 2 4 3\nf 1 2 6 5\nf 1 2 8 7\n");
@@ -183,12 +193,31 @@ std::vector<BadInput> other_commands() {
        "@events.json"}};
 }
 
+std::vector<BadInput> point_sets() {
+  const auto chart_of = [](const std::string& mesh, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"chart", "@good.stroke", "--mesh", mesh, "--csv", "@a.csv"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return arguments;
+  };
+  return {{"replay_on_points", replay("@good.stroke", "@points.ply"), "@points.ply"},
+          {"render_points", {"render", "--mesh", "@points.ply", "--png", "@a.png"}, "points without faces"},
+          {"import_onto_points",
+           {"import", "@events.dat", "--mesh", "@points.ply", "--out", "@a.stroke"},
+           "points without faces"},
+          {"picture_of_points", chart_of("@points.ply", {"--png", "@a.png"}), "--png"},
+          {"refined_points", chart_of("@points.ply", {"--subdivide", "1"}), "@points.ply"},
+          {"points_without_normals", chart_of("@no_normals.ply", {}), "property 'nx'"},
+          {"points_with_a_zero_normal", chart_of("@zero_normal.ply", {}),
+           "@zero_normal.ply: the normal of point 2"}};
+}
+
 std::string test_name(const ::testing::TestParamInfo<BadInput>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, BadInputs, ::testing::ValuesIn(meshes()), test_name);
 INSTANTIATE_TEST_SUITE_P(Strokes, BadInputs, ::testing::ValuesIn(strokes()), test_name);
 INSTANTIATE_TEST_SUITE_P(Settings, BadInputs, ::testing::ValuesIn(settings()), test_name);
 INSTANTIATE_TEST_SUITE_P(Outputs, BadInputs, ::testing::ValuesIn(outputs()), test_name);
+INSTANTIATE_TEST_SUITE_P(PointSets, BadInputs, ::testing::ValuesIn(point_sets()), test_name);
 INSTANTIATE_TEST_SUITE_P(OtherCommands, BadInputs, ::testing::ValuesIn(other_commands()), test_name);
 
 TEST(Help, ExplainsEveryCommand) {

@@ -11,7 +11,7 @@
 
 #include "command.h"
 #include "picture_file.h"
-#include "support/shapes.h"
+#include "support/point_shapes.h"
 
 namespace burin::test {
 namespace {
@@ -66,9 +66,8 @@ struct Equator {
   }
 };
 
-TEST(ChartCommand, TabulatesTheStrokeByTheVerticesOfTheFile) {
-  Equator equator;
-  const std::vector<Row> rows = equator.chart({});
+/// Rows of the file's points on the unit sphere, for the stroke along the equator.
+void expect_equator(const std::vector<Row>& rows, const std::vector<Vec3f>& positions) {
   ASSERT_GT(rows.size(), 300u);
   std::size_t beside = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -78,7 +77,7 @@ TEST(ChartCommand, TabulatesTheStrokeByTheVerticesOfTheFile) {
     }
     EXPECT_EQ(row.sheet, 0u);
     EXPECT_NEAR(row.e1.norm(), 1, 1e-5);
-    const Vec3d p = equator.mesh.positions[row.vertex].cast<double>();
+    const Vec3d p = positions[row.vertex].cast<double>();
     if (row.t < 0 || row.t > 1.2) continue;
     ++beside;
     EXPECT_NEAR(row.d, std::asin(p.y()), 0.004) << "left of the travel from -x to x, seen from z, is up";
@@ -86,6 +85,23 @@ TEST(ChartCommand, TabulatesTheStrokeByTheVerticesOfTheFile) {
     EXPECT_GT(row.e1.dot(Vec3f(static_cast<float>(p.z()), 0, static_cast<float>(-p.x()))), 0.95f);
   }
   EXPECT_GT(beside, 250u);
+}
+
+TEST(ChartCommand, TabulatesTheStrokeByTheVerticesOfTheFile) {
+  Equator equator;
+  expect_equator(equator.chart({}), equator.mesh.positions);
+}
+
+TEST(ChartCommand, ChartsAPointSet) {
+  Equator equator;
+  equator.mesh_path =
+      equator.folder.write("points.ply", ply_text(points_of(equator.mesh, [](const Vec3f& x) { return x; })));
+  expect_equator(equator.chart({}), equator.mesh.positions);
+  const auto report = burin_json({"chart", equator.stroke, "--mesh", equator.mesh_path});
+  EXPECT_EQ(report["mesh"]["vertices"], equator.mesh.positions.size());
+  EXPECT_EQ(report["mesh"]["triangles"], 0);
+  const std::string text = burin_output({"chart", equator.stroke, "--mesh", equator.mesh_path});
+  EXPECT_NE(text.find(fmt::format("{} points\n", equator.mesh.positions.size())), std::string::npos) << text;
 }
 
 TEST(ChartCommand, WritesNumbersThatReadBackAsTheyWere) {

@@ -47,6 +47,17 @@ std::string obj_text(const TriangleMesh& mesh) {
   return text;
 }
 
+std::string ply_text(const PointSet& points) {
+  std::string text = fmt::format("ply\nformat ascii 1.0\nelement vertex {}\n", points.positions.size());
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) text += fmt::format("property float {}\n", name);
+  text += "end_header\n";
+  for (std::size_t i = 0; i < points.positions.size(); ++i) {
+    const Vec3f &p = points.positions[i], &n = points.normals[i];
+    text += fmt::format("{} {} {} {} {} {}\n", p.x(), p.y(), p.z(), n.x(), n.y(), n.z());
+  }
+  return text;
+}
+
 std::string cube_obj() {
   return "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
          "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n";

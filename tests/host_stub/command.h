@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/surface/point_set.h>
 #include <burin/surface/triangle_mesh.h>
 
 #include <filesystem>
@@ -38,6 +39,9 @@ std::string burin_output(const std::vector<std::string>& arguments);
 nlohmann::json burin_json(std::vector<std::string> arguments);
 
 std::string obj_text(const TriangleMesh& mesh);
+
+/// A PLY file of points with normals and no element of faces.
+std::string ply_text(const PointSet& points);
 
 /// The cube of half edge 1 as six quads: a cage.
 std::string cube_obj();

@@ -44,6 +44,7 @@ const std::map<std::string, Names> third_party = {
     {"openvdb/", {"volume"}},
     {"OpenImageIO/", {"stamp"}},
     {"embree", {"surface"}},
+    {"nanoflann", {"surface"}},
     {"assimp/", {"surface"}},
     {"tiny_obj_loader", {"surface"}},
     {"tbb/", {"base", "surface"}},

@@ -284,5 +284,24 @@ TEST(WritePly, NamesTheFolderThatIsNotThere) {
   EXPECT_THROW(write_ply("/nowhere/at/all.ply", test::torus(4, 4)), FileError);
 }
 
+std::string point_header(int points, const std::string& normals) {
+  return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(points) +
+         "\nproperty float x\nproperty float y\nproperty float z\n" + normals + "end_header\n";
+}
+
+TEST(PointFile, IsAPlyFileWithoutFaces) {
+  const std::string normals = "property float nx\nproperty uchar red\nproperty float ny\nproperty float nz\n";
+  const File file("a.ply", point_header(2, normals) + "0 1 2 0 255 0 1\n3 4 5 -2 0 0.5 0\n");
+  EXPECT_TRUE(holds_points(file.path()));
+  const PointSet points = read_points(file.path());
+  EXPECT_EQ(points.positions, (std::vector<Vec3f>{{0, 1, 2}, {3, 4, 5}}));
+  EXPECT_EQ(points.normals, (std::vector<Vec3f>{{0, 0, 1}, {-2, 0.5F, 0}}));
+  EXPECT_FALSE(holds_points(File("a.ply", ply_header(3, 1)).path()));
+  EXPECT_TRUE(holds_points(File("a.ply", ply_header(3, 0)).path()));
+  EXPECT_FALSE(holds_points(File("a.obj", "v 0 0 0\n").path()));
+  EXPECT_THROW(read_points(File("a.ply", point_header(1, "") + "0 0 0\n").path()), FileError);
+  EXPECT_THROW(read_points(File("a.ply", point_header(2, normals) + "0 0 0 0 0 0 1\n").path()), FileError);
+}
+
 }  // namespace
 }  // namespace burin

@@ -71,8 +71,9 @@ double least(const Surface& surface, const Value& value) {
 }
 
 Vec3d at_barycentrics(const Surface& surface, const SurfacePoint& point) {
+  EXPECT_EQ(point.corners, surface.triangles[point.triangle]);
   const auto [a, b, c] = corners(surface, point.triangle);
-  return a + double{point.u} * (b - a) + double{point.v} * (c - a);
+  return double{point.weights[0]} * a + double{point.weights[1]} * b + double{point.weights[2]} * c;
 }
 
 /// More triangles than one chunk of the picker.

@@ -15,7 +15,7 @@ namespace burin {
 namespace {
 
 bool same_for_charts(const CurvePoint& a, const CurvePoint& b) {
-  return a.at.triangle == b.at.triangle && a.at.position == b.at.position && a.normal == b.normal &&
+  return a.at.corners == b.at.corners && a.at.position == b.at.position && a.normal == b.normal &&
          a.tangent == b.tangent && a.t == b.t && a.width == b.width;
 }
 

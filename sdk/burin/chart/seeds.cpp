@@ -38,8 +38,9 @@ Foot nearest_from(const SurfaceCurve& curve, Foot foot, const Vec3f& x) {
     if (!forward && !backward) break;
     const Foot next = foot_on(curve, (foot.segment + (forward ? 1 : count - 1)) % count, x);
     const bool passes_joint = forward ? next.s > 0 : next.s < 1;
-    // Where the foot moves little, its distance changes by less than a float can tell.
-    const float rounding = 4 * std::numeric_limits<float>::epsilon() * foot.distance;
+    // Where the foot moves little, its distance changes by less than floats of this size can tell.
+    const float rounding =
+        4 * std::numeric_limits<float>::epsilon() * (foot.distance + x.cwiseAbs().maxCoeff());
     if (!passes_joint || next.distance > foot.distance + rounding) break;
     foot = next;
   }
@@ -145,14 +146,15 @@ void SeedFinder::offer(const SurfaceCurve& curve, const StrokeSamples& samples, 
 std::vector<Seed> SeedFinder::find(const SurfaceCurve& curve, const GeodesicCurvature& curvature,
                                    const StrokeSamples& samples, ChartNodes& nodes) {
   for (std::size_t segment = 0; segment < curve.segment_count(); ++segment) {
-    const auto offer_one_ring = [&](Index triangle) {
-      for (const Index corner : surface_->triangles[triangle])
+    const auto offer_around = [&](const SurfacePoint& at) {
+      for (const Index corner : at.corners) {
+        offer(curve, samples, nodes, corner, segment);
         for (const Index vertex : surface_->neighbours[corner]) offer(curve, samples, nodes, vertex, segment);
+      }
     };
-    const Index from = curve.points[segment].at.triangle;
-    const Index to = curve.points[curve.next(segment)].at.triangle;
-    offer_one_ring(from);
-    if (to != from) offer_one_ring(to);
+    const SurfacePoint &from = curve.points[segment].at, &to = curve.points[curve.next(segment)].at;
+    offer_around(from);
+    if (to.corners != from.corners) offer_around(to);
   }
 
   std::vector<Seed> seeds;

@@ -32,8 +32,8 @@ class SeedFinder {
  public:
   explicit SeedFinder(const Surface& surface) : surface_(&surface) {}
 
-  /// For every visit of the vertices of the triangles that the curve's points lie in, and of their one-ring,
-  /// the nearest foot on the segments nearby; one seed a node, in order of first appearance.
+  /// For every visit of the corners of the curve's points, and of their one-ring, the nearest foot on the
+  /// segments nearby; one seed a node, in order of first appearance.
   std::vector<Seed> find(const SurfaceCurve& curve, const GeodesicCurvature& curvature,
                          const StrokeSamples& samples, ChartNodes& nodes);
 

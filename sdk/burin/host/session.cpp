@@ -92,8 +92,10 @@ void Session::Impl::drop() {
   stroke.reset();
 }
 
-Session::Session(Surface surface, const BrushLibrary& brushes)
-    : impl_(std::make_unique<Impl>(std::move(surface), brushes)) {}
+Session::Session(Surface surface, const BrushLibrary& brushes) {
+  if (surface.is_point_set()) throw ContractError("a point set cannot be sculpted");
+  impl_ = std::make_unique<Impl>(std::move(surface), brushes);
+}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;

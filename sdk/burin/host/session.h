@@ -42,7 +42,8 @@ struct StrokeEvent {
 /// A call that throws leaves the surface as it was before the stroke, and no stroke open.
 class Session {
  public:
-  /// `brushes` must outlive the session.
+  /// `brushes` must outlive the session. Throws ContractError for a point set: normals of moved points would
+  /// need triangles.
   Session(Surface surface, const BrushLibrary& brushes);
   ~Session();
   Session(Session&&) noexcept;

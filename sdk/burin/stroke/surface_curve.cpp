@@ -1,6 +1,8 @@
 // Surface curves: samples joined by centripetal Catmull-Rom splines [Barry and Goldman 1988; Yuksel et al.
 // 2011], brought onto the surface by closest points.
 #include <burin/stroke/surface_curve.h>
+#include <burin/surface/normals.h>
+#include <burin/surface/unit_tangent.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,24 +10,8 @@
 namespace burin {
 namespace {
 
-Vec3f normal_at(const Surface& surface, const SurfacePoint& at) {
-  const Triangle& corners = surface.triangles[at.triangle];
-  const Vec3f normal = (1 - at.u - at.v) * surface.normals[corners[0]] + at.u * surface.normals[corners[1]] +
-                       at.v * surface.normals[corners[2]];
-  const float length = normal.norm();
-  return length > 1e-6F ? Vec3f(normal / length) : surface.normals[corners[0]];
-}
-
-/// `direction` turned into the tangent plane, or any tangent where nothing of it is left.
-Vec3f unit_tangent(const Vec3f& direction, const Vec3f& normal) {
-  const Vec3f tangent = direction - normal.dot(direction) * normal;
-  const float length = tangent.norm();
-  if (length > 1e-6F * direction.norm()) return tangent / length;
-  return normal.unitOrthogonal();
-}
-
-float half_mean_edge(const Surface& surface, Index triangle) {
-  const Triangle& c = surface.triangles[triangle];
+float half_mean_edge(const Surface& surface, const SurfacePoint& at) {
+  const auto& c = at.corners;
   const Vec3f &a = surface.positions[c[0]], &b = surface.positions[c[1]], &d = surface.positions[c[2]];
   return ((b - a).norm() + (d - b).norm() + (a - d).norm()) / 6;
 }
@@ -142,7 +128,7 @@ void CurveTracer::trace_segment(std::size_t k) {
   double s = 0;
   for (;;) {
     const double speed = std::max(spline.velocity(s).norm(), chord / 4);
-    const double step = spacing(curve_.points.back().at.triangle) / speed;
+    const double step = spacing(curve_.points.back().at) / speed;
     s += step;
     if (s > 1 - step / 2) break;
     const auto at = picker_->closest(spline.position(s).cast<float>(), static_cast<float>(chord));
@@ -154,8 +140,8 @@ void CurveTracer::trace_segment(std::size_t k) {
   append(to.at, spline.velocity(1), to.time, to.pen);
 }
 
-double CurveTracer::spacing(Index triangle) const {
-  return std::clamp<double>(half_mean_edge(*surface_, triangle), min_spacing_, max_spacing_);
+double CurveTracer::spacing(const SurfacePoint& at) const {
+  return std::clamp<double>(half_mean_edge(*surface_, at), min_spacing_, max_spacing_);
 }
 
 void CurveTracer::append(const SurfacePoint& at, const Vec3d& direction, double time, const Pen& pen) {

@@ -74,7 +74,7 @@ class CurveTracer {
   };
   void retrace_tail();
   void trace_segment(std::size_t knot);
-  double spacing(Index triangle) const;
+  double spacing(const SurfacePoint& at) const;
   void append(const SurfacePoint& at, const Vec3d& direction, double time, const Pen& pen);
 
   const Surface* surface_;

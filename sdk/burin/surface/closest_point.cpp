@@ -61,8 +61,11 @@ TrianglePoint closest_point(const Surface& surface, Index triangle, const Vec3d&
   return point_at(t, query, beyond_ac / whole, beyond_ab / whole);
 }
 
-Vec3f position_at(const Surface& surface, const SurfacePoint& point) {
-  return blend(corners_of(surface, point.triangle), point.u, point.v).cast<float>();
+SurfacePoint point_on(const Surface& surface, Index triangle, double u, double v) {
+  return {triangle,
+          surface.triangles[triangle],
+          {static_cast<float>(1 - u - v), static_cast<float>(u), static_cast<float>(v)},
+          blend(corners_of(surface, triangle), u, v).cast<float>()};
 }
 
 }  // namespace burin

@@ -14,7 +14,7 @@ struct TrianglePoint {
 /// Exact for triangles without area too: they count as their edges.
 TrianglePoint closest_point(const Surface& surface, Index triangle, const Vec3d& query);
 
-/// Where (u, v) of the point's triangle is now.
-Vec3f position_at(const Surface& surface, const SurfacePoint& point);
+/// The place u * corner 1 + v * corner 2 + (1 - u - v) * corner 0 of a triangle, as it is now.
+SurfacePoint point_on(const Surface& surface, Index triangle, double u, double v);
 
 }  // namespace burin

@@ -22,9 +22,15 @@ void check_readable(const fs::path& path) {
   if (size == 0) throw FileError(path.string(), "is empty");
 }
 
-PolygonMesh read_by_extension(const fs::path& path) {
+/// In lower case.
+std::string extension_of(const fs::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+PolygonMesh read_by_extension(const fs::path& path) {
+  const std::string extension = extension_of(path);
   if (extension == ".obj") return read_obj(path);
   if (extension == ".ply") return read_ply(path);
   if (extension == ".stl") return read_stl(path);
@@ -63,6 +69,16 @@ PolygonMesh read_mesh(const fs::path& path) {
   check_positions(path, mesh);
   check_faces(path, mesh);
   return mesh;
+}
+
+bool holds_points(const fs::path& path) {
+  check_readable(path);
+  return extension_of(path) == ".ply" && !has_ply_faces(path);
+}
+
+PointSet read_points(const fs::path& path) {
+  check_readable(path);
+  return read_ply_points(path);
 }
 
 }  // namespace burin

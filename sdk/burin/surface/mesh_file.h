@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/surface/point_set.h>
 #include <burin/surface/polygon_mesh.h>
 #include <burin/surface/triangle_mesh.h>
 
@@ -12,6 +13,12 @@ namespace burin {
 /// truncated, an index out of range, a coordinate that is not finite, no face at all, an OBJ face of more
 /// than 255 corners.
 PolygonMesh read_mesh(const std::filesystem::path& path);
+
+/// Whether a file holds points instead of a mesh: a PLY file without faces. Throws FileError like read_mesh.
+bool holds_points(const std::filesystem::path& path);
+
+/// Reads such a file, in its order. Throws FileError: as read_mesh, or without normals (nx, ny, nz).
+PointSet read_points(const std::filesystem::path& path);
 
 /// Writes a binary little-endian PLY, whole or not at all. Throws FileError.
 void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh);

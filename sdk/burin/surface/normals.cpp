@@ -56,4 +56,11 @@ void update_normals(const Surface& surface, std::span<const Vec3f> positions, st
   });
 }
 
+Vec3f normal_at(const Surface& surface, const SurfacePoint& point) {
+  Vec3f normal = Vec3f::Zero();
+  for (std::size_t i = 0; i < 3; ++i) normal += point.weights[i] * surface.normals[point.corners[i]];
+  const float length = normal.norm();
+  return length > 1e-6F ? Vec3f(normal / length) : surface.normals[point.corners[0]];
+}
+
 }  // namespace burin

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/surface/surface.h>
+#include <burin/surface/surface_point.h>
 
 #include <span>
 
@@ -14,5 +15,8 @@ Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, In
 /// Sets normals[v] for all v in `vertices`, in parallel.
 void update_normals(const Surface& surface, std::span<const Vec3f> positions, std::span<const Index> vertices,
                     std::span<Vec3f> normals);
+
+/// The vertex normals interpolated to a point of the surface, unit.
+Vec3f normal_at(const Surface& surface, const SurfacePoint& point);
 
 }  // namespace burin

@@ -48,15 +48,28 @@ class PlyReader {
         size_(std::filesystem::file_size(path)),
         header_(read_ply_header(in, path)) {}
 
-  PolygonMesh read() {
-    bool has_vertices = false, has_faces = false;
+  PolygonMesh read_mesh() {
+    read_elements();
+    if (!has_vertices_ || !has_faces_) throw FileError(path_, "has no element 'vertex' or no element 'face'");
+    return std::move(mesh_);
+  }
+
+  PointSet read_points() {
+    wants_normals_ = true;
+    read_elements();
+    if (!has_vertices_) throw FileError(path_, "has no element 'vertex'");
+    return {std::move(mesh_.positions), std::move(normals_)};
+  }
+
+ private:
+  void read_elements() {
     for (const PlyElement& element : header_.elements) {
       // Every element has a byte at least: a damaged count must not ask for memory.
       if (element.count > size_)
         throw FileError(path_, fmt::format("is too short for {} {} elements", element.count, element.name));
       element_ = &element;
-      has_vertices |= element.name == "vertex";
-      has_faces |= element.name == "face";
+      has_vertices_ |= element.name == "vertex";
+      has_faces_ |= element.name == "face";
       if (element.name == "vertex") {
         read_vertices();
       } else if (element.name == "face") {
@@ -65,11 +78,8 @@ class PlyReader {
         read_each([](const PlyProperty&, double) {});
       }
     }
-    if (!has_vertices || !has_faces) throw FileError(path_, "has no element 'vertex' or no element 'face'");
-    return std::move(mesh_);
   }
 
- private:
   [[noreturn]] void fail(std::string_view what) const {
     throw FileError(path_, fmt::format("{} {}", element_->name, row_ + 1), what);
   }
@@ -93,9 +103,17 @@ class PlyReader {
   void read_vertices() {
     for (const char* axis : {"x", "y", "z"}) require({axis}, fmt::format("property '{}'", axis));
     mesh_.positions.resize(element_->count);
+    if (wants_normals_) {
+      for (const char* axis : {"nx", "ny", "nz"}) require({axis}, fmt::format("property '{}'", axis));
+      normals_.resize(element_->count);
+    }
     read_each([&](const PlyProperty& property, double value) {
-      if (property.name.size() != 1 || property.name[0] < 'x' || property.name[0] > 'z') return;
-      mesh_.positions[row_][property.name[0] - 'x'] = static_cast<float>(value);
+      const std::string& name = property.name;
+      const bool is_normal = wants_normals_ && name.size() == 2 && name[0] == 'n';
+      if (name.size() != 1 && !is_normal) return;
+      const char axis = name.back();
+      if (axis < 'x' || axis > 'z') return;
+      (is_normal ? normals_ : mesh_.positions)[row_][axis - 'x'] = static_cast<float>(value);
     });
   }
 
@@ -144,7 +162,9 @@ class PlyReader {
   std::string path_;
   std::uint64_t size_;  ///< bytes of the file
   PlyHeader header_;
+  bool has_vertices_ = false, has_faces_ = false, wants_normals_ = false;
   PolygonMesh mesh_;
+  std::vector<Vec3f> normals_;           ///< of the vertices, if wanted
   const PlyElement* element_ = nullptr;  ///< being read, and its row
   std::uint64_t row_ = 0;
   std::string word_;
@@ -154,7 +174,19 @@ class PlyReader {
 
 PolygonMesh read_ply(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  return PlyReader(in, path).read();
+  return PlyReader(in, path).read_mesh();
+}
+
+bool has_ply_faces(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  const PlyHeader header = read_ply_header(in, path);
+  return std::ranges::any_of(
+      header.elements, [](const PlyElement& element) { return element.name == "face" && element.count > 0; });
+}
+
+PointSet read_ply_points(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return PlyReader(in, path).read_points();
 }
 
 }  // namespace burin

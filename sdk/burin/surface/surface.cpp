@@ -1,6 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/surface/adjacency.h>
+#include <burin/surface/bounding_box.h>
 #include <burin/surface/curvature.h>
 #include <burin/surface/normals.h>
 #include <burin/surface/spatial_order.h>
@@ -8,7 +9,6 @@
 #include <burin/surface/triangle_shape.h>
 #include <oneapi/tbb/parallel_sort.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <tuple>
 
@@ -64,20 +64,6 @@ void compute_all_normals(Surface& surface) {
   });
 }
 
-void compute_all_curvatures(Surface& surface) {
-  surface.gauss_curvature.resize(surface.positions.size());
-  parallel_blocks(surface.positions.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
-    for (Index vertex = static_cast<Index>(begin); vertex < end; ++vertex)
-      surface.gauss_curvature[vertex] = gauss_curvature(surface, vertex);
-  });
-}
-
-double bounding_box_diagonal(const std::vector<Vec3f>& positions) {
-  Eigen::AlignedBox3f box;
-  for (const Vec3f& position : positions) box.extend(position);
-  return (box.max().cast<double>() - box.min().cast<double>()).norm();
-}
-
 }  // namespace
 
 Surface make_surface(TriangleMesh mesh, const Progress& progress) {
@@ -95,7 +81,7 @@ Surface make_surface(TriangleMesh mesh, const Progress& progress) {
   surface.neighbours = neighbour_vertices(surface.triangles, surface.incident);
   report(progress, "computing normals", 0.8);
   compute_all_normals(surface);
-  compute_all_curvatures(surface);
+  compute_gauss_curvature(surface);
   report(progress, "computing normals", 1);
   return surface;
 }

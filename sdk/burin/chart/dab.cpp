@@ -1,0 +1,210 @@
+// Normal coordinates by front propagation over the edge graph [Dijkstra 1959]: the discrete exponential map
+// [R. Schmidt, C. Grimm, B. Wyvill, Interactive Decal Compositing with Discrete Exponential Maps, 2006],
+// upwind averaging [R. Schmidt, Part-Based Representation and Editing of 3D Surface Models, 2010] and frame
+// propagation [R. Schmidt, Stroke Parameterization, 2013, section 3].
+#include <burin/base/error.h>
+#include <burin/chart/dab.h>
+#include <burin/chart/frame_step.h>
+#include <burin/chart/normal_coordinates.h>
+#include <burin/chart/vertex_nodes.h>
+#include <burin/surface/normals.h>
+#include <burin/surface/unit_tangent.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+
+namespace burin {
+namespace {
+
+constexpr float unreached = std::numeric_limits<float>::infinity();
+
+struct Node {
+  enum class State { open, inside, outside };
+
+  float g = unreached;      ///< graph distance from the centre, object units
+  Index parent = no_index;  ///< node through which g was reached
+  State state = State::open;
+  bool seeded = false;  ///< has its frame from the centre itself
+  DabFrame frame;
+};
+
+struct Entry {
+  float g;
+  Index vertex;
+  bool operator>(const Entry& other) const { return std::pair(g, vertex) > std::pair(other.g, other.vertex); }
+};
+
+}  // namespace
+
+struct DabCharter::Dab {
+  explicit Dab(const Surface& s) : surface(&s), index(s.vertex_count()) {}
+
+  void restart(const SurfacePoint& at, const Vec3f& direction, const DabOptions& with);
+  void seed(Index vertex);
+  void propagate();
+  void settle(Index node);
+  DabFrame frame_from_neighbours(Index node);
+  void predict(Index from, Index node);
+  void lead_on(Index node);
+  void reach(Index node, float g, Index parent);
+  Vec3f aligned_e1(Index vertex) const;
+  bool within(const Node& node) const;
+  Index node_of(Index vertex);
+  DabChart collect() const;
+
+  const Surface* surface;
+  DabOptions options;
+  Vec3f centre, normal, e1;  ///< of the dab
+  VertexNodes index;
+  std::vector<Node> nodes;  ///< [node of index]
+  std::vector<DabPrediction> predictions;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+};
+
+void DabCharter::Dab::restart(const SurfacePoint& at, const Vec3f& direction, const DabOptions& with) {
+  index.clear();
+  nodes.clear();
+  queue = {};
+  options = with;
+  centre = at.position;
+  normal = normal_at(*surface, at);
+  e1 = unit_tangent(direction, normal);
+  for (const Index corner : at.corners) {
+    seed(corner);
+    for (const Index vertex : surface->neighbours[corner]) seed(vertex);
+  }
+}
+
+/// A vertex beside the centre, reached by one straight step.
+void DabCharter::Dab::seed(Index vertex) {
+  const Index node = node_of(vertex);
+  if (nodes[node].seeded) return;
+  const Vec3f& x = surface->positions[vertex];
+  const auto [step, carried] = step_along_edge(centre, normal, e1, x, surface->normals[vertex]);
+  nodes[node].seeded = true;
+  nodes[node].frame = {step, carried};
+  reach(node, (x - centre).norm(), no_index);
+}
+
+Index DabCharter::Dab::node_of(Index vertex) {
+  const Index found = index.find(vertex);
+  if (found != no_index) return found;
+  nodes.emplace_back();
+  return index.insert(vertex);
+}
+
+/// Settles vertices by ascending (g, vertex): those settled before one of its neighbours are its upwind ones.
+void DabCharter::Dab::propagate() {
+  while (!queue.empty()) {
+    const Entry next = queue.top();
+    queue.pop();
+    const Index node = index.find(next.vertex);
+    if (nodes[node].state != Node::State::open || nodes[node].g != next.g) continue;
+    settle(node);
+    if (nodes[node].state == Node::State::inside) lead_on(node);
+  }
+}
+
+void DabCharter::Dab::settle(Index node) {
+  Node& settled = nodes[node];
+  if (!settled.seeded) settled.frame = frame_from_neighbours(node);
+  settled.state = within(settled) ? Node::State::inside : Node::State::outside;
+}
+
+DabFrame DabCharter::Dab::frame_from_neighbours(Index node) {
+  const Index vertex = index.vertex(node);
+  predictions.clear();
+  if (options.method == DabMethod::dem) {
+    predict(nodes[node].parent, node);
+  } else {
+    for (const Index neighbour : surface->neighbours[vertex]) {
+      const Index found = index.find(neighbour);
+      if (found != no_index && nodes[found].state == Node::State::inside) predict(found, node);
+    }
+  }
+  const float epsilon = 4 * std::numeric_limits<float>::epsilon() * static_cast<float>(options.radius);
+  DabFrame frame = upwind_mean(predictions, surface->normals[vertex], epsilon);
+  if (options.method != DabMethod::frame_propagation) frame.e1 = aligned_e1(vertex);
+  return frame;
+}
+
+void DabCharter::Dab::predict(Index from, Index node) {
+  const Index q = index.vertex(from), x = index.vertex(node);
+  const DabFrame& known = nodes[from].frame;
+  const auto [step, carried] = step_along_edge(surface->positions[q], surface->normals[q], known.e1,
+                                               surface->positions[x], surface->normals[x]);
+  const float length = (surface->positions[x] - surface->positions[q]).norm();
+  predictions.push_back({q, nodes[from].g + length, length, {known.at + step, carried}});
+}
+
+/// The link to the distant centre that frame propagation does without: its e1 after the minimal rotation of
+/// its normal to that of the vertex. Steps counted in this e1 are steps after the rotation R(q, p).
+Vec3f DabCharter::Dab::aligned_e1(Index vertex) const {
+  return unit_tangent(transport(e1, normal, surface->normals[vertex]), surface->normals[vertex]);
+}
+
+void DabCharter::Dab::lead_on(Index node) {
+  const Index vertex = index.vertex(node);
+  for (const Index neighbour : surface->neighbours[vertex]) {
+    const Index found = node_of(neighbour);
+    if (nodes[found].state != Node::State::open) continue;
+    const float g = nodes[node].g;
+    const float edge = (surface->positions[neighbour] - surface->positions[vertex]).norm();
+    // Edges too short to tell in floats still lead downwind.
+    reach(found, std::max(g + edge, std::nextafter(g, unreached)), node);
+  }
+}
+
+void DabCharter::Dab::reach(Index node, float g, Index parent) {
+  if (g >= nodes[node].g) return;
+  nodes[node].g = g;
+  nodes[node].parent = parent;
+  queue.push({g, index.vertex(node)});
+}
+
+/// The graph distance is never much longer than the geodesic: beyond, the coordinates have gone astray.
+bool DabCharter::Dab::within(const Node& node) const {
+  const double distance = node.frame.at.cast<double>().norm();
+  return distance <= options.radius && static_cast<double>(node.g) <= 2 * options.radius;
+}
+
+DabChart DabCharter::Dab::collect() const {
+  std::vector<Index> inside;
+  for (Index node = 0; node < nodes.size(); ++node) {
+    if (nodes[node].state == Node::State::inside) inside.push_back(node);
+  }
+  std::ranges::sort(inside, {}, [this](Index node) { return index.vertex(node); });
+  DabChart chart;
+  for (const Index node : inside) {
+    const DabFrame& frame = nodes[node].frame;
+    chart.vertex.push_back(index.vertex(node));
+    chart.u.push_back(frame.at.x());
+    chart.v.push_back(frame.at.y());
+    chart.e1.push_back(frame.e1);
+  }
+  return chart;
+}
+
+DabCharter::DabCharter(const Surface& surface) : dab_(std::make_unique<Dab>(surface)) {}
+DabCharter::~DabCharter() = default;
+DabCharter::DabCharter(DabCharter&&) noexcept = default;
+DabCharter& DabCharter::operator=(DabCharter&&) noexcept = default;
+
+DabChart DabCharter::chart(const SurfacePoint& centre, const Vec3f& e1, const DabOptions& options) {
+  if (!std::isfinite(options.radius) || options.radius <= 0) {
+    throw ContractError("a dab's radius must be a finite number above 0");
+  }
+  if (!e1.allFinite() || e1.isZero(0)) throw ContractError("a dab's direction must be finite and not zero");
+  const auto on_surface = [this](Index corner) { return corner < dab_->surface->vertex_count(); };
+  if (!std::ranges::all_of(centre.corners, on_surface) || !centre.position.allFinite()) {
+    throw ContractError("a dab's centre must lie on the surface");
+  }
+  dab_->restart(centre, e1, options);
+  dab_->propagate();
+  return dab_->collect();
+}
+
+}  // namespace burin

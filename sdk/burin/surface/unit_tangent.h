@@ -1,0 +1,15 @@
+#pragma once
+#include <burin/base/vector.h>
+
+namespace burin {
+
+/// `direction` turned into the plane at right angles to the unit `normal`, or any tangent where nothing of
+/// it is left. Unit.
+inline Vec3f unit_tangent(const Vec3f& direction, const Vec3f& normal) {
+  const Vec3f tangent = direction - normal.dot(direction) * normal;
+  const float length = tangent.norm();
+  if (length > 1e-6F * direction.norm()) return tangent / length;
+  return normal.unitOrthogonal();
+}
+
+}  // namespace burin
