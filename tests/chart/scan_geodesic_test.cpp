@@ -1,0 +1,121 @@
+// Real scans: |d| against exact geodesics of the polyhedron.
+#include <burin/chart/stroke_chart.h>
+#include <burin/surface/mesh_file.h>
+#include <burin/surface/triangulate.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <random>
+
+#include "support/exact_geodesic.h"
+#include "support/gentle_stroke.h"
+#include "support/shared_data.h"
+
+namespace burin {
+namespace {
+
+/// In percent of the radius.
+struct ErrorFigures {
+  double mean, p99, max;
+};
+
+ErrorFigures figures(std::vector<double> errors) {
+  std::ranges::sort(errors);
+  double sum = 0;
+  for (const double error : errors) sum += error;
+  return {sum / static_cast<double>(errors.size()), errors[errors.size() * 99 / 100], errors.back()};
+}
+
+std::ostream& operator<<(std::ostream& out, const ErrorFigures& error) {
+  return out << "mean " << error.mean << " p99 " << error.p99 << " max " << error.max;
+}
+
+struct Measured {
+  std::vector<double> d, t;  ///< errors, percent of the radius
+  std::size_t left_out = 0;  ///< near the medial axis, or t wrong by a fifth of the radius
+};
+
+/// Nodes in bands across the stroke, a tenth of a radius wide and one radius apart, from one radius after its
+/// begin to one before its end.
+std::vector<std::size_t> banded_nodes(const Chart& chart, double length, double radius) {
+  std::vector<std::size_t> nodes;
+  for (std::size_t i = 0; i < chart.size(); ++i) {
+    const double t = chart.t[i];
+    if (t > radius && t < length - radius && std::fmod(t, radius) < radius / 10) nodes.push_back(i);
+  }
+  return nodes;
+}
+
+/// Near focal points and the medial axis the squared distance along the stroke loses its single, clear
+/// minimum.
+void measure(const Surface& surface, const SurfaceCurve& curve, const Chart& chart, double radius,
+             Measured& measured) {
+  constexpr double clear = 0.3;
+  const auto nodes = banded_nodes(chart, curve.length(), radius);
+  measured.left_out += nodes.size();
+  for (const test::ExactNode& exact : test::exact_nodes(surface, curve, chart, radius, nodes)) {
+    if (exact.convexity < clear) continue;
+    const double d = std::abs(static_cast<double>(chart.d[exact.node]));
+    measured.d.push_back(100 / radius * std::abs(d - exact.distance));
+    measured.t.push_back(100 / radius * std::abs(chart.t[exact.node] - exact.t));
+    --measured.left_out;
+  }
+}
+
+struct Scan {
+  const char* file;
+  ErrorFigures limit;  ///< of d
+};
+std::ostream& operator<<(std::ostream& out, const Scan& scan) { return out << scan.file; }
+
+class ScanGeodesic : public testing::TestWithParam<Scan> {
+ protected:
+  static constexpr int strokes = 5;
+
+  static Measured measure_strokes(const Surface& surface, const ChartOptions& options) {
+    const std::uint32_t seed = 31;
+    std::cout << "seed " << seed << "\n";
+    std::mt19937 random(seed);
+    const Picker picker(surface);
+    StrokeCharter charter(surface);
+    Measured measured;
+    for (int drawn = 0, tries = 0; drawn < strokes && tries < 200; ++tries) {
+      const double radius = options.radius;
+      const SurfaceCurve curve = test::gentle_stroke(surface, picker, radius, 5 * radius, random);
+      if (curve.length() < 4 * radius) continue;
+      measure(surface, curve, charter.chart(curve, options), radius, measured);
+      ++drawn;
+    }
+    return measured;
+  }
+};
+
+TEST_P(ScanGeodesic, IsTheDistanceOfTheChart) {
+  BURIN_SHARED_DATA_OR_SKIP(file, std::string("meshes/") + GetParam().file);
+  const Surface surface = make_surface(triangulate(read_mesh(file)));
+  const Measured measured = measure_strokes(surface, {20 * test::mean_edge(surface), Cap::round});
+  ASSERT_GT(measured.d.size(), 1000U);
+  EXPECT_LT(measured.left_out, measured.d.size() / 20);
+  const ErrorFigures d = figures(measured.d);
+  std::cout << GetParam().file << ": d " << d << ", t " << figures(measured.t) << " % of the radius; "
+            << measured.d.size() << " nodes, " << measured.left_out << " left out\n";
+  EXPECT_LE(d.mean, GetParam().limit.mean);
+  EXPECT_LE(d.p99, GetParam().limit.p99);
+  EXPECT_LE(d.max, GetParam().limit.max);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, ScanGeodesic,
+                         testing::Values(Scan{"stanford-bunny.obj", {0.8, 6, 8}},
+                                         Scan{"nefertiti-lowres.obj", {0.45, 2.5, 6}},
+                                         Scan{"dragon_vrip.ply", {0.5, 2.5, 5}}),
+                         [](const auto& scan) {
+                           std::string name = scan.param.file;
+                           name = name.substr(0, name.find('.'));
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace burin
