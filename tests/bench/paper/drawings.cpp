@@ -43,10 +43,12 @@ std::vector<Vec2d> around(double turning_radius, double run) {
 
 }  // namespace
 
-Drawing gentle_s() { return {"gentle S", "spot", {0.5F, 0.5F, 0.42F}, {-1, -0.15F, 0}, 0.045, wave(0.9, 1)}; }
+Drawing gentle_s() {
+  return {"gentle S", "spot_control_mesh", {0.5F, 0.36F, 0.64F}, {-1, -0.15F, 0}, 0.04, wave(0.9, 1)};
+}
 
 Drawing bends() {
-  return {"bends", "stanford-bunny", {0.55F, 0.35F, 0.5F}, {0, -0.2F, -1}, 0.045, wave(0.9, 2)};
+  return {"bends", "stanford-bunny", {0.66F, 0.38F, 0.5F}, {0, -0.2F, -1}, 0.04, wave(0.9, 2)};
 }
 
 Drawing sharp_bends() {

@@ -13,7 +13,6 @@ namespace burin::paper {
 namespace {
 
 constexpr double squares_a_radius = 4;
-constexpr int width = 560, height = 420;
 
 /// Values at some vertices of a surface, clay elsewhere.
 class Field {
@@ -35,8 +34,8 @@ class Field {
 
 Picture draw(const Subject& subject, const Albedo& albedo) {
   ViewOptions options;
-  options.width = width;
-  options.height = height;
+  options.width = subject.scene->picture_width;
+  options.height = options.width * 3 / 4;
   const Camera camera = stroke_view(subject.scene->surface, {&subject.curve, 1}, subject.radius, options);
   Picture picture = render(subject.scene->surface, subject.scene->picker, camera, albedo);
   draw_curve(picture, camera, subject.scene->picker, subject.curve, 0);

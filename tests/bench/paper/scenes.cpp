@@ -26,13 +26,15 @@ std::optional<fs::path> shared_mesh(const std::string& file) { return test::shar
 
 Scenes::Scenes(bool quick) {
   const fs::path ewer = fs::path(BURIN_SAMPLES) / "meshes/ewer.obj";
-  scenes_.push_back(std::make_unique<Scene>("ewer", refined(ewer, quick ? 20'000 : 700'000)));
-  if (quick) return;
-  if (const auto file = shared_mesh("spot_control_mesh.obj"))
-    scenes_.push_back(std::make_unique<Scene>("spot", refined(*file, 700'000)));
-  for (const char* name : {"stanford-bunny", "nefertiti-lowres"}) {
+  const std::size_t triangles = quick ? 20'000 : 700'000;
+  scenes_.push_back(std::make_unique<Scene>("ewer", refined(ewer, triangles)));
+  if (quick) {
+    scenes_.front()->picture_width = 160;
+    return;
+  }
+  for (const char* name : {"spot_control_mesh", "stanford-bunny", "nefertiti-lowres"}) {
     if (const auto file = shared_mesh(name + std::string(".obj")))
-      scenes_.push_back(std::make_unique<Scene>(name, make_surface(triangulate(read_mesh(*file)))));
+      scenes_.push_back(std::make_unique<Scene>(name, refined(*file, triangles)));
   }
 }
 

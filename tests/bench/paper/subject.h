@@ -14,6 +14,7 @@ struct Scene {
   std::string name;
   Surface surface;
   Picker picker;
+  int picture_width = 560;  ///< pixels, a third more than the height
 
   Scene(std::string called, Surface made)
       : name(std::move(called)), surface(std::move(made)), picker(surface) {}
