@@ -56,6 +56,10 @@ if(BURIN_TESTS)
   burin_dependency(apt libgtest-dev why "tests")
   find_package(GTest REQUIRED)
 
+  # Tests only: its licence (GPL) keeps it out of everything that is installed.
+  burin_dependency(apt libcgal-dev why "exact geodesic distances, which tests measure charts against")
+  find_package(CGAL 5.5 REQUIRED)
+
   burin_dependency(apt xz-utils why "tests unpack the compressed meshes of ../shared/data")
   find_program(XZ_PROGRAM xz REQUIRED)
 endif()

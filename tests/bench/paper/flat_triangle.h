@@ -1,0 +1,22 @@
+#pragma once
+#include <array>
+
+#include "support/region.h"
+
+namespace burin::paper {
+
+using Vec2d = Eigen::Vector2d;
+
+/// Plane coordinates (u, v) of a region's vertices, one row each.
+using Parameterization = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+
+/// A triangle laid into the plane, counter-clockwise, without stretching.
+struct FlatTriangle {
+  std::array<Vec2d, 3> corners;        ///< object units
+  std::array<double, 3> edge_weights;  ///< half the cotangent opposite to the edge from corner i to i + 1
+};
+
+/// Those of all triangles; one without area has the weights 0 and holds nothing in place.
+std::vector<FlatTriangle> flatten(const Surface& surface, const test::Region& region);
+
+}  // namespace burin::paper

@@ -1,0 +1,38 @@
+#pragma once
+#include <burin/stamp/picture.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace burin::paper {
+
+/// One HTML page that needs nothing besides itself. Texts are escaped.
+class Page {
+ public:
+  explicit Page(const std::string& title);
+
+  void heading(const std::string& text);
+  void paragraph(const std::string& text);
+  void table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows);
+
+  struct Captioned {
+    Picture picture;
+    std::string caption;
+  };
+  /// Side by side.
+  void pictures(const std::vector<Captioned>& row);
+
+  /// Markup that is well-formed already.
+  void svg(const std::string& markup);
+
+  /// Whole or not at all. Throws FileError.
+  void write(const std::filesystem::path& path) const;
+
+ private:
+  std::string body_;
+};
+
+std::string escaped(const std::string& text);
+
+}  // namespace burin::paper
