@@ -93,7 +93,7 @@ std::ostream& operator<<(std::ostream& out, const Scan& scan) { return out << sc
 
 class ScanGeodesic : public testing::TestWithParam<Scan> {
  protected:
-  static constexpr int strokes = 5;
+  static constexpr int strokes = 8;
 
   /// The same strokes with each of the options, which share the radius.
   static std::vector<Measured> measure_strokes(const Surface& surface,
@@ -143,9 +143,9 @@ TEST_P(ScanGeodesic, IsTheDistanceOfTheChart) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, ScanGeodesic,
-                         testing::Values(Scan{"stanford-bunny.obj", {0.7, 4, 8}},
-                                         Scan{"nefertiti-lowres.obj", {0.7, 5, 8}},
-                                         Scan{"dragon_vrip.ply", {0.6, 4, 7}}),
+                         testing::Values(Scan{"stanford-bunny.obj", {0.1, 0.8, 3}},
+                                         Scan{"nefertiti-lowres.obj", {0.12, 1.5, 6}},
+                                         Scan{"dragon_vrip.ply", {0.06, 0.8, 2}}),
                          [](const auto& scan) {
                            std::string name = scan.param.file;
                            name = name.substr(0, name.find('.'));

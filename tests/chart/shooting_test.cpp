@@ -97,10 +97,10 @@ class Shooting : public testing::TestWithParam<Height (*)(double, double)> {
 
 TEST_P(Shooting, SecondOrderIsWithinItsBounds) {
   const ChartErrors second = errors(radius / 20, 2);
-  EXPECT_LE(second.d.mean(), 0.005);
-  EXPECT_LE(second.d.p99(), 0.03);
-  EXPECT_LE(second.t.mean(), 0.05);
-  EXPECT_LE(second.t.p99(), 0.25);
+  EXPECT_LE(second.d.mean(), 0.002);
+  EXPECT_LE(second.d.p99(), 0.01);
+  EXPECT_LE(second.t.mean(), 0.02);
+  EXPECT_LE(second.t.p99(), 0.1);
   RecordProperty("d_mean", std::to_string(second.d.mean()));
   RecordProperty("t_mean", std::to_string(second.t.mean()));
 }

@@ -118,8 +118,8 @@ ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const G
 
   const float k = (1 - foot.s) * curvature[foot.segment] + foot.s * curvature[next], d = frame.d;
   const float gauss = surface.gauss_curvature[vertex];
-  // Beside a bend whose centre is nearer than the seed the coordinates fold, and count as straight.
-  if (std::abs(k * d) < 0.5F) {
+  // On the inside of a bend whose centre is nearer than the seed the coordinates fold, and count as straight.
+  if (k * d < 0.5F) {
     frame.curvature = k / (1 - k * d) + gauss * d;
     frame.stretch = 1 - k * d - gauss * d * d / 2;
   }

@@ -25,6 +25,14 @@ Vec3f unit_tangent(const Vec3f& vector, const Vec3f& normal) {
 
 float weight(const UpwindArm& arm, float epsilon) { return 1 / (arm.length + epsilon); }
 
+/// Second order: an arm along the geodesic from the stroke knows most of x; what it has to add for its way u
+/// along the stroke is what is uncertain.
+float geodesic_weight(const UpwindArm& arm, float epsilon) {
+  constexpr float sideways = 0.3F;
+  const float u = arm.edge.step.x(), length = arm.length + epsilon;
+  return 1 / (u * u + sideways * length * length);
+}
+
 /// Where the first order places x.
 double placed_t(const UpwindArm& arm) { return arm.frame.t + static_cast<double>(arm.edge.step.x()); }
 float placed_d(const UpwindArm& arm) { return arm.frame.d + arm.edge.step.y(); }
@@ -56,7 +64,7 @@ Shape shape_at_zero(std::span<const UpwindArm> arms, float epsilon) {
   float weights = 0, u_mean = 0, uu = 0, all = 0;
   Shape mean{0, 0}, product{0, 0};
   for (const UpwindArm& arm : arms) {
-    const float w = weight(arm, epsilon), u = arm.edge.step.x();
+    const float w = geodesic_weight(arm, epsilon), u = arm.edge.step.x();
     const Shape shape = shape_at_end(arm);
     weights += w;
     u_mean += w * u;
@@ -83,7 +91,7 @@ Shape mean_shape(std::span<const UpwindArm> arms, float epsilon) {
   float weights = 0;
   Shape mean{0, 0};
   for (const UpwindArm& arm : arms) {
-    const float w = weight(arm, epsilon);
+    const float w = geodesic_weight(arm, epsilon);
     weights += w;
     mean.curvature += w * arm.frame.curvature;
     mean.stretch += w * arm.frame.stretch;
@@ -95,8 +103,8 @@ Vec3f turned_mean(std::span<const UpwindArm> arms, const Vec3f& normal, float cu
   Vec3f sum = Vec3f::Zero();
   for (const UpwindArm& arm : arms) {
     const float angle = (arm.frame.curvature + curvature) / 2 * arm.edge.step.x();
-    sum +=
-        weight(arm, epsilon) * (std::cos(angle) * arm.edge.e1 + std::sin(angle) * normal.cross(arm.edge.e1));
+    sum += geodesic_weight(arm, epsilon) *
+           (std::cos(angle) * arm.edge.e1 + std::sin(angle) * normal.cross(arm.edge.e1));
   }
   return unit_tangent(sum, normal);
 }
@@ -152,7 +160,7 @@ ChartFrame second_order_frame(std::span<const UpwindArm> arms, const Vec3f& norm
   const double origin = arms[0].frame.t;
   float weights = 0, t = 0, d = 0;
   for (const UpwindArm& arm : arms) {
-    const float w = weight(arm, epsilon);
+    const float w = geodesic_weight(arm, epsilon);
     const Vec2f begin = arm.edge.step, end = step_in(frame.e1, normal, arm.edge);
     weights += w;
     t += w * (static_cast<float>(arm.frame.t - origin) +

@@ -11,6 +11,11 @@ namespace {
 /// A turn between neighbouring points that is a corner of the stroke, radians.
 constexpr double corner = 0.5;
 
+/// A window that has seen this much turn on one side, radians, sees a bend tighter than itself and goes on for
+/// some points only.
+constexpr double bend = 0.7;
+constexpr int points_beyond_bend = 2;
+
 /// The angle by which the tangent turns from a to b, radians.
 double turn_between(const CurvePoint& a, const CurvePoint& b) {
   const Vec3f carried = transport(a.tangent, a.normal, b.normal);
@@ -77,6 +82,7 @@ float GeodesicCurvature::slope_at(const SurfaceCurve& curve, double window, std:
   fit.add(0, 0);
   const auto walk = [&](bool forward) {
     double place = 0, angle = 0;
+    int beyond = 0;
     for (std::size_t i = point;;) {
       const bool wraps = forward ? i + 1 == points.size() : i == 0;
       if (wraps && !curve.closed) return;
@@ -88,6 +94,7 @@ float GeodesicCurvature::slope_at(const SurfaceCurve& curve, double window, std:
       place += forward ? extent : -extent;
       angle += forward ? turned : -turned;
       if (std::abs(place) > reach || std::abs(turned) > corner || next == point) return;
+      if (std::abs(angle) > bend && ++beyond > points_beyond_bend) return;
       fit.add(place, angle);
       i = next;
     }

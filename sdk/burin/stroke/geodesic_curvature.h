@@ -13,7 +13,8 @@ namespace burin {
 /// either side. So the noise of the samples averages out, while only the curvature's own third order over the
 /// window biases it. Near the ends of an open curve the window shrinks with the distance to the end, to no
 /// less than half, and a parabola serves where it reaches over the end. No window reaches over a corner, a
-/// turn of more than half a radian between neighbouring points.
+/// turn of more than half a radian between neighbouring points, nor much beyond 0.7 radians of turn, so that
+/// bends tighter than the window keep their curvature.
 class GeodesicCurvature {
  public:
   /// Follows a change of the curve from this point on (0: all of it).
@@ -21,6 +22,9 @@ class GeodesicCurvature {
 
   float operator[](std::size_t point) const { return curvature_[point]; }
   const std::vector<float>& values() const { return curvature_; }
+
+  /// The angle by which the tangent has turned from the first point to this one, radians, left positive.
+  double turned(std::size_t point) const { return angles_[point]; }
 
  private:
   void turn(const SurfaceCurve& curve, std::size_t first_changed);
