@@ -21,9 +21,10 @@ bool same_for_charts(const CurvePoint& a, const CurvePoint& b) {
 
 }  // namespace
 
-void Front::restart(double radius, int order) {
+void Front::restart(double radius, int order, const Extensions& extensions) {
   radius_ = radius;
   order_ = order;
+  extensions_ = extensions;
   points_.clear();
   samples_.clear();
   chart_nodes_.clear();
@@ -47,15 +48,14 @@ void Front::update(const SurfaceCurve& curve) {
 /// Takes back what may be other than before because of the samples: nodes whose run has gone, and those from
 /// the first changed sample on.
 void Front::replace_curve(const SurfaceCurve& curve) {
-  if (curve.closed || samples_.closed()) restart(radius_, order_);
+  if (curve.closed || samples_.closed()) restart(radius_, order_, extensions_);
   const auto differ = std::ranges::mismatch(points_, curve.points, same_for_charts);
   const auto unchanged = static_cast<std::size_t>(differ.in1 - points_.begin());
   points_.resize(unchanged);
   points_.insert(points_.end(), differ.in2, curve.points.end());
 
-  constexpr double curvature_window = 0.4;  // of the radius
   curvature_.update(curve, curvature_window * radius_, unchanged);
-  const Index changed = samples_.update(curve, radius_);
+  const Index changed = samples_.update(curve, radius_, extensions_);
   chart_nodes_.update(samples_, changed);
   const double unchanged_t = changed > 1 ? samples_.t(changed - 2) : -std::numeric_limits<double>::infinity();
   for (Index node = 0; node < nodes_.size(); ++node) {
@@ -218,14 +218,16 @@ float Front::distance_through(Index from, Index to) const {
 
 bool Front::within_stroke(Index node) const {
   const Node& settled = nodes_[node];
-  const double t = settled.frame.t, half_width = samples_.half_width(t);
+  const double t = settled.frame.t, d = std::abs(static_cast<double>(settled.frame.d));
   const double beyond = samples_.closed() ? 0 : std::max({-t, t - samples_.length(), 0.});
-  const double distance = std::hypot(beyond, static_cast<double>(settled.frame.d));
-  if (!(distance <= half_width)) return false;
+  const double distance = std::hypot(beyond, d);
+  const bool extended = beyond > 0 && beyond <= (t < 0 ? extensions_.begin : extensions_.end);
+  if (!((extended ? d : distance) <= samples_.half_width(t))) return false;
   // Coordinates have gone astray whose foot is not in the node's own visit, is farther off on the straight
   // line than it should be on the surface, or was reached on a way much longer than a geodesic.
   const Index foot = samples_.at(t);
-  return chart_nodes_.holds(node, foot) && static_cast<double>(settled.g) <= 2 * radius_ &&
+  return chart_nodes_.holds(node, foot) &&
+         static_cast<double>(settled.g) <= 2 * std::max(radius_, distance) &&
          static_cast<double>(samples_.chord(foot, surface_->positions[vertex(node)])) <=
              distance + radius_ / 4;
 }

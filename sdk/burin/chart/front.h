@@ -25,12 +25,15 @@ namespace burin {
 /// changes, the settled nodes downwind of it are taken back and settled anew.
 class Front {
  public:
+  /// Over which the stroke's curvature is estimated, on either side, in shares of the radius.
+  static constexpr double curvature_window = 0.4;
+
   /// The surface must outlive the front.
   explicit Front(const Surface& surface) : surface_(&surface), chart_nodes_(surface), seed_finder_(surface) {}
 
   /// Forgets everything; the surface may have changed. `radius`: half width of the stroke at width 1, object
   /// units. `order`: 1 or 2.
-  void restart(double radius, int order);
+  void restart(double radius, int order, const Extensions& extensions = {});
 
   /// Goes over to this curve, of at least one point.
   void update(const SurfaceCurve& curve);
@@ -39,6 +42,7 @@ class Front {
   std::span<const Index> inside() const { return inside_; }
   Index vertex(Index node) const { return chart_nodes_.vertex(node); }
   const ChartFrame& frame(Index node) const { return nodes_[node].frame; }
+  const GeodesicCurvature& curvature() const { return curvature_; }
 
  private:
   static constexpr float unreached = std::numeric_limits<float>::infinity();
@@ -85,6 +89,7 @@ class Front {
   const Surface* surface_;
   double radius_ = 0;
   int order_ = 2;
+  Extensions extensions_;
   std::vector<CurvePoint> points_;  ///< of the last curve
   StrokeSamples samples_;
   GeodesicCurvature curvature_;

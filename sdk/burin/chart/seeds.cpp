@@ -116,7 +116,9 @@ ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const G
   frame.d = beyond ? step.y() : std::copysign(step.norm(), step.y()) + 0.0F;
   frame.e1 = e1;
 
-  const float k = (1 - foot.s) * curvature[foot.segment] + foot.s * curvature[next], d = frame.d;
+  // Beyond its ends the stroke goes on as a geodesic.
+  const float k = beyond ? 0 : (1 - foot.s) * curvature[foot.segment] + foot.s * curvature[next];
+  const float d = frame.d;
   const float gauss = surface.gauss_curvature[vertex];
   // On the inside of a bend whose centre is nearer than the seed the coordinates fold, and count as straight.
   if (k * d < 0.5F) {

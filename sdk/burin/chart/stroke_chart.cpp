@@ -2,6 +2,7 @@
 // front.
 #include <burin/base/error.h>
 #include <burin/chart/front.h>
+#include <burin/chart/joined_legs.h>
 #include <burin/chart/stroke_chart.h>
 
 #include <algorithm>
@@ -10,48 +11,21 @@
 
 namespace burin {
 
-struct StrokeCharter::Stroke {
-  explicit Stroke(const Surface& s) : surface(&s), front(s) {}
+namespace {
 
-  Chart update(const SurfaceCurve& curve);
-  Chart collect(const SurfaceCurve& curve) const;
-
-  const Surface* surface;
-  ChartOptions options;
-  Front front;
-};
-
-Chart StrokeCharter::Stroke::update(const SurfaceCurve& curve) {
-  if (curve.points.empty()) throw ContractError("a stroke chart needs a curve of at least one point");
-  front.update(curve);
-  return collect(curve);
-}
-
-Chart StrokeCharter::Stroke::collect(const SurfaceCurve& curve) const {
-  std::vector<Index> nodes(front.inside().begin(), front.inside().end());
-  if (options.cap == Cap::butt && !curve.closed) {
-    std::erase_if(nodes, [&](Index node) {
-      const double t = front.frame(node).t;
-      return t < 0 || t > curve.length();
-    });
-  }
-  if (curve.closed) {
-    std::ranges::sort(nodes, {},
-                      [&](Index node) { return std::pair(front.vertex(node), front.frame(node).t); });
-  }
+Chart make_chart(const std::vector<PlacedNode>& nodes, const SurfaceCurve& curve) {
   Chart chart;
   chart.length = curve.length();
   chart.closed = curve.closed;
-  for (auto* numbers : {&chart.d, &chart.stretch}) numbers->reserve(nodes.size());
   chart.vertex.reserve(nodes.size());
   chart.sheet.reserve(nodes.size());
   chart.t.reserve(nodes.size());
+  chart.d.reserve(nodes.size());
   chart.e1.reserve(nodes.size());
-  for (const Index node : nodes) {
-    const ChartFrame& frame = front.frame(node);
-    const Index vertex = front.vertex(node);
-    chart.sheet.push_back(!chart.vertex.empty() && chart.vertex.back() == vertex ? chart.sheet.back() + 1
-                                                                                 : 0);
+  chart.stretch.reserve(nodes.size());
+  for (const auto& [vertex, leg, frame] : nodes) {
+    const bool same = !chart.vertex.empty() && chart.vertex.back() == vertex;
+    chart.sheet.push_back(same ? chart.sheet.back() + 1 : 0);
     chart.vertex.push_back(vertex);
     chart.t.push_back(frame.t);
     chart.d.push_back(frame.d);
@@ -59,6 +33,49 @@ Chart StrokeCharter::Stroke::collect(const SurfaceCurve& curve) const {
     chart.stretch.push_back(frame.stretch);
   }
   return chart;
+}
+
+double around(double t, double length) {
+  const double rest = t - length * std::floor(t / length);
+  return rest < length ? rest : 0;
+}
+
+}  // namespace
+
+struct StrokeCharter::Stroke {
+  explicit Stroke(const Surface& s) : front(s), legs(s) {}
+
+  Chart update(const SurfaceCurve& curve);
+  void place(const SurfaceCurve& curve);
+
+  ChartOptions options;
+  Front front;
+  JoinedLegs legs;
+  std::vector<PlacedNode> nodes;  ///< of the chart being made
+};
+
+Chart StrokeCharter::Stroke::update(const SurfaceCurve& curve) {
+  if (curve.points.empty()) throw ContractError("a stroke chart needs a curve of at least one point");
+  nodes.clear();
+  if (options.join == Join::round)
+    place(curve);
+  else
+    legs.place(curve, options, front, nodes);
+  if (curve.closed || options.join != Join::round) {
+    if (curve.closed)
+      for (PlacedNode& node : nodes) node.frame.t = around(node.frame.t, curve.length());
+    std::ranges::sort(nodes, {}, [](const PlacedNode& node) { return std::pair(node.vertex, node.frame.t); });
+  }
+  return make_chart(nodes, curve);
+}
+
+void StrokeCharter::Stroke::place(const SurfaceCurve& curve) {
+  front.update(curve);
+  for (const Index node : front.inside()) {
+    const ChartFrame& frame = front.frame(node);
+    if (options.cap == Cap::butt && beyond_end(frame.t, curve)) continue;
+    nodes.push_back({front.vertex(node), 0, frame});
+  }
 }
 
 StrokeCharter::StrokeCharter(const Surface& surface) : stroke_(std::make_unique<Stroke>(surface)) {}

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/chart/chart.h>
+#include <burin/chart/joins.h>
 #include <burin/stroke/surface_curve.h>
 #include <burin/surface/surface.h>
 
@@ -16,6 +17,7 @@ struct ChartOptions {
   double radius = 0;  ///< half width of the stroke, object units, > 0
   Cap cap = Cap::round;
   int order = 2;  ///< 1: Eq. 2 and 3 of the paper; 2: second order on curved strokes and surfaces
+  Join join = Join::round;
 };
 
 /// Computes stroke charts on one surface [Schmidt 2013, section 4]. Holds scratch memory of eight bytes a
@@ -34,8 +36,9 @@ class StrokeCharter {
 
   /// The chart of a curve with the options of the last chart(), bit for bit what chart() would give. The
   /// front is propagated only where something differs; besides, the whole curve and chart are walked through
-  /// once: meant for a stroke that grows. The surface must be as it was for chart().
-  /// Throws ContractError for a curve without points or when there is no last chart.
+  /// once: meant for a stroke that grows. Closed strokes, and miter and overlap joins, start afresh. The
+  /// surface must be as it was for chart(). Throws ContractError for a curve without points or when there is
+  /// no last chart.
   Chart extend(const SurfaceCurve& curve);
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -16,9 +17,19 @@ float squared_arc_over_chord(float cosine) {
   return ratio * ratio;
 }
 
+/// By how much the disc around the sample at t must be wider to hold the extensions' corners.
+double widening(const Extensions& extensions, double t, double length, double radius) {
+  double widest = 1;
+  for (const auto& [reach, way] : {std::pair(extensions.begin, t), std::pair(extensions.end, length - t)}) {
+    const double corner = std::hypot(radius, reach);
+    if (reach > 0 && way < corner) widest = std::max(widest, corner / radius);
+  }
+  return widest;
+}
+
 }  // namespace
 
-Index StrokeSamples::update(const SurfaceCurve& curve, double radius) {
+Index StrokeSamples::update(const SurfaceCurve& curve, double radius, const Extensions& extensions) {
   const std::vector<Sample> before = std::move(samples_);
   const bool was_closed = closed_;
   length_ = curve.length();
@@ -36,9 +47,11 @@ Index StrokeSamples::update(const SurfaceCurve& curve, double radius) {
     const float s = extent > 0 ? static_cast<float>(std::min((t - a.t) / extent, 1.)) : 0;
     const Vec3f normal = (1 - s) * a.normal + s * b.normal;
     const float size = normal.norm();
-    samples_.push_back({t, (1 - s) * a.at.position + s * b.at.position,
-                        size > 0 ? Vec3f(normal / size) : a.normal,
-                        static_cast<float>(radius) * ((1 - s) * a.width + s * b.width)});
+    const float half_width = static_cast<float>(radius) * ((1 - s) * a.width + s * b.width);
+    samples_.push_back(
+        {t, (1 - s) * a.at.position + s * b.at.position, size > 0 ? Vec3f(normal / size) : a.normal,
+         half_width,
+         half_width * static_cast<float>(disc_over_width * widening(extensions, t, length_, radius))});
   };
   for (double i = 0; i < count; ++i) add(i * spacing_);
   if (!closed_ || samples_.empty()) add(length_);
@@ -80,9 +93,8 @@ double StrokeSamples::half_width(double t) const {
 
 bool StrokeSamples::disc_holds(Index sample, const Vec3f& position, const Vec3f& normal) const {
   const Sample& s = samples_[sample];
-  const float reach = static_cast<float>(disc_over_width) * s.half_width;
   return (position - s.position).squaredNorm() * squared_arc_over_chord(normal.dot(s.normal)) <=
-         reach * reach;
+         s.disc * s.disc;
 }
 
 }  // namespace burin

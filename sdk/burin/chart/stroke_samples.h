@@ -5,13 +5,19 @@
 
 namespace burin {
 
+/// How far the stroke's full width goes on straight beyond its ends, object units; 0: it ends in a round cap.
+struct Extensions {
+  double begin = 0, end = 0;
+};
+
 /// Evenly spaced points of a stroke by which its visits to a vertex are told apart: discs of 1.25 times the
 /// stroke's half width around them, an eighth of its radius apart [Schmidt 2013, section 4.1: "slide a
 /// geodesic disc along S"].
 class StrokeSamples {
  public:
-  /// Takes the samples of another curve, of at least one point. Returns the first that differs.
-  Index update(const SurfaceCurve& curve, double radius);
+  /// Takes the samples of another curve, of at least one point. Discs near the ends are wide enough for the
+  /// extensions. Returns the first that differs.
+  Index update(const SurfaceCurve& curve, double radius, const Extensions& extensions);
   void clear() { samples_.clear(); }
 
   Index size() const { return static_cast<Index>(samples_.size()); }
@@ -46,6 +52,7 @@ class StrokeSamples {
     double t;
     Vec3f position, normal;
     float half_width;
+    float disc;  ///< radius of the disc
     bool operator==(const Sample&) const = default;
   };
   std::vector<Sample> samples_;

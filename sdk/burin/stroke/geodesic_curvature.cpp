@@ -11,8 +11,8 @@ namespace {
 /// A turn between neighbouring points that is a corner of the stroke, radians.
 constexpr double corner = 0.5;
 
-/// A window that has seen this much turn on one side, radians, sees a bend tighter than itself and goes on for
-/// some points only.
+/// A window that has seen this much turn on one side, radians, sees a bend tighter than itself and goes on
+/// for some points only.
 constexpr double bend = 0.7;
 constexpr int points_beyond_bend = 2;
 

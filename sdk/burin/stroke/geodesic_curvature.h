@@ -26,6 +26,9 @@ class GeodesicCurvature {
   /// The angle by which the tangent has turned from the first point to this one, radians, left positive.
   double turned(std::size_t point) const { return angles_[point]; }
 
+  /// The same all around a closed curve, back to its first point.
+  double loop_angle() const { return angles_.empty() ? 0 : angles_.back() + closing_angle_; }
+
  private:
   void turn(const SurfaceCurve& curve, std::size_t first_changed);
   float slope_at(const SurfaceCurve& curve, double window, std::size_t point) const;

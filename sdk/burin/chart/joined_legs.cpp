@@ -1,0 +1,153 @@
+#include <burin/chart/curve_parts.h>
+#include <burin/chart/joined_legs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace burin {
+namespace {
+
+/// A bend shorter than this share of the radius is a corner.
+constexpr double corner_length = 0.5;
+
+Vec3d place_at(const SurfaceCurve& curve, double t) {
+  return part_of(curve, t, t).points.front().at.position.cast<double>();
+}
+
+}  // namespace
+
+void JoinedLegs::place(const SurfaceCurve& curve, const ChartOptions& options, Front& front,
+                       std::vector<PlacedNode>& nodes) {
+  options_ = options;
+  GeodesicCurvature curvature;
+  curvature.update(curve, Front::curvature_window * options.radius);
+  bends_.update(curve, curvature, options.radius);
+  find_corners(curve);
+  const std::vector<Leg> legs = legs_of(curve);
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) place_leg(curve, legs, leg, front, nodes);
+  if (options_.join != Join::overlap) put_together(nodes, curve.closed);
+  if (options_.join == Join::smooth) smooth_long_bends(curve, nodes);
+}
+
+void JoinedLegs::find_corners(const SurfaceCurve& curve) {
+  cuts_.clear();
+  corners_.clear();
+  for (const Bend& bend : bends_.all()) {
+    const bool is_short = bend.end - bend.begin < corner_length * options_.radius;
+    const bool miterable = miter_reach(bend.turn, options_.radius) > 0;
+    if (options_.join != Join::overlap && !is_short) continue;
+    if (options_.join == Join::miter && !miterable) continue;
+    if (!curve.closed && (bend.begin <= 0 || bend.end >= curve.length())) continue;
+    const double chord = (place_at(curve, bend.end) - place_at(curve, bend.begin)).norm();
+    const double way = std::min(chord / 2 / std::cos(std::min(std::abs(bend.turn) / 2, 1.2)), options_.radius);
+    cuts_.push_back(bend);
+    corners_.push_back({bend.begin + way, bend.end - way, bend.middle, bend.turn, span(curve, bend)});
+  }
+}
+
+/// Enough for |grad t| within 1/2 and 2 at right angles, but not into another bend's half nor beyond an end.
+double JoinedLegs::span(const SurfaceCurve& curve, const Bend& bend) const {
+  const double length = curve.length();
+  double span = 4 * options_.radius * std::tan(std::min(std::abs(bend.turn) / 2, 1.2));
+  span = curve.closed ? std::min(span, length / 2) : std::min({span, bend.middle, length - bend.middle});
+  for (const Bend& other : bends_.all()) {
+    double gap = std::abs(other.middle - bend.middle);
+    if (curve.closed) gap = std::min(gap, length - gap);
+    if (other.middle != bend.middle) span = std::min(span, gap / 2);
+  }
+  return span;
+}
+
+std::vector<JoinedLegs::Leg> JoinedLegs::legs_of(const SurfaceCurve& curve) const {
+  if (cuts_.empty()) return {{0, curve.length()}};
+  std::vector<Leg> legs;
+  if (!curve.closed) legs.push_back({0, cuts_.front().begin});
+  for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) legs.push_back({cuts_[i].end, cuts_[i + 1].begin});
+  legs.push_back({cuts_.back().end, curve.closed ? cuts_.front().begin + curve.length() : curve.length()});
+  return legs;
+}
+
+const Corner* JoinedLegs::corner_after(std::size_t leg, bool closed) const {
+  if (closed && !corners_.empty()) return &corners_[(leg + 1) % corners_.size()];
+  return leg < corners_.size() ? &corners_[leg] : nullptr;
+}
+
+const Corner* JoinedLegs::corner_before(std::size_t leg, bool closed) const {
+  if (closed && !corners_.empty()) return &corners_[leg];
+  return leg > 0 ? &corners_[leg - 1] : nullptr;
+}
+
+void JoinedLegs::place_leg(const SurfaceCurve& curve, const std::vector<Leg>& legs, std::size_t leg,
+                           Front& front, std::vector<PlacedNode>& nodes) const {
+  const auto [begin, end] = legs[leg];
+  const bool whole = cuts_.empty();
+  const SurfaceCurve part = whole ? curve : part_of(curve, begin, std::max(begin, end));
+  const Corner *before = corner_before(leg, curve.closed), *after = corner_after(leg, curve.closed);
+  const auto reach = [&](const Corner* corner) {
+    if (!corner || options_.join != Join::miter) return 0.;
+    return 1.1 * miter_reach(corner->turn, options_.radius) + corner_length * options_.radius;
+  };
+  front.restart(options_.radius, options_.order, {reach(before), reach(after)});
+  front.update(part);
+  for (const Index node : front.inside()) {
+    ChartFrame frame = front.frame(node);
+    const bool inner_end = options_.join != Join::overlap && (frame.t < 0 ? before : after) != nullptr;
+    if (options_.cap == Cap::butt && beyond_end(frame.t, part) && !inner_end) continue;
+    frame.t += whole ? 0 : begin;
+    nodes.push_back({front.vertex(node), static_cast<Index>(leg), frame});
+  }
+}
+
+/// At each corner a vertex keeps the node of the leg on whose side of the bisector it lies: that goes less far
+/// beyond the corner.
+void JoinedLegs::put_together(std::vector<PlacedNode>& nodes, bool closed) const {
+  if (corners_.empty()) return;
+  std::ranges::sort(nodes, {}, [](const PlacedNode& n) { return std::tuple(n.vertex, n.leg, n.frame.t); });
+  const double near = 4 * options_.radius;
+  const auto keeps = [&](const PlacedNode& node, std::size_t first, std::size_t last, const Corner* corner,
+                         bool first_leg) {
+    if (!corner) return true;
+    const double beyond = first_leg ? node.frame.t - corner->first : corner->second - node.frame.t;
+    if (beyond < -near) return true;
+    for (std::size_t i = first; i < last; ++i) {
+      const bool neighbour = first_leg ? nodes[i].leg == node.leg + 1 : nodes[i].leg + 1 == node.leg;
+      const double other = first_leg ? corner->second - nodes[i].frame.t : nodes[i].frame.t - corner->first;
+      if (neighbour && other > -near) return first_leg ? beyond <= other : beyond < other;
+    }
+    return beyond <= 0 || on_own_side(*corner, first_leg, node.frame);
+  };
+  std::vector<PlacedNode> kept;
+  for (std::size_t first = 0; first < nodes.size();) {
+    std::size_t last = first;
+    while (last < nodes.size() && nodes[last].vertex == nodes[first].vertex) ++last;
+    for (std::size_t i = first; i < last; ++i) {
+      PlacedNode node = nodes[i];
+      const Corner *before = corner_before(node.leg, closed), *after = corner_after(node.leg, closed);
+      if (!keeps(node, first, last, after, true) || !keeps(node, first, last, before, false)) continue;
+      if (options_.join == Join::smooth) {
+        const Vec3f& normal = surface_->normals[node.vertex];
+        if (after) node.frame = smoothed(*after, true, node.frame, normal);
+        if (before) node.frame = smoothed(*before, false, node.frame, normal);
+      }
+      kept.push_back(node);
+    }
+    first = last;
+  }
+  nodes = std::move(kept);
+}
+
+void JoinedLegs::smooth_long_bends(const SurfaceCurve& curve, std::vector<PlacedNode>& nodes) const {
+  for (const Bend& bend : bends_.all()) {
+    if (bend.end - bend.begin < corner_length * options_.radius) continue;
+    const double reach = span(curve, bend), length = curve.length();
+    for (PlacedNode& node : nodes) {
+      const double t = node.frame.t;
+      const double loops = curve.closed ? std::round((t - bend.middle) / length) : 0;
+      node.frame.t = smoothed_t(bends_, bend, reach, t - loops * length, static_cast<double>(node.frame.d)) +
+                     loops * length;
+    }
+  }
+}
+
+}  // namespace burin

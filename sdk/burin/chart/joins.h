@@ -1,0 +1,38 @@
+#pragma once
+#include <burin/chart/bends.h>
+#include <burin/chart/chart_frame.h>
+
+namespace burin {
+
+/// What becomes of the coordinates where the stroke bends sharper than its radius.
+enum class Join {
+  round,   ///< as the distances have it: around the outside of the bend t hardly moves, inside it jumps
+  smooth,  ///< t is spread evenly along the lines of constant d on the way through the bend, inside and out
+  miter,   ///< the straight coordinates of the legs go on to where they meet; up to 120 degrees, else round
+  overlap,  ///< each leg ends in the bend as strokes end, and both have sheets of their own there
+};
+
+/// A corner: a bend so short that its legs, straight on, meet where it is.
+struct Corner {
+  double first, second;  ///< arc length that the meeting point would have on either leg
+  double middle;         ///< arc length that it has on the stroke
+  double turn;           ///< radians, left positive
+  double span;           ///< how far before and after it `smooth` spreads t
+};
+
+/// How far a mitered corner reaches beyond the meeting point along a leg, for a stroke of this radius; 0 for
+/// corners too sharp for miters.
+double miter_reach(double turn, double radius);
+
+/// Whether a node of the first (or second) leg lies on its own leg's side of the corner's bisector, judged in
+/// the plane from the leg's own coordinates.
+bool on_own_side(const Corner& corner, bool first_leg, const ChartFrame& frame);
+
+/// t, d and e1 as `smooth` has them from those of a leg, around which the frame goes on straight. `normal`: of
+/// the vertex.
+ChartFrame smoothed(const Corner& corner, bool first_leg, const ChartFrame& frame, const Vec3f& normal);
+
+/// t as `smooth` has it in a bend too long to be a corner, from that of the plain chart. `span` as above.
+double smoothed_t(const StrokeBends& bends, const Bend& bend, double span, double t, double d);
+
+}  // namespace burin
