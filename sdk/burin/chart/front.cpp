@@ -57,10 +57,10 @@ void Front::replace_curve(const SurfaceCurve& curve) {
   curvature_.update(curve, curvature_window * radius_, unchanged);
   const Index changed = samples_.update(curve, radius_, extensions_);
   chart_nodes_.update(samples_, changed);
-  const double unchanged_t = changed > 1 ? samples_.t(changed - 2) : -std::numeric_limits<double>::infinity();
+  const double unchanged_t = changed > 0 ? samples_.t(changed - 1) : -std::numeric_limits<double>::infinity();
   for (Index node = 0; node < nodes_.size(); ++node) {
     if (nodes_[node].state == State::open) continue;
-    if (nodes_[node].frame.t > unchanged_t || chart_nodes_.vacant(node)) take_back(node);
+    if (nodes_[node].frame.t >= unchanged_t || chart_nodes_.vacant(node)) take_back(node);
   }
 }
 

@@ -26,7 +26,7 @@ namespace burin {
 class Front {
  public:
   /// Over which the stroke's curvature is estimated, on either side, in shares of the radius.
-  static constexpr double curvature_window = 0.4;
+  static constexpr double curvature_window = 0.25;
 
   /// The surface must outlive the front.
   explicit Front(const Surface& surface) : surface_(&surface), chart_nodes_(surface), seed_finder_(surface) {}

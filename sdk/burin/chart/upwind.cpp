@@ -39,7 +39,8 @@ float placed_d(const UpwindArm& arm) { return arm.frame.d + arm.edge.step.y(); }
 
 bool agree(const UpwindArm& a, const UpwindArm& b) {
   const double reach = 2 * static_cast<double>(a.length + b.length);
-  return std::hypot(placed_t(a) - placed_t(b), static_cast<double>(placed_d(a) - placed_d(b))) <= reach;
+  const double t = placed_t(a) - placed_t(b), d = static_cast<double>(placed_d(a) - placed_d(b));
+  return t * t + d * d <= reach * reach;
 }
 
 /// k and J at x as q alone knows them.
