@@ -1,9 +1,9 @@
-// Bends sharper than the radius, each join: on a plane, where lengths and angles can be read off the triangles.
+// Bends sharper than the radius, each join: on a plane, where lengths and angles can be read off the
+// triangles.
 #include <burin/chart/stroke_chart.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -36,8 +36,8 @@ struct Scene {
 struct ChartTriangle {
   Vec2d middle;
   Vec2d grad_t;
-  double flip;  ///< Jacobian determinant of (t, d)
-  Vec2d spread;   ///< of t and of d over the corners
+  double flip;   ///< Jacobian determinant of (t, d)
+  Vec2d spread;  ///< of t and of d over the corners
 };
 
 /// Each node of the first corner with the nodes of the others that come closest to it in (t, d).
@@ -49,9 +49,8 @@ std::vector<ChartTriangle> triangles_of(const Surface& surface, const Chart& cha
       return std::hypot(chart.t[i] - chart.t[to], static_cast<double>(chart.d[i] - chart.d[to]));
     };
     const auto [first, last] = nodes.equal_range(vertex);
-    return std::min_element(
-               first, last,
-               [&](const auto& x, const auto& y) { return away(x.second) < away(y.second); })
+    return std::min_element(first, last,
+                            [&](const auto& x, const auto& y) { return away(x.second) < away(y.second); })
         ->second;
   };
   std::vector<ChartTriangle> result;
@@ -68,7 +67,9 @@ std::vector<ChartTriangle> triangles_of(const Surface& surface, const Chart& cha
       const Eigen::Matrix2d jacobian = changes * edges.inverse();
       const auto [low, high] = std::minmax({chart.t[a], chart.t[b], chart.t[c]});
       const auto [right, left] = std::minmax({chart.d[a], chart.d[b], chart.d[c]});
-      result.push_back({(at(0) + at(1) + at(2)) / 3, jacobian.row(0).transpose(), jacobian.determinant(),
+      result.push_back({(at(0) + at(1) + at(2)) / 3,
+                        jacobian.row(0).transpose(),
+                        jacobian.determinant(),
                         {high - low, static_cast<double>(left - right)}});
     }
   }

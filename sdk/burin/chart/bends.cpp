@@ -59,7 +59,8 @@ void StrokeBends::update(const SurfaceCurve& curve, const GeodesicCurvature& cur
     bend.end = static_cast<double>(i - 1) * step + window / 2;
     bend.turn = turn(bend.begin, bend.end);
     if (!entered || std::abs(bend.turn) < least_turn) continue;
-    const double margin = radius / 16, begin = reached(bend, 0.02) - margin, end = reached(bend, 0.98) + margin;
+    const double margin = radius / 16, begin = reached(bend, 0.02) - margin,
+                 end = reached(bend, 0.98) + margin;
     bend.middle = reached(bend, 0.5);
     bend.begin = begin;
     bend.end = end;

@@ -40,7 +40,8 @@ void JoinedLegs::find_corners(const SurfaceCurve& curve) {
     if (options_.join == Join::miter && !miterable) continue;
     if (!curve.closed && (bend.begin <= 0 || bend.end >= curve.length())) continue;
     const double chord = (place_at(curve, bend.end) - place_at(curve, bend.begin)).norm();
-    const double way = std::min(chord / 2 / std::cos(std::min(std::abs(bend.turn) / 2, 1.2)), options_.radius);
+    const double way =
+        std::min(chord / 2 / std::cos(std::min(std::abs(bend.turn) / 2, 1.2)), options_.radius);
     cuts_.push_back(bend);
     corners_.push_back({bend.begin + way, bend.end - way, bend.middle, bend.turn, span(curve, bend)});
   }
@@ -99,8 +100,8 @@ void JoinedLegs::place_leg(const SurfaceCurve& curve, const std::vector<Leg>& le
   }
 }
 
-/// At each corner a vertex keeps the node of the leg on whose side of the bisector it lies: that goes less far
-/// beyond the corner.
+/// At each corner a vertex keeps the node of the leg on whose side of the bisector it lies: that goes less
+/// far beyond the corner.
 void JoinedLegs::put_together(std::vector<PlacedNode>& nodes, bool closed) const {
   if (corners_.empty()) return;
   std::ranges::sort(nodes, {}, [](const PlacedNode& n) { return std::tuple(n.vertex, n.leg, n.frame.t); });

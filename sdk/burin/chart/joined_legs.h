@@ -19,16 +19,16 @@ inline bool beyond_end(double t, const SurfaceCurve& curve) {
   return !curve.closed && (t < 0 || t > curve.length());
 }
 
-/// Charts of strokes whose bends are joined in other ways than the distances have it: the stroke is cut at its
-/// bends, each leg is charted as a stroke of its own that goes on straight, and the legs' nodes are put
+/// Charts of strokes whose bends are joined in other ways than the distances have it: the stroke is cut at
+/// its bends, each leg is charted as a stroke of its own that goes on straight, and the legs' nodes are put
 /// together.
 class JoinedLegs {
  public:
   /// The surface must outlive the object.
   explicit JoinedLegs(const Surface& surface) : surface_(&surface) {}
 
-  /// Appends the nodes of the stroke, by means of the front, which starts afresh. The t of a closed stroke are
-  /// not brought to [0, length).
+  /// Appends the nodes of the stroke, by means of the front, which starts afresh. The t of a closed stroke
+  /// are not brought to [0, length).
   void place(const SurfaceCurve& curve, const ChartOptions& options, Front& front,
              std::vector<PlacedNode>& nodes);
 

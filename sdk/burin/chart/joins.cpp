@@ -56,8 +56,8 @@ ChartFrame smoothed(const Corner& corner, bool first_leg, const ChartFrame& fram
                 static_cast<float>(std::sin(turned)) * normal.cross(frame.e1);
   }
   // Where the span begins t is that of the leg.
-  const double leg = first_leg ? corner.middle - (corner.first - corner.span)
-                               : corner.second + corner.span - corner.middle;
+  const double leg =
+      first_leg ? corner.middle - (corner.first - corner.span) : corner.second + corner.span - corner.middle;
   const double share = all > 0 ? std::min(to_bisector / all, 1.) : 0;
   joined.t = corner.middle + (first_leg ? -leg : leg) * share;
   return joined;

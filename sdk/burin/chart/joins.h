@@ -6,9 +6,9 @@ namespace burin {
 
 /// What becomes of the coordinates where the stroke bends sharper than its radius.
 enum class Join {
-  round,   ///< as the distances have it: around the outside of the bend t hardly moves, inside it jumps
-  smooth,  ///< t is spread evenly along the lines of constant d on the way through the bend, inside and out
-  miter,   ///< the straight coordinates of the legs go on to where they meet; up to 120 degrees, else round
+  round,    ///< as the distances have it: around the outside of the bend t hardly moves, inside it jumps
+  smooth,   ///< t is spread evenly along the lines of constant d on the way through the bend, inside and out
+  miter,    ///< the straight coordinates of the legs go on to where they meet; up to 120 degrees, else round
   overlap,  ///< each leg ends in the bend as strokes end, and both have sheets of their own there
 };
 
@@ -28,8 +28,8 @@ double miter_reach(double turn, double radius);
 /// the plane from the leg's own coordinates.
 bool on_own_side(const Corner& corner, bool first_leg, const ChartFrame& frame);
 
-/// t, d and e1 as `smooth` has them from those of a leg, around which the frame goes on straight. `normal`: of
-/// the vertex.
+/// t, d and e1 as `smooth` has them from those of a leg, around which the frame goes on straight. `normal`:
+/// of the vertex.
 ChartFrame smoothed(const Corner& corner, bool first_leg, const ChartFrame& frame, const Vec3f& normal);
 
 /// t as `smooth` has it in a bend too long to be a corner, from that of the plain chart. `span` as above.
