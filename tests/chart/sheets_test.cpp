@@ -1,4 +1,5 @@
-// Strokes that overlap themselves, on a plane: each visit's sheet has the coordinates of its own part of the stroke.
+// Strokes that overlap themselves, on a plane: each visit's sheet has the coordinates of its own part of the
+// stroke.
 #include <burin/chart/stroke_chart.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +34,8 @@ struct Foot {
 std::vector<Foot> feet_of(const SurfaceCurve& curve, const Vec3d& x) {
   std::vector<Foot> feet;
   for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
-    const Vec3d a = curve.points[i].at.position.cast<double>(), b = curve.points[i + 1].at.position.cast<double>();
+    const Vec3d a = curve.points[i].at.position.cast<double>(),
+                b = curve.points[i + 1].at.position.cast<double>();
     const Vec3d chord = b - a;
     const double s = (x - a).dot(chord) / chord.squaredNorm();
     if (s < -0.2 || s > 1.2) continue;  // on the outside of joints no foot is within either segment
@@ -57,8 +59,8 @@ std::map<std::size_t, std::size_t> expect_sheets_at_feet(const Scene& scene, con
     const Vec3d x = scene.surface.positions[chart.vertex[i]].cast<double>();
     if (counts(x)) {
       const std::vector<Foot> feet = feet_of(curve, x);
-      const bool on_border = std::ranges::any_of(
-          feet, [](const Foot& foot) { return std::abs(foot.d) > radius - edge / 2; });
+      const bool on_border =
+          std::ranges::any_of(feet, [](const Foot& foot) { return std::abs(foot.d) > radius - edge / 2; });
       if (!on_border) {
         EXPECT_EQ(end - i, feet.size()) << x.transpose();
         for (std::size_t k = i; k < std::min(end, i + feet.size()); ++k) {
@@ -128,9 +130,8 @@ TEST(Sheets, SpiralOverlapsItselfAlongItsWholeLength) {
   const SurfaceCurve curve = scene.traced(samples);
   const Chart chart = scene.charter.chart(curve, {.radius = radius});
   // Away from where the turns begin and end.
-  const auto vertices = expect_sheets_at_feet(scene, curve, chart, [](const Vec3d& x) {
-    return x.norm() > 0.45 && x.norm() < 0.75 && x.x() < -0.1;
-  });
+  const auto vertices = expect_sheets_at_feet(
+      scene, curve, chart, [](const Vec3d& x) { return x.norm() > 0.45 && x.norm() < 0.75 && x.x() < -0.1; });
   EXPECT_GT(vertices.at(2), 1500U);
   // As many nodes as the stroke has area, however often it lies on top of itself.
   const double area = 2 * radius * curve.length() + pi * radius * radius;

@@ -20,6 +20,12 @@ Vec3d place_at(const SurfaceCurve& curve, double t) {
 void JoinedLegs::place(const SurfaceCurve& curve, const ChartOptions& options, Front& front,
                        std::vector<PlacedNode>& nodes) {
   options_ = options;
+  if (options.join == Join::round) {
+    cuts_.clear();
+    corners_.clear();
+    place_leg(curve, {{0, curve.length()}}, 0, front, nodes);
+    return;
+  }
   GeodesicCurvature curvature;
   curvature.update(curve, Front::curvature_window * options.radius);
   bends_.update(curve, curvature, options.radius);

@@ -27,8 +27,8 @@ class JoinedLegs {
   /// The surface must outlive the object.
   explicit JoinedLegs(const Surface& surface) : surface_(&surface) {}
 
-  /// Appends the nodes of the stroke, by means of the front, which starts afresh. The t of a closed stroke
-  /// are not brought to [0, length).
+  /// Appends the nodes of the stroke (with round joins: in one piece), by means of the front, which starts
+  /// afresh. The t of a closed stroke are not brought to [0, length).
   void place(const SurfaceCurve& curve, const ChartOptions& options, Front& front,
              std::vector<PlacedNode>& nodes);
 

@@ -13,26 +13,28 @@ namespace burin {
 
 namespace {
 
-Chart make_chart(const std::vector<PlacedNode>& nodes, const SurfaceCurve& curve) {
+Chart empty_chart(const SurfaceCurve& curve, std::size_t nodes) {
   Chart chart;
   chart.length = curve.length();
   chart.closed = curve.closed;
-  chart.vertex.reserve(nodes.size());
-  chart.sheet.reserve(nodes.size());
-  chart.t.reserve(nodes.size());
-  chart.d.reserve(nodes.size());
-  chart.e1.reserve(nodes.size());
-  chart.stretch.reserve(nodes.size());
-  for (const auto& [vertex, leg, frame] : nodes) {
-    const bool same = !chart.vertex.empty() && chart.vertex.back() == vertex;
-    chart.sheet.push_back(same ? chart.sheet.back() + 1 : 0);
-    chart.vertex.push_back(vertex);
-    chart.t.push_back(frame.t);
-    chart.d.push_back(frame.d);
-    chart.e1.push_back(frame.e1);
-    chart.stretch.push_back(frame.stretch);
-  }
+  chart.vertex.reserve(nodes);
+  chart.sheet.reserve(nodes);
+  chart.t.reserve(nodes);
+  chart.d.reserve(nodes);
+  chart.e1.reserve(nodes);
+  chart.stretch.reserve(nodes);
   return chart;
+}
+
+/// To be called by rising vertex and t.
+void append(Chart& chart, Index vertex, const ChartFrame& frame) {
+  const bool same = !chart.vertex.empty() && chart.vertex.back() == vertex;
+  chart.sheet.push_back(same ? chart.sheet.back() + 1 : 0);
+  chart.vertex.push_back(vertex);
+  chart.t.push_back(frame.t);
+  chart.d.push_back(frame.d);
+  chart.e1.push_back(frame.e1);
+  chart.stretch.push_back(frame.stretch);
 }
 
 double around(double t, double length) {
@@ -46,36 +48,39 @@ struct StrokeCharter::Stroke {
   explicit Stroke(const Surface& s) : front(s), legs(s) {}
 
   Chart update(const SurfaceCurve& curve);
-  void place(const SurfaceCurve& curve);
+  Chart plain(const SurfaceCurve& curve);
+  Chart joined(const SurfaceCurve& curve);
 
   ChartOptions options;
   Front front;
   JoinedLegs legs;
-  std::vector<PlacedNode> nodes;  ///< of the chart being made
 };
 
 Chart StrokeCharter::Stroke::update(const SurfaceCurve& curve) {
   if (curve.points.empty()) throw ContractError("a stroke chart needs a curve of at least one point");
-  nodes.clear();
-  if (options.join == Join::round)
-    place(curve);
-  else
-    legs.place(curve, options, front, nodes);
-  if (curve.closed || options.join != Join::round) {
-    if (curve.closed)
-      for (PlacedNode& node : nodes) node.frame.t = around(node.frame.t, curve.length());
-    std::ranges::sort(nodes, {}, [](const PlacedNode& node) { return std::pair(node.vertex, node.frame.t); });
-  }
-  return make_chart(nodes, curve);
+  return options.join == Join::round && !curve.closed ? plain(curve) : joined(curve);
 }
 
-void StrokeCharter::Stroke::place(const SurfaceCurve& curve) {
+Chart StrokeCharter::Stroke::plain(const SurfaceCurve& curve) {
   front.update(curve);
+  Chart chart = empty_chart(curve, front.inside().size());
   for (const Index node : front.inside()) {
     const ChartFrame& frame = front.frame(node);
     if (options.cap == Cap::butt && beyond_end(frame.t, curve)) continue;
-    nodes.push_back({front.vertex(node), 0, frame});
+    append(chart, front.vertex(node), frame);
   }
+  return chart;
+}
+
+Chart StrokeCharter::Stroke::joined(const SurfaceCurve& curve) {
+  std::vector<PlacedNode> nodes;
+  legs.place(curve, options, front, nodes);
+  if (curve.closed)
+    for (PlacedNode& node : nodes) node.frame.t = around(node.frame.t, curve.length());
+  std::ranges::sort(nodes, {}, [](const PlacedNode& node) { return std::pair(node.vertex, node.frame.t); });
+  Chart chart = empty_chart(curve, nodes.size());
+  for (const PlacedNode& node : nodes) append(chart, node.vertex, node.frame);
+  return chart;
 }
 
 StrokeCharter::StrokeCharter(const Surface& surface) : stroke_(std::make_unique<Stroke>(surface)) {}
