@@ -2,9 +2,14 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_sort.h>
 
-#include <atomic>
 #include <cstddef>
+#include <functional>
+
+#if defined(__SANITIZE_THREAD__)
+#include <burin/base/traced_threads.h>
+#endif
 
 namespace burin {
 
@@ -13,19 +18,27 @@ namespace burin {
 template <class Body>
 void parallel_blocks(std::size_t count, std::size_t grain, const Body& body) {
   const std::size_t blocks = (count + grain - 1) / grain;
-  // Orders what comes before the loop, its bodies and what comes after in the sight of race detectors too,
-  // which do not see into the system's oneTBB.
-  std::atomic<std::size_t> done;
-  done.store(0, std::memory_order_release);
+  const auto run = [&](std::size_t block) {
+    const std::size_t begin = block * grain;
+    body(begin, begin + grain < count ? begin + grain : count);
+  };
+#if defined(__SANITIZE_THREAD__)
+  traced_threads(blocks, run);
+#else
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1), [&](const auto& range) {
-    done.load(std::memory_order_acquire);
-    for (std::size_t block = range.begin(); block != range.end(); ++block) {
-      const std::size_t begin = block * grain;
-      body(begin, begin + grain < count ? begin + grain : count);
-    }
-    done.fetch_add(1, std::memory_order_acq_rel);
+    for (std::size_t block = range.begin(); block != range.end(); ++block) run(block);
   });
-  done.load(std::memory_order_acquire);
+#endif
+}
+
+/// Sorts on all threads. Elements that compare equal must be the same bits, for one result.
+template <class Iterator, class Less = std::less<>>
+void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
+#if defined(__SANITIZE_THREAD__)
+  std::sort(first, last, less);
+#else
+  tbb::parallel_sort(first, last, less);
+#endif
 }
 
 /// While it lives, loops of this process run on at most this many threads.

@@ -1,10 +1,10 @@
+#include <burin/base/parallel.h>
 #include <burin/surface/adjacency.h>
 #include <burin/surface/defects.h>
 #include <burin/surface/triangle_shape.h>
 #include <burin/surface/vertex_star.h>
 #include <burin/surface/weld.h>
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <iterator>
@@ -14,7 +14,7 @@ namespace {
 
 std::size_t count_duplicates(std::vector<Triangle> triangles) {
   for (Triangle& triangle : triangles) std::sort(triangle.begin(), triangle.end());
-  tbb::parallel_sort(triangles.begin(), triangles.end());
+  parallel_sort(triangles.begin(), triangles.end());
   return triangles.size() -
          static_cast<std::size_t>(std::unique(triangles.begin(), triangles.end()) - triangles.begin());
 }

@@ -1,6 +1,5 @@
 #include <burin/base/parallel.h>
 #include <burin/surface/spatial_order.h>
-#include <oneapi/tbb/parallel_sort.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -72,7 +71,7 @@ std::vector<Index> spatial_order(std::span<const Vec3f> points) {
   parallel_blocks(points.size(), points_a_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) keys[i] = grid.code(points[i]) << index_bits | i;
   });
-  tbb::parallel_sort(keys.begin(), keys.end());
+  parallel_sort(keys.begin(), keys.end());
 
   const std::uint64_t index_mask = (std::uint64_t{1} << index_bits) - 1;
   std::vector<Index> order(points.size());

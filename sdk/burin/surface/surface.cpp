@@ -7,7 +7,6 @@
 #include <burin/surface/spatial_order.h>
 #include <burin/surface/surface.h>
 #include <burin/surface/triangle_shape.h>
-#include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <tuple>
@@ -51,7 +50,7 @@ void sort_vertices(TriangleMesh& mesh, Surface& surface) {
 
 /// By lowest vertex. Triangles that compare equal are the same bits, so any sort gives one result.
 void sort_triangles(std::vector<Triangle>& triangles) {
-  tbb::parallel_sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) {
+  parallel_sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) {
     return std::tuple(std::ranges::min(a), a) < std::tuple(std::ranges::min(b), b);
   });
 }

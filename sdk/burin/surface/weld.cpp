@@ -1,5 +1,5 @@
+#include <burin/base/parallel.h>
 #include <burin/surface/weld.h>
-#include <oneapi/tbb/parallel_sort.h>
 
 #include <array>
 #include <bit>
@@ -23,7 +23,7 @@ std::vector<Index> first_at_place(std::span<const Vec3f> points) {
   const auto key = [&](Index i) { return std::pair(place_of(points[i]), i); };
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index{0});
-  tbb::parallel_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+  parallel_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
 
   std::vector<Index> first(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) {

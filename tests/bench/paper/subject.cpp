@@ -8,6 +8,29 @@
 namespace burin::paper {
 namespace {
 
+/// One sheet a vertex, the nearest to the stroke: what the chart is compared with knows no other maps.
+Chart nearest_sheets(const Chart& chart) {
+  Chart nearest;
+  nearest.length = chart.length;
+  for (std::size_t i = 0; i < chart.size(); ++i) {
+    const bool again = i > 0 && chart.vertex[i] == chart.vertex[i - 1];
+    if (again && std::abs(chart.d[i]) >= std::abs(nearest.d.back())) continue;
+    if (!again) {
+      nearest.vertex.push_back(chart.vertex[i]);
+      nearest.sheet.push_back(0);
+    }
+    nearest.t.resize(nearest.vertex.size());
+    nearest.d.resize(nearest.vertex.size());
+    nearest.e1.resize(nearest.vertex.size());
+    nearest.stretch.resize(nearest.vertex.size());
+    nearest.t.back() = chart.t[i];
+    nearest.d.back() = chart.d[i];
+    nearest.e1.back() = chart.e1[i];
+    nearest.stretch.back() = chart.stretch[i];
+  }
+  return nearest;
+}
+
 bool inside(const Chart& chart, const Triangle& triangle) {
   return std::ranges::all_of(triangle,
                              [&](Index vertex) { return std::ranges::binary_search(chart.vertex, vertex); });
@@ -34,7 +57,7 @@ test::Region region_of(const Surface& surface, const SurfaceCurve& curve, const 
 
 Subject make_subject(const Scene& scene, SurfaceCurve curve, double radius) {
   Subject subject{&scene, radius, std::move(curve), {}, {}};
-  subject.chart = StrokeCharter(scene.surface).chart(subject.curve, {radius, Cap::round});
+  subject.chart = nearest_sheets(StrokeCharter(scene.surface).chart(subject.curve, {radius, Cap::round}));
   subject.region = region_of(scene.surface, subject.curve, subject.chart);
   return subject;
 }
