@@ -1,0 +1,132 @@
+#include <burin/chart/chart_triangles.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace burin {
+namespace {
+
+/// Nodes of a vertex follow one another in the chart. Of no vertex there is "none".
+std::vector<Index> nodes_of(const Chart& chart, Index vertex) {
+  if (vertex == no_index) return {no_index};
+  const auto [begin, end] = std::ranges::equal_range(chart.vertex, vertex);
+  std::vector<Index> nodes(static_cast<std::size_t>(end - begin));
+  std::iota(nodes.begin(), nodes.end(), static_cast<Index>(begin - chart.vertex.begin()));
+  return nodes;
+}
+
+/// From one node to another along the stroke, on a closed one the shorter way; to or from none 0.
+double t_between(const Chart& chart, Index a, Index b) {
+  return a == no_index || b == no_index ? 0 : t_beside(chart, chart.t[a], b) - chart.t[a];
+}
+
+/// Whether three nodes stand around a closed stroke of a few edges, so that there is no t to count all of
+/// them beside.
+bool wind_around(const Chart& chart, Index a, Index b, Index c) {
+  if (!chart.closed || a == no_index || b == no_index || c == no_index) return false;
+  return std::abs(t_between(chart, a, b) + t_between(chart, b, c) + t_between(chart, c, a)) >
+         chart.length / 2;
+}
+
+/// Squared distance in the chart, object units.
+double squared_distance(const Chart& chart, Index a, Index b) {
+  if (a == no_index || b == no_index) return 0;
+  const double stretch = static_cast<double>(chart.stretch[a] + chart.stretch[b]) / 2;
+  const double along = stretch * t_between(chart, a, b);
+  const double across = static_cast<double>(chart.d[b] - chart.d[a]);
+  return along * along + across * across;
+}
+
+double longest_edge(const Surface& surface, const std::array<Index, 3>& corners) {
+  float longest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Index a = corners[i], b = corners[(i + 1) % 3];
+    if (a != no_index && b != no_index)
+      longest = std::max(longest, (surface.positions[a] - surface.positions[b]).norm());
+  }
+  return static_cast<double>(longest);
+}
+
+/// Three nodes and how far apart they lie: the sum of the squared distances.
+struct Triple {
+  double spread;
+  std::array<Index, 3> nodes;
+  auto operator<=>(const Triple&) const = default;
+};
+
+bool share_a_node(const std::array<Index, 3>& a, const std::array<Index, 3>& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (a[i] == b[i] && a[i] != no_index) return true;
+  }
+  return false;
+}
+
+ChartTriangle beside_each_other(const Chart& chart, Index triangle, const std::array<Index, 3>& nodes) {
+  ChartTriangle result{triangle, nodes, {}};
+  const double near = chart.t[nodes[0]];
+  for (std::size_t i = 0; i < 3; ++i) result.t[i] = t_beside(chart, near, nodes[i]);
+  if (chart.closed && std::ranges::min(result.t) < 0) {
+    for (double& t : result.t) t += chart.length;
+  }
+  return result;
+}
+
+}  // namespace
+
+double t_beside(const Chart& chart, double t, Index node) {
+  const double own = chart.t[node];
+  if (!chart.closed || !(chart.length > 0)) return own;
+  return own - chart.length * std::round((own - t) / chart.length);
+}
+
+std::vector<std::array<Index, 3>> nodes_together(const Surface& surface, const Chart& chart,
+                                                 const std::array<Index, 3>& corners) {
+  constexpr double edges_apart = 2;
+  const double reach = edges_apart * longest_edge(surface, corners), most = reach * reach;
+  const std::vector<Index> first = nodes_of(chart, corners[0]);
+  const std::vector<Index> second = nodes_of(chart, corners[1]);
+  const std::vector<Index> third = nodes_of(chart, corners[2]);
+  std::vector<Triple> triples;
+  for (const Index a : first) {
+    for (const Index b : second) {
+      const double ab = squared_distance(chart, a, b);
+      if (ab > most) continue;
+      for (const Index c : third) {
+        const double bc = squared_distance(chart, b, c), ca = squared_distance(chart, c, a);
+        if (bc <= most && ca <= most && !wind_around(chart, a, b, c))
+          triples.push_back({ab + bc + ca, {a, b, c}});
+      }
+    }
+  }
+  std::ranges::sort(triples);
+  std::vector<std::array<Index, 3>> result;
+  for (const Triple& triple : triples) {
+    const auto taken = [&](const std::array<Index, 3>& other) { return share_a_node(triple.nodes, other); };
+    if (std::ranges::none_of(result, taken)) result.push_back(triple.nodes);
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+std::vector<ChartTriangle> chart_triangles(const Surface& surface, const Chart& chart) {
+  std::vector<Index> around;
+  if (!surface.is_point_set()) {
+    for (std::size_t node = 0; node < chart.size(); ++node) {
+      if (chart.sheet[node] > 0) continue;
+      const Index vertex = chart.vertex[node];
+      for (const Index triangle : surface.incident[vertex]) {
+        if (std::ranges::min(surface.triangles[triangle]) == vertex) around.push_back(triangle);
+      }
+    }
+  }
+  std::ranges::sort(around);
+  std::vector<ChartTriangle> result;
+  for (const Index triangle : around) {
+    for (const auto& nodes : nodes_together(surface, chart, surface.triangles[triangle]))
+      result.push_back(beside_each_other(chart, triangle, nodes));
+  }
+  return result;
+}
+
+}  // namespace burin

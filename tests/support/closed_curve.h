@@ -1,0 +1,14 @@
+#pragma once
+#include <burin/stroke/surface_curve.h>
+
+namespace burin::test {
+
+/// Closes a curve of several points whose last one is at the place of its first.
+inline void close(SurfaceCurve& curve) {
+  const double length = curve.length();
+  curve.points.pop_back();
+  curve.closed = true;
+  curve.closing_length = length - curve.points.back().t;
+}
+
+}  // namespace burin::test
