@@ -11,8 +11,8 @@
 
 namespace burin {
 
-/// Calls run(block) for all blocks below `blocks` on threads of its own: for builds with the thread sanitizer,
-/// which cannot see into the system's oneTBB and would take its tasks for races.
+/// Calls run(block) for all blocks below `blocks` on threads of its own: for builds with the thread
+/// sanitizer, which cannot see into the system's oneTBB and would take its tasks for races.
 template <class Run>
 void traced_threads(std::size_t blocks, const Run& run) {
   const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);

@@ -9,6 +9,9 @@ namespace {
 /// Turns below this are no bends that a join could matter for, radians.
 constexpr double least_turn = 0.35;
 
+/// The stroke is looked at in so many places at most.
+constexpr double most_steps = 1e5;
+
 }  // namespace
 
 double StrokeBends::angle_at(double t) const {
@@ -46,7 +49,7 @@ void StrokeBends::update(const SurfaceCurve& curve, const GeodesicCurvature& cur
   }
   if (!(length_ > 0)) return;
 
-  const double window = radius / 4, step = radius / 32;
+  const double window = radius / 4, step = std::max(radius / 32, length_ / most_steps);
   const auto sharpness = [&](double t) { return turn(t - window / 2, t + window / 2) / (window / radius); };
   const auto steps = static_cast<long>(std::ceil(length_ / step));
   // A bend across the seam of a closed stroke is found from its begin.

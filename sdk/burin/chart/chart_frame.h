@@ -3,6 +3,9 @@
 
 namespace burin {
 
+/// Below this stretch a focal point is near, where Fermi coordinates fold.
+constexpr float least_stretch = 0.15F;
+
 /// What the front knows at a node of the chart: the Fermi coordinates of the stroke, in which the metric is
 /// J^2 dt^2 + dd^2, and how they go on.
 struct ChartFrame {

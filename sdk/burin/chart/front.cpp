@@ -19,6 +19,9 @@ bool same_for_charts(const CurvePoint& a, const CurvePoint& b) {
          a.tangent == b.tangent && a.t == b.t && a.width == b.width;
 }
 
+/// Samples and points of a stroke are no finer than this share of the surface.
+constexpr double finest_share = 1e-5;
+
 }  // namespace
 
 void Front::restart(double radius, int order, const Extensions& extensions) {
@@ -55,7 +58,7 @@ void Front::replace_curve(const SurfaceCurve& curve) {
   points_.insert(points_.end(), differ.in2, curve.points.end());
 
   curvature_.update(curve, curvature_window * radius_, unchanged);
-  const Index changed = samples_.update(curve, radius_, extensions_);
+  const Index changed = samples_.update(curve, radius_, finest_share * surface_->scale, extensions_);
   chart_nodes_.update(samples_, changed);
   const double unchanged_t = changed > 0 ? samples_.t(changed - 1) : -std::numeric_limits<double>::infinity();
   for (Index node = 0; node < nodes_.size(); ++node) {

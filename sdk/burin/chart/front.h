@@ -42,7 +42,9 @@ class Front {
   std::span<const Index> inside() const { return inside_; }
   Index vertex(Index node) const { return chart_nodes_.vertex(node); }
   const ChartFrame& frame(Index node) const { return nodes_[node].frame; }
-  const GeodesicCurvature& curvature() const { return curvature_; }
+
+  /// Half width of the stroke at the arc length t, object units.
+  double half_width(double t) const { return samples_.half_width(t); }
 
  private:
   static constexpr float unreached = std::numeric_limits<float>::infinity();

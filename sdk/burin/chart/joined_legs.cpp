@@ -34,6 +34,11 @@ void JoinedLegs::place(const SurfaceCurve& curve, const ChartOptions& options, F
   for (std::size_t leg = 0; leg < legs.size(); ++leg) place_leg(curve, legs, leg, front, nodes);
   if (options_.join != Join::overlap) put_together(nodes, curve.closed);
   if (options_.join == Join::smooth) smooth_long_bends(curve, nodes);
+  // Joins move coordinates: some now lie beyond the stroke.
+  std::erase_if(nodes, [&](const PlacedNode& node) {
+    return static_cast<double>(std::abs(node.frame.d)) > node.half_width ||
+           (options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
+  });
 }
 
 void JoinedLegs::find_corners(const SurfaceCurve& curve) {
@@ -101,8 +106,9 @@ void JoinedLegs::place_leg(const SurfaceCurve& curve, const std::vector<Leg>& le
     ChartFrame frame = front.frame(node);
     const bool inner_end = options_.join != Join::overlap && (frame.t < 0 ? before : after) != nullptr;
     if (options_.cap == Cap::butt && beyond_end(frame.t, part) && !inner_end) continue;
+    const double half_width = front.half_width(frame.t);
     frame.t += whole ? 0 : begin;
-    nodes.push_back({front.vertex(node), static_cast<Index>(leg), frame});
+    nodes.push_back({front.vertex(node), static_cast<Index>(leg), frame, half_width});
   }
 }
 

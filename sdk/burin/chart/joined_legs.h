@@ -13,6 +13,7 @@ struct PlacedNode {
   Index vertex;
   Index leg;  ///< of the stroke, by rising t
   ChartFrame frame;
+  double half_width;  ///< of the stroke at the node's t on its leg
 };
 
 inline bool beyond_end(double t, const SurfaceCurve& curve) {

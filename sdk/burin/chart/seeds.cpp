@@ -123,7 +123,7 @@ ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const G
   // On the inside of a bend whose centre is nearer than the seed the coordinates fold, and count as straight.
   if (k * d < 0.5F) {
     frame.curvature = k / (1 - k * d) + gauss * d;
-    frame.stretch = 1 - k * d - gauss * d * d / 2;
+    frame.stretch = std::max(1 - k * d - gauss * d * d / 2, least_stretch);
   }
   return frame;
 }

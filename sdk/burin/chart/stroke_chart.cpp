@@ -89,7 +89,8 @@ StrokeCharter::StrokeCharter(StrokeCharter&&) noexcept = default;
 StrokeCharter& StrokeCharter::operator=(StrokeCharter&&) noexcept = default;
 
 Chart StrokeCharter::chart(const SurfaceCurve& curve, const ChartOptions& options) {
-  if (!std::isfinite(options.radius) || options.radius <= 0) {
+  const auto radius = static_cast<float>(options.radius);
+  if (!std::isfinite(radius) || radius <= 0) {
     throw ContractError("a stroke's radius must be a finite number above 0");
   }
   stroke_->options = options;

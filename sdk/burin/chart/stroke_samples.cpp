@@ -29,15 +29,18 @@ double widening(const Extensions& extensions, double t, double length, double ra
 
 }  // namespace
 
-Index StrokeSamples::update(const SurfaceCurve& curve, double radius, const Extensions& extensions) {
+Index StrokeSamples::update(const SurfaceCurve& curve, double radius, double finest,
+                            const Extensions& extensions) {
   const std::vector<Sample> before = std::move(samples_);
   const bool was_closed = closed_;
   length_ = curve.length();
   closed_ = curve.closed;
-  const double spacing = radius / samples_a_radius;
+  const double spacing = std::max(radius / samples_a_radius, finest);
   const double count = std::ceil(length_ / spacing);
   spacing_ = closed_ && count > 0 ? length_ / count : spacing;
 
+  // Discs of neighbouring samples overlap, however narrow the stroke is.
+  const auto least_disc = static_cast<float>(2 * spacing);
   samples_.clear();
   std::size_t segment = 0;
   const auto add = [&](double t) {
@@ -48,10 +51,10 @@ Index StrokeSamples::update(const SurfaceCurve& curve, double radius, const Exte
     const Vec3f normal = (1 - s) * a.normal + s * b.normal;
     const float size = normal.norm();
     const float half_width = static_cast<float>(radius) * ((1 - s) * a.width + s * b.width);
-    samples_.push_back(
-        {t, (1 - s) * a.at.position + s * b.at.position, size > 0 ? Vec3f(normal / size) : a.normal,
-         half_width,
-         half_width * static_cast<float>(disc_over_width * widening(extensions, t, length_, radius))});
+    samples_.push_back({t, (1 - s) * a.at.position + s * b.at.position,
+                        size > 0 ? Vec3f(normal / size) : a.normal, half_width,
+                        std::max(half_width, least_disc) *
+                            static_cast<float>(disc_over_width * widening(extensions, t, length_, radius))});
   };
   for (double i = 0; i < count; ++i) add(i * spacing_);
   if (!closed_ || samples_.empty()) add(length_);

@@ -15,9 +15,9 @@ struct Extensions {
 /// geodesic disc along S"].
 class StrokeSamples {
  public:
-  /// Takes the samples of another curve, of at least one point. Discs near the ends are wide enough for the
-  /// extensions. Returns the first that differs.
-  Index update(const SurfaceCurve& curve, double radius, const Extensions& extensions);
+  /// Takes the samples of another curve, of at least one point, no finer than `finest`. Discs near the ends
+  /// are wide enough for the extensions. Returns the first that differs.
+  Index update(const SurfaceCurve& curve, double radius, double finest, const Extensions& extensions);
   void clear() { samples_.clear(); }
 
   Index size() const { return static_cast<Index>(samples_.size()); }

@@ -5,6 +5,7 @@
 // the mean over the arms is taken where the line through their values over u has u = 0. Then e1, t and d are
 // integrated by the trapezoidal rule between the frames of q and x, which needs no derivative of k or J.
 #include <burin/chart/upwind.h>
+#include <burin/surface/unit_tangent.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,15 +14,8 @@
 namespace burin {
 namespace {
 
-/// Below this stretch, or beyond this turn along one step, a focal point is near: Fermi coordinates fold
-/// there, and the first order is the better guess.
-constexpr float least_stretch = 0.15F, largest_turn = 0.5F;
-
-Vec3f unit_tangent(const Vec3f& vector, const Vec3f& normal) {
-  const Vec3f tangent = vector - normal.dot(vector) * normal;
-  const float size = tangent.norm();
-  return size > 0 ? Vec3f(tangent / size) : normal.unitOrthogonal();
-}
+/// Beyond this turn along one step a focal point is near too, radians.
+constexpr float largest_turn = 0.5F;
 
 float weight(const UpwindArm& arm, float epsilon) { return 1 / (arm.length + epsilon); }
 
