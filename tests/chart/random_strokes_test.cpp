@@ -1,6 +1,7 @@
 // Random strokes across meshes that are no manifolds, torn, folded, degenerate, or made of slivers: charts
 // stay finite and bounded, and grow to what they are in one go.
 #include <burin/chart/chart_lookup.h>
+#include <burin/chart/joins.h>
 #include <burin/chart/stroke_chart.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/triangulate.h>
@@ -133,6 +134,7 @@ RandomStroke random_stroke(const Surface& surface, const Picker& picker, double 
   RandomStroke stroke;
   const double least = 0.2 * edge, radius = least * std::pow(0.7 * surface.scale / least, uniform(random));
   stroke.options = {radius, one_in(random, 2) ? Cap::butt : Cap::round, one_in(random, 2) ? 1 : 2};
+  stroke.options.join = static_cast<Join>(random() % 4);
   const double size = std::min(radius * (0.1 + 4 * uniform(random)), surface.scale / 2);
   const bool closed = one_in(random, 3), round = closed || one_in(random, 2);
   const auto samples = round ? loop(surface, static_cast<float>(size), random)
@@ -212,14 +214,20 @@ void expect_sound_node(const Surface& surface, const RandomStroke& stroke, const
   ASSERT_TRUE(std::isfinite(t) && std::isfinite(d));
   ASSERT_TRUE(std::isfinite(chart.stretch[i]) && chart.stretch[i] > 0) << chart.stretch[i];
   const double beyond = curve.closed ? 0 : std::max({-t, t - length, 0.});
-  ASSERT_LE(std::hypot(d, beyond), widest_around(curve, stroke.options, t) * 1.000001) << "t " << t;
+  // Joins move t, and with it the width that was asked for where the node was placed.
+  const bool moved = stroke.options.join != Join::round;
+  ASSERT_LE(std::hypot(d, beyond),
+            (moved ? stroke.options.radius : widest_around(curve, stroke.options, t)) * 1.000001)
+      << "t " << t;
   ASSERT_TRUE(!curve.closed || (t >= 0 && (t < length || t == 0))) << t;
   ASSERT_TRUE(stroke.options.cap == Cap::round || beyond == 0) << t;
   const Vec3f& normal = surface.normals[chart.vertex[i]];
   ASSERT_NEAR(chart.e1[i].norm(), 1, 1e-4);
   ASSERT_NEAR(chart.e1[i].dot(normal), 0, 1e-3);
+  // Miters of up to 120 degrees go as far as two radii from their corner.
+  const double reach = stroke.options.join == Join::miter ? 2.1 : 1.3;
   ASSERT_TRUE(is_near(curve, t, surface.positions[chart.vertex[i]],
-                      1.3 * stroke.options.radius + longest_edge_at(surface, chart.vertex[i])));
+                      reach * stroke.options.radius + longest_edge_at(surface, chart.vertex[i])));
 }
 
 void expect_sheets_in_order(const Chart& chart) {
@@ -364,7 +372,7 @@ TEST_P(RandomStrokes, AreChartedSoundly) {
   EXPECT_GT(counts.closed, 20U);
   EXPECT_LT(counts.empty, 20U);
   EXPECT_GT(counts.several_sheets, 30U);
-  EXPECT_GT(counts.crossing, 15U);
+  EXPECT_GT(counts.crossing, 12U);
   EXPECT_TRUE(counts.large > 30 || surface.vertex_count() < 1000);
 }
 
