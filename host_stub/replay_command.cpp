@@ -2,6 +2,7 @@
 #include <burin/surface/mesh_file.h>
 #include <fmt/format.h>
 
+#include <map>
 #include <memory>
 
 #include "brush_folder.h"
@@ -109,6 +110,16 @@ void add_replay(CLI::App& app) {
       ->check(positive_number());
   command.add_option("--strength", overrides.strength, "factor on the brush's displacement")
       ->check(finite_number());
+  static const std::map<std::string, Overlap> overlaps = {{"latest", Overlap::latest},
+                                                          {"max", Overlap::max},
+                                                          {"min", Overlap::min},
+                                                          {"add", Overlap::add},
+                                                          {"average", Overlap::average}};
+  command
+      .add_option_function<std::string>(
+          "--overlap", [&overrides](const std::string& name) { overrides.overlap = overlaps.at(name); },
+          "where a stroke overlaps itself: latest (the default), max, min, add or average")
+      ->check(CLI::IsMember({"latest", "max", "min", "add", "average"}));
   command.add_option("--param", options->params, "parameter of the brush, repeatable")
       ->type_name("NAME=VALUE")
       ->expected(1)

@@ -2,7 +2,7 @@
 #include <burin/chart/stroke_chart.h>
 #include <burin/deform/brush_stroke.h>
 #include <burin/deform/evaluate.h>
-#include <burin/deform/stroke_nodes.h>
+#include <burin/deform/stroke_changes.h>
 #include <burin/host/param_snapshot.h>
 #include <burin/host/session.h>
 
@@ -42,8 +42,11 @@ class OpenStroke {
 
  private:
   burin_stroke_context context(std::uint64_t flags) const;
-  VertexMoves evaluate(Evaluator& evaluator, const StrokeNodes& nodes, const std::vector<Index>& stale,
-                       std::uint64_t flags) const;
+  StrokeNodes make_nodes(Chart chart) const;
+  VertexMoves go_on_to(StrokeNodes nodes, double end_zone, std::uint64_t flags, Evaluator& evaluator);
+  void evaluate(const StrokeNodes& nodes, const StrokeChanges& changes, std::uint64_t flags,
+                Evaluator& evaluator);
+  VertexMoves moves(const StrokeChanges& changes) const;
 
   const Surface* surface_;
   StrokeSettings settings_;
@@ -52,6 +55,7 @@ class OpenStroke {
   BrushStroke brush_stroke_;
   double last_time_;
   StrokeNodes nodes_;
+  std::vector<Vec3f> displacement_;  ///< [node] of nodes_, in its (e1, e2, n)
 };
 
 }  // namespace burin

@@ -17,6 +17,7 @@ struct StrokeOverrides {
   std::optional<std::string> brush;
   std::optional<double> radius;
   std::optional<double> strength;
+  Overlap overlap = Overlap::latest;
   ParamSettings params;  ///< name by name over the recording's, where the brush is the recording's own
 };
 

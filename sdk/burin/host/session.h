@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/chart/stroke_chart.h>
+#include <burin/deform/blend.h>
 #include <burin/host/brush_library.h>
 #include <burin/stroke/recording.h>
 #include <burin/surface/picker.h>
@@ -18,9 +19,10 @@ struct StrokeSettings {
   double radius = 0;    ///< object units, > 0
   double strength = 1;  ///< factor on the brush's displacement
   Cap cap = Cap::round;
-  ParamSettings params;    ///< what differs from the brush's defaults
-  PenFields fields;        ///< what the pen really reports
-  std::uint64_t seed = 0;  ///< of the brush's random numbers
+  Overlap overlap = Overlap::latest;  ///< what holds where the stroke overlaps itself
+  ParamSettings params;               ///< what differs from the brush's defaults
+  PenFields fields;                   ///< what the pen really reports
+  std::uint64_t seed = 0;             ///< of the brush's random numbers
 };
 
 /// What became of one sample.

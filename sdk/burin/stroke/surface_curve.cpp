@@ -156,13 +156,14 @@ void CurveTracer::append(const SurfacePoint& at, const Vec3d& direction, double 
 PenAt pen_at(const SurfaceCurve& curve, double t) {
   const auto& points = curve.points;
   const auto after = std::ranges::upper_bound(points, t, {}, &CurvePoint::t);
-  if (points.size() == 1) return {points[0].pen, points[0].time, 0};
+  if (points.size() == 1) return {points[0].pen, points[0].time, 0, points[0].width};
   const auto to = after == points.end() ? points.end() - 1 : std::max(after, points.begin() + 1);
   const auto from = to - 1;
   const double length = to->t - from->t, seconds = to->time - from->time;
   const double s = length > 0 ? std::clamp((t - from->t) / length, 0., 1.) : 1;
   return {interpolate(from->pen, to->pen, static_cast<float>(s)), from->time + s * seconds,
-          seconds > 0 ? length / seconds : 0};
+          seconds > 0 ? length / seconds : 0,
+          from->width + static_cast<float>(s) * (to->width - from->width)};
 }
 
 }  // namespace burin

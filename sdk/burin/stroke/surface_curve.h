@@ -87,11 +87,12 @@ class CurveTracer {
   std::size_t final_points_ = 0;
 };
 
-/// Pen and time where the arc length is t, between the points around it; at the ends beyond them.
+/// Pen, time and width where the arc length is t, between the points around it; at the ends beyond them.
 struct PenAt {
   Pen pen;
   double time = 0;   ///< seconds since the first sample
   double speed = 0;  ///< object units a second, 0 where time stands still
+  float width = 1;   ///< as CurvePoint::width
 };
 PenAt pen_at(const SurfaceCurve& curve, double t);
 
