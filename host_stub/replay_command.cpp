@@ -52,7 +52,10 @@ ReplaySummary replay_all(Session& session, const ReplayOptions& options,
 
 void warn_of_left_out(const ReplaySummary& summary) {
   const ReplayResult& result = summary.result;
-  if (result.closed_strokes > 0) warn(fmt::format("{} closed strokes are drawn open", result.closed_strokes));
+  if (result.left_open > 0) {
+    warn(fmt::format("{} closed strokes stay open: they leave the surface on the way or are too short",
+                     result.left_open));
+  }
   if (result.samples_drawn == 0) warn("no stroke meets the surface");
 }
 

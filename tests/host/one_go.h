@@ -26,19 +26,20 @@ inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& cur
   const BrushPtr brush = brushes().create(entry);
   const ParamSnapshot params(*entry.descriptor, settings.params);
   const std::uint64_t pen = pen_inputs_present(settings.fields);
+  const std::uint64_t varying = pen | (settings.pressure_width > 0 ? BURIN_INPUT_RADIUS : 0);
   const double radius = settings.radius;
   const burin_stroke_context context{.struct_size = sizeof(burin_stroke_context),
                                      .pass = 0,
-                                     .flags = BURIN_STROKE_FINAL,
+                                     .flags = BURIN_STROKE_FINAL | (curve.closed ? BURIN_STROKE_CLOSED : 0),
                                      .pen_present = pen,
                                      .seed = settings.seed,
                                      .length = curve.length(),
-                                     .radius_min = radius,
+                                     .radius_min = radius * narrowest_width(settings.pressure_width),
                                      .radius_max = radius,
                                      .object_scale = base.scale};
   const BrushStroke stroke(*brush, *entry.descriptor, context, params.abi());
   const StrokeNodes nodes =
-      make_stroke_nodes(StrokeCharter(base).chart(curve, {radius, settings.cap}), curve, radius, pen);
+      make_stroke_nodes(StrokeCharter(base).chart(curve, {radius, settings.cap}), curve, radius, varying);
   std::vector<Index> all(nodes.chart.size()), firsts;
   std::iota(all.begin(), all.end(), 0u);
   std::ranges::copy_if(all, std::back_inserter(firsts),

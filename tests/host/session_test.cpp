@@ -37,6 +37,49 @@ TEST(Session, GrowsAStrokeToWhatOneEvaluationGives) {
   }
 }
 
+TEST(Session, GrowsAStrokeWhoseWidthFollowsThePen) {
+  StrokeSettings narrowing = every_input();
+  narrowing.pressure_width = 0.8;
+  Session session = test::plane_session();
+  const Surface base = session.surface();
+  draw(session, narrowing, test::wave());
+  EXPECT_EQ(session.surface().positions, test::in_one_go(base, session.curve(), narrowing));
+  const std::uint64_t hash = session.result_hash();
+  narrowing.fields.pressure = false;
+  session.undo();
+  draw(session, narrowing, test::wave());
+  EXPECT_EQ(session.curve().points.back().width, 1) << "no pressure, full width";
+  EXPECT_NE(session.result_hash(), hash);
+}
+
+TEST(Session, ClosesAStrokeAtItsEnd) {
+  Session session = test::plane_session();
+  const Surface base = session.surface();
+  const Snapshot untouched(session);
+  session.begin_stroke(every_input());
+  std::vector<Sample> loop(100);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const double angle = 0.0625 * static_cast<double>(i);
+    loop[i].time = 0.01 * static_cast<double>(i);
+    loop[i].position = Vec3d(0.5 * std::cos(angle), 0.4 * std::sin(angle), 0);
+  }
+  add(session, loop);
+  const Snapshot open(session);
+  const auto changed = session.end_stroke(Closure::automatic);
+  const std::set<Index> reported(changed.begin(), changed.end());
+  ASSERT_TRUE(session.curve().closed);
+  EXPECT_EQ(session.surface().positions, test::in_one_go(base, session.curve(), every_input()));
+  expect_normals_of_positions(session);
+  for (Index vertex = 0; vertex < base.vertex_count(); ++vertex) {
+    const bool same = session.positions()[vertex] == open.shown_positions[vertex] &&
+                      session.normals()[vertex] == open.shown_normals[vertex];
+    ASSERT_TRUE(same || reported.count(vertex)) << vertex;
+  }
+  EXPECT_GT(reported.size(), session.chart().size() / 2) << "the brush knows that there is no end";
+  EXPECT_TRUE(session.undo());
+  EXPECT_TRUE(Snapshot(session) == untouched);
+}
+
 TEST(Session, ReportsAllThatChangesAtEveryEvent) {
   Session session = test::plane_session();
   session.begin_stroke(every_input());

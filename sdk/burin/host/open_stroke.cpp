@@ -16,6 +16,9 @@ const StrokeSettings& checked(const StrokeSettings& settings) {
   const auto radius = static_cast<float>(settings.radius), strength = static_cast<float>(settings.strength);
   if (!(std::isfinite(radius) && radius > 0))
     throw ContractError(fmt::format("a stroke's radius must be above 0, not {}", settings.radius));
+  if (!(settings.pressure_width >= 0 && settings.pressure_width <= 1))
+    throw ContractError(
+        fmt::format("a stroke's pressure width must be from 0 to 1, not {}", settings.pressure_width));
   if (!std::isfinite(strength)) throw ContractError("a stroke's strength is not finite");
   return settings;
 }
@@ -27,7 +30,7 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, const burin
     : surface_(&surface),
       settings_(checked(settings)),
       params_(descriptor, settings.params),
-      tracer_(surface, picker, settings.radius),
+      tracer_(surface, picker, settings.radius, settings.fields.pressure ? settings.pressure_width : 0),
       brush_stroke_(brush, descriptor, context(0), params_.abi()),
       last_time_(-std::numeric_limits<double>::infinity()) {}
 
@@ -39,12 +42,18 @@ VertexMoves OpenStroke::add(const SurfacePoint& at, double time, const Pen& pen,
   const bool first = empty();
   const double length_before = curve().length();
   tracer_.add(at, time, pen);
-  Chart chart = first ? charter.chart(curve(), {settings_.radius, settings_.cap}) : charter.extend(curve());
+  Chart chart = first ? charter.chart(curve(), chart_options()) : charter.extend(curve());
   const double end_zone = std::min(length_before, curve().length()) - brush_stroke_.plan().end_influence;
   return go_on_to(make_nodes(std::move(chart)), end_zone, 0, evaluator);
 }
 
-VertexMoves OpenStroke::finish(Evaluator& evaluator) {
+VertexMoves OpenStroke::finish(Closure closure, StrokeCharter& charter, Evaluator& evaluator) {
+  closed_curve_ = tracer_.closed_curve(closure);
+  if (closed_curve_) {
+    constexpr double everywhere = -std::numeric_limits<double>::infinity();
+    return go_on_to(make_nodes(charter.chart(curve(), chart_options())), everywhere,
+                    BURIN_STROKE_CLOSED | BURIN_STROKE_FINAL, evaluator);
+  }
   const double end_zone = curve().length() - brush_stroke_.plan().end_influence;
   return go_on_to(nodes_, end_zone, BURIN_STROKE_FINAL, evaluator);
 }
@@ -56,14 +65,17 @@ burin_stroke_context OpenStroke::context(std::uint64_t flags) const {
   context.pen_present = pen_inputs_present(settings_.fields);
   context.seed = settings_.seed;
   context.length = curve().length();
-  context.radius_min = context.radius_max = settings_.radius;
+  context.radius_min = settings_.radius * (width_varies() ? narrowest_width(settings_.pressure_width) : 1);
+  context.radius_max = settings_.radius;
   context.object_scale = surface_->scale;
   return context;
 }
 
 StrokeNodes OpenStroke::make_nodes(Chart chart) const {
-  const std::uint64_t varying = brush_stroke_.descriptor().inputs_read & pen_inputs_present(settings_.fields);
-  return make_stroke_nodes(std::move(chart), curve(), settings_.radius, varying);
+  std::uint64_t varying = pen_inputs_present(settings_.fields);
+  if (width_varies()) varying |= BURIN_INPUT_RADIUS;
+  return make_stroke_nodes(std::move(chart), curve(), settings_.radius,
+                           varying & brush_stroke_.descriptor().inputs_read);
 }
 
 /// Makes these the stroke's nodes. Only those that changed are evaluated.

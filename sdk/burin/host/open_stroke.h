@@ -7,6 +7,7 @@
 #include <burin/host/session.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -28,7 +29,7 @@ class OpenStroke {
   bool empty() const { return tracer_.curve().points.empty(); }
   double radius() const { return settings_.radius; }
   const Chart& chart() const { return nodes_.chart; }
-  const SurfaceCurve& curve() const { return tracer_.curve(); }
+  const SurfaceCurve& curve() const { return closed_curve_ ? *closed_curve_ : tracer_.curve(); }
 
   /// Whether the stroke so far can go on at this place.
   bool connects(const SurfacePoint& at) const { return empty() || tracer_.connects(at); }
@@ -37,10 +38,13 @@ class OpenStroke {
   VertexMoves add(const SurfacePoint& at, double time, const Pen& pen, StrokeCharter& charter,
                   Evaluator& evaluator);
 
-  /// The last evaluation: what depends on the stroke's length, told that it is final.
-  VertexMoves finish(Evaluator& evaluator);
+  /// The last evaluation: what depends on the stroke's length, told that it is final; all of it when the
+  /// stroke closes.
+  VertexMoves finish(Closure closure, StrokeCharter& charter, Evaluator& evaluator);
 
  private:
+  ChartOptions chart_options() const { return {.radius = settings_.radius, .cap = settings_.cap}; }
+  bool width_varies() const { return settings_.pressure_width > 0 && settings_.fields.pressure; }
   burin_stroke_context context(std::uint64_t flags) const;
   StrokeNodes make_nodes(Chart chart) const;
   VertexMoves go_on_to(StrokeNodes nodes, double end_zone, std::uint64_t flags, Evaluator& evaluator);
@@ -52,6 +56,7 @@ class OpenStroke {
   StrokeSettings settings_;
   ParamSnapshot params_;
   CurveTracer tracer_;
+  std::optional<SurfaceCurve> closed_curve_;  ///< once the stroke is finished as a closed one
   BrushStroke brush_stroke_;
   double last_time_;
   StrokeNodes nodes_;
