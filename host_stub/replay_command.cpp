@@ -53,8 +53,9 @@ ReplaySummary replay_all(Session& session, const ReplayOptions& options,
 void warn_of_left_out(const ReplaySummary& summary) {
   const ReplayResult& result = summary.result;
   if (result.left_open > 0) {
-    warn(fmt::format("{} closed strokes stay open: they leave the surface on the way or are too short",
-                     result.left_open));
+    warn(fmt::format(
+        "closed strokes that stay open, as they leave the surface on the way or are too short: {}",
+        result.left_open));
   }
   if (result.samples_drawn == 0) warn("no stroke meets the surface");
 }
@@ -123,6 +124,7 @@ void add_replay(CLI::App& app) {
           "--overlap", [&overrides](const std::string& name) { overrides.overlap = overlaps.at(name); },
           "where a stroke overlaps itself: latest (the default), max, min, add or average")
       ->check(CLI::IsMember({"latest", "max", "min", "add", "average"}));
+  add_stroke_options(command, overrides.closure, overrides.pressure_width);
   command.add_option("--param", options->params, "parameter of the brush, repeatable")
       ->type_name("NAME=VALUE")
       ->expected(1)
