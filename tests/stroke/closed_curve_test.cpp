@@ -135,6 +135,7 @@ TEST(ClosedCurve, ClosesAnythingWhenTold) {
   EXPECT_LT(curve->closing_length, 0.02);
   // The pen needs as long for the gap as for as much of the arc.
   EXPECT_NEAR(pen_at(*curve, curve->length() - 1e-6).time, 0.19 * (1 + 2 / pi), 0.01);
+  EXPECT_LT(pen_at(*curve, 0.02).time, 0.005);
   EXPECT_NEAR(pen_at(*curve, 0.5).time, 0.19 * 0.5 / (pi / 2), 0.01);
   EXPECT_FALSE(ground().trace({{0, 0, 0}, {0.5, 0, 0}}, 0.1).closed_curve(Closure::closed).has_value());
   EXPECT_FALSE(CurveTracer(ground().surface, ground().picker, 0.1).closed_curve(Closure::closed).has_value());

@@ -42,7 +42,7 @@ std::optional<SurfaceCurve> CurveTracer::closed_curve(Closure closure) const {
 void CurveTracer::leave_out_overshoot() {
   const auto [point, distance] = return_to_first();
   if (distance <= radius_ / 2) std::erase_if(knots_, [=](const Knot& knot) { return knot.point > point; });
-  const double mean = curve_.length() / static_cast<double>(knots_.size());
+  const double mean = curve_.points[knots_.back().point].t / static_cast<double>(knots_.size());
   const double on_top = std::max(mean / 2, spacing(knots_[0].at));
   const auto from_first = [&](const Knot& knot) {
     return (knot.at.position - knots_[0].at.position).cast<double>().norm();
