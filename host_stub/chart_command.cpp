@@ -28,6 +28,9 @@ struct ChartCommandOptions {
   std::size_t stroke = 1;  // from 1
   std::optional<double> radius;
   Cap cap = Cap::round;
+  int order = 2;
+  std::optional<Closure> closure;
+  double pressure_width = 0;
   MeshOptions mesh;
   ViewOptions view;
   bool json = false;
@@ -46,8 +49,17 @@ double chosen_radius(const ChartCommandOptions& options, const RecordedStroke& s
                   fmt::format("stroke {} has no radius: give one with --radius", options.stroke));
 }
 
+/// What is to become of the stroke, as replay() draws it.
+TraceOptions trace_options(const ChartCommandOptions& options, const RecordedStroke& stroke) {
+  const Closure recorded = stroke.closed ? Closure::closed : Closure::open;
+  return {.radius = chosen_radius(options, stroke),
+          .closure = options.closure.value_or(recorded),
+          .pressure_width = options.pressure_width};
+}
+
 /// The longest piece of the stroke, since one chart has one t.
-SurfaceCurve chosen_curve(const ChartCommandOptions& options, std::vector<SurfaceCurve> pieces) {
+SurfaceCurve chosen_curve(const ChartCommandOptions& options, const std::vector<SurfaceCurve>& pieces,
+                          Closure closure) {
   if (pieces.empty()) {
     throw FileError(options.strokes, fmt::format("stroke {} does not meet the surface", options.stroke));
   }
@@ -55,26 +67,30 @@ SurfaceCurve chosen_curve(const ChartCommandOptions& options, std::vector<Surfac
     warn(fmt::format("{}: stroke {} leaves the surface: took the longest of its {} pieces", options.strokes,
                      options.stroke, pieces.size()));
   }
+  if (closure == Closure::closed && (pieces.size() > 1 || !pieces[0].closed)) {
+    warn(fmt::format("{}: stroke {} stays open: it leaves the surface on the way or is too short",
+                     options.strokes, options.stroke));
+  }
   return *std::max_element(pieces.begin(), pieces.end(), [](const SurfaceCurve& a, const SurfaceCurve& b) {
     return a.length() < b.length();
   });
 }
 
-/// One row a vertex, sorted by its number in the file; the shortest digits that read back as the same bits.
+/// One row a node, sorted by the vertex's number in the file and by sheet; the shortest digits that read back
+/// as the same bits.
 void write_csv(const std::string& path, const Surface& surface, const Chart& chart) {
   std::vector<std::size_t> order(chart.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto source = [&](std::size_t node) { return surface.source_vertex[chart.vertex[node]]; };
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return source(a) < source(b); });
+  std::ranges::sort(order, {}, [&](std::size_t node) { return std::pair(source(node), chart.sheet[node]); });
   write_file_whole(path, [&](std::ostream& out) {
-    constexpr int sheet = 0;
     std::string line = "vertex,sheet,t,d,e1x,e1y,e1z\n";
     for (const std::size_t node : order) {
       out << line;
       const Vec3f& e1 = chart.e1[node];
       line.clear();
-      fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{}\n", source(node), sheet, chart.t[node],
-                     chart.d[node], e1.x(), e1.y(), e1.z());
+      fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{}\n", source(node), chart.sheet[node],
+                     chart.t[node], chart.d[node], e1.x(), e1.y(), e1.z());
     }
     out << line;
   });
@@ -92,16 +108,21 @@ Picture draw_chart(const Surface& surface, const Picker& picker, const SurfaceCu
 
 void print_result(const ChartCommandOptions& options, const LoadedSurface& loaded, const SurfaceCurve& curve,
                   const Chart& chart, double radius) {
+  const Index sheets = chart.size() == 0 ? 0 : std::ranges::max(chart.sheet) + 1;
   if (options.json) {
     fmt::print("{}\n", json_text({{"mesh", mesh_json(options.mesh, loaded)},
                                   {"stroke", options.stroke},
                                   {"radius", radius},
                                   {"length", curve.length()},
-                                  {"vertices", chart.size()}}));
+                                  {"closed", chart.closed},
+                                  {"vertices", std::ranges::count(chart.sheet, 0u)},
+                                  {"nodes", chart.size()},
+                                  {"sheets", sheets}}));
   } else {
-    fmt::print("{}\nstroke {} of {}: length {:.6g}, radius {:.6g}, chart of {} vertices\n",
+    fmt::print("{}\nstroke {} of {}: length {:.6g}, radius {:.6g}, chart of {} vertices in {}\n",
                mesh_text(options.mesh, loaded), options.stroke, options.strokes, curve.length(), radius,
-               chart.size());
+               std::ranges::count(chart.sheet, 0u),
+               sheets == 1 ? std::string("one sheet") : fmt::format("up to {} sheets", sheets));
   }
 }
 
@@ -110,15 +131,16 @@ void run(const ChartCommandOptions& options) {
   check_output_path(options.png);
   const Recording recording = read_whole_strokes(options.strokes);
   const RecordedStroke& stroke = chosen_stroke(options, recording);
-  const double radius = chosen_radius(options, stroke);
+  const TraceOptions trace = trace_options(options, stroke);
+  const double radius = trace.radius;
   const LoadedSurface loaded = load_mesh_or_points_on_console(options.mesh);
   if (loaded.surface.is_point_set() && !options.png.empty()) {
     throw FileError(options.mesh.path, "holds points without faces, which --png cannot draw");
   }
   const Picker picker(loaded.surface);
   const SurfaceCurve curve =
-      chosen_curve(options, trace_stroke(loaded.surface, picker, recording, stroke, radius));
-  const Chart chart = StrokeCharter(loaded.surface).chart(curve, {radius, options.cap});
+      chosen_curve(options, trace_stroke(loaded.surface, picker, recording, stroke, trace), trace.closure);
+  const Chart chart = StrokeCharter(loaded.surface).chart(curve, {radius, options.cap, options.order});
   if (!options.png.empty()) {
     const bool recorded_view = recording.space == StrokeSpace::screen && !options.view.direction;
     const Camera camera = recorded_view ? fit_into(*recording.camera, options.view.width)
@@ -152,6 +174,12 @@ void add_chart(CLI::App& app) {
           "--cap", [options](const std::string& name) { options->cap = caps.at(name); },
           "ends: round or butt")
       ->check(CLI::IsMember({"butt", "round"}));
+  command
+      .add_option("--order", options->order,
+                  "of the chart: 1, as published, or 2, on curved strokes and surfaces")
+      ->check(CLI::IsMember({1, 2}))
+      ->capture_default_str();
+  add_stroke_options(command, options->closure, options->pressure_width);
   command.add_option("--csv", options->csv, "table to write")->type_name("FILE");
   command.add_option("--png", options->png, "picture to write: a checkerboard of (t, d)")->type_name("FILE");
   command.add_flag("--json", options->json, "write JSON to the standard output");

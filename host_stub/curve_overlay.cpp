@@ -86,8 +86,9 @@ void draw_curve(Picture& picture, const Camera& camera, const Picker& picker, co
                 double depth) {
   Pencil pencil{
       camera, picker, depth, {picture.width, picture.height, std::vector<float>(picture.rgb.size() / 3)}};
-  for (std::size_t i = 1; i < curve.points.size(); ++i) {
-    pencil.draw(curve.points[i - 1].at.position.cast<double>(), curve.points[i].at.position.cast<double>());
+  for (std::size_t i = 0; i < curve.segment_count(); ++i) {
+    pencil.draw(curve.points[i].at.position.cast<double>(),
+                curve.points[curve.next(i)].at.position.cast<double>());
   }
   blend(picture, pencil.coverage);
 }

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 namespace burin {
@@ -70,6 +71,21 @@ void add_vector_option(CLI::App& command, const std::string& name, std::optional
       .add_option_function<std::string>(
           name, [name, &vector](const std::string& text) { vector = parse_vector(name, text); }, help)
       ->type_name("X,Y,Z");
+}
+
+void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, double& pressure_width) {
+  static const std::map<std::string, Closure> closures = {
+      {"yes", Closure::closed}, {"no", Closure::open}, {"auto", Closure::automatic}};
+  command
+      .add_option_function<std::string>(
+          "--closed", [&closure](const std::string& name) { closure = closures.at(name); },
+          "whether strokes go around: yes, no, or auto, where the pen came back; as recorded unless given")
+      ->check(CLI::IsMember({"yes", "no", "auto"}));
+  command
+      .add_option("--pressure-width", pressure_width,
+                  "how much of the width the pen's pressure decides: 0, nothing, to 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
 }
 
 ParamSettings parse_param_settings(const std::vector<std::string>& texts) {

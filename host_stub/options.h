@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/base/vector.h>
 #include <burin/stroke/recording.h>
+#include <burin/stroke/surface_curve.h>
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -18,6 +19,9 @@ const CLI::Validator& finite_number();
 /// Adds an option that takes "x,y,z", finite and not all zero.
 void add_vector_option(CLI::App& command, const std::string& name, std::optional<Vec3d>& vector,
                        const std::string& help);
+
+/// Adds --closed and --pressure-width.
+void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, double& pressure_width);
 
 /// The value of "NAME=VALUE": true and false, a number, numbers between commas, else text.
 /// Throws CLI::ValidationError without a NAME.

@@ -2,6 +2,7 @@
 #include <burin/surface/mesh_file.h>
 #include <fmt/format.h>
 
+#include <map>
 #include <memory>
 
 #include "brush_folder.h"
@@ -51,7 +52,11 @@ ReplaySummary replay_all(Session& session, const ReplayOptions& options,
 
 void warn_of_left_out(const ReplaySummary& summary) {
   const ReplayResult& result = summary.result;
-  if (result.closed_strokes > 0) warn(fmt::format("{} closed strokes are drawn open", result.closed_strokes));
+  if (result.left_open > 0) {
+    warn(fmt::format(
+        "closed strokes that stay open, as they leave the surface on the way or are too short: {}",
+        result.left_open));
+  }
   if (result.samples_drawn == 0) warn("no stroke meets the surface");
 }
 
@@ -109,6 +114,17 @@ void add_replay(CLI::App& app) {
       ->check(positive_number());
   command.add_option("--strength", overrides.strength, "factor on the brush's displacement")
       ->check(finite_number());
+  static const std::map<std::string, Overlap> overlaps = {{"latest", Overlap::latest},
+                                                          {"max", Overlap::max},
+                                                          {"min", Overlap::min},
+                                                          {"add", Overlap::add},
+                                                          {"average", Overlap::average}};
+  command
+      .add_option_function<std::string>(
+          "--overlap", [&overrides](const std::string& name) { overrides.overlap = overlaps.at(name); },
+          "where a stroke overlaps itself: latest (the default), max, min, add or average")
+      ->check(CLI::IsMember({"latest", "max", "min", "add", "average"}));
+  add_stroke_options(command, overrides.closure, overrides.pressure_width);
   command.add_option("--param", options->params, "parameter of the brush, repeatable")
       ->type_name("NAME=VALUE")
       ->expected(1)

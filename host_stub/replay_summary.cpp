@@ -25,7 +25,7 @@ double memory_per_vertex(const ReplaySummary& summary) {
 void add_result(ReplaySummary& summary, ReplayResult result) {
   ReplayResult& sum = summary.result;
   sum.strokes += result.strokes;
-  sum.closed_strokes += result.closed_strokes;
+  sum.left_open += result.left_open;
   sum.pieces += result.pieces;
   sum.samples_drawn += result.samples_drawn;
   sum.samples_off_surface += result.samples_off_surface;

@@ -1,5 +1,7 @@
 #include "stroke_trace.h"
 
+#include <utility>
+
 namespace burin {
 namespace {
 
@@ -15,19 +17,24 @@ std::optional<SurfacePoint> place(const Picker& picker, const Recording& recordi
 
 std::vector<SurfaceCurve> trace_stroke(const Surface& surface, const Picker& picker,
                                        const Recording& recording, const RecordedStroke& stroke,
-                                       double radius) {
+                                       const TraceOptions& options) {
   std::vector<SurfaceCurve> pieces;
-  CurveTracer tracer(surface, picker, radius);
-  const auto end_piece = [&] {
-    if (!tracer.curve().points.empty()) pieces.push_back(tracer.curve());
-    tracer = CurveTracer(surface, picker, radius);
+  CurveTracer tracer(surface, picker, options.radius, options.pressure_width);
+  const auto end_piece = [&](Closure of_piece) {
+    if (auto closed = tracer.closed_curve(of_piece))
+      pieces.push_back(*std::move(closed));
+    else if (!tracer.curve().points.empty())
+      pieces.push_back(tracer.curve());
+    tracer = CurveTracer(surface, picker, options.radius, options.pressure_width);
   };
+  // Of a stroke that breaks, only pieces that come back by themselves close.
+  const Closure of_a_piece = options.closure == Closure::automatic ? options.closure : Closure::open;
   for (const Sample& sample : stroke.samples) {
-    const auto point = place(picker, recording, sample.position, radius);
-    if (!point || !tracer.connects(*point)) end_piece();
+    const auto point = place(picker, recording, sample.position, options.radius);
+    if (!point || !tracer.connects(*point)) end_piece(of_a_piece);
     if (point) tracer.add(*point, sample.time, sample.pen);
   }
-  end_piece();
+  end_piece(pieces.empty() ? options.closure : of_a_piece);
   return pieces;
 }
 

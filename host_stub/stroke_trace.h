@@ -6,10 +6,17 @@
 
 namespace burin {
 
+/// How samples become curves.
+struct TraceOptions {
+  double radius = 0;  ///< object units
+  Closure closure = Closure::open;
+  double pressure_width = 0;  ///< as stroke_width() takes it
+};
+
 /// The curves of a stroke of `recording` on the surface as it is: one for each piece between the places
-/// where the pen leaves the surface or jumps over a gap, as replay() draws them. `radius` in object units.
+/// where the pen leaves the surface or jumps over a gap, as replay() draws them.
 std::vector<SurfaceCurve> trace_stroke(const Surface& surface, const Picker& picker,
                                        const Recording& recording, const RecordedStroke& stroke,
-                                       double radius);
+                                       const TraceOptions& options);
 
 }  // namespace burin

@@ -4,6 +4,7 @@
 #include <burin/deform/offered.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace burin {
@@ -67,6 +68,7 @@ TEST_F(BatchTest, FillsTheNodesInTheirOrder) {
     EXPECT_EQ(at(batch.position.y, i), position.y());
     EXPECT_EQ(at(batch.normal.z, i), surface_.normals[vertex(i)].z());
     EXPECT_EQ(at(batch.e1.x, i), 1.0f);
+    EXPECT_EQ(at(batch.stretch, i), 1.0f);
     EXPECT_EQ(batch.node_id.data[i * batch.node_id.stride], surface_.source_vertex[vertex(i)]);
   }
 }
@@ -90,6 +92,33 @@ TEST_F(BatchTest, FillsThePenWhereNodesHaveOne) {
   EXPECT_EQ(at(batch.pressure, 3), nodes_.pen[8].pressure);
   EXPECT_EQ(at(batch.speed, 3), 0.0f);
   EXPECT_EQ(batch.tilt_x.data, nullptr);
+}
+
+TEST_F(BatchTest, FillsTheHalfWidthWhereItVaries) {
+  for (std::size_t i = 0; i < nodes_.chart.size(); ++i)
+    nodes_.half_width.push_back(0.2f + static_cast<float>(i) * 0.001f);
+  const burin_batch& batch = fill(BURIN_INPUT_RADIUS);
+  for (std::size_t i = 0; i < batch.count; ++i) EXPECT_EQ(at(batch.radius, i), nodes_.half_width[i + 5]);
+}
+
+TEST_F(BatchTest, CountsTheSheetsOfEachVertex) {
+  // Vertices with one to four nodes, in turn.
+  Chart& chart = nodes_.chart;
+  std::vector<Index> counts;
+  const std::size_t size = chart.size();
+  for (Index vertex = 0, node = 0; node < size; ++vertex)
+    for (Index sheet = 0; sheet <= vertex % 4 && node < size; ++sheet, ++node) {
+      chart.vertex[node] = vertex;
+      chart.sheet[node] = sheet;
+    }
+  for (const Index of : chart.vertex)
+    counts.push_back(static_cast<Index>(std::ranges::count(chart.vertex, of)));
+  const burin_batch& batch = fill(BURIN_INPUT_SHEET | BURIN_INPUT_VISIT_COUNT);
+  ASSERT_GT(batch.count, 30u);
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    EXPECT_EQ(batch.sheet.data[i * batch.sheet.stride], chart.sheet[listed_[i]]);
+    EXPECT_EQ(batch.visit_count.data[i * batch.visit_count.stride], counts[listed_[i]]);
+  }
 }
 
 TEST_F(BatchTest, ShowsThePassBefore) {

@@ -34,6 +34,8 @@ inline Chart straight_chart(const Surface& surface, float length, float radius) 
     const float d = position.y() - 0.5f;
     if (position.x() > length || std::abs(d) > radius) continue;
     chart.vertex.push_back(vertex);
+    chart.sheet.push_back(0);
+    chart.stretch.push_back(1);
     chart.t.push_back(position.x());
     chart.d.push_back(d);
     chart.e1.push_back(Vec3f::UnitX());

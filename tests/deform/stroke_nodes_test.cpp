@@ -26,7 +26,7 @@ SurfaceCurve curve() {
 TEST(StrokeNodes, HoldThePenAtTheirArcLength) {
   const Chart chart = test::straight_chart(test::square(101), 1, 0.1f);
   const StrokeNodes nodes =
-      make_stroke_nodes(chart, curve(), BURIN_INPUT_PRESSURE | BURIN_INPUT_TIME | BURIN_INPUT_SPEED);
+      make_stroke_nodes(chart, curve(), 0.1, BURIN_INPUT_PRESSURE | BURIN_INPUT_TIME | BURIN_INPUT_SPEED);
   ASSERT_EQ(nodes.pen.size(), chart.size());
   ASSERT_GT(chart.size(), 1000u);
   for (std::size_t i = 0; i < chart.size(); ++i) {
@@ -38,7 +38,19 @@ TEST(StrokeNodes, HoldThePenAtTheirArcLength) {
 }
 
 TEST(StrokeNodes, HoldNoPenThatNobodyReads) {
-  EXPECT_TRUE(make_stroke_nodes(test::straight_chart(test::square(5), 1, 1), curve(), 0).pen.empty());
+  EXPECT_TRUE(make_stroke_nodes(test::straight_chart(test::square(5), 1, 1), curve(), 1, 0).pen.empty());
+}
+
+TEST(StrokeNodes, HoldTheHalfWidthAtTheirArcLength) {
+  const Chart chart = test::straight_chart(test::square(101), 1, 0.1f);
+  SurfaceCurve narrowing = curve();
+  for (CurvePoint& point : narrowing.points) point.width = 1 - 0.5f * static_cast<float>(point.t);
+  const StrokeNodes nodes = make_stroke_nodes(chart, narrowing, 0.2, BURIN_INPUT_RADIUS);
+  ASSERT_EQ(nodes.half_width.size(), chart.size());
+  EXPECT_TRUE(nodes.pen.empty());
+  for (std::size_t i = 0; i < chart.size(); ++i)
+    EXPECT_NEAR(nodes.half_width[i], 0.2 - 0.1 * chart.t[i], 1e-6);
+  EXPECT_TRUE(make_stroke_nodes(chart, narrowing, 0.2, BURIN_INPUT_PRESSURE).half_width.empty());
 }
 
 TEST(StrokeNodes, TakeSpeedFromTime) {

@@ -165,6 +165,137 @@ TEST(Replay, NamesTheStrokeThatLacksSomethingBeforeDrawing) {
   EXPECT_FALSE(session.undo());
 }
 
+/// Once around the z axis at this distance; the last sample is one step before the first.
+std::vector<Sample> loop(double radius, int count = 60, double turns = 1) {
+  std::vector<Sample> samples;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * turns * i / count;
+    samples.push_back({0.01 * i, radius * Vec3d(std::cos(angle), std::sin(angle), 0), {}});
+  }
+  return samples;
+}
+
+TEST(Replay, ClosesWhatIsMarkedClosedUnlessToldOtherwise) {
+  struct Case {
+    bool marked;
+    std::optional<Closure> told;
+    double turns;
+    bool closed;
+    std::size_t left_open;
+  };
+  const Case cases[] = {{true, {}, 1, true, 0},
+                        {false, {}, 1, false, 0},
+                        {true, Closure::open, 1, false, 0},
+                        {false, Closure::closed, 1, true, 0},
+                        {false, Closure::closed, 0.6, true, 0},
+                        {false, Closure::automatic, 1, true, 0},
+                        {true, Closure::automatic, 0.6, false, 0}};
+  for (const auto& [marked, told, turns, closed, left_open] : cases) {
+    Recording recording;
+    recording.strokes = {stroke_of(loop(0.6, 120, turns))};
+    recording.strokes[0].closed = marked;
+    Session session = test::plane_session();
+    StrokeOverrides overrides;
+    overrides.closure = told;
+    EXPECT_EQ(replay(session, recording, overrides).left_open, left_open);
+    EXPECT_EQ(session.curve().closed, closed);
+    EXPECT_EQ(session.chart().closed, closed);
+    if (turns == 1 && closed) {
+      EXPECT_NEAR(session.chart().length, 2 * std::numbers::pi * 0.6, 1e-3);
+    }
+  }
+}
+
+TEST(Replay, LeavesAClosedStrokeOpenThatBreaks) {
+  std::vector<Sample> samples = loop(0.6);
+  for (Sample& sample : samples) sample.position.x() = 0.6 - sample.position.x();  // over the edge at x = 1
+  Recording recording = on_screen(samples);
+  recording.strokes[0].closed = true;
+  Session session = test::plane_session();
+  std::size_t closed = 0;
+  const ReplayObserver watch{{}, [&](const Session& drawn) { closed += drawn.curve().closed; }};
+  const ReplayResult result = replay(session, recording, {}, watch);
+  EXPECT_EQ(result.pieces, 2u);
+  EXPECT_EQ(result.left_open, 1u);
+  EXPECT_EQ(closed, 0u);
+  recording.strokes[0].samples.resize(1);
+  recording.strokes[0].samples[0].position = Vec3d(100, 100, 0);
+  EXPECT_EQ(replay(session, recording).left_open, 1u) << "one sample is no loop";
+}
+
+TEST(Replay, NarrowsTheStrokeWithThePressure) {
+  Recording recording;
+  std::vector<Sample> line;
+  for (int i = 0; i <= 50; ++i)
+    line.push_back(
+        {0.01 * i, Vec3d(-0.7 + 1.4 * i / 50, 0, 0), {.pressure = 1 - static_cast<float>(i) / 50}});
+  recording.strokes = {stroke_of(line)};
+  recording.strokes[0].params = {{"taper", 0.0}, {"depth", -0.5}};
+  StrokeOverrides overrides;
+  overrides.pressure_width = 0.75;
+  for (const bool has_pressure : {true, false}) {
+    recording.strokes[0].fields.pressure = has_pressure;
+    Session session = test::plane_session();
+    replay(session, recording, overrides);
+    const Chart& chart = session.chart();
+    double widest_at_end = 0, worst = 0;
+    for (std::size_t i = 0; i < chart.size(); ++i) {
+      if (chart.t[i] < 0 || chart.t[i] > 1.4) continue;
+      const double half_width = has_pressure ? 0.1 * (1 - 0.75 * chart.t[i] / 1.4) : 0.1;
+      const double x = std::min(1., std::abs(chart.d[i]) / half_width);
+      const double expected = 0.5 * half_width * (1 - x * x) * (1 - x * x);
+      worst = std::max(worst, std::abs(session.positions()[chart.vertex[i]].z() - expected));
+      if (chart.t[i] > 1) widest_at_end = std::max<double>(widest_at_end, std::abs(chart.d[i]));
+    }
+    EXPECT_LT(worst, 1e-4);
+    EXPECT_NEAR(widest_at_end, has_pressure ? 0.046 : 0.1, 0.008);
+  }
+  overrides.pressure_width = 1.5;
+  Session session = test::plane_session();
+  EXPECT_EQ(error_of([&] { replay(session, recording, overrides); }),
+            "stroke 1: a stroke's pressure width must be from 0 to 1, not 1.5");
+}
+
+/// Heights of the plane after scales went around a loop that began `first` samples later, 60 around.
+std::vector<double> scales_around(int first, bool closed) {
+  Recording recording;
+  std::vector<Sample> samples = loop(0.6), places = samples;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i].position = places[(i + static_cast<std::size_t>(first)) % places.size()].position;
+  recording.strokes = {stroke_of(samples)};
+  recording.strokes[0].closed = closed;
+  StrokeOverrides overrides;
+  overrides.brush = "org.burin.scales";
+  overrides.radius = 0.15;
+  // Twelve tiles of five samples each, were they not rounded to be whole: 11.6.
+  overrides.params = {{"stamp", std::string(BURIN_SAMPLES "/stamps/scales.exr")}, {"tile", 1.3 / 0.6}};
+  Session session = test::plane_session();
+  replay(session, recording, overrides);
+  std::vector<double> heights;
+  for (const Vec3f& position : session.positions()) heights.push_back(position.z());
+  return heights;
+}
+
+TEST(Replay, HasNoSeamInScalesAroundAClosedStroke) {
+  // A tile later the loop begins elsewhere with the same tiles: a seam would stay behind.
+  for (const bool closed : {true, false}) {
+    const std::vector<double> heights = scales_around(0, closed), shifted = scales_around(5, closed);
+    const double amplitude = std::ranges::max(heights) - std::ranges::min(heights);
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      if (heights[i] != 0) differences.push_back(std::abs(heights[i] - shifted[i]) / amplitude);
+    ASSERT_GT(differences.size(), 1000u);
+    ASSERT_GT(amplitude, 0.01);
+    std::ranges::sort(differences);
+    const double p99 = differences[differences.size() * 99 / 100];
+    if (closed) {
+      EXPECT_LT(p99, 1e-4);
+    } else {
+      EXPECT_GT(p99, 0.1) << "the open stroke ends there";
+    }
+  }
+}
+
 TEST(Replay, StampsScalesWithARealPicture) {
   BURIN_SHARED_DATA_OR_SKIP(path, "stamps/Rock035_height_1024_half_zip.exr");
   Recording recording;

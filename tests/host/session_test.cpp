@@ -1,16 +1,11 @@
-#include "sessions.h"
-
 #include <burin/base/parallel.h>
-#include <burin/deform/evaluate.h>
-#include <burin/deform/stroke_nodes.h>
-#include <burin/host/param_snapshot.h>
 #include <burin/surface/normals.h>
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <set>
 
+#include "one_go.h"
 #include "support/point_shapes.h"
 
 namespace burin {
@@ -19,37 +14,9 @@ namespace {
 using test::add;
 using test::draw;
 using test::error_of;
+using test::every_input;
 using test::settings;
 using test::Snapshot;
-
-constexpr PenFields all_fields{.time = true, .pressure = true, .tilt = true, .twist = true};
-
-StrokeSettings every_input() {
-  StrokeSettings every = settings("org.burin.test.every-input");
-  every.fields = all_fields;
-  return every;
-}
-
-/// Where the finished stroke of every_input() must have put the surface, computed in one go from its final
-/// curve: the function that a stroke is.
-std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& curve) {
-  const BrushEntry& entry = test::brushes().find("org.burin.test.every-input");
-  const BrushPtr brush = test::brushes().create(entry);
-  const ParamSnapshot params(*entry.descriptor, {});
-  const std::uint64_t pen = pen_inputs_present(all_fields);
-  burin_stroke_context context{
-      sizeof(burin_stroke_context), 0, BURIN_STROKE_FINAL, pen, 0, curve.length(), 0.15, 0.15, base.scale};
-  const BrushStroke stroke(*brush, *entry.descriptor, context, params.abi());
-  const StrokeNodes nodes =
-      make_stroke_nodes(StrokeCharter(base).chart(curve, {0.15, Cap::round}), curve, pen);
-  std::vector<Index> all(nodes.chart.size());
-  std::iota(all.begin(), all.end(), 0u);
-  Evaluator evaluator;
-  const auto places = evaluator.evaluate(stroke, context, {base, nodes, 0.15f}, all, 1);
-  std::vector<Vec3f> positions = base.positions;
-  for (const Index node : all) positions[nodes.chart.vertex[node]] = places[node];
-  return positions;
-}
 
 void expect_normals_of_positions(const Session& session) {
   for (Index vertex = 0; vertex < session.surface().vertex_count(); ++vertex)
@@ -63,11 +30,54 @@ TEST(Session, GrowsAStrokeToWhatOneEvaluationGives) {
     const Surface base = session.surface();
     draw(session, every_input(), round ? test::wave_on_sphere() : test::wave());
     EXPECT_GT(session.chart().size(), 500u);
-    EXPECT_EQ(session.surface().positions, in_one_go(base, session.curve()));
+    EXPECT_EQ(session.surface().positions, test::in_one_go(base, session.curve(), every_input()));
     EXPECT_TRUE(std::equal(session.positions().begin(), session.positions().end(),
                            session.surface().positions.begin()));
     expect_normals_of_positions(session);
   }
+}
+
+TEST(Session, GrowsAStrokeWhoseWidthFollowsThePen) {
+  StrokeSettings narrowing = every_input();
+  narrowing.pressure_width = 0.8;
+  Session session = test::plane_session();
+  const Surface base = session.surface();
+  draw(session, narrowing, test::wave());
+  EXPECT_EQ(session.surface().positions, test::in_one_go(base, session.curve(), narrowing));
+  const std::uint64_t hash = session.result_hash();
+  narrowing.fields.pressure = false;
+  session.undo();
+  draw(session, narrowing, test::wave());
+  EXPECT_EQ(session.curve().points.back().width, 1) << "no pressure, full width";
+  EXPECT_NE(session.result_hash(), hash);
+}
+
+TEST(Session, ClosesAStrokeAtItsEnd) {
+  Session session = test::plane_session();
+  const Surface base = session.surface();
+  const Snapshot untouched(session);
+  session.begin_stroke(every_input());
+  std::vector<Sample> loop(100);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const double angle = 0.0625 * static_cast<double>(i);
+    loop[i].time = 0.01 * static_cast<double>(i);
+    loop[i].position = Vec3d(0.5 * std::cos(angle), 0.4 * std::sin(angle), 0);
+  }
+  add(session, loop);
+  const Snapshot open(session);
+  const auto changed = session.end_stroke(Closure::automatic);
+  const std::set<Index> reported(changed.begin(), changed.end());
+  ASSERT_TRUE(session.curve().closed);
+  EXPECT_EQ(session.surface().positions, test::in_one_go(base, session.curve(), every_input()));
+  expect_normals_of_positions(session);
+  for (Index vertex = 0; vertex < base.vertex_count(); ++vertex) {
+    const bool same = session.positions()[vertex] == open.shown_positions[vertex] &&
+                      session.normals()[vertex] == open.shown_normals[vertex];
+    ASSERT_TRUE(same || reported.count(vertex)) << vertex;
+  }
+  EXPECT_GT(reported.size(), session.chart().size() / 2) << "the brush knows that there is no end";
+  EXPECT_TRUE(session.undo());
+  EXPECT_TRUE(Snapshot(session) == untouched);
 }
 
 TEST(Session, ReportsAllThatChangesAtEveryEvent) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <sstream>
@@ -170,10 +171,95 @@ TEST(ChartCommand, TakesTheLongestPieceOfABrokenStroke) {
   EXPECT_NEAR(nlohmann::json::parse(result.out)["length"], 39 * 0.02, 1e-3);
 }
 
+TEST(ChartCommand, TabulatesASheetForEachTimeAround) {
+  Equator equator;
+  equator.stroke = equator.folder.write("b.stroke", equator_stroke(0, 12, 601, "\"radius\":0.2"));
+  const std::vector<Row> rows = equator.chart({});
+  std::size_t twice = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const Row &before = rows[i - 1], &row = rows[i];
+    ASSERT_EQ(row.sheet, row.vertex == before.vertex ? before.sheet + 1 : 0);
+    if (row.sheet == 0) continue;
+    ++twice;
+    EXPECT_NEAR(row.t - before.t, 2 * std::numbers::pi, 0.01);
+    EXPECT_NEAR(row.d, before.d, 0.01);
+  }
+  EXPECT_GT(twice, 1000u);
+  const auto report = burin_json({"chart", equator.stroke, "--mesh", equator.mesh_path});
+  EXPECT_EQ(report["sheets"], 2);
+  EXPECT_EQ(report["nodes"], rows.size());
+  EXPECT_EQ(report["vertices"], rows.size() - twice);
+  const std::string text = burin_output({"chart", equator.stroke, "--mesh", equator.mesh_path});
+  EXPECT_NE(text.find("up to 2 sheets"), std::string::npos) << text;
+}
+
+TEST(ChartCommand, ClosesTheStrokeAsRecordedOrTold) {
+  Equator equator;
+  const double around = 2 * std::numbers::pi;
+  const std::string text = equator_stroke(0, around - 0.05, 120, "\"radius\":0.2,\"closed\":true");
+  equator.stroke = equator.folder.write("b.stroke", text);
+  const std::vector<Row> rows = equator.chart({});
+  for (const Row& row : rows) {
+    ASSERT_EQ(row.sheet, 0u);
+    ASSERT_GE(row.t, 0);
+    ASSERT_LT(row.t, around);
+    const Vec3d p = equator.mesh.positions[row.vertex].cast<double>();
+    EXPECT_NEAR(std::remainder(row.t - std::atan2(p.x(), p.z()), around), 0, 0.01);
+  }
+  const auto report = [&](const std::string& closed) {
+    return burin_json({"chart", equator.stroke, "--mesh", equator.mesh_path, "--closed", closed});
+  };
+  EXPECT_EQ(report("no")["closed"], false);
+  EXPECT_NEAR(report("no")["length"], around - 0.05, 2e-3);
+  EXPECT_EQ(report("auto")["closed"], true);
+  EXPECT_NEAR(report("auto")["length"], around, 2e-3);
+  equator.stroke = equator.folder.write("c.stroke", equator_stroke(0, 3, 120, "\"radius\":0.2"));
+  EXPECT_EQ(report("auto")["closed"], false);
+  equator.stroke = equator.folder.write("d.stroke", equator_stroke(0, 3, 2, "\"radius\":0.2"));
+  const ProcessResult result =
+      burin({"chart", equator.stroke, "--mesh", equator.mesh_path, "--closed", "yes"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("stroke 1 stays open"), std::string::npos) << result.err;
+}
+
+TEST(ChartCommand, ChartsToTheOrderAskedFor) {
+  Equator equator;
+  const auto t_of = [](const std::vector<Row>& rows) {
+    std::vector<double> numbers;
+    for (const Row& row : rows) numbers.push_back(row.t);
+    return numbers;
+  };
+  const std::vector<double> first = t_of(equator.chart({"--order", "1"}));
+  EXPECT_NE(t_of(equator.chart({})), first);
+  EXPECT_EQ(t_of(equator.chart({})), t_of(equator.chart({"--order", "2"})));
+  EXPECT_NE(burin({"chart", equator.stroke, "--mesh", equator.mesh_path, "--order", "3"}).exit_code, 0);
+}
+
+TEST(ChartCommand, NarrowsTheStrokeWithThePressure) {
+  Equator equator;
+  std::string text =
+      "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{\"radius\":0.2},"
+      "\"fields\":[\"time\",\"x\",\"y\",\"z\",\"pressure\"]}\n";
+  for (int i = 0; i <= 60; ++i) {
+    const double angle = 0.02 * i;
+    text += fmt::format("[{},{},0,{},{}]\n", 0.01 * i, std::sin(angle), std::cos(angle), i / 60.);
+  }
+  equator.stroke = equator.folder.write("b.stroke", text + "{\"end\":true}\n");
+  std::size_t wide = 0;
+  for (const Row& row : equator.chart({"--pressure-width", "0.5"})) {
+    const double half_width = 0.1 + 0.1 * std::clamp(row.t / 1.2, 0., 1.);
+    EXPECT_LE(std::abs(row.d), half_width + 1e-3) << row.t;
+    wide += std::abs(row.d) > 0.8 * half_width ? 1 : 0;
+  }
+  EXPECT_GT(wide, 50u);
+}
+
 // The picture ------------------------------------------------------------------------------------------
 
-/// Writes the equator as pixels in front of a camera that looks along -z.
-Camera write_screen_stroke(const std::string& path) {
+/// Writes a stroke as pixels in front of a camera that looks along -z at the sphere, which is about 400
+/// pixels wide and high in a picture of 640 x 480.
+Camera write_screen_stroke(const std::string& path,
+                           const std::function<Vec3d(const Camera&, double share)>& place, int samples) {
   const Vec3d corner = Vec3d::Ones();
   const Camera camera = framing_camera(-corner, corner, -Vec3d::UnitZ(), Vec3d::UnitY(), 640, 480, 0.5);
   RecordedStroke stroke;
@@ -181,17 +267,24 @@ Camera write_screen_stroke(const std::string& path) {
   stroke.fields.time = true;
   StrokeWriter writer(path, StrokeSpace::screen, camera);
   writer.begin(stroke);
-  for (int i = 0; i <= 60; ++i) {
-    const double angle = -0.6 + 0.02 * i;
-    const Eigen::Vector4d clip =
-        camera.projection * camera.view * Eigen::Vector4d(std::sin(angle), 0, std::cos(angle), 1);
+  for (int i = 0; i <= samples; ++i) {
     Sample sample;
     sample.time = 0.01 * i;
-    sample.position = {(0.5 + 0.5 * clip.x() / clip.w()) * 640, 240, 0};
+    sample.position = place(camera, static_cast<double>(i) / samples);
     writer.add(sample);
   }
   writer.end();
   return camera;
+}
+
+Camera write_screen_stroke(const std::string& path) {
+  const auto along_equator = [](const Camera& camera, double share) {
+    const double angle = -0.6 + 1.2 * share;
+    const Eigen::Vector4d clip =
+        camera.projection * camera.view * Eigen::Vector4d(std::sin(angle), 0, std::cos(angle), 1);
+    return Vec3d((0.5 + 0.5 * clip.x() / clip.w()) * 640, 240, 0);
+  };
+  return write_screen_stroke(path, along_equator, 60);
 }
 
 double linear(int srgb) { return std::pow(srgb / 255.0, 2.2); }
@@ -228,6 +321,33 @@ TEST(ChartCommand, DrawsACheckerboardThatAgreesWithTheTable) {
   for (const bool left : {false, true}) {
     for (const bool odd : {false, true}) EXPECT_GT((seen[{left, odd}]), 5);
   }
+}
+
+TEST(ChartCommand, DrawsTheLatestSheetOnTop) {
+  Equator equator;
+  equator.stroke = equator.folder.path("screen.stroke");
+  const auto eight = [](const Camera&, double share) {
+    const double angle = 6 * share + 0.8;
+    return Vec3d(320 + 120 * std::sin(angle), 240 + 80 * std::sin(2 * angle), 0);
+  };
+  const Camera camera = write_screen_stroke(equator.stroke, eight, 150);
+  const std::vector<Row> rows = equator.chart({"--png", equator.folder.path("a.png")});
+  const Picture picture = read_png(equator.folder.path("a.png"));
+  int overlapped = 0;
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+    const Row& row = rows[i];
+    const double t = row.t * 4 / 0.2, d = row.d * 4 / 0.2;
+    if (rows[i + 1].vertex == row.vertex || std::abs(d) > 2.5) continue;
+    if (to_square_border(t) < 0.25 || to_square_border(d) < 0.25) continue;
+    const Eigen::Vector4d clip =
+        camera.projection * camera.view * equator.mesh.positions[row.vertex].cast<double>().homogeneous();
+    const Rgb rgb = pixel(picture, static_cast<int>((0.5 + 0.5 * clip.x() / clip.w()) * 640),
+                          static_cast<int>((0.5 - 0.5 * clip.y() / clip.w()) * 480));
+    const bool odd = (static_cast<int>(std::floor(t)) + static_cast<int>(std::floor(d))) % 2 != 0;
+    EXPECT_EQ(square_class(rgb), std::pair(row.d > 0, odd)) << "t " << t << " d " << d;
+    overlapped += row.sheet > 0 ? 1 : 0;
+  }
+  EXPECT_GT(overlapped, 10);
 }
 
 TEST(ChartCommand, DrawsTheCurve) {

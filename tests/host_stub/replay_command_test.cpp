@@ -1,5 +1,6 @@
 #include <burin/base/file.h>
 #include <burin/surface/mesh_file.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sched.h>
 
@@ -56,6 +57,48 @@ struct Engraving {
 Triangle turned(Triangle triangle) {
   std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
   return triangle;
+}
+
+TEST(ReplayCommand, BlendsOverlapsAsTold) {
+  Engraving engraving;
+  engraving.stroke = engraving.folder.write(
+      "b.stroke",
+      equator_stroke(0, 12, 601, std::string(groove) + ",\"params\":{\"depth\":0.1,\"taper\":0}"));
+  const double once = engraving.depth({});
+  EXPECT_NEAR(once, 0.02, 1e-3);
+  for (const char* same : {"latest", "max", "min", "average"})
+    EXPECT_NEAR(engraving.depth({"--overlap", same}), once, 1e-4) << same;
+  EXPECT_NEAR(engraving.depth({"--overlap", "add"}), 2 * once, 1e-3);
+  EXPECT_NE(burin(engraving.command({"--overlap", "sum"})).exit_code, 0);
+}
+
+TEST(ReplayCommand, ClosesStrokesAsRecordedOrTold) {
+  Engraving engraving;
+  const std::string closed = std::string(groove) + ",\"closed\":true";
+  engraving.stroke = engraving.folder.write("b.stroke", equator_stroke(0, 6.2, 120, closed));
+  const auto hash = [&](const std::vector<std::string>& options) {
+    return burin_json(engraving.command(options))["result_hash"];
+  };
+  EXPECT_EQ(hash({}), hash({"--closed", "yes"}));
+  EXPECT_EQ(hash({}), hash({"--closed", "auto"}));
+  EXPECT_NE(hash({}), hash({"--closed", "no"}));
+  engraving.stroke = engraving.folder.write("c.stroke", equator_stroke(0, 6.2, 2, closed));
+  const ProcessResult result = burin(engraving.command({}));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("too short: 1"), std::string::npos) << result.err;
+}
+
+TEST(ReplayCommand, TakesTheWidthFromThePressure) {
+  Engraving engraving;
+  std::string text = "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{" + std::string(groove) +
+                     "},\"fields\":[\"x\",\"y\",\"z\",\"pressure\"]}\n";
+  for (int i = 0; i <= 60; ++i)
+    text += fmt::format("[{},0,{},0.5]\n", std::sin(0.02 * i), std::cos(0.02 * i));
+  engraving.stroke = engraving.folder.write("b.stroke", text + "{\"end\":true}\n");
+  const double full = engraving.depth({}), narrow = engraving.depth({"--pressure-width", "0.8"});
+  EXPECT_NEAR(narrow, 0.6 * full, 0.01 * full) << "half the pressure, 0.6 of the width";
+  EXPECT_LT(engraving.moved({"--pressure-width", "0.8"}), 0.75 * static_cast<double>(engraving.moved({})));
+  EXPECT_NE(burin(engraving.command({"--pressure-width", "1.2"})).exit_code, 0);
 }
 
 TEST(ReplayCommand, TellsWhatItMeasured) {

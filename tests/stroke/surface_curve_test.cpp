@@ -103,6 +103,28 @@ TEST(CurveTracer, ConnectsAlongTheSurfaceButNotAcrossAGap) {
   EXPECT_FALSE(tracer.connects(*ground.picker.closest(Vec3f(0.2F, 0, -3), 1)));
 }
 
+TEST(CurveTracer, TakesTheWidthFromThePressure) {
+  EXPECT_EQ(stroke_width({.pressure = 0.25F}, 0), 1);
+  EXPECT_EQ(stroke_width({.pressure = 0.25F}, 0.5), 0.625F);
+  EXPECT_EQ(stroke_width({.pressure = 0}, 1), 0.02F);
+  EXPECT_EQ(stroke_width({}, 1), 1);
+  EXPECT_EQ(narrowest_width(0.5), 0.5);
+  EXPECT_EQ(narrowest_width(1), 0.02);
+  Ground ground(test::plane(1, 0.02, 1));
+  CurveTracer tracer(ground.surface, ground.picker, 0.1, 0.8);
+  const float pressures[] = {1, 0, 0.5F};
+  for (const int i : {0, 1, 2}) {
+    const Vec3f place(-0.5F + 0.5F * static_cast<float>(i), 0, 0);
+    tracer.add(*ground.picker.closest(place, 1), i, {.pressure = pressures[i]});
+  }
+  for (const CurvePoint& point : tracer.curve().points) {
+    const double t = point.t;
+    EXPECT_NEAR(point.width, t < 0.5 ? 1 - 1.6 * t : 0.2 + 0.8 * (t - 0.5), 0.02) << t;
+    EXPECT_NEAR(point.width, 0.2 + 0.8 * point.pen.pressure, 1e-6);
+    EXPECT_EQ(pen_at(tracer.curve(), t).width, point.width);
+  }
+}
+
 TEST(PenAt, InterpolatesPressureTimeAndSpeed) {
   Ground ground(test::plane(1, 0.1, 1));
   CurveTracer tracer(ground.surface, ground.picker, 0.1);

@@ -45,7 +45,7 @@ extern "C" {
 #define BURIN_OUTPUT_COLOUR (UINT64_C(1) << 2)
 
 /* Bits of burin_stroke_context.flags. */
-#define BURIN_STROKE_CLOSED (UINT64_C(1) << 0) /* t lives modulo length */
+#define BURIN_STROKE_CLOSED (UINT64_C(1) << 0) /* t lives modulo length; only with BURIN_STROKE_FINAL */
 #define BURIN_STROKE_FINAL (UINT64_C(1) << 1)  /* the pen is up: length will not change any more */
 
 /* Constant during a call. */

@@ -7,7 +7,8 @@ namespace burin {
 namespace {
 
 constexpr std::size_t output_columns = 3;
-constexpr std::size_t input_columns = 20;  // t, d; position, normal, e1, displacement; six of the pen
+// t, d, radius, stretch; position, normal, e1, displacement; six of the pen
+constexpr std::size_t input_columns = 22;
 
 constexpr float zero = 0, one = 1;
 
@@ -15,7 +16,11 @@ burin_floats uniform(const float& value) { return {&value, 0, 0}; }
 
 }  // namespace
 
-Batch::Batch() : columns_((output_columns + input_columns) * capacity), node_ids_(capacity) {}
+Batch::Batch()
+    : columns_((output_columns + input_columns) * capacity),
+      sheets_(capacity),
+      visit_counts_(capacity),
+      node_ids_(capacity) {}
 
 void Batch::fill(const NodeSource& source, std::uint64_t inputs, std::uint64_t outputs,
                  const burin_params& params, std::span<const Index> nodes,
@@ -55,6 +60,13 @@ burin_floats Batch::numbers(std::span<const Index> nodes, const Value& value) {
 }
 
 template <class Value>
+burin_indices Batch::numbers(std::span<const Index> nodes, std::vector<std::uint32_t>& column,
+                             const Value& value) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) column[i] = value(nodes[i]);
+  return {column.data(), 1, 0};
+}
+
+template <class Value>
 burin_vectors Batch::vectors(std::size_t count, const Value& value) {
   float *x = next_column(), *y = next_column(), *z = next_column();
   for (std::size_t i = 0; i < count; ++i) {
@@ -73,8 +85,14 @@ void Batch::fill_chart(const NodeSource& source, std::uint64_t inputs, std::span
   if (inputs & BURIN_INPUT_D) batch_.d = numbers(nodes, [&](Index node) { return chart.d[node]; });
   if (inputs & BURIN_INPUT_E1)
     batch_.e1 = vectors(nodes.size(), [&](std::size_t i) { return chart.e1[nodes[i]]; });
+  if (inputs & BURIN_INPUT_STRETCH)
+    batch_.stretch = numbers(nodes, [&](Index node) { return chart.stretch[node]; });
   radius_ = source.radius;
-  if (inputs & BURIN_INPUT_RADIUS) batch_.radius = uniform(radius_);
+  if (inputs & BURIN_INPUT_RADIUS) {
+    const std::vector<float>& half_width = source.nodes.half_width;
+    batch_.radius =
+        half_width.empty() ? uniform(radius_) : numbers(nodes, [&](Index node) { return half_width[node]; });
+  }
 }
 
 void Batch::fill_place(const NodeSource& source, std::uint64_t inputs, std::span<const Index> nodes,
@@ -112,10 +130,16 @@ void Batch::fill_pen(const std::vector<NodePen>& pen, std::uint64_t inputs, std:
 }
 
 void Batch::fill_names(const NodeSource& source, std::uint64_t inputs, std::span<const Index> nodes) {
-  if (!(inputs & BURIN_INPUT_NODE_ID)) return;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    node_ids_[i] = source.surface.source_vertex[source.nodes.chart.vertex[nodes[i]]];
-  batch_.node_id = {node_ids_.data(), 1, 0};
+  const Chart& chart = source.nodes.chart;
+  if (inputs & BURIN_INPUT_SHEET)
+    batch_.sheet = numbers(nodes, sheets_, [&](Index node) { return chart.sheet[node]; });
+  if (inputs & BURIN_INPUT_VISIT_COUNT)
+    batch_.visit_count = numbers(nodes, visit_counts_, [&](Index node) {
+      return chart.sheet[node] + (sheets_end(chart, node) - node);
+    });
+  if (inputs & BURIN_INPUT_NODE_ID)
+    batch_.node_id = numbers(nodes, node_ids_,
+                             [&](Index node) { return source.surface.source_vertex[chart.vertex[node]]; });
 }
 
 }  // namespace burin

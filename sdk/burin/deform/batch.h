@@ -13,7 +13,7 @@ namespace burin {
 struct NodeSource {
   const Surface& surface;  ///< as it was when the stroke began
   const StrokeNodes& nodes;
-  float radius;  ///< object units, the same all along
+  float radius;  ///< object units, where nodes have no half width of their own
 };
 
 /// Buffers for one call of a brush, filled anew for every batch.
@@ -44,11 +44,13 @@ class Batch {
                   std::span<const Vec3f> displacement);
   void fill_pen(const std::vector<NodePen>& pen, std::uint64_t inputs, std::span<const Index> nodes);
   void fill_names(const NodeSource& source, std::uint64_t inputs, std::span<const Index> nodes);
+  template <class Value>
+  burin_indices numbers(std::span<const Index> nodes, std::vector<std::uint32_t>& column, const Value& value);
   float* next_column();
 
   std::vector<float> columns_;  ///< column after column, `capacity` each: the outputs' three, then inputs
   std::size_t used_columns_ = 0;
-  std::vector<std::uint32_t> node_ids_;
+  std::vector<std::uint32_t> sheets_, visit_counts_, node_ids_;
   float radius_ = 0;
   burin_batch batch_{};
   burin_outputs outputs_{};

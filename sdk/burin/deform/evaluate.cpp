@@ -1,15 +1,9 @@
-#include <burin/base/error.h>
 #include <burin/base/parallel.h>
-#include <burin/deform/displacement.h>
 #include <burin/deform/error_text.h>
 #include <burin/deform/evaluate.h>
-#include <fmt/format.h>
+#include <burin/deform/first_failure.h>
 
-#include <algorithm>
-#include <atomic>
-#include <limits>
 #include <mutex>
-#include <string>
 #include <utility>
 
 namespace burin {
@@ -38,33 +32,6 @@ class Evaluator::BatchPool {
 
 namespace {
 
-/// The failure with the lowest element among those that several threads note.
-class FirstFailure {
- public:
-  /// Elements from `begin` on need not be computed any more.
-  bool lies_before(std::size_t begin) const { return element_.load(std::memory_order_relaxed) < begin; }
-
-  void note(std::size_t element, std::string what) {
-    const std::lock_guard lock(mutex_);
-    if (element >= element_.load(std::memory_order_relaxed)) return;
-    element_.store(element, std::memory_order_relaxed);
-    what_ = std::move(what);
-  }
-
-  void throw_if_any(const BrushStroke& stroke, const Chart& chart, std::span<const Index> nodes) const {
-    if (element_ == none) return;
-    const Index node = nodes[element_];
-    throw ContractError(fmt::format("{}: {} at t = {:.6g}, d = {:.6g}", stroke.descriptor().id, what_,
-                                    chart.t[node], chart.d[node]));
-  }
-
- private:
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::atomic<std::size_t> element_{none};
-  std::mutex mutex_;
-  std::string what_;
-};
-
 /// What one pass over the nodes has to do.
 struct Pass {
   const BrushStroke& stroke;
@@ -92,14 +59,11 @@ void evaluate_batch(const Pass& pass, Batch& batch, std::size_t begin, std::size
   }
 }
 
-void place(const Pass& pass, float strength, std::size_t begin, std::size_t end, std::span<Vec3f> places) {
-  const Chart& chart = pass.source.nodes.chart;
-  const Surface& surface = pass.source.surface;
+void scale(const Pass& pass, float strength, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
-    const Index node = pass.nodes[i], vertex = chart.vertex[node];
-    const Vec3f scaled = strength * pass.displacement[i];
-    places[i] = displaced(surface.positions[vertex], chart.e1[node], surface.normals[vertex], scaled);
-    if (!places[i].allFinite()) return pass.failure.note(i, "displaces beyond the range of floats");
+    pass.displacement[i] *= strength;
+    if (!pass.displacement[i].allFinite())
+      return pass.failure.note(i, "displaces beyond the range of floats");
   }
 }
 
@@ -112,7 +76,6 @@ std::span<const Vec3f> Evaluator::evaluate(const BrushStroke& stroke, const buri
                                            const NodeSource& source, std::span<const Index> nodes,
                                            float strength) {
   displacement_.resize(nodes.size());
-  places_.resize(nodes.size());
   FirstFailure failure;
   burin_stroke_context now = context;
   const Pass pass{stroke, now, source, nodes, displacement_, failure};
@@ -123,12 +86,12 @@ std::span<const Vec3f> Evaluator::evaluate(const BrushStroke& stroke, const buri
       evaluate_batch(pass, *batch, begin, end);
       pool_->give_back(std::move(batch));
     });
-    failure.throw_if_any(stroke, source.nodes.chart, nodes);
+    failure.throw_if_any(stroke.descriptor().id, source.nodes.chart, nodes);
   }
   parallel_blocks(nodes.size(), Batch::capacity,
-                  [&](std::size_t begin, std::size_t end) { place(pass, strength, begin, end, places_); });
-  failure.throw_if_any(stroke, source.nodes.chart, nodes);
-  return places_;
+                  [&](std::size_t begin, std::size_t end) { scale(pass, strength, begin, end); });
+  failure.throw_if_any(stroke.descriptor().id, source.nodes.chart, nodes);
+  return displacement_;
 }
 
 }  // namespace burin

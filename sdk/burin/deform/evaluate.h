@@ -17,8 +17,9 @@ class Evaluator {
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
 
-  /// Runs all passes of the stroke over these nodes of source.nodes; [i] of the result is where the vertex
-  /// of nodes[i] goes. Strength scales what the last pass wrote, so passes see each other at full strength.
+  /// Runs all passes of the stroke over these nodes of source.nodes; [i] of the result is the displacement
+  /// by nodes[i], in its (e1, e2, n). Strength scales what the last pass wrote, so passes see each other at
+  /// full strength.
   /// The result does not depend on which other nodes are computed along. Valid until the next call.
   /// Throws ContractError naming brush and (t, d) when the brush fails or a number is not finite, for the
   /// lowest such batch or node of the earliest such pass.
@@ -29,7 +30,6 @@ class Evaluator {
   class BatchPool;
   std::unique_ptr<BatchPool> pool_;
   std::vector<Vec3f> displacement_;  ///< [i] of nodes[i], in (e1, e2, n)
-  std::vector<Vec3f> places_;
 };
 
 }  // namespace burin

@@ -8,9 +8,10 @@ namespace burin {
 
 /// The inputs that this host fills and the outputs that it takes; a brush that declares others is refused.
 inline constexpr std::uint64_t offered_inputs =
-    BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_POSITION | BURIN_INPUT_NORMAL |
-    BURIN_INPUT_E1 | BURIN_INPUT_DISPLACEMENT | BURIN_INPUT_NODE_ID | BURIN_INPUT_PRESSURE |
-    BURIN_INPUT_TILT | BURIN_INPUT_TWIST | BURIN_INPUT_SPEED | BURIN_INPUT_TIME;
+    BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_STRETCH | BURIN_INPUT_POSITION |
+    BURIN_INPUT_NORMAL | BURIN_INPUT_E1 | BURIN_INPUT_DISPLACEMENT | BURIN_INPUT_SHEET |
+    BURIN_INPUT_VISIT_COUNT | BURIN_INPUT_NODE_ID | BURIN_INPUT_PRESSURE | BURIN_INPUT_TILT |
+    BURIN_INPUT_TWIST | BURIN_INPUT_SPEED | BURIN_INPUT_TIME;
 inline constexpr std::uint64_t offered_outputs = BURIN_OUTPUT_DISPLACEMENT;
 
 /// Names for people, "laplacian, mask"; a bit that this version does not know is named by its number.

@@ -33,8 +33,10 @@ std::span<const Index> ShownSurface::move(const Surface& base, std::span<const I
 
 std::vector<Index> ShownSurface::displaced_among(const Surface& base, std::span<const Index> vertices) const {
   std::vector<Index> displaced;
-  for (const Index vertex : vertices)
+  for (const Index vertex : vertices) {
+    if (!displaced.empty() && displaced.back() == vertex) continue;
     if (!same_bits(positions_[vertex], base.positions[vertex])) displaced.push_back(vertex);
+  }
   return displaced;
 }
 

@@ -22,7 +22,7 @@ class ShownSurface {
   std::span<const Index> move(const Surface& base, std::span<const Index> vertices,
                               std::span<const Vec3f> places);
 
-  /// The vertices among these that are not where the base has them, in their order.
+  /// The vertices among these, ascending, that are not where the base has them; each once.
   std::vector<Index> displaced_among(const Surface& base, std::span<const Index> vertices) const;
 
   /// Makes the surface what is shown, given all vertices that differ.

@@ -22,13 +22,18 @@ NodePen node_pen(const PenAt& at, std::uint64_t inputs) {
 
 }  // namespace
 
-StrokeNodes make_stroke_nodes(Chart chart, const SurfaceCurve& curve, std::uint64_t pen_inputs) {
-  StrokeNodes nodes{std::move(chart), {}};
-  if (pen_inputs == 0) return nodes;
-  nodes.pen.resize(nodes.chart.size());
-  parallel_blocks(nodes.pen.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      nodes.pen[i] = node_pen(pen_at(curve, nodes.chart.t[i]), pen_inputs);
+StrokeNodes make_stroke_nodes(Chart chart, const SurfaceCurve& curve, double radius, std::uint64_t varying) {
+  StrokeNodes nodes{std::move(chart), {}, {}};
+  if (varying == 0) return nodes;
+  const std::size_t size = nodes.chart.size();
+  if (varying & BURIN_INPUT_RADIUS) nodes.half_width.resize(size);
+  if (varying & ~BURIN_INPUT_RADIUS) nodes.pen.resize(size);
+  parallel_blocks(size, 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const PenAt at = pen_at(curve, nodes.chart.t[i]);
+      if (!nodes.half_width.empty()) nodes.half_width[i] = static_cast<float>(radius * at.width);
+      if (!nodes.pen.empty()) nodes.pen[i] = node_pen(at, varying);
+    }
   });
   return nodes;
 }

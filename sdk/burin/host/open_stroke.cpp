@@ -1,5 +1,5 @@
 #include <burin/base/error.h>
-#include <burin/deform/stroke_changes.h>
+#include <burin/deform/blend.h>
 #include <burin/host/open_stroke.h>
 #include <fmt/format.h>
 
@@ -16,6 +16,9 @@ const StrokeSettings& checked(const StrokeSettings& settings) {
   const auto radius = static_cast<float>(settings.radius), strength = static_cast<float>(settings.strength);
   if (!(std::isfinite(radius) && radius > 0))
     throw ContractError(fmt::format("a stroke's radius must be above 0, not {}", settings.radius));
+  if (!(settings.pressure_width >= 0 && settings.pressure_width <= 1))
+    throw ContractError(
+        fmt::format("a stroke's pressure width must be from 0 to 1, not {}", settings.pressure_width));
   if (!std::isfinite(strength)) throw ContractError("a stroke's strength is not finite");
   return settings;
 }
@@ -27,7 +30,7 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, const burin
     : surface_(&surface),
       settings_(checked(settings)),
       params_(descriptor, settings.params),
-      tracer_(surface, picker, settings.radius),
+      tracer_(surface, picker, settings.radius, settings.fields.pressure ? settings.pressure_width : 0),
       brush_stroke_(brush, descriptor, context(0), params_.abi()),
       last_time_(-std::numeric_limits<double>::infinity()) {}
 
@@ -39,24 +42,20 @@ VertexMoves OpenStroke::add(const SurfacePoint& at, double time, const Pen& pen,
   const bool first = empty();
   const double length_before = curve().length();
   tracer_.add(at, time, pen);
-  const std::uint64_t pen_inputs =
-      brush_stroke_.descriptor().inputs_read & pen_inputs_present(settings_.fields);
-  Chart chart = first ? charter.chart(curve(), {settings_.radius, settings_.cap}) : charter.extend(curve());
-  StrokeNodes nodes = make_stroke_nodes(std::move(chart), curve(), pen_inputs);
+  Chart chart = first ? charter.chart(curve(), chart_options()) : charter.extend(curve());
   const double end_zone = std::min(length_before, curve().length()) - brush_stroke_.plan().end_influence;
-  const StrokeChanges changes = find_changes(nodes_, nodes, end_zone);
-  VertexMoves moves = evaluate(evaluator, nodes, changes.stale, 0);
-  for (const Index vertex : changes.left) {
-    moves.vertices.push_back(vertex);
-    moves.places.push_back(surface_->positions[vertex]);
-  }
-  nodes_ = std::move(nodes);
-  return moves;
+  return go_on_to(make_nodes(std::move(chart)), end_zone, 0, evaluator);
 }
 
-VertexMoves OpenStroke::finish(Evaluator& evaluator) {
+VertexMoves OpenStroke::finish(Closure closure, StrokeCharter& charter, Evaluator& evaluator) {
+  closed_curve_ = tracer_.closed_curve(closure);
+  if (closed_curve_) {
+    constexpr double everywhere = -std::numeric_limits<double>::infinity();
+    return go_on_to(make_nodes(charter.chart(curve(), chart_options())), everywhere,
+                    BURIN_STROKE_CLOSED | BURIN_STROKE_FINAL, evaluator);
+  }
   const double end_zone = curve().length() - brush_stroke_.plan().end_influence;
-  return evaluate(evaluator, nodes_, nodes_from(nodes_.chart, end_zone), BURIN_STROKE_FINAL);
+  return go_on_to(nodes_, end_zone, BURIN_STROKE_FINAL, evaluator);
 }
 
 burin_stroke_context OpenStroke::context(std::uint64_t flags) const {
@@ -66,20 +65,50 @@ burin_stroke_context OpenStroke::context(std::uint64_t flags) const {
   context.pen_present = pen_inputs_present(settings_.fields);
   context.seed = settings_.seed;
   context.length = curve().length();
-  context.radius_min = context.radius_max = settings_.radius;
+  context.radius_min = settings_.radius * (width_varies() ? narrowest_width(settings_.pressure_width) : 1);
+  context.radius_max = settings_.radius;
   context.object_scale = surface_->scale;
   return context;
 }
 
-VertexMoves OpenStroke::evaluate(Evaluator& evaluator, const StrokeNodes& nodes,
-                                 const std::vector<Index>& stale, std::uint64_t flags) const {
+StrokeNodes OpenStroke::make_nodes(Chart chart) const {
+  std::uint64_t varying = pen_inputs_present(settings_.fields);
+  if (width_varies()) varying |= BURIN_INPUT_RADIUS;
+  return make_stroke_nodes(std::move(chart), curve(), settings_.radius,
+                           varying & brush_stroke_.descriptor().inputs_read);
+}
+
+/// Makes these the stroke's nodes. Only those that changed are evaluated.
+VertexMoves OpenStroke::go_on_to(StrokeNodes nodes, double end_zone, std::uint64_t flags,
+                                 Evaluator& evaluator) {
+  const StrokeChanges changes = find_changes(nodes_, nodes, end_zone, brush_stroke_.descriptor().inputs_read);
+  evaluate(nodes, changes, flags, evaluator);
+  nodes_ = std::move(nodes);
+  return moves(changes);
+}
+
+void OpenStroke::evaluate(const StrokeNodes& nodes, const StrokeChanges& changes, std::uint64_t flags,
+                          Evaluator& evaluator) {
   const NodeSource source{*surface_, nodes, static_cast<float>(settings_.radius)};
-  const std::span<const Vec3f> places = evaluator.evaluate(brush_stroke_, context(flags), source, stale,
-                                                           static_cast<float>(settings_.strength));
+  const std::span<const Vec3f> evaluated = evaluator.evaluate(
+      brush_stroke_, context(flags), source, changes.stale, static_cast<float>(settings_.strength));
+  std::vector<Vec3f> displacement(nodes.chart.size());
+  for (std::size_t node = 0; node < displacement.size(); ++node)
+    if (changes.before[node] != no_index) displacement[node] = displacement_[changes.before[node]];
+  for (std::size_t i = 0; i < evaluated.size(); ++i) displacement[changes.stale[i]] = evaluated[i];
+  displacement_ = std::move(displacement);
+}
+
+VertexMoves OpenStroke::moves(const StrokeChanges& changes) const {
   VertexMoves moves;
-  moves.places.assign(places.begin(), places.end());
-  moves.vertices.reserve(stale.size());
-  for (const Index node : stale) moves.vertices.push_back(nodes.chart.vertex[node]);
+  moves.places.resize(changes.altered.size());
+  blend_sheets(*surface_, chart(), displacement_, changes.altered, settings_.overlap,
+               brush_stroke_.descriptor().id, moves.places);
+  for (const Index node : changes.altered) moves.vertices.push_back(chart().vertex[node]);
+  for (const Index vertex : changes.left) {
+    moves.vertices.push_back(vertex);
+    moves.places.push_back(surface_->positions[vertex]);
+  }
   return moves;
 }
 

@@ -2,11 +2,12 @@
 #include <burin/chart/stroke_chart.h>
 #include <burin/deform/brush_stroke.h>
 #include <burin/deform/evaluate.h>
-#include <burin/deform/stroke_nodes.h>
+#include <burin/deform/stroke_changes.h>
 #include <burin/host/param_snapshot.h>
 #include <burin/host/session.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -28,7 +29,7 @@ class OpenStroke {
   bool empty() const { return tracer_.curve().points.empty(); }
   double radius() const { return settings_.radius; }
   const Chart& chart() const { return nodes_.chart; }
-  const SurfaceCurve& curve() const { return tracer_.curve(); }
+  const SurfaceCurve& curve() const { return closed_curve_ ? *closed_curve_ : tracer_.curve(); }
 
   /// Whether the stroke so far can go on at this place.
   bool connects(const SurfacePoint& at) const { return empty() || tracer_.connects(at); }
@@ -37,21 +38,29 @@ class OpenStroke {
   VertexMoves add(const SurfacePoint& at, double time, const Pen& pen, StrokeCharter& charter,
                   Evaluator& evaluator);
 
-  /// The last evaluation: what depends on the stroke's length, told that it is final.
-  VertexMoves finish(Evaluator& evaluator);
+  /// The last evaluation: what depends on the stroke's length, told that it is final; all of it when the
+  /// stroke closes.
+  VertexMoves finish(Closure closure, StrokeCharter& charter, Evaluator& evaluator);
 
  private:
+  ChartOptions chart_options() const { return {.radius = settings_.radius, .cap = settings_.cap}; }
+  bool width_varies() const { return settings_.pressure_width > 0 && settings_.fields.pressure; }
   burin_stroke_context context(std::uint64_t flags) const;
-  VertexMoves evaluate(Evaluator& evaluator, const StrokeNodes& nodes, const std::vector<Index>& stale,
-                       std::uint64_t flags) const;
+  StrokeNodes make_nodes(Chart chart) const;
+  VertexMoves go_on_to(StrokeNodes nodes, double end_zone, std::uint64_t flags, Evaluator& evaluator);
+  void evaluate(const StrokeNodes& nodes, const StrokeChanges& changes, std::uint64_t flags,
+                Evaluator& evaluator);
+  VertexMoves moves(const StrokeChanges& changes) const;
 
   const Surface* surface_;
   StrokeSettings settings_;
   ParamSnapshot params_;
   CurveTracer tracer_;
+  std::optional<SurfaceCurve> closed_curve_;  ///< once the stroke is finished as a closed one
   BrushStroke brush_stroke_;
   double last_time_;
   StrokeNodes nodes_;
+  std::vector<Vec3f> displacement_;  ///< [node] of nodes_, in its (e1, e2, n)
 };
 
 }  // namespace burin

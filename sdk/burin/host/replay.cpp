@@ -23,6 +23,8 @@ StrokeSettings settings_of(const Recording& recording, std::size_t index, const 
   settings.brush = *brush;
   settings.radius = *radius;
   settings.strength = overrides.strength.value_or(stroke.strength);
+  settings.overlap = overrides.overlap;
+  settings.pressure_width = overrides.pressure_width;
   settings.params = overrides.params;
   // Parameters of another brush mean nothing to this one.
   if (stroke.brush == brush) settings.params.insert(stroke.params.begin(), stroke.params.end());
@@ -46,13 +48,13 @@ class Replayer {
     for (const RecordedStroke& stroke : recording.strokes) samples_ += stroke.samples.size();
   }
 
-  void draw(const RecordedStroke& stroke, const StrokeSettings& settings);
+  void draw(const RecordedStroke& stroke, const StrokeSettings& settings, Closure closure);
   ReplayResult finish();
 
  private:
   Outcome add(const Sample& sample);
   StrokeEvent hand_over(const Sample& sample);
-  void end_piece();
+  void end_piece(Closure closure);
   void report_progress();
 
   Session& session_;
@@ -63,21 +65,26 @@ class Replayer {
   ReplayResult result_;
 };
 
-void Replayer::draw(const RecordedStroke& stroke, const StrokeSettings& settings) {
+/// Of a stroke that breaks, only pieces that come back by themselves close.
+void Replayer::draw(const RecordedStroke& stroke, const StrokeSettings& settings, Closure closure) {
   ++result_.strokes;
-  if (stroke.closed) ++result_.closed_strokes;
+  const std::size_t pieces_before = result_.pieces;
+  const Closure of_a_piece = closure == Closure::automatic ? closure : Closure::open;
   session_.begin_stroke(settings);
   for (const Sample& sample : stroke.samples) {
     Outcome outcome = add(sample);
     if (outcome != Outcome::drawn && drawn_in_piece_ > 0) {
-      end_piece();
+      end_piece(of_a_piece);
       session_.begin_stroke(settings);
       if (outcome == Outcome::disconnected) outcome = add(sample);
     }
     if (outcome == Outcome::off_surface) ++result_.samples_off_surface;
     report_progress();
   }
-  end_piece();
+  const bool whole = result_.pieces == pieces_before;
+  end_piece(whole ? closure : of_a_piece);
+  const bool drawn = result_.pieces > pieces_before;
+  if (closure == Closure::closed && drawn && !(whole && session_.curve().closed)) ++result_.left_open;
 }
 
 Outcome Replayer::add(const Sample& sample) {
@@ -99,9 +106,9 @@ StrokeEvent Replayer::hand_over(const Sample& sample) {
   return session_.add_sample(ray, sample.time, sample.pen);
 }
 
-void Replayer::end_piece() {
+void Replayer::end_piece(Closure closure) {
   const auto start = std::chrono::steady_clock::now();
-  result_.vertices_changed += session_.end_stroke().size();
+  result_.vertices_changed += session_.end_stroke(closure).size();
   result_.end_seconds += seconds_since(start);
   if (drawn_in_piece_ == 0) return;
   ++result_.pieces;
@@ -132,7 +139,8 @@ ReplayResult replay(Session& session, const Recording& recording, const StrokeOv
   Replayer replayer(session, recording, observer);
   for (std::size_t i = 0; i < settings.size(); ++i) {
     try {
-      replayer.draw(recording.strokes[i], settings[i]);
+      const Closure marked = recording.strokes[i].closed ? Closure::closed : Closure::open;
+      replayer.draw(recording.strokes[i], settings[i], overrides.closure.value_or(marked));
     } catch (const Error& error) {
       throw Error(fmt::format("stroke {}: {}", i + 1, error.what()));
     }

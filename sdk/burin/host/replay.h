@@ -17,6 +17,9 @@ struct StrokeOverrides {
   std::optional<std::string> brush;
   std::optional<double> radius;
   std::optional<double> strength;
+  Overlap overlap = Overlap::latest;
+  std::optional<Closure> closure;  ///< instead of what the recording marks
+  double pressure_width = 0;       ///< as in StrokeSettings
   ParamSettings params;  ///< name by name over the recording's, where the brush is the recording's own
 };
 
@@ -28,9 +31,9 @@ struct ReplayObserver {
 };
 
 struct ReplayResult {
-  std::size_t strokes = 0;         ///< of the recording
-  std::size_t closed_strokes = 0;  ///< of these, those marked closed: drawn open
-  std::size_t pieces = 0;  ///< what they were drawn as: a stroke breaks where the pen leaves the surface
+  std::size_t strokes = 0;    ///< of the recording
+  std::size_t left_open = 0;  ///< of these, those that were to be closed but broke or are too short
+  std::size_t pieces = 0;     ///< what they were drawn as: a stroke breaks where the pen leaves the surface
   std::size_t samples_drawn = 0;
   std::size_t samples_off_surface = 0;
   std::uint64_t vertices_changed = 0;  ///< sum of StrokeEvent::changed over all samples and ends

@@ -18,7 +18,7 @@ struct Session::Impl {
   const burin_brush& brush(const BrushEntry& entry);
   OpenStroke& open_stroke();
   StrokeEvent draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen);
-  std::span<const Index> finish();
+  std::span<const Index> finish(Closure closure);
   void drop();
 
   /// Runs `body`; when it throws, the open stroke is gone as if it had never begun.
@@ -64,12 +64,12 @@ StrokeEvent Session::Impl::draw(const std::optional<SurfacePoint>& at, double ti
   return {StrokeEvent::Outcome::drawn, shown.move(surface, moves.vertices, moves.places)};
 }
 
-std::span<const Index> Session::Impl::finish() {
+std::span<const Index> Session::Impl::finish(Closure closure) {
   if (open_stroke().empty()) {
     stroke.reset();
     return {};
   }
-  const VertexMoves moves = stroke->finish(evaluator);
+  const VertexMoves moves = stroke->finish(closure, charter, evaluator);
   const std::span<const Index> changed = shown.move(surface, moves.vertices, moves.places);
   changed_at_end.assign(changed.begin(), changed.end());
   const std::vector<Index> displaced = shown.displaced_among(surface, stroke->chart().vertex);
@@ -127,8 +127,8 @@ StrokeEvent Session::add_sample(const Vec3d& position, double time, const Pen& p
   });
 }
 
-std::span<const Index> Session::end_stroke() {
-  return impl_->guarded([&] { return impl_->finish(); });
+std::span<const Index> Session::end_stroke(Closure closure) {
+  return impl_->guarded([&] { return impl_->finish(closure); });
 }
 
 void Session::cancel_stroke() { impl_->drop(); }

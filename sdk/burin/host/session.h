@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/chart/stroke_chart.h>
+#include <burin/deform/blend.h>
 #include <burin/host/brush_library.h>
 #include <burin/stroke/recording.h>
 #include <burin/surface/picker.h>
@@ -18,9 +19,11 @@ struct StrokeSettings {
   double radius = 0;    ///< object units, > 0
   double strength = 1;  ///< factor on the brush's displacement
   Cap cap = Cap::round;
-  ParamSettings params;    ///< what differs from the brush's defaults
-  PenFields fields;        ///< what the pen really reports
-  std::uint64_t seed = 0;  ///< of the brush's random numbers
+  Overlap overlap = Overlap::latest;  ///< what holds where the stroke overlaps itself
+  double pressure_width = 0;          ///< 0..1, share of the width that the pen's pressure decides
+  ParamSettings params;               ///< what differs from the brush's defaults
+  PenFields fields;                   ///< what the pen really reports
+  std::uint64_t seed = 0;             ///< of the brush's random numbers
 };
 
 /// What became of one sample.
@@ -67,8 +70,10 @@ class Session {
   StrokeEvent add_sample(const Vec3d& position, double time, const Pen& pen);
 
   /// Ends the open stroke and makes it part of the surface. A stroke without a sample leaves no trace.
+  /// While the pen is down strokes are open; here one may become closed, so that all of it changes:
+  /// curve().closed says whether it did, CurveTracer::closed_curve() under which conditions.
   /// Returns the vertices that the end changed, as StrokeEvent::changed, valid until the next call.
-  std::span<const Index> end_stroke();
+  std::span<const Index> end_stroke(Closure closure = Closure::open);
 
   /// Drops the open stroke, if there is one.
   void cancel_stroke();

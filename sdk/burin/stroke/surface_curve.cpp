@@ -72,17 +72,39 @@ Pen interpolate(const Pen& a, const Pen& b, float s) {
           mix(a.twist, b.twist)};
 }
 
+/// In the last part of a closed curve, between its last point and the first: time goes on as before it.
+PenAt pen_before_seam(const SurfaceCurve& curve, double t) {
+  const CurvePoint &before = *(curve.points.end() - 2), &from = curve.points.back(), &to = curve.points[0];
+  const double seconds = from.time - before.time, beyond = t - from.t;
+  const double speed = seconds > 0 ? (from.t - before.t) / seconds : 0;
+  const auto s = static_cast<float>(std::clamp(beyond / curve.closing_length, 0., 1.));
+  return {interpolate(from.pen, to.pen, s), from.time + (speed > 0 ? beyond / speed : 0), speed,
+          from.width + s * (to.width - from.width)};
+}
+
 }  // namespace
 
-CurveTracer::CurveTracer(const Surface& surface, const Picker& picker, double radius)
+double narrowest_width(double pressure_width) { return std::max(1 - pressure_width, 0.02); }
+
+float stroke_width(const Pen& pen, double pressure_width) {
+  const double lost = pressure_width * (1 - static_cast<double>(pen.pressure));
+  return static_cast<float>(std::max(1 - lost, narrowest_width(pressure_width)));
+}
+
+CurveTracer::CurveTracer(const Surface& surface, const Picker& picker, double radius, double pressure_width)
     : surface_(&surface),
       picker_(&picker),
+      radius_(radius),
+      pressure_width_(pressure_width),
       min_spacing_(std::max(radius / 1000, surface.scale * 1e-5)),
       max_spacing_(std::max(radius / 8, min_spacing_)) {}
 
 bool CurveTracer::connects(const SurfacePoint& point) const {
-  if (knots_.empty()) return true;
-  const Vec3f from = knots_.back().at.position, chord = point.position - from;
+  return knots_.empty() || connects(knots_.back().at.position, point.position);
+}
+
+bool CurveTracer::connects(const Vec3f& from, const Vec3f& to) const {
+  const Vec3f chord = to - from;
   const float reach = chord.norm() / 4;
   if (reach == 0) return true;
   return std::ranges::all_of(std::array{0.25F, 0.5F, 0.75F},
@@ -92,11 +114,11 @@ bool CurveTracer::connects(const SurfacePoint& point) const {
 void CurveTracer::add(const SurfacePoint& point, double time, const Pen& pen) {
   const double since_begin = knots_.empty() ? 0 : time - first_time_;
   if (knots_.empty()) first_time_ = time;
+  const Knot knot{point, since_begin, pen, stroke_width(pen, pressure_width_)};
   if (!knots_.empty() && knots_.back().at.position == point.position) {
-    knots_.back().time = since_begin;
-    knots_.back().pen = pen;
+    knots_.back() = knot;
   } else {
-    knots_.push_back({point, since_begin, pen});
+    knots_.push_back(knot);
   }
   retrace_tail();
 }
@@ -104,7 +126,7 @@ void CurveTracer::add(const SurfacePoint& point, double time, const Pen& pen) {
 void CurveTracer::retrace_tail() {
   curve_.points.resize(final_points_);
   const std::size_t last = knots_.size() - 1;
-  if (last == 0) append(knots_[0].at, Vec3d::Zero(), knots_[0].time, knots_[0].pen);
+  if (last == 0) append(knots_[0], Vec3d::Zero());
   for (std::size_t segment = final_segments_; segment < last; ++segment) {
     trace_segment(segment);
     if (segment + 2 <= last) {
@@ -114,17 +136,19 @@ void CurveTracer::retrace_tail() {
   }
 }
 
+/// Traces from a knot to the next; of a closed curve, from the last knot towards the first.
 void CurveTracer::trace_segment(std::size_t k) {
-  const Knot &from = knots_[k], &to = knots_[k + 1];
-  const auto place = [this](std::size_t i) { return Vec3d(knots_[i].at.position.cast<double>()); };
-  const bool has_before = k > 0, has_after = k + 2 < knots_.size();
-  const Vec3d before = has_before ? place(k - 1) : Vec3d::Zero();
-  const Vec3d after = has_after ? place(k + 2) : Vec3d::Zero();
-  const HermiteSegment spline =
-      spline_segment(has_before ? &before : nullptr, place(k), place(k + 1), has_after ? &after : nullptr);
+  const Knot &from = knots_[k], &to = *neighbour(k, 1, true);
+  const Knot *before = neighbour(k, 1, false), *after = neighbour(k, 2, true);
+  const auto place = [](const Knot* knot) {
+    return knot ? Vec3d(knot->at.position.cast<double>()) : Vec3d(Vec3d::Zero());
+  };
+  const Vec3d place_before = place(before), place_after = place(after);
+  const HermiteSegment spline = spline_segment(before ? &place_before : nullptr, place(&from), place(&to),
+                                               after ? &place_after : nullptr);
   const double chord = (spline.to - spline.from).norm();
 
-  if (k == 0) append(from.at, spline.velocity(0), from.time, from.pen);
+  if (k == 0) append(from, spline.velocity(0));
   double s = 0;
   for (;;) {
     const double speed = std::max(spline.velocity(s).norm(), chord / 4);
@@ -133,36 +157,50 @@ void CurveTracer::trace_segment(std::size_t k) {
     if (s > 1 - step / 2) break;
     const auto at = picker_->closest(spline.position(s).cast<float>(), static_cast<float>(chord));
     if (at) {
-      append(*at, spline.velocity(s), from.time + s * (to.time - from.time),
-             interpolate(from.pen, to.pen, static_cast<float>(s)));
+      const auto share = static_cast<float>(s);
+      append({*at, from.time + s * (to.time - from.time), interpolate(from.pen, to.pen, share),
+              from.width + share * (to.width - from.width)},
+             spline.velocity(s));
     }
   }
-  append(to.at, spline.velocity(1), to.time, to.pen);
+  if (k + 1 == knots_.size()) return;
+  append(to, spline.velocity(1));
+  knots_[k + 1].point = curve_.points.size() - 1;
+}
+
+/// The knot so many steps after or before; none beyond the ends of an open curve.
+const CurveTracer::Knot* CurveTracer::neighbour(std::size_t knot, std::size_t steps, bool forward) const {
+  const std::size_t count = knots_.size();
+  if (!curve_.closed && (forward ? knot + steps >= count : knot < steps)) return nullptr;
+  return &knots_[(forward ? knot + steps : knot + count - steps) % count];
 }
 
 double CurveTracer::spacing(const SurfacePoint& at) const {
   return std::clamp<double>(half_mean_edge(*surface_, at), min_spacing_, max_spacing_);
 }
 
-void CurveTracer::append(const SurfacePoint& at, const Vec3d& direction, double time, const Pen& pen) {
-  const Vec3f normal = normal_at(*surface_, at);
+void CurveTracer::append(const Knot& knot, const Vec3d& direction) {
+  const Vec3f& position = knot.at.position;
+  const Vec3f normal = normal_at(*surface_, knot.at);
   const Vec3f tangent = unit_tangent(direction.cast<float>(), normal);
   const double t = curve_.points.empty()
                        ? 0
-                       : curve_.points.back().t + arc_length(curve_.points.back(), at.position, tangent);
-  curve_.points.push_back({at, normal, tangent, t, time, pen});
+                       : curve_.points.back().t + arc_length(curve_.points.back(), position, tangent);
+  curve_.points.push_back({knot.at, normal, tangent, t, knot.time, knot.pen, knot.width});
 }
 
 PenAt pen_at(const SurfaceCurve& curve, double t) {
   const auto& points = curve.points;
   const auto after = std::ranges::upper_bound(points, t, {}, &CurvePoint::t);
-  if (points.size() == 1) return {points[0].pen, points[0].time, 0};
+  if (points.size() == 1) return {points[0].pen, points[0].time, 0, points[0].width};
+  if (curve.closed && after == points.end() && curve.closing_length > 0) return pen_before_seam(curve, t);
   const auto to = after == points.end() ? points.end() - 1 : std::max(after, points.begin() + 1);
   const auto from = to - 1;
   const double length = to->t - from->t, seconds = to->time - from->time;
   const double s = length > 0 ? std::clamp((t - from->t) / length, 0., 1.) : 1;
   return {interpolate(from->pen, to->pen, static_cast<float>(s)), from->time + s * seconds,
-          seconds > 0 ? length / seconds : 0};
+          seconds > 0 ? length / seconds : 0,
+          from->width + static_cast<float>(s) * (to->width - from->width)};
 }
 
 }  // namespace burin

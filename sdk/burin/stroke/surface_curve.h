@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -43,6 +44,18 @@ struct SurfaceCurve {
   }
 };
 
+/// CurvePoint::width at a sample when the pressure decides a share of it: 1 - pressure_width * (1 -
+/// pressure), at least 0.02. `pressure_width`: 0..1. The narrowest is that of no pressure.
+float stroke_width(const Pen& pen, double pressure_width);
+double narrowest_width(double pressure_width);
+
+/// Whether a stroke goes around.
+enum class Closure {
+  open,
+  closed,
+  automatic,  ///< closed where the pen came back, as CurveTracer::came_back() says
+};
+
 /// Turns the samples of one stroke into its surface curve as they arrive. Between two samples the curve
 /// follows the centripetal Catmull-Rom spline of the samples, brought onto the surface by closest points.
 /// The curve depends on the surface, the samples so far and the radius only, not on when it was asked
@@ -51,8 +64,8 @@ struct SurfaceCurve {
 class CurveTracer {
  public:
   /// `radius`: of the stroke, object units. Points are half an edge apart, but at least radius / 1000 and
-  /// at most radius / 8.
-  CurveTracer(const Surface& surface, const Picker& picker, double radius);
+  /// at most radius / 8. `pressure_width`: as stroke_width() takes it.
+  CurveTracer(const Surface& surface, const Picker& picker, double radius, double pressure_width = 0);
 
   /// Whether a point can follow the samples so far: no point of the chord to it is farther from the
   /// surface than a quarter of the chord. Not so where the pen jumps over a silhouette or a gap.
@@ -63,6 +76,19 @@ class CurveTracer {
 
   const SurfaceCurve& curve() const { return curve_; }
 
+  /// Whether the pen came back to where it began: the curve is at least four radii long, the place in its
+  /// last quarter that is nearest to the first sample is at most half a radius from it, and over half a
+  /// radius the curve arrives there within 60 degrees of the direction in which it began.
+  bool came_back() const;
+
+  /// The samples so far as a closed curve: the periodic spline, which goes on from the last sample to the
+  /// first. What the pen drew beyond the place where it came nearest to the first sample, if that is within
+  /// half a radius, is left out, and so are last samples on top of the first: nearer than half the mean
+  /// distance of samples, or than half an edge. Over the closing segment the pen moves at its mean speed.
+  /// Nothing where the closure leaves the curve open, the last sample does not connect with the first, or
+  /// fewer than three remain.
+  std::optional<SurfaceCurve> closed_curve(Closure closure) const;
+
   /// Points of curve() that later samples leave as they are.
   std::size_t final_points() const { return final_points_; }
 
@@ -71,14 +97,28 @@ class CurveTracer {
     SurfacePoint at;
     double time = 0;  ///< since the first sample
     Pen pen;
+    float width = 1;
+    std::size_t point = 0;  ///< of curve_, where it goes through the knot
   };
+  /// Where the curve, in its last quarter, is nearest to the first knot.
+  struct Return {
+    std::size_t point;
+    double distance;
+  };
+  Return return_to_first() const;
+  void leave_out_overshoot();
+  void retrace_closed();
   void retrace_tail();
   void trace_segment(std::size_t knot);
+  const Knot* neighbour(std::size_t knot, std::size_t steps, bool forward) const;
+  bool connects(const Vec3f& from, const Vec3f& to) const;
   double spacing(const SurfacePoint& at) const;
-  void append(const SurfacePoint& at, const Vec3d& direction, double time, const Pen& pen);
+
+  void append(const Knot& at, const Vec3d& direction);
 
   const Surface* surface_;
   const Picker* picker_;
+  double radius_, pressure_width_;
   double min_spacing_, max_spacing_;
   double first_time_ = 0;
   std::vector<Knot> knots_;
@@ -87,11 +127,12 @@ class CurveTracer {
   std::size_t final_points_ = 0;
 };
 
-/// Pen and time where the arc length is t, between the points around it; at the ends beyond them.
+/// Pen, time and width where the arc length is t, between the points around it; at the ends beyond them.
 struct PenAt {
   Pen pen;
   double time = 0;   ///< seconds since the first sample
   double speed = 0;  ///< object units a second, 0 where time stands still
+  float width = 1;   ///< as CurvePoint::width
 };
 PenAt pen_at(const SurfaceCurve& curve, double t);
 

@@ -8,15 +8,15 @@ using namespace burin::plugin;
 
 class EveryInput : public Brush {
  public:
-  static constexpr BrushInfo info{.id = "org.burin.test.every-input",
-                                  .name = "Every input",
-                                  .vendor = "Burin",
-                                  .version = "1.0.0",
-                                  .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS |
-                                            BURIN_INPUT_POSITION | BURIN_INPUT_NORMAL | BURIN_INPUT_E1 |
-                                            BURIN_INPUT_DISPLACEMENT | BURIN_INPUT_NODE_ID |
-                                            BURIN_INPUT_PRESSURE | BURIN_INPUT_TILT | BURIN_INPUT_TWIST |
-                                            BURIN_INPUT_SPEED | BURIN_INPUT_TIME};
+  static constexpr BrushInfo info{
+      .id = "org.burin.test.every-input",
+      .name = "Every input",
+      .vendor = "Burin",
+      .version = "1.0.0",
+      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_STRETCH | BURIN_INPUT_SHEET |
+                BURIN_INPUT_VISIT_COUNT | BURIN_INPUT_POSITION | BURIN_INPUT_NORMAL | BURIN_INPUT_E1 |
+                BURIN_INPUT_DISPLACEMENT | BURIN_INPUT_NODE_ID | BURIN_INPUT_PRESSURE | BURIN_INPUT_TILT |
+                BURIN_INPUT_TWIST | BURIN_INPUT_SPEED | BURIN_INPUT_TIME};
 
   explicit EveryInput(StrokeStart& start) {
     start.passes = 2;
@@ -27,13 +27,14 @@ class EveryInput : public Brush {
     const auto t = in.t(), d = in.d(), radius = in.radius(), pressure = in.pressure(), tilt_x = in.tilt_x(),
                tilt_y = in.tilt_y(), twist = in.twist(), speed = in.speed(), time = in.time();
     const auto position = in.position(), normal = in.normal(), e1 = in.e1(), displacement = in.displacement();
-    const auto node = in.node_id();
+    const auto stretch = in.stretch();
+    const auto node = in.node_id(), sheet = in.sheet(), visits = in.visit_count();
     const auto along = out.along(), across = out.across(), up = out.up();
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float rim = 1 - d[i] * d[i] / (radius[i] * radius[i]);
       const float pen = pressure[i] + tilt_x[i] - tilt_y[i] + twist[i] + speed[i] * 0.1f + time[i] * 0.1f;
       const float place = position.x[i] * normal.x[i] + position.y[i] * e1.y[i] + position.z[i] * normal.z[i];
-      const auto names = static_cast<float>(node[i] % 7);
+      const auto names = static_cast<float>(node[i] % 7 + sheet[i] + 3 * visits[i]) + stretch[i];
       up[i] = 0.01f * (rim * pen + 0.1f * place + 0.1f * names + 0.1f * t[i]) + 0.5f * displacement.z[i];
       along[i] = 0.01f * end(in.stroke, t[i]);
       across[i] = 0.5f * displacement.x[i];

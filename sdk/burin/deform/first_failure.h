@@ -1,0 +1,33 @@
+#pragma once
+#include <burin/chart/chart.h>
+
+#include <atomic>
+#include <cstddef>
+#include <limits>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace burin {
+
+/// The failure with the lowest element among those that several threads note.
+class FirstFailure {
+ public:
+  /// Elements from `begin` on need not be computed any more.
+  bool lies_before(std::size_t begin) const { return element_.load(std::memory_order_relaxed) < begin; }
+
+  void note(std::size_t element, std::string what);
+
+  /// Throws ContractError "BRUSH: WHAT at t = T, d = D" if there was a failure; element i is nodes[i] of the
+  /// chart.
+  void throw_if_any(std::string_view brush, const Chart& chart, std::span<const Index> nodes) const;
+
+ private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::atomic<std::size_t> element_{none};
+  std::mutex mutex_;
+  std::string what_;
+};
+
+}  // namespace burin

@@ -1,0 +1,56 @@
+#pragma once
+#include <burin/deform/evaluate.h>
+#include <burin/deform/stroke_nodes.h>
+#include <burin/host/param_snapshot.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "sessions.h"
+
+namespace burin::test {
+
+/// A stroke of the brush that mixes every input.
+inline StrokeSettings every_input(Overlap overlap = Overlap::latest) {
+  StrokeSettings every = settings("org.burin.test.every-input");
+  every.fields = {.time = true, .pressure = true, .tilt = true, .twist = true};
+  every.overlap = overlap;
+  return every;
+}
+
+/// Where a finished stroke must have put the surface, computed in one go from its final curve: the function
+/// that a stroke is.
+inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& curve,
+                                    const StrokeSettings& settings) {
+  const BrushEntry& entry = brushes().find(settings.brush);
+  const BrushPtr brush = brushes().create(entry);
+  const ParamSnapshot params(*entry.descriptor, settings.params);
+  const std::uint64_t pen = pen_inputs_present(settings.fields);
+  const std::uint64_t varying = pen | (settings.pressure_width > 0 ? BURIN_INPUT_RADIUS : 0);
+  const double radius = settings.radius;
+  const burin_stroke_context context{.struct_size = sizeof(burin_stroke_context),
+                                     .pass = 0,
+                                     .flags = BURIN_STROKE_FINAL | (curve.closed ? BURIN_STROKE_CLOSED : 0),
+                                     .pen_present = pen,
+                                     .seed = settings.seed,
+                                     .length = curve.length(),
+                                     .radius_min = radius * narrowest_width(settings.pressure_width),
+                                     .radius_max = radius,
+                                     .object_scale = base.scale};
+  const BrushStroke stroke(*brush, *entry.descriptor, context, params.abi());
+  const StrokeNodes nodes =
+      make_stroke_nodes(StrokeCharter(base).chart(curve, {radius, settings.cap}), curve, radius, varying);
+  std::vector<Index> all(nodes.chart.size()), firsts;
+  std::iota(all.begin(), all.end(), 0u);
+  std::ranges::copy_if(all, std::back_inserter(firsts),
+                       [&](Index node) { return nodes.chart.sheet[node] == 0; });
+  Evaluator evaluator;
+  const auto displacement = evaluator.evaluate(stroke, context, {base, nodes, static_cast<float>(radius)},
+                                               all, static_cast<float>(settings.strength));
+  std::vector<Vec3f> places(firsts.size()), positions = base.positions;
+  blend_sheets(base, nodes.chart, displacement, firsts, settings.overlap, entry.descriptor->id, places);
+  for (std::size_t i = 0; i < firsts.size(); ++i) positions[nodes.chart.vertex[firsts[i]]] = places[i];
+  return positions;
+}
+
+}  // namespace burin::test
