@@ -28,6 +28,7 @@ struct ChartCommandOptions {
   std::size_t stroke = 1;  // from 1
   std::optional<double> radius;
   Cap cap = Cap::round;
+  Join join = Join::round;
   int order = 2;
   std::optional<Closure> closure;
   double pressure_width = 0;
@@ -140,7 +141,8 @@ void run(const ChartCommandOptions& options) {
   const Picker picker(loaded.surface);
   const SurfaceCurve curve =
       chosen_curve(options, trace_stroke(loaded.surface, picker, recording, stroke, trace), trace.closure);
-  const Chart chart = StrokeCharter(loaded.surface).chart(curve, {radius, options.cap, options.order});
+  const Chart chart =
+      StrokeCharter(loaded.surface).chart(curve, {radius, options.cap, options.order, options.join});
   if (!options.png.empty()) {
     const bool recorded_view = recording.space == StrokeSpace::screen && !options.view.direction;
     const Camera camera = recorded_view ? fit_into(*recording.camera, options.view.width)
@@ -179,7 +181,7 @@ void add_chart(CLI::App& app) {
                   "of the chart: 1, as published, or 2, on curved strokes and surfaces")
       ->check(CLI::IsMember({1, 2}))
       ->capture_default_str();
-  add_stroke_options(command, options->closure, options->pressure_width);
+  add_stroke_options(command, options->closure, options->pressure_width, options->join);
   command.add_option("--csv", options->csv, "table to write")->type_name("FILE");
   command.add_option("--png", options->png, "picture to write: a checkerboard of (t, d)")->type_name("FILE");
   command.add_flag("--json", options->json, "write JSON to the standard output");

@@ -73,7 +73,8 @@ void add_vector_option(CLI::App& command, const std::string& name, std::optional
       ->type_name("X,Y,Z");
 }
 
-void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, double& pressure_width) {
+void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, double& pressure_width,
+                        Join& join) {
   static const std::map<std::string, Closure> closures = {
       {"yes", Closure::closed}, {"no", Closure::open}, {"auto", Closure::automatic}};
   command
@@ -86,6 +87,13 @@ void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, doub
                   "how much of the width the pen's pressure decides: 0, nothing, to 1")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  static const std::map<std::string, Join> joins = {
+      {"round", Join::round}, {"smooth", Join::smooth}, {"miter", Join::miter}, {"overlap", Join::overlap}};
+  command
+      .add_option_function<std::string>(
+          "--join", [&join](const std::string& name) { join = joins.at(name); },
+          "where strokes bend sharper than their radius: round (the default), smooth, miter or overlap")
+      ->check(CLI::IsMember({"round", "smooth", "miter", "overlap"}));
 }
 
 ParamSettings parse_param_settings(const std::vector<std::string>& texts) {

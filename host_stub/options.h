@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/base/vector.h>
+#include <burin/chart/joins.h>
 #include <burin/stroke/recording.h>
 #include <burin/stroke/surface_curve.h>
 
@@ -20,8 +21,9 @@ const CLI::Validator& finite_number();
 void add_vector_option(CLI::App& command, const std::string& name, std::optional<Vec3d>& vector,
                        const std::string& help);
 
-/// Adds --closed and --pressure-width.
-void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, double& pressure_width);
+/// Adds --closed, --pressure-width and --join.
+void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, double& pressure_width,
+                        Join& join);
 
 /// The value of "NAME=VALUE": true and false, a number, numbers between commas, else text.
 /// Throws CLI::ValidationError without a NAME.

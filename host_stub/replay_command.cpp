@@ -124,7 +124,7 @@ void add_replay(CLI::App& app) {
           "--overlap", [&overrides](const std::string& name) { overrides.overlap = overlaps.at(name); },
           "where a stroke overlaps itself: latest (the default), max, min, add or average")
       ->check(CLI::IsMember({"latest", "max", "min", "add", "average"}));
-  add_stroke_options(command, overrides.closure, overrides.pressure_width);
+  add_stroke_options(command, overrides.closure, overrides.pressure_width, overrides.join);
   command.add_option("--param", options->params, "parameter of the brush, repeatable")
       ->type_name("NAME=VALUE")
       ->expected(1)

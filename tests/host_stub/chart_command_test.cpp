@@ -13,6 +13,7 @@
 #include "command.h"
 #include "picture_file.h"
 #include "support/point_shapes.h"
+#include "support/shapes.h"
 
 namespace burin::test {
 namespace {
@@ -233,6 +234,39 @@ TEST(ChartCommand, ChartsToTheOrderAskedFor) {
   EXPECT_NE(t_of(equator.chart({})), first);
   EXPECT_EQ(t_of(equator.chart({})), t_of(equator.chart({"--order", "2"})));
   EXPECT_NE(burin({"chart", equator.stroke, "--mesh", equator.mesh_path, "--order", "3"}).exit_code, 0);
+}
+
+TEST(ChartCommand, JoinsBendsAsTold) {
+  const CommandFolder folder;
+  const TriangleMesh plane = test::plane(1, 0.02, 1);
+  const std::string mesh = folder.write("plane.obj", obj_text(plane));
+  std::string text =
+      "{\"burin_stroke\":1,\"space\":\"object\"}\n"
+      "{\"begin\":{\"radius\":0.2},\"fields\":[\"time\",\"x\",\"y\",\"z\"]}\n";
+  for (int i = 0; i <= 60; ++i)  // along x to the origin, then along y
+    text += fmt::format("[{},{},{},0]\n", i, std::min(0.03 * i - 0.9, 0.), std::max(0.03 * i - 0.9, 0.));
+  const std::string stroke = folder.write("corner.stroke", text + "{\"end\":true}\n");
+  const auto rows_of = [&](const std::string& join) {
+    const std::string csv = folder.path(join + ".csv");
+    burin_output({"chart", stroke, "--mesh", mesh, "--join", join, "--csv", csv});
+    return read_csv(csv);
+  };
+  const auto farthest = [&](const std::vector<Row>& rows) {
+    float out = 0;
+    for (const Row& row : rows)
+      out =
+          std::max(out, (plane.positions[row.vertex].x() - plane.positions[row.vertex].y()) / std::sqrt(2.F));
+    return out;
+  };
+  EXPECT_NEAR(farthest(rows_of("round")), 0.2, 0.03);
+  EXPECT_NEAR(farthest(rows_of("smooth")), 0.2, 0.03);
+  EXPECT_NEAR(farthest(rows_of("miter")), 0.2 * std::sqrt(2), 0.03);
+  const auto sheets = [](const std::vector<Row>& rows) {
+    return std::ranges::count_if(rows, [](const Row& row) { return row.sheet > 0; });
+  };
+  EXPECT_EQ(sheets(rows_of("miter")), 0);
+  EXPECT_GT(sheets(rows_of("overlap")), 50);
+  EXPECT_NE(burin({"chart", stroke, "--mesh", mesh, "--join", "bevel"}).exit_code, 0);
 }
 
 TEST(ChartCommand, NarrowsTheStrokeWithThePressure) {

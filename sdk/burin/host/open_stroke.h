@@ -43,7 +43,9 @@ class OpenStroke {
   VertexMoves finish(Closure closure, StrokeCharter& charter, Evaluator& evaluator);
 
  private:
-  ChartOptions chart_options() const { return {.radius = settings_.radius, .cap = settings_.cap}; }
+  ChartOptions chart_options() const {
+    return {.radius = settings_.radius, .cap = settings_.cap, .join = settings_.join};
+  }
   bool width_varies() const { return settings_.pressure_width > 0 && settings_.fields.pressure; }
   burin_stroke_context context(std::uint64_t flags) const;
   StrokeNodes make_nodes(Chart chart) const;

@@ -25,6 +25,7 @@ StrokeSettings settings_of(const Recording& recording, std::size_t index, const 
   settings.strength = overrides.strength.value_or(stroke.strength);
   settings.overlap = overrides.overlap;
   settings.pressure_width = overrides.pressure_width;
+  settings.join = overrides.join;
   settings.params = overrides.params;
   // Parameters of another brush mean nothing to this one.
   if (stroke.brush == brush) settings.params.insert(stroke.params.begin(), stroke.params.end());

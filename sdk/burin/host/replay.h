@@ -20,6 +20,7 @@ struct StrokeOverrides {
   Overlap overlap = Overlap::latest;
   std::optional<Closure> closure;  ///< instead of what the recording marks
   double pressure_width = 0;       ///< as in StrokeSettings
+  Join join = Join::round;
   ParamSettings params;  ///< name by name over the recording's, where the brush is the recording's own
 };
 

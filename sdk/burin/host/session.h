@@ -19,6 +19,7 @@ struct StrokeSettings {
   double radius = 0;    ///< object units, > 0
   double strength = 1;  ///< factor on the brush's displacement
   Cap cap = Cap::round;
+  Join join = Join::round;            ///< smooth, miter and overlap chart the stroke afresh with every sample
   Overlap overlap = Overlap::latest;  ///< what holds where the stroke overlaps itself
   double pressure_width = 0;          ///< 0..1, share of the width that the pen's pressure decides
   ParamSettings params;               ///< what differs from the brush's defaults
