@@ -36,6 +36,11 @@ bool inside(const Chart& chart, const Triangle& triangle) {
                              [&](Index vertex) { return std::ranges::binary_search(chart.vertex, vertex); });
 }
 
+int shared_corners(const Triangle& a, const Triangle& b) {
+  return static_cast<int>(
+      std::ranges::count_if(a, [&](Index corner) { return std::ranges::find(b, corner) != b.end(); }));
+}
+
 test::Region region_of(const Surface& surface, const SurfaceCurve& curve, const Chart& chart) {
   std::set<Index> reached;
   std::vector<Index> stack, triangles;
@@ -45,9 +50,11 @@ test::Region region_of(const Surface& surface, const SurfaceCurve& curve, const 
     stack.pop_back();
     if (!reached.insert(triangle).second || !inside(chart, surface.triangles[triangle])) continue;
     triangles.push_back(triangle);
+    // Across edges only: what hangs on one vertex could turn freely.
     for (const Index vertex : surface.triangles[triangle]) {
-      const auto around = surface.incident[vertex];
-      stack.insert(stack.end(), around.begin(), around.end());
+      for (const Index around : surface.incident[vertex])
+        if (shared_corners(surface.triangles[triangle], surface.triangles[around]) == 2)
+          stack.push_back(around);
     }
   }
   return test::make_region(surface, std::move(triangles));
