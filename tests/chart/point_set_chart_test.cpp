@@ -6,44 +6,16 @@
 #include <cmath>
 #include <iostream>
 
+#include "support/chart_error.h"
 #include "support/point_shapes.h"
 #include "support/traced.h"
 
 namespace burin {
 namespace {
 
-/// Largest and mean |error| in shares of the radius.
-struct ChartError {
-  double t_mean = 0, t_max = 0, d_mean = 0, d_max = 0;
-  std::size_t count = 0;
-};
-
-struct Coordinates {
-  double t, d;
-};
-
-template <class Exact>
-ChartError error_against(const Surface& surface, const Chart& chart, double length, double radius,
-                         double margin, const Exact& exact) {
-  ChartError error;
-  for (std::size_t i = 0; i < chart.size(); ++i) {
-    const Coordinates truth = exact(Vec3d(surface.positions[chart.vertex[i]].template cast<double>()));
-    if (truth.t < margin || truth.t > length - margin) continue;
-    const double t = std::abs(chart.t[i] - truth.t) / radius;
-    const double d = std::abs(static_cast<double>(chart.d[i]) - truth.d) / radius;
-    error.t_mean += t;
-    error.d_mean += d;
-    error.t_max = std::max(error.t_max, t);
-    error.d_max = std::max(error.d_max, d);
-    ++error.count;
-  }
-  error.t_mean /= static_cast<double>(error.count);
-  error.d_mean /= static_cast<double>(error.count);
-  std::cout << "t mean " << 100 * error.t_mean << " max " << 100 * error.t_max << ", d mean "
-            << 100 * error.d_mean << " max " << 100 * error.d_max << " % of the radius, " << error.count
-            << " points\n";
-  return error;
-}
+using test::ChartError;
+using test::Coordinates;
+using test::error_against;
 
 std::vector<Vec3d> sampled(int count, const std::function<Vec3d(double)>& curve) {
   std::vector<Vec3d> samples;

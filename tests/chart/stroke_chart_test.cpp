@@ -6,43 +6,16 @@
 #include <limits>
 #include <random>
 
+#include "support/chart_error.h"
 #include "support/shapes.h"
 #include "support/traced.h"
 
 namespace burin {
 namespace {
 
-/// Largest and mean |error| of t and d over the nodes with 0 <= t <= length, in shares of the radius.
-struct ChartError {
-  double t_mean = 0, t_max = 0, d_mean = 0, d_max = 0;
-  std::size_t count = 0;
-};
-
-struct Coordinates {
-  double t, d;
-};
-
-/// `exact` gives (t, d) of a position on the surface; nodes closer than `margin` to the stroke's ends are
-/// left out.
-template <class Exact>
-ChartError error_against(const Surface& surface, const Chart& chart, double length, double radius,
-                         double margin, const Exact& exact) {
-  ChartError error;
-  for (std::size_t i = 0; i < chart.size(); ++i) {
-    const Coordinates truth = exact(surface.positions[chart.vertex[i]].template cast<double>());
-    if (truth.t < margin || truth.t > length - margin) continue;
-    const double t = std::abs(chart.t[i] - truth.t) / radius;
-    const double d = std::abs(static_cast<double>(chart.d[i]) - truth.d) / radius;
-    error.t_mean += t;
-    error.d_mean += d;
-    error.t_max = std::max(error.t_max, t);
-    error.d_max = std::max(error.d_max, d);
-    ++error.count;
-  }
-  error.t_mean /= static_cast<double>(error.count);
-  error.d_mean /= static_cast<double>(error.count);
-  return error;
-}
+using test::ChartError;
+using test::Coordinates;
+using test::error_against;
 
 std::vector<Vec3d> sampled(int count, const std::function<Vec3d(double)>& curve) {
   std::vector<Vec3d> samples;
@@ -346,6 +319,29 @@ TEST(StrokeChart, DependsOnNothingButItsArguments) {
   scene.charter.chart(other, {0.5, Cap::butt});
   const Chart after = scene.charter.chart(first, {0.2, Cap::round});
   expect_same(before, after);
+}
+
+// The width falls along the stroke from the whole radius to a quarter of it.
+TEST(StrokeChart, IsAsWideAsTheStrokeIsThere) {
+  Scene scene(test::shuffled(test::plane(1, 0.01, 51), 52));
+  const double radius = 0.2;
+  SurfaceCurve curve = test::traced(scene.surface, scene.picker, radius,
+                                    sampled(60, [](double s) { return Vec3d(-0.7 + 1.4 * s, 0.003, 0); }));
+  for (CurvePoint& point : curve.points)
+    point.width = static_cast<float>(1 - 0.75 * point.t / curve.length());
+  const Chart chart = scene.charter.chart(curve, {radius, Cap::butt});
+  std::vector<bool> held(scene.surface.vertex_count(), false);
+  for (const Index v : chart.vertex) held[v] = true;
+  std::size_t inside = 0;
+  for (Index v = 0; v < scene.surface.vertex_count(); ++v) {
+    const Vec3d x = scene.surface.positions[v].cast<double>();
+    if (std::abs(x.x()) > 0.69) continue;
+    const double outside = std::abs(x.y() - 0.003) - radius * (1 - 0.75 * (x.x() + 0.7) / 1.4);
+    if (std::abs(outside) < 1e-4) continue;
+    EXPECT_EQ(held[v], outside < 0) << x.transpose();
+    inside += outside < 0;
+  }
+  EXPECT_GT(inside, 3000U);
 }
 
 TEST(StrokeChart, RefusesWhatIsNoStroke) {
