@@ -22,13 +22,17 @@ struct Scene {
   Picker picker{surface};
   StrokeCharter charter{surface};
 
+  SurfaceCurve traced(const std::vector<Vec3d>& samples) const {
+    return test::traced(surface, picker, radius, samples);
+  }
+
   /// Along the x axis to the origin, there by `turn` to the left, and on.
   SurfaceCurve corner(double turn) const {
     std::vector<Vec3d> samples;
     for (int i = 60; i > 0; --i) samples.emplace_back(-0.9 * i / 60., 0, 0);
     for (int i = 0; i <= 60; ++i)
       samples.emplace_back(0.9 * i / 60. * std::cos(turn), 0.9 * i / 60. * std::sin(turn), 0);
-    return test::traced(surface, picker, radius, samples);
+    return traced(samples);
   }
 };
 
@@ -193,7 +197,7 @@ TEST(LongBends, SmoothBoundsTheGradientOfT) {
     samples.emplace_back(bend * std::sin(angle), bend - bend * std::cos(angle), 0);
   }
   for (int i = 1; i <= 60; ++i) samples.emplace_back(bend, bend + 0.8 * i / 60., 0);
-  const SurfaceCurve curve = test::traced(scene.surface, scene.picker, radius, samples);
+  const SurfaceCurve curve = scene.traced(samples);
   const Chart plain = scene.charter.chart(curve, {.radius = radius});
   const Chart smooth = scene.charter.chart(curve, {.radius = radius, .join = Join::smooth});
   const auto least = [&](const Chart& chart) {
@@ -226,7 +230,7 @@ TEST(HardBends, StayFiniteAndWithinTheStroke) {
       const double s = i / 300.;
       samples.emplace_back(-0.7 + 1.4 * s, 0.25 * std::sin(2 * std::numbers::pi * waves * s), 0);
     }
-    const SurfaceCurve curve = test::traced(scene.surface, scene.picker, radius, samples);
+    const SurfaceCurve curve = scene.traced(samples);
     for (const Join join : {Join::round, Join::smooth, Join::miter, Join::overlap}) {
       const Chart chart = scene.charter.chart(curve, {.radius = radius, .join = join});
       EXPECT_GT(chart.size(), 5000U);
@@ -240,6 +244,34 @@ TEST(HardBends, StayFiniteAndWithinTheStroke) {
       }
     }
   }
+}
+
+// Straight runs with corners as tight as a pen makes them.
+TEST(HardBends, LeaveHardlyAHole) {
+  Scene scene;
+  std::size_t within = 0, missing = 0;
+  for (const double height : {0.8, 1.2, 2.}) {
+    std::vector<Vec3d> samples;
+    for (int i = 0; i <= 120; ++i) {
+      const double run = i / 30., share = run - std::floor(run), sign = i / 30 % 2 == 0 ? 1 : -1;
+      samples.emplace_back(radius * (-3 + 6 * i / 120.), radius * sign * height * (2 * share - 1), 0);
+    }
+    const SurfaceCurve curve = scene.traced(samples);
+    const Chart chart = scene.charter.chart(curve, {.radius = radius});
+    std::vector<bool> held(scene.surface.vertex_count(), false);
+    for (const Index vertex : chart.vertex) held[vertex] = true;
+    for (Index v = 0; v < scene.surface.vertex_count(); ++v) {
+      const Vec3f& x = scene.surface.positions[v];
+      if (x.cwiseAbs().maxCoeff() > 0.95F) continue;
+      const bool near = std::ranges::any_of(curve.points, [&](const CurvePoint& point) {
+        return (point.at.position - x).norm() < 0.97F * static_cast<float>(radius);
+      });
+      within += near;
+      missing += near && !held[v];
+    }
+  }
+  EXPECT_GT(within, 20000U);
+  EXPECT_LE(missing, within / 200);
 }
 
 INSTANTIATE_TEST_SUITE_P(Turns, Joins, testing::Values(45., 90., -90.), [](const auto& turn) {

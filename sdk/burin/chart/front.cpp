@@ -232,7 +232,7 @@ bool Front::within_stroke(Index node) const {
   return chart_nodes_.holds(node, foot) &&
          static_cast<double>(settled.g) <= 2 * std::max(radius_, distance) &&
          static_cast<double>(samples_.chord(foot, surface_->positions[vertex(node)])) <=
-             distance + radius_ / 4;
+             distance + radius_ / 2;
 }
 
 void Front::list_inside() {

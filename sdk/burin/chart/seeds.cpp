@@ -47,6 +47,12 @@ Foot nearest_from(const SurfaceCurve& curve, Foot foot, const Vec3f& x) {
   return foot;
 }
 
+/// A seed that does not stand at right angles to its foot by more than this (sine) is beside a corner.
+constexpr float widest_miss = 0.15F;
+
+/// Fermi coordinates have an infinite one around corners.
+constexpr float stretch_around_corners = 10;
+
 double arc_length_at(const SurfaceCurve& curve, const Foot& foot) {
   const double from = curve.points[foot.segment].t;
   return from + static_cast<double>(foot.s) * (curve.segment_end(foot.segment) - from);
@@ -63,11 +69,19 @@ class Arc {
     along_ = chord / length_;
     left_ = normal.cross(along_);
     const float begin = slope(a.tangent), end = slope(b.tangent);
-    constexpr float steepest = 0.5F;
+    constexpr float steepest = 0.5F, sharp = 0.2F;
+    sharp_ = std::abs(end - begin) > sharp;
     if (std::max(std::abs(begin), std::abs(end)) > steepest) return;
+    overhang_ = 0.5F;
     begin_ = begin;
     end_ = end;
   }
+
+  /// Of the chord, object units.
+  float length() const { return length_; }
+
+  /// Whether the stroke turns here by more than strokes do from point to point.
+  bool is_sharp() const { return sharp_; }
 
   Vec3f position(float s) const { return from_ + s * length_ * along_ + offset(s) * left_; }
 
@@ -76,7 +90,7 @@ class Arc {
     if (!(length_ > 0)) return s;
     const float ahead = (x - from_).dot(along_), beside = (x - from_).dot(left_);
     for (int i = 0; i < 2; ++i) s = (ahead + (beside - offset(s)) * slope_at(s)) / length_;
-    return std::clamp(s, -0.5F, 1.5F);
+    return std::clamp(s, -overhang_, 1 + overhang_);
   }
 
  private:
@@ -89,6 +103,8 @@ class Arc {
 
   Vec3f from_, along_ = Vec3f::Zero(), left_ = Vec3f::Zero();
   float length_ = 0, begin_ = 0, end_ = 0;  ///< slopes against the chord
+  bool sharp_ = false;
+  float overhang_ = 0;  ///< how far the cubic may go on beyond its ends
 };
 
 /// The frame at a vertex, from its foot. Curvature and stretch to second order in the distance.
@@ -98,10 +114,12 @@ ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const G
   const CurvePoint &a = curve.points[foot.segment], &b = curve.points[next];
   const bool begin = at_begin(curve, foot), end = at_end(curve, foot);
   const Vec3f normal = ((1 - foot.s) * a.normal + foot.s * b.normal).normalized();
+  bool at_corner = false;
   if (!begin && !end) {
     const Arc arc(a, b, normal);
     foot.s = arc.foot(surface.positions[vertex], foot.s);
     foot.position = arc.position(foot.s);
+    at_corner = arc.is_sharp() && (surface.positions[vertex] - foot.position).norm() > arc.length();
   }
   const Vec3f along = (1 - foot.s) * a.tangent + foot.s * b.tangent;
   const Vec3f flat = along - normal.dot(along) * normal;
@@ -116,6 +134,14 @@ ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const G
   frame.d = beyond ? step.y() : std::copysign(step.norm(), step.y()) + 0.0F;
   frame.e1 = e1;
 
+  // Around the outside of a corner lines of constant d are circles, along which t stands still.
+  if (at_corner && frame.d != 0 && std::abs(step.x()) > widest_miss * step.norm()) {
+    const Vec3f e2 = surface.normals[vertex].cross(e1);
+    frame.e1 = (step.y() * e1 - step.x() * e2) / frame.d;
+    frame.curvature = -1 / frame.d;
+    frame.stretch = stretch_around_corners;
+    return frame;
+  }
   // Beyond its ends the stroke goes on as a geodesic.
   const float k = beyond ? 0 : (1 - foot.s) * curvature[foot.segment] + foot.s * curvature[next];
   const float d = frame.d;

@@ -80,6 +80,7 @@ float GeodesicCurvature::slope_at(const SurfaceCurve& curve, double window, std:
   const double reach = std::clamp(to_end, window / 2, window);
   LocalFit fit(reach);
   fit.add(0, 0);
+  double most_turned = 0;
   const auto walk = [&](bool forward) {
     double place = 0, angle = 0;
     int beyond = 0;
@@ -96,12 +97,14 @@ float GeodesicCurvature::slope_at(const SurfaceCurve& curve, double window, std:
       if (std::abs(place) > reach || std::abs(turned) > corner || next == point) return;
       if (std::abs(angle) > bend && ++beyond > points_beyond_bend) return;
       fit.add(place, angle);
+      most_turned = std::max(most_turned, std::abs(angle));
       i = next;
     }
   };
   walk(true);
   walk(false);
-  return static_cast<float>(fit.slope(to_end < reach ? 2 : 3));
+  // Beside a sharp bend parabolas and cubics overshoot to the wrong side.
+  return static_cast<float>(fit.slope(most_turned > bend / 2 ? 1 : to_end < reach ? 2 : 3));
 }
 
 }  // namespace burin
