@@ -1,5 +1,7 @@
 #include "checkerboard.h"
 
+#include <burin/chart/closed_length.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -82,7 +84,7 @@ bool Checkerboard::complete(const SurfacePoint& point, double edge, int corner, 
   const Node* node = top(point.corners[static_cast<std::size_t>(corner)]);
   for (; node; node = below(*node)) {
     sheet.corners[corner] = node;
-    sheet.t[corner] = length > 0 ? node->t - length * std::round((node->t - first.t) / length) : node->t;
+    sheet.t[corner] = t_nearest_to(first.t, node->t, length);
     if (on_sheet_of(sheet, corner, edge) && complete(point, edge, corner + 1, sheet)) return true;
   }
   return false;

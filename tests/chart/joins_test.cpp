@@ -80,6 +80,13 @@ std::vector<ChartTriangle> triangles_of(const Surface& surface, const Chart& cha
   return result;
 }
 
+/// Not flipped, and t neither crowded nor drawn out.
+void expect_sound(const ChartTriangle& triangle) {
+  EXPECT_GT(triangle.flip, 0) << triangle.middle.transpose();
+  EXPECT_GE(triangle.grad_t.norm(), 0.5) << triangle.middle.transpose();
+  EXPECT_LE(triangle.grad_t.norm(), 2) << triangle.middle.transpose();
+}
+
 /// Distance from the bisector of the corner, and which side of it, inner or outer, the point lies on.
 struct Place {
   double off_bisector;
@@ -106,9 +113,7 @@ TEST_P(Joins, SmoothKeepsTContinuousAndItsGradientBounded) {
       continue;
     }
     if (triangle.middle.norm() > 0.8 || triangle.middle.norm() < 2 * edge) continue;
-    EXPECT_GT(triangle.flip, 0) << triangle.middle.transpose();
-    EXPECT_GE(triangle.grad_t.norm(), 0.5) << triangle.middle.transpose();
-    EXPECT_LE(triangle.grad_t.norm(), 2) << triangle.middle.transpose();
+    expect_sound(triangle);
     ++checked;
   }
   EXPECT_GT(checked, 3000U);
@@ -160,9 +165,7 @@ TEST_P(Joins, OverlapGivesEachLegItsOwnSheet) {
   for (const ChartTriangle& triangle : triangles_of(scene.surface, chart)) {
     if (triangle.spread.maxCoeff() > 5 * edge) continue;  // at the border of a sheet, to another
     if (triangle.middle.norm() < 0.4 * radius) continue;
-    EXPECT_GT(triangle.flip, 0) << triangle.middle.transpose();
-    EXPECT_LE(triangle.grad_t.norm(), 2) << triangle.middle.transpose();
-    EXPECT_GE(triangle.grad_t.norm(), 0.5) << triangle.middle.transpose();
+    expect_sound(triangle);
   }
 }
 
@@ -215,9 +218,7 @@ TEST(LongBends, SmoothBoundsTheGradientOfT) {
     const bool wedge = (from_centre.dot(Vec2d(-1, 1)) > -2 * edge && triangle.middle.norm() < 3 * radius) ||
                        from_centre.norm() < 5 * edge;  // the arc is focused there
     if (wedge || triangle.middle.norm() > 0.7) continue;
-    EXPECT_GT(triangle.flip, 0) << triangle.middle.transpose();
-    EXPECT_GE(triangle.grad_t.norm(), 0.5) << triangle.middle.transpose();
-    EXPECT_LE(triangle.grad_t.norm(), 2) << triangle.middle.transpose();
+    expect_sound(triangle);
   }
 }
 

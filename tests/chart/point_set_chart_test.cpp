@@ -16,12 +16,7 @@ namespace {
 using test::ChartError;
 using test::Coordinates;
 using test::error_against;
-
-std::vector<Vec3d> sampled(int count, const std::function<Vec3d(double)>& curve) {
-  std::vector<Vec3d> samples;
-  for (int i = 0; i < count; ++i) samples.push_back(curve(static_cast<double>(i) / (count - 1)));
-  return samples;
-}
+using test::sampled;
 
 struct Scene {
   Surface surface;

@@ -3,9 +3,17 @@
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
 
+#include <functional>
 #include <vector>
 
 namespace burin::test {
+
+/// So many places of a curve over [0, 1], evenly spaced.
+inline std::vector<Vec3d> sampled(int count, const std::function<Vec3d(double)>& curve) {
+  std::vector<Vec3d> samples;
+  for (int i = 0; i < count; ++i) samples.push_back(curve(static_cast<double>(i) / (count - 1)));
+  return samples;
+}
 
 /// The surface curve of samples near the surface, 1/240 s apart.
 inline SurfaceCurve traced(const Surface& surface, const Picker& picker, double radius,

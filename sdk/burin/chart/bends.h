@@ -17,7 +17,6 @@ struct Bend {
 class StrokeBends {
  public:
   void update(const SurfaceCurve& curve, const GeodesicCurvature& curvature, double radius);
-  void clear() { bends_.clear(); }
 
   /// In the order of t. On a closed stroke the first one may begin below 0 and the last one end beyond the
   /// length.

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/chart/chart_lookup.h>
+#include <burin/chart/closed_length.h>
 #include <burin/surface/normals.h>
 #include <burin/surface/unit_tangent.h>
 
@@ -63,11 +64,7 @@ SurfacePoint point_in(const Surface& surface, Index triangle, const Vec3d& weigh
 }
 
 /// t of a closed stroke brought to [0, length).
-double wrapped(const Chart& chart, double t) {
-  if (!chart.closed || !(chart.length > 0)) return t;
-  const double rest = t - chart.length * std::floor(t / chart.length);
-  return rest < chart.length ? rest : 0;
-}
+double wrapped(const Chart& chart, double t) { return chart.closed ? wrapped_t(t, chart.length) : t; }
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 #include <burin/chart/chart_triangles.h>
+#include <burin/chart/closed_length.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,9 +76,7 @@ ChartTriangle beside_each_other(const Chart& chart, Index triangle, const std::a
 }  // namespace
 
 double t_beside(const Chart& chart, double t, Index node) {
-  const double own = chart.t[node];
-  if (!chart.closed || !(chart.length > 0)) return own;
-  return own - chart.length * std::round((own - t) / chart.length);
+  return chart.closed ? t_nearest_to(t, chart.t[node], chart.length) : chart.t[node];
 }
 
 std::vector<std::array<Index, 3>> nodes_together(const Surface& surface, const Chart& chart,

@@ -1,3 +1,4 @@
+#include <burin/chart/closed_length.h>
 #include <burin/chart/curve_parts.h>
 
 #include <algorithm>
@@ -5,8 +6,17 @@
 namespace burin {
 namespace {
 
-/// The point at the arc length t of the segment.
-CurvePoint point_at(const SurfaceCurve& curve, std::size_t segment, double t) {
+std::size_t segment_at(const SurfaceCurve& curve, double t) {
+  const auto after = std::ranges::upper_bound(curve.points, t, {}, &CurvePoint::t) - curve.points.begin();
+  const auto point = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1)) - 1;
+  return std::min(point, curve.segment_count() - 1);
+}
+
+}  // namespace
+
+CurvePoint point_at(const SurfaceCurve& curve, double along_curve) {
+  const double t = curve.closed ? wrapped_t(along_curve, curve.length()) : along_curve;
+  const std::size_t segment = segment_at(curve, t);
   const CurvePoint &a = curve.points[segment], &b = curve.points[curve.next(segment)];
   const double extent = curve.segment_end(segment) - a.t;
   const float s = extent > 0 ? static_cast<float>(std::clamp((t - a.t) / extent, 0., 1.)) : 0;
@@ -22,30 +32,20 @@ CurvePoint point_at(const SurfaceCurve& curve, std::size_t segment, double t) {
   return point;
 }
 
-std::size_t segment_at(const SurfaceCurve& curve, double t) {
-  const auto after = std::ranges::upper_bound(curve.points, t, {}, &CurvePoint::t) - curve.points.begin();
-  const auto point = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1)) - 1;
-  return std::min(point, curve.segment_count() - 1);
-}
-
-}  // namespace
-
 SurfaceCurve part_of(const SurfaceCurve& curve, double begin, double end) {
   SurfaceCurve part;
   const double length = curve.length();
-  const auto wrapped = [&](double t) { return curve.closed && t >= length ? t - length : t; };
   const auto add = [&](CurvePoint point, double t) {
     point.t = t - begin;
     part.points.push_back(std::move(point));
   };
-  const auto add_cut = [&](double t) { add(point_at(curve, segment_at(curve, wrapped(t)), wrapped(t)), t); };
-  add_cut(begin);
+  add(point_at(curve, begin), begin);
   for (const double around : {0., length}) {
     if (around > 0 && !curve.closed) break;
     for (const CurvePoint& point : curve.points)
       if (point.t + around > begin && point.t + around < end) add(point, point.t + around);
   }
-  add_cut(end);
+  add(point_at(curve, end), end);
   return part;
 }
 

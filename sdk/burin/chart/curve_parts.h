@@ -3,6 +3,9 @@
 
 namespace burin {
 
+/// The point at an arc length, between the points around it. On a closed curve arc lengths go around.
+CurvePoint point_at(const SurfaceCurve& curve, double t);
+
 /// The part of a curve between two arc lengths, begin < end, as an open curve of its own, whose t counts from
 /// its begin. On a closed curve `end` may be beyond the length: the part goes on across the seam.
 SurfaceCurve part_of(const SurfaceCurve& curve, double begin, double end);

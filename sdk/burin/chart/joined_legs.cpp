@@ -11,25 +11,14 @@ namespace {
 /// A bend shorter than this share of the radius is a corner.
 constexpr double corner_length = 0.5;
 
-Vec3d place_at(const SurfaceCurve& curve, double t) {
-  return part_of(curve, t, t).points.front().at.position.cast<double>();
-}
-
 }  // namespace
 
 void JoinedLegs::place(const SurfaceCurve& curve, const ChartOptions& options, Front& front,
                        std::vector<PlacedNode>& nodes) {
   options_ = options;
-  if (options.join == Join::round) {
-    cuts_.clear();
-    corners_.clear();
-    place_leg(curve, {{0, curve.length()}}, 0, front, nodes);
-    return;
-  }
-  GeodesicCurvature curvature;
-  curvature.update(curve, Front::curvature_window * options.radius);
-  bends_.update(curve, curvature, options.radius);
-  find_corners(curve);
+  cuts_.clear();
+  corners_.clear();
+  if (options.join != Join::round) find_corners(curve);
   const std::vector<Leg> legs = legs_of(curve);
   for (std::size_t leg = 0; leg < legs.size(); ++leg) place_leg(curve, legs, leg, front, nodes);
   if (options_.join != Join::overlap) put_together(nodes, curve.closed);
@@ -42,17 +31,18 @@ void JoinedLegs::place(const SurfaceCurve& curve, const ChartOptions& options, F
 }
 
 void JoinedLegs::find_corners(const SurfaceCurve& curve) {
-  cuts_.clear();
-  corners_.clear();
+  GeodesicCurvature curvature;
+  curvature.update(curve, Front::curvature_window * options_.radius);
+  bends_.update(curve, curvature, options_.radius);
   for (const Bend& bend : bends_.all()) {
     const bool is_short = bend.end - bend.begin < corner_length * options_.radius;
     const bool miterable = miter_reach(bend.turn, options_.radius) > 0;
     if (options_.join != Join::overlap && !is_short) continue;
     if (options_.join == Join::miter && !miterable) continue;
     if (!curve.closed && (bend.begin <= 0 || bend.end >= curve.length())) continue;
-    const double chord = (place_at(curve, bend.end) - place_at(curve, bend.begin)).norm();
-    const double way =
-        std::min(chord / 2 / std::cos(std::min(std::abs(bend.turn) / 2, 1.2)), options_.radius);
+    const Vec3d from = point_at(curve, bend.begin).at.position.cast<double>();
+    const double chord = (point_at(curve, bend.end).at.position.cast<double>() - from).norm();
+    const double way = std::min(chord / 2 / std::cos(bounded_half(bend.turn)), options_.radius);
     cuts_.push_back(bend);
     corners_.push_back({bend.begin + way, bend.end - way, bend.middle, bend.turn, span(curve, bend)});
   }
@@ -61,7 +51,7 @@ void JoinedLegs::find_corners(const SurfaceCurve& curve) {
 /// Enough for |grad t| within 1/2 and 2 at right angles, but not into another bend's half nor beyond an end.
 double JoinedLegs::span(const SurfaceCurve& curve, const Bend& bend) const {
   const double length = curve.length();
-  double span = 4 * options_.radius * std::tan(std::min(std::abs(bend.turn) / 2, 1.2));
+  double span = 4 * options_.radius * std::tan(bounded_half(bend.turn));
   span = curve.closed ? std::min(span, length / 2) : std::min({span, bend.middle, length - bend.middle});
   for (const Bend& other : bends_.all()) {
     double gap = std::abs(other.middle - bend.middle);

@@ -12,11 +12,6 @@ namespace {
 
 constexpr double sharpest_miter = 2 * std::numbers::pi / 3;
 
-/// Half turns of more than this are taken for it inside bends: their tangents grow beyond bounds.
-constexpr double widest_half = 1.2;
-
-double inner_tangent(double half_turn) { return std::tan(std::min(std::abs(half_turn), widest_half)); }
-
 /// Signed way from the corner to a node along its own leg: negative on the leg, positive beyond.
 double way_beyond(const Corner& corner, bool first_leg, double t) {
   return first_leg ? t - corner.first : corner.second - t;
@@ -24,12 +19,14 @@ double way_beyond(const Corner& corner, bool first_leg, double t) {
 
 }  // namespace
 
+double bounded_half(double turn) { return std::min(std::abs(turn) / 2, 1.2); }
+
 double miter_reach(double turn, double radius) {
   return std::abs(turn) < sharpest_miter ? radius * std::tan(std::abs(turn) / 2) : 0;
 }
 
 bool on_own_side(const Corner& corner, bool first_leg, const ChartFrame& frame) {
-  const double d = static_cast<double>(frame.d), tangent = inner_tangent(corner.turn / 2);
+  const double d = static_cast<double>(frame.d), tangent = std::tan(bounded_half(corner.turn));
   const double bisector = d * corner.turn > 0 ? -std::abs(d) * tangent : std::abs(d) * tangent;
   return way_beyond(corner, first_leg, frame.t) <= bisector;
 }
@@ -42,7 +39,7 @@ ChartFrame smoothed(const Corner& corner, bool first_leg, const ChartFrame& fram
   ChartFrame joined = frame;
   double to_bisector = 0, all = 0;
   if (inside) {
-    const double cut = d * inner_tangent(half);
+    const double cut = d * std::tan(bounded_half(corner.turn));
     to_bisector = std::max(-way - cut, 0.);
     all = std::max(corner.span - cut, 0.);
   } else {
@@ -69,7 +66,7 @@ double smoothed_t(const StrokeBends& bends, const Bend& bend, double span, doubl
   const bool inside = d * bend.turn > 0;
   const auto along = [&](double u) {
     const double phi = std::abs(bends.turn(bend.middle, bend.middle + u));
-    const double longer = inside ? -std::abs(d) * inner_tangent(phi) : std::abs(d) * phi;
+    const double longer = inside ? -std::abs(d) * std::tan(bounded_half(2 * phi)) : std::abs(d) * phi;
     return std::max(std::abs(u) + longer, 0.);
   };
   const double all = along(std::copysign(span, way));

@@ -20,6 +20,10 @@ struct Corner {
   double span;           ///< how far before and after it `smooth` spreads t
 };
 
+/// Half of a turn, radians, without its sign. Half turns of more than 1.2 are taken for it: their tangents
+/// grow beyond bounds.
+double bounded_half(double turn);
+
 /// How far a mitered corner reaches beyond the meeting point along a leg, for a stroke of this radius; 0 for
 /// corners too sharp for miters.
 double miter_reach(double turn, double radius);

@@ -1,6 +1,7 @@
 // Stroke charts [R. Schmidt, Stroke Parameterization, 2013]: seeds from the stroke's segments, then the
 // front.
 #include <burin/base/error.h>
+#include <burin/chart/closed_length.h>
 #include <burin/chart/front.h>
 #include <burin/chart/joined_legs.h>
 #include <burin/chart/stroke_chart.h>
@@ -37,11 +38,6 @@ void append(Chart& chart, Index vertex, const ChartFrame& frame) {
   chart.stretch.push_back(frame.stretch);
 }
 
-double around(double t, double length) {
-  const double rest = t - length * std::floor(t / length);
-  return rest < length ? rest : 0;
-}
-
 }  // namespace
 
 struct StrokeCharter::Stroke {
@@ -76,7 +72,7 @@ Chart StrokeCharter::Stroke::joined(const SurfaceCurve& curve) {
   std::vector<PlacedNode> nodes;
   legs.place(curve, options, front, nodes);
   if (curve.closed)
-    for (PlacedNode& node : nodes) node.frame.t = around(node.frame.t, curve.length());
+    for (PlacedNode& node : nodes) node.frame.t = wrapped_t(node.frame.t, curve.length());
   std::ranges::sort(nodes, {}, [](const PlacedNode& node) { return std::pair(node.vertex, node.frame.t); });
   Chart chart = empty_chart(curve, nodes.size());
   for (const PlacedNode& node : nodes) append(chart, node.vertex, node.frame);

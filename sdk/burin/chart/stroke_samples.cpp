@@ -1,3 +1,4 @@
+#include <burin/chart/closed_length.h>
 #include <burin/chart/stroke_samples.h>
 
 #include <algorithm>
@@ -73,15 +74,10 @@ Index StrokeSamples::at(double t) const {
   return std::min(static_cast<Index>(std::max(std::round(t / spacing_), 0.)), last);
 }
 
-double StrokeSamples::wrapped(double t) const {
-  if (!closed_ || !(length_ > 0)) return t;
-  const double rest = t - length_ * std::floor(t / length_);
-  return rest < length_ ? rest : 0;
-}
+double StrokeSamples::wrapped(double t) const { return closed_ ? wrapped_t(t, length_) : t; }
 
 double StrokeSamples::unwrapped(double t, double near) const {
-  if (!closed_ || !(length_ > 0)) return t;
-  return t - length_ * std::round((t - near) / length_);
+  return closed_ ? t_nearest_to(near, t, length_) : t;
 }
 
 double StrokeSamples::half_width(double t) const {
