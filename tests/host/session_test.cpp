@@ -110,6 +110,21 @@ TEST(Session, TouchesOnlyWhatTheLastSampleReaches) {
   EXPECT_GT(session.chart().size(), 5 * *std::max_element(changed.begin() + 20, changed.end()) / 2);
 }
 
+TEST(Session, TellsWhatTheLastCallCost) {
+  Session session = test::plane_session();
+  session.begin_stroke(settings("org.burin.groove", 0.05));
+  add(session, test::wave(80));
+  const EventCost drawn = session.cost();
+  EXPECT_GT(drawn.moved, 0u);
+  EXPECT_LT(drawn.moved, session.chart().size());
+  for (const Stage stage : {Stage::pick, Stage::curve, Stage::chart, Stage::evaluate, Stage::move})
+    EXPECT_GT(drawn.seconds[static_cast<std::size_t>(stage)], 0);
+  EXPECT_EQ(drawn.seconds[static_cast<std::size_t>(Stage::record)], 0);
+  session.end_stroke();
+  EXPECT_GT(session.cost().seconds[static_cast<std::size_t>(Stage::record)], 0);
+  EXPECT_EQ(session.cost().seconds[static_cast<std::size_t>(Stage::pick)], 0);
+}
+
 TEST(Session, GivesTheSameBitsOnOneThreadAndTwo) {
   std::set<std::uint64_t> hashes;
   for (const std::size_t threads : {1u, 2u, 2u}) {

@@ -35,27 +35,33 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, const burin
       last_time_(-std::numeric_limits<double>::infinity()) {}
 
 VertexMoves OpenStroke::add(const SurfacePoint& at, double time, const Pen& pen, StrokeCharter& charter,
-                            Evaluator& evaluator) {
+                            Evaluator& evaluator, StageClock& clock) {
   if (!std::isfinite(time) || time < last_time_)
     throw ContractError(fmt::format("time goes from {} to {}", last_time_, time));
   last_time_ = time;
   const bool first = empty();
   const double length_before = curve().length();
   tracer_.add(at, time, pen);
+  clock.lap(Stage::curve);
   Chart chart = first ? charter.chart(curve(), chart_options()) : charter.extend(curve());
+  clock.lap(Stage::chart);
   const double end_zone = std::min(length_before, curve().length()) - brush_stroke_.plan().end_influence;
-  return go_on_to(make_nodes(std::move(chart)), end_zone, 0, evaluator);
+  return go_on_to(make_nodes(std::move(chart)), end_zone, 0, evaluator, clock);
 }
 
-VertexMoves OpenStroke::finish(Closure closure, StrokeCharter& charter, Evaluator& evaluator) {
+VertexMoves OpenStroke::finish(Closure closure, StrokeCharter& charter, Evaluator& evaluator,
+                               StageClock& clock) {
   closed_curve_ = tracer_.closed_curve(closure);
+  clock.lap(Stage::curve);
   if (closed_curve_) {
     constexpr double everywhere = -std::numeric_limits<double>::infinity();
-    return go_on_to(make_nodes(charter.chart(curve(), chart_options())), everywhere,
-                    BURIN_STROKE_CLOSED | BURIN_STROKE_FINAL, evaluator);
+    Chart chart = charter.chart(curve(), chart_options());
+    clock.lap(Stage::chart);
+    return go_on_to(make_nodes(std::move(chart)), everywhere, BURIN_STROKE_CLOSED | BURIN_STROKE_FINAL,
+                    evaluator, clock);
   }
   const double end_zone = curve().length() - brush_stroke_.plan().end_influence;
-  return go_on_to(nodes_, end_zone, BURIN_STROKE_FINAL, evaluator);
+  return go_on_to(nodes_, end_zone, BURIN_STROKE_FINAL, evaluator, clock);
 }
 
 burin_stroke_context OpenStroke::context(std::uint64_t flags) const {
@@ -80,11 +86,14 @@ StrokeNodes OpenStroke::make_nodes(Chart chart) const {
 
 /// Makes these the stroke's nodes. Only those that changed are evaluated.
 VertexMoves OpenStroke::go_on_to(StrokeNodes nodes, double end_zone, std::uint64_t flags,
-                                 Evaluator& evaluator) {
+                                 Evaluator& evaluator, StageClock& clock) {
   const StrokeChanges changes = find_changes(nodes_, nodes, end_zone, brush_stroke_.descriptor().inputs_read);
   evaluate(nodes, changes, flags, evaluator);
   nodes_ = std::move(nodes);
-  return moves(changes);
+  clock.lap(Stage::evaluate);
+  VertexMoves moved = moves(changes);
+  clock.lap(Stage::blend);
+  return moved;
 }
 
 void OpenStroke::evaluate(const StrokeNodes& nodes, const StrokeChanges& changes, std::uint64_t flags,

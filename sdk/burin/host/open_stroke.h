@@ -3,6 +3,7 @@
 #include <burin/deform/brush_stroke.h>
 #include <burin/deform/evaluate.h>
 #include <burin/deform/stroke_changes.h>
+#include <burin/host/event_cost.h>
 #include <burin/host/param_snapshot.h>
 #include <burin/host/session.h>
 
@@ -36,11 +37,11 @@ class OpenStroke {
 
   /// Draws on to `at`. Vertices that leave the chart go back to their base.
   VertexMoves add(const SurfacePoint& at, double time, const Pen& pen, StrokeCharter& charter,
-                  Evaluator& evaluator);
+                  Evaluator& evaluator, StageClock& clock);
 
   /// The last evaluation: what depends on the stroke's length, told that it is final; all of it when the
   /// stroke closes.
-  VertexMoves finish(Closure closure, StrokeCharter& charter, Evaluator& evaluator);
+  VertexMoves finish(Closure closure, StrokeCharter& charter, Evaluator& evaluator, StageClock& clock);
 
  private:
   ChartOptions chart_options() const {
@@ -49,7 +50,8 @@ class OpenStroke {
   bool width_varies() const { return settings_.pressure_width > 0 && settings_.fields.pressure; }
   burin_stroke_context context(std::uint64_t flags) const;
   StrokeNodes make_nodes(Chart chart) const;
-  VertexMoves go_on_to(StrokeNodes nodes, double end_zone, std::uint64_t flags, Evaluator& evaluator);
+  VertexMoves go_on_to(StrokeNodes nodes, double end_zone, std::uint64_t flags, Evaluator& evaluator,
+                       StageClock& clock);
   void evaluate(const StrokeNodes& nodes, const StrokeChanges& changes, std::uint64_t flags,
                 Evaluator& evaluator);
   VertexMoves moves(const StrokeChanges& changes) const;

@@ -17,13 +17,14 @@ struct Session::Impl {
 
   const burin_brush& brush(const BrushEntry& entry);
   OpenStroke& open_stroke();
-  StrokeEvent draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen);
+  StrokeEvent draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen, StageClock& clock);
   std::span<const Index> finish(Closure closure);
   void drop();
 
   /// Runs `body`; when it throws, the open stroke is gone as if it had never begun.
   template <class Body>
   auto guarded(const Body& body) {
+    cost = {};
     try {
       return body();
     } catch (...) {
@@ -44,6 +45,7 @@ struct Session::Impl {
   SurfaceCurve last_curve;
   std::vector<Index> changed_at_end;
   UndoJournal journal;
+  EventCost cost;
 };
 
 const burin_brush& Session::Impl::brush(const BrushEntry& entry) {
@@ -57,11 +59,16 @@ OpenStroke& Session::Impl::open_stroke() {
   return *stroke;
 }
 
-StrokeEvent Session::Impl::draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen) {
+StrokeEvent Session::Impl::draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen,
+                                StageClock& clock) {
+  clock.lap(Stage::pick);
   if (!at) return {StrokeEvent::Outcome::off_surface, {}};
   if (!stroke->connects(*at)) return {StrokeEvent::Outcome::disconnected, {}};
-  const VertexMoves moves = stroke->add(*at, time, pen, charter, evaluator);
-  return {StrokeEvent::Outcome::drawn, shown.move(surface, moves.vertices, moves.places)};
+  const VertexMoves moves = stroke->add(*at, time, pen, charter, evaluator, clock);
+  const std::span<const Index> changed = shown.move(surface, moves.vertices, moves.places);
+  cost.moved = moves.vertices.size();
+  clock.lap(Stage::move);
+  return {StrokeEvent::Outcome::drawn, changed};
 }
 
 std::span<const Index> Session::Impl::finish(Closure closure) {
@@ -69,9 +76,12 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
     stroke.reset();
     return {};
   }
-  const VertexMoves moves = stroke->finish(closure, charter, evaluator);
+  StageClock clock(cost);
+  const VertexMoves moves = stroke->finish(closure, charter, evaluator, clock);
   const std::span<const Index> changed = shown.move(surface, moves.vertices, moves.places);
   changed_at_end.assign(changed.begin(), changed.end());
+  cost.moved = moves.vertices.size();
+  clock.lap(Stage::move);
   const std::vector<Index> displaced = shown.displaced_among(surface, stroke->chart().vertex);
   journal.record(displaced, surface.positions);
   shown.commit(surface, displaced);
@@ -79,6 +89,7 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
   last_chart = stroke->chart();
   last_curve = stroke->curve();
   stroke.reset();
+  clock.lap(Stage::record);
   return changed_at_end;
 }
 
@@ -116,14 +127,16 @@ void Session::begin_stroke(const StrokeSettings& settings) {
 StrokeEvent Session::add_sample(const Ray& ray, double time, const Pen& pen) {
   return impl_->guarded([&] {
     impl_->open_stroke();
-    return impl_->draw(impl_->picker.pick(ray), time, pen);
+    StageClock clock(impl_->cost);
+    return impl_->draw(impl_->picker.pick(ray), time, pen, clock);
   });
 }
 
 StrokeEvent Session::add_sample(const Vec3d& position, double time, const Pen& pen) {
   return impl_->guarded([&] {
     const auto reach = static_cast<float>(impl_->open_stroke().radius());
-    return impl_->draw(impl_->picker.closest(position.cast<float>(), reach), time, pen);
+    StageClock clock(impl_->cost);
+    return impl_->draw(impl_->picker.closest(position.cast<float>(), reach), time, pen, clock);
   });
 }
 
@@ -143,12 +156,18 @@ bool Session::undo() {
     if (impl_->stroke) throw ContractError("a stroke is open");
     const std::optional<UndoStep> step = impl_->journal.take();
     if (!step) return false;
+    StageClock clock(impl_->cost);
     impl_->shown.move(impl_->surface, step->vertices, step->positions);
+    impl_->cost.moved = step->vertices.size();
+    clock.lap(Stage::move);
     impl_->shown.commit(impl_->surface, step->vertices);
     impl_->picker.update(step->vertices);
+    clock.lap(Stage::record);
     return true;
   });
 }
+
+const EventCost& Session::cost() const { return impl_->cost; }
 
 std::uint64_t Session::result_hash() const {
   const std::span<const Vec3f> shown = positions();

@@ -2,6 +2,7 @@
 #include <burin/chart/stroke_chart.h>
 #include <burin/deform/blend.h>
 #include <burin/host/brush_library.h>
+#include <burin/host/event_cost.h>
 #include <burin/stroke/recording.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
@@ -85,6 +86,9 @@ class Session {
 
   /// Takes back the last finished stroke bit for bit; false when there is none. Not while one is open.
   bool undo();
+
+  /// Of the last add_sample, end_stroke or undo.
+  const EventCost& cost() const;
 
   /// XXH3 of the shown positions in the order of the mesh that the surface was made of.
   std::uint64_t result_hash() const;
