@@ -4,73 +4,98 @@
 
 namespace burin {
 
-void ChartNodes::clear() {
-  first_.clear();
-  first_node_.clear();
+void ChartNodes::restart(VertexRange own) {
+  own_ = own;
   nodes_.clear();
+  foreign_.clear();
+  least_changed_.clear();
+  epoch_ = 0;
+  count_ = 0;
 }
 
-void ChartNodes::update(const StrokeSamples& samples, Index first_changed) {
-  wraps_ = samples.closed();
-  for (Node& node : nodes_) {
-    if (node.end + 1 < first_changed) continue;
-    if (node.begin >= first_changed) {
-      node.begin = first_changed + 1;
-      node.end = first_changed;  // vacant
-      continue;
-    }
-    node.end = first_changed - 1;
-    while (node.end + 1 < samples.size() && in_disc(samples, node.vertex, node.end + 1)) ++node.end;
-  }
+void ChartNodes::samples_changed(Index first_changed) {
+  count_ = samples_->size();
+  closed_ = samples_->closed();
+  for (auto before = least_changed_.rbegin(); before != least_changed_.rend() && *before > first_changed;
+       ++before)
+    *before = first_changed;
+  least_changed_.push_back(first_changed);
+  ++epoch_;
 }
 
-Index ChartNodes::first(Index vertex) const {
-  const Index entry = first_.find(vertex);
-  return entry == no_index ? no_index : first_node_[entry];
+Index ChartNodes::first_foreign(Index vertex) const {
+  const auto found = foreign_.find(vertex);
+  return found == foreign_.end() ? no_index : found->second;
 }
 
-Index ChartNodes::at(const StrokeSamples& samples, Index vertex, Index sample) {
-  for (Index node = first(vertex); node != no_index; node = next(node)) {
-    if (holds(node, sample)) return node;
-  }
-  if (!in_disc(samples, vertex, sample)) return no_index;
-  const Run run = run_around(samples, vertex, sample);
-  for (Index node = first(vertex); node != no_index; node = next(node)) {
-    if (!vacant(node)) continue;
-    nodes_[node].begin = run.begin;
-    nodes_[node].end = run.end;
+Index ChartNodes::add(Index vertex, Index sample, Index head) {
+  const Vec3f &position = surface_->positions[vertex], &normal = surface_->normals[vertex];
+  if (!samples_->disc_holds(sample, position, normal)) return no_index;
+  for (Index node = head; node != no_index; node = nodes_[node].next) {
+    if (nodes_[node].run_length > 0) continue;
+    begin_run(nodes_[node], sample);
     return node;
   }
-  Index entry = first_.find(vertex);
-  if (entry == no_index) {
-    entry = first_.insert(vertex);
-    first_node_.push_back(no_index);
-  }
-  nodes_.push_back({vertex, run.begin, run.end, first_node_[entry]});
-  return first_node_[entry] = size() - 1;
+  FrontNode& node = nodes_.emplace_back();
+  node.vertex = vertex;
+  node.next = head;
+  node.position = position;
+  node.normal = normal;
+  node.gauss = surface_->gauss_curvature[vertex];
+  begin_run(node, sample);
+  return (own_.holds(vertex) ? heads_[vertex] : foreign_[vertex]) = size() - 1;
 }
 
-ChartNodes::Run ChartNodes::run_around(const StrokeSamples& samples, Index vertex, Index sample) const {
-  const Index count = samples.size();
-  Run run{sample, sample};
-  if (!samples.closed()) {
-    while (run.begin > 0 && in_disc(samples, vertex, run.begin - 1)) --run.begin;
-    while (run.end + 1 < count && in_disc(samples, vertex, run.end + 1)) ++run.end;
-    return run;
-  }
-  Index length = 1;
-  for (; length < count && in_disc(samples, vertex, (run.end + 1) % count); ++length) {
-    run.end = (run.end + 1) % count;
-  }
-  if (length == count) return {0, count - 1};
-  while (in_disc(samples, vertex, (run.begin + count - 1) % count)) {
-    run.begin = (run.begin + count - 1) % count;
-  }
-  return run;
+void ChartNodes::begin_run(FrontNode& node, Index sample) const {
+  node.run_begin = sample;
+  node.run_length = 1;
+  node.run_begins = node.run_ends = false;
+  node.run_epoch = epoch_;
+  node.state = NodeState::open;
+  node.g = unreached;
 }
 
-bool ChartNodes::in_disc(const StrokeSamples& samples, Index vertex, Index sample) const {
-  return samples.disc_holds(sample, surface_->positions[vertex], surface_->normals[vertex]);
+void ChartNodes::forget_changed(FrontNode& node) const {
+  const Index changed = least_changed_[node.run_epoch];
+  node.run_epoch = epoch_;
+  if (node.run_begin >= changed) {
+    node.run_length = 0;
+    node.run_begins = node.run_ends = true;
+  } else if (node.run_begin + node.run_length >= changed) {
+    node.run_length = changed - node.run_begin;
+    node.run_ends = false;
+  }
+}
+
+bool ChartNodes::extends_to(FrontNode& node, Index sample) const {
+  if (closed_) return extends_forward(node, sample) || extends_backward(node, sample);
+  return sample < node.run_begin ? extends_backward(node, sample) : extends_forward(node, sample);
+}
+
+bool ChartNodes::extends_forward(FrontNode& node, Index sample) const {
+  while (!node.run_ends) {
+    Index next = node.run_begin + node.run_length;
+    if (closed_ && next >= count_) next -= count_;
+    if (next == count_) return false;
+    node.run_ends = !in_disc(node, next) || (closed_ && node.run_length == count_);
+    if (node.run_ends) return false;
+    ++node.run_length;
+    if (next == sample) return true;
+  }
+  return false;
+}
+
+bool ChartNodes::extends_backward(FrontNode& node, Index sample) const {
+  while (!node.run_begins) {
+    if (node.run_begin == 0 && !closed_) return false;
+    const Index next = (node.run_begin == 0 ? count_ : node.run_begin) - 1;
+    node.run_begins = !in_disc(node, next) || (closed_ && node.run_length == count_);
+    if (node.run_begins) return false;
+    node.run_begin = next;
+    ++node.run_length;
+    if (next == sample) return true;
+  }
+  return false;
 }
 
 }  // namespace burin

@@ -1,64 +1,90 @@
 #pragma once
+#include <burin/chart/front_node.h>
 #include <burin/chart/stroke_samples.h>
-#include <burin/chart/vertex_nodes.h>
 #include <burin/surface/surface.h>
 
+#include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace burin {
 
-/// The nodes of a stroke's chart. A vertex has one for each visit of the stroke: a run of samples whose discs
-/// all hold the vertex, as long as it goes [Schmidt 2013, section 4.1]. A node is known by its vertex and
-/// by where its run begins, which neither the order of discovery nor the growth of the stroke changes.
+/// A range of vertices.
+struct VertexRange {
+  Index begin = 0, end = no_index;
+  bool holds(Index vertex) const { return vertex - begin < end - begin; }
+};
+
+/// The nodes of a stroke's front. A vertex has one for each visit of the stroke: a run of samples whose discs
+/// all hold the vertex, as long as it goes [Schmidt 2013, section 4.1]. Runs are a function of samples and
+/// vertex; how much of a run is known grows with the samples that somebody asks for.
 class ChartNodes {
  public:
-  explicit ChartNodes(const Surface& surface) : surface_(&surface), first_(surface.vertex_count()) {}
+  /// `heads`: [vertex] scratch memory; zeroes, or as another use left it. All must outlive the object.
+  ChartNodes(const Surface& surface, const StrokeSamples& samples, std::span<Index> heads)
+      : surface_(&surface), samples_(&samples), heads_(heads) {}
 
-  void clear();
+  /// Forgets everything. Of `heads`, vertices of `own` are written only.
+  void restart(VertexRange own);
 
-  /// Follows a change of the samples from the first one that differs. Nodes whose runs begin there or later
-  /// become vacant: they hold nothing until at() uses them again.
-  void update(const StrokeSamples& samples, Index first_changed);
+  /// Follows a change of the samples from this one on. Of nodes whose runs are known from there on only,
+  /// nothing is known any more: they become vacant as soon as somebody asks.
+  void samples_changed(Index first_changed);
 
   Index size() const { return static_cast<Index>(nodes_.size()); }
-  Index vertex(Index node) const { return nodes_[node].vertex; }
+  FrontNode& operator[](Index node) { return nodes_[node]; }
+  const FrontNode& operator[](Index node) const { return nodes_[node]; }
 
-  /// The first sample of the node's run.
-  Index begin(Index node) const { return nodes_[node].begin; }
-
-  /// The nodes of a vertex, one after the other, in no particular order; no_index at the end.
-  Index first(Index vertex) const;
-  Index next(Index node) const { return nodes_[node].next; }
-
-  bool vacant(Index node) const { return !wraps_ && nodes_[node].begin > nodes_[node].end; }
-
-  /// Whether the node's run holds the sample.
-  bool holds(Index node, Index sample) const {
-    const auto& [vertex, begin, end, next] = nodes_[node];
-    return begin <= end ? begin <= sample && sample <= end : wraps_ && (begin <= sample || sample <= end);
+  /// The nodes of a vertex, linked by `next`, in no particular order; no_index: none.
+  Index first(Index vertex) const {
+    if (!own_.holds(vertex)) return first_foreign(vertex);
+    const Index head = heads_[vertex];
+    return head < size() && nodes_[head].vertex == vertex ? head : no_index;
   }
 
-  /// The node of the vertex whose run holds the sample, made if need be. no_index when the sample's disc
-  /// does not hold the vertex.
-  Index at(const StrokeSamples& samples, Index vertex, Index sample);
+  /// Whether the node's run holds the sample.
+  bool holds(Index node, Index sample) {
+    FrontNode& asked = nodes_[node];
+    if (asked.run_epoch != epoch_) forget_changed(asked);
+    return steps_from(asked.run_begin, sample) < asked.run_length || extends_to(asked, sample);
+  }
+
+  /// The node of the vertex whose run holds the sample, made if need be; adding nodes moves all in memory.
+  /// no_index when the sample's disc does not hold the vertex.
+  Index at(Index vertex, Index sample) {
+    const Index head = first(vertex);
+    for (Index node = head; node != no_index; node = nodes_[node].next)
+      if (holds(node, sample)) return node;
+    return add(vertex, sample, head);
+  }
 
  private:
-  struct Node {
-    Index vertex;
-    Index begin, end;  ///< the run's samples, both included; begin > end: it wraps around, or is vacant
-    Index next;        ///< of the same vertex
-  };
-  struct Run {
-    Index begin, end;
-  };
-  Run run_around(const StrokeSamples& samples, Index vertex, Index sample) const;
-  bool in_disc(const StrokeSamples& samples, Index vertex, Index sample) const;
+  /// How many samples after `from` the sample comes; on an open stroke more than there are when it comes
+  /// before.
+  Index steps_from(Index from, Index sample) const {
+    return sample >= from || !closed_ ? sample - from : sample + count_ - from;
+  }
+  Index first_foreign(Index vertex) const;
+  Index add(Index vertex, Index sample, Index head);
+  void begin_run(FrontNode& node, Index sample) const;
+  void forget_changed(FrontNode& node) const;
+  bool extends_to(FrontNode& node, Index sample) const;
+  bool extends_forward(FrontNode& node, Index sample) const;
+  bool extends_backward(FrontNode& node, Index sample) const;
+  bool in_disc(const FrontNode& node, Index sample) const {
+    return samples_->disc_holds(sample, node.position, node.normal);
+  }
 
   const Surface* surface_;
-  VertexNodes first_;              ///< vertices that have nodes
-  std::vector<Index> first_node_;  ///< [entry of first_]
-  std::vector<Node> nodes_;
-  bool wraps_ = false;
+  const StrokeSamples* samples_;
+  VertexRange own_;
+  std::span<Index> heads_;                    ///< [vertex of own_] a node, possibly of an earlier use
+  std::unordered_map<Index, Index> foreign_;  ///< first nodes of other vertices
+  std::vector<FrontNode> nodes_;
+  Index count_ = 0;  ///< of the samples
+  bool closed_ = false;
+  Index epoch_ = 0;                   ///< counts the changes of the samples
+  std::vector<Index> least_changed_;  ///< [epoch] the first sample that has changed after it
 };
 
 }  // namespace burin

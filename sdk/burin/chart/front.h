@@ -1,15 +1,10 @@
 #pragma once
-#include <burin/chart/chart_nodes.h>
-#include <burin/chart/seeds.h>
-#include <burin/chart/stroke_samples.h>
-#include <burin/chart/upwind.h>
-#include <burin/surface/surface.h>
+#include <burin/chart/front_part.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <queue>
+#include <memory>
 #include <span>
-#include <tuple>
 #include <vector>
 
 namespace burin {
@@ -19,91 +14,50 @@ namespace burin {
 /// recomputes what follows from the difference, with the result of a fresh start bit for bit.
 ///
 /// Nodes are visits of the stroke to vertices. A node leads on to the nodes of the neighbouring vertices
-/// whose run holds the sample at its own t. Each node x that the front reaches has the graph distance g from
-/// the seeds and is settled once every q that leads on to it with (g_q, q) < (g_x, x), in lexicographic order
-/// of g and vertex, is: the upwind ones. Settled nodes within the stroke are inside and lead on. When a frame
-/// changes, the settled nodes downwind of it are taken back and settled anew.
+/// whose run holds the sample at its own t. Settled nodes within the stroke are inside and lead on.
+///
+/// A front may be cut into parts by vertices, which advance side by side, one step of graph distance at a
+/// time, and tell each other between steps what happened at their borders.
 class Front {
  public:
   /// Over which the stroke's curvature is estimated, on either side, in shares of the radius.
   static constexpr double curvature_window = 0.25;
 
   /// The surface must outlive the front.
-  explicit Front(const Surface& surface) : surface_(&surface), chart_nodes_(surface), seed_finder_(surface) {}
+  explicit Front(const Surface& surface);
 
   /// Forgets everything; the surface may have changed. `radius`: half width of the stroke at width 1, object
   /// units. `order`: 1 or 2.
   void restart(double radius, int order, const Extensions& extensions = {});
 
-  /// Goes over to this curve, of at least one point.
-  void update(const SurfaceCurve& curve);
+  /// Goes over to this curve, of at least one point. Its first `unchanged` points are known to be those of
+  /// the curve before. After restart() the front has `parts` parts.
+  void update(const SurfaceCurve& curve, std::size_t unchanged = 0, std::size_t parts = 1);
 
-  /// The nodes inside, by vertex, ascending, and visit. Valid until the next call.
-  std::span<const Index> inside() const { return inside_; }
-  Index vertex(Index node) const { return chart_nodes_.vertex(node); }
-  const ChartFrame& frame(Index node) const { return nodes_[node].frame; }
+  /// The nodes inside, ascending by vertex and t.
+  std::vector<const FrontNode*> inside() const;
+
+  /// The nodes of a front of one part, of which touched() ones may have changed in the last update().
+  const ChartNodes& nodes() const { return parts_[0]->nodes(); }
+  std::span<const Index> touched() const { return parts_[0]->touched(); }
 
   /// Half width of the stroke at the arc length t, object units.
-  double half_width(double t) const { return samples_.half_width(t); }
+  double half_width(double t) const { return stroke_.samples.half_width(t); }
+
+  /// Nodes settled and queue entries pushed in the last update().
+  std::uint64_t settled() const;
+  std::uint64_t pushes() const;
 
  private:
-  static constexpr float unreached = std::numeric_limits<float>::infinity();
-  enum class State : std::uint8_t { open, inside, outside };
-
-  struct Node {
-    float g = unreached;              ///< graph distance from the stroke, object units
-    float seed_distance = unreached;  ///< to the foot of its own seed, if it has one
-    State state = State::open;
-    bool waiting = false;  ///< taken back, and not yet offered to its neighbours' fronts
-    bool listed = false;   ///< in inside_
-    bool seeded = false;   ///< has a seed in the running update
-    ChartFrame frame;
-    ChartFrame seed;
-  };
-  struct Entry {
-    float g;
-    Index vertex, node;
-    bool operator>(const Entry& other) const {
-      return std::tie(g, vertex, node) > std::tie(other.g, other.vertex, other.node);
-    }
-  };
-
-  void replace_curve(const SurfaceCurve& curve);
-  void replace_seeds(std::span<const Seed> seeds);
-  void set_seed(Index node, float distance, const ChartFrame& seed);
-  void take_back(Index node);
-  void take_back_downwind(Index node);
-  void reach_waiting();
-  void propagate();
-  void settle(Index node);
-  void lead_on(Index node);
-  void reach(Index node, float g);
-  void collect_arms(Index node);
-  ChartFrame frame_from_arms(Index node);
-  bool within_stroke(Index node) const;
-  bool leads_to(Index from, Index to) const;
-  bool is_upwind(Index a, Index b) const;
-  float distance_through(Index from, Index to) const;
-  void list_inside();
-  template <class Visit>
-  void for_each_around(Index node, const Visit& visit) const;
+  void cut(const SurfaceCurve& curve, std::size_t parts);
+  CurveChange replace_curve(const SurfaceCurve& curve, std::size_t unchanged);
+  void advance_in_steps();
 
   const Surface* surface_;
-  double radius_ = 0;
-  int order_ = 2;
-  Extensions extensions_;
+  FrontStroke stroke_;
   std::vector<CurvePoint> points_;  ///< of the last curve
-  StrokeSamples samples_;
-  GeodesicCurvature curvature_;
-  ChartNodes chart_nodes_;
-  SeedFinder seed_finder_;
-  std::vector<Node> nodes_;  ///< [node of chart_nodes_]
-  std::vector<Index> seeds_;
-  std::vector<Index> inside_;
-  std::vector<Index> settled_;  ///< in the running update
-  std::vector<Index> waiting_, stack_, ahead_;
-  std::vector<UpwindArm> arms_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  std::vector<Index> heads_;        ///< see ChartNodes
+  std::vector<std::unique_ptr<FrontPart>> parts_;
 };
 
 }  // namespace burin

@@ -1,201 +1,122 @@
 // Seeds from stroke segments. Instead of inserting the stroke's points into the neighbour graph (section 4
 // of the paper), vertices near the stroke take their coordinates from the nearest point of its segments.
-#include <burin/chart/frame_step.h>
+// Segments leave in the reverse order in which they came, so that a stroke that grows costs what is new.
 #include <burin/chart/seeds.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace burin {
-namespace {
 
-Foot foot_on(const SurfaceCurve& curve, std::size_t segment, const Vec3f& x) {
-  const Vec3f& from = curve.points[segment].at.position;
-  const Vec3f chord = curve.points[curve.next(segment)].at.position - from;
-  const float squared = chord.squaredNorm();
-  const float s = squared > 0 ? std::clamp((x - from).dot(chord) / squared, 0.F, 1.F) : 0;
-  const Vec3f position = from + s * chord;
-  return {segment, s, position, (x - position).norm()};
+void Seeds::restart(VertexRange own) {
+  own_ = own;
+  entries_.clear();
+  offers_.clear();
+  first_offer_.clear();
+  depending_.clear();
 }
 
-bool at_begin(const SurfaceCurve& curve, const Foot& foot) {
-  return !curve.closed && foot.segment == 0 && foot.s == 0;
+std::span<const Index> Seeds::update(const SeededCurve& on, std::size_t first_changed, ChartNodes& nodes) {
+  stale_.clear();
+  changed_.clear();
+  withdraw_from(first_changed);
+  for (std::size_t segment = first_offer_.size(); segment < on.curve.segment_count(); ++segment)
+    offer_segment(on, segment, nodes);
+  depending_.resize(first_offer_.size(), no_index);
+  for (const Index entry : stale_)
+    if (renew(on, entry, nodes)) changed_.push_back(entries_[entry].node);
+  return changed_;
 }
 
-bool at_end(const SurfaceCurve& curve, const Foot& foot) {
-  return !curve.closed && foot.segment + 1 == curve.segment_count() &&
-         (foot.s == 1 || curve.points.size() == 1);
+void Seeds::withdraw_from(std::size_t segment) {
+  for (std::size_t i = segment; i < depending_.size(); ++i)
+    while (depending_[i] != no_index) make_stale(depending_[i]);
+  if (segment < depending_.size()) depending_.resize(segment);
+  if (segment >= first_offer_.size()) return;
+  for (std::size_t i = offers_.size(); i > first_offer_[segment]; --i) {
+    const Offer& offer = offers_[i - 1];
+    entries_[offer.entry].last_offer = offer.before;
+    make_stale(offer.entry);
+  }
+  offers_.resize(first_offer_[segment]);
+  first_offer_.resize(segment);
 }
 
-/// Walks along the curve as long as the next segment has a point at right angles to x that is no farther: the
-/// segment that found the vertex need not be the one that the vertex projects onto.
-Foot nearest_from(const SurfaceCurve& curve, Foot foot, const Vec3f& x) {
-  const std::size_t count = curve.segment_count();
-  for (std::size_t walked = 0; walked < count; ++walked) {
-    const bool forward = foot.s == 1 && !at_end(curve, foot);
-    const bool backward = foot.s == 0 && !at_begin(curve, foot);
-    if (!forward && !backward) break;
-    const Foot next = foot_on(curve, (foot.segment + (forward ? 1 : count - 1)) % count, x);
-    const bool passes_joint = forward ? next.s > 0 : next.s < 1;
-    // Where the foot moves little, its distance changes by less than floats of this size can tell.
-    const float rounding =
-        4 * std::numeric_limits<float>::epsilon() * (foot.distance + x.cwiseAbs().maxCoeff());
-    if (!passes_joint || next.distance > foot.distance + rounding) break;
-    foot = next;
-  }
-  return foot;
+void Seeds::make_stale(Index entry) {
+  if (entries_[entry].stale) return;
+  entries_[entry].stale = true;
+  stale_.push_back(entry);
+  depend_no_more(entries_[entry]);
 }
 
-/// A seed that does not stand at right angles to its foot by more than this (sine) is beside a corner.
-constexpr float widest_miss = 0.15F;
-
-/// Fermi coordinates have an infinite one around corners.
-constexpr float stretch_around_corners = 10;
-
-double arc_length_at(const SurfaceCurve& curve, const Foot& foot) {
-  const double from = curve.points[foot.segment].t;
-  return from + static_cast<double>(foot.s) * (curve.segment_end(foot.segment) - from);
+void Seeds::depend(Index index, std::size_t segment) {
+  Entry& entry = entries_[index];
+  entry.depends = true;
+  entry.last_segment = segment;
+  entry.previous = no_index;
+  entry.next = depending_[segment];
+  if (entry.next != no_index) entries_[entry.next].previous = index;
+  depending_[segment] = index;
 }
 
-/// The curve between two points beside the chord between them, as its tangents tell: a cubic in the tangent
-/// plane. Tangents far from the chord are a corner, and the chord stays straight.
-class Arc {
- public:
-  Arc(const CurvePoint& a, const CurvePoint& b, const Vec3f& normal) : from_(a.at.position) {
-    const Vec3f chord = b.at.position - a.at.position;
-    length_ = chord.norm();
-    if (!(length_ > 0)) return;
-    along_ = chord / length_;
-    left_ = normal.cross(along_);
-    const float begin = slope(a.tangent), end = slope(b.tangent);
-    constexpr float steepest = 0.5F, sharp = 0.2F;
-    sharp_ = std::abs(end - begin) > sharp;
-    if (std::max(std::abs(begin), std::abs(end)) > steepest) return;
-    overhang_ = 0.5F;
-    begin_ = begin;
-    end_ = end;
-  }
-
-  /// Of the chord, object units.
-  float length() const { return length_; }
-
-  /// Whether the stroke turns here by more than strokes do from point to point.
-  bool is_sharp() const { return sharp_; }
-
-  Vec3f position(float s) const { return from_ + s * length_ * along_ + offset(s) * left_; }
-
-  /// Where x projects onto the arc, from a first guess. Slightly beyond 0 and 1 where the joint's wedge is.
-  float foot(const Vec3f& x, float s) const {
-    if (!(length_ > 0)) return s;
-    const float ahead = (x - from_).dot(along_), beside = (x - from_).dot(left_);
-    for (int i = 0; i < 2; ++i) s = (ahead + (beside - offset(s)) * slope_at(s)) / length_;
-    return std::clamp(s, -overhang_, 1 + overhang_);
-  }
-
- private:
-  float slope(const Vec3f& tangent) const {
-    const float forward = tangent.dot(along_);
-    return forward > 0 ? tangent.dot(left_) / forward : std::numeric_limits<float>::infinity();
-  }
-  float offset(float s) const { return length_ * s * (1 - s) * (begin_ * (1 - s) - end_ * s); }
-  float slope_at(float s) const { return begin_ * (1 - s) * (1 - 3 * s) - end_ * s * (2 - 3 * s); }
-
-  Vec3f from_, along_ = Vec3f::Zero(), left_ = Vec3f::Zero();
-  float length_ = 0, begin_ = 0, end_ = 0;  ///< slopes against the chord
-  bool sharp_ = false;
-  float overhang_ = 0;  ///< how far the cubic may go on beyond its ends
-};
-
-/// The frame at a vertex, from its foot. Curvature and stretch to second order in the distance.
-ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const GeodesicCurvature& curvature,
-                      Foot foot, Index vertex) {
-  const std::size_t next = curve.next(foot.segment);
-  const CurvePoint &a = curve.points[foot.segment], &b = curve.points[next];
-  const bool begin = at_begin(curve, foot), end = at_end(curve, foot);
-  const Vec3f normal = ((1 - foot.s) * a.normal + foot.s * b.normal).normalized();
-  bool at_corner = false;
-  if (!begin && !end) {
-    const Arc arc(a, b, normal);
-    foot.s = arc.foot(surface.positions[vertex], foot.s);
-    foot.position = arc.position(foot.s);
-    at_corner = arc.is_sharp() && (surface.positions[vertex] - foot.position).norm() > arc.length();
-  }
-  const Vec3f along = (1 - foot.s) * a.tangent + foot.s * b.tangent;
-  const Vec3f flat = along - normal.dot(along) * normal;
-  const Vec3f tangent = flat.squaredNorm() > 0 ? Vec3f(flat.normalized()) : a.tangent;
-  const auto [step, e1] =
-      step_along_edge(foot.position, normal, tangent, surface.positions[vertex], surface.normals[vertex]);
-
-  const bool beyond = (begin && step.x() < 0) || (end && step.x() > 0);
-  ChartFrame frame;
-  frame.t = arc_length_at(curve, foot) + (beyond ? static_cast<double>(step.x()) : 0);
-  // Adding 0 makes one zero of both, for comparisons bit by bit.
-  frame.d = beyond ? step.y() : std::copysign(step.norm(), step.y()) + 0.0F;
-  frame.e1 = e1;
-
-  // Around the outside of a corner lines of constant d are circles, along which t stands still.
-  if (at_corner && frame.d != 0 && std::abs(step.x()) > widest_miss * step.norm()) {
-    const Vec3f e2 = surface.normals[vertex].cross(e1);
-    frame.e1 = (step.y() * e1 - step.x() * e2) / frame.d;
-    frame.curvature = -1 / frame.d;
-    frame.stretch = stretch_around_corners;
-    return frame;
-  }
-  // Beyond its ends the stroke goes on as a geodesic.
-  const float k = beyond ? 0 : (1 - foot.s) * curvature[foot.segment] + foot.s * curvature[next];
-  const float d = frame.d;
-  const float gauss = surface.gauss_curvature[vertex];
-  // On the inside of a bend whose centre is nearer than the seed the coordinates fold, and count as straight.
-  if (k * d < 0.5F) {
-    frame.curvature = k / (1 - k * d) + gauss * d;
-    frame.stretch = std::max(1 - k * d - gauss * d * d / 2, least_stretch);
-  }
-  return frame;
+void Seeds::depend_no_more(Entry& entry) {
+  if (!entry.depends) return;
+  entry.depends = false;
+  (entry.previous == no_index ? depending_[entry.last_segment] : entries_[entry.previous].next) = entry.next;
+  if (entry.next != no_index) entries_[entry.next].previous = entry.previous;
 }
 
-}  // namespace
+void Seeds::offer_segment(const SeededCurve& on, std::size_t segment, ChartNodes& nodes) {
+  first_offer_.push_back(static_cast<Index>(offers_.size()));
+  around_.clear();
+  const SurfacePoint &from = on.curve.points[segment].at, &to = on.curve.points[on.curve.next(segment)].at;
+  gather_around(from);
+  if (to.corners != from.corners) gather_around(to);
+  for (const Index vertex : around_) offer(on, segment, vertex, nodes);
+}
 
-void SeedFinder::offer(const SurfaceCurve& curve, const StrokeSamples& samples, ChartNodes& nodes,
-                       Index vertex, std::size_t segment) {
-  const Foot foot = foot_on(curve, segment, surface_->positions[vertex]);
-  const Index node = nodes.at(samples, vertex, samples.at(arc_length_at(curve, foot)));
+void Seeds::gather_around(const SurfacePoint& at) {
+  const auto gather = [this](Index vertex) {
+    if (own_.holds(vertex) && std::ranges::find(around_, vertex) == around_.end()) around_.push_back(vertex);
+  };
+  for (const Index corner : at.corners) {
+    gather(corner);
+    for (const Index vertex : surface_->neighbours[corner]) gather(vertex);
+  }
+}
+
+void Seeds::offer(const SeededCurve& on, std::size_t segment, Index vertex, ChartNodes& nodes) {
+  const Foot foot = foot_on(on.curve, segment, surface_->positions[vertex]);
+  const Index node = nodes.at(vertex, on.samples.at(arc_length_at(on.curve, foot)));
   if (node == no_index) return;
-  if (node >= entry_.size()) entry_.resize(node + 1, no_index);
-  if (entry_[node] == no_index) {
-    entry_[node] = static_cast<Index>(found_.size());
-    found_.push_back(node);
-    feet_.push_back(foot);
-  } else if (foot.distance < feet_[entry_[node]].distance) {
-    feet_[entry_[node]] = foot;
+  Index& seed = nodes[node].seed;
+  if (seed == no_index) {
+    seed = static_cast<Index>(entries_.size());
+    entries_.emplace_back().node = node;
   }
+  Entry& entry = entries_[seed];
+  offers_.push_back({seed, entry.last_offer, foot});
+  entry.last_offer = static_cast<Index>(offers_.size() - 1);
+  make_stale(seed);
 }
 
-std::vector<Seed> SeedFinder::find(const SurfaceCurve& curve, const GeodesicCurvature& curvature,
-                                   const StrokeSamples& samples, ChartNodes& nodes) {
-  for (std::size_t segment = 0; segment < curve.segment_count(); ++segment) {
-    const auto offer_around = [&](const SurfacePoint& at) {
-      for (const Index corner : at.corners) {
-        offer(curve, samples, nodes, corner, segment);
-        for (const Index vertex : surface_->neighbours[corner]) offer(curve, samples, nodes, vertex, segment);
-      }
-    };
-    const SurfacePoint &from = curve.points[segment].at, &to = curve.points[curve.next(segment)].at;
-    offer_around(from);
-    if (to.corners != from.corners) offer_around(to);
+/// Whether the entry's seed is another one now.
+bool Seeds::renew(const SeededCurve& on, Index index, ChartNodes& nodes) {
+  Entry& entry = entries_[index];
+  entry.stale = false;
+  Seed seed;
+  if (entry.last_offer != no_index) {
+    // Of equally near segments the first counts.
+    const Foot* best = &offers_[entry.last_offer].foot;
+    for (Index i = entry.last_offer; i != no_index; i = offers_[i].before)
+      if (offers_[i].foot.distance <= best->distance) best = &offers_[i].foot;
+    const FrontNode& node = nodes[entry.node];
+    const auto [foot, last_segment] = nearest_from(on.curve, *best, node.position);
+    seed = {foot.distance, frame_from(*surface_, on.curve, on.curvature, foot, node.vertex)};
+    depend(index, last_segment);
   }
-
-  std::vector<Seed> seeds;
-  seeds.reserve(found_.size());
-  for (std::size_t i = 0; i < found_.size(); ++i) {
-    const Index node = found_[i], vertex = nodes.vertex(node);
-    const Foot foot = nearest_from(curve, feet_[i], surface_->positions[vertex]);
-    seeds.push_back({node, foot.distance, frame_from(*surface_, curve, curvature, foot, vertex)});
-    entry_[node] = no_index;
-  }
-  found_.clear();
-  feet_.clear();
-  return seeds;
+  if (seed == entry.seed) return false;
+  entry.seed = seed;
+  return true;
 }
 
 }  // namespace burin

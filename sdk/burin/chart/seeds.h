@@ -1,50 +1,76 @@
 #pragma once
-#include <burin/base/vector.h>
-#include <burin/chart/chart_frame.h>
 #include <burin/chart/chart_nodes.h>
-#include <burin/chart/stroke_samples.h>
-#include <burin/stroke/geodesic_curvature.h>
-#include <burin/stroke/surface_curve.h>
-#include <burin/surface/surface.h>
+#include <burin/chart/foot.h>
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace burin {
 
-/// A node beside the stroke with the coordinates of its own foot point on a stroke segment.
+/// What a node beside the stroke has from its own foot point on a stroke segment.
 struct Seed {
-  Index node = no_index;
-  float distance = 0;  ///< to the foot, object units
-  ChartFrame frame;    ///< t at the foot, beyond the ends along the end's tangent; e1 transported from it
+  float distance = unreached;  ///< to the foot, object units; unreached: the node has no seed any more
+  ChartFrame frame;            ///< t at the foot, beyond the ends along the end's tangent; e1 transported
+
+  bool operator==(const Seed&) const = default;
 };
 
-/// The nearest point of one segment of the stroke to some vertex.
-struct Foot {
-  std::size_t segment = 0;
-  float s = 0;  ///< 0..1 along the segment
-  Vec3f position = Vec3f::Zero();
-  float distance = 0;
+/// The curve that seeds stand on, and what is known of it. Looked at, not owned.
+struct SeededCurve {
+  const SurfaceCurve& curve;
+  const GeodesicCurvature& curvature;
+  const StrokeSamples& samples;
 };
 
-/// Finds where the front starts. The surface must outlive it.
-class SeedFinder {
+/// The seeds of one part of a front: for every visit of the corners of the curve's points, and of their
+/// one-ring, the nearest foot on the segments nearby. The surface must outlive the object.
+class Seeds {
  public:
-  explicit SeedFinder(const Surface& surface) : surface_(&surface) {}
+  explicit Seeds(const Surface& surface) : surface_(&surface) {}
 
-  /// For every visit of the corners of the curve's points, and of their one-ring, the nearest foot on the
-  /// segments nearby; one seed a node, in order of first appearance.
-  std::vector<Seed> find(const SurfaceCurve& curve, const GeodesicCurvature& curvature,
-                         const StrokeSamples& samples, ChartNodes& nodes);
+  /// Forgets everything. Seeds vertices of `own` only.
+  void restart(VertexRange own);
+
+  /// Follows a change of the curve, of its curvature or samples from this segment on. Returns the nodes whose
+  /// seeds have changed; their `seed` names the new one. Valid until the next call.
+  std::span<const Index> update(const SeededCurve& on, std::size_t first_changed, ChartNodes& nodes);
+
+  const Seed& operator[](Index seed) const { return entries_[seed].seed; }
 
  private:
-  void offer(const SurfaceCurve& curve, const StrokeSamples& samples, ChartNodes& nodes, Index vertex,
-             std::size_t segment);
+  /// A segment near a node, and its nearest point to it.
+  struct Offer {
+    Index entry;
+    Index before;  ///< the offer that the entry had before this one
+    Foot foot;
+  };
+  struct Entry {
+    Index node;
+    Index last_offer = no_index;
+    std::size_t last_segment = 0;                ///< the seed depends on segments up to this one
+    Index next = no_index, previous = no_index;  ///< entries that depend on as many segments
+    bool depends = false, stale = false;
+    Seed seed;
+  };
+
+  void withdraw_from(std::size_t segment);
+  void make_stale(Index entry);
+  void depend(Index entry, std::size_t segment);
+  void depend_no_more(Entry& entry);
+  void offer_segment(const SeededCurve& on, std::size_t segment, ChartNodes& nodes);
+  void gather_around(const SurfacePoint& at);
+  void offer(const SeededCurve& on, std::size_t segment, Index vertex, ChartNodes& nodes);
+  bool renew(const SeededCurve& on, Index entry, ChartNodes& nodes);
 
   const Surface* surface_;
-  std::vector<Index> found_;  ///< nodes
-  std::vector<Foot> feet_;    ///< [i] the best so far of found_[i]
-  std::vector<Index> entry_;  ///< [node] in found_, or no_index
+  VertexRange own_;
+  std::vector<Entry> entries_;
+  std::vector<Offer> offers_;       ///< by segment
+  std::vector<Index> first_offer_;  ///< [segment] in offers_
+  std::vector<Index> depending_;    ///< [segment] first entry whose last_segment it is
+  std::vector<Index> stale_, changed_;
+  std::vector<Index> around_;  ///< vertices that the running segment is offered to
 };
 
 }  // namespace burin

@@ -59,11 +59,11 @@ Chart StrokeCharter::Stroke::update(const SurfaceCurve& curve) {
 
 Chart StrokeCharter::Stroke::plain(const SurfaceCurve& curve) {
   front.update(curve);
-  Chart chart = empty_chart(curve, front.inside().size());
-  for (const Index node : front.inside()) {
-    const ChartFrame& frame = front.frame(node);
-    if (options.cap == Cap::butt && beyond_end(frame.t, curve)) continue;
-    append(chart, front.vertex(node), frame);
+  const std::vector<const FrontNode*> inside = front.inside();
+  Chart chart = empty_chart(curve, inside.size());
+  for (const FrontNode* node : inside) {
+    if (options.cap == Cap::butt && beyond_end(node->frame.t, curve)) continue;
+    append(chart, node->vertex, node->frame);
   }
   return chart;
 }

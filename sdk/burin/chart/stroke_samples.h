@@ -1,6 +1,8 @@
 #pragma once
 #include <burin/stroke/surface_curve.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace burin {
@@ -16,8 +18,10 @@ struct Extensions {
 class StrokeSamples {
  public:
   /// Takes the samples of another curve, of at least one point, no finer than `finest`. Discs near the ends
-  /// are wide enough for the extensions. Returns the first that differs.
-  Index update(const SurfaceCurve& curve, double radius, double finest, const Extensions& extensions);
+  /// are wide enough for the extensions. The first `unchanged` points are those of the curve before, and
+  /// radius and extensions are as before, or the samples were cleared. Returns the first that differs.
+  Index update(const SurfaceCurve& curve, double radius, double finest, const Extensions& extensions,
+               std::size_t unchanged);
   void clear() { samples_.clear(); }
 
   Index size() const { return static_cast<Index>(samples_.size()); }
@@ -25,7 +29,12 @@ class StrokeSamples {
   bool closed() const { return closed_; }
 
   /// The sample nearest to the arc length t; beyond the ends of an open stroke the last one there.
-  Index at(double t) const;
+  Index at(double t) const {
+    if (closed_) return at_of_closed(t);
+    const Index last = size() - 1;
+    if (!(t < length_)) return last;
+    return t > 0 ? std::min(static_cast<Index>(t * samples_a_unit_ + 0.5), last) : 0;
+  }
 
   /// Arc length of a sample.
   double t(Index sample) const { return samples_[sample].t; }
@@ -36,11 +45,15 @@ class StrokeSamples {
   double unwrapped(double t, double near) const;
 
   /// Half width of the stroke at the arc length t, object units.
-  double half_width(double t) const;
+  double half_width(double t) const { return uniform_ ? uniform_half_width_ : varying_half_width(t); }
 
   /// Whether the disc around the sample holds a point with this normal. Its geodesic distance is taken for
   /// the length of a circular arc over the chord, at whose ends the two normals stand.
-  bool disc_holds(Index sample, const Vec3f& position, const Vec3f& normal) const;
+  bool disc_holds(Index sample, const Vec3f& position, const Vec3f& normal) const {
+    const Sample& s = samples_[sample];
+    return (position - s.position).squaredNorm() * squared_arc_over_chord(normal.dot(s.normal)) <=
+           s.squared_disc;
+  }
 
   /// Straight distance, object units.
   float chord(Index sample, const Vec3f& position) const {
@@ -52,12 +65,24 @@ class StrokeSamples {
     double t;
     Vec3f position, normal;
     float half_width;
-    float disc;  ///< radius of the disc
+    float squared_disc;  ///< square of the disc's radius
     bool operator==(const Sample&) const = default;
   };
+  /// Arc over chord, squared, of a circular arc whose normals have this cosine: (asin s / s)^2, s the sine of
+  /// half the angle. A polynomial within 4 %.
+  static float squared_arc_over_chord(float cosine) {
+    const float s2 = std::clamp((1 - cosine) / 2, 0.F, 1.F), s4 = s2 * s2;
+    const float ratio = 1 + s2 / 6 + 0.075F * s4 + 0.329F * s4 * s4 * s2;
+    return ratio * ratio;
+  }
+  Index at_of_closed(double t) const;
+  double varying_half_width(double t) const;
+
   std::vector<Sample> samples_;
-  double length_ = 0, spacing_ = 0;
+  double length_ = 0, spacing_ = 0, samples_a_unit_ = 0;
   bool closed_ = false;
+  bool uniform_ = false;  ///< all half widths are one
+  double uniform_half_width_ = 0;
 };
 
 }  // namespace burin

@@ -53,7 +53,7 @@ class LocalFit {
 
 }  // namespace
 
-void GeodesicCurvature::update(const SurfaceCurve& curve, double window, std::size_t first_changed) {
+std::size_t GeodesicCurvature::update(const SurfaceCurve& curve, double window, std::size_t first_changed) {
   const auto& points = curve.points;
   if (curve.closed) first_changed = 0;
   turn(curve, first_changed);
@@ -62,6 +62,7 @@ void GeodesicCurvature::update(const SurfaceCurve& curve, double window, std::si
   while (first_changed > 0 && points[first_changed - 1].t + window >= unchanged) --first_changed;
   curvature_.resize(points.size());
   for (std::size_t i = first_changed; i < points.size(); ++i) curvature_[i] = slope_at(curve, window, i);
+  return first_changed;
 }
 
 void GeodesicCurvature::turn(const SurfaceCurve& curve, std::size_t first_changed) {

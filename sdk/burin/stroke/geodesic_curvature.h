@@ -17,8 +17,9 @@ namespace burin {
 /// bends tighter than the window keep their curvature.
 class GeodesicCurvature {
  public:
-  /// Follows a change of the curve from this point on (0: all of it).
-  void update(const SurfaceCurve& curve, double window, std::size_t first_changed = 0);
+  /// Follows a change of the curve from this point on (0: all of it). Returns the first point whose curvature
+  /// was estimated anew.
+  std::size_t update(const SurfaceCurve& curve, double window, std::size_t first_changed = 0);
 
   float operator[](std::size_t point) const { return curvature_[point]; }
   const std::vector<float>& values() const { return curvature_; }

@@ -1,0 +1,157 @@
+#include <burin/chart/foot.h>
+#include <burin/chart/frame_step.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+namespace {
+
+bool at_begin(const SurfaceCurve& curve, const Foot& foot) {
+  return !curve.closed && foot.segment == 0 && foot.s == 0;
+}
+
+bool at_end(const SurfaceCurve& curve, const Foot& foot) {
+  return !curve.closed && foot.segment + 1 == curve.segment_count() &&
+         (foot.s == 1 || curve.points.size() == 1);
+}
+
+/// A seed that does not stand at right angles to its foot by more than this (sine) is beside a corner.
+constexpr float widest_miss = 0.15F;
+
+/// Fermi coordinates have an infinite one around corners.
+constexpr float stretch_around_corners = 10;
+
+/// The curve between two points beside the chord between them, as its tangents tell: a cubic in the tangent
+/// plane. Tangents far from the chord are a corner, and the chord stays straight.
+class Arc {
+ public:
+  Arc(const CurvePoint& a, const CurvePoint& b, const Vec3f& normal) : from_(a.at.position) {
+    const Vec3f chord = b.at.position - a.at.position;
+    length_ = chord.norm();
+    if (!(length_ > 0)) return;
+    along_ = chord / length_;
+    left_ = normal.cross(along_);
+    const float begin = slope(a.tangent), end = slope(b.tangent);
+    constexpr float steepest = 0.5F, sharp = 0.2F;
+    sharp_ = std::abs(end - begin) > sharp;
+    if (std::max(std::abs(begin), std::abs(end)) > steepest) return;
+    overhang_ = 0.5F;
+    begin_ = begin;
+    end_ = end;
+  }
+
+  /// Of the chord, object units.
+  float length() const { return length_; }
+
+  /// Whether the stroke turns here by more than strokes do from point to point.
+  bool is_sharp() const { return sharp_; }
+
+  Vec3f position(float s) const { return from_ + s * length_ * along_ + offset(s) * left_; }
+
+  /// Where x projects onto the arc, from a first guess. Slightly beyond 0 and 1 where the joint's wedge is.
+  float foot(const Vec3f& x, float s) const {
+    if (!(length_ > 0)) return s;
+    const float ahead = (x - from_).dot(along_), beside = (x - from_).dot(left_);
+    for (int i = 0; i < 2; ++i) s = (ahead + (beside - offset(s)) * slope_at(s)) / length_;
+    return std::clamp(s, -overhang_, 1 + overhang_);
+  }
+
+ private:
+  float slope(const Vec3f& tangent) const {
+    const float forward = tangent.dot(along_);
+    return forward > 0 ? tangent.dot(left_) / forward : std::numeric_limits<float>::infinity();
+  }
+  float offset(float s) const { return length_ * s * (1 - s) * (begin_ * (1 - s) - end_ * s); }
+  float slope_at(float s) const { return begin_ * (1 - s) * (1 - 3 * s) - end_ * s * (2 - 3 * s); }
+
+  Vec3f from_, along_ = Vec3f::Zero(), left_ = Vec3f::Zero();
+  float length_ = 0, begin_ = 0, end_ = 0;  ///< slopes against the chord
+  bool sharp_ = false;
+  float overhang_ = 0;  ///< how far the cubic may go on beyond its ends
+};
+
+}  // namespace
+
+Foot foot_on(const SurfaceCurve& curve, std::size_t segment, const Vec3f& x) {
+  const Vec3f& from = curve.points[segment].at.position;
+  const Vec3f chord = curve.points[curve.next(segment)].at.position - from;
+  const float squared = chord.squaredNorm();
+  const float s = squared > 0 ? std::clamp((x - from).dot(chord) / squared, 0.F, 1.F) : 0;
+  const Vec3f position = from + s * chord;
+  return {segment, s, position, (x - position).norm()};
+}
+
+double arc_length_at(const SurfaceCurve& curve, const Foot& foot) {
+  const double from = curve.points[foot.segment].t;
+  return from + static_cast<double>(foot.s) * (curve.segment_end(foot.segment) - from);
+}
+
+NearestFoot nearest_from(const SurfaceCurve& curve, const Foot& start, const Vec3f& x) {
+  const std::size_t count = curve.segment_count();
+  Foot foot = start;
+  std::size_t last_segment = foot.segment;
+  for (std::size_t walked = 0; walked < count; ++walked) {
+    const bool forward = foot.s == 1 && !at_end(curve, foot);
+    const bool backward = foot.s == 0 && !at_begin(curve, foot);
+    if (!forward && !backward) break;
+    const Foot next = foot_on(curve, (foot.segment + (forward ? 1 : count - 1)) % count, x);
+    last_segment = std::max(last_segment, next.segment);
+    const bool passes_joint = forward ? next.s > 0 : next.s < 1;
+    // Where the foot moves little, its distance changes by less than floats of this size can tell.
+    const float rounding =
+        4 * std::numeric_limits<float>::epsilon() * (foot.distance + x.cwiseAbs().maxCoeff());
+    if (!passes_joint || next.distance > foot.distance + rounding) break;
+    foot = next;
+  }
+  return {foot, last_segment};
+}
+
+ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const GeodesicCurvature& curvature,
+                      Foot foot, Index vertex) {
+  const std::size_t next = curve.next(foot.segment);
+  const CurvePoint &a = curve.points[foot.segment], &b = curve.points[next];
+  const bool begin = at_begin(curve, foot), end = at_end(curve, foot);
+  const Vec3f normal = ((1 - foot.s) * a.normal + foot.s * b.normal).normalized();
+  bool at_corner = false;
+  if (!begin && !end) {
+    const Arc arc(a, b, normal);
+    foot.s = arc.foot(surface.positions[vertex], foot.s);
+    foot.position = arc.position(foot.s);
+    at_corner = arc.is_sharp() && (surface.positions[vertex] - foot.position).norm() > arc.length();
+  }
+  const Vec3f along = (1 - foot.s) * a.tangent + foot.s * b.tangent;
+  const Vec3f flat = along - normal.dot(along) * normal;
+  const Vec3f tangent = flat.squaredNorm() > 0 ? Vec3f(flat.normalized()) : a.tangent;
+  const auto [step, e1] =
+      step_along_edge(foot.position, normal, tangent, surface.positions[vertex], surface.normals[vertex]);
+
+  const bool beyond = (begin && step.x() < 0) || (end && step.x() > 0);
+  ChartFrame frame;
+  frame.t = arc_length_at(curve, foot) + (beyond ? static_cast<double>(step.x()) : 0);
+  // Adding 0 makes one zero of both, for comparisons bit by bit.
+  frame.d = beyond ? step.y() : std::copysign(step.norm(), step.y()) + 0.0F;
+  frame.e1 = e1;
+
+  // Around the outside of a corner lines of constant d are circles, along which t stands still.
+  if (at_corner && frame.d != 0 && std::abs(step.x()) > widest_miss * step.norm()) {
+    const Vec3f e2 = surface.normals[vertex].cross(e1);
+    frame.e1 = (step.y() * e1 - step.x() * e2) / frame.d;
+    frame.curvature = -1 / frame.d;
+    frame.stretch = stretch_around_corners;
+    return frame;
+  }
+  // Beyond its ends the stroke goes on as a geodesic.
+  const float k = beyond ? 0 : (1 - foot.s) * curvature[foot.segment] + foot.s * curvature[next];
+  const float d = frame.d;
+  const float gauss = surface.gauss_curvature[vertex];
+  // On the inside of a bend whose centre is nearer than the seed the coordinates fold, and count as straight.
+  if (k * d < 0.5F) {
+    frame.curvature = k / (1 - k * d) + gauss * d;
+    frame.stretch = std::max(1 - k * d - gauss * d * d / 2, least_stretch);
+  }
+  return frame;
+}
+
+}  // namespace burin

@@ -1,0 +1,118 @@
+#pragma once
+#include <burin/chart/bucket_queue.h>
+#include <burin/chart/chart_nodes.h>
+#include <burin/chart/seeds.h>
+#include <burin/chart/upwind.h>
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace burin {
+
+/// What all parts of a front share and read.
+struct FrontStroke {
+  double radius = 0;  ///< half width of the stroke at width 1, object units
+  int order = 2;
+  Extensions extensions;
+  StrokeSamples samples;
+  GeodesicCurvature curvature;
+};
+
+/// What a change of the curve leaves as it was.
+struct CurveChange {
+  Index first_sample;         ///< the first that differs
+  double unchanged_t;         ///< nodes of a lower t keep their coordinates, unless something upwind changes
+  std::size_t first_segment;  ///< the first whose seeds may differ
+};
+
+/// How a node stands that another part of the front has to know of.
+struct BorderNode {
+  Index vertex;
+  Index sample;  ///< tells the visit
+  bool inside;   ///< or open, or outside, which is the same to others
+  float g = unreached;
+  ChartFrame frame;
+
+  bool operator==(const BorderNode&) const = default;
+};
+
+/// The front on a range of vertices. Nodes of other vertices beside them are copies of what their own parts
+/// report.
+///
+/// Each node x that the front reaches has the graph distance g from the seeds and is settled once every q
+/// that leads on to it with (g_q, q) < (g_x, x), in lexicographic order of g and vertex, is: the upwind ones.
+/// When a frame changes, the settled nodes downwind of it are taken back and settled anew, so that frames are
+/// the same in whatever order the news comes.
+class FrontPart {
+ public:
+  /// `heads` as ChartNodes takes it. All must outlive the object.
+  FrontPart(const Surface& surface, const FrontStroke& stroke, std::span<Index> heads)
+      : surface_(&surface), stroke_(&stroke), nodes_(surface, stroke.samples, heads), seeds_(surface) {}
+
+  /// Forgets everything, and takes over these vertices.
+  void restart(VertexRange own);
+
+  /// Follows a change of the curve. What follows from it waits for advance().
+  void change(const SurfaceCurve& curve, const CurveChange& change);
+
+  /// Takes in what another part reports.
+  void receive(std::span<const BorderNode> reports);
+
+  /// Settles nodes until the lowest g that waits is `limit` or more.
+  void advance(float limit);
+
+  /// The lowest g that waits; unreached: none.
+  float least_g() { return queue_.empty() ? unreached : queue_.least_g(); }
+
+  /// What has changed at the border since the last call. Valid until the next call.
+  std::span<const BorderNode> reports();
+
+  /// Nodes taken back or settled since the last call of change(), in no particular order.
+  std::span<const Index> touched() const { return touched_; }
+
+  /// The nodes of own vertices, and copies of others'.
+  const ChartNodes& nodes() const { return nodes_; }
+  bool owns(const FrontNode& node) const { return own_.holds(node.vertex); }
+
+  /// Nodes settled and queue entries pushed since the last call of change().
+  std::uint64_t settled() const { return settled_; }
+  std::uint64_t pushes() const { return pushes_; }
+
+ private:
+  void take_back_from(const CurveChange& change);
+  void take_back(Index node);
+  void take_back_stacked();
+  void stack_downwind(Index node);
+  Index copy_of(const BorderNode& report);
+  void report(Index node);
+  void reach_waiting();
+  void settle(Index node);
+  ChartFrame frame_from_arms(Index node);
+  void collect_arms(Index node);
+  bool within_stroke(Index node);
+  void list(Index node, Index sample);
+  void lead_on(Index node);
+  void reach(Index node, float g);
+  void touch(Index node);
+  bool leads_to(const FrontNode& from, Index to) { return nodes_.holds(to, from.sample); }
+  template <class Visit>
+  void for_each_around(Index node, const Visit& visit) const;
+
+  const Surface* surface_;
+  const FrontStroke* stroke_;
+  VertexRange own_;
+  ChartNodes nodes_;
+  Seeds seeds_;
+  BucketQueue queue_;
+  UpwindArms arms_;
+  std::vector<std::vector<Index>> of_sample_;  ///< settled nodes, and some that have moved on
+  std::vector<Index> touched_, waiting_, stack_, upwind_;
+  std::vector<Index> border_;  ///< nodes with neighbours of other parts, touched since the last reports()
+  std::unordered_map<Index, BorderNode> reported_;  ///< what others know of nodes
+  std::vector<BorderNode> reports_;
+  std::uint64_t settled_ = 0, pushes_ = 0;
+};
+
+}  // namespace burin
