@@ -7,6 +7,7 @@ namespace burin {
 void ChartNodes::restart(VertexRange own) {
   own_ = own;
   nodes_.clear();
+  node_count_ = 0;
   foreign_.clear();
   least_changed_.clear();
   epoch_ = 0;
@@ -28,22 +29,55 @@ Index ChartNodes::first_foreign(Index vertex) const {
   return found == foreign_.end() ? no_index : found->second;
 }
 
+bool ChartNodes::found_to_hold(FrontNode& node, Index sample) const {
+  if (node.run_epoch != epoch_) forget_changed(node);
+  return steps_from(node.run_begin, sample) < node.run_length || extends_to(node, sample);
+}
+
+Index ChartNodes::find_or_add(Index vertex, Index sample, Index head) {
+  for (Index node = head; node != no_index; node = nodes_[node].next)
+    if (holds(node, sample)) return node;
+  return add(vertex, sample, head);
+}
+
 Index ChartNodes::add(Index vertex, Index sample, Index head) {
-  const Vec3f &position = surface_->positions[vertex], &normal = surface_->normals[vertex];
-  if (!samples_->disc_holds(sample, position, normal)) return no_index;
-  for (Index node = head; node != no_index; node = nodes_[node].next) {
-    if (nodes_[node].run_length > 0) continue;
-    begin_run(nodes_[node], sample);
-    return node;
-  }
-  FrontNode& node = nodes_.emplace_back();
-  node.vertex = vertex;
-  node.next = head;
-  node.position = position;
-  node.normal = normal;
+  if (head == no_index && own_.holds(vertex)) head = add_block(vertex);
+  if (!samples_->disc_holds(sample, surface_->positions[vertex], surface_->normals[vertex])) return no_index;
+  Index node = head;
+  while (node != no_index && nodes_[node].run_length > 0) node = nodes_[node].next;
+  if (node == no_index) node = add_loose(vertex);
+  begin_run(nodes_[node], sample);
+  return node;
+}
+
+/// Returns the node of the vertex.
+Index ChartNodes::add_block(Index vertex) {
+  const Index block = vertex / block_size, first = size();
+  const Index begin = block * block_size, end = std::min(begin + block_size, surface_->vertex_count());
+  nodes_.resize(first + end - begin);
+  node_count_ = static_cast<Index>(nodes_.size());
+  for (Index i = begin; i < end; ++i) set_vertex(nodes_[first + i - begin], i);
+  return (block_of_[block] = first) + vertex % block_size;
+}
+
+/// A further node, behind the first of its vertex.
+Index ChartNodes::add_loose(Index vertex) {
+  set_vertex(nodes_.emplace_back(), vertex);
+  const Index node = node_count_++;
+  Index& link =
+      own_.holds(vertex) ? nodes_[first(vertex)].next : foreign_.try_emplace(vertex, no_index).first->second;
+  nodes_[node].next = link;
+  link = node;
+  return node;
+}
+
+void ChartNodes::set_vertex(FrontNode& node, Index vertex) const {
+  node.key = FrontNode::key_of(unreached, vertex);
+  node.position = surface_->positions[vertex];
+  node.normal = surface_->normals[vertex];
   node.gauss = surface_->gauss_curvature[vertex];
-  begin_run(node, sample);
-  return (own_.holds(vertex) ? heads_[vertex] : foreign_[vertex]) = size() - 1;
+  node.run_epoch = epoch_;
+  node.run_begins = node.run_ends = true;
 }
 
 void ChartNodes::begin_run(FrontNode& node, Index sample) const {
@@ -52,7 +86,8 @@ void ChartNodes::begin_run(FrontNode& node, Index sample) const {
   node.run_begins = node.run_ends = false;
   node.run_epoch = epoch_;
   node.state = NodeState::open;
-  node.g = unreached;
+  node.set_g(unreached);
+  node.arm_count = 0;
 }
 
 void ChartNodes::forget_changed(FrontNode& node) const {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace burin {
 namespace {
@@ -19,7 +18,8 @@ constexpr double finest_share = 1e-5;
 
 }  // namespace
 
-Front::Front(const Surface& surface) : surface_(&surface), heads_(surface.vertex_count(), 0) {}
+Front::Front(const Surface& surface)
+    : surface_(&surface), blocks_(ChartNodes::blocks_of(surface.vertex_count()), 0) {}
 
 void Front::restart(double radius, int order, const Extensions& extensions) {
   stroke_.radius = radius;
@@ -46,13 +46,14 @@ void Front::cut(const SurfaceCurve& curve, std::size_t parts) {
   std::vector<Index> corners;
   for (const CurvePoint& point : curve.points) corners.push_back(point.at.corners[0]);
   std::ranges::sort(corners);
-  while (parts_.size() < parts) parts_.push_back(std::make_unique<FrontPart>(*surface_, stroke_, heads_));
+  while (parts_.size() < parts) parts_.push_back(std::make_unique<FrontPart>(*surface_, stroke_, blocks_));
   parts_.resize(parts);
   VertexRange range{0, 0};
   for (std::size_t part = 1; part <= parts; ++part) {
     const bool last = part == parts;
-    range.end =
-        last ? surface_->vertex_count() : std::max(range.begin, corners[corners.size() * part / parts]);
+    const Index middle = corners[std::min(corners.size() * part / parts, corners.size() - 1)];
+    const Index whole_blocks = middle / ChartNodes::block_size * ChartNodes::block_size;
+    range.end = last ? surface_->vertex_count() : std::max(range.begin, whole_blocks);
     parts_[part - 1]->restart(range);
     range.begin = range.end;
   }
@@ -104,15 +105,10 @@ void Front::advance_in_steps() {
   }
 }
 
-std::vector<const FrontNode*> Front::inside() const {
-  std::vector<const FrontNode*> nodes;
-  for (const auto& part : parts_) {
-    for (Index i = 0; i < part->nodes().size(); ++i) {
-      const FrontNode& node = part->nodes()[i];
-      if (node.state == NodeState::inside && part->owns(node)) nodes.push_back(&node);
-    }
-  }
-  std::ranges::sort(nodes, {}, [](const FrontNode* node) { return std::tuple(node->vertex, node->frame.t); });
+std::vector<std::vector<const FrontNode*>> Front::inside() {
+  std::vector<std::vector<const FrontNode*>> nodes(parts_.size());
+  parallel_blocks(parts_.size(), 1,
+                  [&](std::size_t part, std::size_t) { nodes[part] = parts_[part]->inside(); });
   return nodes;
 }
 

@@ -34,8 +34,8 @@ class Front {
   /// the curve before. After restart() the front has `parts` parts.
   void update(const SurfaceCurve& curve, std::size_t unchanged = 0, std::size_t parts = 1);
 
-  /// The nodes inside, ascending by vertex and t.
-  std::vector<const FrontNode*> inside() const;
+  /// The nodes inside of each part, ascending by vertex and t, through all of them.
+  std::vector<std::vector<const FrontNode*>> inside();
 
   /// The nodes of a front of one part, of which touched() ones may have changed in the last update().
   const ChartNodes& nodes() const { return parts_[0]->nodes(); }
@@ -56,7 +56,7 @@ class Front {
   const Surface* surface_;
   FrontStroke stroke_;
   std::vector<CurvePoint> points_;  ///< of the last curve
-  std::vector<Index> heads_;        ///< see ChartNodes
+  std::vector<Index> blocks_;       ///< see ChartNodes
   std::vector<std::unique_ptr<FrontPart>> parts_;
 };
 

@@ -2,6 +2,9 @@
 #include <burin/base/vector.h>
 #include <burin/chart/chart_frame.h>
 
+#include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -18,8 +21,12 @@ enum class NodeState : std::uint8_t {
 
 /// A node of the front, a visit of the stroke to a vertex, with all that the fronts of its neighbours ask
 /// for: what is asked for most comes first, and the surface is not asked at all.
-struct alignas(32) FrontNode {
-  Index vertex = no_index;
+struct alignas(64) FrontNode {
+  static constexpr std::size_t most_arms = 7;
+
+  /// The order in which nodes are settled: the bits of the graph distance g from the stroke, which are in
+  /// order for floats >= 0, above the vertex.
+  std::uint64_t key = no_index;
   Index next = no_index;  ///< node of the same vertex
 
   /// The samples that are known to belong to the visit, and whether it is known to begin or end with them. A
@@ -27,25 +34,33 @@ struct alignas(32) FrontNode {
   Index run_begin = 0, run_length = 0;
   Index run_epoch = 0;  ///< of the samples when that was found out
 
-  float g = unreached;  ///< graph distance from the stroke, object units
-  Index sample = 0;     ///< the one nearest to the node's t, once it has been settled
+  Index sample = 0;  ///< the one nearest to the node's t, once it has been settled
   NodeState state = NodeState::open;
+  std::uint8_t arm_count = 0;  ///< more than most_arms: not all of them are in arms
   bool run_begins : 1 = false;
   bool run_ends : 1 = false;
-  bool waiting : 1 = false;  ///< taken back, and not yet offered to its neighbours' fronts
-  bool touched : 1 = false;  ///< taken back or settled in the running update
-  bool listed : 1 = false;   ///< among the nodes of `sample`
-  bool border : 1 = false;   ///< with a neighbour of another part of the front
+  bool gathered : 1 = false;  ///< about to be settled: its arms are collected
+  bool waiting : 1 = false;   ///< taken back, and not yet offered to its neighbours' fronts
+  bool touched : 1 = false;   ///< taken back or settled in the running update
+  bool listed : 1 = false;    ///< among the nodes of `sample`
+  bool border : 1 = false;    ///< with a neighbour of another part of the front
+
+  /// The nodes inside that lead here, in no particular order; while the node is open.
+  std::array<Index, most_arms> arms{};
+  Index seed = no_index;  ///< its seed, if it has one
 
   ChartFrame frame;
   Vec3f position = Vec3f::Zero(), normal = Vec3f::Zero();  ///< of the vertex
   float gauss = 0;                                         ///< Gauss curvature there
-  Index seed = no_index;                                   ///< its seed, if it has one
+
+  Index vertex() const { return static_cast<Index>(key); }
+  float g() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)); }
+  void set_g(float g) { key = key_of(g, vertex()); }
+  static std::uint64_t key_of(float g, Index vertex) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(g)} << 32 | vertex;
+  }
 };
 
-/// The order in which nodes are settled.
-inline bool is_upwind(const FrontNode& a, const FrontNode& b) {
-  return a.g != b.g ? a.g < b.g : a.vertex < b.vertex;
-}
+inline bool is_upwind(const FrontNode& a, const FrontNode& b) { return a.key < b.key; }
 
 }  // namespace burin

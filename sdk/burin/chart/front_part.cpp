@@ -13,9 +13,9 @@ namespace burin {
 namespace {
 
 float distance_through(const FrontNode& from, const FrontNode& to) {
-  const float through = from.g + (to.position - from.position).norm();
+  const float g = from.g(), through = g + (to.position - from.position).norm();
   // Edges too short to tell in floats still lead downwind, or Upwind would depend on the order.
-  return through > from.g ? through : std::nextafter(from.g, unreached);
+  return through > g ? through : std::nextafter(g, unreached);
 }
 
 }  // namespace
@@ -32,6 +32,9 @@ void FrontPart::restart(VertexRange own) {
   stack_.clear();
   border_.clear();
   reported_.clear();
+  frames_.clear();
+  frames_.set(4 * std::numeric_limits<float>::epsilon() * static_cast<float>(stroke_->radius),
+              stroke_->order);
 }
 
 void FrontPart::change(const SurfaceCurve& curve, const CurveChange& change) {
@@ -81,7 +84,7 @@ void FrontPart::touch(Index node) {
 /// Calls `visit` with the nodes of the neighbouring vertices.
 template <class Visit>
 void FrontPart::for_each_around(Index node, const Visit& visit) const {
-  for (const Index neighbour : surface_->neighbours[nodes_[node].vertex]) {
+  for (const Index neighbour : surface_->neighbours[nodes_[node].vertex()]) {
     for (Index around = nodes_.first(neighbour); around != no_index; around = nodes_[around].next)
       visit(around);
   }
@@ -102,7 +105,9 @@ void FrontPart::take_back_stacked() {
     if (nodes_[next].state == NodeState::inside) stack_downwind(next);
     FrontNode& taken = nodes_[next];
     taken.state = NodeState::open;
-    taken.g = unreached;
+    taken.set_g(unreached);
+    taken.gathered = false;
+    taken.arm_count = 0;
     if (taken.border) border_.push_back(next);
     if (taken.waiting) continue;
     taken.waiting = true;
@@ -115,7 +120,7 @@ void FrontPart::take_back_stacked() {
 void FrontPart::stack_downwind(Index node) {
   for_each_around(node, [&](Index around) {
     const FrontNode& other = nodes_[around];
-    const bool depends = other.state == NodeState::open ? !other.waiting && other.g < unreached
+    const bool depends = other.state == NodeState::open ? !other.waiting && other.g() < unreached
                                                         : is_upwind(nodes_[node], other);
     if (depends) stack_.push_back(around);
   });
@@ -127,8 +132,7 @@ void FrontPart::reach_waiting() {
     if (nodes_[node].seed != no_index) reach(node, seeds_[nodes_[node].seed].distance);
     for_each_around(node, [&](Index around) {
       const FrontNode& from = nodes_[around];
-      if (from.state == NodeState::inside && leads_to(from, node))
-        reach(node, distance_through(from, nodes_[node]));
+      if (from.state == NodeState::inside && leads_to(from, node)) reach_from(around, node);
     });
   }
   waiting_.clear();
@@ -136,56 +140,99 @@ void FrontPart::reach_waiting() {
 
 void FrontPart::reach(Index node, float g) {
   FrontNode& reached = nodes_[node];
-  if (g >= reached.g) return;
-  reached.g = g;
-  queue_.push(g, reached.vertex, node);
+  if (g >= reached.g()) return;
+  reached.set_g(g);
+  queue_.push(reached.key, node);
   ++pushes_;
 }
 
+void FrontPart::reach_from(Index from, Index index) {
+  FrontNode& node = nodes_[index];
+  const auto known = node.arms.begin() + std::min<std::size_t>(node.arm_count, FrontNode::most_arms);
+  if (std::find(node.arms.begin(), known, from) == known) {
+    if (node.arm_count < FrontNode::most_arms) node.arms[node.arm_count] = from;
+    if (node.arm_count <= FrontNode::most_arms) ++node.arm_count;
+  }
+  const bool gathered = node.gathered;
+  node.gathered = false;
+  const std::uint64_t key = node.key;
+  reach(index, distance_through(nodes_[from], node));
+  // What was about to be settled without this arm waits again.
+  if (gathered && node.key == key) queue_.push(key, index);
+}
+
+/// Nodes are settled several at a time. One that depends on another of these is settled later.
 void FrontPart::advance(float limit) {
   while (!queue_.empty() && queue_.least_g() < limit) {
     const BucketQueue::Entry next = queue_.pop();
     const FrontNode& node = nodes_[next.node];
-    if (node.state == NodeState::open && node.g == next.g()) settle(next.node);
+    if (node.state != NodeState::open || node.gathered || node.key != next.key) continue;
+    if (node.seed != no_index && seeds_[node.seed].distance <= node.g())
+      settle(next.node, seeds_[node.seed].frame);
+    else
+      gather(next.node);
+    if (frames_.size() == UpwindFrames::capacity) settle_gathered();
+  }
+  settle_gathered();
+}
+
+void FrontPart::gather(Index index) {
+  find_upwind(index);
+  const double origin = nodes_[upwind_[0]].frame.t;
+  FrontNode& node = nodes_[index];
+  node.gathered = true;
+  gathered_[frames_.size()] = index;
+  frames_.add_node(node);
+  for (const Index from : upwind_)
+    frames_.add_arm(nodes_[from], stroke_->samples.unwrapped(nodes_[from].frame.t, origin));
+}
+
+/// Lists the upwind nodes that lead here in the order of vertex and t: sums need an order.
+void FrontPart::find_upwind(Index index) {
+  const FrontNode& node = nodes_[index];
+  upwind_.clear();
+  const auto insert = [this](Index q) {
+    const auto before = [this](Index a, Index b) {
+      const FrontNode &x = nodes_[a], &y = nodes_[b];
+      return x.vertex() != y.vertex() ? x.vertex() < y.vertex() : x.frame.t < y.frame.t;
+    };
+    auto place = upwind_.end();
+    while (place != upwind_.begin() && before(q, *(place - 1))) --place;
+    upwind_.insert(place, q);
+  };
+  if (node.arm_count <= FrontNode::most_arms) {
+    for (std::size_t i = 0; i < node.arm_count; ++i)
+      if (is_upwind(nodes_[node.arms[i]], node)) insert(node.arms[i]);
+    return;
+  }
+  for_each_around(index, [&](Index around) {
+    const FrontNode& from = nodes_[around];
+    if (from.state == NodeState::inside && is_upwind(from, node) && leads_to(from, index)) insert(around);
+  });
+}
+
+void FrontPart::settle_gathered() {
+  if (frames_.size() == 0) return;
+  const std::array<ChartFrame, UpwindFrames::capacity> frames = frames_.compute();
+  const std::size_t count = frames_.size();
+  frames_.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    FrontNode& node = nodes_[gathered_[i]];
+    // Taken back by one before it, a node is waiting in the queue again.
+    if (node.gathered) settle(gathered_[i], frames[i]);
   }
 }
 
-void FrontPart::settle(Index index) {
+void FrontPart::settle(Index index, const ChartFrame& frame) {
   ++settled_;
   touch(index);
   FrontNode& node = nodes_[index];
-  const Seed* seed = node.seed == no_index ? nullptr : &seeds_[node.seed];
-  node.frame = seed && seed->distance <= node.g ? seed->frame : frame_from_arms(index);
-  node.frame.t = stroke_->samples.wrapped(node.frame.t);
+  node.gathered = false;
+  node.frame = frame;
+  node.frame.t = stroke_->samples.wrapped(frame.t);
   list(index, stroke_->samples.at(node.frame.t));
   node.state = within_stroke(index) ? NodeState::inside : NodeState::outside;
   if (node.state == NodeState::inside) lead_on(index);
-}
-
-ChartFrame FrontPart::frame_from_arms(Index index) {
-  collect_arms(index);
-  const float epsilon = 4 * std::numeric_limits<float>::epsilon() * static_cast<float>(stroke_->radius);
-  const double origin = nodes_[upwind_[0]].frame.t;
-  arms_.begin(nodes_[index], epsilon);
-  for (const Index from : upwind_)
-    arms_.add(nodes_[from], stroke_->samples.unwrapped(nodes_[from].frame.t, origin));
-  return stroke_->order == 1 ? arms_.first_order() : arms_.second_order();
-}
-
-void FrontPart::collect_arms(Index index) {
-  const FrontNode& node = nodes_[index];
-  upwind_.clear();
-  for (const Index neighbour : surface_->neighbours[node.vertex]) {
-    const auto first = static_cast<std::ptrdiff_t>(upwind_.size());
-    for (Index around = nodes_.first(neighbour); around != no_index; around = nodes_[around].next) {
-      const FrontNode& from = nodes_[around];
-      if (from.state == NodeState::inside && is_upwind(from, node) && leads_to(from, index))
-        upwind_.push_back(around);
-    }
-    // Of a vertex with several nodes more than one may lead here; sums need an order.
-    std::ranges::sort(upwind_.begin() + first, upwind_.end(), {},
-                      [this](Index q) { return nodes_[q].frame.t; });
-  }
 }
 
 bool FrontPart::within_stroke(Index index) {
@@ -199,14 +246,14 @@ bool FrontPart::within_stroke(Index index) {
   // Coordinates have gone astray whose foot is not in the node's own visit, is farther off on the straight
   // line than it should be on the surface, or was reached on a way much longer than a geodesic.
   return nodes_.holds(index, node.sample) &&
-         static_cast<double>(node.g) <= 2 * std::max(stroke_->radius, distance) &&
+         static_cast<double>(node.g()) <= 2 * std::max(stroke_->radius, distance) &&
          static_cast<double>(samples.chord(node.sample, node.position)) <= distance + stroke_->radius / 2;
 }
 
 /// Reaches the open nodes around a node just settled inside that it leads on to; those downwind that were
 /// settled without it are taken back first.
 void FrontPart::lead_on(Index index) {
-  const Index vertex = nodes_[index].vertex, sample = nodes_[index].sample;
+  const Index vertex = nodes_[index].vertex(), sample = nodes_[index].sample;
   bool border = false;
   for (const Index neighbour : surface_->neighbours[vertex]) {
     if (!own_.holds(neighbour)) {
@@ -215,10 +262,10 @@ void FrontPart::lead_on(Index index) {
     }
     const Index found = nodes_.at(neighbour, sample);
     if (found == no_index) continue;
-    const FrontNode &from = nodes_[index], &to = nodes_[found];
+    const FrontNode& to = nodes_[found];
     if (to.state == NodeState::open)
-      reach(found, distance_through(from, to));
-    else if (is_upwind(from, to))
+      reach_from(index, found);
+    else if (is_upwind(nodes_[index], to))
       stack_.push_back(found);
   }
   if (border && owns(nodes_[index])) {
@@ -230,6 +277,24 @@ void FrontPart::lead_on(Index index) {
   reach_waiting();
 }
 
+std::vector<const FrontNode*> FrontPart::inside() {
+  std::vector<Index> vertices;
+  for (Index node = 0; node < nodes_.size(); ++node)
+    if (nodes_[node].state == NodeState::inside && owns(nodes_[node])) inside_.insert(nodes_[node].vertex());
+  inside_.drain(vertices);
+  std::vector<const FrontNode*> nodes;
+  nodes.reserve(vertices.size());
+  for (const Index vertex : vertices) {
+    const std::size_t first = nodes.size();
+    for (Index node = nodes_.first(vertex); node != no_index; node = nodes_[node].next)
+      if (nodes_[node].state == NodeState::inside) nodes.push_back(&nodes_[node]);
+    if (nodes.size() > first + 1)
+      std::ranges::sort(nodes.begin() + static_cast<std::ptrdiff_t>(first), nodes.end(), {},
+                        [](const FrontNode* node) { return node->frame.t; });
+  }
+  return nodes;
+}
+
 void FrontPart::receive(std::span<const BorderNode> reports) {
   std::vector<Index> inside;
   for (const BorderNode& report : reports) {
@@ -238,7 +303,7 @@ void FrontPart::receive(std::span<const BorderNode> reports) {
     FrontNode& copy = nodes_[index];
     if (copy.state == NodeState::inside) stack_downwind(index);
     copy.state = report.inside ? NodeState::inside : NodeState::open;
-    copy.g = report.inside ? report.g : unreached;
+    copy.set_g(report.inside ? report.g : unreached);
     copy.sample = report.sample;
     copy.frame = report.frame;
     if (report.inside) inside.push_back(index);
@@ -266,9 +331,9 @@ std::span<const BorderNode> FrontPart::reports() {
 void FrontPart::report(Index index) {
   const FrontNode& node = nodes_[index];
   const bool inside = node.state == NodeState::inside;
-  const BorderNode now{node.vertex, node.sample, inside, node.g, node.frame};
+  const BorderNode now{node.vertex(), node.sample, inside, node.g(), node.frame};
   BorderNode& known =
-      reported_.try_emplace(index, BorderNode{node.vertex, node.sample, false, 0, {}}).first->second;
+      reported_.try_emplace(index, BorderNode{node.vertex(), node.sample, false, 0, {}}).first->second;
   if (known == now || (!known.inside && !inside)) return;
   if (known.inside && (!inside || known.sample != node.sample)) {
     known.inside = false;

@@ -1,9 +1,11 @@
 #pragma once
+#include <burin/base/index_set.h>
 #include <burin/chart/bucket_queue.h>
 #include <burin/chart/chart_nodes.h>
 #include <burin/chart/seeds.h>
-#include <burin/chart/upwind.h>
+#include <burin/chart/upwind_frames.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -47,9 +49,13 @@ struct BorderNode {
 /// the same in whatever order the news comes.
 class FrontPart {
  public:
-  /// `heads` as ChartNodes takes it. All must outlive the object.
-  FrontPart(const Surface& surface, const FrontStroke& stroke, std::span<Index> heads)
-      : surface_(&surface), stroke_(&stroke), nodes_(surface, stroke.samples, heads), seeds_(surface) {}
+  /// `blocks` as ChartNodes takes it. All must outlive the object.
+  FrontPart(const Surface& surface, const FrontStroke& stroke, std::span<Index> blocks)
+      : surface_(&surface),
+        stroke_(&stroke),
+        nodes_(surface, stroke.samples, blocks),
+        seeds_(surface),
+        inside_(surface.vertex_count()) {}
 
   /// Forgets everything, and takes over these vertices.
   void restart(VertexRange own);
@@ -74,7 +80,10 @@ class FrontPart {
 
   /// The nodes of own vertices, and copies of others'.
   const ChartNodes& nodes() const { return nodes_; }
-  bool owns(const FrontNode& node) const { return own_.holds(node.vertex); }
+  bool owns(const FrontNode& node) const { return own_.holds(node.vertex()); }
+
+  /// The own nodes inside, ascending by vertex and t.
+  std::vector<const FrontNode*> inside();
 
   /// Nodes settled and queue entries pushed since the last call of change().
   std::uint64_t settled() const { return settled_; }
@@ -88,13 +97,15 @@ class FrontPart {
   Index copy_of(const BorderNode& report);
   void report(Index node);
   void reach_waiting();
-  void settle(Index node);
-  ChartFrame frame_from_arms(Index node);
-  void collect_arms(Index node);
+  void settle_gathered();
+  void settle(Index node, const ChartFrame& frame);
+  void gather(Index node);
+  void find_upwind(Index node);
   bool within_stroke(Index node);
   void list(Index node, Index sample);
   void lead_on(Index node);
   void reach(Index node, float g);
+  void reach_from(Index from, Index node);
   void touch(Index node);
   bool leads_to(const FrontNode& from, Index to) { return nodes_.holds(to, from.sample); }
   template <class Visit>
@@ -106,8 +117,10 @@ class FrontPart {
   ChartNodes nodes_;
   Seeds seeds_;
   BucketQueue queue_;
-  UpwindArms arms_;
-  std::vector<std::vector<Index>> of_sample_;  ///< settled nodes, and some that have moved on
+  IndexSet inside_;
+  UpwindFrames frames_;
+  std::array<Index, UpwindFrames::capacity> gathered_{};  ///< nodes of frames_
+  std::vector<std::vector<Index>> of_sample_;             ///< settled nodes, and some that have moved on
   std::vector<Index> touched_, waiting_, stack_, upwind_;
   std::vector<Index> border_;  ///< nodes with neighbours of other parts, touched since the last reports()
   std::unordered_map<Index, BorderNode> reported_;  ///< what others know of nodes

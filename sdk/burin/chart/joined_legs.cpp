@@ -92,13 +92,13 @@ void JoinedLegs::place_leg(const SurfaceCurve& curve, const std::vector<Leg>& le
   };
   front.restart(options_.radius, options_.order, {reach(before), reach(after)});
   front.update(part);
-  for (const FrontNode* node : front.inside()) {
+  for (const FrontNode* node : front.inside()[0]) {
     ChartFrame frame = node->frame;
     const bool inner_end = options_.join != Join::overlap && (frame.t < 0 ? before : after) != nullptr;
     if (options_.cap == Cap::butt && beyond_end(frame.t, part) && !inner_end) continue;
     const double half_width = front.half_width(frame.t);
     frame.t += whole ? 0 : begin;
-    nodes.push_back({node->vertex, static_cast<Index>(leg), frame, half_width});
+    nodes.push_back({node->vertex(), static_cast<Index>(leg), frame, half_width});
   }
 }
 

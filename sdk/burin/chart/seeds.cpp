@@ -111,7 +111,7 @@ bool Seeds::renew(const SeededCurve& on, Index index, ChartNodes& nodes) {
       if (offers_[i].foot.distance <= best->distance) best = &offers_[i].foot;
     const FrontNode& node = nodes[entry.node];
     const auto [foot, last_segment] = nearest_from(on.curve, *best, node.position);
-    seed = {foot.distance, frame_from(*surface_, on.curve, on.curvature, foot, node.vertex)};
+    seed = {foot.distance, frame_from(*surface_, on.curve, on.curvature, foot, node.vertex())};
     depend(index, last_segment);
   }
   if (seed == entry.seed) return false;

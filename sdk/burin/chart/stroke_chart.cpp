@@ -1,6 +1,7 @@
 // Stroke charts [R. Schmidt, Stroke Parameterization, 2013]: seeds from the stroke's segments, then the
 // front.
 #include <burin/base/error.h>
+#include <burin/base/parallel.h>
 #include <burin/chart/closed_length.h>
 #include <burin/chart/front.h>
 #include <burin/chart/joined_legs.h>
@@ -14,28 +15,28 @@ namespace burin {
 
 namespace {
 
-Chart empty_chart(const SurfaceCurve& curve, std::size_t nodes) {
+Chart chart_of(const SurfaceCurve& curve, std::size_t nodes) {
   Chart chart;
   chart.length = curve.length();
   chart.closed = curve.closed;
-  chart.vertex.reserve(nodes);
-  chart.sheet.reserve(nodes);
-  chart.t.reserve(nodes);
-  chart.d.reserve(nodes);
-  chart.e1.reserve(nodes);
-  chart.stretch.reserve(nodes);
+  chart.vertex.resize(nodes);
+  chart.sheet.resize(nodes);
+  chart.t.resize(nodes);
+  chart.d.resize(nodes);
+  chart.e1.resize(nodes);
+  chart.stretch.resize(nodes);
   return chart;
 }
 
-/// To be called by rising vertex and t.
-void append(Chart& chart, Index vertex, const ChartFrame& frame) {
-  const bool same = !chart.vertex.empty() && chart.vertex.back() == vertex;
-  chart.sheet.push_back(same ? chart.sheet.back() + 1 : 0);
-  chart.vertex.push_back(vertex);
-  chart.t.push_back(frame.t);
-  chart.d.push_back(frame.d);
-  chart.e1.push_back(frame.e1);
-  chart.stretch.push_back(frame.stretch);
+/// Sets node i. Nodes of one vertex by rising t, and after the nodes before it from `first` on.
+void set(Chart& chart, std::size_t first, std::size_t i, Index vertex, const ChartFrame& frame) {
+  const bool same = i > first && chart.vertex[i - 1] == vertex;
+  chart.sheet[i] = same ? chart.sheet[i - 1] + 1 : 0;
+  chart.vertex[i] = vertex;
+  chart.t[i] = frame.t;
+  chart.d[i] = frame.d;
+  chart.e1[i] = frame.e1;
+  chart.stretch[i] = frame.stretch;
 }
 
 }  // namespace
@@ -59,12 +60,17 @@ Chart StrokeCharter::Stroke::update(const SurfaceCurve& curve) {
 
 Chart StrokeCharter::Stroke::plain(const SurfaceCurve& curve) {
   front.update(curve);
-  const std::vector<const FrontNode*> inside = front.inside();
-  Chart chart = empty_chart(curve, inside.size());
-  for (const FrontNode* node : inside) {
-    if (options.cap == Cap::butt && beyond_end(node->frame.t, curve)) continue;
-    append(chart, node->vertex, node->frame);
-  }
+  std::vector<std::vector<const FrontNode*>> inside = front.inside();
+  if (options.cap == Cap::butt)
+    for (auto& nodes : inside)
+      std::erase_if(nodes, [&](const FrontNode* node) { return beyond_end(node->frame.t, curve); });
+  std::vector<std::size_t> begins{0};
+  for (const auto& nodes : inside) begins.push_back(begins.back() + nodes.size());
+  Chart chart = chart_of(curve, begins.back());
+  parallel_blocks(inside.size(), 1, [&](std::size_t part, std::size_t) {
+    for (std::size_t i = 0; i < inside[part].size(); ++i)
+      set(chart, begins[part], begins[part] + i, inside[part][i]->vertex(), inside[part][i]->frame);
+  });
   return chart;
 }
 
@@ -74,8 +80,8 @@ Chart StrokeCharter::Stroke::joined(const SurfaceCurve& curve) {
   if (curve.closed)
     for (PlacedNode& node : nodes) node.frame.t = wrapped_t(node.frame.t, curve.length());
   std::ranges::sort(nodes, {}, [](const PlacedNode& node) { return std::pair(node.vertex, node.frame.t); });
-  Chart chart = empty_chart(curve, nodes.size());
-  for (const PlacedNode& node : nodes) append(chart, node.vertex, node.frame);
+  Chart chart = chart_of(curve, nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) set(chart, 0, i, nodes[i].vertex, nodes[i].frame);
   return chart;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/deform/dirty_set.h>
+#include <burin/base/index_set.h>
 #include <burin/surface/surface.h>
 
 #include <span>
@@ -32,7 +32,7 @@ class ShownSurface {
   void collect_with_neighbours(const Surface& base, std::span<const Index> vertices);
 
   std::vector<Vec3f> positions_, normals_;  ///< [vertex]
-  DirtySet dirty_;
+  IndexSet dirty_;
   std::vector<Index> moved_, changed_;
 };
 

@@ -1,4 +1,4 @@
-#include <burin/deform/dirty_set.h>
+#include <burin/base/index_set.h>
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -8,12 +8,12 @@
 namespace burin {
 namespace {
 
-TEST(DirtySet, DrainsWhatWasInsertedAscendingAndIsEmptyThen) {
+TEST(IndexSet, DrainsWhatWasInsertedAscendingAndIsEmptyThen) {
   const unsigned seed = 7;
   SCOPED_TRACE(seed);
   std::mt19937 random(seed);
   for (const Index count : {1u, 64u, 4096u, 4097u, 100000u}) {
-    DirtySet dirty(count);
+    IndexSet dirty(count);
     std::vector<Index> drained;
     for (int round = 0; round < 20; ++round) {
       std::set<Index> expected;
@@ -28,8 +28,8 @@ TEST(DirtySet, DrainsWhatWasInsertedAscendingAndIsEmptyThen) {
   }
 }
 
-TEST(DirtySet, HoldsTheLastVertex) {
-  DirtySet dirty(8192);
+TEST(IndexSet, HoldsTheLastVertex) {
+  IndexSet dirty(8192);
   std::vector<Index> drained;
   dirty.insert(8191);
   dirty.insert(0);

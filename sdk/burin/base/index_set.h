@@ -1,0 +1,30 @@
+#pragma once
+#include <burin/base/vector.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace burin {
+
+/// A set of indices that is filled in any order and emptied in ascending order without sorting: a bit a
+/// index, and a bit for each word of those. Emptying costs in proportion to the indices and to 1/4096 of
+/// the range between the lowest and the highest.
+class IndexSet {
+ public:
+  explicit IndexSet(Index count);
+
+  void insert(Index index);
+
+  /// Moves the set's indices to `indices`, ascending, and leaves the set empty.
+  void drain(std::vector<Index>& indices);
+
+ private:
+  void drain_word(std::size_t word, std::vector<Index>& indices);
+
+  std::vector<std::uint64_t> bits_;     ///< [index / 64]
+  std::vector<std::uint64_t> summary_;  ///< [index / 4096]: which words of bits_ are not zero
+  std::size_t lowest_, highest_ = 0;    ///< words of summary_ that may be in use
+};
+
+}  // namespace burin

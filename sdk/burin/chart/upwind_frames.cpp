@@ -1,0 +1,316 @@
+// Second order. In Fermi coordinates (t, d) along the stroke, with k the geodesic curvature of the lines of
+// constant d, J the stretch of t and K the Gauss curvature, a step of the vector (u, v) from q to x changes
+//   k by K v + k^2 v,  J by -J (k v + K v^2 / 2),  the angle of e1 by k u,  t by u / J,  d by v
+// per unit of length. k and J come first, from q alone; they vary along t as well, which q cannot know, so
+// the mean over the arms is taken where the line through their values over u has u = 0. Then e1, t and d are
+// integrated by the trapezoidal rule between the frames of q and x, which needs no derivative of k or J.
+#include <burin/chart/frame_step.h>
+#include <burin/chart/upwind_frames.h>
+#include <burin/surface/unit_tangent.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+/// Beyond this turn along one step a focal point is near too, radians.
+constexpr float largest_turn = 0.5F;
+
+template <class A, class B>
+auto dot(const A& a, const B& b) {
+  return (a.x * b.x + a.y * b.y + a.z * b.z).eval();
+}
+
+template <class A, class B>
+A cross(const A& a, const B& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+}  // namespace
+
+void UpwindFrames::add_node(const FrontNode& x) {
+  const auto lane = static_cast<Eigen::Index>(size_);
+  if (size_ == 0) most_arms_ = 0;
+  arm_count_[size_++] = 0;
+  position_.set(lane, x.position);
+  normal_.set(lane, x.normal);
+  gauss_[lane] = x.gauss;
+}
+
+void UpwindFrames::add_arm(const FrontNode& q, double t) {
+  const std::size_t node = size_ - 1, arm = arm_count_[node]++;
+  const auto lane = static_cast<Eigen::Index>(node);
+  if (arm == 0) origin_[node] = t;
+  most_arms_ = std::max(most_arms_, arm + 1);
+  if (arms_.size() < most_arms_) arms_.resize(most_arms_);
+  Arms& arms = arms_[arm];
+  arms.normal.set(lane, q.normal);
+  arms.e1.set(lane, q.frame.e1);
+  arms.chord.set(lane, position_.get(lane) - q.position);
+  arms.t[lane] = static_cast<float>(t - origin_[node]);
+  arms.d[lane] = q.frame.d;
+  arms.curvature[lane] = q.frame.curvature;
+  arms.stretch[lane] = q.frame.stretch;
+  arms.gauss[lane] = (gauss_[lane] + q.gauss) / 2;
+  arms.counts[lane] = 1;
+}
+
+/// Repeats nodes in lanes, and arms in nodes, that there are too few of. Repeated arms do not count.
+void UpwindFrames::fill_up() {
+  const auto repeat = [this](std::size_t to_arm, std::size_t to, std::size_t from_arm, std::size_t from) {
+    Arms& target = arms_[to_arm];
+    const Arms& source = arms_[from_arm];
+    const auto t = static_cast<Eigen::Index>(to), f = static_cast<Eigen::Index>(from);
+    target.normal.set(t, source.normal.get(f));
+    target.e1.set(t, source.e1.get(f));
+    target.chord.set(t, source.chord.get(f));
+    target.t[t] = source.t[f];
+    target.d[t] = source.d[f];
+    target.curvature[t] = source.curvature[f];
+    target.stretch[t] = source.stretch[f];
+    target.gauss[t] = source.gauss[f];
+  };
+  for (std::size_t lane = 0; lane < capacity; ++lane) {
+    const auto l = static_cast<Eigen::Index>(lane);
+    std::size_t count = arm_count_[lane];
+    if (lane >= size_) {
+      normal_.set(l, normal_.get(0));
+      repeat(0, lane, 0, 0);
+      arms_[0].counts[l] = 1;
+      count = 1;
+    }
+    for (std::size_t arm = count; arm < most_arms_; ++arm) {
+      repeat(arm, lane, 0, lane);
+      arms_[arm].counts[l] = 0;
+    }
+  }
+}
+
+/// step_along_edge() in lanes. With unit normals the two rotations over the plane half way are one, and the
+/// cosines follow from the length of the normals' sum.
+void UpwindFrames::walk(Arms& arms) const {
+  const Lanes3 &n = normal_, &q = arms.normal, &e1 = arms.e1, &chord = arms.chord;
+  const Lanes3 sum{q.x + n.x, q.y + n.y, q.z + n.z};
+  const Lanes squared_sum = dot(sum, sum), size = squared_sum.sqrt(), inverse = size.inverse();
+  const Lanes3 middle{sum.x * inverse, sum.y * inverse, sum.z * inverse};
+
+  const Lanes along = dot(e1, n) * inverse, whole = 2 * along;
+  arms.carried = {e1.x - whole * middle.x, e1.y - whole * middle.y, e1.z - whole * middle.z};
+  const Lanes half = along / (1 + size / 2);
+  const Lanes3 e{e1.x - half * (q.x + middle.x), e1.y - half * (q.y + middle.y),
+                 e1.z - half * (q.z + middle.z)};
+  const Lanes3 left = cross(middle, e);
+
+  const Lanes ahead = dot(chord, e), beside = dot(chord, left);
+  const Lanes squared = dot(chord, chord), flat = ahead * ahead + beside * beside;
+  const Lanes3 turn{n.x - q.x, n.y - q.y, n.z - q.z};
+  const Lanes scale = (squared / flat).sqrt();
+  const Lanes bend = dot(turn, chord) / (24 * dot(turn, turn).max(1));
+  arms.length = squared.sqrt();
+  arms.u = ahead * scale + bend * dot(turn, e);
+  arms.v = beside * scale + bend * dot(turn, left);
+
+  // Opposite normals, and edges along the normal or too short for their squares.
+  constexpr float opposite = 0.002F, least_square = std::numeric_limits<float>::min();
+  if (squared_sum.minCoeff() > opposite && flat.minCoeff() > least_square) return;
+  for (Eigen::Index lane = 0; lane < squared.size(); ++lane)
+    if (!(squared_sum[lane] > opposite && flat[lane] > least_square)) walk_exactly(arms, lane);
+}
+
+void UpwindFrames::walk_exactly(Arms& arms, Eigen::Index lane) const {
+  const Vec3f chord = arms.chord.get(lane);
+  const auto [step, e1] =
+      step_along_edge(Vec3f::Zero(), arms.normal.get(lane), arms.e1.get(lane), chord, normal_.get(lane));
+  arms.u[lane] = step.x();
+  arms.v[lane] = step.y();
+  arms.length[lane] = chord.norm();
+  arms.carried.set(lane, e1);
+}
+
+void UpwindFrames::keep_agreeing() {
+  Lanes t_low = arms_[0].t + arms_[0].u, t_high = t_low, d_low = arms_[0].d + arms_[0].v, d_high = d_low,
+        shortest = arms_[0].length;
+  for (std::size_t i = 1; i < most_arms_; ++i) {
+    const Arms& arms = arms_[i];
+    const Lanes t = arms.t + arms.u, d = arms.d + arms.v;
+    t_low = t_low.min(t);
+    t_high = t_high.max(t);
+    d_low = d_low.min(d);
+    d_high = d_high.max(d);
+    shortest = shortest.min(arms.length);
+  }
+  // Where no two are farther apart than the shortest edges allow there is nothing to choose from.
+  const Lanes apart = (t_high - t_low).square() + (d_high - d_low).square() - 16 * shortest.square();
+  if (apart.maxCoeff() <= 0) return;
+  for (std::size_t lane = 0; lane < size_; ++lane)
+    if (!(apart[static_cast<Eigen::Index>(lane)] <= 0)) keep_agreeing(static_cast<Eigen::Index>(lane));
+}
+
+void UpwindFrames::keep_agreeing(Eigen::Index lane) {
+  const std::size_t count = arm_count_[static_cast<std::size_t>(lane)];
+  const auto placed_t = [&](std::size_t i) { return arms_[i].t[lane] + arms_[i].u[lane]; };
+  const auto placed_d = [&](std::size_t i) { return arms_[i].d[lane] + arms_[i].v[lane]; };
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < count; ++i)
+    if (std::abs(placed_d(i)) < std::abs(placed_d(nearest))) nearest = i;
+  for (std::size_t i = 0; i < most_arms_; ++i) {
+    const float reach = 2 * (arms_[i].length[lane] + arms_[nearest].length[lane]);
+    const float t = placed_t(i) - placed_t(nearest), d = placed_d(i) - placed_d(nearest);
+    if (t * t + d * d <= reach * reach) continue;
+    arms_[i].counts[lane] = arms_[i].curvature[lane] = arms_[i].gauss[lane] = 0;
+    arms_[i].stretch[lane] = 1;
+  }
+}
+
+/// An arm along the geodesic from the stroke knows most of x; what it has to add for its way u along the
+/// stroke is what is uncertain.
+void UpwindFrames::weigh_second() {
+  constexpr float sideways = 0.3F;
+  for (std::size_t i = 0; i < most_arms_; ++i) {
+    Arms& arms = arms_[i];
+    arms.weight = arms.counts / (arms.u.square() + sideways * (arms.length + epsilon_).square());
+  }
+}
+
+/// k and J at x: weighted least squares of what the arms tell over their u, at u = 0. The slope is damped in
+/// proportion to how little the arms spread over u.
+void UpwindFrames::find_shapes() {
+  constexpr float damping = 0.03F;
+  Lanes weights = Lanes::Zero(), u = weights, uu = weights, vv = weights, k = weights, j = weights,
+        ku = weights, ju = weights, turn = weights, least = Lanes::Constant(1);
+  for (std::size_t i = 0; i < most_arms_; ++i) {
+    const Arms& arms = arms_[i];
+    const Lanes w = arms.weight, wu = w * arms.u, squared_v = arms.v.square();
+    const Lanes straight = 1 - arms.curvature * arms.v;
+    const Lanes stretch = arms.stretch * (straight - arms.gauss * squared_v / 2);
+    const Lanes curvature = arms.curvature / straight + arms.gauss * arms.v;
+    turn = turn.max(arms.curvature.square() * (arms.u.square() + squared_v));
+    least = least.min(stretch);
+    weights += w;
+    u += wu;
+    uu += wu * arms.u;
+    vv += w * squared_v;
+    k += w * curvature;
+    j += w * stretch;
+    ku += wu * curvature;
+    ju += wu * stretch;
+  }
+  const Lanes inverse = weights.inverse(), u_mean = u * inverse, uu_mean = uu * inverse;
+  // Adding the least float keeps the lever finite where there is no spread.
+  const Lanes spread = (uu_mean - u_mean.square()).max(0) + damping * (uu_mean + vv * inverse) +
+                       std::numeric_limits<float>::min();
+  const Lanes lever = u_mean / spread;
+  const Lanes k_mean = k * inverse, j_mean = j * inverse;
+  curvature_ = k_mean - (ku * inverse - u_mean * k_mean) * lever;
+  stretch_ = (j_mean - (ju * inverse - u_mean * j_mean) * lever).max(least_stretch);
+  for (std::size_t lane = 0; lane < size_; ++lane) {
+    const auto l = static_cast<Eigen::Index>(lane);
+    focal_[lane] = !(turn[l] <= largest_turn * largest_turn && least[l] >= least_stretch);
+  }
+}
+
+void UpwindFrames::find_tangents() {
+  Lanes3 ahead{Lanes::Zero(), Lanes::Zero(), Lanes::Zero()}, beside = ahead;
+  for (std::size_t i = 0; i < most_arms_; ++i) {
+    const Arms& arms = arms_[i];
+    // Turned by the mean of both curvatures; cos and sin of small angles, within 1e-7 up to half a radian.
+    const Lanes angle = (arms.curvature + curvature_) * arms.u / 2, squared = angle.square();
+    const Lanes cosine = arms.weight * (1 - squared * (0.5F - squared * (1 / 24.F - squared / 720)));
+    const Lanes sine = arms.weight * angle * (1 - squared * (1 / 6.F - squared / 120));
+    ahead.x += cosine * arms.carried.x;
+    ahead.y += cosine * arms.carried.y;
+    ahead.z += cosine * arms.carried.z;
+    beside.x += sine * arms.carried.x;
+    beside.y += sine * arms.carried.y;
+    beside.z += sine * arms.carried.z;
+  }
+  const Lanes3 left = cross(normal_, beside);
+  const Lanes3 sum{ahead.x + left.x, ahead.y + left.y, ahead.z + left.z};
+  const Lanes up = dot(sum, normal_);
+  e1_ = {sum.x - up * normal_.x, sum.y - up * normal_.y, sum.z - up * normal_.z};
+  const Lanes squared = dot(e1_, e1_), inverse = squared.sqrt().inverse();
+  e1_ = {e1_.x * inverse, e1_.y * inverse, e1_.z * inverse};
+  // Nothing left but rounding, or squares out of the range of floats.
+  constexpr float least_part = 1e-6F, least_square = 1e-20F, most_square = 1e30F;
+  const Lanes whole = dot(sum, sum);
+  const Lanes safe = (squared - least_part * whole).min(squared - least_square).min(most_square - whole);
+  if (safe.minCoeff() > 0) return;
+  for (Eigen::Index lane = 0; lane < safe.size(); ++lane)
+    if (!(safe[lane] > 0)) e1_.set(lane, unit_tangent(sum.get(lane), normal_.get(lane)));
+}
+
+void UpwindFrames::find_coordinates() {
+  const Lanes3 right = cross(e1_, normal_);
+  const Lanes inverse_stretch = stretch_.inverse();
+  Lanes weights = Lanes::Zero(), t = weights, d = weights;
+  for (std::size_t i = 0; i < most_arms_; ++i) {
+    const Arms& arms = arms_[i];
+    // The arm's step in the basis of the frame at x.
+    const Lanes cosine = dot(arms.carried, e1_), sine = dot(arms.carried, right);
+    const Lanes u = arms.u * cosine + arms.v * sine, v = arms.v * cosine - arms.u * sine;
+    weights += arms.weight;
+    t += arms.weight * (arms.t + (arms.u / arms.stretch + u * inverse_stretch) / 2);
+    d += arms.weight * (arms.d + (arms.v + v) / 2);
+  }
+  const Lanes inverse = weights.inverse();
+  t_ = t * inverse;
+  d_ = d * inverse;
+}
+
+/// Means of what the first order makes of the arms; curvature and stretch by the weights as they are.
+void UpwindFrames::find_first_order() {
+  Lanes weights = Lanes::Zero(), t = weights, d = weights, shape_weights = weights, k = weights, j = weights;
+  Lanes3 e1{weights, weights, weights};
+  for (std::size_t i = 0; i < most_arms_; ++i) {
+    const Arms& arms = arms_[i];
+    const Lanes w = arms.counts / (arms.length + epsilon_);
+    weights += w;
+    t += w * (arms.t + arms.u);
+    d += w * (arms.d + arms.v);
+    e1.x += w * arms.carried.x;
+    e1.y += w * arms.carried.y;
+    e1.z += w * arms.carried.z;
+    shape_weights += arms.weight;
+    k += arms.weight * arms.curvature;
+    j += arms.weight * arms.stretch;
+  }
+  t_ = t / weights;
+  d_ = d / weights;
+  curvature_ = k / shape_weights;
+  stretch_ = j / shape_weights;
+  for (Eigen::Index lane = 0; lane < t_.size(); ++lane)
+    e1_.set(lane, unit_tangent(e1.get(lane), normal_.get(lane)));
+}
+
+const std::array<ChartFrame, UpwindFrames::capacity>& UpwindFrames::compute() {
+  fill_up();
+  for (std::size_t i = 0; i < most_arms_; ++i) walk(arms_[i]);
+  keep_agreeing();
+  weigh_second();
+  const auto take = [this](bool focal) {
+    for (std::size_t lane = 0; lane < size_; ++lane) {
+      if (focal && !focal_[lane]) continue;
+      const auto l = static_cast<Eigen::Index>(lane);
+      frames_[lane] = {origin_[lane] + static_cast<double>(t_[l]), d_[l], e1_.get(l), curvature_[l],
+                       stretch_[l]};
+    }
+  };
+  if (order_ == 1) {
+    find_first_order();
+    curvature_ = 0;
+    stretch_ = 1;
+    take(false);
+    return frames_;
+  }
+  find_shapes();
+  find_tangents();
+  find_coordinates();
+  take(false);
+  if (std::ranges::find(focal_, true) == focal_.end()) return frames_;
+  find_first_order();
+  take(true);
+  return frames_;
+}
+
+}  // namespace burin
