@@ -9,13 +9,17 @@
 
 namespace burin {
 
-/// A priority queue of nodes by their keys, but for entries whose g differ by less than a 3600th of the
-/// longest: they come out as they please. Buckets of equal width, each a linked list [Denardo and Fox 1979].
+/// A priority queue of nodes by (key, node) for keys that mostly rise. Entries wait in buckets of equal width
+/// of g, linked lists, and only those of the lowest bucket are sorted [Denardo and Fox 1979].
 class BucketQueue {
  public:
   struct Entry {
     std::uint64_t key;  ///< see FrontNode
     Index node;
+    float g() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)); }
+    bool operator<(const Entry& other) const {
+      return key != other.key ? key < other.key : node < other.node;
+    }
   };
 
   /// Empties the queue. Keys whose g is `longest` or more share the last bucket.
@@ -24,6 +28,7 @@ class BucketQueue {
     first_.assign(buckets, no_index);
     links_.clear();
     free_ = no_index;
+    sorted_.clear();
     lowest_ = buckets;
     size_ = 0;
   }
@@ -31,37 +36,25 @@ class BucketQueue {
   bool empty() const { return size_ == 0; }
 
   void push(std::uint64_t key, Index node) {
-    const auto g = std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32));
-    const auto bucket = static_cast<Index>(std::min(g * buckets_a_unit_, static_cast<float>(buckets - 1)));
-    Index place = free_;
-    if (place != no_index) {
-      free_ = links_[place].next;
-    } else {
-      place = static_cast<Index>(links_.size());
-      links_.emplace_back();
-    }
-    links_[place] = {{key, node}, first_[bucket]};
-    first_[bucket] = place;
-    lowest_ = std::min(lowest_, bucket);
+    const Entry entry{key, node};
+    const auto bucket =
+        static_cast<Index>(std::min(entry.g() * buckets_a_unit_, static_cast<float>(buckets - 1)));
     ++size_;
+    if (bucket == lowest_) return insert_sorted(entry);
+    link(bucket, entry);
+    if (bucket < lowest_) open(bucket);
   }
 
-  /// A lower bound of all g, no lower than a bucket's width. The queue must not be empty.
-  float least_g() {
-    while (first_[lowest_] == no_index) ++lowest_;
-    return static_cast<float>(lowest_) / buckets_a_unit_;
+  /// The lowest entry. The queue must not be empty.
+  const Entry& top() {
+    if (sorted_.empty()) open(next_bucket());
+    return sorted_.back();
   }
 
-  /// Takes out an entry of the lowest bucket. The queue must not be empty.
-  Entry pop() {
-    while (first_[lowest_] == no_index) ++lowest_;
-    const Index place = first_[lowest_];
-    const Entry entry = links_[place].entry;
-    first_[lowest_] = links_[place].next;
-    links_[place].next = free_;
-    free_ = place;
-    if (--size_ == 0) lowest_ = buckets;
-    return entry;
+  /// Takes out top().
+  void pop() {
+    sorted_.pop_back();
+    --size_;
   }
 
  private:
@@ -71,10 +64,51 @@ class BucketQueue {
   };
   static constexpr Index buckets = 8192;
 
+  void link(Index bucket, const Entry& entry) {
+    Index place = free_;
+    if (place != no_index) {
+      free_ = links_[place].next;
+    } else {
+      place = static_cast<Index>(links_.size());
+      links_.emplace_back();
+    }
+    links_[place] = {entry, first_[bucket]};
+    first_[bucket] = place;
+  }
+
+  void insert_sorted(const Entry& entry) {
+    auto place = sorted_.end();
+    while (place != sorted_.begin() && *(place - 1) < entry) --place;
+    sorted_.insert(place, entry);
+  }
+
+  Index next_bucket() const {
+    Index bucket = lowest_;
+    while (first_[bucket] == no_index) ++bucket;
+    return bucket;
+  }
+
+  /// Makes a bucket the sorted one; what is left of the one that was goes back.
+  void open(Index bucket) {
+    for (const Entry& entry : sorted_) link(lowest_, entry);
+    sorted_.clear();
+    lowest_ = bucket;
+    for (Index place = first_[bucket]; place != no_index;) {
+      sorted_.push_back(links_[place].entry);
+      const Index next = links_[place].next;
+      links_[place].next = free_;
+      free_ = place;
+      place = next;
+    }
+    first_[bucket] = no_index;
+    std::ranges::sort(sorted_, [](const Entry& a, const Entry& b) { return b < a; });
+  }
+
   float buckets_a_unit_ = 0;  ///< of g
   std::vector<Index> first_;  ///< [bucket] into links_
   std::vector<Link> links_;
-  Index free_ = no_index;  ///< into links_
+  Index free_ = no_index;      ///< into links_
+  std::vector<Entry> sorted_;  ///< of bucket lowest_, descending
   Index lowest_ = buckets;
   std::size_t size_ = 0;
 };

@@ -106,7 +106,7 @@ void FrontPart::take_back_stacked() {
     FrontNode& taken = nodes_[next];
     taken.state = NodeState::open;
     taken.set_g(unreached);
-    taken.gathered = false;
+    leave_gathered(next);
     taken.arm_count = 0;
     if (taken.border) border_.push_back(next);
     if (taken.waiting) continue;
@@ -153,27 +153,38 @@ void FrontPart::reach_from(Index from, Index index) {
     if (node.arm_count < FrontNode::most_arms) node.arms[node.arm_count] = from;
     if (node.arm_count <= FrontNode::most_arms) ++node.arm_count;
   }
-  const bool gathered = node.gathered;
-  node.gathered = false;
   const std::uint64_t key = node.key;
   reach(index, distance_through(nodes_[from], node));
+  if (!node.gathered) return;
   // What was about to be settled without this arm waits again.
-  if (gathered && node.key == key) queue_.push(key, index);
+  leave_gathered(index);
+  if (node.key == key) queue_.push(key, index);
+}
+
+void FrontPart::leave_gathered(Index node) {
+  if (!nodes_[node].gathered) return;
+  nodes_[node].gathered = false;
+  std::ranges::replace(gathered_, node, no_index);
 }
 
 /// Nodes are settled several at a time. One that depends on another of these is settled later.
 void FrontPart::advance(float limit) {
-  while (!queue_.empty() && queue_.least_g() < limit) {
-    const BucketQueue::Entry next = queue_.pop();
-    const FrontNode& node = nodes_[next.node];
-    if (node.state != NodeState::open || node.gathered || node.key != next.key) continue;
-    if (node.seed != no_index && seeds_[node.seed].distance <= node.g())
-      settle(next.node, seeds_[node.seed].frame);
-    else
-      gather(next.node);
-    if (frames_.size() == UpwindFrames::capacity) settle_gathered();
+  const auto goes_on = [&] { return !queue_.empty() && queue_.top().g() < limit; };
+  while (goes_on()) {
+    while (goes_on() && frames_.size() < UpwindFrames::capacity) settle_or_gather_next();
+    settle_gathered();
   }
-  settle_gathered();
+}
+
+void FrontPart::settle_or_gather_next() {
+  const BucketQueue::Entry next = queue_.top();
+  queue_.pop();
+  const FrontNode& node = nodes_[next.node];
+  if (node.state != NodeState::open || node.gathered || node.key != next.key) return;
+  if (node.seed != no_index && seeds_[node.seed].distance <= node.g())
+    settle(next.node, seeds_[node.seed].frame);
+  else
+    gather(next.node);
 }
 
 void FrontPart::gather(Index index) {
@@ -217,9 +228,8 @@ void FrontPart::settle_gathered() {
   const std::size_t count = frames_.size();
   frames_.clear();
   for (std::size_t i = 0; i < count; ++i) {
-    FrontNode& node = nodes_[gathered_[i]];
     // Taken back by one before it, a node is waiting in the queue again.
-    if (node.gathered) settle(gathered_[i], frames[i]);
+    if (gathered_[i] != no_index) settle(gathered_[i], frames[i]);
   }
 }
 

@@ -70,7 +70,7 @@ class FrontPart {
   void advance(float limit);
 
   /// The lowest g that waits; unreached: none.
-  float least_g() { return queue_.empty() ? unreached : queue_.least_g(); }
+  float least_g() { return queue_.empty() ? unreached : queue_.top().g(); }
 
   /// What has changed at the border since the last call. Valid until the next call.
   std::span<const BorderNode> reports();
@@ -99,7 +99,9 @@ class FrontPart {
   void reach_waiting();
   void settle_gathered();
   void settle(Index node, const ChartFrame& frame);
+  void settle_or_gather_next();
   void gather(Index node);
+  void leave_gathered(Index node);
   void find_upwind(Index node);
   bool within_stroke(Index node);
   void list(Index node, Index sample);
@@ -119,7 +121,7 @@ class FrontPart {
   BucketQueue queue_;
   IndexSet inside_;
   UpwindFrames frames_;
-  std::array<Index, UpwindFrames::capacity> gathered_{};  ///< nodes of frames_
+  std::array<Index, UpwindFrames::capacity> gathered_{};  ///< nodes of frames_, or no_index
   std::vector<std::vector<Index>> of_sample_;             ///< settled nodes, and some that have moved on
   std::vector<Index> touched_, waiting_, stack_, upwind_;
   std::vector<Index> border_;  ///< nodes with neighbours of other parts, touched since the last reports()

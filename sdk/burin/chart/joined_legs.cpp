@@ -92,7 +92,8 @@ void JoinedLegs::place_leg(const SurfaceCurve& curve, const std::vector<Leg>& le
   };
   front.restart(options_.radius, options_.order, {reach(before), reach(after)});
   front.update(part);
-  for (const FrontNode* node : front.inside()[0]) {
+  const std::vector<std::vector<const FrontNode*>> inside = front.inside();
+  for (const FrontNode* node : inside[0]) {
     ChartFrame frame = node->frame;
     const bool inner_end = options_.join != Join::overlap && (frame.t < 0 ? before : after) != nullptr;
     if (options_.cap == Cap::butt && beyond_end(frame.t, part) && !inner_end) continue;
