@@ -31,6 +31,11 @@ void parallel_blocks(std::size_t count, std::size_t grain, const Body& body) {
 #endif
 }
 
+/// The threads that loops run on.
+inline std::size_t thread_count() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
 /// Sorts on all threads. Elements that compare equal must be the same bits, for one result.
 template <class Iterator, class Less = std::less<>>
 void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {

@@ -73,6 +73,7 @@ CurveChange Front::replace_curve(const SurfaceCurve& curve, std::size_t unchange
                                                stroke_.extensions, unchanged);
   change.unchanged_t = change.first_sample > 0 ? stroke_.samples.t(change.first_sample - 1)
                                                : -std::numeric_limits<double>::infinity();
+  unchanged_t_ = change.unchanged_t;
   // The segment before a point ends there; the one before that may have been the stroke's last.
   change.first_segment = std::min(bent, unchanged) > 2 ? std::min(bent, unchanged) - 2 : 0;
   while (change.first_segment > 0 && curve.segment_end(change.first_segment - 1) >= change.unchanged_t)

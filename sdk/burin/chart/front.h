@@ -41,6 +41,9 @@ class Front {
   const ChartNodes& nodes() const { return parts_[0]->nodes(); }
   std::span<const Index> touched() const { return parts_[0]->touched(); }
 
+  /// Nodes of this t or more were computed by the last update().
+  double unchanged_t() const { return unchanged_t_; }
+
   /// Half width of the stroke at the arc length t, object units.
   double half_width(double t) const { return stroke_.samples.half_width(t); }
 
@@ -55,6 +58,7 @@ class Front {
 
   const Surface* surface_;
   FrontStroke stroke_;
+  double unchanged_t_ = 0;
   std::vector<CurvePoint> points_;  ///< of the last curve
   std::vector<Index> blocks_;       ///< see ChartNodes
   std::vector<std::unique_ptr<FrontPart>> parts_;

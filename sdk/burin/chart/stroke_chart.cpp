@@ -39,27 +39,71 @@ void set(Chart& chart, std::size_t first, std::size_t i, Index vertex, const Cha
   chart.stretch[i] = frame.stretch;
 }
 
+/// Parts of a front that are worth a thread of their own.
+std::size_t parts_for(const SurfaceCurve& curve, double radius) {
+  // A point of the curve stands for half an edge.
+  constexpr double least_nodes = 20000;
+  const double points = static_cast<double>(curve.points.size());
+  const double edge = 2 * curve.length() / std::max(points, 1.);
+  const double nodes = edge > 0 ? points / 2 * (2 * radius / edge) : 0;
+  return std::clamp<std::size_t>(static_cast<std::size_t>(std::min(nodes / least_nodes, 1e3)), 1,
+                                 thread_count());
+}
+
 }  // namespace
 
 struct StrokeCharter::Stroke {
-  explicit Stroke(const Surface& s) : front(s), legs(s) {}
+  explicit Stroke(const Surface& s) : front(s), legs(s), live(s.vertex_count()) {}
 
-  Chart update(const SurfaceCurve& curve);
+  void begin(const ChartOptions& with);
+  Chart update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t parts);
+  void draw(const SurfaceCurve& curve, std::size_t unchanged);
+  bool in_one_piece(const SurfaceCurve& curve) const;
   Chart plain(const SurfaceCurve& curve);
   Chart joined(const SurfaceCurve& curve);
 
   ChartOptions options;
   Front front;
   JoinedLegs legs;
+  LiveChart live;
 };
 
-Chart StrokeCharter::Stroke::update(const SurfaceCurve& curve) {
+void StrokeCharter::Stroke::begin(const ChartOptions& with) {
+  const auto radius = static_cast<float>(with.radius);
+  if (!std::isfinite(radius) || radius <= 0)
+    throw ContractError("a stroke's radius must be a finite number above 0");
+  options = with;
+  front.restart(options.radius, options.order);
+  live.clear();
+}
+
+bool StrokeCharter::Stroke::in_one_piece(const SurfaceCurve& curve) const {
+  if (options.radius == 0) throw ContractError("there is no stroke chart to extend");
   if (curve.points.empty()) throw ContractError("a stroke chart needs a curve of at least one point");
-  return options.join == Join::round && !curve.closed ? plain(curve) : joined(curve);
+  return options.join == Join::round && !curve.closed;
+}
+
+Chart StrokeCharter::Stroke::update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t parts) {
+  if (!in_one_piece(curve)) return joined(curve);
+  front.update(curve, unchanged, parts);
+  return plain(curve);
+}
+
+void StrokeCharter::Stroke::draw(const SurfaceCurve& curve, std::size_t unchanged) {
+  if (!in_one_piece(curve)) return live.assign(joined(curve));
+  front.update(curve, unchanged);
+  live.begin_event(curve.length(), false, front.unchanged_t());
+  for (const Index slot : front.touched()) {
+    const FrontNode& node = front.nodes()[slot];
+    const bool cut_off = options.cap == Cap::butt && beyond_end(node.frame.t, curve);
+    if (node.state == NodeState::inside && !cut_off)
+      live.set(slot, node.vertex(), node.frame);
+    else
+      live.remove(slot);
+  }
 }
 
 Chart StrokeCharter::Stroke::plain(const SurfaceCurve& curve) {
-  front.update(curve);
   std::vector<std::vector<const FrontNode*>> inside = front.inside();
   if (options.cap == Cap::butt)
     for (auto& nodes : inside)
@@ -91,18 +135,23 @@ StrokeCharter::StrokeCharter(StrokeCharter&&) noexcept = default;
 StrokeCharter& StrokeCharter::operator=(StrokeCharter&&) noexcept = default;
 
 Chart StrokeCharter::chart(const SurfaceCurve& curve, const ChartOptions& options) {
-  const auto radius = static_cast<float>(options.radius);
-  if (!std::isfinite(radius) || radius <= 0) {
-    throw ContractError("a stroke's radius must be a finite number above 0");
-  }
-  stroke_->options = options;
-  stroke_->front.restart(options.radius, options.order);
-  return stroke_->update(curve);
+  stroke_->begin(options);
+  return stroke_->update(curve, 0, parts_for(curve, options.radius));
 }
 
-Chart StrokeCharter::extend(const SurfaceCurve& curve) {
-  if (stroke_->options.radius == 0) throw ContractError("there is no stroke chart to extend");
-  return stroke_->update(curve);
+Chart StrokeCharter::extend(const SurfaceCurve& curve, std::size_t unchanged) {
+  return stroke_->update(curve, unchanged, 1);
 }
+
+void StrokeCharter::begin(const ChartOptions& options) { stroke_->begin(options); }
+
+const LiveChart& StrokeCharter::draw(const SurfaceCurve& curve, std::size_t unchanged) {
+  stroke_->draw(curve, unchanged);
+  return stroke_->live;
+}
+
+const LiveChart& StrokeCharter::live() const { return stroke_->live; }
+std::uint64_t StrokeCharter::settled() const { return stroke_->front.settled(); }
+std::uint64_t StrokeCharter::pushes() const { return stroke_->front.pushes(); }
 
 }  // namespace burin

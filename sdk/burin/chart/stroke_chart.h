@@ -1,9 +1,12 @@
 #pragma once
 #include <burin/chart/chart.h>
 #include <burin/chart/joins.h>
+#include <burin/chart/live_chart.h>
 #include <burin/stroke/surface_curve.h>
 #include <burin/surface/surface.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 
 namespace burin {
@@ -20,7 +23,7 @@ struct ChartOptions {
   Join join = Join::round;
 };
 
-/// Computes stroke charts on one surface [Schmidt 2013, section 4]. Holds scratch memory of eight bytes a
+/// Computes stroke charts on one surface [Schmidt 2013, section 4]. Holds scratch memory of five bytes a
 /// vertex, so keep one as long as the surface; a chart costs in proportion to its own region only.
 /// The surface must outlive it. One thread at a time.
 class StrokeCharter {
@@ -34,12 +37,23 @@ class StrokeCharter {
   /// Throws ContractError for a radius that is not finite and positive or a curve without points.
   Chart chart(const SurfaceCurve& curve, const ChartOptions& options);
 
-  /// The chart of a curve with the options of the last chart(), bit for bit what chart() would give. The
-  /// front is propagated only where something differs; besides, the whole curve and chart are walked through
-  /// once: meant for a stroke that grows. Closed strokes, and miter and overlap joins, start afresh. The
-  /// surface must be as it was for chart(). Throws ContractError for a curve without points or when there is
-  /// no last chart.
-  Chart extend(const SurfaceCurve& curve);
+  /// The chart of a curve with the options of the last chart() or begin(), bit for bit what chart() would
+  /// give. The front is propagated only where something differs. The first `unchanged` points are known to be
+  /// those of the curve before. Closed strokes, and smooth, miter and overlap joins, start afresh. The
+  /// surface must be as it was before. Throws ContractError for a curve without points or when nothing was
+  /// begun.
+  Chart extend(const SurfaceCurve& curve, std::size_t unchanged = 0);
+
+  /// Begins a stroke that grows by draw(). Throws ContractError as chart().
+  void begin(const ChartOptions& options);
+
+  /// As extend(), at the cost of what changes only. Valid until the next call of any function.
+  const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged = 0);
+  const LiveChart& live() const;
+
+  /// Nodes whose coordinates the last call computed, and entries that went through the front's queue.
+  std::uint64_t settled() const;
+  std::uint64_t pushes() const;
 
  private:
   struct Stroke;

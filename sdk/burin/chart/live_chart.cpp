@@ -1,0 +1,135 @@
+#include <burin/chart/live_chart.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace burin {
+
+Index LiveChart::first(Index vertex) const {
+  const Index place = places_.find(vertex);
+  return place == no_index ? no_index : first_[place];
+}
+
+std::uint32_t LiveChart::sheet_count(Index vertex) const {
+  std::uint32_t count = 0;
+  for (Index slot = first(vertex); slot != no_index; slot = next(slot)) ++count;
+  return count;
+}
+
+void LiveChart::clear() {
+  nodes_ = {};
+  taken_.clear();
+  next_.clear();
+  changed_in_.clear();
+  places_.clear();
+  first_.clear();
+  altered_in_.clear();
+  begin_event(0, false, 0);
+}
+
+void LiveChart::begin_event(double length, bool closed, double computed_from) {
+  ++event_;
+  nodes_.length = length;
+  nodes_.closed = closed;
+  computed_from_ = computed_from;
+  computed_.clear();
+  altered_.clear();
+}
+
+void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame) {
+  if (slot >= nodes_.size()) grow_to(slot + 1);
+  computed_.push_back(slot);
+  const bool same = taken_[slot] && nodes_.t[slot] == frame.t && nodes_.d[slot] == frame.d &&
+                    nodes_.e1[slot] == frame.e1 && nodes_.stretch[slot] == frame.stretch;
+  if (same) return;
+  if (taken_[slot]) unlink(slot);
+  nodes_.vertex[slot] = vertex;
+  nodes_.t[slot] = frame.t;
+  nodes_.d[slot] = frame.d;
+  nodes_.e1[slot] = frame.e1;
+  nodes_.stretch[slot] = frame.stretch;
+  taken_[slot] = true;
+  changed_in_[slot] = event_;
+  link(slot);
+}
+
+void LiveChart::remove(Index slot) {
+  if (slot >= nodes_.size() || !taken_[slot]) return;
+  unlink(slot);
+  taken_[slot] = false;
+}
+
+void LiveChart::assign(const Chart& chart) {
+  begin_event(chart.length, chart.closed, -std::numeric_limits<double>::infinity());
+  for (Index slot = 0; slot < nodes_.size(); ++slot) remove(slot);
+  for (Index i = 0; i < chart.size(); ++i)
+    set(i, chart.vertex[i],
+        {.t = chart.t[i], .d = chart.d[i], .e1 = chart.e1[i], .stretch = chart.stretch[i]});
+}
+
+Chart LiveChart::sorted() const {
+  std::vector<Index> slots;
+  for (Index slot = 0; slot < nodes_.size(); ++slot)
+    if (taken_[slot]) slots.push_back(slot);
+  std::ranges::sort(slots, {},
+                    [this](Index slot) { return std::pair(nodes_.vertex[slot], nodes_.sheet[slot]); });
+  Chart chart;
+  chart.length = nodes_.length;
+  chart.closed = nodes_.closed;
+  for (const Index slot : slots) {
+    chart.vertex.push_back(nodes_.vertex[slot]);
+    chart.sheet.push_back(nodes_.sheet[slot]);
+    chart.t.push_back(nodes_.t[slot]);
+    chart.d.push_back(nodes_.d[slot]);
+    chart.e1.push_back(nodes_.e1[slot]);
+    chart.stretch.push_back(nodes_.stretch[slot]);
+  }
+  return chart;
+}
+
+void LiveChart::grow_to(Index slots) {
+  nodes_.vertex.resize(slots);
+  nodes_.sheet.resize(slots);
+  nodes_.t.resize(slots);
+  nodes_.d.resize(slots);
+  nodes_.e1.resize(slots);
+  nodes_.stretch.resize(slots);
+  taken_.resize(slots);
+  next_.resize(slots);
+  changed_in_.resize(slots);
+}
+
+/// Sheets are few: a walk along those of the vertex finds the place, and counts the later ones anew.
+void LiveChart::link(Index slot) {
+  const Index vertex = nodes_.vertex[slot];
+  Index place = places_.find(vertex);
+  if (place == no_index) {
+    place = places_.insert(vertex);
+    first_.push_back(no_index);
+    altered_in_.push_back(0);
+  }
+  alter(place);
+  std::uint32_t sheet = 0;
+  Index* from = &first_[place];
+  for (; *from != no_index && nodes_.t[*from] < nodes_.t[slot]; from = &next_[*from]) ++sheet;
+  next_[slot] = std::exchange(*from, slot);
+  for (Index later = slot; later != no_index; later = next_[later]) nodes_.sheet[later] = sheet++;
+}
+
+void LiveChart::unlink(Index slot) {
+  const Index place = places_.find(nodes_.vertex[slot]);
+  alter(place);
+  Index* from = &first_[place];
+  while (*from != slot) from = &next_[*from];
+  *from = next_[slot];
+  for (Index later = *from; later != no_index; later = next_[later]) --nodes_.sheet[later];
+}
+
+void LiveChart::alter(Index place) {
+  if (altered_in_[place] == event_) return;
+  altered_in_[place] = event_;
+  altered_.push_back(places_.vertex(place));
+}
+
+}  // namespace burin

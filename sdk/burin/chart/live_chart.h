@@ -1,0 +1,76 @@
+#pragma once
+#include <burin/chart/chart.h>
+#include <burin/chart/chart_frame.h>
+#include <burin/chart/vertex_nodes.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// The chart of a stroke that is being drawn, and what the last event changed of it. Its nodes have slots,
+/// which they keep from event to event; events cost in proportion to what they change.
+class LiveChart {
+ public:
+  explicit LiveChart(Index vertex_count) : places_(vertex_count) {}
+
+  /// The nodes, [slot], in no particular order. Vacant slots hold anything.
+  const Chart& nodes() const { return nodes_; }
+  bool vacant(Index slot) const { return !taken_[slot]; }
+
+  /// The slots of a vertex by rising t, linked; no_index at the end.
+  Index first(Index vertex) const;
+  Index next(Index slot) const { return next_[slot]; }
+  std::uint32_t sheet_count(Index vertex) const;
+
+  /// Slots taken by nodes that the last event computed, and of these the ones that are new or other in any
+  /// bit than before; each once.
+  std::span<const Index> computed() const { return computed_; }
+  bool changed(Index slot) const { return changed_in_[slot] == event_; }
+
+  /// Vertices that have a node that changed, or lost one, in the last event; each once.
+  std::span<const Index> altered() const { return altered_; }
+
+  /// All nodes whose t is this or more were computed by the last event.
+  double computed_from() const { return computed_from_; }
+
+  /// The vertices of the chart are numbered in the order in which they came; this one's number.
+  Index place(Index vertex) const { return places_.find(vertex); }
+  Index place_count() const { return places_.size(); }
+
+  /// As a chart: by vertex and t. In proportion to the chart.
+  Chart sorted() const;
+
+  /// Becomes empty, of no stroke.
+  void clear();
+
+  /// Begins an event: what follows counts as its changes.
+  void begin_event(double length, bool closed, double computed_from);
+
+  /// Puts a node into a slot, which is vacant or has a node of this vertex.
+  void set(Index slot, Index vertex, const ChartFrame& frame);
+  void remove(Index slot);
+
+  /// An event that changes everything: slot i is node i of this chart.
+  void assign(const Chart& chart);
+
+ private:
+  void grow_to(Index slots);
+  void link(Index slot);
+  void unlink(Index slot);
+  void alter(Index place);
+
+  Chart nodes_;
+  std::vector<bool> taken_;
+  std::vector<Index> next_;
+  std::vector<std::uint32_t> changed_in_;  ///< [slot] event
+  VertexNodes places_;
+  std::vector<Index> first_;               ///< [place] slot
+  std::vector<std::uint32_t> altered_in_;  ///< [place] event
+  std::vector<Index> computed_, altered_;
+  double computed_from_ = 0;
+  std::uint32_t event_ = 0;
+};
+
+}  // namespace burin
