@@ -18,11 +18,11 @@ constexpr const char* style = R"(
 --c0:#2a78d6;--c1:#1baf7a;--c2:#eda100;--c3:#008300;--c4:#4a3aa7;--c5:#e34948;--c6:#e87ba4}
 @media(prefers-color-scheme:dark){:root{--page:#1a1a19;--ink:#f3f2ee;--soft:#a3a29b;--grid:#3a3936;--card:#232322;
 --c0:#3987e5;--c1:#199e70;--c2:#c98500;--c3:#4a9a3f;--c4:#9085e9;--c5:#e66767;--c6:#d55181}}
-body{font:15px/1.5 system-ui,sans-serif;margin:2.5em auto;max-width:72em;padding:0 1.5em;background:var(--page);
+body{font:15px/1.5 system-ui,sans-serif;margin:2.5em auto;max-width:80em;padding:0 1.5em;background:var(--page);
 color:var(--ink)}
 h1{font-size:1.6em;margin:0}h2{font-size:1.15em;margin:2.4em 0 .4em}p{color:var(--soft);margin:.3em 0 1em}
-.wide{overflow-x:auto}table{border-collapse:collapse;font-size:13px;white-space:nowrap}
-th,td{padding:.35em .8em;text-align:right;border-bottom:1px solid var(--grid);font-variant-numeric:tabular-nums}
+.wide{overflow-x:auto}table{border-collapse:collapse;font-size:12px;white-space:nowrap}
+th,td{padding:.35em .6em;text-align:right;border-bottom:1px solid var(--grid);font-variant-numeric:tabular-nums}
 th{color:var(--soft);font-weight:500}th:first-child,td:first-child{text-align:left;padding-left:0}
 td:last-child{font-family:ui-monospace,monospace}
 .plots{display:grid;grid-template-columns:repeat(auto-fill,minmax(21em,1fr));gap:1em}
@@ -78,8 +78,10 @@ std::string scaling_section(const SuiteResult& result) {
   std::string figures;
   for (const Scaling& scaling : scalings(result)) figures += scaling_figure(scaling);
   if (figures.empty()) return "";
-  return section("Growth of cost", "Time of a stroke over size, median of the repeats, with the power law.",
-                 "<div class='plots'>\n" + figures + "</div>\n");
+  return section(
+      "Growth of cost",
+      "Cost over size with the power law that fits; stroke: all events and ends, median of the repeats.",
+      "<div class='plots'>\n" + figures + "</div>\n");
 }
 
 std::string history_section(const std::vector<NamedResult>& results) {

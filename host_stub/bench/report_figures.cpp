@@ -125,22 +125,21 @@ std::string stage_figure(const SuiteResult& result, CallFigures CaseResult::*cal
 }
 
 std::string scaling_figure(const Scaling& scaling) {
-  std::vector<double> ms;
-  for (const double cost : scaling.costs) ms.push_back(1e3 * cost);
+  const std::vector<double>& ms = scaling.costs;
   Plot plot(logarithmic_axis(std::string(size_name(scaling.axis)), scaling.sizes),
-            logarithmic_axis("ms a stroke", ms));
+            logarithmic_axis("ms, " + scaling.cost, ms));
   const auto [least, most] = std::minmax_element(scaling.sizes.begin(), scaling.sizes.end());
   const auto fitted = [&](double size) {
-    return PlotPoint{size, 1e3 * scaling.law.factor * std::pow(size, scaling.law.exponent)};
+    return PlotPoint{size, scaling.law.factor * std::pow(size, scaling.law.exponent)};
   };
   plot.dashes(fitted(*least), fitted(*most));
   for (std::size_t i = 0; i < ms.size(); ++i) {
     plot.dot({scaling.sizes[i], ms[i]}, "c0",
              fmt::format("{}: {:.3f} ms over {:.0f}", scaling.cases[i], ms[i], scaling.sizes[i]));
   }
-  return figure(fmt::format("exponent {:.3f} ± {:.3f}, target {:.1f} ± {:.2f}: {}", scaling.law.exponent,
-                            scaling.law.standard_error, target_exponent(scaling.axis), scaling_tolerance,
-                            on_target(scaling) ? "on target" : "off target"),
+  return figure(fmt::format("{}: exponent {:.3f} ± {:.3f}, target {:.1f} ± {:.2f}: {}", scaling.cost,
+                            scaling.law.exponent, scaling.law.standard_error, target_exponent(scaling.axis),
+                            scaling_tolerance, on_target(scaling) ? "on target" : "off target"),
                 plot.svg());
 }
 

@@ -28,7 +28,7 @@ std::string stage_row(const CaseResult& one, std::size_t width) {
 }
 
 std::string line(const Scaling& scaling) {
-  return fmt::format("cost over {}: exponent {:.3f} +- {:.3f}, target {:.1f} +- {:.2f}: {}\n",
+  return fmt::format("{} over {}: exponent {:.3f} +- {:.3f}, target {:.1f} +- {:.2f}: {}\n", scaling.cost,
                      size_name(scaling.axis), scaling.law.exponent, scaling.law.standard_error,
                      target_exponent(scaling.axis), scaling_tolerance,
                      on_target(scaling) ? "on target" : "off target");
@@ -46,7 +46,8 @@ std::string result_text(const SuiteResult& result, const std::vector<Scaling>& s
   for (const std::string_view stage : stage_names) text += fmt::format(" {:>8}", stage);
   text += fmt::format(" {:>8} {:>8}\n", "end", "undo");
   for (const CaseResult& one : result.cases) text += stage_row(one, width);
-  for (const Scaling& scaling : scalings) text += "\n" + line(scaling);
+  if (!scalings.empty()) text += "\n";
+  for (const Scaling& scaling : scalings) text += line(scaling);
   return text;
 }
 

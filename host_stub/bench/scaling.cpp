@@ -6,14 +6,30 @@
 namespace burin {
 namespace {
 
-Scaling along(ScalingAxis axis, const SuiteResult& result) {
+struct Measure {
+  ScalingAxis axis;
+  const char* cost;
+  double (*of)(const CaseResult&);  ///< ms
+};
+
+double stroke_ms(const CaseResult& one) { return 1e3 * percentiles(one.stroke_seconds).p50; }
+double slow_event_ms(const CaseResult& one) { return one.event.whole.at.p95; }
+double end_ms(const CaseResult& one) { return one.end.whole.at.p50; }
+
+constexpr Measure measures[] = {{ScalingAxis::region, "stroke", stroke_ms},
+                                {ScalingAxis::mesh, "stroke", stroke_ms},
+                                {ScalingAxis::mesh, "event p95", slow_event_ms},
+                                {ScalingAxis::mesh, "stroke end p50", end_ms}};
+
+Scaling scaling_of(const Measure& measure, const SuiteResult& result) {
   Scaling scaling;
-  scaling.axis = axis;
+  scaling.axis = measure.axis;
+  scaling.cost = measure.cost;
   for (const CaseResult& one : result.cases) {
-    if (one.axis != axis) continue;
+    if (one.axis != measure.axis) continue;
     scaling.cases.push_back(one.name);
-    scaling.sizes.push_back(one.counter(axis == ScalingAxis::region ? "region" : "triangles"));
-    scaling.costs.push_back(percentiles(one.stroke_seconds).p50);
+    scaling.sizes.push_back(one.counter(measure.axis == ScalingAxis::region ? "region" : "triangles"));
+    scaling.costs.push_back(measure.of(one));
   }
   return scaling;
 }
@@ -37,8 +53,8 @@ std::string_view size_name(ScalingAxis axis) {
 
 std::vector<Scaling> scalings(const SuiteResult& result) {
   std::vector<Scaling> all;
-  for (const ScalingAxis axis : {ScalingAxis::region, ScalingAxis::mesh}) {
-    Scaling scaling = along(axis, result);
+  for (const Measure& measure : measures) {
+    Scaling scaling = scaling_of(measure, result);
     if (!sizes_differ(scaling)) continue;
     scaling.law = fit_power_law(scaling.sizes, scaling.costs);
     all.push_back(std::move(scaling));
@@ -50,9 +66,10 @@ Json scalings_json(const std::vector<Scaling>& scalings) {
   Json all = Json::array();
   for (const Scaling& scaling : scalings) {
     all.push_back({{"axis", scaling.axis == ScalingAxis::region ? "region" : "mesh"},
+                   {"cost", scaling.cost},
                    {"cases", scaling.cases},
                    {"sizes", scaling.sizes},
-                   {"cost_s", scaling.costs},
+                   {"cost_ms", scaling.costs},
                    {"exponent", scaling.law.exponent},
                    {"standard_error", scaling.law.standard_error},
                    {"target", target_exponent(scaling.axis)},
