@@ -23,7 +23,7 @@ struct AgainstOptions {
 /// One case by this build and the other.
 struct Comparison {
   std::string name;
-  std::vector<double> this_ms, other_ms;  ///< [round] mean time of an event
+  std::vector<double> this_ms, other_ms;  ///< [round] mean time of the strokes, events and ends
   Estimate ratio;                         ///< of this build's times to the other's
   std::string this_hash, other_hash;
 

@@ -10,8 +10,8 @@
 namespace burin {
 namespace {
 
-constexpr double width = 460, height = 250;
-constexpr double left = 52, right = 14, top = 12, bottom = 42;
+constexpr double width = 380, height = 230;
+constexpr double left = 48, right = 14, top = 12, bottom = 42;
 
 /// 1, 2 and 5 times powers of ten, or the powers alone where those are many.
 std::vector<double> logarithmic_ticks(double low, double high) {
@@ -51,7 +51,8 @@ std::vector<double> Axis::ticks() const {
 
 Axis logarithmic_axis(std::string label, const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return {std::move(label), *low / 1.3, *high * 1.3, true};
+  const double room = std::max(1.3, std::sqrt(10 / (*high / *low)));
+  return {std::move(label), *low / room, *high * room, true};
 }
 
 std::string short_number(double value) {

@@ -15,7 +15,8 @@ struct Axis {
   std::vector<double> ticks() const;
 };
 
-/// The axis that holds all values, which are positive, with a little room at both ends.
+/// The axis that holds all values, which are positive, with some room at both ends. It spans a decade at
+/// least, so that small differences look small.
 Axis logarithmic_axis(std::string label, const std::vector<double>& values);
 
 struct PlotPoint {
