@@ -30,7 +30,7 @@ struct CaseResult {
   std::vector<double> distribution;    ///< of the events' times, ms, at 0, 1 ... 100 percent
   std::vector<double> stroke_seconds;  ///< [repeat] all events and ends
   double vertices_per_second = 0;      ///< moved or with a new normal
-  double nodes_per_second = 0;         ///< chart nodes computed, of the time in the chart
+  double nodes_per_second = 0;         ///< chart nodes computed, by time in the chart
   CaseMemory memory;
 
   double counter(const std::string& of) const { return static_cast<double>(counters.at(of)); }

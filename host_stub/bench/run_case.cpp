@@ -22,6 +22,13 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+/// 0 for no time.
+double rate(double count, double seconds) { return seconds > 0 ? count / seconds : 0; }
+
+std::size_t growth(std::size_t before, std::size_t after) { return after > before ? after - before : 0; }
+
 template <class Item>
 std::uint64_t bytes(const std::vector<Item>& items) {
   return items.size() * sizeof(Item);
@@ -33,6 +40,12 @@ std::uint64_t surface_bytes(const Surface& surface) {
          bytes(surface.gauss_curvature) + bytes(surface.neighbours.offsets) +
          bytes(surface.neighbours.items) + bytes(surface.incident.offsets) + bytes(surface.incident.items) +
          bytes(surface.source_vertex);
+}
+
+double chart_seconds(const Calls& calls) {
+  double seconds = 0;
+  for (const EventCost& cost : calls.costs) seconds += cost.seconds[static_cast<std::size_t>(Stage::chart)];
+  return seconds;
 }
 
 /// One repeat.
@@ -62,8 +75,7 @@ void add(const ReplayResult& result, Drawn& drawn) {
   drawn.counters["changed"] += result.vertices_changed;
   count(result.costs, drawn.counters);
   count(result.end_costs, drawn.counters);
-  drawn.seconds = std::accumulate(drawn.events.seconds.begin(), drawn.events.seconds.end(), 0.0) +
-                  std::accumulate(drawn.ends.seconds.begin(), drawn.ends.seconds.end(), 0.0);
+  drawn.seconds = sum(drawn.events.seconds) + sum(drawn.ends.seconds);
 }
 
 /// Runs one case on one session.
@@ -99,18 +111,17 @@ class CaseRunner {
   const Progress& progress_;
   std::optional<Session> session_;
   std::vector<Recording> recordings_;
-  std::size_t memory_before_ = 0;
   Calls events_, ends_, undos_;
   CaseResult result_;
 };
 
 void CaseRunner::load(const BrushLibrary& brushes) {
-  memory_before_ = resident_memory();
+  const std::size_t memory_before = resident_memory();
   const auto start = Clock::now();
   session_.emplace(load_surface(case_.mesh, progress_).surface, brushes);
   result_.load_seconds = seconds_since(start);
   result_.seconds_to_first_event = seconds_since_process_start();
-  result_.memory.ready = resident_memory() - memory_before_;
+  result_.memory.ready = growth(memory_before, resident_memory());
 }
 
 Drawn CaseRunner::draw() {
@@ -149,10 +160,7 @@ CaseResult CaseRunner::run(std::size_t repeat) {
   const std::size_t memory_ready = resident_memory();
   for (std::size_t number = 0; number < repeat; ++number) {
     take(draw(), number);
-    if (number == 0) {
-      const std::size_t memory_drawn = resident_memory();
-      result_.memory.strokes = memory_drawn > memory_ready ? memory_drawn - memory_ready : 0;
-    }
+    if (number == 0) result_.memory.strokes = growth(memory_ready, resident_memory());
     take_back();
   }
   return finish();
@@ -169,12 +177,9 @@ CaseResult CaseRunner::finish() {
   result_.distribution = distribution(events_.seconds);
   result_.memory.peak = peak_memory();
   const auto repeats = static_cast<double>(result_.stroke_seconds.size());
-  const double seconds = std::accumulate(result_.stroke_seconds.begin(), result_.stroke_seconds.end(), 0.0);
-  result_.vertices_per_second = repeats * result_.counter("changed") / seconds;
-  double chart_seconds = 0;
-  for (const EventCost& cost : events_.costs)
-    chart_seconds += cost.seconds[static_cast<std::size_t>(Stage::chart)];
-  result_.nodes_per_second = repeats * result_.counter("settled") / chart_seconds;
+  result_.vertices_per_second = rate(repeats * result_.counter("changed"), sum(result_.stroke_seconds));
+  result_.nodes_per_second =
+      rate(repeats * result_.counter("settled"), chart_seconds(events_) + chart_seconds(ends_));
   return std::move(result_);
 }
 

@@ -63,6 +63,15 @@ TEST(BenchAgainst, FailsWhereTheResultIsAnother) {
   EXPECT_NE(cases[1]["this_hash"], cases[1]["other_hash"]);
 }
 
+TEST(BenchAgainst, FailsWhereRoundsOfABuildDiffer) {
+  const Comparison comparison;
+  const std::string restless =
+      comparison.folder.changed_burin("s/(\"hash\": \")[0-9a-f]+/\\1'$$'/");  // the process's number
+  const ProcessResult result = comparison.run(restless, "1000");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.err, "burin: " + restless + ": case 'a' gave another result than a round before\n");
+}
+
 TEST(BenchAgainst, SaysWhatTheOtherBuildAnswered) {
   const Comparison comparison;
   const std::string mute = comparison.folder.changed_burin("d");
