@@ -81,6 +81,14 @@ TEST(BenchSuite, TellsTheLineOfBrokenJson) {
   EXPECT_EQ(result.err, "burin: " + suite + ":2: malformed JSON\n");
 }
 
+TEST(BenchSuite, TakesThoseOfTheSamples) {
+  for (const char* name : {"everyday", "scaling"}) {
+    const std::string suite = std::string(BURIN_SAMPLES "/suites/") + name + ".json";
+    // Looked for among the cases once the whole suite is found sound.
+    EXPECT_EQ(burin({"bench", suite, "--case", "none"}).err, "burin: " + suite + ": has no case 'none'\n");
+  }
+}
+
 TEST(BenchSuite, SaysWhatTheBrushRefuses) {
   const BenchFolder folder;
   const std::string suite =
