@@ -10,5 +10,6 @@ void add_chart(CLI::App& app);
 void add_render(CLI::App& app);
 void add_list(CLI::App& app);
 void add_import(CLI::App& app);
+void add_bench(CLI::App& app);
 
 }  // namespace burin::command

@@ -13,6 +13,10 @@ std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::
 
 void warn(std::string_view text) { std::fputs(fmt::format("burin: warning: {}\n", text).c_str(), stderr); }
 
+void log_on_console(int, std::string_view line) {
+  std::fputs(fmt::format("burin: {}\n", line).c_str(), stderr);
+}
+
 ProgressBar::ProgressBar() : terminal_(stderr_is_terminal()) {}
 
 ProgressBar::~ProgressBar() {

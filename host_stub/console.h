@@ -16,6 +16,9 @@ std::string json_text(const Json& json);
 /// "burin: warning: TEXT" on stderr.
 void warn(std::string_view text);
 
+/// What brushes have to say, as BrushLibrary takes it: "burin: LINE" on stderr.
+void log_on_console(int severity, std::string_view line);
+
 /// Draws the progress of long work into one line of the terminal behind stderr, and nothing where stderr
 /// is none. The line is gone when the bar is.
 class ProgressBar {

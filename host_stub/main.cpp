@@ -41,5 +41,6 @@ int main(int argc, char** argv) {
   burin::command::add_render(app);
   burin::command::add_list(app);
   burin::command::add_import(app);
+  burin::command::add_bench(app);
   return run(app, argc, argv);
 }

@@ -2,8 +2,9 @@
 
 #include <charconv>
 #include <cmath>
-#include <map>
 #include <string_view>
+
+#include "stroke_choices.h"
 
 namespace burin {
 namespace {
@@ -75,11 +76,9 @@ void add_vector_option(CLI::App& command, const std::string& name, std::optional
 
 void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, double& pressure_width,
                         Join& join) {
-  static const std::map<std::string, Closure> closures = {
-      {"yes", Closure::closed}, {"no", Closure::open}, {"auto", Closure::automatic}};
   command
       .add_option_function<std::string>(
-          "--closed", [&closure](const std::string& name) { closure = closures.at(name); },
+          "--closed", [&closure](const std::string& name) { closure = closure_names().at(name); },
           "whether strokes go around: yes, no, or auto, where the pen came back; as recorded unless given")
       ->check(CLI::IsMember({"yes", "no", "auto"}));
   command
@@ -87,11 +86,9 @@ void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, doub
                   "how much of the width the pen's pressure decides: 0, nothing, to 1")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  static const std::map<std::string, Join> joins = {
-      {"round", Join::round}, {"smooth", Join::smooth}, {"miter", Join::miter}, {"overlap", Join::overlap}};
   command
       .add_option_function<std::string>(
-          "--join", [&join](const std::string& name) { join = joins.at(name); },
+          "--join", [&join](const std::string& name) { join = join_names().at(name); },
           "where strokes bend sharper than their radius: round (the default), smooth, miter or overlap")
       ->check(CLI::IsMember({"round", "smooth", "miter", "overlap"}));
 }

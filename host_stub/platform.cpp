@@ -6,20 +6,38 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <string_view>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace burin {
+namespace {
 
-std::filesystem::path executable_folder() {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
-}
-
-// Not getrusage: its maximum survives exec, so it may be that of the program that started this one.
-std::size_t peak_memory() {
+/// A line "NAME: 123 kB" of what Linux knows of the process, bytes.
+std::size_t process_status(std::string_view name) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
-    if (line.rfind("VmHWM:", 0) == 0) return std::stoull(line.substr(6)) * 1024;
+    if (line.rfind(name, 0) == 0) return std::stoull(line.substr(name.size() + 1)) * 1024;
   }
   return 0;
+}
+
+}  // namespace
+
+std::filesystem::path executable_file() { return std::filesystem::read_symlink("/proc/self/exe"); }
+
+std::filesystem::path executable_folder() { return executable_file().parent_path(); }
+
+// Not getrusage: its maximum survives exec, so it may be that of the program that started this one.
+std::size_t peak_memory() { return process_status("VmHWM"); }
+
+std::size_t resident_memory() {
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
+  return process_status("VmRSS");
 }
 
 double seconds_since_process_start() {

@@ -6,11 +6,16 @@ namespace burin {
 
 /// What the operating system knows of this process.
 
-/// The folder that holds the running program.
+/// The running program's file, and the folder that holds it.
+std::filesystem::path executable_file();
 std::filesystem::path executable_folder();
 
 /// The most physical memory that the process has held so far, bytes.
 std::size_t peak_memory();
+
+/// The physical memory that the process holds now, bytes, after free parts of the heap went back to the
+/// system.
+std::size_t resident_memory();
 
 /// Since the system started the process, loading of libraries included.
 double seconds_since_process_start();

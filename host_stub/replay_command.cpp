@@ -2,7 +2,6 @@
 #include <burin/surface/mesh_file.h>
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 
 #include "brush_folder.h"
@@ -13,7 +12,9 @@
 #include "output_file.h"
 #include "platform.h"
 #include "replay_report.h"
+#include "report_folder.h"
 #include "source_order.h"
+#include "stroke_choices.h"
 #include "stroke_input.h"
 
 namespace burin::command {
@@ -32,8 +33,6 @@ std::vector<Recording> read_recordings(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) recordings.push_back(read_whole_strokes(path));
   return recordings;
 }
-
-void print_log(int, std::string_view line) { std::fputs(fmt::format("burin: {}\n", line).c_str(), stderr); }
 
 ReplaySummary replay_all(Session& session, const ReplayOptions& options,
                          const std::vector<Recording>& recordings, StrokeWitness& witness) {
@@ -75,7 +74,7 @@ void check_options(const ReplayOptions& options, const BrushLibrary& library) {
 }
 
 void run(const ReplayOptions& options) {
-  BrushLibrary library(print_log);
+  BrushLibrary library(log_on_console);
   library.load_search_path(own_brush_folder());
   check_options(options, library);
   const std::vector<Recording> recordings = read_recordings(options.strokes);
@@ -114,14 +113,10 @@ void add_replay(CLI::App& app) {
       ->check(positive_number());
   command.add_option("--strength", overrides.strength, "factor on the brush's displacement")
       ->check(finite_number());
-  static const std::map<std::string, Overlap> overlaps = {{"latest", Overlap::latest},
-                                                          {"max", Overlap::max},
-                                                          {"min", Overlap::min},
-                                                          {"add", Overlap::add},
-                                                          {"average", Overlap::average}};
   command
       .add_option_function<std::string>(
-          "--overlap", [&overrides](const std::string& name) { overrides.overlap = overlaps.at(name); },
+          "--overlap",
+          [&overrides](const std::string& name) { overrides.overlap = overlap_names().at(name); },
           "where a stroke overlaps itself: latest (the default), max, min, add or average")
       ->check(CLI::IsMember({"latest", "max", "min", "add", "average"}));
   add_stroke_options(command, overrides.closure, overrides.pressure_width, overrides.join);

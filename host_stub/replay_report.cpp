@@ -1,7 +1,5 @@
 #include "replay_report.h"
 
-#include <burin/base/error.h>
-#include <burin/base/file.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,23 +7,13 @@
 #include <filesystem>
 #include <iterator>
 
+#include "html_text.h"
+#include "report_folder.h"
+
 namespace burin {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    if (c == '&')
-      html += "&amp;";
-    else if (c == '<')
-      html += "&lt;";
-    else
-      html += c;
-  }
-  return html;
-}
 
 constexpr double bins_a_decade = 8;
 
@@ -73,24 +61,11 @@ std::string page(const ReplaySummary& summary) {
   return html + "</html>\n";
 }
 
-void write_text(const fs::path& path, const std::string& text) {
-  write_file_whole(path, [&](std::ostream& out) { out << text; });
-}
-
 }  // namespace
-
-void check_report_folder(const std::string& folder) {
-  std::error_code ignored;
-  if (!folder.empty() && fs::exists(folder, ignored) && !fs::is_directory(folder, ignored)) {
-    throw FileError(folder, "is a file, not a folder");
-  }
-}
 
 void write_report(const std::string& folder, const ReplaySummary& summary, const Json& json,
                   const ReplayPictures& pictures) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw FileError(folder, error.message());
+  make_report_folder(folder);
   const fs::path root = folder;
   write_png(root / "before.png", pictures.before);
   write_png(root / "after.png", pictures.after);

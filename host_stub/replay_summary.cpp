@@ -7,12 +7,16 @@
 #include <algorithm>
 #include <numeric>
 
+#include "figures.h"
+
 namespace burin {
 namespace {
 
 double vertices_per_second(const ReplayResult& result) {
-  const double seconds =
-      std::accumulate(result.latencies.begin(), result.latencies.end(), result.end_seconds);
+  const auto sum = [](const std::vector<double>& seconds) {
+    return std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  };
+  const double seconds = sum(result.latencies) + sum(result.end_latencies);
   return seconds > 0 ? static_cast<double>(result.vertices_changed) / seconds : 0;
 }
 
@@ -30,25 +34,20 @@ void add_result(ReplaySummary& summary, ReplayResult result) {
   sum.samples_drawn += result.samples_drawn;
   sum.samples_off_surface += result.samples_off_surface;
   sum.vertices_changed += result.vertices_changed;
-  sum.end_seconds += result.end_seconds;
   sum.hash = result.hash;
+  sum.end_latencies.insert(sum.end_latencies.end(), result.end_latencies.begin(), result.end_latencies.end());
   sum.latencies.insert(sum.latencies.end(), result.latencies.begin(), result.latencies.end());
   std::sort(sum.latencies.begin(), sum.latencies.end());
 }
 
 Json summary_json(const ReplaySummary& summary) {
   const ReplayResult& result = summary.result;
-  const Percentiles latency = percentiles(result.latencies);
   return {{"files", summary.files},
           {"strokes", result.strokes},
           {"pieces", result.pieces},
           {"events", result.samples_drawn},
           {"events_off_surface", result.samples_off_surface},
-          {"latency_ms",
-           {{"p50", 1e3 * latency.p50},
-            {"p95", 1e3 * latency.p95},
-            {"p99", 1e3 * latency.p99},
-            {"max", 1e3 * latency.max}}},
+          {"latency_ms", percentiles_json(in_milliseconds(percentiles(result.latencies)))},
           {"vertices_changed", result.vertices_changed},
           {"vertices_per_second", vertices_per_second(result)},
           {"peak_memory_bytes", summary.peak_memory},

@@ -65,6 +65,16 @@ TEST(Replay, IsWhatTheSessionDraws) {
   EXPECT_EQ(result.samples_drawn, 55u);
   EXPECT_EQ(result.samples_off_surface, 0u);
   EXPECT_EQ(result.latencies.size(), 55u);
+  ASSERT_EQ(result.costs.size(), 55u);
+  for (std::size_t i = 0; i < 55; ++i) {
+    EXPECT_LE(result.costs[i].total(), result.latencies[i]);
+    EXPECT_GT(result.costs[i].total(), 0);
+    EXPECT_GT(result.costs[i].moved, 0u);
+  }
+  ASSERT_EQ(result.end_costs.size(), 2u);
+  for (const EventCost& cost : result.end_costs)
+    EXPECT_GT(cost.seconds[static_cast<std::size_t>(Stage::record)], 0);
+  EXPECT_EQ(result.end_latencies.size(), 2u);
   EXPECT_GT(result.vertices_changed, 1000u);
   EXPECT_EQ(done, 1);
 }

@@ -94,6 +94,7 @@ Outcome Replayer::add(const Sample& sample) {
   const double seconds = seconds_since(start);
   if (event.outcome != Outcome::drawn) return event.outcome;
   result_.latencies.push_back(seconds);
+  result_.costs.push_back(session_.cost());
   result_.vertices_changed += event.changed.size();
   ++result_.samples_drawn;
   ++drawn_in_piece_;
@@ -110,8 +111,10 @@ StrokeEvent Replayer::hand_over(const Sample& sample) {
 void Replayer::end_piece(Closure closure) {
   const auto start = std::chrono::steady_clock::now();
   result_.vertices_changed += session_.end_stroke(closure).size();
-  result_.end_seconds += seconds_since(start);
+  const double seconds = seconds_since(start);
   if (drawn_in_piece_ == 0) return;
+  result_.end_latencies.push_back(seconds);
+  result_.end_costs.push_back(session_.cost());
   ++result_.pieces;
   drawn_in_piece_ = 0;
   if (observer_.piece_ended) observer_.piece_ended(session_);

@@ -39,7 +39,9 @@ struct ReplayResult {
   std::size_t samples_off_surface = 0;
   std::uint64_t vertices_changed = 0;  ///< sum of StrokeEvent::changed over all samples and ends
   std::vector<double> latencies;       ///< wall time of each drawn sample's add_sample, seconds
-  double end_seconds = 0;              ///< wall time of all end_stroke calls
+  std::vector<EventCost> costs;        ///< Session::cost of the same samples
+  std::vector<double> end_latencies;   ///< wall time of each piece's end_stroke, seconds
+  std::vector<EventCost> end_costs;    ///< Session::cost of the same ends
   std::uint64_t hash = 0;              ///< Session::result_hash at the end
 };
 

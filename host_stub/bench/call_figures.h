@@ -1,0 +1,40 @@
+#pragma once
+#include <burin/host/event_cost.h>
+#include <burin/host/percentile.h>
+
+#include <array>
+#include <vector>
+
+#include "bench/json_value.h"
+
+namespace burin {
+
+/// Calls of a session, in the order in which they were made: what each took as a whole, and where.
+struct Calls {
+  std::vector<double> seconds;
+  std::vector<EventCost> costs;
+
+  void append(const Calls& more);
+};
+
+/// Figures of many times, milliseconds.
+struct TimeFigures {
+  double mean = 0;
+  Percentiles at;
+};
+
+struct CallFigures {
+  std::size_t count = 0;
+  TimeFigures whole;
+  std::array<TimeFigures, stage_count> stages{};  ///< [Stage]
+};
+
+CallFigures call_figures(const Calls& calls);
+
+/// The times that 0, 1 ... 100 percent of all do not exceed, milliseconds; empty for none.
+std::vector<double> distribution(std::vector<double> seconds);
+
+Json call_json(const CallFigures& figures);
+CallFigures read_call_figures(const JsonValue& value);
+
+}  // namespace burin

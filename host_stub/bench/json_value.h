@@ -1,0 +1,69 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "console.h"
+
+namespace burin {
+
+/// A value in a JSON file that knows its place, so that whatever is wrong with it is said as
+/// "FILE: cases[2].radius: WHAT". All readers throw FileError. Copies share the file's content.
+class JsonValue {
+ public:
+  /// Throws FileError when the file cannot be read or holds no JSON.
+  static JsonValue read(const std::filesystem::path& path);
+
+  /// The same of a text; `name` stands for the file in messages.
+  static JsonValue parse(std::string_view text, const std::string& name);
+
+  [[noreturn]] void reject(std::string_view what) const;
+
+  /// Rejects an object with a member of any other name, by that member.
+  void allow_only(std::initializer_list<std::string_view> names) const;
+
+  JsonValue member(const std::string& name) const;
+  std::optional<JsonValue> find(const std::string& name) const;
+  std::vector<JsonValue> items() const;
+  std::map<std::string, JsonValue> members() const;
+
+  bool is_text() const { return json_->is_string(); }
+  bool is_array() const { return json_->is_array(); }
+  bool is_boolean() const { return json_->is_boolean(); }
+
+  bool boolean() const { return json_->get<bool>(); }
+  std::string text() const;
+  double number() const;    ///< finite
+  double positive() const;  ///< finite, > 0
+  std::uint64_t whole(std::uint64_t least, std::uint64_t most) const;
+  std::vector<double> numbers() const;
+
+  /// What `names` has for this text; rejects other texts by naming them all.
+  template <class Value>
+  Value choice(const std::map<std::string, Value>& names) const {
+    const auto found = names.find(text());
+    if (found != names.end()) return found->second;
+    std::string all;
+    for (const auto& [name, value] : names) all += (all.empty() ? "" : ", ") + name;
+    reject("must be one of " + all);
+  }
+
+ private:
+  struct File;
+  JsonValue(std::shared_ptr<const File> file, const Json& json, std::string place)
+      : file_(std::move(file)), json_(&json), place_(std::move(place)) {}
+  std::string place_of(const std::string& name) const { return place_.empty() ? name : place_ + "." + name; }
+
+  std::shared_ptr<const File> file_;
+  const Json* json_;
+  std::string place_;
+};
+
+}  // namespace burin
