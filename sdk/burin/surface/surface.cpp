@@ -31,8 +31,6 @@ void check(const TriangleMesh& mesh) {
 void sort_vertices(TriangleMesh& mesh, Surface& surface) {
   surface.source_vertex = spatial_order(mesh.positions);
   const std::vector<Index>& source = surface.source_vertex;
-  // Room for one more: see Surface::positions.
-  surface.positions.reserve(source.size() + 1);
   surface.positions.resize(source.size());
   std::vector<Index> sorted(source.size());
   parallel_blocks(source.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
