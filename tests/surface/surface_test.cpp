@@ -143,9 +143,9 @@ TEST(MakeSurface, PutsNeighboursNearEachOther) {
     ASSERT_LE(std::ranges::min(surface.triangles[i - 1]), std::ranges::min(surface.triangles[i]));
 }
 
-template <class T>
-std::uint64_t hash_of(const std::vector<T>& values) {
-  return hash_bytes(values.data(), values.size() * sizeof(T));
+template <class Values>
+std::uint64_t hash_of(const Values& values) {
+  return hash_bytes(values.data(), values.size() * sizeof(values[0]));
 }
 
 std::vector<std::uint64_t> hashes(const Surface& s) {
