@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t points_a_block = 16384;
 
 /// Cells that are coded together: their loops are short enough for vector instructions.
-constexpr std::size_t lanes = 8;
+constexpr std::size_t lanes = 16;
 using Cells = std::array<std::array<std::uint32_t, lanes>, 3>;  ///< [axis][lane]
 
 /// The lowest 21 bits, two zeros after each.
