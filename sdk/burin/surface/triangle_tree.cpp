@@ -4,7 +4,8 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t boxes_a_block = 256;
+/// So many that what a brush moves is one block: less work than to wake a thread, which may come late.
+constexpr std::size_t boxes_a_block = 4096;
 
 }  // namespace
 
