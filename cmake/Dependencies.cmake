@@ -28,7 +28,7 @@ find_package(tinyobjloader REQUIRED)
 burin_dependency(apt libassimp-dev zlib1g-dev why "STL files")
 find_package(assimp REQUIRED)
 
-burin_dependency(apt libembree-dev why "picking, closest point, rendered pictures")
+burin_dependency(apt libembree-dev why "picking on point sets")
 find_package(embree 3.13 REQUIRED)
 
 burin_dependency(apt libnanoflann-dev why "nearest neighbours among the points of a point set; headers only")

@@ -46,6 +46,11 @@ void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
 #endif
 }
 
+/// Threads that loops of this process may run on now.
+inline std::size_t thread_limit() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
 /// While it lives, loops of this process run on at most this many threads.
 class ThreadLimit {
  public:

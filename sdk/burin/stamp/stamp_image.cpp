@@ -1,5 +1,6 @@
 #include <OpenImageIO/imageio.h>
 #include <burin/base/error.h>
+#include <burin/stamp/bilinear.h>
 #include <burin/stamp/stamp_image.h>
 #include <fmt/format.h>
 
@@ -87,6 +88,8 @@ void expect_finite(const std::string& path, const StampImage& image, const OIIO:
       fmt::format("the texel is not finite ({})", *bad));
 }
 
+}  // namespace
+
 void set_range(StampImage& image) {
   image.minimum = std::numeric_limits<float>::infinity();
   image.maximum = -image.minimum;
@@ -95,22 +98,6 @@ void set_range(StampImage& image) {
     image.maximum = std::max(image.maximum, image.texels[i]);
   }
 }
-
-/// Two neighbouring texels and the weight of the second.
-struct Span {
-  std::ptrdiff_t first, second;
-  float weight;
-};
-
-/// `coordinate` finite. In double, so that only the float coordinate itself limits the precision.
-Span span_at(double coordinate, int size) {
-  const double place = (coordinate - std::floor(coordinate)) * size - 0.5;  // in [-0.5, size - 0.5]
-  const double below = std::floor(place);
-  const int first = below < 0 ? size - 1 : static_cast<int>(below);
-  return {first, first + 1 == size ? 0 : first + 1, static_cast<float>(place - below)};
-}
-
-}  // namespace
 
 StampImage read_stamp(const std::filesystem::path& path) {
   const std::unique_ptr<OIIO::ImageInput> input = open(path);
@@ -128,14 +115,7 @@ StampImage read_stamp(const std::filesystem::path& path) {
 
 float sample_bilinear(const StampImage& image, int channel, float u, float v) {
   if (!std::isfinite(u) || !std::isfinite(v)) return std::numeric_limits<float>::quiet_NaN();
-  const Span x = span_at(u, image.width), y = span_at(v, image.height);
-  const float* texels = image.texels.data() + channel;
-  const auto at = [&](std::ptrdiff_t column, std::ptrdiff_t row) {
-    return texels[(row * image.width + column) * image.channels];
-  };
-  const auto mix = [](float a, float b, float weight) { return a * (1 - weight) + b * weight; };
-  return mix(mix(at(x.first, y.first), at(x.second, y.first), x.weight),
-             mix(at(x.first, y.second), at(x.second, y.second), x.weight), y.weight);
+  return bilinear(image, channel, in_period(u), in_period(v));
 }
 
 }  // namespace burin

@@ -12,6 +12,9 @@ struct StampImage {
   float minimum = 0, maximum = 0;  ///< over the first channel
 };
 
+/// Sets minimum and maximum.
+void set_range(StampImage& image);
+
 /// Reads the display window of the first part of an EXR image of half or float texels; what its data window
 /// leaves out is 0. Throws FileError: not readable, truncated, whole-number or deep texels, another format,
 /// more than 2^28 values, or a value that is not finite (named by channel, x, y).

@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/parallel.h>
 #include <burin/subdiv/check_cage.h>
 #include <burin/subdiv/refine.h>
 #include <burin/surface/triangulate.h>
@@ -77,8 +78,7 @@ std::unique_ptr<Far::TopologyRefiner> refined_topology(const PolygonMesh& cage, 
 }
 
 /// Positions of the last level. Holds those of two levels at a time.
-std::vector<Vec3f> refined_positions(const PolygonMesh& cage, const Far::TopologyRefiner& refiner,
-                                     const Progress& progress) {
+std::vector<Vec3f> refined_positions(const PolygonMesh& cage, const Far::TopologyRefiner& refiner) {
   const Far::PrimvarRefiner interpolation(refiner);
   std::vector<Vec3f> coarse = cage.positions, fine;
   for (int level = 1; level <= refiner.GetMaxLevel(); ++level) {
@@ -86,7 +86,6 @@ std::vector<Vec3f> refined_positions(const PolygonMesh& cage, const Far::Topolog
     auto* to = reinterpret_cast<RefinedPosition*>(fine.data());
     interpolation.Interpolate(level, reinterpret_cast<const RefinedPosition*>(coarse.data()), to);
     coarse = std::move(fine);
-    report(progress, "refining the cage", 0.5 + 0.4 * level / refiner.GetMaxLevel());
   }
   return coarse;
 }
@@ -98,14 +97,20 @@ Triangle triangle(const Far::ConstIndexArray& face, int a, int b, int c) {
 /// Quads along the diagonal from corner 0 to corner 2 in OpenSubdiv's order. All diagonals inside a quad of
 /// the cage then run the same way, so that vertices there have valence 6, as they should for the front.
 std::vector<Triangle> refined_triangles(const Far::TopologyRefiner& refiner) {
+  constexpr std::size_t faces_a_block = 16384;
   const Far::TopologyLevel& last = refiner.GetLevel(refiner.GetMaxLevel());
-  std::vector<Triangle> triangles;
-  triangles.reserve(static_cast<std::size_t>(last.GetNumFaceVertices() - 2 * last.GetNumFaces()));
-  for (int i = 0; i < last.GetNumFaces(); ++i) {
-    const Far::ConstIndexArray face = last.GetFaceVertices(i);
-    triangles.push_back(triangle(face, 0, 1, 2));
-    if (face.size() == 4) triangles.push_back(triangle(face, 0, 2, 3));
-  }
+  const auto faces = static_cast<std::size_t>(last.GetNumFaces());
+  // A refined level holds quads only, or triangles only.
+  const std::size_t triangles_a_face = static_cast<std::size_t>(last.GetNumFaceVertices()) / faces - 2;
+  std::vector<Triangle> triangles(faces * triangles_a_face);
+  parallel_blocks(faces, faces_a_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Far::ConstIndexArray face = last.GetFaceVertices(static_cast<int>(i));
+      for (std::size_t fan = 0; fan < triangles_a_face; ++fan)
+        triangles[i * triangles_a_face + fan] =
+            triangle(face, 0, static_cast<int>(fan) + 1, static_cast<int>(fan) + 2);
+    }
+  });
   return triangles;
 }
 
@@ -143,8 +148,10 @@ TriangleMesh refine(const PolygonMesh& cage, SubdivisionScheme scheme, int level
   const auto refiner = refined_topology(cage, scheme, level);
   report(progress, "refining the cage", 0.5);
   TriangleMesh result;
-  result.positions = refined_positions(cage, *refiner, progress);
-  result.triangles = refined_triangles(*refiner);
+  parallel_blocks(2, 1, [&](std::size_t half, std::size_t) {
+    if (half == 0) result.positions = refined_positions(cage, *refiner);
+    if (half == 1) result.triangles = refined_triangles(*refiner);
+  });
   report(progress, "refining the cage", 1);
   return result;
 }

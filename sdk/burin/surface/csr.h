@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/unset_vector.h>
 #include <burin/base/vector.h>
 
 #include <span>
@@ -9,7 +10,7 @@ namespace burin {
 /// Lists of indices in compressed rows: row i is items[offsets[i] .. offsets[i + 1]).
 struct Csr {
   std::vector<Index> offsets;
-  std::vector<Index> items;
+  UnsetVector<Index> items;
 
   std::span<const Index> operator[](Index row) const {
     return {items.data() + offsets[row], items.data() + offsets[row + 1]};

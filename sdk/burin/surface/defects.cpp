@@ -34,7 +34,7 @@ std::size_t count_unreferenced(const TriangleMesh& mesh) {
 }
 
 void add_triangle(Index index, const Triangle& t, Index vertex, VertexStar& star) {
-  const int at = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
+  const std::size_t at = corner_of(t, vertex);
   star.add(index, t[(at + 2) % 3], t[(at + 1) % 3]);
 }
 

@@ -1,5 +1,6 @@
 #include <burin/base/parallel.h>
 #include <burin/surface/normals.h>
+#include <burin/surface/triangle_shape.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -22,11 +23,6 @@ Vec3d weighted_normal(const Vec3d& edge, const Vec3d& next_edge) {
   return cross / squares;
 }
 
-/// Position of the vertex among the triangle's corners.
-int corner_of(const Triangle& triangle, Index vertex) {
-  return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
-}
-
 }  // namespace
 
 Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex) {
@@ -35,7 +31,7 @@ Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, In
   double weights = 0;
   for (const Index index : surface.incident[vertex]) {
     const Triangle& triangle = surface.triangles[index];
-    const int corner = corner_of(triangle, vertex);
+    const std::size_t corner = corner_of(triangle, vertex);
     const Vec3d edge = positions[triangle[(corner + 1) % 3]].cast<double>() - here;
     const Vec3d next_edge = positions[triangle[(corner + 2) % 3]].cast<double>() - here;
     const Vec3d share = weighted_normal(edge, next_edge);

@@ -28,7 +28,8 @@ class Picker {
   Picker(Picker&&) noexcept;
   Picker& operator=(Picker&&) noexcept;
 
-  /// First hit along the ray, from either side.
+  /// First hit along the ray, from either side; of equally near triangles the lowest. Watertight: no ray
+  /// passes between triangles that share an edge.
   std::optional<SurfacePoint> pick(const Ray& ray) const;
 
   /// The closest point within max_distance; of equally close triangles the lowest. On a point set the foot
@@ -36,7 +37,7 @@ class Picker {
   /// surface than it bends.
   std::optional<SurfacePoint> closest(const Vec3f& position, float max_distance) const;
 
-  /// Follows the surface after these vertices moved. Costs in proportion to the chunks they lie in. Throws
+  /// Follows the surface after these vertices moved. Costs in proportion to their triangles. Throws
   /// ContractError for a point set.
   void update(std::span<const Index> moved_vertices);
 

@@ -36,7 +36,7 @@ Vec3f unit(const Vec3f& normal) { return normal.cast<double>().normalized().cast
 
 void sort_points(const PointSet& points, Surface& surface) {
   surface.source_vertex = spatial_order(points.positions);
-  surface.positions.reserve(points.positions.size() + 1);
+  surface.positions.reserve(points.positions.size());
   surface.normals.reserve(points.positions.size());
   for (const Index source : surface.source_vertex) {
     surface.positions.push_back(points.positions[source]);

@@ -1,3 +1,4 @@
+#include <burin/base/counting_sort.h>
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/surface/adjacency.h>
@@ -9,19 +10,29 @@
 #include <burin/surface/triangle_shape.h>
 
 #include <algorithm>
-#include <tuple>
+#include <atomic>
+#include <span>
 
 namespace burin {
 namespace {
 
 constexpr std::size_t elements_a_block = 16384;
 
+/// Whether `good` holds for all elements; they are asked on all threads.
+template <class Element, class Good>
+bool all_of(const std::vector<Element>& elements, const Good& good) {
+  std::atomic<bool> result = true;
+  parallel_blocks(elements.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
+    if (!std::ranges::all_of(std::span(elements).subspan(begin, end - begin), good)) result = false;
+  });
+  return result;
+}
+
 void check(const TriangleMesh& mesh) {
   const auto in_range = [&](Index vertex) { return vertex < mesh.positions.size(); };
-  for (const Triangle& triangle : mesh.triangles)
-    if (!std::ranges::all_of(triangle, in_range))
-      throw ContractError("a triangle names a vertex that is not there");
-  if (!std::ranges::all_of(mesh.positions, [](const Vec3f& p) { return p.allFinite(); }))
+  if (!all_of(mesh.triangles, [&](const Triangle& t) { return std::ranges::all_of(t, in_range); }))
+    throw ContractError("a triangle names a vertex that is not there");
+  if (!all_of(mesh.positions, [](const Vec3f& p) { return p.allFinite(); }))
     throw Error("a vertex has a coordinate that is not finite");
   if (std::ranges::none_of(mesh.triangles, [&](const Triangle& t) { return has_area(mesh, t); }))
     throw Error("no triangle has an area");
@@ -31,10 +42,8 @@ void check(const TriangleMesh& mesh) {
 void sort_vertices(TriangleMesh& mesh, Surface& surface) {
   surface.source_vertex = spatial_order(mesh.positions);
   const std::vector<Index>& source = surface.source_vertex;
-  // Room for one more: see Surface::positions.
-  surface.positions.reserve(source.size() + 1);
   surface.positions.resize(source.size());
-  std::vector<Index> sorted(source.size());
+  UnsetVector<Index> sorted(source.size());
   parallel_blocks(source.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       surface.positions[i] = mesh.positions[source[i]];
@@ -48,10 +57,23 @@ void sort_vertices(TriangleMesh& mesh, Surface& surface) {
   });
 }
 
-/// By lowest vertex. Triangles that compare equal are the same bits, so any sort gives one result.
-void sort_triangles(std::vector<Triangle>& triangles) {
-  parallel_sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) {
-    return std::tuple(std::ranges::min(a), a) < std::tuple(std::ranges::min(b), b);
+/// By lowest vertex, then by all; without those that name a vertex twice. Triangles that compare equal are
+/// the same bits, so any sort gives one result.
+void sort_triangles(std::vector<Triangle>& triangles, std::size_t vertices) {
+  UnsetVector<Triangle> sorted(triangles.size());
+  const std::vector<Index> offsets = counting_sort(
+      triangles.size(), vertices,
+      [&](std::size_t i, const auto& emit) {
+        const auto& [a, b, c] = triangles[i];
+        if (!names_a_vertex_twice(triangles[i])) emit(std::min(std::min(a, b), c));
+      },
+      [&](std::size_t i, std::size_t position) { sorted[position] = triangles[i]; });
+  triangles.resize(offsets.back());
+  parallel_blocks(vertices, elements_a_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t vertex = begin; vertex < end; ++vertex)
+      std::sort(sorted.begin() + offsets[vertex], sorted.begin() + offsets[vertex + 1]);
+    std::copy(sorted.begin() + offsets[begin], sorted.begin() + offsets[end],
+              triangles.begin() + offsets[begin]);
   });
 }
 
@@ -71,10 +93,9 @@ Surface make_surface(TriangleMesh mesh, const Progress& progress) {
   report(progress, "sorting the surface", 0);
   sort_vertices(mesh, surface);
   surface.scale = bounding_box_diagonal(surface.positions);
-  surface.triangles = std::move(mesh.triangles);
-  std::erase_if(surface.triangles, names_a_vertex_twice);
   report(progress, "sorting the surface", 0.3);
-  sort_triangles(surface.triangles);
+  surface.triangles = std::move(mesh.triangles);
+  sort_triangles(surface.triangles, surface.positions.size());
   report(progress, "connecting the surface", 0.6);
   surface.incident = incident_triangles(surface.positions.size(), surface.triangles);
   surface.neighbours = neighbour_vertices(surface.triangles, surface.incident);

@@ -11,9 +11,7 @@ namespace burin {
 /// unit vertex normals, neighbourhoods. Any triangle soup will do: non-manifold, open, degenerate. Or a point
 /// set (make_point_surface), which has no triangles.
 struct Surface {
-  /// Object units. make_surface leaves room for one more, as Embree reads 16 bytes at the last position
-  /// too; Picker needs a copy where the room is gone.
-  std::vector<Vec3f> positions;
+  std::vector<Vec3f> positions;        ///< object units
   std::vector<Vec3f> normals;          ///< unit and finite at every vertex, outward, see normals.h
   std::vector<Triangle> triangles;     ///< no triangle names a vertex twice
   std::vector<float> gauss_curvature;  ///< [vertex] see curvature.h

@@ -1,164 +1,148 @@
-#include <burin/base/error.h>
 #include <burin/surface/closest_point.h>
-#include <burin/surface/embree_handles.h>
 #include <burin/surface/pick_scene.h>
-#include <fmt/format.h>
+#include <burin/surface/ray_triangle.h>
+#include <burin/surface/triangle_tree.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace burin {
 namespace {
 
-/// Triangles of one Embree geometry. In a scene of low build quality each has a tree of its own, so that an
-/// update rebuilds only those it touches. Measured on 6 million triangles: 53 bytes a triangle from 8192 to
-/// 262144; a single tree takes 32, but two seconds for any update.
-constexpr std::size_t triangles_a_chunk = 16384;
+using Box = TriangleTree::Box;
 
-/// The nearest hit so far, carried through Embree by the pointer to its first member. Embree's own choice
-/// among hits at one distance would depend on the shape of its trees; ours is the lowest triangle.
-struct NearestHit {
-  RTCIntersectContext context;
-  Index triangle = no_index;
-  float u = 0, v = 0;
-  float distance = std::numeric_limits<float>::infinity();  ///< in lengths of the ray's direction
-};
-
-/// Takes a hit into account and lets the traversal go on.
-void keep_nearest(const RTCFilterFunctionNArguments* arguments) {
-  auto& nearest = *reinterpret_cast<NearestHit*>(arguments->context);
-  const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
-  const float distance = reinterpret_cast<const RTCRay*>(arguments->ray)->tfar;
-  const Index triangle = static_cast<Index>(hit.geomID * triangles_a_chunk + hit.primID);
-  if (distance < nearest.distance || (distance == nearest.distance && triangle < nearest.triangle)) {
-    nearest.triangle = triangle;
-    nearest.u = hit.u;
-    nearest.v = hit.v;
-    nearest.distance = distance;
+/// The nearest hit of a ray; of equally near triangles the lowest.
+class NearestHit {
+ public:
+  /// Boxes count as a little larger than they are, by what rounding may lead the ray past a triangle that it
+  /// meets: 1e-12 of the extent of everything, where doubles err by some 1e-16.
+  NearestHit(const Surface& surface, const Box& whole, const Ray& ray) : surface_(surface), ray_(ray) {
+    const Vec3d origin = ray.origin.cast<double>();
+    const double extent =
+        std::max({origin.lpNorm<Eigen::Infinity>(), whole.min().cast<double>().lpNorm<Eigen::Infinity>(),
+                  whole.max().cast<double>().lpNorm<Eigen::Infinity>()});
+    for (int axis = 0; axis < 3; ++axis) {
+      const double along = ray.direction[axis], slack = std::copysign(1e-12 * extent, along);
+      // A huge number for a direction across the axis: an infinity would make NaN of 0.
+      inverse_[axis] = along != 0 ? 1 / along : std::numeric_limits<double>::max();
+      origin_in_[axis] = origin[axis] + slack;
+      origin_out_[axis] = origin[axis] - slack;
+    }
   }
-  arguments->valid[0] = 0;
-}
 
-/// The closest point so far around a query.
-struct ClosestPoint {
-  const Surface* surface;
-  Vec3d query;
-  double squared_distance;
-  Index triangle = no_index;
-  double u = 0, v = 0;
+  /// Where the ray enters the box.
+  double nearest(const Box& box) const {
+    double enter = 0, leave = infinity;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool up = inverse_[axis] >= 0;
+      const double near = up ? box.min()[axis] : box.max()[axis],
+                   far = up ? box.max()[axis] : box.min()[axis];
+      enter = std::max(enter, (near - origin_in_[axis]) * inverse_[axis]);
+      leave = std::min(leave, (far - origin_out_[axis]) * inverse_[axis]);
+    }
+    return enter <= leave ? enter : infinity;
+  }
+
+  /// Up to a little beyond the hit, as its distance is rounded to a float.
+  bool reaches(double distance) const { return distance < infinity && distance <= distance_ * (1 + 1e-6); }
+
+  void meet(Index begin, Index end) {
+    for (Index triangle = begin; triangle < end; ++triangle)
+      if (const auto hit = ray_.meet(surface_, triangle)) keep_nearest(triangle, *hit);
+  }
+
+  std::optional<SurfacePoint> point() const {
+    if (triangle_ == no_index) return std::nullopt;
+    return point_on(surface_, triangle_, hit_.u, hit_.v);
+  }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  void keep_nearest(Index triangle, const TriangleHit& hit) {
+    const auto distance = static_cast<float>(hit.distance);
+    if (!(distance < distance_ || (distance == distance_ && triangle < triangle_))) return;
+    triangle_ = triangle;
+    hit_ = hit;
+    distance_ = distance;
+  }
+
+  const Surface& surface_;
+  TriangleRay ray_;
+  Vec3d origin_in_, origin_out_, inverse_;
+  Index triangle_ = no_index;
+  TriangleHit hit_{};
+  /// In lengths of the ray's direction. A float, so that hits on a common edge are equally near.
+  float distance_ = std::numeric_limits<float>::infinity();
 };
 
-/// A little more than the root, so that rounding in Embree's boxes never hides an equally close triangle.
-float search_radius(double squared_distance) {
-  return static_cast<float>(std::sqrt(squared_distance) * (1 + 1e-5) + std::numeric_limits<float>::min());
-}
+/// The closest point to a query; of equally close triangles the lowest.
+class ClosestPoint {
+ public:
+  ClosestPoint(const Surface& surface, const Vec3f& query, double max_distance)
+      : surface_(surface), query_(query.cast<double>()), squared_distance_(max_distance * max_distance) {}
 
-bool keep_closest(RTCPointQueryFunctionArguments* arguments) {
-  auto& closest = *static_cast<ClosestPoint*>(arguments->userPtr);
-  const Index triangle = static_cast<Index>(arguments->geomID * triangles_a_chunk + arguments->primID);
-  const TrianglePoint found = closest_point(*closest.surface, triangle, closest.query);
-  const bool nearer = found.squared_distance < closest.squared_distance;
-  const bool same = found.squared_distance == closest.squared_distance;
-  if (!nearer && !(same && triangle < closest.triangle)) return false;
-  closest.squared_distance = found.squared_distance;
-  closest.triangle = triangle;
-  closest.u = found.u;
-  closest.v = found.v;
-  arguments->query->radius = std::min(arguments->query->radius, search_radius(found.squared_distance));
-  return true;
-}
+  /// Squared.
+  double nearest(const Box& box) const {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double outside = std::max({box.min()[axis] - query_[axis], query_[axis] - box.max()[axis], 0.0});
+      sum += outside * outside;
+    }
+    return sum;
+  }
+
+  /// A little farther than the closest point, so that rounding hides no equally close triangle.
+  bool reaches(double squared_distance) const { return squared_distance <= squared_distance_ * (1 + 1e-9); }
+
+  void meet(Index begin, Index end) {
+    for (Index triangle = begin; triangle < end; ++triangle) {
+      const TrianglePoint found = closest_point(surface_, triangle, query_);
+      const bool nearer = found.squared_distance < squared_distance_;
+      const bool same = found.squared_distance == squared_distance_;
+      if (!nearer && !(same && triangle < triangle_)) continue;
+      squared_distance_ = found.squared_distance;
+      triangle_ = triangle;
+      u_ = found.u;
+      v_ = found.v;
+    }
+  }
+
+  std::optional<SurfacePoint> point() const {
+    if (triangle_ == no_index) return std::nullopt;
+    return point_on(surface_, triangle_, u_, v_);
+  }
+
+ private:
+  const Surface& surface_;
+  Vec3d query_;
+  double squared_distance_;
+  Index triangle_ = no_index;
+  double u_ = 0, v_ = 0;
+};
 
 class TriangleScene : public PickScene {
  public:
-  explicit TriangleScene(const Surface& of);
-  std::optional<SurfacePoint> pick(const Ray& ray) const override;
-  std::optional<SurfacePoint> closest(const Vec3f& position, float max_distance) const override;
-  void update(std::span<const Index> moved_vertices) override;
+  explicit TriangleScene(const Surface& surface) : surface_(surface), tree_(surface) {}
+
+  std::optional<SurfacePoint> pick(const Ray& ray) const override {
+    return found(NearestHit(surface_, tree_.box(), ray));
+  }
+  std::optional<SurfacePoint> closest(const Vec3f& position, float max_distance) const override {
+    return found(ClosestPoint(surface_, position, max_distance));
+  }
+  void update(std::span<const Index> moved_vertices) override { tree_.update(moved_vertices); }
 
  private:
-  void add_chunk(std::size_t begin, std::size_t end);
-  void update_chunk(Index chunk);
-  void commit();
+  template <class Query>
+  std::optional<SurfacePoint> found(Query query) const {
+    tree_.search(query);
+    return query.point();
+  }
 
   const Surface& surface_;
-  /// Copy of the positions, where their vector has no room for Embree's last load.
-  std::vector<Vec3f> padded_;
-  Device device_;
-  EmbreeScene scene_;
+  TriangleTree tree_;
 };
-
-TriangleScene::TriangleScene(const Surface& of) : surface_(of), device_(new_device()) {
-  if (surface_.positions.capacity() == surface_.positions.size()) {
-    padded_.reserve(surface_.positions.size() + 1);
-    padded_ = surface_.positions;
-  }
-  scene_.reset(rtcNewScene(device_.get()));
-  rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
-  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_COMPACT | RTC_SCENE_FLAG_ROBUST);
-  for (std::size_t begin = 0; begin < surface_.triangles.size(); begin += triangles_a_chunk)
-    add_chunk(begin, std::min(begin + triangles_a_chunk, surface_.triangles.size()));
-  commit();
-}
-
-void TriangleScene::add_chunk(std::size_t begin, std::size_t end) {
-  const RTCGeometry chunk = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  const std::vector<Vec3f>& positions = padded_.empty() ? surface_.positions : padded_;
-  rtcSetSharedGeometryBuffer(chunk, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
-                             sizeof(Vec3f), positions.size());
-  rtcSetSharedGeometryBuffer(chunk, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, surface_.triangles.data(),
-                             begin * sizeof(Triangle), sizeof(Triangle), end - begin);
-  rtcSetGeometryBuildQuality(chunk, RTC_BUILD_QUALITY_LOW);
-  rtcSetGeometryIntersectFilterFunction(chunk, keep_nearest);
-  rtcCommitGeometry(chunk);
-  rtcAttachGeometryByID(scene_.get(), chunk, static_cast<unsigned>(begin / triangles_a_chunk));
-  rtcReleaseGeometry(chunk);
-}
-
-void TriangleScene::update_chunk(Index chunk) {
-  const RTCGeometry geometry = rtcGetGeometry(scene_.get(), chunk);
-  rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
-  rtcCommitGeometry(geometry);
-}
-
-void TriangleScene::commit() {
-  rtcCommitScene(scene_.get());
-  if (const RTCError code = rtcGetDeviceError(device_.get()); code != RTC_ERROR_NONE)
-    throw Error(fmt::format("Embree cannot build its tree over {} triangles (error {})",
-                            surface_.triangles.size(), static_cast<int>(code)));
-}
-
-std::optional<SurfacePoint> TriangleScene::pick(const Ray& ray) const {
-  RTCRayHit query = whole_ray(ray);
-  NearestHit nearest;
-  rtcInitIntersectContext(&nearest.context);
-  rtcIntersect1(scene_.get(), &nearest.context, &query);
-  if (nearest.triangle == no_index) return std::nullopt;
-  return point_on(surface_, nearest.triangle, nearest.u, nearest.v);
-}
-
-std::optional<SurfacePoint> TriangleScene::closest(const Vec3f& position, float max_distance) const {
-  const double limit = max_distance;
-  ClosestPoint closest{&surface_, position.cast<double>(), limit * limit};
-  RTCPointQuery query{position.x(), position.y(), position.z(), 0, search_radius(limit * limit)};
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  rtcPointQuery(scene_.get(), &query, &context, keep_closest, &closest);
-  if (closest.triangle == no_index) return std::nullopt;
-  return point_on(surface_, closest.triangle, closest.u, closest.v);
-}
-
-void TriangleScene::update(std::span<const Index> moved_vertices) {
-  if (!padded_.empty())
-    for (const Index vertex : moved_vertices) padded_[vertex] = surface_.positions[vertex];
-  std::vector<bool> touched(surface_.triangles.size() / triangles_a_chunk + 1);
-  for (const Index vertex : moved_vertices)
-    for (const Index triangle : surface_.incident[vertex]) touched[triangle / triangles_a_chunk] = true;
-  for (Index chunk = 0; chunk < touched.size(); ++chunk)
-    if (touched[chunk]) update_chunk(chunk);
-  commit();
-}
 
 }  // namespace
 

@@ -4,8 +4,6 @@
 
 namespace burin {
 
-bool names_a_vertex_twice(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
 bool has_area(const TriangleMesh& mesh, const Triangle& triangle) {
   const auto corner = [&](int i) -> Vec3d { return mesh.positions[triangle[i]].cast<double>(); };
   return !(corner(1) - corner(0)).cross(corner(2) - corner(0)).isZero(0);
