@@ -29,9 +29,9 @@ double rate(double count, double seconds) { return seconds > 0 ? count / seconds
 
 std::size_t growth(std::size_t before, std::size_t after) { return after > before ? after - before : 0; }
 
-template <class Item>
-std::uint64_t bytes(const std::vector<Item>& items) {
-  return items.size() * sizeof(Item);
+template <class Vector>
+std::uint64_t bytes(const Vector& items) {
+  return items.size() * sizeof(typename Vector::value_type);
 }
 
 /// What the arrays of the surface hold.

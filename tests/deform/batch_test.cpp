@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 
 namespace burin {
@@ -12,22 +13,26 @@ namespace {
 
 class BatchTest : public ::testing::Test {
  protected:
-  BatchTest() : surface_(test::square(12)) {
-    nodes_.chart = test::straight_chart(surface_, 0.6f, 0.3f);
-    listed_.resize(nodes_.chart.size() - 5);
+  BatchTest() : surface_(test::square(12)) { use(test::straight_chart(surface_, 0.6f, 0.3f)); }
+
+  void use(const Chart& chart, const ReadInputs& reads = {},
+           const SurfaceCurve& curve = test::straight_curve()) {
+    drawn_ = std::make_unique<test::DrawnNodes>(surface_, chart, reads, curve);
+    listed_.resize(chart.size() - 5);
     std::iota(listed_.begin(), listed_.end(), 5u);
   }
 
   const burin_batch& fill(std::uint64_t inputs, std::span<const Vec3f> displacement = {},
                           std::uint64_t outputs = BURIN_OUTPUT_DISPLACEMENT) {
-    batch_.fill({surface_, nodes_, 0.3f}, inputs, outputs, params_, listed_, displacement);
+    batch_.fill({surface_, drawn_->nodes, 0.3f}, inputs, outputs, params_, listed_, displacement);
     return batch_.inputs();
   }
 
-  Index vertex(std::size_t i) const { return nodes_.chart.vertex[listed_[i]]; }
+  Chart chart() const { return drawn_->live.nodes(); }
+  Index vertex(std::size_t i) const { return drawn_->live.nodes().vertex[listed_[i]]; }
 
   Surface surface_;
-  StrokeNodes nodes_;
+  std::unique_ptr<test::DrawnNodes> drawn_;
   std::vector<Index> listed_;
   burin_params params_{sizeof(burin_params), 0, nullptr};
   Batch batch_;
@@ -85,38 +90,41 @@ TEST_F(BatchTest, SaysOnceWhatIsTheSameForAll) {
 }
 
 TEST_F(BatchTest, FillsThePenWhereNodesHaveOne) {
-  nodes_.pen.resize(nodes_.chart.size());
-  for (std::size_t i = 0; i < nodes_.pen.size(); ++i) nodes_.pen[i].pressure = static_cast<float>(i) * 0.001f;
+  use(chart(), {.radius = 0.3, .inputs = BURIN_INPUT_PRESSURE, .varying = BURIN_INPUT_PRESSURE});
   const burin_batch& batch = fill(BURIN_INPUT_PRESSURE | BURIN_INPUT_SPEED);
-  EXPECT_EQ(at(batch.pressure, 0), nodes_.pen[5].pressure);
-  EXPECT_EQ(at(batch.pressure, 3), nodes_.pen[8].pressure);
+  for (std::size_t i = 0; i < batch.count; ++i)
+    EXPECT_NEAR(at(batch.pressure, i), chart().t[listed_[i]], 1e-6) << "as the curve has it";
   EXPECT_EQ(at(batch.speed, 3), 0.0f);
   EXPECT_EQ(batch.tilt_x.data, nullptr);
 }
 
 TEST_F(BatchTest, FillsTheHalfWidthWhereItVaries) {
-  for (std::size_t i = 0; i < nodes_.chart.size(); ++i)
-    nodes_.half_width.push_back(0.2f + static_cast<float>(i) * 0.001f);
+  SurfaceCurve narrowing = test::straight_curve();
+  for (CurvePoint& point : narrowing.points) point.width = 1 - 0.5f * static_cast<float>(point.t);
+  use(chart(), {.radius = 0.3, .inputs = BURIN_INPUT_RADIUS, .varying = BURIN_INPUT_RADIUS}, narrowing);
   const burin_batch& batch = fill(BURIN_INPUT_RADIUS);
-  for (std::size_t i = 0; i < batch.count; ++i) EXPECT_EQ(at(batch.radius, i), nodes_.half_width[i + 5]);
+  for (std::size_t i = 0; i < batch.count; ++i)
+    EXPECT_NEAR(at(batch.radius, i), 0.3 - 0.15 * chart().t[listed_[i]], 1e-6);
 }
 
 TEST_F(BatchTest, CountsTheSheetsOfEachVertex) {
   // Vertices with one to four nodes, in turn.
-  Chart& chart = nodes_.chart;
+  Chart sheets = chart();
   std::vector<Index> counts;
-  const std::size_t size = chart.size();
+  const std::size_t size = sheets.size();
   for (Index vertex = 0, node = 0; node < size; ++vertex)
     for (Index sheet = 0; sheet <= vertex % 4 && node < size; ++sheet, ++node) {
-      chart.vertex[node] = vertex;
-      chart.sheet[node] = sheet;
+      sheets.vertex[node] = vertex;
+      sheets.t[node] = sheet;
+      sheets.sheet[node] = sheet;
     }
-  for (const Index of : chart.vertex)
-    counts.push_back(static_cast<Index>(std::ranges::count(chart.vertex, of)));
+  for (const Index of : sheets.vertex)
+    counts.push_back(static_cast<Index>(std::ranges::count(sheets.vertex, of)));
+  use(sheets);
   const burin_batch& batch = fill(BURIN_INPUT_SHEET | BURIN_INPUT_VISIT_COUNT);
   ASSERT_GT(batch.count, 30u);
   for (std::size_t i = 0; i < batch.count; ++i) {
-    EXPECT_EQ(batch.sheet.data[i * batch.sheet.stride], chart.sheet[listed_[i]]);
+    EXPECT_EQ(batch.sheet.data[i * batch.sheet.stride], sheets.sheet[listed_[i]]);
     EXPECT_EQ(batch.visit_count.data[i * batch.visit_count.stride], counts[listed_[i]]);
   }
 }

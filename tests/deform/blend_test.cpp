@@ -37,9 +37,10 @@ class BlendTest : public ::testing::Test {
       chart.e1.emplace_back(std::cos(sheet.angle), std::sin(sheet.angle), 0.0f);
       displacement.push_back(sheet.displacement);
     }
-    const Index first = 0;
+    LiveChart live(surface_.vertex_count());
+    live.assign(chart);
     Vec3f place;
-    blend_sheets(surface_, chart, displacement, {&first, 1}, overlap, "some.brush", {&place, 1});
+    blend_sheets(surface_, live, displacement, {&vertex, 1}, overlap, "some.brush", {&place, 1});
     return place;
   }
   Vec3f moved(const Sheet& sheet) const {
@@ -51,6 +52,10 @@ class BlendTest : public ::testing::Test {
   static constexpr Index vertex = 4;
   Surface surface_;
 };
+
+TEST_F(BlendTest, TakesAVertexWithoutSheetsBackToItsBase) {
+  for (const Overlap mode : all_modes) EXPECT_EQ(blended({}, mode), base());
+}
 
 TEST_F(BlendTest, LeavesOneSheetAsItIs) {
   const Sheet sheet{0.3f, {0.1f, 0.02f, -0.7f}};

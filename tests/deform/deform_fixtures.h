@@ -1,11 +1,12 @@
 #pragma once
 #include <burin/abi/brush.h>
-#include <burin/chart/chart.h>
+#include <burin/deform/stroke_nodes.h>
 #include <burin/surface/surface.h>
 
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace burin::test {
@@ -42,6 +43,37 @@ inline Chart straight_chart(const Surface& surface, float length, float radius) 
   }
   return chart;
 }
+
+/// A straight curve along x from (0, 0.5) to (1, 0.5), drawn in 2 s with rising pressure and tilt.
+inline SurfaceCurve straight_curve() {
+  SurfaceCurve curve;
+  for (const float t : {0.0f, 0.5f, 1.0f}) {
+    CurvePoint point{};
+    point.at.position = Vec3f(t, 0.5f, 0);
+    point.normal = Vec3f::UnitZ();
+    point.tangent = Vec3f::UnitX();
+    point.t = t;
+    point.time = 2 * t;
+    point.pen = {.pressure = t, .tilt_x = 0.5f * t};
+    curve.points.push_back(point);
+  }
+  return curve;
+}
+
+/// The nodes of a chart as a brush sees them that reads these inputs; slot i is node i.
+struct DrawnNodes {
+  DrawnNodes(const Surface& surface, const Chart& chart, const ReadInputs& reads = {},
+             const SurfaceCurve& curve = straight_curve())
+      : live(surface.vertex_count()), nodes(live, reads) {
+    live.assign(chart);
+    nodes.follow(curve, std::numeric_limits<double>::infinity());
+  }
+  DrawnNodes(const DrawnNodes&) = delete;
+  DrawnNodes& operator=(const DrawnNodes&) = delete;
+
+  LiveChart live;
+  StrokeNodes nodes;
+};
 
 /// A brush whose evaluate is a function of the test.
 class TestBrush {

@@ -31,18 +31,19 @@ constexpr std::uint64_t ridge_inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INP
 
 class EvaluateTest : public ::testing::Test {
  protected:
-  EvaluateTest() : surface_(test::square(100)) {
-    nodes_.chart = test::straight_chart(surface_, 1, 0.5f);
-    all_.resize(nodes_.chart.size());
+  EvaluateTest() : surface_(test::square(100)), drawn_(surface_, test::straight_chart(surface_, 1, 0.5f)) {
+    all_.resize(chart().size());
     std::iota(all_.begin(), all_.end(), 0u);
   }
 
   std::vector<Vec3f> evaluate(test::TestBrush& brush, std::span<const Index> nodes, float strength = 1) {
     const BrushStroke stroke(brush.brush, brush.descriptor, brush.context, brush.params);
     const auto displacement =
-        evaluator_.evaluate(stroke, brush.context, {surface_, nodes_, 0.5f}, nodes, strength);
+        evaluator_.evaluate(stroke, brush.context, {surface_, drawn_.nodes, 0.5f}, nodes, strength);
     return {displacement.begin(), displacement.end()};
   }
+
+  const Chart& chart() const { return drawn_.live.nodes(); }
 
   std::string failure(test::TestBrush& brush) {
     try {
@@ -54,7 +55,7 @@ class EvaluateTest : public ::testing::Test {
   }
 
   Surface surface_;
-  StrokeNodes nodes_;
+  test::DrawnNodes drawn_;
   std::vector<Index> all_;
   Evaluator evaluator_;
 };
@@ -64,7 +65,7 @@ TEST_F(EvaluateTest, DisplacesByStrength) {
   const std::vector<Vec3f> full = evaluate(brush, all_), half = evaluate(brush, all_, 0.5f);
   ASSERT_EQ(full.size(), 10000u);
   for (const Index node : all_) {
-    const Index vertex = nodes_.chart.vertex[node];
+    const Index vertex = chart().vertex[node];
     const Vec3f& base = surface_.positions[vertex];
     const float d = base.y() - 0.5f;
     const float up = 0.1f - d * d + 0.001f * static_cast<float>(surface_.source_vertex[vertex] % 17);
@@ -108,7 +109,7 @@ TEST_F(EvaluateTest, EachPassSeesTheOneBeforeAtFullStrength) {
 
 TEST_F(EvaluateTest, NamesTheLowestNodeThatIsNotFinite) {
   const Index lowest = 700;
-  const Index lowest_id = surface_.source_vertex[nodes_.chart.vertex[lowest]];
+  const Index lowest_id = surface_.source_vertex[chart().vertex[lowest]];
   // Every batch fails; the lowest node's after those that began earlier, before those that began with it.
   test::TestBrush brush(BURIN_INPUT_NODE_ID,
                         [&](const burin_stroke_context&, const burin_batch& batch,
@@ -123,8 +124,8 @@ TEST_F(EvaluateTest, NamesTheLowestNodeThatIsNotFinite) {
                           return BURIN_OK;
                         });
   char place[100];
-  std::snprintf(place, sizeof(place), "t = %.6g, d = %.6g", nodes_.chart.t[lowest],
-                static_cast<double>(nodes_.chart.d[lowest]));
+  std::snprintf(place, sizeof(place), "t = %.6g, d = %.6g", chart().t[lowest],
+                static_cast<double>(chart().d[lowest]));
   for (const std::size_t threads : {1u, 2u}) {
     const ThreadLimit limit(threads);
     for (int round = 0; round < 5; ++round)

@@ -60,7 +60,7 @@ TEST(ShownSurface, ReportsNothingWhereNothingMoves) {
   const std::vector<Index> vertices = {3, 7};
   const std::vector<Vec3f> places = {surface.positions[3], surface.positions[7]};
   EXPECT_TRUE(shown.move(surface, vertices, places).empty());
-  EXPECT_TRUE(shown.displaced_among(surface, vertices).empty());
+  EXPECT_TRUE(shown.take_displaced(surface).empty());
 }
 
 TEST(ShownSurface, CommitsAndGoesBackBitForBit) {
@@ -72,7 +72,8 @@ TEST(ShownSurface, CommitsAndGoesBackBitForBit) {
   const Moves moves = random_moves(surface, random);
   shown.move(surface, moves.vertices, moves.places);
   EXPECT_EQ(surface.positions, original.positions);
-  EXPECT_EQ(shown.displaced_among(surface, moves.vertices), moves.vertices);
+  EXPECT_EQ(shown.take_displaced(surface), moves.vertices);
+  EXPECT_TRUE(shown.take_displaced(surface).empty()) << "each is told once";
 
   shown.commit(surface, moves.vertices);
   EXPECT_TRUE(std::equal(surface.positions.begin(), surface.positions.end(), shown.positions().begin()));

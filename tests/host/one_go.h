@@ -3,9 +3,6 @@
 #include <burin/deform/stroke_nodes.h>
 #include <burin/host/param_snapshot.h>
 
-#include <algorithm>
-#include <numeric>
-
 #include "sessions.h"
 
 namespace burin::test {
@@ -38,18 +35,17 @@ inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& cur
                                      .radius_max = radius,
                                      .object_scale = base.scale};
   const BrushStroke stroke(*brush, *entry.descriptor, context, params.abi());
-  const StrokeNodes nodes =
-      make_stroke_nodes(StrokeCharter(base).chart(curve, {radius, settings.cap}), curve, radius, varying);
-  std::vector<Index> all(nodes.chart.size()), firsts;
-  std::iota(all.begin(), all.end(), 0u);
-  std::ranges::copy_if(all, std::back_inserter(firsts),
-                       [&](Index node) { return nodes.chart.sheet[node] == 0; });
+  LiveChart chart(base.vertex_count());
+  StrokeNodes nodes(chart, {radius, entry.descriptor->inputs_read, varying});
+  chart.assign(StrokeCharter(base).chart(curve, {radius, settings.cap}));
+  const auto [all, vertices] = nodes.follow(curve, 0);
   Evaluator evaluator;
   const auto displacement = evaluator.evaluate(stroke, context, {base, nodes, static_cast<float>(radius)},
                                                all, static_cast<float>(settings.strength));
-  std::vector<Vec3f> places(firsts.size()), positions = base.positions;
-  blend_sheets(base, nodes.chart, displacement, firsts, settings.overlap, entry.descriptor->id, places);
-  for (std::size_t i = 0; i < firsts.size(); ++i) positions[nodes.chart.vertex[firsts[i]]] = places[i];
+  std::vector<Vec3f> by_slot(chart.nodes().size()), places(vertices.size()), positions = base.positions;
+  for (std::size_t i = 0; i < all.size(); ++i) by_slot[all[i]] = displacement[i];
+  blend_sheets(base, chart, by_slot, vertices, settings.overlap, entry.descriptor->id, places);
+  for (std::size_t i = 0; i < vertices.size(); ++i) positions[vertices[i]] = places[i];
   return positions;
 }
 

@@ -41,7 +41,7 @@ void Batch::fill(const NodeSource& source, std::uint64_t inputs, std::uint64_t o
   }
   fill_chart(source, inputs, nodes);
   fill_place(source, inputs, nodes, displacement);
-  fill_pen(source.nodes.pen, inputs, nodes);
+  fill_pen(source.nodes.pen(), inputs, nodes);
   fill_names(source, inputs, nodes);
 }
 
@@ -79,7 +79,7 @@ burin_vectors Batch::vectors(std::size_t count, const Value& value) {
 }
 
 void Batch::fill_chart(const NodeSource& source, std::uint64_t inputs, std::span<const Index> nodes) {
-  const Chart& chart = source.nodes.chart;
+  const Chart& chart = source.nodes.chart();
   if (inputs & BURIN_INPUT_T)
     batch_.t = numbers(nodes, [&](Index node) { return static_cast<float>(chart.t[node]); });
   if (inputs & BURIN_INPUT_D) batch_.d = numbers(nodes, [&](Index node) { return chart.d[node]; });
@@ -89,7 +89,7 @@ void Batch::fill_chart(const NodeSource& source, std::uint64_t inputs, std::span
     batch_.stretch = numbers(nodes, [&](Index node) { return chart.stretch[node]; });
   radius_ = source.radius;
   if (inputs & BURIN_INPUT_RADIUS) {
-    const std::vector<float>& half_width = source.nodes.half_width;
+    const std::vector<float>& half_width = source.nodes.half_width();
     batch_.radius =
         half_width.empty() ? uniform(radius_) : numbers(nodes, [&](Index node) { return half_width[node]; });
   }
@@ -97,7 +97,7 @@ void Batch::fill_chart(const NodeSource& source, std::uint64_t inputs, std::span
 
 void Batch::fill_place(const NodeSource& source, std::uint64_t inputs, std::span<const Index> nodes,
                        std::span<const Vec3f> displacement) {
-  const Chart& chart = source.nodes.chart;
+  const Chart& chart = source.nodes.chart();
   const Surface& surface = source.surface;
   if (inputs & BURIN_INPUT_POSITION)
     batch_.position = vectors(nodes.size(), [&](std::size_t i) {
@@ -130,12 +130,12 @@ void Batch::fill_pen(const std::vector<NodePen>& pen, std::uint64_t inputs, std:
 }
 
 void Batch::fill_names(const NodeSource& source, std::uint64_t inputs, std::span<const Index> nodes) {
-  const Chart& chart = source.nodes.chart;
+  const Chart& chart = source.nodes.chart();
   if (inputs & BURIN_INPUT_SHEET)
     batch_.sheet = numbers(nodes, sheets_, [&](Index node) { return chart.sheet[node]; });
   if (inputs & BURIN_INPUT_VISIT_COUNT)
     batch_.visit_count = numbers(nodes, visit_counts_, [&](Index node) {
-      return chart.sheet[node] + (sheets_end(chart, node) - node);
+      return source.nodes.live().sheet_count(chart.vertex[node]);
     });
   if (inputs & BURIN_INPUT_NODE_ID)
     batch_.node_id = numbers(nodes, node_ids_,

@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/chart/chart.h>
+#include <burin/chart/live_chart.h>
 #include <burin/surface/surface.h>
 
 #include <span>
@@ -17,11 +17,12 @@ enum class Overlap {
   average,  ///< their mean
 };
 
-/// Where vertices go: [i] of `places` is for the vertex whose first node is firsts[i]. `displacement`: [node]
-/// of the chart, in the node's (e1, e2, n). A vertex with one node goes where displaced() puts it, bit for
-/// bit. Throws ContractError naming brush and (t, d) where that is beyond the range of floats.
-void blend_sheets(const Surface& surface, const Chart& chart, std::span<const Vec3f> displacement,
-                  std::span<const Index> firsts, Overlap overlap, std::string_view brush,
+/// Where vertices go: [i] of `places` is for vertices[i], back to its base when it has no node.
+/// `displacement`: [slot] of the chart, in the node's (e1, e2, n). A vertex with one node goes where
+/// displaced() puts it, bit for bit. Throws ContractError naming brush and (t, d) where that is beyond the
+/// range of floats.
+void blend_sheets(const Surface& surface, const LiveChart& chart, std::span<const Vec3f> displacement,
+                  std::span<const Index> vertices, Overlap overlap, std::string_view brush,
                   std::span<Vec3f> places);
 
 }  // namespace burin

@@ -79,6 +79,10 @@ std::span<const Vec3f> Evaluator::evaluate(const BrushStroke& stroke, const buri
   FirstFailure failure;
   burin_stroke_context now = context;
   const Pass pass{stroke, now, source, nodes, displacement_, failure};
+  const auto throw_if_any = [&] {
+    if (failure.any())
+      failure.throw_at(stroke.descriptor().id, source.nodes.chart(), nodes[failure.element()]);
+  };
   for (now.pass = 0; now.pass < stroke.plan().passes; ++now.pass) {
     parallel_blocks(nodes.size(), Batch::capacity, [&](std::size_t begin, std::size_t end) {
       if (failure.lies_before(begin)) return;
@@ -86,11 +90,11 @@ std::span<const Vec3f> Evaluator::evaluate(const BrushStroke& stroke, const buri
       evaluate_batch(pass, *batch, begin, end);
       pool_->give_back(std::move(batch));
     });
-    failure.throw_if_any(stroke.descriptor().id, source.nodes.chart, nodes);
+    throw_if_any();
   }
   parallel_blocks(nodes.size(), Batch::capacity,
                   [&](std::size_t begin, std::size_t end) { scale(pass, strength, begin, end); });
-  failure.throw_if_any(stroke.descriptor().id, source.nodes.chart, nodes);
+  throw_if_any();
   return displacement_;
 }
 

@@ -13,10 +13,7 @@ void FirstFailure::note(std::size_t element, std::string what) {
   what_ = std::move(what);
 }
 
-void FirstFailure::throw_if_any(std::string_view brush, const Chart& chart,
-                                std::span<const Index> nodes) const {
-  if (element_ == none) return;
-  const Index node = nodes[element_];
+void FirstFailure::throw_at(std::string_view brush, const Chart& chart, Index node) const {
   throw ContractError(
       fmt::format("{}: {} at t = {:.6g}, d = {:.6g}", brush, what_, chart.t[node], chart.d[node]));
 }

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <limits>
 #include <mutex>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,9 +18,13 @@ class FirstFailure {
 
   void note(std::size_t element, std::string what);
 
-  /// Throws ContractError "BRUSH: WHAT at t = T, d = D" if there was a failure; element i is nodes[i] of the
-  /// chart.
-  void throw_if_any(std::string_view brush, const Chart& chart, std::span<const Index> nodes) const;
+  bool any() const { return element_ != none; }
+
+  /// The lowest, if any.
+  std::size_t element() const { return element_; }
+
+  /// Throws ContractError "BRUSH: WHAT at t = T, d = D" for the failure; it befell this node of the chart.
+  [[noreturn]] void throw_at(std::string_view brush, const Chart& chart, Index node) const;
 
  private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();

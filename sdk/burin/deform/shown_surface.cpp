@@ -16,7 +16,7 @@ bool same_bits(const Vec3f& a, const Vec3f& b) {
 }  // namespace
 
 ShownSurface::ShownSurface(const Surface& base)
-    : positions_(base.positions), normals_(base.normals), dirty_(base.vertex_count()) {}
+    : positions_(base.positions), normals_(base.normals), touched_(base.vertex_count()), dirty_(base.vertex_count()) {}
 
 std::span<const Index> ShownSurface::move(const Surface& base, std::span<const Index> vertices,
                                           std::span<const Vec3f> places) {
@@ -25,23 +25,23 @@ std::span<const Index> ShownSurface::move(const Surface& base, std::span<const I
     if (same_bits(positions_[vertices[i]], places[i])) continue;
     positions_[vertices[i]] = places[i];
     moved_.push_back(vertices[i]);
+    touched_.insert(vertices[i]);
   }
   collect_with_neighbours(base, moved_);
   update_normals(base, positions_, changed_, normals_);
   return changed_;
 }
 
-std::vector<Index> ShownSurface::displaced_among(const Surface& base, std::span<const Index> vertices) const {
-  std::vector<Index> displaced;
-  for (const Index vertex : vertices) {
-    if (!displaced.empty() && displaced.back() == vertex) continue;
-    if (!same_bits(positions_[vertex], base.positions[vertex])) displaced.push_back(vertex);
-  }
-  return displaced;
+std::vector<Index> ShownSurface::take_displaced(const Surface& base) {
+  std::vector<Index> vertices;
+  touched_.drain(vertices);
+  std::erase_if(vertices, [&](Index v) { return same_bits(positions_[v], base.positions[v]); });
+  return vertices;
 }
 
 void ShownSurface::commit(Surface& base, std::span<const Index> vertices) {
   collect_with_neighbours(base, vertices);
+  touched_.drain(moved_);
   for (const Index vertex : vertices) base.positions[vertex] = positions_[vertex];
   for (const Index vertex : changed_) base.normals[vertex] = normals_[vertex];
   // A vertex's curvature depends on the normals of its neighbours.

@@ -22,8 +22,9 @@ class ShownSurface {
   std::span<const Index> move(const Surface& base, std::span<const Index> vertices,
                               std::span<const Vec3f> places);
 
-  /// The vertices among these, ascending, that are not where the base has them; each once.
-  std::vector<Index> displaced_among(const Surface& base, std::span<const Index> vertices) const;
+  /// The vertices that are not where the base has them, ascending: of those that moved since the last call, or
+  /// commit().
+  std::vector<Index> take_displaced(const Surface& base);
 
   /// Makes the surface what is shown, given all vertices that differ.
   void commit(Surface& base, std::span<const Index> vertices);
@@ -32,6 +33,7 @@ class ShownSurface {
   void collect_with_neighbours(const Surface& base, std::span<const Index> vertices);
 
   std::vector<Vec3f> positions_, normals_;  ///< [vertex]
+  IndexSet touched_;  ///< vertices that moved since the last take_displaced() or commit()
   IndexSet dirty_;
   std::vector<Index> moved_, changed_;
 };

@@ -2,6 +2,8 @@
 #include <burin/base/parallel.h>
 #include <burin/deform/stroke_nodes.h>
 
+#include <limits>
+#include <span>
 #include <utility>
 
 namespace burin {
@@ -22,21 +24,77 @@ NodePen node_pen(const PenAt& at, std::uint64_t inputs) {
 
 }  // namespace
 
-StrokeNodes make_stroke_nodes(Chart chart, const SurfaceCurve& curve, double radius, std::uint64_t varying) {
-  StrokeNodes nodes{std::move(chart), {}, {}};
-  if (varying == 0) return nodes;
-  const std::size_t size = nodes.chart.size();
-  if (varying & BURIN_INPUT_RADIUS) nodes.half_width.resize(size);
-  if (varying & ~BURIN_INPUT_RADIUS) nodes.pen.resize(size);
-  parallel_blocks(size, 1024, [&](std::size_t begin, std::size_t end) {
+StrokeChanges StrokeNodes::follow(const SurfaceCurve& curve, double end_zone) {
+  ++event_;
+  compare_pens(curve);
+  const std::span<const Index> computed = chart_->computed();
+  for (std::size_t i = 0; i < computed.size(); ++i)
+    if (chart_->changed(computed[i]) || differs_[i] || chart().t[computed[i]] >= end_zone)
+      add_stale(computed[i]);
+  add_zone(end_zone, chart_->computed_from());
+  const bool counts_sheets = reads_.inputs & (BURIN_INPUT_SHEET | BURIN_INPUT_VISIT_COUNT);
+  for (const Index vertex : chart_->altered()) {
+    add_vertex(vertex);
+    for (Index slot = chart_->first(vertex); slot != no_index && counts_sheets; slot = chart_->next(slot))
+      add_stale(slot);
+  }
+  return finished();
+}
+
+StrokeChanges StrokeNodes::in_zone(double end_zone) {
+  ++event_;
+  add_zone(end_zone, std::numeric_limits<double>::infinity());
+  return finished();
+}
+
+/// Brings pens and half widths of the computed nodes up to date, and notes which differ.
+void StrokeNodes::compare_pens(const SurfaceCurve& curve) {
+  const std::span<const Index> computed = chart_->computed();
+  differs_.assign(computed.size(), 0);
+  const bool widths = reads_.varying & BURIN_INPUT_RADIUS, pens = reads_.varying & ~BURIN_INPUT_RADIUS;
+  if (widths) half_width_.resize(chart().size());
+  if (pens) pen_.resize(chart().size());
+  if (!widths && !pens) return;
+  parallel_blocks(computed.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const PenAt at = pen_at(curve, nodes.chart.t[i]);
-      if (!nodes.half_width.empty()) nodes.half_width[i] = static_cast<float>(radius * at.width);
-      if (!nodes.pen.empty()) nodes.pen[i] = node_pen(at, varying);
+      const Index slot = computed[i];
+      const PenAt at = pen_at(curve, chart().t[slot]);
+      const auto note = [&](auto& values, const auto& value) {
+        differs_[i] |= !(values[slot] == value);
+        values[slot] = value;
+      };
+      if (widths) note(half_width_, static_cast<float>(reads_.radius * at.width));
+      if (pens) note(pen_, node_pen(at, reads_.varying));
     }
   });
-  return nodes;
 }
+
+void StrokeNodes::add_stale(Index slot) {
+  if (slot >= stale_in_.size()) stale_in_.resize(chart().size());
+  if (stale_in_[slot] == event_) return;
+  stale_in_[slot] = event_;
+  changes_.stale.push_back(slot);
+  add_vertex(chart().vertex[slot]);
+}
+
+void StrokeNodes::add_vertex(Index vertex) {
+  const Index place = chart_->place(vertex);
+  if (place >= vertex_in_.size()) vertex_in_.resize(chart_->place_count());
+  if (vertex_in_[place] == event_) return;
+  vertex_in_[place] = event_;
+  changes_.vertices.push_back(vertex);
+}
+
+/// Nodes from the begin of the end zone on, below a t.
+void StrokeNodes::add_zone(double end_zone, double up_to) {
+  if (!(end_zone < up_to)) return;
+  for (Index slot = 0; slot < chart().size(); ++slot) {
+    const double t = chart().t[slot];
+    if (t >= end_zone && t < up_to && !chart_->vacant(slot)) add_stale(slot);
+  }
+}
+
+StrokeChanges StrokeNodes::finished() { return std::exchange(changes_, {}); }
 
 std::uint64_t pen_inputs_present(const PenFields& fields) {
   std::uint64_t inputs = 0;

@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/chart/chart.h>
+#include <burin/chart/live_chart.h>
 #include <burin/stroke/surface_curve.h>
 
 #include <cstdint>
@@ -19,24 +19,57 @@ struct NodePen {
   bool operator==(const NodePen&) const = default;
 };
 
-/// All that differs from node to node while a stroke grows.
-struct StrokeNodes {
-  Chart chart;
-  std::vector<float> half_width;  ///< of the stroke at the node's t, [node]; empty where nobody asks for it
-  std::vector<NodePen> pen;       ///< [node], or empty when the brush reads nothing of the pen
+/// What an event left to be done, in the order in which nodes and vertices turned up.
+struct StrokeChanges {
+  std::vector<Index> stale;     ///< slots whose outputs must be computed
+  std::vector<Index> vertices;  ///< that have stale nodes, or lost one; each once
 };
 
-/// `varying`: of BURIN_INPUT_RADIUS and BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME, those that the brush reads
-/// and that may differ along the stroke. `radius`: of the stroke where its width is 1, object units.
-StrokeNodes make_stroke_nodes(Chart chart, const SurfaceCurve& curve, double radius, std::uint64_t varying);
+/// What a brush may read of a stroke's nodes.
+struct ReadInputs {
+  double radius = 0;          ///< of the stroke where its width is 1, object units
+  std::uint64_t inputs = 0;   ///< that the brush reads
+  std::uint64_t varying = 0;  ///< of these, BURIN_INPUT_RADIUS and BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME,
+                              ///< those that may differ along the stroke
+};
 
-/// The end of the nodes of the vertex that this node belongs to, which stand one after the other.
-inline Index sheets_end(const Chart& chart, Index node) {
-  const auto size = static_cast<Index>(chart.size());
-  Index end = node + 1;
-  while (end < size && chart.vertex[end] == chart.vertex[node]) ++end;
-  return end;
-}
+/// All that differs from node to node while a stroke grows.
+class StrokeNodes {
+ public:
+  /// The chart, which must outlive the object, is empty yet.
+  StrokeNodes(const LiveChart& chart, const ReadInputs& reads) : chart_(&chart), reads_(reads) {}
+
+  /// Follows the last event of the chart, of this curve. Nodes are stale that are new, whose inputs differ in
+  /// any bit, or whose t is at least `end_zone`: there the brush may look at the stroke's length.
+  StrokeChanges follow(const SurfaceCurve& curve, double end_zone);
+
+  /// What is stale for the end zone alone.
+  StrokeChanges in_zone(double end_zone);
+
+  const LiveChart& live() const { return *chart_; }
+  const Chart& chart() const { return chart_->nodes(); }
+
+  /// Of the stroke at the node's t, [slot]; empty where nobody asks for it.
+  const std::vector<float>& half_width() const { return half_width_; }
+  const std::vector<NodePen>& pen() const { return pen_; }
+
+ private:
+  void compare_pens(const SurfaceCurve& curve);
+  void add_stale(Index slot);
+  void add_vertex(Index vertex);
+  void add_zone(double end_zone, double up_to);
+  StrokeChanges finished();
+
+  const LiveChart* chart_;
+  ReadInputs reads_;
+  std::vector<float> half_width_;
+  std::vector<NodePen> pen_;
+
+  StrokeChanges changes_;
+  std::uint32_t event_ = 0;
+  std::vector<std::uint32_t> stale_in_, vertex_in_;  ///< [slot], [place of the chart]: event
+  std::vector<std::uint8_t> differs_;                ///< [i of computed()] pen or half width
+};
 
 /// The pen inputs that a recording of these fields has.
 std::uint64_t pen_inputs_present(const PenFields& fields);

@@ -25,43 +25,56 @@ const StrokeSettings& checked(const StrokeSettings& settings) {
 
 }  // namespace
 
-OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, const burin_brush& brush,
-                       const burin_brush_descriptor& descriptor, const StrokeSettings& settings)
+OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, StrokeCharter& charter,
+                       const burin_brush& brush, const burin_brush_descriptor& descriptor,
+                       const StrokeSettings& settings)
     : surface_(&surface),
       settings_(checked(settings)),
       params_(descriptor, settings.params),
       tracer_(surface, picker, settings.radius, settings.fields.pressure ? settings.pressure_width : 0),
       brush_stroke_(brush, descriptor, context(0), params_.abi()),
-      last_time_(-std::numeric_limits<double>::infinity()) {}
+      last_time_(-std::numeric_limits<double>::infinity()),
+      nodes_(charter.live(), read_inputs()) {
+  charter.begin({.radius = settings_.radius, .cap = settings_.cap, .join = settings_.join});
+}
 
-VertexMoves OpenStroke::add(const SurfacePoint& at, double time, const Pen& pen, StrokeCharter& charter,
-                            Evaluator& evaluator, StageClock& clock) {
+ReadInputs OpenStroke::read_inputs() const {
+  std::uint64_t varying = pen_inputs_present(settings_.fields);
+  if (width_varies()) varying |= BURIN_INPUT_RADIUS;
+  const std::uint64_t inputs = brush_stroke_.descriptor().inputs_read;
+  return {settings_.radius, inputs, varying & inputs};
+}
+
+VertexMoves OpenStroke::add(const SurfacePoint& at, double time, const Pen& pen, const StrokeTools& tools) {
   if (!std::isfinite(time) || time < last_time_)
     throw ContractError(fmt::format("time goes from {} to {}", last_time_, time));
   last_time_ = time;
-  const bool first = empty();
   const double length_before = curve().length();
+  const std::size_t unchanged = tracer_.final_points();
   tracer_.add(at, time, pen);
-  clock.lap(Stage::curve);
-  Chart chart = first ? charter.chart(curve(), chart_options()) : charter.extend(curve());
-  clock.lap(Stage::chart);
+  tools.clock.lap(Stage::curve);
+  draw(tools, unchanged);
   const double end_zone = std::min(length_before, curve().length()) - brush_stroke_.plan().end_influence;
-  return go_on_to(make_nodes(std::move(chart)), end_zone, 0, evaluator, clock);
+  return go_on(nodes_.follow(curve(), end_zone), 0, tools);
 }
 
-VertexMoves OpenStroke::finish(Closure closure, StrokeCharter& charter, Evaluator& evaluator,
-                               StageClock& clock) {
+VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
   closed_curve_ = tracer_.closed_curve(closure);
-  clock.lap(Stage::curve);
+  tools.clock.lap(Stage::curve);
   if (closed_curve_) {
+    draw(tools, 0);
     constexpr double everywhere = -std::numeric_limits<double>::infinity();
-    Chart chart = charter.chart(curve(), chart_options());
-    clock.lap(Stage::chart);
-    return go_on_to(make_nodes(std::move(chart)), everywhere, BURIN_STROKE_CLOSED | BURIN_STROKE_FINAL,
-                    evaluator, clock);
+    return go_on(nodes_.follow(curve(), everywhere), BURIN_STROKE_CLOSED | BURIN_STROKE_FINAL, tools);
   }
   const double end_zone = curve().length() - brush_stroke_.plan().end_influence;
-  return go_on_to(nodes_, end_zone, BURIN_STROKE_FINAL, evaluator, clock);
+  return go_on(nodes_.in_zone(end_zone), BURIN_STROKE_FINAL, tools);
+}
+
+void OpenStroke::draw(const StrokeTools& tools, std::size_t unchanged) {
+  tools.charter.draw(curve(), unchanged);
+  tools.cost.settled = tools.charter.settled();
+  tools.cost.pushes = tools.charter.pushes();
+  tools.clock.lap(Stage::chart);
 }
 
 burin_stroke_context OpenStroke::context(std::uint64_t flags) const {
@@ -77,47 +90,22 @@ burin_stroke_context OpenStroke::context(std::uint64_t flags) const {
   return context;
 }
 
-StrokeNodes OpenStroke::make_nodes(Chart chart) const {
-  std::uint64_t varying = pen_inputs_present(settings_.fields);
-  if (width_varies()) varying |= BURIN_INPUT_RADIUS;
-  return make_stroke_nodes(std::move(chart), curve(), settings_.radius,
-                           varying & brush_stroke_.descriptor().inputs_read);
-}
-
-/// Makes these the stroke's nodes. Only those that changed are evaluated.
-VertexMoves OpenStroke::go_on_to(StrokeNodes nodes, double end_zone, std::uint64_t flags,
-                                 Evaluator& evaluator, StageClock& clock) {
-  const StrokeChanges changes = find_changes(nodes_, nodes, end_zone, brush_stroke_.descriptor().inputs_read);
-  evaluate(nodes, changes, flags, evaluator);
-  nodes_ = std::move(nodes);
-  clock.lap(Stage::evaluate);
-  VertexMoves moved = moves(changes);
-  clock.lap(Stage::blend);
-  return moved;
-}
-
-void OpenStroke::evaluate(const StrokeNodes& nodes, const StrokeChanges& changes, std::uint64_t flags,
-                          Evaluator& evaluator) {
-  const NodeSource source{*surface_, nodes, static_cast<float>(settings_.radius)};
-  const std::span<const Vec3f> evaluated = evaluator.evaluate(
+/// Evaluates what is stale, and tells where the vertices concerned go.
+VertexMoves OpenStroke::go_on(const StrokeChanges& changes, std::uint64_t flags, const StrokeTools& tools) {
+  const NodeSource source{*surface_, nodes_, static_cast<float>(settings_.radius)};
+  const std::span<const Vec3f> evaluated = tools.evaluator.evaluate(
       brush_stroke_, context(flags), source, changes.stale, static_cast<float>(settings_.strength));
-  std::vector<Vec3f> displacement(nodes.chart.size());
-  for (std::size_t node = 0; node < displacement.size(); ++node)
-    if (changes.before[node] != no_index) displacement[node] = displacement_[changes.before[node]];
-  for (std::size_t i = 0; i < evaluated.size(); ++i) displacement[changes.stale[i]] = evaluated[i];
-  displacement_ = std::move(displacement);
-}
+  displacement_.resize(nodes_.chart().size());
+  for (std::size_t i = 0; i < evaluated.size(); ++i) displacement_[changes.stale[i]] = evaluated[i];
+  tools.cost.evaluated = evaluated.size();
+  tools.clock.lap(Stage::evaluate);
 
-VertexMoves OpenStroke::moves(const StrokeChanges& changes) const {
   VertexMoves moves;
-  moves.places.resize(changes.altered.size());
-  blend_sheets(*surface_, chart(), displacement_, changes.altered, settings_.overlap,
+  moves.places.resize(changes.vertices.size());
+  blend_sheets(*surface_, nodes_.live(), displacement_, changes.vertices, settings_.overlap,
                brush_stroke_.descriptor().id, moves.places);
-  for (const Index node : changes.altered) moves.vertices.push_back(chart().vertex[node]);
-  for (const Index vertex : changes.left) {
-    moves.vertices.push_back(vertex);
-    moves.places.push_back(surface_->positions[vertex]);
-  }
+  moves.vertices = changes.vertices;
+  tools.clock.lap(Stage::blend);
   return moves;
 }
 

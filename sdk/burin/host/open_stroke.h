@@ -2,7 +2,7 @@
 #include <burin/chart/stroke_chart.h>
 #include <burin/deform/brush_stroke.h>
 #include <burin/deform/evaluate.h>
-#include <burin/deform/stroke_changes.h>
+#include <burin/deform/stroke_nodes.h>
 #include <burin/host/event_cost.h>
 #include <burin/host/param_snapshot.h>
 #include <burin/host/session.h>
@@ -19,29 +19,36 @@ struct VertexMoves {
   std::vector<Vec3f> places;  ///< [i] of vertices[i]
 };
 
-/// The stroke that a session is drawing. Surface, picker, brush and descriptor must outlive it. Functions
-/// that throw leave nodes and moves unspoken for: the stroke is to be dropped.
+/// What strokes need that sessions keep from one to the next. Looked at, not owned.
+struct StrokeTools {
+  StrokeCharter& charter;
+  Evaluator& evaluator;
+  EventCost& cost;
+  StageClock& clock;
+};
+
+/// The stroke that a session is drawing. Surface, picker, charter, brush and descriptor must outlive it, and
+/// the charter serves no other. Functions that throw leave nodes and moves unspoken for: the stroke is to be
+/// dropped.
 class OpenStroke {
  public:
   /// Begins a stroke of the brush. Throws Error as Session::begin_stroke.
-  OpenStroke(const Surface& surface, const Picker& picker, const burin_brush& brush,
+  OpenStroke(const Surface& surface, const Picker& picker, StrokeCharter& charter, const burin_brush& brush,
              const burin_brush_descriptor& descriptor, const StrokeSettings& settings);
 
   bool empty() const { return tracer_.curve().points.empty(); }
   double radius() const { return settings_.radius; }
-  const Chart& chart() const { return nodes_.chart; }
   const SurfaceCurve& curve() const { return closed_curve_ ? *closed_curve_ : tracer_.curve(); }
 
   /// Whether the stroke so far can go on at this place.
   bool connects(const SurfacePoint& at) const { return empty() || tracer_.connects(at); }
 
   /// Draws on to `at`. Vertices that leave the chart go back to their base.
-  VertexMoves add(const SurfacePoint& at, double time, const Pen& pen, StrokeCharter& charter,
-                  Evaluator& evaluator, StageClock& clock);
+  VertexMoves add(const SurfacePoint& at, double time, const Pen& pen, const StrokeTools& tools);
 
   /// The last evaluation: what depends on the stroke's length, told that it is final; all of it when the
   /// stroke closes.
-  VertexMoves finish(Closure closure, StrokeCharter& charter, Evaluator& evaluator, StageClock& clock);
+  VertexMoves finish(Closure closure, const StrokeTools& tools);
 
  private:
   ChartOptions chart_options() const {
@@ -49,12 +56,9 @@ class OpenStroke {
   }
   bool width_varies() const { return settings_.pressure_width > 0 && settings_.fields.pressure; }
   burin_stroke_context context(std::uint64_t flags) const;
-  StrokeNodes make_nodes(Chart chart) const;
-  VertexMoves go_on_to(StrokeNodes nodes, double end_zone, std::uint64_t flags, Evaluator& evaluator,
-                       StageClock& clock);
-  void evaluate(const StrokeNodes& nodes, const StrokeChanges& changes, std::uint64_t flags,
-                Evaluator& evaluator);
-  VertexMoves moves(const StrokeChanges& changes) const;
+  ReadInputs read_inputs() const;
+  void draw(const StrokeTools& tools, std::size_t unchanged);
+  VertexMoves go_on(const StrokeChanges& changes, std::uint64_t flags, const StrokeTools& tools);
 
   const Surface* surface_;
   StrokeSettings settings_;
@@ -64,7 +68,7 @@ class OpenStroke {
   BrushStroke brush_stroke_;
   double last_time_;
   StrokeNodes nodes_;
-  std::vector<Vec3f> displacement_;  ///< [node] of nodes_, in its (e1, e2, n)
+  std::vector<Vec3f> displacement_;  ///< [slot] of nodes_, in its (e1, e2, n)
 };
 
 }  // namespace burin

@@ -25,6 +25,7 @@ struct Session::Impl {
   template <class Body>
   auto guarded(const Body& body) {
     cost = {};
+    sorted_chart.reset();
     try {
       return body();
     } catch (...) {
@@ -41,7 +42,7 @@ struct Session::Impl {
   std::map<const burin_brush_descriptor*, BrushPtr> created;
   Evaluator evaluator;
   std::optional<OpenStroke> stroke;
-  Chart last_chart;
+  std::optional<Chart> sorted_chart;  ///< of the charter's chart, if somebody asked for it
   SurfaceCurve last_curve;
   std::vector<Index> changed_at_end;
   UndoJournal journal;
@@ -64,7 +65,7 @@ StrokeEvent Session::Impl::draw(const std::optional<SurfacePoint>& at, double ti
   clock.lap(Stage::pick);
   if (!at) return {StrokeEvent::Outcome::off_surface, {}};
   if (!stroke->connects(*at)) return {StrokeEvent::Outcome::disconnected, {}};
-  const VertexMoves moves = stroke->add(*at, time, pen, charter, evaluator, clock);
+  const VertexMoves moves = stroke->add(*at, time, pen, {charter, evaluator, cost, clock});
   const std::span<const Index> changed = shown.move(surface, moves.vertices, moves.places);
   cost.moved = moves.vertices.size();
   clock.lap(Stage::move);
@@ -77,16 +78,15 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
     return {};
   }
   StageClock clock(cost);
-  const VertexMoves moves = stroke->finish(closure, charter, evaluator, clock);
+  const VertexMoves moves = stroke->finish(closure, {charter, evaluator, cost, clock});
   const std::span<const Index> changed = shown.move(surface, moves.vertices, moves.places);
   changed_at_end.assign(changed.begin(), changed.end());
   cost.moved = moves.vertices.size();
   clock.lap(Stage::move);
-  const std::vector<Index> displaced = shown.displaced_among(surface, stroke->chart().vertex);
+  const std::vector<Index> displaced = shown.take_displaced(surface);
   journal.record(displaced, surface.positions);
   shown.commit(surface, displaced);
   picker.update(displaced);
-  last_chart = stroke->chart();
   last_curve = stroke->curve();
   stroke.reset();
   clock.lap(Stage::record);
@@ -95,11 +95,12 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
 
 void Session::Impl::drop() {
   if (!stroke) return;
-  const std::vector<Index> displaced = shown.displaced_among(surface, stroke->chart().vertex);
+  const std::vector<Index> displaced = shown.take_displaced(surface);
   std::vector<Vec3f> bases;
   bases.reserve(displaced.size());
   for (const Index vertex : displaced) bases.push_back(surface.positions[vertex]);
   shown.move(surface, displaced, bases);
+  shown.take_displaced(surface);
   stroke.reset();
 }
 
@@ -120,7 +121,8 @@ void Session::begin_stroke(const StrokeSettings& settings) {
   impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open already");
     const BrushEntry& entry = impl_->brushes->find(settings.brush);
-    impl_->stroke.emplace(impl_->surface, impl_->picker, impl_->brush(entry), *entry.descriptor, settings);
+    impl_->stroke.emplace(impl_->surface, impl_->picker, impl_->charter, impl_->brush(entry),
+                          *entry.descriptor, settings);
   });
 }
 
@@ -146,7 +148,10 @@ std::span<const Index> Session::end_stroke(Closure closure) {
 
 void Session::cancel_stroke() { impl_->drop(); }
 
-const Chart& Session::chart() const { return impl_->stroke ? impl_->stroke->chart() : impl_->last_chart; }
+const Chart& Session::chart() const {
+  if (!impl_->sorted_chart) impl_->sorted_chart = impl_->charter.live().sorted();
+  return *impl_->sorted_chart;
+}
 const SurfaceCurve& Session::curve() const {
   return impl_->stroke ? impl_->stroke->curve() : impl_->last_curve;
 }
