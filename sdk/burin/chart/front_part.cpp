@@ -29,7 +29,7 @@ void FrontPart::restart(VertexRange own) {
   of_sample_.clear();
   touched_.clear();
   waiting_.clear();
-  stack_.clear();
+  taken_back_ = 0;
   border_.clear();
   reported_.clear();
   frames_.clear();
@@ -92,37 +92,39 @@ void FrontPart::for_each_around(Index node, const Visit& visit) const {
 
 /// Opens a node and the settled ones downwind of it, all of which then wait to be reached again.
 void FrontPart::take_back(Index node) {
-  stack_.push_back(node);
-  take_back_stacked();
+  mark(node);
+  take_back_marked();
 }
 
-void FrontPart::take_back_stacked() {
-  while (!stack_.empty()) {
-    const Index next = stack_.back();
-    stack_.pop_back();
-    if (!owns(nodes_[next])) continue;
+void FrontPart::mark(Index node) {
+  FrontNode& marked = nodes_[node];
+  if (marked.waiting || !owns(marked)) return;
+  marked.waiting = true;
+  waiting_.push_back(node);
+}
+
+void FrontPart::take_back_marked() {
+  for (; taken_back_ < waiting_.size(); ++taken_back_) {
+    const Index next = waiting_[taken_back_];
     touch(next);
-    if (nodes_[next].state == NodeState::inside) stack_downwind(next);
+    if (nodes_[next].state == NodeState::inside) mark_downwind(next);
     FrontNode& taken = nodes_[next];
     taken.state = NodeState::open;
     taken.set_g(unreached);
-    leave_gathered(next);
     taken.arm_count = 0;
+    if (taken.gathered) leave_gathered(next);
     if (taken.border) border_.push_back(next);
-    if (taken.waiting) continue;
-    taken.waiting = true;
-    waiting_.push_back(next);
   }
 }
 
-/// Pushes onto the stack what may depend on a node inside: settled nodes downwind of it, and open ones, which
-/// it may have reached.
-void FrontPart::stack_downwind(Index node) {
+/// Marks what may depend on a node inside: settled nodes downwind of it, and open ones, which it may have
+/// reached.
+void FrontPart::mark_downwind(Index node) {
   for_each_around(node, [&](Index around) {
     const FrontNode& other = nodes_[around];
-    const bool depends = other.state == NodeState::open ? !other.waiting && other.g() < unreached
-                                                        : is_upwind(nodes_[node], other);
-    if (depends) stack_.push_back(around);
+    const bool depends =
+        other.state == NodeState::open ? other.g() < unreached : is_upwind(nodes_[node], other);
+    if (depends) mark(around);
   });
 }
 
@@ -136,6 +138,7 @@ void FrontPart::reach_waiting() {
     });
   }
   waiting_.clear();
+  taken_back_ = 0;
 }
 
 void FrontPart::reach(Index node, float g) {
@@ -148,11 +151,8 @@ void FrontPart::reach(Index node, float g) {
 
 void FrontPart::reach_from(Index from, Index index) {
   FrontNode& node = nodes_[index];
-  const auto known = node.arms.begin() + std::min<std::size_t>(node.arm_count, FrontNode::most_arms);
-  if (std::find(node.arms.begin(), known, from) == known) {
-    if (node.arm_count < FrontNode::most_arms) node.arms[node.arm_count] = from;
-    if (node.arm_count <= FrontNode::most_arms) ++node.arm_count;
-  }
+  if (node.arm_count < FrontNode::most_arms) node.arms[node.arm_count] = from;
+  if (node.arm_count <= FrontNode::most_arms) ++node.arm_count;
   const std::uint64_t key = node.key;
   reach(index, distance_through(nodes_[from], node));
   if (!node.gathered) return;
@@ -162,7 +162,6 @@ void FrontPart::reach_from(Index from, Index index) {
 }
 
 void FrontPart::leave_gathered(Index node) {
-  if (!nodes_[node].gathered) return;
   nodes_[node].gathered = false;
   std::ranges::replace(gathered_, node, no_index);
 }
@@ -207,9 +206,9 @@ void FrontPart::find_upwind(Index index) {
       const FrontNode &x = nodes_[a], &y = nodes_[b];
       return x.vertex() != y.vertex() ? x.vertex() < y.vertex() : x.frame.t < y.frame.t;
     };
-    auto place = upwind_.end();
-    while (place != upwind_.begin() && before(q, *(place - 1))) --place;
-    upwind_.insert(place, q);
+    upwind_.push_back(q);
+    for (std::size_t i = upwind_.size() - 1; i > 0 && before(upwind_[i], upwind_[i - 1]); --i)
+      std::swap(upwind_[i], upwind_[i - 1]);
   };
   if (node.arm_count <= FrontNode::most_arms) {
     for (std::size_t i = 0; i < node.arm_count; ++i)
@@ -242,7 +241,11 @@ void FrontPart::settle(Index index, const ChartFrame& frame) {
   node.frame.t = stroke_->samples.wrapped(frame.t);
   list(index, stroke_->samples.at(node.frame.t));
   node.state = within_stroke(index) ? NodeState::inside : NodeState::outside;
-  if (node.state == NodeState::inside) lead_on(index);
+  if (node.state == NodeState::outside) return;
+  lead_on(index);
+  if (waiting_.empty()) return;
+  take_back_marked();
+  reach_waiting();
 }
 
 bool FrontPart::within_stroke(Index index) {
@@ -260,8 +263,8 @@ bool FrontPart::within_stroke(Index index) {
          static_cast<double>(samples.chord(node.sample, node.position)) <= distance + stroke_->radius / 2;
 }
 
-/// Reaches the open nodes around a node just settled inside that it leads on to; those downwind that were
-/// settled without it are taken back first.
+/// Reaches the open nodes around a node just settled inside that it leads on to, and marks those downwind
+/// that were settled without it. Nodes that wait will ask by themselves.
 void FrontPart::lead_on(Index index) {
   const Index vertex = nodes_[index].vertex(), sample = nodes_[index].sample;
   bool border = false;
@@ -273,18 +276,16 @@ void FrontPart::lead_on(Index index) {
     const Index found = nodes_.at(neighbour, sample);
     if (found == no_index) continue;
     const FrontNode& to = nodes_[found];
-    if (to.state == NodeState::open)
+    if (to.state != NodeState::open) {
+      if (is_upwind(nodes_[index], to)) mark(found);
+    } else if (!to.waiting) {
       reach_from(index, found);
-    else if (is_upwind(nodes_[index], to))
-      stack_.push_back(found);
+    }
   }
   if (border && owns(nodes_[index])) {
     nodes_[index].border = true;
     border_.push_back(index);
   }
-  if (stack_.empty()) return;
-  take_back_stacked();
-  reach_waiting();
 }
 
 std::vector<const FrontNode*> FrontPart::inside() {
@@ -311,17 +312,18 @@ void FrontPart::receive(std::span<const BorderNode> reports) {
     const Index index = copy_of(report);
     if (index == no_index) continue;
     FrontNode& copy = nodes_[index];
-    if (copy.state == NodeState::inside) stack_downwind(index);
+    if (copy.state == NodeState::inside) mark_downwind(index);
     copy.state = report.inside ? NodeState::inside : NodeState::open;
     copy.set_g(report.inside ? report.g : unreached);
     copy.sample = report.sample;
     copy.frame = report.frame;
     if (report.inside) inside.push_back(index);
   }
-  take_back_stacked();
-  reach_waiting();
+  take_back_marked();
   for (const Index index : inside)
     if (nodes_[index].state == NodeState::inside) lead_on(index);
+  take_back_marked();
+  reach_waiting();
 }
 
 /// The copy of a node of another part; no_index when it is of no interest here.

@@ -92,8 +92,9 @@ class FrontPart {
  private:
   void take_back_from(const CurveChange& change);
   void take_back(Index node);
-  void take_back_stacked();
-  void stack_downwind(Index node);
+  void mark(Index node);
+  void take_back_marked();
+  void mark_downwind(Index node);
   Index copy_of(const BorderNode& report);
   void report(Index node);
   void reach_waiting();
@@ -123,8 +124,9 @@ class FrontPart {
   UpwindFrames frames_;
   std::array<Index, UpwindFrames::capacity> gathered_{};  ///< nodes of frames_, or no_index
   std::vector<std::vector<Index>> of_sample_;             ///< settled nodes, and some that have moved on
-  std::vector<Index> touched_, waiting_, stack_, upwind_;
-  std::vector<Index> border_;  ///< nodes with neighbours of other parts, touched since the last reports()
+  std::vector<Index> touched_, waiting_, upwind_;
+  std::size_t taken_back_ = 0;  ///< of waiting_, the first so many; the rest is marked only
+  std::vector<Index> border_;   ///< nodes with neighbours of other parts, touched since the last reports()
   std::unordered_map<Index, BorderNode> reported_;  ///< what others know of nodes
   std::vector<BorderNode> reports_;
   std::uint64_t settled_ = 0, pushes_ = 0;

@@ -1,4 +1,3 @@
-#include <burin/chart/closed_length.h>
 #include <burin/chart/curve_parts.h>
 #include <burin/chart/stroke_samples.h>
 
@@ -63,12 +62,6 @@ Index StrokeSamples::update(const SurfaceCurve& curve, double radius, double fin
 Index StrokeSamples::at_of_closed(double t) const {
   const double place = std::round(t / spacing_), count = static_cast<double>(size());
   return static_cast<Index>(place - count * std::floor(place / count)) % size();
-}
-
-double StrokeSamples::wrapped(double t) const { return closed_ ? wrapped_t(t, length_) : t; }
-
-double StrokeSamples::unwrapped(double t, double near) const {
-  return closed_ ? t_nearest_to(near, t, length_) : t;
 }
 
 double StrokeSamples::varying_half_width(double t) const {

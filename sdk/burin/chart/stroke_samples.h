@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/chart/closed_length.h>
 #include <burin/stroke/surface_curve.h>
 
 #include <algorithm>
@@ -41,8 +42,8 @@ class StrokeSamples {
 
   /// Arc lengths of a closed stroke brought to [0, length), and to within half a length of another. Those of
   /// an open one as they are.
-  double wrapped(double t) const;
-  double unwrapped(double t, double near) const;
+  double wrapped(double t) const { return closed_ ? wrapped_t(t, length_) : t; }
+  double unwrapped(double t, double near) const { return closed_ ? t_nearest_to(near, t, length_) : t; }
 
   /// Half width of the stroke at the arc length t, object units.
   double half_width(double t) const { return uniform_ ? uniform_half_width_ : varying_half_width(t); }
