@@ -52,6 +52,9 @@ class ChartNodes {
     return node < size() && nodes_[node].vertex() == vertex ? node : no_index;
   }
 
+  /// A node of a vertex that is not own, without a run. Moves all in memory.
+  Index add_foreign(Index vertex) { return add_loose(vertex); }
+
   /// Whether the node's run holds the sample.
   bool holds(Index node, Index sample) {
     return known_to_hold(nodes_[node], sample) || found_to_hold(nodes_[node], sample);

@@ -1,7 +1,9 @@
 #include <burin/base/parallel.h>
+#include <burin/base/side_by_side.h>
 #include <burin/chart/front.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -33,12 +35,9 @@ void Front::update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t
   if (curve.closed || stroke_.samples.closed()) restart(stroke_.radius, stroke_.order, stroke_.extensions);
   if (points_.empty()) cut(curve, parts);
   const CurveChange change = replace_curve(curve, std::min(unchanged, points_.size()));
-  parallel_blocks(parts_.size(), 1,
-                  [&](std::size_t part, std::size_t) { parts_[part]->change(curve, change); });
-  if (parts_.size() == 1)
-    parts_[0]->advance(unreached);
-  else
-    advance_in_steps();
+  if (parts_.size() > 1) return advance_in_steps(curve, change);
+  parts_[0]->change(curve, change);
+  parts_[0]->advance(unreached);
 }
 
 /// Cuts the vertices where as many points of the curve lie on either side.
@@ -81,29 +80,41 @@ CurveChange Front::replace_curve(const SurfaceCurve& curve, std::size_t unchange
   return change;
 }
 
-void Front::advance_in_steps() {
-  // A few edges: far enough for a step to be worth its start, and less than what would often be taken back
-  // for what a neighbouring part has to say.
-  const float step = static_cast<float>(stroke_.radius) / 32;
-  std::vector<std::vector<BorderNode>> reports(parts_.size());
-  for (;;) {
-    float least = unreached;
-    bool news = false;
-    for (std::size_t part = 0; part < parts_.size(); ++part) {
-      least = std::min(least, parts_[part]->least_g());
-      news = news || !reports[part].empty();
+/// Each part has a thread. Between two steps all publish how far they are and what happened at their borders,
+/// on one of two boards in turn: while the one is read the other is written.
+void Front::advance_in_steps(const SurfaceCurve& curve, const CurveChange& change) {
+  struct Bulletin {
+    float least_g;
+    std::vector<BorderNode> reports;
+  };
+  // Half an edge, as points of the curve are apart: farther, and much would be taken back for what a
+  // neighbouring part has to say.
+  const double half_edge = curve.length() / static_cast<double>(curve.points.size());
+  const auto step = static_cast<float>(std::max(half_edge, stroke_.radius / 1024));
+  std::array<std::vector<Bulletin>, 2> boards{std::vector<Bulletin>(parts_.size()),
+                                              std::vector<Bulletin>(parts_.size())};
+  StepBarrier barrier(parts_.size());
+  side_by_side(parts_.size(), [&](std::size_t own) {
+    FrontPart& part = *parts_[own];
+    part.change(curve, change);
+    for (std::size_t round = 0;; ++round) {
+      std::vector<Bulletin>& board = boards[round % 2];
+      const std::span<const BorderNode> reports = part.reports();
+      board[own].least_g = part.least_g();
+      board[own].reports.assign(reports.begin(), reports.end());
+      barrier.arrive_and_wait();
+      float least = unreached;
+      bool news = false;
+      for (const Bulletin& bulletin : board) {
+        least = std::min(least, bulletin.least_g);
+        news = news || !bulletin.reports.empty();
+      }
+      if (least == unreached && !news) return;
+      for (std::size_t other = 0; other < board.size(); ++other)
+        if (other != own) part.receive(other, board[other].reports);
+      part.advance(least + step);
     }
-    if (least == unreached && !news) return;
-    std::vector<std::vector<BorderNode>> next(parts_.size());
-    parallel_blocks(parts_.size(), 1, [&](std::size_t part, std::size_t) {
-      for (std::size_t other = 0; other < parts_.size(); ++other)
-        if (other != part) parts_[part]->receive(reports[other]);
-      parts_[part]->advance(least + step);
-      const std::span<const BorderNode> now = parts_[part]->reports();
-      next[part].assign(now.begin(), now.end());
-    });
-    reports = std::move(next);
-  }
+  });
 }
 
 std::vector<std::vector<const FrontNode*>> Front::inside() {

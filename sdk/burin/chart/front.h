@@ -54,7 +54,7 @@ class Front {
  private:
   void cut(const SurfaceCurve& curve, std::size_t parts);
   CurveChange replace_curve(const SurfaceCurve& curve, std::size_t unchanged);
-  void advance_in_steps();
+  void advance_in_steps(const SurfaceCurve& curve, const CurveChange& change);
 
   const Surface* surface_;
   FrontStroke stroke_;

@@ -32,6 +32,7 @@ void FrontPart::restart(VertexRange own) {
   taken_back_ = 0;
   border_.clear();
   reported_.clear();
+  copies_.clear();
   frames_.clear();
   frames_.set(4 * std::numeric_limits<float>::epsilon() * static_cast<float>(stroke_->radius),
               stroke_->order);
@@ -306,10 +307,10 @@ std::vector<const FrontNode*> FrontPart::inside() {
   return nodes;
 }
 
-void FrontPart::receive(std::span<const BorderNode> reports) {
+void FrontPart::receive(std::size_t part, std::span<const BorderNode> reports) {
   std::vector<Index> inside;
   for (const BorderNode& report : reports) {
-    const Index index = copy_of(report);
+    const Index index = copy_of(part, report);
     if (index == no_index) continue;
     FrontNode& copy = nodes_[index];
     if (copy.state == NodeState::inside) mark_downwind(index);
@@ -327,10 +328,13 @@ void FrontPart::receive(std::span<const BorderNode> reports) {
 }
 
 /// The copy of a node of another part; no_index when it is of no interest here.
-Index FrontPart::copy_of(const BorderNode& report) {
+Index FrontPart::copy_of(std::size_t part, const BorderNode& report) {
+  if (copies_.size() <= part) copies_.resize(part + 1);
+  const auto known = copies_[part].find(report.node);
+  if (known != copies_[part].end()) return known->second;
   const auto own = [this](Index vertex) { return own_.holds(vertex); };
-  if (own(report.vertex) || std::ranges::none_of(surface_->neighbours[report.vertex], own)) return no_index;
-  return nodes_.at(report.vertex, report.sample);
+  if (std::ranges::none_of(surface_->neighbours[report.vertex], own)) return no_index;
+  return copies_[part][report.node] = nodes_.add_foreign(report.vertex);
 }
 
 std::span<const BorderNode> FrontPart::reports() {
@@ -343,16 +347,11 @@ std::span<const BorderNode> FrontPart::reports() {
 void FrontPart::report(Index index) {
   const FrontNode& node = nodes_[index];
   const bool inside = node.state == NodeState::inside;
-  const BorderNode now{node.vertex(), node.sample, inside, node.g(), node.frame};
-  BorderNode& known =
-      reported_.try_emplace(index, BorderNode{node.vertex(), node.sample, false, 0, {}}).first->second;
+  const BorderNode now{index, node.vertex(), node.sample, inside, node.g(), node.frame};
+  BorderNode& known = reported_.try_emplace(index, BorderNode{}).first->second;
   if (known == now || (!known.inside && !inside)) return;
-  if (known.inside && (!inside || known.sample != node.sample)) {
-    known.inside = false;
-    reports_.push_back(known);
-  }
-  if (inside) reports_.push_back(now);
   known = now;
+  reports_.push_back(now);
 }
 
 }  // namespace burin

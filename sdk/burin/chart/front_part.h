@@ -31,9 +31,10 @@ struct CurveChange {
 
 /// How a node stands that another part of the front has to know of.
 struct BorderNode {
-  Index vertex;
-  Index sample;  ///< tells the visit
-  bool inside;   ///< or open, or outside, which is the same to others
+  Index node = no_index;  ///< of the part that reports it
+  Index vertex = no_index;
+  Index sample = 0;     ///< see FrontNode
+  bool inside = false;  ///< or open, or outside, which is the same to others
   float g = unreached;
   ChartFrame frame;
 
@@ -63,8 +64,8 @@ class FrontPart {
   /// Follows a change of the curve. What follows from it waits for advance().
   void change(const SurfaceCurve& curve, const CurveChange& change);
 
-  /// Takes in what another part reports.
-  void receive(std::span<const BorderNode> reports);
+  /// Takes in what another part reports, which has this number.
+  void receive(std::size_t part, std::span<const BorderNode> reports);
 
   /// Settles nodes until the lowest g that waits is `limit` or more.
   void advance(float limit);
@@ -95,7 +96,7 @@ class FrontPart {
   void mark(Index node);
   void take_back_marked();
   void mark_downwind(Index node);
-  Index copy_of(const BorderNode& report);
+  Index copy_of(std::size_t part, const BorderNode& report);
   void report(Index node);
   void reach_waiting();
   void settle_gathered();
@@ -129,6 +130,7 @@ class FrontPart {
   std::vector<Index> border_;   ///< nodes with neighbours of other parts, touched since the last reports()
   std::unordered_map<Index, BorderNode> reported_;  ///< what others know of nodes
   std::vector<BorderNode> reports_;
+  std::vector<std::unordered_map<Index, Index>> copies_;  ///< [part] its nodes' copies here
   std::uint64_t settled_ = 0, pushes_ = 0;
 };
 
