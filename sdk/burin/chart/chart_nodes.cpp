@@ -88,6 +88,7 @@ void ChartNodes::begin_run(FrontNode& node, Index sample) const {
   node.state = NodeState::open;
   node.set_g(unreached);
   node.arm_count = 0;
+  node.stale = false;
 }
 
 void ChartNodes::forget_changed(FrontNode& node) const {

@@ -39,6 +39,7 @@ struct alignas(64) FrontNode {
   std::uint8_t arm_count = 0;  ///< more than most_arms: not all of them are in arms
   bool run_begins : 1 = false;
   bool run_ends : 1 = false;
+  bool stale : 1 = false;  ///< settled, but upwind frames have changed since: its own is to be computed again
   bool gathered : 1 = false;  ///< about to be settled: its arms are collected
   bool waiting : 1 = false;   ///< taken back, and not yet offered to its neighbours' fronts
   bool touched : 1 = false;   ///< taken back or settled in the running update

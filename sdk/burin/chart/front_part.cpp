@@ -45,8 +45,18 @@ void FrontPart::change(const SurfaceCurve& curve, const CurveChange& change) {
   nodes_.samples_changed(change.first_sample);
   take_back_from(change);
   const SeededCurve on{curve, stroke_->curvature, stroke_->samples};
-  for (const Index node : seeds_.update(on, change.first_segment, nodes_)) take_back(node);
+  for (const Seeds::Change& seed : seeds_.update(on, change.first_segment, nodes_)) follow(seed);
   reach_waiting();
+}
+
+/// A settled node keeps its g unless its seed gave it, or gives a lower one.
+void FrontPart::follow(const Seeds::Change& change) {
+  const FrontNode& node = nodes_[change.node];
+  const float g = node.g(), distance = seeds_[node.seed].distance;
+  if (node.state == NodeState::open || distance < g || (change.distance_before <= g && distance > g))
+    take_back(change.node);
+  else if (distance == g)
+    make_stale(change.node);
 }
 
 /// Takes back the settled nodes whose coordinates lie where the curve has changed.
@@ -113,6 +123,7 @@ void FrontPart::take_back_marked() {
     taken.state = NodeState::open;
     taken.set_g(unreached);
     taken.arm_count = 0;
+    taken.stale = false;
     if (taken.gathered) leave_gathered(next);
     if (taken.border) border_.push_back(next);
   }
@@ -162,6 +173,30 @@ void FrontPart::reach_from(Index from, Index index) {
   if (node.key == key) queue_.push(key, index);
 }
 
+/// Lets a settled node's frame be computed again in its turn.
+void FrontPart::make_stale(Index index) {
+  FrontNode& node = nodes_[index];
+  if (node.stale && !node.gathered) return;
+  if (node.gathered) leave_gathered(index);
+  node.stale = true;
+  queue_.push(node.key, index);
+  ++pushes_;
+}
+
+/// Makes stale what depends on the frame of a node inside.
+void FrontPart::make_stale_downwind(Index index) {
+  for_each_around(index, [&](Index around) {
+    const FrontNode &node = nodes_[index], &other = nodes_[around];
+    if (!owns(other) || !is_upwind(node, other)) return;
+    if (other.state != NodeState::open) {
+      if (leads_to(node, around)) make_stale(around);
+    } else if (other.gathered) {
+      leave_gathered(around);
+      queue_.push(other.key, around);
+    }
+  });
+}
+
 void FrontPart::leave_gathered(Index node) {
   nodes_[node].gathered = false;
   std::ranges::replace(gathered_, node, no_index);
@@ -180,7 +215,8 @@ void FrontPart::settle_or_gather_next() {
   const BucketQueue::Entry next = queue_.top();
   queue_.pop();
   const FrontNode& node = nodes_[next.node];
-  if (node.state != NodeState::open || node.gathered || node.key != next.key) return;
+  const bool waits = node.state == NodeState::open || node.stale;
+  if (!waits || node.gathered || node.key != next.key) return;
   if (node.seed != no_index && seeds_[node.seed].distance <= node.g())
     settle(next.node, seeds_[node.seed].frame);
   else
@@ -233,13 +269,14 @@ void FrontPart::settle_gathered() {
   }
 }
 
-void FrontPart::settle(Index index, const ChartFrame& frame) {
+void FrontPart::settle(Index index, ChartFrame frame) {
   ++settled_;
   touch(index);
   FrontNode& node = nodes_[index];
   node.gathered = false;
+  frame.t = stroke_->samples.wrapped(frame.t);
+  if (node.stale) return settle_again(index, frame);
   node.frame = frame;
-  node.frame.t = stroke_->samples.wrapped(frame.t);
   list(index, stroke_->samples.at(node.frame.t));
   node.state = within_stroke(index) ? NodeState::inside : NodeState::outside;
   if (node.state == NodeState::outside) return;
@@ -247,6 +284,24 @@ void FrontPart::settle(Index index, const ChartFrame& frame) {
   if (waiting_.empty()) return;
   take_back_marked();
   reach_waiting();
+}
+
+/// The same for a node whose g has not changed. What is downwind of it follows, as far as it differs; where
+/// other nodes are led to than before, in the long way.
+void FrontPart::settle_again(Index index, const ChartFrame& frame) {
+  FrontNode& node = nodes_[index];
+  node.stale = false;
+  if (frame == node.frame) return;
+  node.frame = frame;
+  const NodeState state = stroke_->samples.at(frame.t) != node.sample ? NodeState::open
+                          : within_stroke(index)                      ? NodeState::inside
+                                                                      : NodeState::outside;
+  if (state != node.state) {
+    take_back(index);
+    return reach_waiting();
+  }
+  if (node.border) border_.push_back(index);
+  if (state == NodeState::inside) make_stale_downwind(index);
 }
 
 bool FrontPart::within_stroke(Index index) {

@@ -100,7 +100,11 @@ class FrontPart {
   void report(Index node);
   void reach_waiting();
   void settle_gathered();
-  void settle(Index node, const ChartFrame& frame);
+  void settle(Index node, ChartFrame frame);
+  void settle_again(Index node, const ChartFrame& frame);
+  void follow(const Seeds::Change& change);
+  void make_stale(Index node);
+  void make_stale_downwind(Index node);
   void settle_or_gather_next();
   void gather(Index node);
   void leave_gathered(Index node);

@@ -15,16 +15,16 @@ void Seeds::restart(VertexRange own) {
   depending_.clear();
 }
 
-std::span<const Index> Seeds::update(const SeededCurve& on, std::size_t first_changed, ChartNodes& nodes) {
+std::span<const Seeds::Change> Seeds::update(const SeededCurve& on, std::size_t first_changed,
+                                             ChartNodes& nodes) {
   stale_.clear();
-  changed_.clear();
+  changes_.clear();
   withdraw_from(first_changed);
   for (std::size_t segment = first_offer_.size(); segment < on.curve.segment_count(); ++segment)
     offer_segment(on, segment, nodes);
   depending_.resize(first_offer_.size(), no_index);
-  for (const Index entry : stale_)
-    if (renew(on, entry, nodes)) changed_.push_back(entries_[entry].node);
-  return changed_;
+  for (const Index entry : stale_) renew(on, entry, nodes);
+  return changes_;
 }
 
 void Seeds::withdraw_from(std::size_t segment) {
@@ -99,8 +99,7 @@ void Seeds::offer(const SeededCurve& on, std::size_t segment, Index vertex, Char
   make_stale(seed);
 }
 
-/// Whether the entry's seed is another one now.
-bool Seeds::renew(const SeededCurve& on, Index index, ChartNodes& nodes) {
+void Seeds::renew(const SeededCurve& on, Index index, ChartNodes& nodes) {
   Entry& entry = entries_[index];
   entry.stale = false;
   Seed seed;
@@ -114,9 +113,9 @@ bool Seeds::renew(const SeededCurve& on, Index index, ChartNodes& nodes) {
     seed = {foot.distance, frame_from(*surface_, on.curve, on.curvature, foot, node.vertex())};
     depend(index, last_segment);
   }
-  if (seed == entry.seed) return false;
+  if (seed == entry.seed) return;
+  changes_.push_back({entry.node, entry.seed.distance});
   entry.seed = seed;
-  return true;
 }
 
 }  // namespace burin

@@ -32,9 +32,14 @@ class Seeds {
   /// Forgets everything. Seeds vertices of `own` only.
   void restart(VertexRange own);
 
+  struct Change {
+    Index node;             ///< its `seed` names the new one
+    float distance_before;  ///< of the one that it had; unreached: none
+  };
+
   /// Follows a change of the curve, of its curvature or samples from this segment on. Returns the nodes whose
-  /// seeds have changed; their `seed` names the new one. Valid until the next call.
-  std::span<const Index> update(const SeededCurve& on, std::size_t first_changed, ChartNodes& nodes);
+  /// seeds have changed. Valid until the next call.
+  std::span<const Change> update(const SeededCurve& on, std::size_t first_changed, ChartNodes& nodes);
 
   const Seed& operator[](Index seed) const { return entries_[seed].seed; }
 
@@ -61,7 +66,7 @@ class Seeds {
   void offer_segment(const SeededCurve& on, std::size_t segment, ChartNodes& nodes);
   void gather_around(const SurfacePoint& at);
   void offer(const SeededCurve& on, std::size_t segment, Index vertex, ChartNodes& nodes);
-  bool renew(const SeededCurve& on, Index entry, ChartNodes& nodes);
+  void renew(const SeededCurve& on, Index entry, ChartNodes& nodes);
 
   const Surface* surface_;
   VertexRange own_;
@@ -69,7 +74,8 @@ class Seeds {
   std::vector<Offer> offers_;       ///< by segment
   std::vector<Index> first_offer_;  ///< [segment] in offers_
   std::vector<Index> depending_;    ///< [segment] first entry whose last_segment it is
-  std::vector<Index> stale_, changed_;
+  std::vector<Index> stale_;        ///< entries
+  std::vector<Change> changes_;
   std::vector<Index> around_;  ///< vertices that the running segment is offered to
 };
 
