@@ -129,14 +129,16 @@ void FrontPart::take_back_marked() {
   }
 }
 
-/// Marks what may depend on a node inside: settled nodes downwind of it, and open ones, which it may have
-/// reached.
+/// Marks the nodes that have their g from a node inside; those that it only has a say in are to be computed
+/// again.
 void FrontPart::mark_downwind(Index node) {
   for_each_around(node, [&](Index around) {
-    const FrontNode& other = nodes_[around];
-    const bool depends =
-        other.state == NodeState::open ? other.g() < unreached : is_upwind(nodes_[node], other);
-    if (depends) mark(around);
+    const FrontNode &from = nodes_[node], &other = nodes_[around];
+    if (other.waiting || !owns(other) || !is_upwind(from, other) || other.g() == unreached) return;
+    if (distance_through(from, other) <= other.g())
+      mark(around);
+    else
+      make_stale(around);
   });
 }
 
@@ -163,8 +165,7 @@ void FrontPart::reach(Index node, float g) {
 
 void FrontPart::reach_from(Index from, Index index) {
   FrontNode& node = nodes_[index];
-  if (node.arm_count < FrontNode::most_arms) node.arms[node.arm_count] = from;
-  if (node.arm_count <= FrontNode::most_arms) ++node.arm_count;
+  add_arm(node, from);
   const std::uint64_t key = node.key;
   reach(index, distance_through(nodes_[from], node));
   if (!node.gathered) return;
@@ -173,12 +174,20 @@ void FrontPart::reach_from(Index from, Index index) {
   if (node.key == key) queue_.push(key, index);
 }
 
-/// Lets a settled node's frame be computed again in its turn.
+void FrontPart::add_arm(FrontNode& node, Index from) {
+  const auto known = node.arms.begin() + std::min<std::size_t>(node.arm_count, FrontNode::most_arms);
+  if (std::find(node.arms.begin(), known, from) != known) return;
+  if (node.arm_count < FrontNode::most_arms) node.arms[node.arm_count] = from;
+  if (node.arm_count <= FrontNode::most_arms) ++node.arm_count;
+}
+
+/// Lets the frame of a node whose g stays be computed again in its turn, if it was, or was about to be.
 void FrontPart::make_stale(Index index) {
   FrontNode& node = nodes_[index];
-  if (node.stale && !node.gathered) return;
+  const bool settled = node.state != NodeState::open;
+  if (!node.gathered && (!settled || node.stale)) return;
   if (node.gathered) leave_gathered(index);
-  node.stale = true;
+  node.stale = settled;
   queue_.push(node.key, index);
   ++pushes_;
 }
@@ -187,13 +196,7 @@ void FrontPart::make_stale(Index index) {
 void FrontPart::make_stale_downwind(Index index) {
   for_each_around(index, [&](Index around) {
     const FrontNode &node = nodes_[index], &other = nodes_[around];
-    if (!owns(other) || !is_upwind(node, other)) return;
-    if (other.state != NodeState::open) {
-      if (leads_to(node, around)) make_stale(around);
-    } else if (other.gathered) {
-      leave_gathered(around);
-      queue_.push(other.key, around);
-    }
+    if (owns(other) && is_upwind(node, other) && leads_to(node, around)) make_stale(around);
   });
 }
 
@@ -247,14 +250,17 @@ void FrontPart::find_upwind(Index index) {
     for (std::size_t i = upwind_.size() - 1; i > 0 && before(upwind_[i], upwind_[i - 1]); --i)
       std::swap(upwind_[i], upwind_[i - 1]);
   };
+  const auto counts = [&](Index around) {
+    const FrontNode& from = nodes_[around];
+    return from.state == NodeState::inside && is_upwind(from, node) && leads_to(from, index);
+  };
   if (node.arm_count <= FrontNode::most_arms) {
     for (std::size_t i = 0; i < node.arm_count; ++i)
-      if (is_upwind(nodes_[node.arms[i]], node)) insert(node.arms[i]);
+      if (counts(node.arms[i])) insert(node.arms[i]);
     return;
   }
   for_each_around(index, [&](Index around) {
-    const FrontNode& from = nodes_[around];
-    if (from.state == NodeState::inside && is_upwind(from, node) && leads_to(from, index)) insert(around);
+    if (counts(around)) insert(around);
   });
 }
 
@@ -332,10 +338,10 @@ void FrontPart::lead_on(Index index) {
     const Index found = nodes_.at(neighbour, sample);
     if (found == no_index) continue;
     const FrontNode& to = nodes_[found];
-    if (to.state != NodeState::open) {
-      if (is_upwind(nodes_[index], to)) mark(found);
-    } else if (!to.waiting) {
-      reach_from(index, found);
+    if (to.state == NodeState::open) {
+      if (!to.waiting) reach_from(index, found);
+    } else if (is_upwind(nodes_[index], to)) {
+      lead_to_settled(index, found);
     }
   }
   if (border && owns(nodes_[index])) {
@@ -360,6 +366,14 @@ std::vector<const FrontNode*> FrontPart::inside() {
                         [](const FrontNode* node) { return node->frame.t; });
   }
   return nodes;
+}
+
+/// A node that was settled without an upwind one that leads to it.
+void FrontPart::lead_to_settled(Index from, Index index) {
+  FrontNode& node = nodes_[index];
+  if (distance_through(nodes_[from], node) < node.g()) return mark(index);
+  add_arm(node, from);
+  make_stale(index);
 }
 
 void FrontPart::receive(std::size_t part, std::span<const BorderNode> reports) {

@@ -114,6 +114,8 @@ class FrontPart {
   void lead_on(Index node);
   void reach(Index node, float g);
   void reach_from(Index from, Index node);
+  void lead_to_settled(Index from, Index node);
+  static void add_arm(FrontNode& node, Index from);
   void touch(Index node);
   bool leads_to(const FrontNode& from, Index to) { return nodes_.holds(to, from.sample); }
   template <class Visit>
