@@ -29,7 +29,7 @@ or_show_log() {
 echo "blender_peer: drawing with $(blender --version | head -n 1), in about a minute"
 # A brush stroke needs a window to be drawn in.
 or_show_log "$work/blender.log" timeout 600 xvfb-run -a -s '-screen 0 1280x1024x24' \
-  blender --factory-startup --python-exit-code 1 --python "$here/draw.py" -- "$stamp" "$work"
+  blender -noaudio --factory-startup --python-exit-code 1 --python "$here/draw.py" -- "$stamp" "$work"
 echo "blender_peer: drawing with burin"
 "$burin" bench "$work/suite.json" --json >"$work/burin.json"
 
