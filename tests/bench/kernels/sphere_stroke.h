@@ -9,7 +9,7 @@ namespace burin::kernels {
 /// A swinging stroke of six radii on a unit sphere of irregular triangles.
 struct SphereStroke {
   const Surface& surface;
-  double radius;  ///< half width of the stroke, object units
+  double radius = 0;  ///< half width of the stroke, object units
   SurfaceCurve curve;
 };
 
