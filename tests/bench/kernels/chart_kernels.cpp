@@ -5,7 +5,7 @@
 #include <burin/chart/stroke_chart.h>
 
 #include "bare_dijkstra.h"
-#include "seconds.h"
+#include "measure.h"
 #include "sphere_stroke.h"
 
 namespace burin::kernels {
@@ -17,19 +17,6 @@ const SphereStroke& stroke_of(const benchmark::State& state) {
   return sphere_stroke(static_cast<std::size_t>(state.range(0)));
 }
 
-/// As many times as the library asks for, and often enough for a median where once takes long enough to it.
-/// `measure` returns the seconds that the library is to count.
-template <class Measure>
-void run_in_turn(benchmark::State& state, const Measure& measure) {
-  constexpr int least = 5;
-  int runs = 0;
-  for ([[maybe_unused]] const auto _ : state) {
-    state.SetIterationTime(measure());
-    ++runs;
-  }
-  for (; runs < least; ++runs) measure();
-}
-
 void whole_chart(benchmark::State& state) {
   const SphereStroke& stroke = stroke_of(state);
   const ChartOptions options{.radius = stroke.radius, .order = static_cast<int>(state.range(1))};
@@ -38,7 +25,7 @@ void whole_chart(benchmark::State& state) {
   BareDijkstra dijkstra(stroke.surface);
   std::vector<double> chart_seconds, dijkstra_seconds;
   double nodes = 0, vertices = 0;
-  run_in_turn(state, [&] {
+  run_and_count(state, [&] {
     Chart chart;
     chart_seconds.push_back(seconds_of([&] { chart = charter.chart(stroke.curve, options); }));
     nodes = static_cast<double>(chart.size());
@@ -73,7 +60,7 @@ void chart_speedup(benchmark::State& state) {
         [&] { benchmark::DoNotOptimize(charter.chart(stroke.curve, {.radius = stroke.radius}).size()); });
   };
   std::vector<double> one, two;
-  run_in_turn(state, [&] {
+  run_and_count(state, [&] {
     one.push_back(seconds_on(1));
     two.push_back(seconds_on(2));
     return two.back();

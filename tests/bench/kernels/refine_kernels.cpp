@@ -5,7 +5,7 @@
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
 
-#include "seconds.h"
+#include "measure.h"
 
 namespace burin::kernels {
 namespace {
@@ -14,7 +14,7 @@ void cage_to_surface(benchmark::State& state) {
   const PolygonMesh cage = read_mesh(BURIN_SAMPLES "/meshes/ewer.obj");
   std::vector<double> refining, making, indexing;
   std::size_t triangles = 0;
-  for ([[maybe_unused]] const auto _ : state) {
+  run_and_count(state, [&] {
     TriangleMesh mesh;
     Surface surface;
     refining.push_back(
@@ -22,8 +22,8 @@ void cage_to_surface(benchmark::State& state) {
     making.push_back(seconds_of([&] { surface = make_surface(std::move(mesh)); }));
     indexing.push_back(seconds_of([&] { const Picker picker(surface); }));
     triangles = surface.triangles.size();
-    state.SetIterationTime(refining.back() + making.back() + indexing.back());
-  }
+    return refining.back() + making.back() + indexing.back();
+  });
   state.counters["triangles"] = static_cast<double>(triangles);
   state.counters["refine ms"] = 1e3 * median(refining);
   state.counters["surface ms"] = 1e3 * median(making);
