@@ -60,6 +60,9 @@ if(BURIN_TESTS)
   burin_dependency(apt libcgal-dev why "exact geodesic distances, which tests measure charts against")
   find_package(CGAL 5.5 REQUIRED)
 
+  burin_dependency(apt libbenchmark-dev why "benchmarks of single kernels")
+  find_package(benchmark 1.7 REQUIRED)
+
   burin_dependency(apt xz-utils why "tests unpack the compressed meshes of ../shared/data")
   find_program(XZ_PROGRAM xz REQUIRED)
 endif()
