@@ -120,6 +120,10 @@ void add_replay(CLI::App& app) {
           "where a stroke overlaps itself: latest (the default), max, min, add or average")
       ->check(CLI::IsMember({"latest", "max", "min", "add", "average"}));
   add_stroke_options(command, overrides.closure, overrides.pressure_width, overrides.join);
+  command
+      .add_option("--show-every", overrides.show_every,
+                  "show every so many samples, as where several come at a time; 0: each stroke at its end")
+      ->capture_default_str();
   command.add_option("--param", options->params, "parameter of the brush, repeatable")
       ->type_name("NAME=VALUE")
       ->expected(1)

@@ -83,6 +83,8 @@ StrokeOverrides overrides(const JsonValue& value) {
     if (!(share.number() >= 0 && share.number() <= 1)) share.reject("must be a number from 0 to 1");
     return share.number();
   });
+  read_if(value, "show_every", overrides.show_every,
+          [](const JsonValue& count) { return static_cast<std::size_t>(count.whole(0, 1000000)); });
   return overrides;
 }
 
@@ -102,7 +104,7 @@ void read_strokes(const JsonValue& value, const fs::path& folder, BenchCase& int
 BenchCase read_case(const JsonValue& value, const fs::path& folder) {
   value.allow_only({"name", "mesh", "subdivide", "target_triangles", "strokes", "stroke", "brush", "radius",
                     "radius_edges", "strength", "params", "overlap", "join", "closed", "pressure_width",
-                    "repeat", "axis"});
+                    "show_every", "repeat", "axis"});
   BenchCase bench_case;
   bench_case.name = value.member("name").text();
   bench_case.mesh = mesh(value, folder);

@@ -34,6 +34,7 @@ class BlendTest : public ::testing::Test {
       chart.vertex.push_back(vertex);
       chart.t.push_back(static_cast<double>(chart.t.size()));
       chart.d.push_back(0.5f);
+      chart.stretch.push_back(1);
       chart.e1.emplace_back(std::cos(sheet.angle), std::sin(sheet.angle), 0.0f);
       displacement.push_back(sheet.displacement);
     }

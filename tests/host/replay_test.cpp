@@ -79,6 +79,28 @@ TEST(Replay, IsWhatTheSessionDraws) {
   EXPECT_EQ(done, 1);
 }
 
+TEST(Replay, IsTheSameHoweverManySamplesAreShown) {
+  Recording recording;
+  recording.strokes = {stroke_of(test::wave(40))};
+  Session each = test::plane_session();
+  const ReplayResult every = replay(each, recording);
+  EXPECT_EQ(every.latencies.size(), 40u);
+  for (const std::size_t show_every : {0u, 3u, 40u}) {
+    Session session = test::plane_session();
+    StrokeOverrides overrides;
+    overrides.show_every = show_every;
+    const ReplayResult result = replay(session, recording, overrides);
+    EXPECT_EQ(result.hash, every.hash) << show_every;
+    EXPECT_EQ(result.samples_drawn, 40u);
+    EXPECT_EQ(result.latencies.size(), show_every == 0 ? 0u : 40 / show_every);
+    EXPECT_EQ(result.costs.size(), result.latencies.size());
+    EXPECT_EQ(result.end_costs.size(), 1u);
+    if (show_every == 0) {
+      EXPECT_GT(result.end_costs[0].settled, 0u) << "all is done at the end";
+    }
+  }
+}
+
 TEST(Replay, PicksScreenSamplesThroughTheCamera) {
   Session object_space = test::plane_session(), screen_space = test::plane_session();
   Recording recording;

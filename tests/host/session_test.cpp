@@ -110,6 +110,30 @@ TEST(Session, TouchesOnlyWhatTheLastSampleReaches) {
   EXPECT_GT(session.chart().size(), 5 * *std::max_element(changed.begin() + 20, changed.end()) / 2);
 }
 
+TEST(Session, IsTheSameWhenSamplesAreShownLater) {
+  for (const std::size_t show_every : {2u, 7u, 1000u}) {
+    Session shown = test::plane_session(), held = test::plane_session();
+    const Surface base = held.surface();
+    draw(shown, every_input(), test::wave());
+    held.begin_stroke(every_input());
+    std::size_t i = 0, unseen = 0;
+    for (const Sample& sample : test::wave()) {
+      const bool now = ++i % show_every == 0;
+      const StrokeEvent event =
+          held.add_sample(sample.position, sample.time, sample.pen, now ? Show::now : Show::later);
+      EXPECT_EQ(event.outcome, StrokeEvent::Outcome::drawn);
+      EXPECT_TRUE(now || event.changed.empty());
+      unseen += !now;
+    }
+    const auto changed = held.end_stroke();
+    EXPECT_GT(changed.size(), 0u) << "what was not shown yet";
+    EXPECT_GT(unseen, 10u);
+    EXPECT_EQ(held.result_hash(), shown.result_hash()) << show_every;
+    EXPECT_EQ(held.surface().normals, shown.surface().normals);
+    expect_normals_of_positions(held);
+  }
+}
+
 TEST(Session, TellsWhatTheLastCallCost) {
   Session session = test::plane_session();
   session.begin_stroke(settings("org.burin.groove", 0.05));

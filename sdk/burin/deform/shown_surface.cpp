@@ -16,7 +16,10 @@ bool same_bits(const Vec3f& a, const Vec3f& b) {
 }  // namespace
 
 ShownSurface::ShownSurface(const Surface& base)
-    : positions_(base.positions), normals_(base.normals), touched_(base.vertex_count()), dirty_(base.vertex_count()) {}
+    : positions_(base.positions),
+      normals_(base.normals),
+      touched_(base.vertex_count()),
+      dirty_(base.vertex_count()) {}
 
 std::span<const Index> ShownSurface::move(const Surface& base, std::span<const Index> vertices,
                                           std::span<const Vec3f> places) {

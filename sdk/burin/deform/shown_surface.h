@@ -22,8 +22,8 @@ class ShownSurface {
   std::span<const Index> move(const Surface& base, std::span<const Index> vertices,
                               std::span<const Vec3f> places);
 
-  /// The vertices that are not where the base has them, ascending: of those that moved since the last call, or
-  /// commit().
+  /// The vertices that are not where the base has them, ascending: of those that moved since the last call,
+  /// or commit().
   std::vector<Index> take_displaced(const Surface& base);
 
   /// Makes the surface what is shown, given all vertices that differ.

@@ -24,13 +24,12 @@ NodePen node_pen(const PenAt& at, std::uint64_t inputs) {
 
 }  // namespace
 
-StrokeChanges StrokeNodes::follow(const SurfaceCurve& curve, double end_zone) {
+StrokeChanges StrokeNodes::follow(const SurfaceCurve& curve, double end_zone, double same_pen_up_to) {
   ++event_;
+  collect(same_pen_up_to);
   compare_pens(curve);
-  const std::span<const Index> computed = chart_->computed();
-  for (std::size_t i = 0; i < computed.size(); ++i)
-    if (chart_->changed(computed[i]) || differs_[i] || chart().t[computed[i]] >= end_zone)
-      add_stale(computed[i]);
+  for (std::size_t i = 0; i < asked_.size(); ++i)
+    if (chart_->changed(asked_[i]) || differs_[i] || chart().t[asked_[i]] >= end_zone) add_stale(asked_[i]);
   add_zone(end_zone, chart_->computed_from());
   const bool counts_sheets = reads_.inputs & (BURIN_INPUT_SHEET | BURIN_INPUT_VISIT_COUNT);
   for (const Index vertex : chart_->altered()) {
@@ -47,17 +46,30 @@ StrokeChanges StrokeNodes::in_zone(double end_zone) {
   return finished();
 }
 
-/// Brings pens and half widths of the computed nodes up to date, and notes which differ.
+/// What was computed, and what lies before it where the pen may be another one all the same: samples on top
+/// of each other leave the curve as it was.
+void StrokeNodes::collect(double same_pen_up_to) {
+  asked_.assign(chart_->computed().begin(), chart_->computed().end());
+  if (reads_.varying == 0 || same_pen_up_to >= chart_->computed_from()) return;
+  std::vector<bool> computed(chart().size());
+  for (const Index slot : asked_) computed[slot] = true;
+  for (Index slot = 0; slot < chart().size(); ++slot) {
+    const double t = chart().t[slot];
+    const bool between = t >= same_pen_up_to && t < chart_->computed_from();
+    if (between && !chart_->vacant(slot) && !computed[slot]) asked_.push_back(slot);
+  }
+}
+
+/// Brings pens and half widths up to date, and notes which differ.
 void StrokeNodes::compare_pens(const SurfaceCurve& curve) {
-  const std::span<const Index> computed = chart_->computed();
-  differs_.assign(computed.size(), 0);
+  differs_.assign(asked_.size(), 0);
   const bool widths = reads_.varying & BURIN_INPUT_RADIUS, pens = reads_.varying & ~BURIN_INPUT_RADIUS;
   if (widths) half_width_.resize(chart().size());
   if (pens) pen_.resize(chart().size());
   if (!widths && !pens) return;
-  parallel_blocks(computed.size(), 1024, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(asked_.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Index slot = computed[i];
+      const Index slot = asked_[i];
       const PenAt at = pen_at(curve, chart().t[slot]);
       const auto note = [&](auto& values, const auto& value) {
         differs_[i] |= !(values[slot] == value);

@@ -3,6 +3,7 @@
 #include <burin/stroke/surface_curve.h>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace burin {
@@ -40,8 +41,10 @@ class StrokeNodes {
   StrokeNodes(const LiveChart& chart, const ReadInputs& reads) : chart_(&chart), reads_(reads) {}
 
   /// Follows the last event of the chart, of this curve. Nodes are stale that are new, whose inputs differ in
-  /// any bit, or whose t is at least `end_zone`: there the brush may look at the stroke's length.
-  StrokeChanges follow(const SurfaceCurve& curve, double end_zone);
+  /// any bit, or whose t is at least `end_zone`: there the brush may look at the stroke's length. Up to the t
+  /// of `same_pen_up_to` the pen is known to be as before.
+  StrokeChanges follow(const SurfaceCurve& curve, double end_zone,
+                       double same_pen_up_to = -std::numeric_limits<double>::infinity());
 
   /// What is stale for the end zone alone.
   StrokeChanges in_zone(double end_zone);
@@ -54,6 +57,7 @@ class StrokeNodes {
   const std::vector<NodePen>& pen() const { return pen_; }
 
  private:
+  void collect(double same_pen_up_to);
   void compare_pens(const SurfaceCurve& curve);
   void add_stale(Index slot);
   void add_vertex(Index vertex);
@@ -68,7 +72,8 @@ class StrokeNodes {
   StrokeChanges changes_;
   std::uint32_t event_ = 0;
   std::vector<std::uint32_t> stale_in_, vertex_in_;  ///< [slot], [place of the chart]: event
-  std::vector<std::uint8_t> differs_;                ///< [i of computed()] pen or half width
+  std::vector<Index> asked_;                         ///< slots whose pen or half width may differ
+  std::vector<std::uint8_t> differs_;                ///< [i of asked_]
 };
 
 /// The pen inputs that a recording of these fields has.

@@ -29,6 +29,15 @@ struct EventCost {
   std::uint64_t evaluated = 0;                ///< chart nodes that the brush computed
   std::uint64_t moved = 0;                    ///< vertices that were given a new place
 
+  EventCost& operator+=(const EventCost& other) {
+    for (std::size_t stage = 0; stage < stage_count; ++stage) seconds[stage] += other.seconds[stage];
+    settled += other.settled;
+    pushes += other.pushes;
+    evaluated += other.evaluated;
+    moved += other.moved;
+    return *this;
+  }
+
   double total() const {
     double sum = 0;
     for (const double stage : seconds) sum += stage;

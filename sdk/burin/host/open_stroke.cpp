@@ -11,6 +11,9 @@
 namespace burin {
 namespace {
 
+/// A t that all nodes reach.
+constexpr double everywhere = -std::numeric_limits<double>::infinity();
+
 const StrokeSettings& checked(const StrokeSettings& settings) {
   // Brushes compute in floats.
   const auto radius = static_cast<float>(settings.radius), strength = static_cast<float>(settings.strength);
@@ -45,32 +48,41 @@ ReadInputs OpenStroke::read_inputs() const {
   return {settings_.radius, inputs, varying & inputs};
 }
 
-VertexMoves OpenStroke::add(const SurfacePoint& at, double time, const Pen& pen, const StrokeTools& tools) {
+void OpenStroke::trace(const SurfacePoint& at, double time, const Pen& pen) {
   if (!std::isfinite(time) || time < last_time_)
     throw ContractError(fmt::format("time goes from {} to {}", last_time_, time));
   last_time_ = time;
-  const double length_before = curve().length();
-  const std::size_t unchanged = tracer_.final_points();
   tracer_.add(at, time, pen);
-  tools.clock.lap(Stage::curve);
-  draw(tools, unchanged);
-  const double end_zone = std::min(length_before, curve().length()) - brush_stroke_.plan().end_influence;
-  return go_on(nodes_.follow(curve(), end_zone), 0, tools);
+  traced_ = true;
+}
+
+VertexMoves OpenStroke::draw(const StrokeTools& tools) { return draw_traced(0, tools); }
+
+VertexMoves OpenStroke::draw_traced(std::uint64_t flags, const StrokeTools& tools) {
+  const std::size_t unchanged = drawn_points_;
+  const double length_before = drawn_length_;
+  drawn_points_ = tracer_.final_points();
+  drawn_length_ = curve().length();
+  traced_ = false;
+  chart(tools, unchanged);
+  const double end_zone = std::min(length_before, drawn_length_) - brush_stroke_.plan().end_influence;
+  const double same_pen_up_to = unchanged > 0 ? curve().points[unchanged - 1].t : everywhere;
+  return go_on(nodes_.follow(curve(), end_zone, same_pen_up_to), flags, tools);
 }
 
 VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
   closed_curve_ = tracer_.closed_curve(closure);
   tools.clock.lap(Stage::curve);
   if (closed_curve_) {
-    draw(tools, 0);
-    constexpr double everywhere = -std::numeric_limits<double>::infinity();
+    chart(tools, 0);
     return go_on(nodes_.follow(curve(), everywhere), BURIN_STROKE_CLOSED | BURIN_STROKE_FINAL, tools);
   }
+  if (traced_) return draw_traced(BURIN_STROKE_FINAL, tools);
   const double end_zone = curve().length() - brush_stroke_.plan().end_influence;
   return go_on(nodes_.in_zone(end_zone), BURIN_STROKE_FINAL, tools);
 }
 
-void OpenStroke::draw(const StrokeTools& tools, std::size_t unchanged) {
+void OpenStroke::chart(const StrokeTools& tools, std::size_t unchanged) {
   tools.charter.draw(curve(), unchanged);
   tools.cost.settled = tools.charter.settled();
   tools.cost.pushes = tools.charter.pushes();

@@ -43,8 +43,11 @@ class OpenStroke {
   /// Whether the stroke so far can go on at this place.
   bool connects(const SurfacePoint& at) const { return empty() || tracer_.connects(at); }
 
-  /// Draws on to `at`. Vertices that leave the chart go back to their base.
-  VertexMoves add(const SurfacePoint& at, double time, const Pen& pen, const StrokeTools& tools);
+  /// Leads the curve on to `at`.
+  void trace(const SurfacePoint& at, double time, const Pen& pen);
+
+  /// Draws what was traced since the last time. Vertices that leave the chart go back to their base.
+  VertexMoves draw(const StrokeTools& tools);
 
   /// The last evaluation: what depends on the stroke's length, told that it is final; all of it when the
   /// stroke closes.
@@ -57,7 +60,8 @@ class OpenStroke {
   bool width_varies() const { return settings_.pressure_width > 0 && settings_.fields.pressure; }
   burin_stroke_context context(std::uint64_t flags) const;
   ReadInputs read_inputs() const;
-  void draw(const StrokeTools& tools, std::size_t unchanged);
+  VertexMoves draw_traced(std::uint64_t flags, const StrokeTools& tools);
+  void chart(const StrokeTools& tools, std::size_t unchanged);
   VertexMoves go_on(const StrokeChanges& changes, std::uint64_t flags, const StrokeTools& tools);
 
   const Surface* surface_;
@@ -67,6 +71,9 @@ class OpenStroke {
   std::optional<SurfaceCurve> closed_curve_;  ///< once the stroke is finished as a closed one
   BrushStroke brush_stroke_;
   double last_time_;
+  std::size_t drawn_points_ = 0;  ///< of the curve, that nothing traced since was drawn can change
+  double drawn_length_ = 0;
+  bool traced_ = false;  ///< and not drawn yet
   StrokeNodes nodes_;
   std::vector<Vec3f> displacement_;  ///< [slot] of nodes_, in its (e1, e2, n)
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -44,8 +45,9 @@ std::vector<StrokeSettings> all_settings(const Recording& recording, const Strok
 /// Draws one recorded stroke after the other, in as many pieces as it takes.
 class Replayer {
  public:
-  Replayer(Session& session, const Recording& recording, const ReplayObserver& observer)
-      : session_(session), recording_(recording), observer_(observer) {
+  Replayer(Session& session, const Recording& recording, std::size_t show_every,
+           const ReplayObserver& observer)
+      : session_(session), recording_(recording), show_every_(show_every), observer_(observer) {
     for (const RecordedStroke& stroke : recording.strokes) samples_ += stroke.samples.size();
   }
 
@@ -54,15 +56,20 @@ class Replayer {
 
  private:
   Outcome add(const Sample& sample);
-  StrokeEvent hand_over(const Sample& sample);
+  StrokeEvent hand_over(const Sample& sample, Show show);
+  void spend(double seconds);
+  void note(std::vector<double>& latencies, std::vector<EventCost>& costs);
   void end_piece(Closure closure);
   void report_progress();
 
   Session& session_;
   const Recording& recording_;
+  std::size_t show_every_;
   const ReplayObserver& observer_;
   std::size_t samples_ = 0, samples_done_ = 0;
   std::size_t drawn_in_piece_ = 0;
+  double seconds_ = 0;  ///< since the last event that was shown
+  EventCost cost_;      ///< the same
   ReplayResult result_;
 };
 
@@ -89,23 +96,35 @@ void Replayer::draw(const RecordedStroke& stroke, const StrokeSettings& settings
 }
 
 Outcome Replayer::add(const Sample& sample) {
+  const bool shown = show_every_ > 0 && (drawn_in_piece_ + 1) % show_every_ == 0;
   const auto start = std::chrono::steady_clock::now();
-  const StrokeEvent event = hand_over(sample);
+  const StrokeEvent event = hand_over(sample, shown ? Show::now : Show::later);
   const double seconds = seconds_since(start);
   if (event.outcome != Outcome::drawn) return event.outcome;
-  result_.latencies.push_back(seconds);
-  result_.costs.push_back(session_.cost());
+  spend(seconds);
+  if (shown) note(result_.latencies, result_.costs);
   result_.vertices_changed += event.changed.size();
   ++result_.samples_drawn;
   ++drawn_in_piece_;
   return event.outcome;
 }
 
-StrokeEvent Replayer::hand_over(const Sample& sample) {
+/// Counts a call of the session towards the next event.
+void Replayer::spend(double seconds) {
+  seconds_ += seconds;
+  cost_ += session_.cost();
+}
+
+void Replayer::note(std::vector<double>& latencies, std::vector<EventCost>& costs) {
+  latencies.push_back(std::exchange(seconds_, 0));
+  costs.push_back(std::exchange(cost_, {}));
+}
+
+StrokeEvent Replayer::hand_over(const Sample& sample, Show show) {
   if (recording_.space == StrokeSpace::object)
-    return session_.add_sample(sample.position, sample.time, sample.pen);
+    return session_.add_sample(sample.position, sample.time, sample.pen, show);
   const Ray ray = pixel_ray(*recording_.camera, sample.position.x(), sample.position.y());
-  return session_.add_sample(ray, sample.time, sample.pen);
+  return session_.add_sample(ray, sample.time, sample.pen, show);
 }
 
 void Replayer::end_piece(Closure closure) {
@@ -113,8 +132,8 @@ void Replayer::end_piece(Closure closure) {
   result_.vertices_changed += session_.end_stroke(closure).size();
   const double seconds = seconds_since(start);
   if (drawn_in_piece_ == 0) return;
-  result_.end_latencies.push_back(seconds);
-  result_.end_costs.push_back(session_.cost());
+  spend(seconds);
+  note(result_.end_latencies, result_.end_costs);
   ++result_.pieces;
   drawn_in_piece_ = 0;
   if (observer_.piece_ended) observer_.piece_ended(session_);
@@ -140,7 +159,7 @@ ReplayResult replay(Session& session, const Recording& recording, const StrokeOv
   if (recording.space == StrokeSpace::screen && !recording.camera)
     throw ContractError("a recording in screen space without a camera");
   const std::vector<StrokeSettings> settings = all_settings(recording, overrides);
-  Replayer replayer(session, recording, observer);
+  Replayer replayer(session, recording, overrides.show_every, observer);
   for (std::size_t i = 0; i < settings.size(); ++i) {
     try {
       const Closure marked = recording.strokes[i].closed ? Closure::closed : Closure::open;

@@ -20,6 +20,7 @@ struct StrokeOverrides {
   Overlap overlap = Overlap::latest;
   std::optional<Closure> closure;  ///< instead of what the recording marks
   double pressure_width = 0;       ///< as in StrokeSettings
+  std::size_t show_every = 1;      ///< samples shown: every so many; 0: the whole stroke at its end
   Join join = Join::round;
   ParamSettings params;  ///< name by name over the recording's, where the brush is the recording's own
 };
@@ -38,11 +39,13 @@ struct ReplayResult {
   std::size_t samples_drawn = 0;
   std::size_t samples_off_surface = 0;
   std::uint64_t vertices_changed = 0;  ///< sum of StrokeEvent::changed over all samples and ends
-  std::vector<double> latencies;       ///< wall time of each drawn sample's add_sample, seconds
-  std::vector<EventCost> costs;        ///< Session::cost of the same samples
-  std::vector<double> end_latencies;   ///< wall time of each piece's end_stroke, seconds
-  std::vector<EventCost> end_costs;    ///< Session::cost of the same ends
-  std::uint64_t hash = 0;              ///< Session::result_hash at the end
+  /// Wall time of add_sample for each sample shown, seconds, and Session::cost, with those before it that
+  /// were not; and of end_stroke for each piece.
+  std::vector<double> latencies;
+  std::vector<EventCost> costs;
+  std::vector<double> end_latencies;
+  std::vector<EventCost> end_costs;
+  std::uint64_t hash = 0;  ///< Session::result_hash at the end
 };
 
 /// Draws all strokes of a recording. Throws Error naming the stroke's number, from 1, before anything is

@@ -17,7 +17,8 @@ struct Session::Impl {
 
   const burin_brush& brush(const BrushEntry& entry);
   OpenStroke& open_stroke();
-  StrokeEvent draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen, StageClock& clock);
+  StrokeEvent draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen, Show show,
+                   StageClock& clock);
   std::span<const Index> finish(Closure closure);
   void drop();
 
@@ -60,12 +61,15 @@ OpenStroke& Session::Impl::open_stroke() {
   return *stroke;
 }
 
-StrokeEvent Session::Impl::draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen,
+StrokeEvent Session::Impl::draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen, Show show,
                                 StageClock& clock) {
   clock.lap(Stage::pick);
   if (!at) return {StrokeEvent::Outcome::off_surface, {}};
   if (!stroke->connects(*at)) return {StrokeEvent::Outcome::disconnected, {}};
-  const VertexMoves moves = stroke->add(*at, time, pen, {charter, evaluator, cost, clock});
+  stroke->trace(*at, time, pen);
+  clock.lap(Stage::curve);
+  if (show == Show::later) return {StrokeEvent::Outcome::drawn, {}};
+  const VertexMoves moves = stroke->draw({charter, evaluator, cost, clock});
   const std::span<const Index> changed = shown.move(surface, moves.vertices, moves.places);
   cost.moved = moves.vertices.size();
   clock.lap(Stage::move);
@@ -126,19 +130,19 @@ void Session::begin_stroke(const StrokeSettings& settings) {
   });
 }
 
-StrokeEvent Session::add_sample(const Ray& ray, double time, const Pen& pen) {
+StrokeEvent Session::add_sample(const Ray& ray, double time, const Pen& pen, Show show) {
   return impl_->guarded([&] {
     impl_->open_stroke();
     StageClock clock(impl_->cost);
-    return impl_->draw(impl_->picker.pick(ray), time, pen, clock);
+    return impl_->draw(impl_->picker.pick(ray), time, pen, show, clock);
   });
 }
 
-StrokeEvent Session::add_sample(const Vec3d& position, double time, const Pen& pen) {
+StrokeEvent Session::add_sample(const Vec3d& position, double time, const Pen& pen, Show show) {
   return impl_->guarded([&] {
     const auto reach = static_cast<float>(impl_->open_stroke().radius());
     StageClock clock(impl_->cost);
-    return impl_->draw(impl_->picker.closest(position.cast<float>(), reach), time, pen, clock);
+    return impl_->draw(impl_->picker.closest(position.cast<float>(), reach), time, pen, show, clock);
   });
 }
 

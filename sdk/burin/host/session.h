@@ -28,10 +28,17 @@ struct StrokeSettings {
   std::uint64_t seed = 0;             ///< of the brush's random numbers
 };
 
+/// When a sample is to be seen. A stroke is the same whenever that is; who shows fewer samples pays for
+/// fewer.
+enum class Show {
+  now,
+  later,  ///< with the next sample that is shown, or at the end: for samples that come several at a time
+};
+
 /// What became of one sample.
 struct StrokeEvent {
   enum class Outcome {
-    drawn,         ///< the stroke now reaches to the sample
+    drawn,         ///< the stroke now reaches to the sample, though it may be shown later
     off_surface,   ///< the ray misses, or nothing is near the place: nothing changed
     disconnected,  ///< on the surface, but across a gap or silhouette: nothing changed
   };
@@ -68,8 +75,8 @@ class Session {
 
   /// The next sample: where a ray meets the surface, or the closest place to a point that is at most one
   /// radius away. Throws Error when the brush fails or returns a value that is not finite.
-  StrokeEvent add_sample(const Ray& ray, double time, const Pen& pen);
-  StrokeEvent add_sample(const Vec3d& position, double time, const Pen& pen);
+  StrokeEvent add_sample(const Ray& ray, double time, const Pen& pen, Show show = Show::now);
+  StrokeEvent add_sample(const Vec3d& position, double time, const Pen& pen, Show show = Show::now);
 
   /// Ends the open stroke and makes it part of the surface. A stroke without a sample leaves no trace.
   /// While the pen is down strokes are open; here one may become closed, so that all of it changes:
