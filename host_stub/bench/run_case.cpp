@@ -132,7 +132,7 @@ Drawn CaseRunner::draw() {
     const auto draw_one = [&] { add(replay(*session_, recordings_[i], overrides_, observer), drawn); };
     case_.straight ? draw_one() : naming_file(case_.strokes[i], draw_one);
   }
-  if (drawn.events.seconds.empty()) throw Error("no stroke meets the surface");
+  if (drawn.ends.seconds.empty()) throw Error("no stroke meets the surface");
   return drawn;
 }
 

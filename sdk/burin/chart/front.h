@@ -37,9 +37,14 @@ class Front {
   /// The nodes inside of each part, ascending by vertex and t, through all of them.
   std::vector<std::vector<const FrontNode*>> inside();
 
-  /// The nodes of a front of one part, of which touched() ones may have changed in the last update().
-  const ChartNodes& nodes() const { return parts_[0]->nodes(); }
-  std::span<const Index> touched() const { return parts_[0]->touched(); }
+  /// Calls visit(slot, node) for the nodes that may have changed in the last update(). A node keeps its slot.
+  template <class Visit>
+  void for_each_touched(const Visit& visit) const {
+    const auto count = static_cast<Index>(parts_.size());
+    for (Index part = 0; part < count; ++part)
+      for (const Index node : parts_[part]->touched())
+        visit(node * count + part, parts_[part]->nodes()[node]);
+  }
 
   /// Nodes of this t or more were computed by the last update().
   double unchanged_t() const { return unchanged_t_; }

@@ -42,7 +42,7 @@ void set(Chart& chart, std::size_t first, std::size_t i, Index vertex, const Cha
 /// Parts of a front that are worth a thread of their own.
 std::size_t parts_for(const SurfaceCurve& curve, double radius) {
   // A point of the curve stands for half an edge.
-  constexpr double least_nodes = 20000;
+  constexpr double least_nodes = 8000;
   const double points = static_cast<double>(curve.points.size());
   const double edge = 2 * curve.length() / std::max(points, 1.);
   const double nodes = edge > 0 ? points / 2 * (2 * radius / edge) : 0;
@@ -91,16 +91,15 @@ Chart StrokeCharter::Stroke::update(const SurfaceCurve& curve, std::size_t uncha
 
 void StrokeCharter::Stroke::draw(const SurfaceCurve& curve, std::size_t unchanged) {
   if (!in_one_piece(curve)) return live.assign(joined(curve));
-  front.update(curve, unchanged);
+  front.update(curve, unchanged, parts_for(curve, options.radius));
   live.begin_event(curve.length(), false, front.unchanged_t());
-  for (const Index slot : front.touched()) {
-    const FrontNode& node = front.nodes()[slot];
+  front.for_each_touched([&](Index slot, const FrontNode& node) {
     const bool cut_off = options.cap == Cap::butt && beyond_end(node.frame.t, curve);
     if (node.state == NodeState::inside && !cut_off)
       live.set(slot, node.vertex(), node.frame);
     else
       live.remove(slot);
-  }
+  });
 }
 
 Chart StrokeCharter::Stroke::plain(const SurfaceCurve& curve) {

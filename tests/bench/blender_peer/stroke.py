@@ -8,6 +8,9 @@ SAMPLES = 200
 SAMPLES_PER_SECOND = 240
 ROUNDS = 5
 
+# What burin shows. Blender's operator shows the stroke when it has drawn all of it.
+SHOWN = {"at the end": 0, "every 4th": 4, "each sample": 1}
+
 
 def sample_places():
     """Points of the unit sphere on a wave across the side that faces +z."""
@@ -30,12 +33,13 @@ def write_stroke(path):
 
 def write_suite(path, stamp):
     """A suite for `burin bench` beside mesh.ply and wave.stroke."""
-    case = {
-        "name": "wave",
+    cases = [{
+        "name": name,
         "mesh": "mesh.ply",
         "strokes": ["wave.stroke"],
         "params": {"stamp": stamp},
+        "show_every": show_every,
         "repeat": ROUNDS,
-    }
+    } for name, show_every in SHOWN.items()]
     with open(path, "w", encoding="utf-8") as file:
-        json.dump({"burin_suite": 1, "name": "blender_peer", "cases": [case]}, file)
+        json.dump({"burin_suite": 1, "name": "blender_peer", "cases": cases}, file)
