@@ -69,5 +69,25 @@ TEST(BenchBaseline, RefusesThatOfAnotherSuite) {
   EXPECT_EQ(baseline.check(json::object()).exit_code, 2);
 }
 
+TEST(BenchBaseline, OfTheSamplesHolds) {
+  // The small cases; `./dev bench` measures all.
+  const std::string suites = BURIN_SAMPLES "/suites/";
+  const CommandFolder folder;
+  std::vector<std::string> command = {"bench", suites + "everyday.json", "--repeat", "1"};
+  json known = json::parse(read_file(suites + "baseline.json"));
+  json kept = json::array();
+  for (const json& one : known["cases"]) {
+    if (one["counters"]["triangles"] > 400000) continue;
+    kept.push_back(one);
+    command.insert(command.end(), {"--case", one["name"]});
+  }
+  ASSERT_EQ(kept.size(), 3u);
+  known["cases"] = kept;
+  folder.write("baseline.json", known.dump());
+  command.insert(command.end(), {"--baseline", folder.path("baseline.json")});
+  const ProcessResult result = burin(command);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
 }  // namespace
 }  // namespace burin::test
