@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "support/same_chart.h"
 #include "support/shapes.h"
 #include "support/traced.h"
 
@@ -17,17 +18,6 @@ namespace {
 constexpr double everywhere = -std::numeric_limits<double>::infinity();
 
 ChartFrame frame(double t, float d = 0) { return {.t = t, .d = d, .e1 = Vec3f::UnitX()}; }
-
-void expect_same(const Chart& a, const Chart& b) {
-  ASSERT_EQ(a.vertex, b.vertex);
-  EXPECT_EQ(a.sheet, b.sheet);
-  EXPECT_EQ(a.t, b.t);
-  EXPECT_EQ(a.d, b.d);
-  EXPECT_EQ(a.e1, b.e1);
-  EXPECT_EQ(a.stretch, b.stretch);
-  EXPECT_EQ(a.length, b.length);
-  EXPECT_EQ(a.closed, b.closed);
-}
 
 TEST(LiveChart, AgreesWithAMapOfNodesThroughRandomEvents) {
   const unsigned seed = 23;
@@ -100,7 +90,7 @@ TEST(LiveChart, TellsAllThatLeavesWhenEverythingIsAssigned) {
   live.assign(chart);
   EXPECT_EQ(std::set<Index>(live.altered().begin(), live.altered().end()), (std::set<Index>{4, 5, 6}));
   EXPECT_EQ(live.first(4), no_index);
-  expect_same(live.sorted(), chart);
+  test::expect_same(live.sorted(), chart);
 }
 
 /// What draw() tells, followed event by event, is what chart() gives.
@@ -122,7 +112,7 @@ TEST(LiveChart, FollowsAGrowingStroke) {
       if (i > 20) most_computed = std::max(most_computed, live.computed().size());
       const Chart expected = fresh.chart(tracer.curve(), options);
       nodes = expected.size();
-      expect_same(live.sorted(), expected);
+      test::expect_same(live.sorted(), expected);
       for (Index slot = 0; slot < live.nodes().size(); ++slot) {
         if (live.vacant(slot) || live.nodes().t[slot] < live.computed_from()) continue;
         ASSERT_TRUE(std::ranges::count(live.computed(), slot)) << slot;

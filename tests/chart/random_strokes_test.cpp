@@ -20,6 +20,7 @@
 
 #include "support/closed_curve.h"
 #include "support/gentle_stroke.h"
+#include "support/same_chart.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"
 
@@ -239,17 +240,6 @@ void expect_sheets_in_order(const Chart& chart) {
   }
 }
 
-void expect_same(const Chart& a, const Chart& b) {
-  ASSERT_EQ(a.vertex, b.vertex);
-  ASSERT_EQ(a.sheet, b.sheet);
-  ASSERT_EQ(a.t, b.t);
-  ASSERT_EQ(a.d, b.d);
-  ASSERT_EQ(a.e1, b.e1);
-  ASSERT_EQ(a.stretch, b.stretch);
-  ASSERT_EQ(a.length, b.length);
-  ASSERT_EQ(a.closed, b.closed);
-}
-
 /// The chart of the whole, grown through some of the stages.
 Chart grown(StrokeCharter& charter, const RandomStroke& stroke, Random& random) {
   const std::size_t pieces = 1 + random() % 5;
@@ -344,7 +334,7 @@ class RandomStrokes : public testing::TestWithParam<NamedMesh> {
       const RandomStroke stroke = random_stroke(surface, picker, edge, random);
       expect_sound_curve(stroke.whole());
       const Chart chart = grown(charter, stroke, random);
-      expect_same(chart, fresh.chart(stroke.whole(), stroke.options));
+      test::expect_same(chart, fresh.chart(stroke.whole(), stroke.options));
       expect_sheets_in_order(chart);
       for (std::size_t i = 0; i < chart.size() && !HasFatalFailure(); ++i)
         expect_sound_node(surface, stroke, chart, i);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "support/chart_error.h"
+#include "support/same_chart.h"
 #include "support/shapes.h"
 #include "support/traced.h"
 
@@ -213,15 +214,6 @@ TEST(StrokeChart, IsADiscAroundASinglePoint) {
   }
 }
 
-void expect_same(const Chart& a, const Chart& b) {
-  EXPECT_EQ(a.vertex, b.vertex);
-  EXPECT_EQ(a.sheet, b.sheet);
-  EXPECT_EQ(a.stretch, b.stretch);
-  EXPECT_EQ(a.t, b.t);
-  EXPECT_EQ(a.d, b.d);
-  EXPECT_EQ(a.e1, b.e1);
-}
-
 /// Draws samples one by one; after each the extended chart must be the one computed afresh.
 void expect_extension_equals_fresh_charts(Scene& scene, const std::vector<Vec3d>& samples, double radius) {
   StrokeCharter fresh(scene.surface);
@@ -234,7 +226,7 @@ void expect_extension_equals_fresh_charts(Scene& scene, const std::vector<Vec3d>
     tracer.add(*at, 0, {});
     const Chart chart = first ? scene.charter.chart(tracer.curve(), {radius, Cap::round})
                               : scene.charter.extend(tracer.curve());
-    expect_same(chart, fresh.chart(tracer.curve(), {radius, Cap::round}));
+    test::expect_same(chart, fresh.chart(tracer.curve(), {radius, Cap::round}));
     if (testing::Test::HasFailure()) FAIL() << "after sample " << extended;
     ++extended;
   }
@@ -284,7 +276,7 @@ TEST(StrokeChart, ExtendsToAnyOtherCurve) {
     longer += samples.size() > before;
     shorter += samples.size() < before;
     const SurfaceCurve curve = test::traced(scene.surface, scene.picker, 0.3, samples);
-    expect_same(scene.charter.extend(curve), fresh.chart(curve, {0.3, Cap::round}));
+    test::expect_same(scene.charter.extend(curve), fresh.chart(curve, {0.3, Cap::round}));
     if (HasFailure()) FAIL() << "at curve " << i;
   }
   EXPECT_GT(longer, 50U);
@@ -299,7 +291,7 @@ TEST(StrokeChart, CanBeShortened) {
   };
   scene.charter.chart(line(1.2), {0.2, Cap::butt});
   const Chart shortened = scene.charter.extend(line(0.5));
-  expect_same(shortened, StrokeCharter(scene.surface).chart(line(0.5), {0.2, Cap::butt}));
+  test::expect_same(shortened, StrokeCharter(scene.surface).chart(line(0.5), {0.2, Cap::butt}));
 }
 
 TEST(StrokeChart, DependsOnNothingButItsArguments) {
@@ -313,7 +305,7 @@ TEST(StrokeChart, DependsOnNothingButItsArguments) {
   const Chart before = scene.charter.chart(first, {0.2, Cap::round});
   scene.charter.chart(other, {0.5, Cap::butt});
   const Chart after = scene.charter.chart(first, {0.2, Cap::round});
-  expect_same(before, after);
+  test::expect_same(before, after);
 }
 
 // The width falls along the stroke from the whole radius to a quarter of it.

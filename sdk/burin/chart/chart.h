@@ -23,6 +23,15 @@ struct Chart {
   bool closed = false;         ///< t goes around
 
   std::size_t size() const { return vertex.size(); }
+
+  void resize(std::size_t nodes) {
+    vertex.resize(nodes);
+    sheet.resize(nodes);
+    t.resize(nodes);
+    d.resize(nodes);
+    e1.resize(nodes);
+    stretch.resize(nodes);
+  }
 };
 
 }  // namespace burin

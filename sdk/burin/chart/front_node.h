@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -63,5 +64,12 @@ struct alignas(64) FrontNode {
 };
 
 inline bool is_upwind(const FrontNode& a, const FrontNode& b) { return a.key < b.key; }
+
+/// The graph distance of `to` on the way through `from`.
+inline float distance_through(const FrontNode& from, const FrontNode& to) {
+  const float g = from.g(), through = g + (to.position - from.position).norm();
+  // Edges too short to tell in floats still lead downwind, or Upwind would depend on the order.
+  return through > g ? through : std::nextafter(g, unreached);
+}
 
 }  // namespace burin

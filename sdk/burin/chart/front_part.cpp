@@ -1,24 +1,11 @@
 // Front propagation over the edge graph [Dijkstra 1959], as in section 4 of R. Schmidt, Stroke
-// Parameterization, 2013, and its repair after a change of the seeds: the settled vertices whose upwind
-// neighbours change are taken back and settled again in the order of a fresh run, in the manner of dynamic
-// shortest paths [Ramalingam and Reps 1996]. Since a frame depends on upwind frames only, and every vertex
-// downwind of a change is taken back before it would be settled, the repaired frames are those of a fresh
-// run.
+// Parameterization, 2013.
 #include <burin/chart/front_part.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace burin {
-namespace {
-
-float distance_through(const FrontNode& from, const FrontNode& to) {
-  const float g = from.g(), through = g + (to.position - from.position).norm();
-  // Edges too short to tell in floats still lead downwind, or Upwind would depend on the order.
-  return through > g ? through : std::nextafter(g, unreached);
-}
-
-}  // namespace
 
 void FrontPart::restart(VertexRange own) {
   own_ = own;
@@ -38,46 +25,6 @@ void FrontPart::restart(VertexRange own) {
               stroke_->order);
 }
 
-void FrontPart::change(const SurfaceCurve& curve, const CurveChange& change) {
-  for (const Index node : touched_) nodes_[node].touched = false;
-  touched_.clear();
-  settled_ = pushes_ = 0;
-  nodes_.samples_changed(change.first_sample);
-  take_back_from(change);
-  const SeededCurve on{curve, stroke_->curvature, stroke_->samples};
-  for (const Seeds::Change& seed : seeds_.update(on, change.first_segment, nodes_)) follow(seed);
-  reach_waiting();
-}
-
-/// A settled node keeps its g unless its seed gave it, or gives a lower one.
-void FrontPart::follow(const Seeds::Change& change) {
-  const FrontNode& node = nodes_[change.node];
-  const float g = node.g(), distance = seeds_[node.seed].distance;
-  if (node.state == NodeState::open || distance < g || (change.distance_before <= g && distance > g))
-    take_back(change.node);
-  else if (distance == g)
-    make_stale(change.node);
-}
-
-/// Takes back the settled nodes whose coordinates lie where the curve has changed.
-void FrontPart::take_back_from(const CurveChange& change) {
-  const Index first = change.first_sample > 0 ? change.first_sample - 1 : 0;
-  for (Index sample = first; sample < of_sample_.size(); ++sample) {
-    std::vector<Index> nodes = std::move(of_sample_[sample]);
-    of_sample_[sample].clear();
-    for (const Index node : nodes) {
-      FrontNode& settled = nodes_[node];
-      if (!settled.listed || settled.sample != sample) continue;
-      settled.listed = false;
-      if (settled.frame.t < change.unchanged_t)
-        list(node, sample);
-      else
-        take_back(node);
-    }
-  }
-  of_sample_.resize(stroke_->samples.size());
-}
-
 void FrontPart::list(Index node, Index sample) {
   FrontNode& listed = nodes_[node];
   if (listed.listed && listed.sample == sample) return;
@@ -90,69 +37,6 @@ void FrontPart::touch(Index node) {
   if (nodes_[node].touched) return;
   nodes_[node].touched = true;
   touched_.push_back(node);
-}
-
-/// Calls `visit` with the nodes of the neighbouring vertices.
-template <class Visit>
-void FrontPart::for_each_around(Index node, const Visit& visit) const {
-  for (const Index neighbour : surface_->neighbours[nodes_[node].vertex()]) {
-    for (Index around = nodes_.first(neighbour); around != no_index; around = nodes_[around].next)
-      visit(around);
-  }
-}
-
-/// Opens a node and the settled ones downwind of it, all of which then wait to be reached again.
-void FrontPart::take_back(Index node) {
-  mark(node);
-  take_back_marked();
-}
-
-void FrontPart::mark(Index node) {
-  FrontNode& marked = nodes_[node];
-  if (marked.waiting || !owns(marked)) return;
-  marked.waiting = true;
-  waiting_.push_back(node);
-}
-
-void FrontPart::take_back_marked() {
-  for (; taken_back_ < waiting_.size(); ++taken_back_) {
-    const Index next = waiting_[taken_back_];
-    touch(next);
-    if (nodes_[next].state == NodeState::inside) mark_downwind(next);
-    FrontNode& taken = nodes_[next];
-    taken.state = NodeState::open;
-    taken.set_g(unreached);
-    taken.arm_count = 0;
-    taken.stale = false;
-    if (taken.gathered) leave_gathered(next);
-    if (taken.border) border_.push_back(next);
-  }
-}
-
-/// Marks the nodes that have their g from a node inside; those that it only has a say in are to be computed
-/// again.
-void FrontPart::mark_downwind(Index node) {
-  for_each_around(node, [&](Index around) {
-    const FrontNode &from = nodes_[node], &other = nodes_[around];
-    if (other.waiting || !owns(other) || !is_upwind(from, other) || other.g() == unreached) return;
-    if (distance_through(from, other) <= other.g())
-      mark(around);
-    else
-      make_stale(around);
-  });
-}
-
-void FrontPart::reach_waiting() {
-  for (const Index node : waiting_) {
-    nodes_[node].waiting = false;
-    if (nodes_[node].seed != no_index) reach(node, seeds_[nodes_[node].seed].distance);
-    for_each_around(node, [&](Index around) {
-      const FrontNode& from = nodes_[around];
-      if (from.state == NodeState::inside && leads_to(from, node)) reach_from(around, node);
-    });
-  }
-  waiting_.clear();
-  taken_back_ = 0;
 }
 
 void FrontPart::reach(Index node, float g) {
@@ -179,30 +63,6 @@ void FrontPart::add_arm(FrontNode& node, Index from) {
   if (std::find(node.arms.begin(), known, from) != known) return;
   if (node.arm_count < FrontNode::most_arms) node.arms[node.arm_count] = from;
   if (node.arm_count <= FrontNode::most_arms) ++node.arm_count;
-}
-
-/// Lets the frame of a node whose g stays be computed again in its turn, if it was, or was about to be.
-void FrontPart::make_stale(Index index) {
-  FrontNode& node = nodes_[index];
-  const bool settled = node.state != NodeState::open;
-  if (!node.gathered && (!settled || node.stale)) return;
-  if (node.gathered) leave_gathered(index);
-  node.stale = settled;
-  queue_.push(node.key, index);
-  ++pushes_;
-}
-
-/// Makes stale what depends on the frame of a node inside.
-void FrontPart::make_stale_downwind(Index index) {
-  for_each_around(index, [&](Index around) {
-    const FrontNode &node = nodes_[index], &other = nodes_[around];
-    if (owns(other) && is_upwind(node, other) && leads_to(node, around)) make_stale(around);
-  });
-}
-
-void FrontPart::leave_gathered(Index node) {
-  nodes_[node].gathered = false;
-  std::ranges::replace(gathered_, node, no_index);
 }
 
 /// Nodes are settled several at a time. One that depends on another of these is settled later.
@@ -292,24 +152,6 @@ void FrontPart::settle(Index index, ChartFrame frame) {
   reach_waiting();
 }
 
-/// The same for a node whose g has not changed. What is downwind of it follows, as far as it differs; where
-/// other nodes are led to than before, in the long way.
-void FrontPart::settle_again(Index index, const ChartFrame& frame) {
-  FrontNode& node = nodes_[index];
-  node.stale = false;
-  if (frame == node.frame) return;
-  node.frame = frame;
-  const NodeState state = stroke_->samples.at(frame.t) != node.sample ? NodeState::open
-                          : within_stroke(index)                      ? NodeState::inside
-                                                                      : NodeState::outside;
-  if (state != node.state) {
-    take_back(index);
-    return reach_waiting();
-  }
-  if (node.border) border_.push_back(index);
-  if (state == NodeState::inside) make_stale_downwind(index);
-}
-
 bool FrontPart::within_stroke(Index index) {
   const FrontNode& node = nodes_[index];
   const StrokeSamples& samples = stroke_->samples;
@@ -374,53 +216,6 @@ void FrontPart::lead_to_settled(Index from, Index index) {
   if (distance_through(nodes_[from], node) < node.g()) return mark(index);
   add_arm(node, from);
   make_stale(index);
-}
-
-void FrontPart::receive(std::size_t part, std::span<const BorderNode> reports) {
-  std::vector<Index> inside;
-  for (const BorderNode& report : reports) {
-    const Index index = copy_of(part, report);
-    if (index == no_index) continue;
-    FrontNode& copy = nodes_[index];
-    if (copy.state == NodeState::inside) mark_downwind(index);
-    copy.state = report.inside ? NodeState::inside : NodeState::open;
-    copy.set_g(report.inside ? report.g : unreached);
-    copy.sample = report.sample;
-    copy.frame = report.frame;
-    if (report.inside) inside.push_back(index);
-  }
-  take_back_marked();
-  for (const Index index : inside)
-    if (nodes_[index].state == NodeState::inside) lead_on(index);
-  take_back_marked();
-  reach_waiting();
-}
-
-/// The copy of a node of another part; no_index when it is of no interest here.
-Index FrontPart::copy_of(std::size_t part, const BorderNode& report) {
-  if (copies_.size() <= part) copies_.resize(part + 1);
-  const auto known = copies_[part].find(report.node);
-  if (known != copies_[part].end()) return known->second;
-  const auto own = [this](Index vertex) { return own_.holds(vertex); };
-  if (std::ranges::none_of(surface_->neighbours[report.vertex], own)) return no_index;
-  return copies_[part][report.node] = nodes_.add_foreign(report.vertex);
-}
-
-std::span<const BorderNode> FrontPart::reports() {
-  reports_.clear();
-  for (const Index node : border_) report(node);
-  border_.clear();
-  return reports_;
-}
-
-void FrontPart::report(Index index) {
-  const FrontNode& node = nodes_[index];
-  const bool inside = node.state == NodeState::inside;
-  const BorderNode now{index, node.vertex(), node.sample, inside, node.g(), node.frame};
-  BorderNode& known = reported_.try_emplace(index, BorderNode{}).first->second;
-  if (known == now || (!known.inside && !inside)) return;
-  known = now;
-  reports_.push_back(now);
 }
 
 }  // namespace burin

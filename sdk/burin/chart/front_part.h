@@ -46,8 +46,8 @@ struct BorderNode {
 ///
 /// Each node x that the front reaches has the graph distance g from the seeds and is settled once every q
 /// that leads on to it with (g_q, q) < (g_x, x), in lexicographic order of g and vertex, is: the upwind ones.
-/// When a frame changes, the settled nodes downwind of it are taken back and settled anew, so that frames are
-/// the same in whatever order the news comes.
+/// When a frame changes, the settled nodes downwind of it are computed again, or taken back and settled anew,
+/// so that frames are the same in whatever order the news comes.
 class FrontPart {
  public:
   /// `blocks` as ChartNodes takes it. All must outlive the object.
@@ -118,8 +118,14 @@ class FrontPart {
   static void add_arm(FrontNode& node, Index from);
   void touch(Index node);
   bool leads_to(const FrontNode& from, Index to) { return nodes_.holds(to, from.sample); }
+  /// Calls `visit` with the nodes of the neighbouring vertices.
   template <class Visit>
-  void for_each_around(Index node, const Visit& visit) const;
+  void for_each_around(Index node, const Visit& visit) const {
+    for (const Index neighbour : surface_->neighbours[nodes_[node].vertex()]) {
+      for (Index around = nodes_.first(neighbour); around != no_index; around = nodes_[around].next)
+        visit(around);
+    }
+  }
 
   const Surface* surface_;
   const FrontStroke* stroke_;

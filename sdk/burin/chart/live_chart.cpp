@@ -89,12 +89,7 @@ Chart LiveChart::sorted() const {
 }
 
 void LiveChart::grow_to(Index slots) {
-  nodes_.vertex.resize(slots);
-  nodes_.sheet.resize(slots);
-  nodes_.t.resize(slots);
-  nodes_.d.resize(slots);
-  nodes_.e1.resize(slots);
-  nodes_.stretch.resize(slots);
+  nodes_.resize(slots);
   taken_.resize(slots);
   next_.resize(slots);
   changed_in_.resize(slots);

@@ -19,12 +19,7 @@ Chart chart_of(const SurfaceCurve& curve, std::size_t nodes) {
   Chart chart;
   chart.length = curve.length();
   chart.closed = curve.closed;
-  chart.vertex.resize(nodes);
-  chart.sheet.resize(nodes);
-  chart.t.resize(nodes);
-  chart.d.resize(nodes);
-  chart.e1.resize(nodes);
-  chart.stretch.resize(nodes);
+  chart.resize(nodes);
   return chart;
 }
 
