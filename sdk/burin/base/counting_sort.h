@@ -18,7 +18,7 @@ namespace burin {
 template <class Keys, class Place>
 std::vector<Index> counting_sort(std::size_t count, std::size_t buckets, const Keys& keys,
                                  const Place& place) {
-  const std::size_t most_parts = std::min<std::size_t>(thread_limit(), 4);
+  const std::size_t most_parts = std::min<std::size_t>(thread_count(), 4);
   const std::size_t items_a_part = std::max<std::size_t>((count + most_parts - 1) / most_parts, 1);
   std::vector<std::vector<Index>> next((count + items_a_part - 1) / items_a_part);
   parallel_blocks(count, items_a_part, [&](std::size_t begin, std::size_t end) {

@@ -31,7 +31,7 @@ void parallel_blocks(std::size_t count, std::size_t grain, const Body& body) {
 #endif
 }
 
-/// The threads that loops run on.
+/// Threads that loops of this process may run on now.
 inline std::size_t thread_count() {
   return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
 }
@@ -44,11 +44,6 @@ void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
 #else
   tbb::parallel_sort(first, last, less);
 #endif
-}
-
-/// Threads that loops of this process may run on now.
-inline std::size_t thread_limit() {
-  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
 }
 
 /// While it lives, loops of this process run on at most this many threads.

@@ -23,7 +23,7 @@ double arc_length_at(const SurfaceCurve& curve, const Foot& foot);
 /// A foot, and the segments that its choice depends on: up to this one.
 struct NearestFoot {
   Foot foot;
-  std::size_t last_segment;
+  std::size_t last_segment = 0;
 };
 
 /// Walks along the curve as long as the next segment has a point at right angles to x that is no farther: the

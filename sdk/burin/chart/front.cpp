@@ -67,7 +67,7 @@ CurveChange Front::replace_curve(const SurfaceCurve& curve, std::size_t unchange
   points_.insert(points_.end(), differ.second, curve.points.end());
 
   const std::size_t bent = stroke_.curvature.update(curve, curvature_window * stroke_.radius, unchanged);
-  CurveChange change;
+  CurveChange change{};
   change.first_sample = stroke_.samples.update(curve, stroke_.radius, finest_share * surface_->scale,
                                                stroke_.extensions, unchanged);
   change.unchanged_t = change.first_sample > 0 ? stroke_.samples.t(change.first_sample - 1)
@@ -84,7 +84,7 @@ CurveChange Front::replace_curve(const SurfaceCurve& curve, std::size_t unchange
 /// on one of two boards in turn: while the one is read the other is written.
 void Front::advance_in_steps(const SurfaceCurve& curve, const CurveChange& change) {
   struct Bulletin {
-    float least_g;
+    float least_g = unreached;
     std::vector<BorderNode> reports;
   };
   // Half an edge, as points of the curve are apart: farther, and much would be taken back for what a

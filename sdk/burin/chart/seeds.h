@@ -46,12 +46,12 @@ class Seeds {
  private:
   /// A segment near a node, and its nearest point to it.
   struct Offer {
-    Index entry;
-    Index before;  ///< the offer that the entry had before this one
+    Index entry = no_index;
+    Index before = no_index;  ///< the offer that the entry had before this one
     Foot foot;
   };
   struct Entry {
-    Index node;
+    Index node = no_index;
     Index last_offer = no_index;
     std::size_t last_segment = 0;                ///< the seed depends on segments up to this one
     Index next = no_index, previous = no_index;  ///< entries that depend on as many segments

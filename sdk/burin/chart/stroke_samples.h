@@ -34,7 +34,8 @@ class StrokeSamples {
     if (closed_) return at_of_closed(t);
     const Index last = size() - 1;
     if (!(t < length_)) return last;
-    return t > 0 ? std::min(static_cast<Index>(t * samples_a_unit_ + 0.5), last) : 0;
+    const double half_a_step_on = t * samples_a_unit_ + 0.5;
+    return t > 0 ? std::min(static_cast<Index>(half_a_step_on), last) : 0;
   }
 
   /// Arc length of a sample.

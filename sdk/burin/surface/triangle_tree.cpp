@@ -49,7 +49,7 @@ void TriangleTree::update(std::span<const Index> moved_vertices) {
     parallel_blocks(touched_.size(), boxes_a_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) fit(level, touched_[i]);
     });
-    for (Index& node : touched_) node /= fan;
+    for (Index& node : touched_) node = static_cast<Index>(node / fan);
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   }
 }
