@@ -30,9 +30,10 @@ class StepBarrier {
 };
 
 /// Calls body(i) for i in [0, count) on threads of their own, all at once, so that bodies may wait for each
-/// other. For work of milliseconds; a body must not throw.
+/// other. For work of milliseconds. A body that throws, or a thread that cannot be started, ends the process:
+/// the others would wait for ever.
 template <class Body>
-void side_by_side(std::size_t count, const Body& body) {
+void side_by_side(std::size_t count, const Body& body) noexcept {
   std::vector<std::jthread> others;
   for (std::size_t i = 1; i < count; ++i) others.emplace_back([&body, i] { body(i); });
   body(0);

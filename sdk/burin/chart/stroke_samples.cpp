@@ -60,6 +60,7 @@ Index StrokeSamples::update(const SurfaceCurve& curve, double radius, double fin
 }
 
 Index StrokeSamples::at_of_closed(double t) const {
+  if (!std::isfinite(t)) return 0;
   const double place = std::round(t / spacing_), count = static_cast<double>(size());
   return static_cast<Index>(place - count * std::floor(place / count)) % size();
 }
