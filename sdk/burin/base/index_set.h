@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// A set of indices that is filled in any order and emptied in ascending order without sorting: a bit a
+/// A set of indices that is filled in any order and emptied in ascending order without sorting: a bit an
 /// index, and a bit for each word of those. Emptying costs in proportion to the indices and to 1/4096 of
 /// the range between the lowest and the highest.
 class IndexSet {

@@ -13,6 +13,11 @@
 
 namespace burin {
 
+/// Threads that loops of this process may run on now.
+inline std::size_t thread_count() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
 /// Calls body(begin, end) for blocks that together cover [0, count), each at most `grain` long, on all
 /// threads. The blocks are the same for any number of threads; bodies must not depend on each other.
 template <class Body>
@@ -23,17 +28,12 @@ void parallel_blocks(std::size_t count, std::size_t grain, const Body& body) {
     body(begin, begin + grain < count ? begin + grain : count);
   };
 #if defined(__SANITIZE_THREAD__)
-  traced_threads(blocks, run);
+  traced_threads(blocks, thread_count(), run);
 #else
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1), [&](const auto& range) {
     for (std::size_t block = range.begin(); block != range.end(); ++block) run(block);
   });
 #endif
-}
-
-/// Threads that loops of this process may run on now.
-inline std::size_t thread_count() {
-  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
 }
 
 /// Sorts on all threads. Elements that compare equal must be the same bits, for one result.

@@ -1,6 +1,4 @@
 #pragma once
-#include <oneapi/tbb/global_control.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -11,11 +9,10 @@
 
 namespace burin {
 
-/// Calls run(block) for all blocks below `blocks` on threads of its own: for builds with the thread
-/// sanitizer, which cannot see into the system's oneTBB and would take its tasks for races.
+/// Calls run(block) for all blocks below `blocks` on threads of its own, `allowed` at most: for builds with
+/// the thread sanitizer, which cannot see into the system's oneTBB and would take its tasks for races.
 template <class Run>
-void traced_threads(std::size_t blocks, const Run& run) {
-  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+void traced_threads(std::size_t blocks, std::size_t allowed, const Run& run) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failing;

@@ -1,10 +1,8 @@
 #pragma once
-#include <burin/base/vector.h>
+#include <burin/chart/front_node.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace burin {
@@ -14,9 +12,9 @@ namespace burin {
 class BucketQueue {
  public:
   struct Entry {
-    std::uint64_t key;  ///< see FrontNode
+    FrontKey key;
     Index node;
-    float g() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)); }
+    float g() const { return g_of(key); }
     bool operator<(const Entry& other) const {
       return key != other.key ? key < other.key : node < other.node;
     }
@@ -35,7 +33,7 @@ class BucketQueue {
 
   bool empty() const { return size_ == 0; }
 
-  void push(std::uint64_t key, Index node) {
+  void push(FrontKey key, Index node) {
     const Entry entry{key, node};
     const auto bucket =
         static_cast<Index>(std::min(entry.g() * buckets_a_unit_, static_cast<float>(buckets - 1)));

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/base/vector.h>
+#include <burin/chart/chart_frame.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,20 @@ struct Chart {
   bool closed = false;         ///< t goes around
 
   std::size_t size() const { return vertex.size(); }
+
+  /// Of a node; its curvature is not kept.
+  ChartFrame frame(std::size_t node) const {
+    return {.t = t[node], .d = d[node], .e1 = e1[node], .curvature = 0, .stretch = stretch[node]};
+  }
+
+  void set(std::size_t node, Index of_vertex, std::uint32_t of_sheet, const ChartFrame& frame) {
+    vertex[node] = of_vertex;
+    sheet[node] = of_sheet;
+    t[node] = frame.t;
+    d[node] = frame.d;
+    e1[node] = frame.e1;
+    stretch[node] = frame.stretch;
+  }
 
   void resize(std::size_t nodes) {
     vertex.resize(nodes);

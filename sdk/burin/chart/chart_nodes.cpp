@@ -7,7 +7,6 @@ namespace burin {
 void ChartNodes::restart(VertexRange own) {
   own_ = own;
   nodes_.clear();
-  node_count_ = 0;
   foreign_.clear();
   least_changed_.clear();
   epoch_ = 0;
@@ -55,7 +54,6 @@ Index ChartNodes::add_block(Index vertex) {
   const Index block = vertex / block_size, first = size();
   const Index begin = block * block_size, end = std::min(begin + block_size, surface_->vertex_count());
   nodes_.resize(first + end - begin);
-  node_count_ = static_cast<Index>(nodes_.size());
   for (Index i = begin; i < end; ++i) set_vertex(nodes_[first + i - begin], i);
   return (block_of_[block] = first) + vertex % block_size;
 }
@@ -63,7 +61,7 @@ Index ChartNodes::add_block(Index vertex) {
 /// A further node, behind the first of its vertex.
 Index ChartNodes::add_loose(Index vertex) {
   set_vertex(nodes_.emplace_back(), vertex);
-  const Index node = node_count_++;
+  const Index node = size() - 1;
   Index& link =
       own_.holds(vertex) ? nodes_[first(vertex)].next : foreign_.try_emplace(vertex, no_index).first->second;
   nodes_[node].next = link;
@@ -72,7 +70,7 @@ Index ChartNodes::add_loose(Index vertex) {
 }
 
 void ChartNodes::set_vertex(FrontNode& node, Index vertex) const {
-  node.key = FrontNode::key_of(unreached, vertex);
+  node.key = front_key(unreached, vertex);
   node.position = surface_->positions[vertex];
   node.normal = surface_->normals[vertex];
   node.gauss = surface_->gauss_curvature[vertex];

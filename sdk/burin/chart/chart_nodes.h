@@ -41,7 +41,7 @@ class ChartNodes {
   /// nothing is known any more: they become vacant as soon as somebody asks.
   void samples_changed(Index first_changed);
 
-  Index size() const { return node_count_; }
+  Index size() const { return static_cast<Index>(nodes_.size()); }
   FrontNode& operator[](Index node) { return nodes_[node]; }
   const FrontNode& operator[](Index node) const { return nodes_[node]; }
 
@@ -99,7 +99,6 @@ class ChartNodes {
   std::span<Index> block_of_;  ///< [vertex / block_size] its first node, perhaps of another use
   std::unordered_map<Index, Index> foreign_;  ///< first nodes of other vertices
   std::vector<FrontNode> nodes_;
-  Index node_count_ = 0;
   Index count_ = 0;  ///< of the samples
   bool closed_ = false;
   Index epoch_ = 0;                   ///< counts the changes of the samples

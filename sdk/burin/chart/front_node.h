@@ -20,14 +20,20 @@ enum class NodeState : std::uint8_t {
   outside,  ///< settled, and leads nowhere
 };
 
+/// The order in which nodes are settled: the bits of their graph distance g from the stroke, which are in
+/// order for floats >= 0, above the vertex.
+using FrontKey = std::uint64_t;
+inline FrontKey front_key(float g, Index vertex) {
+  return FrontKey{std::bit_cast<std::uint32_t>(g)} << 32 | vertex;
+}
+inline float g_of(FrontKey key) { return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)); }
+
 /// A node of the front, a visit of the stroke to a vertex, with all that the fronts of its neighbours ask
 /// for: what is asked for most comes first, and the surface is not asked at all.
 struct alignas(64) FrontNode {
   static constexpr std::size_t most_arms = 7;
 
-  /// The order in which nodes are settled: the bits of the graph distance g from the stroke, which are in
-  /// order for floats >= 0, above the vertex.
-  std::uint64_t key = no_index;
+  FrontKey key = no_index;
   Index next = no_index;  ///< node of the same vertex
 
   /// The samples that are known to belong to the visit, and whether it is known to begin or end with them. A
@@ -56,11 +62,8 @@ struct alignas(64) FrontNode {
   float gauss = 0;                                         ///< Gauss curvature there
 
   Index vertex() const { return static_cast<Index>(key); }
-  float g() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)); }
-  void set_g(float g) { key = key_of(g, vertex()); }
-  static std::uint64_t key_of(float g, Index vertex) {
-    return std::uint64_t{std::bit_cast<std::uint32_t>(g)} << 32 | vertex;
-  }
+  float g() const { return g_of(key); }
+  void set_g(float g) { key = front_key(g, vertex()); }
 };
 
 inline bool is_upwind(const FrontNode& a, const FrontNode& b) { return a.key < b.key; }

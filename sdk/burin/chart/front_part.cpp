@@ -50,7 +50,7 @@ void FrontPart::reach(Index node, float g) {
 void FrontPart::reach_from(Index from, Index index) {
   FrontNode& node = nodes_[index];
   add_arm(node, from);
-  const std::uint64_t key = node.key;
+  const FrontKey key = node.key;
   reach(index, distance_through(nodes_[from], node));
   if (!node.gathered) return;
   // What was about to be settled without this arm waits again.

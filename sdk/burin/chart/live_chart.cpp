@@ -44,11 +44,7 @@ void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame) {
                     nodes_.e1[slot] == frame.e1 && nodes_.stretch[slot] == frame.stretch;
   if (same) return;
   if (taken_[slot]) unlink(slot);
-  nodes_.vertex[slot] = vertex;
-  nodes_.t[slot] = frame.t;
-  nodes_.d[slot] = frame.d;
-  nodes_.e1[slot] = frame.e1;
-  nodes_.stretch[slot] = frame.stretch;
+  nodes_.set(slot, vertex, 0, frame);
   taken_[slot] = true;
   changed_in_[slot] = event_;
   link(slot);
@@ -63,9 +59,7 @@ void LiveChart::remove(Index slot) {
 void LiveChart::assign(const Chart& chart) {
   begin_event(chart.length, chart.closed, -std::numeric_limits<double>::infinity());
   for (Index slot = 0; slot < nodes_.size(); ++slot) remove(slot);
-  for (Index i = 0; i < chart.size(); ++i)
-    set(i, chart.vertex[i],
-        {.t = chart.t[i], .d = chart.d[i], .e1 = chart.e1[i], .stretch = chart.stretch[i]});
+  for (Index i = 0; i < chart.size(); ++i) set(i, chart.vertex[i], chart.frame(i));
 }
 
 Chart LiveChart::sorted() const {
@@ -77,14 +71,9 @@ Chart LiveChart::sorted() const {
   Chart chart;
   chart.length = nodes_.length;
   chart.closed = nodes_.closed;
-  for (const Index slot : slots) {
-    chart.vertex.push_back(nodes_.vertex[slot]);
-    chart.sheet.push_back(nodes_.sheet[slot]);
-    chart.t.push_back(nodes_.t[slot]);
-    chart.d.push_back(nodes_.d[slot]);
-    chart.e1.push_back(nodes_.e1[slot]);
-    chart.stretch.push_back(nodes_.stretch[slot]);
-  }
+  chart.resize(slots.size());
+  for (std::size_t i = 0; i < slots.size(); ++i)
+    chart.set(i, nodes_.vertex[slots[i]], nodes_.sheet[slots[i]], nodes_.frame(slots[i]));
   return chart;
 }
 

@@ -26,12 +26,7 @@ Chart chart_of(const SurfaceCurve& curve, std::size_t nodes) {
 /// Sets node i. Nodes of one vertex by rising t, and after the nodes before it from `first` on.
 void set(Chart& chart, std::size_t first, std::size_t i, Index vertex, const ChartFrame& frame) {
   const bool same = i > first && chart.vertex[i - 1] == vertex;
-  chart.sheet[i] = same ? chart.sheet[i - 1] + 1 : 0;
-  chart.vertex[i] = vertex;
-  chart.t[i] = frame.t;
-  chart.d[i] = frame.d;
-  chart.e1[i] = frame.e1;
-  chart.stretch[i] = frame.stretch;
+  chart.set(i, vertex, same ? chart.sheet[i - 1] + 1 : 0, frame);
 }
 
 /// Parts of a front that are worth a thread of their own.
