@@ -89,7 +89,7 @@ class Groove : public Brush {
 
   /// 0 at an open end and beyond it, 1 from a taper's length on.
   float end_factor(const Stroke& stroke, float t, float radius) const {
-    if (stroke.closed() || taper_ == 0) return 1;
+    if (!stroke.has_ends() || taper_ == 0) return 1;
     const float to_end = std::min(t, static_cast<float>(stroke.length() - t));
     return smooth_step(to_end / (taper_ * radius));
   }

@@ -74,7 +74,7 @@ class Scales : public Brush {
   explicit Scales(StrokeStart& start)
       : stamp_(start.host, start.params[stamp]),
         tile_(start.params[tile].value() * start.stroke.radius_max()),
-        aspect_(start.params[aspect].value() * aspect_of(stamp_.info())) {
+        aspect_(start.params[aspect].value() * stamp_.aspect()) {
     if (start.stroke.closed()) start.end_influence = std::numeric_limits<double>::infinity();
   }
 
@@ -83,10 +83,10 @@ class Scales : public Brush {
     const float grey_centre = in.params[centre].value(), rim = in.params[fade].value();
     const double along = tile_length(in.stroke), across = tile_ * aspect_;
     const FloatsOut up = out.up();
-    const auto place =
-        [&](std::size_t i) {  // the middle row of a tile runs along the stroke, its top on the left
-          return StampPlace{static_cast<float>(t[i] / along), static_cast<float>(0.5 - d[i] / across)};
-        };
+    const auto place = [&](std::size_t
+                               i) {  // the middle row of a tile runs along the stroke, its top on the left
+      return StampArea{{static_cast<float>(t[i] / along), static_cast<float>(0.5 - d[i] / across)}, {}, {}};
+    };
     stamp_.sample(in.size(), place, up);
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float faded = smooth_step((1 - in.stroke.distance(t[i], d[i]) / radius[i]) / rim);
@@ -95,10 +95,6 @@ class Scales : public Brush {
   }
 
  private:
-  static double aspect_of(const burin_stamp_info& image) {
-    return static_cast<double>(image.height) / image.width;
-  }
-
   /// Whole tiles go round a closed stroke.
   double tile_length(const Stroke& stroke) const {
     if (!stroke.closed() || stroke.length() == 0) return tile_;

@@ -25,6 +25,8 @@ const char* type_name(burin_param_type type) {
       return "colour";
     case BURIN_PARAM_FILE:
       return "file";
+    case BURIN_PARAM_TEXT:
+      return "text";
     case BURIN_PARAM_CURVE:
       return "curve";
     default:
@@ -68,6 +70,8 @@ Json default_json(const burin_param_info& param) {
       return Json(param.default_colour);
     case BURIN_PARAM_FILE:
       return param.default_file ? Json(param.default_file) : Json();
+    case BURIN_PARAM_TEXT:
+      return BURIN_HAS(&param, burin_param_info, default_text) ? text_or_empty(param.default_text) : "";
     case BURIN_PARAM_CURVE:
       return std::vector<float>(param.default_knots, param.default_knots + 2 * param.default_knot_count);
     default:

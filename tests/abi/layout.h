@@ -10,6 +10,7 @@
 
 #include <burin/abi/ext/bench_budget.h>
 #include <burin/abi/ext/curve_filter.h>
+#include <burin/abi/ext/lettering.h>
 #include <burin/abi/ext/log.h>
 #include <burin/abi/ext/stamps.h>
 #include <burin/abi/ext/state.h>
@@ -52,7 +53,7 @@
   MEMBER(burin_host, name, 24) \
   MEMBER(burin_host, version, 32) \
   MEMBER(burin_host, get_extension, 40) \
-  STRUCT(burin_param_info, 104) \
+  STRUCT(burin_param_info, 112) \
   MEMBER(burin_param_info, struct_size, 0) \
   MEMBER(burin_param_info, type, 4) \
   MEMBER(burin_param_info, id, 8) \
@@ -70,10 +71,11 @@
   MEMBER(burin_param_info, default_knots, 88) \
   MEMBER(burin_param_info, default_knot_count, 96) \
   MEMBER(burin_param_info, dynamic, 100) \
+  MEMBER(burin_param_info, default_text, 104) \
   STRUCT(burin_param_value, 104) \
   MEMBER(burin_param_value, number, 0) \
   MEMBER(burin_param_value, colour, 16) \
-  MEMBER(burin_param_value, file, 80) \
+  MEMBER(burin_param_value, text, 80) \
   MEMBER(burin_param_value, knots, 88) \
   MEMBER(burin_param_value, knot_count, 96) \
   MEMBER(burin_param_value, reserved, 100) \
@@ -81,7 +83,7 @@
   MEMBER(burin_params, struct_size, 0) \
   MEMBER(burin_params, count, 4) \
   MEMBER(burin_params, values, 8) \
-  STRUCT(burin_stroke_context, 64) \
+  STRUCT(burin_stroke_context, 72) \
   MEMBER(burin_stroke_context, struct_size, 0) \
   MEMBER(burin_stroke_context, pass, 4) \
   MEMBER(burin_stroke_context, flags, 8) \
@@ -91,7 +93,8 @@
   MEMBER(burin_stroke_context, radius_min, 40) \
   MEMBER(burin_stroke_context, radius_max, 48) \
   MEMBER(burin_stroke_context, object_scale, 56) \
-  STRUCT(burin_batch, 608) \
+  MEMBER(burin_stroke_context, dab_t, 64) \
+  STRUCT(burin_batch, 704) \
   MEMBER(burin_batch, struct_size, 0) \
   MEMBER(burin_batch, count, 4) \
   MEMBER(burin_batch, params, 8) \
@@ -119,6 +122,8 @@
   MEMBER(burin_batch, twist, 560) \
   MEMBER(burin_batch, speed, 576) \
   MEMBER(burin_batch, time, 592) \
+  MEMBER(burin_batch, foot, 608) \
+  MEMBER(burin_batch, foot_normal, 656) \
   STRUCT(burin_outputs, 136) \
   MEMBER(burin_outputs, struct_size, 0) \
   MEMBER(burin_outputs, count, 4) \
@@ -171,19 +176,46 @@
   MEMBER(burin_log, write, 8) \
   STRUCT(burin_stamp, 8) \
   MEMBER(burin_stamp, handle, 0) \
-  STRUCT(burin_stamp_info, 24) \
+  STRUCT(burin_stamp_options, 16) \
+  MEMBER(burin_stamp_options, struct_size, 0) \
+  MEMBER(burin_stamp_options, wrap_u, 4) \
+  MEMBER(burin_stamp_options, wrap_v, 8) \
+  MEMBER(burin_stamp_options, clean, 12) \
+  STRUCT(burin_stamp_area, 64) \
+  MEMBER(burin_stamp_area, along_u, 0) \
+  MEMBER(burin_stamp_area, along_v, 16) \
+  MEMBER(burin_stamp_area, across_u, 32) \
+  MEMBER(burin_stamp_area, across_v, 48) \
+  STRUCT(burin_stamp_info, 32) \
   MEMBER(burin_stamp_info, struct_size, 0) \
   MEMBER(burin_stamp_info, width, 4) \
   MEMBER(burin_stamp_info, height, 8) \
   MEMBER(burin_stamp_info, channels, 12) \
   MEMBER(burin_stamp_info, minimum, 16) \
   MEMBER(burin_stamp_info, maximum, 20) \
-  STRUCT(burin_stamps, 32) \
+  MEMBER(burin_stamp_info, wrap_u, 24) \
+  MEMBER(burin_stamp_info, wrap_v, 28) \
+  STRUCT(burin_stamps, 48) \
   MEMBER(burin_stamps, struct_size, 0) \
   MEMBER(burin_stamps, reserved, 4) \
   MEMBER(burin_stamps, open, 8) \
   MEMBER(burin_stamps, close, 16) \
   MEMBER(burin_stamps, sample, 24) \
+  MEMBER(burin_stamps, open_with, 32) \
+  MEMBER(burin_stamps, sample_area, 40) \
+  STRUCT(burin_lettering_info, 32) \
+  MEMBER(burin_lettering_info, struct_size, 0) \
+  MEMBER(burin_lettering_info, width, 4) \
+  MEMBER(burin_lettering_info, ascent, 8) \
+  MEMBER(burin_lettering_info, descent, 12) \
+  MEMBER(burin_lettering_info, left, 16) \
+  MEMBER(burin_lettering_info, right, 20) \
+  MEMBER(burin_lettering_info, bottom, 24) \
+  MEMBER(burin_lettering_info, top, 28) \
+  STRUCT(burin_lettering, 16) \
+  MEMBER(burin_lettering, struct_size, 0) \
+  MEMBER(burin_lettering, reserved, 4) \
+  MEMBER(burin_lettering, set, 8) \
   STRUCT(burin_state, 24) \
   MEMBER(burin_state, struct_size, 0) \
   MEMBER(burin_state, version, 4) \

@@ -24,7 +24,7 @@ TEST(DescriptorCheck, AcceptsWhatIsInOrder) {
   const Descriptor brush({param_of(BURIN_PARAM_FLOAT, "depth"), param_of(BURIN_PARAM_INT, "count"),
                           param_of(BURIN_PARAM_BOOL, "inverted"), param_of(BURIN_PARAM_CHOICE, "profile"),
                           param_of(BURIN_PARAM_COLOUR, "paint"), param_of(BURIN_PARAM_FILE, "stamp"),
-                          param_of(BURIN_PARAM_CURVE, "response")});
+                          param_of(BURIN_PARAM_CURVE, "response"), param_of(BURIN_PARAM_TEXT, "words")});
   EXPECT_EQ(descriptor_problem(brush.abi), "");
   EXPECT_EQ(problem(BURIN_PARAM_FLOAT,
                     [](auto& info) {
@@ -59,6 +59,7 @@ TEST(DescriptorCheck, FindsWhatIsWrongWithAParameter) {
       {BURIN_PARAM_COLOUR, [](auto& i) { i.default_colour[2] = -1; }, "its default has a channel of -1"},
       {BURIN_PARAM_CURVE, [](auto& i) { i.default_knot_count = 0; }, "a curve without knots"},
       {BURIN_PARAM_CURVE, [&](auto& i) { i.default_knots = two_alike; }, "knots whose x does not rise"},
+      {BURIN_PARAM_TEXT, [](auto& i) { i.default_text = "a\nb"; }, "its default is no text"},
       {BURIN_PARAM_UNKNOWN, [](auto&) {}, "type 0 is unknown"},
       {BURIN_PARAM_FLOAT, [](auto& i) { i.name = ""; }, "no proper name"},
       {BURIN_PARAM_FLOAT, [](auto& i) { i.help = "a\nb"; }, "its help is no text"},

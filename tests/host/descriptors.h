@@ -24,6 +24,7 @@ inline burin_param_info param_of(burin_param_type type, const char* id) {
   info.choices = type == BURIN_PARAM_CHOICE ? choices : nullptr;
   info.default_knots = type == BURIN_PARAM_CURVE ? knots : nullptr;
   info.default_knot_count = type == BURIN_PARAM_CURVE ? 2 : 0;
+  info.default_text = type == BURIN_PARAM_TEXT ? "a line" : nullptr;
   return info;
 }
 

@@ -33,7 +33,8 @@ inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& cur
                                      .length = curve.length(),
                                      .radius_min = radius * narrowest_width(settings.pressure_width),
                                      .radius_max = radius,
-                                     .object_scale = base.scale};
+                                     .object_scale = base.scale,
+                                     .dab_t = 0};
   const BrushStroke stroke(*brush, *entry.descriptor, context, params.abi());
   LiveChart chart(base.vertex_count());
   StrokeNodes nodes(chart, {radius, entry.descriptor->inputs_read, varying});

@@ -15,10 +15,10 @@ using test::param_of;
 std::vector<burin_param_info> one_of_each() {
   burin_param_info file = param_of(BURIN_PARAM_FILE, "stamp");
   file.default_file = "default.exr";
-  return {param_of(BURIN_PARAM_FLOAT, "depth"),   param_of(BURIN_PARAM_INT, "count"),
-          param_of(BURIN_PARAM_BOOL, "inverted"), param_of(BURIN_PARAM_CHOICE, "profile"),
-          param_of(BURIN_PARAM_COLOUR, "paint"),  file,
-          param_of(BURIN_PARAM_CURVE, "response")};
+  return {param_of(BURIN_PARAM_FLOAT, "depth"),    param_of(BURIN_PARAM_INT, "count"),
+          param_of(BURIN_PARAM_BOOL, "inverted"),  param_of(BURIN_PARAM_CHOICE, "profile"),
+          param_of(BURIN_PARAM_COLOUR, "paint"),   file,
+          param_of(BURIN_PARAM_CURVE, "response"), param_of(BURIN_PARAM_TEXT, "words")};
 }
 
 std::string failure(const burin_brush_descriptor& brush, const ParamSettings& settings) {
@@ -34,15 +34,16 @@ TEST(ParamSnapshot, HoldsDefaultsInTheOrderOfTheDescriptor) {
   const Descriptor brush(one_of_each());
   const ParamSnapshot snapshot(brush.abi, {});
   const burin_params& params = snapshot.abi();
-  ASSERT_EQ(params.count, 7u);
+  ASSERT_EQ(params.count, 8u);
   for (const int number : {0, 1, 2, 3}) {
     EXPECT_EQ(*params.values[number].number.data, 1.0f);
     EXPECT_EQ(params.values[number].number.stride, 0u);
   }
   EXPECT_EQ(*params.values[4].colour[3].data, 0.0f);
-  EXPECT_STREQ(params.values[5].file, "default.exr");
+  EXPECT_STREQ(params.values[5].text, "default.exr");
   ASSERT_EQ(params.values[6].knot_count, 2u);
   EXPECT_EQ(params.values[6].knots[3], 3.0f);
+  EXPECT_STREQ(params.values[7].text, "a line");
 }
 
 TEST(ParamSnapshot, TakesWhatIsSet) {
@@ -53,16 +54,18 @@ TEST(ParamSnapshot, TakesWhatIsSet) {
                                            {"profile", std::string("v")},
                                            {"paint", std::vector<double>{0.1, 0.2, 0.3, 1}},
                                            {"stamp", std::string("rock.exr")},
-                                           {"response", std::vector<double>{0, 0, 1, 1, 2, 5}}});
+                                           {"response", std::vector<double>{0, 0, 1, 1, 2, 5}},
+                                           {"words", std::string()}});
   const burin_param_value* values = snapshot.abi().values;
   EXPECT_EQ(*values[0].number.data, 2.5f);
   EXPECT_EQ(*values[1].number.data, 3.0f);
   EXPECT_EQ(*values[2].number.data, 0.0f);
   EXPECT_EQ(*values[3].number.data, 1.0f);
   EXPECT_EQ(*values[4].colour[1].data, 0.2f);
-  EXPECT_STREQ(values[5].file, "rock.exr");
+  EXPECT_STREQ(values[5].text, "rock.exr");
   EXPECT_EQ(values[6].knot_count, 3u);
   EXPECT_EQ(values[6].knots[5], 5.0f);
+  EXPECT_STREQ(values[7].text, "");
 }
 
 TEST(ParamSnapshot, SaysWhatIsWrongWithASetting) {

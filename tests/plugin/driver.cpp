@@ -31,7 +31,7 @@ burin_status open_stamp(const burin_host* host, const char* path, burin_stamp* s
   }
   ++self(host).open_stamps;
   stamp->handle = ramp_handle;
-  *info = {sizeof(burin_stamp_info), 64, 32, 1, 0, 3};
+  *info = {sizeof(burin_stamp_info), 64, 32, 1, 0, 3, BURIN_WRAP_PERIODIC, BURIN_WRAP_PERIODIC};
   return BURIN_OK;
 }
 
@@ -48,11 +48,24 @@ burin_status sample_stamp(const burin_host*, burin_stamp stamp, std::uint32_t ch
   return BURIN_OK;
 }
 
+burin_status open_with(const burin_host* host, const char* path, const burin_stamp_options*,
+                       burin_stamp* stamp, burin_stamp_info* info, burin_text* error) {
+  return open_stamp(host, path, stamp, info, error);
+}
+
+/// The ramp is linear, so a mean over a small area within a period is its value in the middle.
+burin_status sample_area(const burin_host* host, burin_stamp stamp, std::uint32_t channel,
+                         std::uint32_t count, burin_floats u, burin_floats v, const burin_stamp_area*,
+                         burin_floats_out values) {
+  return sample_stamp(host, stamp, channel, count, u, v, values);
+}
+
 burin_param_value default_value(const burin_param_info& info) {
   burin_param_value value{};
   value.number = {&info.default_number, 0, 0};
   for (std::size_t i = 0; i < 4; ++i) value.colour[i] = {&info.default_colour[i], 0, 0};
-  value.file = info.default_file ? info.default_file : "";
+  const char* text = info.type == BURIN_PARAM_TEXT ? info.default_text : info.default_file;
+  value.text = text ? text : "";
   value.knots = info.default_knots;
   value.knot_count = info.default_knot_count;
   return value;
@@ -86,7 +99,7 @@ const burin_brush_descriptor& PluginModule::descriptor(std::string_view id) cons
 
 TestHost::TestHost() {
   log_ = {sizeof(burin_log), 0, write_line};
-  stamps_ = {sizeof(burin_stamps), 0, open_stamp, close_stamp, sample_stamp};
+  stamps_ = {sizeof(burin_stamps), 0, open_stamp, close_stamp, sample_stamp, open_with, sample_area};
   abi = {sizeof(burin_host), BURIN_ABI_MAJOR, BURIN_ABI_MINOR, 0, this, "test", "1.0", nullptr};
   abi.get_extension = [](const burin_host* host, const char* id) -> const void* {
     TestHost& test = self(host);
@@ -113,7 +126,7 @@ void ParamSnapshot::set(std::string_view id, std::vector<float> numbers, std::ui
 }
 
 void ParamSnapshot::set_file(std::string_view id, std::string file) {
-  value(id).file = (files_[std::string(id)] = std::move(file)).c_str();
+  value(id).text = (files_[std::string(id)] = std::move(file)).c_str();
 }
 
 burin_param_value& ParamSnapshot::value(std::string_view id) {

@@ -91,7 +91,7 @@ TEST(BrushDescriptor, SaysWhatTheBrushDeclares) {
   EXPECT_EQ(list(brush.features), (std::vector<std::string>{"probe", "test"}));
   EXPECT_EQ(brush.inputs_read, BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS);
   EXPECT_EQ(brush.outputs_written, BURIN_OUTPUT_DISPLACEMENT | BURIN_OUTPUT_MASK | BURIN_OUTPUT_COLOUR);
-  EXPECT_EQ(brush.param_count, 7u);
+  EXPECT_EQ(brush.param_count, 8u);
 }
 
 TEST(BrushDescriptor, NeedsNeitherParametersNorFeatures) {

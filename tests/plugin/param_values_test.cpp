@@ -25,7 +25,7 @@ class ParamsProbe : public testing::Test {
 
 TEST_F(ParamsProbe, ReadsTheDefaultsOfItsDescriptor) {
   evaluate();
-  EXPECT_EQ(stroke_.along, (std::vector<float>{0.5f, 0.5f}));
+  EXPECT_EQ(stroke_.along, (std::vector<float>{3.5f, 3.5f})) << "0.5, and the length of abc";
   EXPECT_EQ(stroke_.across, (std::vector<float>{32, 32}));
   EXPECT_EQ(stroke_.up, (std::vector<float>{2, 1.5f}));
   EXPECT_EQ(stroke_.mask, (std::vector<float>{11, 11})) << "length of default.txt";
@@ -38,6 +38,7 @@ TEST_F(ParamsProbe, ReadsWhatTheHostSets) {
   stroke_.params.set("count", -16777216);
   stroke_.params.set("shape", 0);
   stroke_.params.set_file("file", "/a");
+  stroke_.params.set_file("text", "");
   const float knots[] = {0, 0, 1, 4}, blue[] = {0.5f, 0.75f};
   stroke_.params.value("curve").knots = knots;
   stroke_.params.value("curve").knot_count = 2;
@@ -58,7 +59,7 @@ TEST_F(ParamsProbe, DescribesEachType) {
   const auto info = [&](std::uint32_t i) -> const burin_param_info& { return *brush.params[i]; };
   const burin_param_type types[] = {BURIN_PARAM_FLOAT,  BURIN_PARAM_INT,    BURIN_PARAM_BOOL,
                                     BURIN_PARAM_CHOICE, BURIN_PARAM_COLOUR, BURIN_PARAM_FILE,
-                                    BURIN_PARAM_CURVE};
+                                    BURIN_PARAM_CURVE,  BURIN_PARAM_TEXT};
   ASSERT_EQ(brush.param_count, std::size(types));
   for (std::uint32_t i = 0; i < brush.param_count; ++i) {
     EXPECT_EQ(info(i).struct_size, sizeof(burin_param_info));
@@ -76,6 +77,7 @@ TEST_F(ParamsProbe, DescribesEachType) {
   EXPECT_STREQ(info(3).choices[2], "star");
   EXPECT_EQ(info(3).choices[3], nullptr);
   EXPECT_EQ(info(6).default_knot_count, 3u);
+  EXPECT_STREQ(info(7).default_text, "abc");
 }
 
 TEST(Curve, RunsStraightBetweenKnotsAndLevelBeyond) {

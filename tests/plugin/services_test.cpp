@@ -53,7 +53,11 @@ TEST(Stamp, SamplesAnyNumberOfPlaces) {
   const auto u = [](std::size_t i) { return static_cast<float>(i) / 1000 + 3; };
   for (const std::size_t count : {1u, 255u, 256u, 257u, 600u}) {
     std::vector<float> values(2 * count + 2, -1);
-    stamp.sample(count, [&](std::size_t i) { return plugin::StampPlace{u(i), 0.25f}; }, {values.data(), 2});
+    stamp.sample(count,
+                 [&](std::size_t i) {
+                   return plugin::StampArea{{u(i), 0.25f}, {}, {}};
+                 },
+                 {values.data(), 2});
     for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(values[2 * i], test::TestHost::ramp(u(i), 0.25)) << i;
     EXPECT_EQ(values[2 * count], -1);
   }
@@ -63,7 +67,7 @@ TEST(Stamp, ThrowsWhenTheHostRefusesToSample) {
   test::TestHost host;
   const plugin::Stamp stamp(plugin::Host(&host.abi), "ramp.exr");
   float value = 0;
-  const auto corner = [](std::size_t) { return plugin::StampPlace{0, 0}; };
+  const auto corner = [](std::size_t) { return plugin::StampArea{}; };
   EXPECT_THROW(stamp.sample(1, corner, {&value, 1}, 5), plugin::Error);
 }
 

@@ -17,7 +17,8 @@ enum {
   BURIN_PARAM_CHOICE = 4, /* travels as the index into `choices` */
   BURIN_PARAM_COLOUR = 5, /* four floats, linear RGBA, 0..1 */
   BURIN_PARAM_FILE = 6,   /* a path, UTF-8 */
-  BURIN_PARAM_CURVE = 7   /* knots (x, y), x rising, straight lines between, constant beyond the ends */
+  BURIN_PARAM_CURVE = 7,  /* knots (x, y), x rising, straight lines between, constant beyond the ends */
+  BURIN_PARAM_TEXT = 8    /* a line of UTF-8 text, may be empty */
 };
 
 /* What a number measures, so that a host can show and scale it. */
@@ -45,18 +46,20 @@ typedef struct burin_param_info {
   float soft_min, soft_max;    /* FLOAT, INT: finite, within the hard range */
   float default_number;        /* FLOAT, INT, BOOL, CHOICE */
   float default_colour[4];     /* COLOUR */
-  const char* default_file;    /* FILE: may be null, then the user must give one */
+  const char* default_file;    /* FILE: null when the user must give one; "" when none is needed */
   const char* const* choices;  /* CHOICE: stable ids, ended by a null pointer */
   const float* default_knots;  /* CURVE: x0 y0 x1 y1 ... */
   uint32_t default_knot_count; /* CURVE: pairs, at least 1 */
   uint32_t dynamic;            /* 1: may vary along the stroke (input dynamics); 0: constant */
+  const char* default_text;    /* TEXT: null stands for "" */
 } burin_param_info;
 
 /* FROZEN. One parameter's value; which member counts follows from the declared type. */
 typedef struct burin_param_value {
   burin_floats number;    /* FLOAT, INT, BOOL, CHOICE: a number an element, or stride 0 */
   burin_floats colour[4]; /* COLOUR */
-  const char* file;       /* FILE: UTF-8, absolute or relative to the working directory; never null */
+  const char* text;       /* TEXT: the text; FILE: a path, absolute or relative to the working directory, or
+                             "" for none where the default is that; UTF-8, never null */
   const float* knots;     /* CURVE: x0 y0 x1 y1 ... */
   uint32_t knot_count;    /* CURVE: pairs */
   uint32_t reserved;

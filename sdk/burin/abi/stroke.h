@@ -38,6 +38,7 @@ extern "C" {
 #define BURIN_INPUT_TWIST (UINT64_C(1) << 19)
 #define BURIN_INPUT_SPEED (UINT64_C(1) << 20)
 #define BURIN_INPUT_TIME (UINT64_C(1) << 21)
+#define BURIN_INPUT_FOOT (UINT64_C(1) << 22)
 
 /* Outputs a brush may write; bits of burin_brush_descriptor.outputs_written. */
 #define BURIN_OUTPUT_DISPLACEMENT (UINT64_C(1) << 0)
@@ -45,8 +46,12 @@ extern "C" {
 #define BURIN_OUTPUT_COLOUR (UINT64_C(1) << 2)
 
 /* Bits of burin_stroke_context.flags. */
-#define BURIN_STROKE_CLOSED (UINT64_C(1) << 0) /* t lives modulo length; only with BURIN_STROKE_FINAL */
-#define BURIN_STROKE_FINAL (UINT64_C(1) << 1)  /* the pen is up: length will not change any more */
+#define BURIN_STROKE_CLOSED (UINT64_C(1) << 0)   /* t lives modulo length; only with BURIN_STROKE_FINAL */
+#define BURIN_STROKE_FINAL (UINT64_C(1) << 1)    /* the pen is up: length will not change any more */
+#define BURIN_STROKE_MIRRORED (UINT64_C(1) << 2) /* a symmetry instance that is a mirror image: d, e2 and */
+                                                 /* `across` point to the right of the direction of travel */
+#define BURIN_STROKE_DAB (UINT64_C(1) << 3)      /* one dab of a stroke of dabs: length is 0, t and d are */
+                                                 /* normal coordinates around it, and there are no ends */
 
 /* Constant during a call. */
 typedef struct burin_stroke_context {
@@ -59,6 +64,7 @@ typedef struct burin_stroke_context {
   double radius_min;    /* bounds of the radius along the stroke, however it will go on: from begin on */
   double radius_max;    /* the same two numbers in every call of a stroke */
   double object_scale;  /* diagonal of the surface's bounding box */
+  double dab_t; /* of a dab (BURIN_STROKE_DAB): arc length along the stroke at which it lies, else 0 */
 } burin_stroke_context;
 
 /* Chart nodes, one element each. An array that the brush did not declare in inputs_read is null, and
@@ -92,12 +98,16 @@ typedef struct burin_batch {
   burin_floats twist;          /* at t: radians; neutral 0 */
   burin_floats speed;          /* at t: object units a second; neutral 0 */
   burin_floats time;           /* at t: seconds since the stroke began; neutral 0 */
+  burin_vectors foot;          /* at t: mean place of the stroke's points within one radius either side */
+  burin_vectors foot_normal; /* the same of their normals, unit: with foot a plane that the stroke lies in */
 } burin_batch;
 
 /* Filled with zero (colour: the colour so far; mask: the mask so far) before evaluate is called. An
  * output that the brush did not declare in outputs_written has null data. Every value written must be
  * finite: the host rejects the stroke otherwise. The host multiplies displacement by the strength of
- * the stroke, so that strength 0 leaves every surface untouched. */
+ * the stroke and by the node's mask, and goes from the colour or mask so far to the one written in the same
+ * proportion (of the mask's strength alone, within 0..1), so that strength 0 leaves every surface untouched.
+ */
 typedef struct burin_outputs {
   uint32_t struct_size;
   uint32_t count;             /* equals the batch's */

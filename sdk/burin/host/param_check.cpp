@@ -63,6 +63,10 @@ std::string curve_problem(const burin_param_info& info) {
   return {};
 }
 
+std::string text_problem(const char* text) {
+  return text && *text && !is_text(text) ? "its default is no text" : "";
+}
+
 std::string value_problem(const burin_param_info& info) {
   switch (info.type) {
     case BURIN_PARAM_FLOAT:
@@ -76,7 +80,9 @@ std::string value_problem(const burin_param_info& info) {
     case BURIN_PARAM_COLOUR:
       return colour_problem(info);
     case BURIN_PARAM_FILE:
-      return info.default_file && !is_text(info.default_file) ? "its default is no text" : "";
+      return text_problem(info.default_file);
+    case BURIN_PARAM_TEXT:
+      return BURIN_HAS(&info, burin_param_info, default_text) ? text_problem(info.default_text) : "";
     case BURIN_PARAM_CURVE:
       return curve_problem(info);
     default:

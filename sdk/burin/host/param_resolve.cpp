@@ -92,8 +92,23 @@ std::vector<float> knots(const Target& target, const ParamSetting& setting) {
 
 std::string file(const Target& target, const ParamSetting& setting) {
   const std::string& path = expect<std::string>(target, setting, "the path of a file");
-  if (path.empty() || path.find('\0') != std::string::npos) target.refuse("must be the path of a file");
+  const bool none = path.empty() && target.info.default_file && *target.info.default_file == '\0';
+  if ((path.empty() && !none) || path.find('\0') != std::string::npos)
+    target.refuse("must be the path of a file");
   return path;
+}
+
+/// A line as people write it: a number too, since a command line cannot tell it from text.
+std::string text(const Target& target, const ParamSetting& setting) {
+  if (const double* number = std::get_if<double>(&setting)) return fmt::format("{}", *number);
+  const std::string& line = expect<std::string>(target, setting, "a line of text");
+  if (!line.empty() && !is_text(line.c_str())) target.refuse("must be a line of UTF-8 text");
+  return line;
+}
+
+const char* default_text(const burin_param_info& info) {
+  const bool has = BURIN_HAS(&info, burin_param_info, default_text) && info.default_text;
+  return has ? info.default_text : "";
 }
 
 ParamValue default_value(const Target& target) {
@@ -105,7 +120,10 @@ ParamValue default_value(const Target& target) {
       break;
     case BURIN_PARAM_FILE:
       if (!info.default_file) target.refuse("a file must be given");
-      value.file = info.default_file;
+      value.text = info.default_file;
+      break;
+    case BURIN_PARAM_TEXT:
+      value.text = default_text(info);
       break;
     case BURIN_PARAM_CURVE:
       value.knots.assign(info.default_knots, info.default_knots + std::size_t{2} * info.default_knot_count);
@@ -140,7 +158,10 @@ ParamValue resolve_param(const burin_brush_descriptor& brush, const burin_param_
       value.numbers = colour(target, *setting);
       break;
     case BURIN_PARAM_FILE:
-      value.file = file(target, *setting);
+      value.text = file(target, *setting);
+      break;
+    case BURIN_PARAM_TEXT:
+      value.text = text(target, *setting);
       break;
     default:
       value.knots = knots(target, *setting);

@@ -30,7 +30,8 @@ burin_param_value abi_value(const burin_param_info& info, const ParamValue& valu
       for (std::size_t k = 0; k < 4; ++k) abi.colour[k] = {&value.numbers[k], 0, 0};
       break;
     case BURIN_PARAM_FILE:
-      abi.file = value.file.c_str();
+    case BURIN_PARAM_TEXT:
+      abi.text = value.text.c_str();
       break;
     case BURIN_PARAM_CURVE:
       abi.knots = value.knots.data();

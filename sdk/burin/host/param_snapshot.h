@@ -11,7 +11,7 @@ namespace burin {
 /// One parameter's value, of which the declared type uses a part.
 struct ParamValue {
   std::array<float, 4> numbers{};  ///< the first alone but for colours
-  std::string file;                ///< UTF-8
+  std::string text;                ///< of text and files, UTF-8
   std::vector<float> knots;        ///< x0 y0 x1 y1 ...
 };
 

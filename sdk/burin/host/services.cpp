@@ -35,6 +35,7 @@ void describe(const StampImage& image, burin_stamp_info* info) {
   full.channels = static_cast<std::uint32_t>(image.channels);
   full.minimum = image.minimum;
   full.maximum = image.maximum;
+  full.wrap_u = full.wrap_v = BURIN_WRAP_PERIODIC;
   std::memcpy(info, &full, std::min<std::size_t>(info->struct_size, sizeof(full)));
 }
 
@@ -70,8 +71,26 @@ burin_status BURIN_CALL sample_stamp(const burin_host* host, burin_stamp stamp, 
   return BURIN_OK;
 }
 
+burin_status BURIN_CALL open_with(const burin_host* host, const char* path,
+                                  const burin_stamp_options* options, burin_stamp* stamp,
+                                  burin_stamp_info* info, burin_text* error) {
+  const auto offered = [](burin_stamp_wrap wrap) { return wrap <= BURIN_WRAP_PERIODIC; };
+  if (!offered(options->wrap_u) || !offered(options->wrap_v) || options->clean) {
+    copy_text("this host repeats stamps and does not clean them", error);
+    return BURIN_UNSUPPORTED;
+  }
+  return open_stamp(host, path, stamp, info, error);
+}
+
+burin_status BURIN_CALL sample_area(const burin_host* host, burin_stamp stamp, std::uint32_t channel,
+                                    std::uint32_t count, burin_floats u, burin_floats v,
+                                    const burin_stamp_area*, burin_floats_out values) {
+  return sample_stamp(host, stamp, channel, count, u, v, values);
+}
+
 constexpr burin_log log_service{sizeof(burin_log), 0, write_log_line};
-constexpr burin_stamps stamps_service{sizeof(burin_stamps), 0, open_stamp, close_stamp, sample_stamp};
+constexpr burin_stamps stamps_service{sizeof(burin_stamps), 0,         open_stamp, close_stamp,
+                                      sample_stamp,         open_with, sample_area};
 
 const void* BURIN_CALL get_extension(const burin_host*, const char* id) {
   if (!id) return nullptr;

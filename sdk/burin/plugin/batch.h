@@ -58,6 +58,9 @@ class Batch {
   Indices node_id() const { return indices(batch_.node_id, BURIN_INPUT_NODE_ID, "node id"); }
   Indices symmetry() const { return indices(batch_.symmetry, BURIN_INPUT_SYMMETRY, "symmetry"); }
 
+  Vectors foot() const { return vectors(batch_.foot, BURIN_INPUT_FOOT, "foot"); }
+  Vectors foot_normal() const { return vectors(batch_.foot_normal, BURIN_INPUT_FOOT, "foot"); }
+
   Floats pressure() const { return pen(batch_.pressure, BURIN_INPUT_PRESSURE, "pressure", one_); }
   Floats tilt_x() const { return pen(batch_.tilt_x, BURIN_INPUT_TILT, "tilt", zero_); }
   Floats tilt_y() const { return pen(batch_.tilt_y, BURIN_INPUT_TILT, "tilt", zero_); }

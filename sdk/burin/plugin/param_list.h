@@ -73,6 +73,12 @@ constexpr burin_param_info info_of(const FileParam& param) {
   return info;
 }
 
+constexpr burin_param_info info_of(const TextParam& param) {
+  burin_param_info info = info_of_any(param, BURIN_PARAM_TEXT, false);
+  info.default_text = param.initial;
+  return info;
+}
+
 constexpr burin_param_info info_of(const CurveParam& param) {
   burin_param_info info = info_of_any(param, BURIN_PARAM_CURVE, false);
   info.default_knots = param.initial.data();

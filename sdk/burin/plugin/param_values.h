@@ -50,7 +50,9 @@ class Params {
     const burin_param_value& value = find(param.id);
     return {view(value.colour[0]), view(value.colour[1]), view(value.colour[2]), view(value.colour[3])};
   }
-  const char* operator[](const FileParam& param) const { return find(param.id).file; }
+  /// Empty where no file was given.
+  const char* operator[](const FileParam& param) const { return find(param.id).text; }
+  const char* operator[](const TextParam& param) const { return find(param.id).text; }
   Curve operator[](const CurveParam& param) const {
     const burin_param_value& value = find(param.id);
     return {value.knots, value.knot_count};

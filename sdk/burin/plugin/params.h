@@ -90,7 +90,14 @@ struct FileParam {
   const char* id = nullptr;
   const char* name = nullptr;
   const char* help = nullptr;
-  const char* initial = nullptr;  ///< without it the user must give a file
+  const char* initial = nullptr;  ///< without it the user must give a file; "" when none is needed
+};
+
+struct TextParam {
+  const char* id = nullptr;
+  const char* name = nullptr;
+  const char* help = nullptr;
+  const char* initial = "";  ///< UTF-8, one line
 };
 
 struct CurveParam {

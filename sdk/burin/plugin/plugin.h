@@ -4,6 +4,7 @@
 #include <burin/plugin/entry.h>
 #include <burin/plugin/error.h>
 #include <burin/plugin/falloff.h>
+#include <burin/plugin/lettering.h>
 #include <burin/plugin/log.h>
 #include <burin/plugin/params.h>
 #include <burin/plugin/stamps.h>

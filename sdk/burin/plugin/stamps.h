@@ -13,9 +13,22 @@
 
 namespace burin::plugin {
 
-/// A place in a stamp: (0, 0) upper left, (1, 1) lower right, repeating with period 1.
+/// A place in a stamp: (0, 0) upper left, (1, 1) lower right; beyond that its wrap says what is there.
 struct StampPlace {
   float u, v;
+};
+
+/// The part of a stamp that a node's cell covers: the ellipse inscribed in a parallelogram around `at` with
+/// these sides. Along and across are the cell's sides, footprint_t along e1 and footprint_d along e2.
+struct StampArea {
+  StampPlace at;
+  StampPlace along, across;
+};
+
+struct StampOptions {
+  burin_stamp_wrap wrap_u = BURIN_WRAP_UNKNOWN;  ///< unknown: as the file says, else periodic
+  burin_stamp_wrap wrap_v = BURIN_WRAP_UNKNOWN;
+  bool clean = false;  ///< fill texels that are not finite from their neighbours instead of refusing the file
 };
 
 /// An image file, open through the host while the object lives: a member of a brush, opened by the brush's
@@ -23,17 +36,26 @@ struct StampPlace {
 class Stamp {
  public:
   /// Throws Error: the host has no stamps, or it cannot open the file (with the host's words).
-  Stamp(const Host& host, const char* path) : host_(host.raw()) {
+  Stamp(const Host& host, const char* path, const StampOptions& options = {})
+      : Stamp(host,
+              [&](const burin_stamps& stamps, burin_stamp* stamp, burin_stamp_info* info, burin_text* error) {
+                const burin_stamp_options raw{sizeof raw, options.wrap_u, options.wrap_v, options.clean};
+                return stamps.open_with(host.raw(), path, &raw, stamp, info, error);
+              }) {}
+
+  /// A stamp that `open(burin_stamps, burin_stamp*, burin_stamp_info*, burin_text*)` opens.
+  template <class Open>
+  Stamp(const Host& host, const Open& open) : host_(host.raw()) {
     const auto* stamps = host.service<burin_stamps>(BURIN_EXT_STAMPS);
-    if (!stamps || !BURIN_HAS(stamps, burin_stamps, sample))
+    if (!stamps || !BURIN_HAS(stamps, burin_stamps, sample_area))
       throw Error("this host cannot sample stamps", BURIN_UNSUPPORTED);
     service_ = complete(*stamps);
     std::array<char, 512> line{};
     burin_text text{sizeof text, static_cast<std::uint32_t>(line.size()), line.data()};
     info_.struct_size = sizeof info_;
-    const burin_status status = service_.open(host_, path, &stamp_, &info_, &text);
+    const burin_status status = open(service_, &stamp_, &info_, &text);
     if (status != BURIN_OK)
-      throw Error(line[0] ? line.data() : std::string(path) + ": cannot be opened", status);
+      throw Error(line[0] ? line.data() : std::string("the stamp cannot be opened"), status);
   }
   Stamp(Stamp&& other) noexcept
       : host_(other.host_),
@@ -45,31 +67,46 @@ class Stamp {
     if (stamp_.handle) service_.close(host_, stamp_);
   }
 
-  /// Size in texels, channels, range of the first channel.
+  /// Size in texels, channels, range of the first channel, wrap.
   const burin_stamp_info& info() const { return info_; }
 
-  /// Writes into `values` the bilinear samples at place(0) .. place(count - 1), each a StampPlace.
+  /// Height over width.
+  float aspect() const { return static_cast<float>(info_.height) / static_cast<float>(info_.width); }
+
+  /// Writes into `values` the means of a channel over area(0) .. area(count - 1), each a StampArea.
   /// Throws Error when the host refuses.
-  template <class Place>
-  void sample(std::size_t count, const Place& place, const FloatsOut& values,
-              std::uint32_t channel = 0) const {
-    constexpr std::size_t block = 256;  // keeps the places on the stack
-    std::array<float, block> u, v;
-    for (std::size_t first = 0; first < count; first += block) {
-      const std::size_t size = std::min(block, count - first);
-      for (std::size_t i = 0; i < size; ++i) {
-        const StampPlace at = place(first + i);
-        u[i] = at.u;
-        v[i] = at.v;
-      }
-      const auto n = static_cast<std::uint32_t>(size);
-      const burin_status status = service_.sample(host_, stamp_, channel, n, {u.data(), 1, 0},
-                                                  {v.data(), 1, 0}, values.from(first).raw());
+  template <class Area>
+  void sample(std::size_t count, const Area& area, const FloatsOut& values, std::uint32_t channel = 0) const {
+    Block block;
+    for (std::size_t first = 0; first < count; first += Block::capacity) {
+      const std::size_t size = std::min(Block::capacity, count - first);
+      for (std::size_t i = 0; i < size; ++i) block.set(i, area(first + i));
+      const burin_stamp_area areas = block.areas();
+      const burin_status status =
+          service_.sample_area(host_, stamp_, channel, static_cast<std::uint32_t>(size), block.column(0),
+                               block.column(1), &areas, values.from(first).raw());
       if (status != BURIN_OK) throw Error("the host refused to sample a stamp", status);
     }
   }
 
  private:
+  /// Areas to be sampled by one call, on the stack.
+  class Block {
+   public:
+    static constexpr std::size_t capacity = 256;
+
+    void set(std::size_t i, const StampArea& area) {
+      const float numbers[] = {area.at.u,    area.at.v,     area.along.u,
+                               area.along.v, area.across.u, area.across.v};
+      for (std::size_t k = 0; k < columns_.size(); ++k) columns_[k][i] = numbers[k];
+    }
+    burin_floats column(std::size_t k) const { return {columns_[k].data(), 1, 0}; }
+    burin_stamp_area areas() const { return {column(2), column(3), column(4), column(5)}; }
+
+   private:
+    std::array<std::array<float, capacity>, 6> columns_;
+  };
+
   const burin_host* host_;
   burin_stamps service_{};
   burin_stamp stamp_{};

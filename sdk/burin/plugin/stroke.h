@@ -26,6 +26,18 @@ class Stroke {
   /// The pen is up: length will not change any more.
   bool finished() const { return context_.flags & BURIN_STROKE_FINAL; }
 
+  /// A symmetry instance that is a mirror image: d, e2 and `across` point to the right of the travel.
+  bool mirrored() const { return context_.flags & BURIN_STROKE_MIRRORED; }
+
+  /// One dab of a stroke of dabs: length() is 0, t and d are normal coordinates around its middle.
+  bool dab() const { return context_.flags & BURIN_STROKE_DAB; }
+
+  /// Of a dab: arc length along the stroke at which it lies; else 0.
+  double dab_t() const { return context_.dab_t; }
+
+  /// Whether the stroke ends anywhere: closed ones and dabs do not.
+  bool has_ends() const { return !closed() && !dab(); }
+
   /// Whether the recording really has this pen input (BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME); the others
   /// read as their neutral value.
   bool has_pen(std::uint64_t input) const { return context_.pen_present & input; }

@@ -36,14 +36,15 @@ class ParamsProbe : public Brush {
   static constexpr FileParam file{.id = "file", .name = "File", .initial = "default.txt"};
   static constexpr float knots[] = {0, 1, 0.5f, 3, 1, 0};
   static constexpr CurveParam curve{.id = "curve", .name = "Curve", .initial = knots};
-  static constexpr auto params = param_list(number, count, on, shape, paint, file, curve);
+  static constexpr TextParam text{.id = "text", .name = "Text", .initial = "abc"};
+  static constexpr auto params = param_list(number, count, on, shape, paint, file, curve, text);
 
   void evaluate(const Batch& in, const Outputs& out) const override {
     const Floats t = in.t();
     const Colours paints = in.params[paint];
     const ColoursOut colour = out.colour();
     for (std::size_t i = 0; i < in.size(); ++i) {
-      out.along()[i] = in.params[number][i];
+      out.along()[i] = in.params[number][i] + static_cast<float>(std::strlen(in.params[text]));
       out.across()[i] = static_cast<float>(in.params[count][i] * 10 + in.params[shape][i]);
       out.up()[i] = in.params[curve](t[i]);
       out.mask()[i] = in.params[on][i] ? static_cast<float>(std::strlen(in.params[file])) : -1;
