@@ -25,23 +25,29 @@ Vec3d weighted_normal(const Vec3d& edge, const Vec3d& next_edge) {
 
 }  // namespace
 
+void NormalSum::add(const Vec3d& edge, const Vec3d& next_edge) {
+  const Vec3d share = weighted_normal(edge, next_edge);
+  sum_ += share;
+  weights_ += share.norm();
+}
+
+Vec3d NormalSum::unit() const {
+  const double length = sum_.norm();
+  // Sheets that face each other cancel up to rounding: no side is the outside there.
+  if (!(length > 1e-6 * weights_)) return Vec3d::UnitZ();
+  return sum_ / length;
+}
+
 Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex) {
   const Vec3d here = positions[vertex].cast<double>();
-  Vec3d sum = Vec3d::Zero();
-  double weights = 0;
+  NormalSum sum;
   for (const Index index : surface.incident[vertex]) {
     const Triangle& triangle = surface.triangles[index];
     const std::size_t corner = corner_of(triangle, vertex);
-    const Vec3d edge = positions[triangle[(corner + 1) % 3]].cast<double>() - here;
-    const Vec3d next_edge = positions[triangle[(corner + 2) % 3]].cast<double>() - here;
-    const Vec3d share = weighted_normal(edge, next_edge);
-    sum += share;
-    weights += share.norm();
+    sum.add(positions[triangle[(corner + 1) % 3]].cast<double>() - here,
+            positions[triangle[(corner + 2) % 3]].cast<double>() - here);
   }
-  const double length = sum.norm();
-  // Sheets that face each other cancel up to rounding: no side is the outside there.
-  if (!(length > 1e-6 * weights)) return Vec3f::UnitZ();
-  return (sum / length).cast<float>();
+  return sum.unit().cast<float>();
 }
 
 void update_normals(const Surface& surface, std::span<const Vec3f> positions, std::span<const Index> vertices,
