@@ -26,6 +26,10 @@ class NormalSum {
 /// Unit normal at a vertex of a surface whose vertices stand at `positions`: the NormalSum of its triangles.
 Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex);
 
+/// The same where there is no Surface: `incident` as incident_triangles() gives it.
+Vec3f vertex_normal(std::span<const Triangle> triangles, const Csr& incident,
+                    std::span<const Vec3f> positions, Index vertex);
+
 /// Sets normals[v] for all v in `vertices`, in parallel.
 void update_normals(const Surface& surface, std::span<const Vec3f> positions, std::span<const Index> vertices,
                     std::span<Vec3f> normals);
