@@ -10,10 +10,13 @@
 #include <limits>
 #include <optional>
 
+#include "subdiv/cages.h"
 #include "support/shared_data.h"
 
 namespace burin {
 namespace {
+
+using test::shared_mesh, test::tetrahedron;
 
 constexpr auto catmull_clark = SubdivisionScheme::catmull_clark;
 constexpr auto loop = SubdivisionScheme::loop;
@@ -33,14 +36,6 @@ void expect_same_points(const std::vector<Vec3f>& a, const std::vector<Vec3f>& b
   EXPECT_LE(farthest, tolerance);
 }
 
-PolygonMesh tetrahedron() {
-  PolygonMesh cage;
-  cage.positions = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
-  cage.face_sizes = {3, 3, 3, 3};
-  cage.face_vertices = {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2};
-  return cage;
-}
-
 PolygonMesh square(const std::vector<Index>& sizes, const std::vector<Index>& vertices) {
   PolygonMesh cage;
   cage.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}, {0, 0, 1}};
@@ -56,13 +51,6 @@ std::string message(const PolygonMesh& cage, SubdivisionScheme scheme = catmull_
     return error.what();
   }
   return "no error";
-}
-
-/// The mesh of the shared data with this name; nothing where the data is absent.
-std::optional<PolygonMesh> shared_mesh(const std::string& name) {
-  const auto path = test::shared_data("meshes/" + name);
-  if (!path) return std::nullopt;
-  return read_mesh(*path);
 }
 
 TEST(Refine, GivesSpotsSecondLevel) {
@@ -215,6 +203,49 @@ TEST(Refine, RefinesPixarsOtherCages) {
     BURIN_SHARED_DATA_OR_SKIP(path, std::string("meshes/opensubdiv/catmark_") + name + ".obj");
     const TriangleMesh mesh = refine(read_mesh(path), catmull_clark, 2);
     EXPECT_TRUE(std::ranges::all_of(mesh.positions, [](const Vec3f& p) { return p.allFinite(); })) << name;
+  }
+}
+
+// Coordinates that are a linear function of the position on a regular grid stay so, up to the border, which
+// is linear in itself. Faces of the left and the right half lie in islands apart.
+TEST(Refine, CarriesTextureCoordinates) {
+  PolygonMesh cage = test::plate(4);
+  const auto uv = [](const Vec3f& p, bool right) { return Vec2f(p.y() / 8 + (right ? 0.5F : 0), p.x() / 4); };
+  for (Index face = 0; face < 16; ++face)
+    for (Index corner = 4 * face; corner < 4 * face + 4; ++corner)
+      cage.corner_uv.push_back(uv(cage.positions[cage.face_vertices[corner]], face % 4 >= 2));
+  cage.boundary = BoundaryRule::edges_and_corners;
+  for (const int level : {0, 1, 3}) {
+    const TriangleMesh mesh = refine(cage, catmull_clark, level);
+    ASSERT_EQ(mesh.triangle_uv.size(), mesh.triangles.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      Vec3f centre = Vec3f::Zero();
+      for (const Index vertex : mesh.triangles[i]) centre += mesh.positions[vertex] / 3;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Vec3f& position = mesh.positions[mesh.triangles[i][corner]];
+        EXPECT_LE((mesh.triangle_uv[i][corner] - uv(position, centre.x() > 2)).norm(), 1e-6F);
+      }
+    }
+  }
+  cage.corner_uv.clear();
+  EXPECT_TRUE(refine(cage, catmull_clark, 1).triangle_uv.empty());
+}
+
+// Islands keep their borders, so the area that they cover stays.
+TEST(Refine, KeepsTheIslandsOfRealCages) {
+  for (const char* name : {"spot_quadrangulated.obj", "spot_triangulated.obj"}) {
+    BURIN_SHARED_DATA_OR_SKIP(path, std::string("meshes/") + name);
+    const PolygonMesh cage = read_mesh(path);
+    ASSERT_FALSE(cage.corner_uv.empty());
+    const TriangleMesh mesh = refine(cage, natural_scheme(cage), 1);
+    double area = 0, cage_area = 0;
+    const auto doubled = [](const TriangleUv& uv) {
+      const Vec2f a = uv[1] - uv[0], b = uv[2] - uv[0];
+      return static_cast<double>(std::abs(a.x() * b.y() - a.y() * b.x()));
+    };
+    for (const TriangleUv& uv : mesh.triangle_uv) area += doubled(uv);
+    for (const TriangleUv& uv : refine(cage, natural_scheme(cage), 0).triangle_uv) cage_area += doubled(uv);
+    EXPECT_NEAR(area, cage_area, 0.01 * cage_area) << name;
   }
 }
 

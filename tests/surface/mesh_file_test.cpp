@@ -52,7 +52,7 @@ std::string ply_header(int vertices, int faces) {
 TEST(ReadObj, KeepsPolygonsInTheFilesOrder) {
   const File file("a.OBJ",
                   "# five corners, then a quad by negative indices, in two groups\n"
-                  "v 0 0 0\r\nv 1 0 0\nv +2 1e0 .5\nv 1 2 0 1.0\nv 0 1 0 0.5 0.5 0.5\n"
+                  "v 0 0 0\r\nv 1 0 0\nv +2 1e0 .5\nv 1 2 0 1.0\nv 0 1 0 0.5 0.5 0.5\nvt 0 0\n"
                   "g one\nf 1/1/1 2//1 3 4 5\ng two\nf -5 -4 -2 -1\n");
   const PolygonMesh mesh = read_mesh(file.path());
   EXPECT_EQ(mesh.positions.size(), 5u);
@@ -91,6 +91,32 @@ TEST(ReadObj, NamesTheLineThatIsWrong) {
   EXPECT_EQ(obj_message(three_vertices + "f 1 2 -4\n"), "a.obj:4: the face names vertex -4 of 3 so far");
   EXPECT_EQ(obj_message(three_vertices + "f 1 2 99999999999999999999\n"),
             "a.obj:4: '99999999999999999999' is not a vertex of a face");
+}
+
+TEST(ReadObj, ReadsTextureCoordinatesOfCorners) {
+  const std::string faces = "f 2/2 3/-1 1/+1/7\nvt 0.5\nf 1/-4/1 2/4 3/3\n";
+  const PolygonMesh mesh =
+      read_mesh(File("a.obj", three_vertices + "vt 0 .25\r\nvt 1 0 9\nvt 0.75 1e-1\n" + faces).path());
+  EXPECT_EQ(mesh.corner_uv,
+            (std::vector<Vec2f>{{1, 0}, {0.75F, 0.1F}, {0, 0.25F}, {0, 0.25F}, {0.5F, 0}, {0.75F, 0.1F}}));
+  for (const char* corners : {"f 1/1 2/1 3\n", "f 1//1 2/1 3/1\n", "f 1 2 3\n"})
+    EXPECT_TRUE(read_mesh(File("a.obj", three_vertices + "vt 0 0\nf 1/1 2/1 3/1\n" + corners).path())
+                    .corner_uv.empty());
+}
+
+TEST(ReadObj, NamesTheLineOfWrongTextureCoordinates) {
+  EXPECT_EQ(obj_message("vt 0 nan\n"), "a.obj:1: the coordinate 'nan' is not finite");
+  EXPECT_EQ(obj_message("vt inf 0\n"), "a.obj:1: the coordinate 'inf' is not finite");
+  EXPECT_EQ(obj_message("vt u 0\n"), "a.obj:1: 'u' is not a coordinate");
+  EXPECT_EQ(obj_message("vt\n"), "a.obj:1: texture coordinates without a number");
+  const std::string begin = three_vertices + "vt 0 0\n";
+  EXPECT_EQ(obj_message(begin + "f 1/1 2/1 3/2\nf 1 2 3\n"),
+            "a.obj:5: the face names texture coordinates 2 of 1");
+  EXPECT_EQ(obj_message(begin + "f 1/1 2/-2 3/1\n"),
+            "a.obj:5: the face names texture coordinates -2 of 1 so far");
+  for (const char* corner : {"1/0", "1/", "1/x", "1/x/2"})
+    EXPECT_EQ(obj_message(begin + "f " + corner + " 2/1 3/1\n"),
+              std::string("a.obj:5: '") + corner + "' is not a vertex of a face");
 }
 
 TEST(ReadObj, RejectsFacesOfMoreCornersThanTheLoaderCounts) {

@@ -95,5 +95,22 @@ TEST(Triangulate, GivesTheTrianglesOfTheSpotCage) {
   for (const Triangle& t : mesh.triangles) EXPECT_GT(doubled_area(mesh, t).norm(), 0);
 }
 
+TEST(Triangulate, CarriesTextureCoordinates) {
+  PolygonMesh mesh = polygon({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 1, 0}, {0.5F, 2, 0}, {-1, 1, 0}});
+  mesh.face_sizes = {4, 3, 6};
+  mesh.face_vertices = {0, 1, 2, 3, 3, 2, 4, 0, 1, 2, 3, 4, 5};
+  for (const Index vertex : mesh.face_vertices)
+    mesh.corner_uv.push_back(0.5F * mesh.positions[vertex].head<2>() + Vec2f(3, 4));
+  const TriangleMesh triangles = triangulate(mesh);
+  ASSERT_EQ(triangles.triangle_uv.size(), 2 + 1 + 4U);
+  for (std::size_t i = 0; i < triangles.triangles.size(); ++i)
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec3f& position = triangles.positions[triangles.triangles[i][corner]];
+      EXPECT_EQ(triangles.triangle_uv[i][corner], 0.5F * position.head<2>() + Vec2f(3, 4));
+    }
+  mesh.corner_uv.clear();
+  EXPECT_TRUE(triangulate(mesh).triangle_uv.empty());
+}
+
 }  // namespace
 }  // namespace burin

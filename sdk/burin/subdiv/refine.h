@@ -23,10 +23,11 @@ int level_for_triangles(const PolygonMesh& cage, SubdivisionScheme scheme, std::
 
 /// Vertices of the refined cage after `level` uniform steps (positions of that level, not of the limit
 /// surface), creases, corners and boundary rule honoured; quads split into triangles, all diagonals inside a
-/// quad of the cage the same way. Level 0 gives the triangulated cage, whatever its topology. Above it,
-/// throws Error naming the face, edge or vertex, counted from 1, when the cage is not a manifold with
-/// consistent orientation, has a face that names a vertex twice or a crease that is no edge; for a level of
-/// more than 2^30 triangles; for Loop on a cage with larger polygons.
+/// quad of the cage the same way. Texture coordinates are refined where the cage has them: smooth inside an
+/// island, linear along its border (OpenSubdiv's FVAR_LINEAR_BOUNDARIES). Level 0 gives the triangulated
+/// cage, whatever its topology. Above it, throws Error naming the face, edge or vertex, counted from 1, when
+/// the cage is not a manifold with consistent orientation, has a face that names a vertex twice or a crease
+/// that is no edge; for a level of more than 2^30 triangles; for Loop on a cage with larger polygons.
 TriangleMesh refine(const PolygonMesh& cage, SubdivisionScheme scheme, int level,
                     const Progress& progress = {});
 

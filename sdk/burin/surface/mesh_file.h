@@ -7,11 +7,11 @@
 
 namespace burin {
 
-/// Reads OBJ (polygons, subdivision tags), PLY or STL, told apart by the extension. The vertex order is
-/// the file's; of an STL file, which shares no vertices, equal positions become one vertex in order of
-/// first appearance. Throws FileError naming the line, or the face or vertex counted from 1: unreadable,
-/// truncated, an index out of range, a coordinate that is not finite, no face at all, an OBJ face of more
-/// than 255 corners.
+/// Reads OBJ (polygons, texture coordinates, subdivision tags), PLY or STL, told apart by the extension. The
+/// vertex order is the file's; of an STL file, which shares no vertices, equal positions become one vertex in
+/// order of first appearance. Throws FileError naming the line, or the face or vertex counted from 1:
+/// unreadable, truncated, an index out of range, a coordinate that is not finite, no face at all, an OBJ face
+/// of more than 255 corners.
 PolygonMesh read_mesh(const std::filesystem::path& path);
 
 /// Whether a file holds points instead of a mesh: a PLY file without faces. Throws FileError like read_mesh.

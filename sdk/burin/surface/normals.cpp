@@ -25,23 +25,34 @@ Vec3d weighted_normal(const Vec3d& edge, const Vec3d& next_edge) {
 
 }  // namespace
 
-Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex) {
-  const Vec3d here = positions[vertex].cast<double>();
-  Vec3d sum = Vec3d::Zero();
-  double weights = 0;
-  for (const Index index : surface.incident[vertex]) {
-    const Triangle& triangle = surface.triangles[index];
-    const std::size_t corner = corner_of(triangle, vertex);
-    const Vec3d edge = positions[triangle[(corner + 1) % 3]].cast<double>() - here;
-    const Vec3d next_edge = positions[triangle[(corner + 2) % 3]].cast<double>() - here;
-    const Vec3d share = weighted_normal(edge, next_edge);
-    sum += share;
-    weights += share.norm();
-  }
-  const double length = sum.norm();
+void NormalSum::add(const Vec3d& edge, const Vec3d& next_edge) {
+  const Vec3d share = weighted_normal(edge, next_edge);
+  sum_ += share;
+  weights_ += share.norm();
+}
+
+Vec3d NormalSum::unit() const {
+  const double length = sum_.norm();
   // Sheets that face each other cancel up to rounding: no side is the outside there.
-  if (!(length > 1e-6 * weights)) return Vec3f::UnitZ();
-  return (sum / length).cast<float>();
+  if (!(length > 1e-6 * weights_)) return Vec3d::UnitZ();
+  return sum_ / length;
+}
+
+Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex) {
+  return vertex_normal(surface.triangles, surface.incident, positions, vertex);
+}
+
+Vec3f vertex_normal(std::span<const Triangle> triangles, const Csr& incident,
+                    std::span<const Vec3f> positions, Index vertex) {
+  const Vec3d here = positions[vertex].cast<double>();
+  NormalSum sum;
+  for (const Index index : incident[vertex]) {
+    const Triangle& triangle = triangles[index];
+    const std::size_t corner = corner_of(triangle, vertex);
+    sum.add(positions[triangle[(corner + 1) % 3]].cast<double>() - here,
+            positions[triangle[(corner + 2) % 3]].cast<double>() - here);
+  }
+  return sum.unit().cast<float>();
 }
 
 void update_normals(const Surface& surface, std::span<const Vec3f> positions, std::span<const Index> vertices,

@@ -6,11 +6,29 @@
 
 namespace burin {
 
-/// Normal at a vertex of a surface whose vertices stand at `positions`: the triangles' normals weighted
-/// by the sine of their angle at the vertex over the lengths of their edges there, unit: exact for vertices
-/// on a sphere, and hardly moved by slivers [Max 1999, Weights for Computing Vertex Normals from Facet
-/// Normals]. Degenerate triangles count for nothing; where nothing is left the normal is (0, 0, 1).
+/// Gathers the normal at a vertex from the corners of its faces: their normals weighted by the sine of the
+/// angle at the vertex over the lengths of the edges there: exact for vertices on a sphere, and hardly moved
+/// by slivers [Max 1999, Weights for Computing Vertex Normals from Facet Normals]. Degenerate corners count
+/// for nothing.
+class NormalSum {
+ public:
+  /// A corner, by its edges from the vertex to the next and to the previous vertex of the face.
+  void add(const Vec3d& edge, const Vec3d& next_edge);
+
+  /// (0, 0, 1) where nothing is left.
+  Vec3d unit() const;
+
+ private:
+  Vec3d sum_ = Vec3d::Zero();
+  double weights_ = 0;
+};
+
+/// Unit normal at a vertex of a surface whose vertices stand at `positions`: the NormalSum of its triangles.
 Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex);
+
+/// The same where there is no Surface: `incident` as incident_triangles() gives it.
+Vec3f vertex_normal(std::span<const Triangle> triangles, const Csr& incident,
+                    std::span<const Vec3f> positions, Index vertex);
 
 /// Sets normals[v] for all v in `vertices`, in parallel.
 void update_normals(const Surface& surface, std::span<const Vec3f> positions, std::span<const Index> vertices,

@@ -42,29 +42,51 @@ class LineChecker {
     ++line_;
     const std::string_view kind = next_word(line);
     if (kind == "v") check_vertex(line);
+    if (kind == "vt") check_texture_coordinates(line);
     if (kind == "f") check_face(line);
   }
 
-  /// A face may name vertices that come after it, so this can be told at the end only.
+  /// A face may name what comes after it, so this can be told at the end only.
   void check_end() const {
-    if (highest_ > vertices_)
-      throw FileError(path_, std::to_string(highest_line_),
-                      fmt::format("the face names vertex {} of {}", highest_, vertices_));
+    for (const Named* named : {&vertices_, &textures_})
+      if (named->highest > named->count)
+        throw FileError(path_, std::to_string(named->highest_line),
+                        fmt::format("the face names {} {} of {}", named->what, named->highest, named->count));
   }
 
  private:
+  /// What faces name by numbers.
+  struct Named {
+    const char* what;
+    long long count = 0;
+    long long highest = 0;  ///< highest number that a face names, and the first line that does
+    long long highest_line = 0;
+  };
+
   [[noreturn]] void fail(std::string_view what) const { throw FileError(path_, std::to_string(line_), what); }
 
   void check_vertex(std::string_view line) {
-    ++vertices_;
+    ++vertices_.count;
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = next_word(line);
       if (word.empty()) fail("a vertex needs three coordinates");
-      const auto value = whole_number<double>(word);
-      if (!value) fail(fmt::format("'{}' is not a coordinate", word));
-      if (!(std::abs(*value) <= std::numeric_limits<float>::max()))
-        fail(fmt::format("the coordinate '{}' is not finite", word));
+      check_coordinate(word);
     }
+  }
+
+  /// v may be left out, and is 0 then.
+  void check_texture_coordinates(std::string_view line) {
+    ++textures_.count;
+    auto word = next_word(line);
+    if (word.empty()) fail("texture coordinates without a number");
+    for (int axis = 0; axis < 2 && !word.empty(); word = next_word(line), ++axis) check_coordinate(word);
+  }
+
+  void check_coordinate(std::string_view word) const {
+    const auto value = whole_number<double>(word);
+    if (!value) fail(fmt::format("'{}' is not a coordinate", word));
+    if (!(std::abs(*value) <= std::numeric_limits<float>::max()))
+      fail(fmt::format("the coordinate '{}' is not finite", word));
   }
 
   void check_face(std::string_view line) {
@@ -75,21 +97,29 @@ class LineChecker {
       fail(fmt::format("a face of {} corners; more than {} cannot be read", corners, most_corners));
   }
 
-  void check_corner(std::string_view word) {
-    const auto index = whole_number<long long>(word.substr(0, word.find('/')));
-    if (!index || *index == 0) fail(fmt::format("'{}' is not a vertex of a face", word));
-    if (*index < -vertices_) fail(fmt::format("the face names vertex {} of {} so far", *index, vertices_));
-    if (*index > highest_) {
-      highest_ = *index;
-      highest_line_ = line_;
+  /// A corner is V, V/VT, V//VN or V/VT/VN; what VN names is of no use to us.
+  void check_corner(std::string_view corner) {
+    const auto slash = corner.find('/');
+    check_index(corner, corner.substr(0, slash), vertices_);
+    if (slash == std::string_view::npos) return;
+    const std::string_view rest = corner.substr(slash + 1);
+    if (!rest.starts_with('/')) check_index(corner, rest.substr(0, rest.find('/')), textures_);
+  }
+
+  void check_index(std::string_view corner, std::string_view word, Named& named) {
+    const auto index = whole_number<long long>(word);
+    if (!index || *index == 0) fail(fmt::format("'{}' is not a vertex of a face", corner));
+    if (*index < -named.count)
+      fail(fmt::format("the face names {} {} of {} so far", named.what, *index, named.count));
+    if (*index > named.highest) {
+      named.highest = *index;
+      named.highest_line = line_;
     }
   }
 
   std::string path_;
   long long line_ = 0;
-  long long vertices_ = 0;
-  long long highest_ = 0;  ///< highest vertex that a face names, and the first line that does
-  long long highest_line_ = 0;
+  Named vertices_{"vertex"}, textures_{"texture coordinates"};
 };
 
 }  // namespace

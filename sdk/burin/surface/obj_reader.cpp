@@ -34,6 +34,17 @@ void append_faces(const tinyobj::mesh_t& from, PolygonMesh& mesh) {
     mesh.face_vertices.push_back(static_cast<Index>(corner.vertex_index));
 }
 
+/// Unless a corner goes without.
+void append_corner_uv(const ObjContents& contents, PolygonMesh& mesh) {
+  const std::vector<tinyobj::real_t>& uv = contents.attributes.texcoords;
+  for (const tinyobj::shape_t& shape : contents.shapes)
+    for (const tinyobj::index_t& corner : shape.mesh.indices) {
+      if (corner.texcoord_index < 0) return mesh.corner_uv.clear();
+      const auto at = 2 * static_cast<std::size_t>(corner.texcoord_index);
+      mesh.corner_uv.emplace_back(uv[at], uv[at + 1]);
+    }
+}
+
 /// Tags as OpenSubdiv's regression shapes have them: `crease 2/1/0 a b sharpness`, `corner 1/1/0 v
 /// sharpness`, `interpolateboundary 1/0/0 rule`, vertices counted from 0. Other tags are not geometry.
 class TagReader {
@@ -89,6 +100,7 @@ PolygonMesh read_obj(const std::filesystem::path& path) {
   for (std::size_t i = 0; i + 2 < xyz.size(); i += 3)
     mesh.positions.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
   for (const tinyobj::shape_t& shape : contents.shapes) append_faces(shape.mesh, mesh);
+  append_corner_uv(contents, mesh);
   if (contents.shapes.empty()) return mesh;
   // Every shape repeats the tags of those before it.
   TagReader reader(path, mesh);

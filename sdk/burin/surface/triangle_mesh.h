@@ -5,10 +5,14 @@
 
 namespace burin {
 
+/// Texture coordinates at the corners of a triangle.
+using TriangleUv = std::array<Vec2f, 3>;
+
 /// Vertices and triangles in the order of a file or of a refinement. Object units.
 struct TriangleMesh {
   std::vector<Vec3f> positions;
   std::vector<Triangle> triangles;
+  std::vector<TriangleUv> triangle_uv = {};  ///< [triangle], or empty: as PolygonMesh::corner_uv
 };
 
 }  // namespace burin

@@ -1,6 +1,7 @@
 #include <burin/surface/triangulate.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <numeric>
 #include <span>
 
@@ -20,12 +21,17 @@ Vec3d area_vector(const std::vector<Vec3f>& positions, Corners corners) {
   return sum;
 }
 
+/// Three corners of a polygon, as it counts them.
+using Ear = std::array<std::size_t, 3>;
+
 /// Splits along the diagonal 0-2 unless 1-3 is the one inside, or the shorter by more than rounding.
-void split_quad(const std::vector<Vec3f>& positions, Corners quad, std::vector<Triangle>& out) {
-  const Triangle across_02[] = {{quad[0], quad[1], quad[2]}, {quad[0], quad[2], quad[3]}};
-  const Triangle across_13[] = {{quad[1], quad[2], quad[3]}, {quad[1], quad[3], quad[0]}};
+void split_quad(const std::vector<Vec3f>& positions, Corners quad, std::vector<Ear>& out) {
+  const Ear across_02[] = {{0, 1, 2}, {0, 2, 3}};
+  const Ear across_13[] = {{1, 2, 3}, {1, 3, 0}};
   const Vec3d normal = area_vector(positions, quad);
-  const auto inside = [&](const Triangle& t) { return area_vector(positions, t).dot(normal) > 0; };
+  const auto inside = [&](const Ear& e) {
+    return area_vector(positions, Triangle{quad[e[0]], quad[e[1]], quad[e[2]]}).dot(normal) > 0;
+  };
   const bool inside_02 = inside(across_02[0]) && inside(across_02[1]);
   const bool inside_13 = inside(across_13[0]) && inside(across_13[1]);
   const auto length = [&](int a, int b) {
@@ -41,8 +47,7 @@ double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.
 /// Ear clipping [Meisters 1975] of one polygon, in the plane across its area vector.
 class EarClipper {
  public:
-  EarClipper(const std::vector<Vec3f>& positions, Corners corners)
-      : corners_(corners), left_(corners.size()) {
+  EarClipper(const std::vector<Vec3f>& positions, Corners corners) : left_(corners.size()) {
     std::iota(left_.begin(), left_.end(), std::size_t{0});
     const Vec3d normal = area_vector(positions, corners).normalized();
     const Vec3d across = normal.unitOrthogonal();
@@ -53,22 +58,20 @@ class EarClipper {
     }
   }
 
-  void clip(std::vector<Triangle>& out) {
+  void clip(std::vector<Ear>& out) {
     // Going on behind the next corner after each ear keeps the triangles from fanning out of one corner.
     for (std::size_t at = 0; left_.size() > 3; ++at) {
       at = find_ear(at % left_.size());
-      out.push_back(triangle(at));
+      out.push_back(ear(at));
       left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
     }
-    out.push_back(triangle(1));
+    out.push_back(ear(1));
   }
 
  private:
   std::size_t before(std::size_t at) const { return left_[(at + left_.size() - 1) % left_.size()]; }
   std::size_t after(std::size_t at) const { return left_[(at + 1) % left_.size()]; }
-  Triangle triangle(std::size_t at) const {
-    return {corners_[before(at)], corners_[left_[at]], corners_[after(at)]};
-  }
+  Ear ear(std::size_t at) const { return {before(at), left_[at], after(at)}; }
 
   /// The first ear from `start` on; a polygon that crosses itself may have none, then `start` has to do.
   std::size_t find_ear(std::size_t start) const {
@@ -88,14 +91,13 @@ class EarClipper {
     return true;
   }
 
-  Corners corners_;
   std::vector<std::size_t> left_;  ///< corners not yet clipped
   std::vector<Vec2d> points_;
 };
 
-void split(const std::vector<Vec3f>& positions, Corners corners, std::vector<Triangle>& out) {
+void split(const std::vector<Vec3f>& positions, Corners corners, std::vector<Ear>& out) {
   if (corners.size() == 3) {
-    out.push_back({corners[0], corners[1], corners[2]});
+    out.push_back({0, 1, 2});
   } else if (corners.size() == 4) {
     split_quad(positions, corners, out);
   } else {
@@ -108,11 +110,21 @@ void split(const std::vector<Vec3f>& positions, Corners corners, std::vector<Tri
 TriangleMesh triangulate(const PolygonMesh& mesh) {
   TriangleMesh result;
   result.positions = mesh.positions;
-  result.triangles.reserve(mesh.face_vertices.size() - 2 * mesh.face_sizes.size());
-  const Corners all = mesh.face_vertices;
+  const std::size_t triangles = mesh.face_vertices.size() - 2 * mesh.face_sizes.size();
+  result.triangles.reserve(triangles);
+  if (!mesh.corner_uv.empty()) result.triangle_uv.reserve(triangles);
   std::size_t corner = 0;
+  std::vector<Ear> ears;
   for (const Index size : mesh.face_sizes) {
-    split(mesh.positions, all.subspan(corner, size), result.triangles);
+    const Corners corners = Corners(mesh.face_vertices).subspan(corner, size);
+    ears.clear();
+    split(mesh.positions, corners, ears);
+    for (const auto& [a, b, c] : ears) {
+      result.triangles.push_back({corners[a], corners[b], corners[c]});
+      if (mesh.corner_uv.empty()) continue;
+      const Vec2f* uv = mesh.corner_uv.data() + corner;
+      result.triangle_uv.push_back({uv[a], uv[b], uv[c]});
+    }
     corner += size;
   }
   return result;

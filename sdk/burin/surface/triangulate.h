@@ -5,7 +5,8 @@
 namespace burin {
 
 /// Splits every polygon into triangles without new vertices: quads along the shorter diagonal that lies
-/// inside, larger polygons by ear clipping in their mean plane.
+/// inside, larger polygons by ear clipping in their mean plane. Carries texture coordinates where there are
+/// any.
 TriangleMesh triangulate(const PolygonMesh& mesh);
 
 }  // namespace burin

@@ -1,0 +1,36 @@
+#pragma once
+#include <burin/stamp/float_image.h>
+#include <burin/surface/polygon_mesh.h>
+#include <burin/surface/triangle_mesh.h>
+
+#include <cstddef>
+#include <span>
+
+namespace burin {
+
+struct BakeSettings {
+  int size = 1024;       ///< texels a side, >= 1
+  bool vectors = false;  ///< a vector displacement map instead of heights
+  int padding = 8;       ///< texels by which islands are continued outward
+};
+
+struct BakedMap {
+  FloatImage image;
+  std::size_t overlaps = 0;  ///< texels that lie inside several triangles; the first one's value holds
+};
+
+/// Throws Error naming the face, counted from 1, when a mesh cannot be baked: not all corners have texture
+/// coordinates, or some lie outside 0..1, in a tile of their own (UDIM) or a repetition.
+void check_bakeable(const PolygonMesh& mesh);
+
+/// The displacement of a surface as an image over its texture coordinates. Texel centres stand for the point
+/// of the base there; u to the right, v up, the top row below v = 1. Object units. Heights: channel Y, the
+/// displacement along the base's normal n (its vertex normals, interpolated, unit). Vectors: channels R, G,
+/// B, the displacement along t, n x t and n, where t is dP/du, the mean over the triangles around a vertex
+/// that share its texture coordinates, interpolated and made orthonormal to n. What no triangle covers, and
+/// padding does not reach, is 0. `base` must have texture coordinates, `displaced` is [vertex of it]; else
+/// ContractError. The same bits on any number of threads.
+BakedMap bake_displacement(TriangleMesh base, std::span<const Vec3f> displaced,
+                           const BakeSettings& settings = {});
+
+}  // namespace burin
