@@ -38,11 +38,15 @@ ParamSetting parse_setting(const std::string& text) {
   return *numbers;
 }
 
-Vec3d parse_vector(const std::string& name, const std::string& text) {
+Vec3d parse_point(const std::string& name, const std::string& text) {
   const auto numbers = parse_numbers(text);
   if (!numbers || numbers->size() != 3)
     throw CLI::ValidationError(name, "takes three numbers x,y,z, not " + text);
-  const Vec3d vector((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+  return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+}
+
+Vec3d parse_vector(const std::string& name, const std::string& text) {
+  const Vec3d vector = parse_point(name, text);
   if (vector.isZero(0)) throw CLI::ValidationError(name, "must not be zero");
   return vector;
 }
@@ -71,6 +75,13 @@ void add_vector_option(CLI::App& command, const std::string& name, std::optional
   command
       .add_option_function<std::string>(
           name, [name, &vector](const std::string& text) { vector = parse_vector(name, text); }, help)
+      ->type_name("X,Y,Z");
+}
+
+void add_point_option(CLI::App& command, const std::string& name, Vec3d& point, const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          name, [name, &point](const std::string& text) { point = parse_point(name, text); }, help)
       ->type_name("X,Y,Z");
 }
 

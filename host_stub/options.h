@@ -21,6 +21,9 @@ const CLI::Validator& finite_number();
 void add_vector_option(CLI::App& command, const std::string& name, std::optional<Vec3d>& vector,
                        const std::string& help);
 
+/// The same for a place, which may be the origin; it stays as it is where none is given.
+void add_point_option(CLI::App& command, const std::string& name, Vec3d& point, const std::string& help);
+
 /// Adds --closed, --pressure-width and --join.
 void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, double& pressure_width,
                         Join& join);

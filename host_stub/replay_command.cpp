@@ -13,8 +13,8 @@
 #include "platform.h"
 #include "replay_report.h"
 #include "report_folder.h"
+#include "sculpt_options.h"
 #include "source_order.h"
-#include "stroke_choices.h"
 #include "stroke_input.h"
 
 namespace burin::command {
@@ -113,12 +113,7 @@ void add_replay(CLI::App& app) {
       ->check(positive_number());
   command.add_option("--strength", overrides.strength, "factor on the brush's displacement")
       ->check(finite_number());
-  command
-      .add_option_function<std::string>(
-          "--overlap",
-          [&overrides](const std::string& name) { overrides.overlap = overlap_names().at(name); },
-          "where a stroke overlaps itself: latest (the default), max, min, add or average")
-      ->check(CLI::IsMember({"latest", "max", "min", "add", "average"}));
+  add_sculpt_options(command, overrides);
   add_stroke_options(command, overrides.closure, overrides.pressure_width, overrides.join);
   command
       .add_option("--show-every", overrides.show_every,

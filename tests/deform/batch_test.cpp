@@ -24,7 +24,9 @@ class BatchTest : public ::testing::Test {
 
   const burin_batch& fill(std::uint64_t inputs, std::span<const Vec3f> displacement = {},
                           std::uint64_t outputs = BURIN_OUTPUT_DISPLACEMENT) {
-    batch_.fill({surface_, drawn_->nodes, 0.3f}, inputs, outputs, params_, listed_, displacement);
+    const FootLine foot(test::straight_curve(), 0.3);
+    batch_.fill({.surface = surface_, .nodes = drawn_->nodes, .radius = 0.3f, .foot = &foot}, inputs, outputs,
+                params_, listed_, displacement);
     return batch_.inputs();
   }
 

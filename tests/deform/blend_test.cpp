@@ -28,7 +28,7 @@ class BlendTest : public ::testing::Test {
 
   Vec3f blended(const std::vector<Sheet>& sheets, Overlap overlap) {
     Chart chart;
-    std::vector<Vec3f> displacement;
+    NodeOutputs outputs;
     for (const Sheet& sheet : sheets) {
       chart.sheet.push_back(static_cast<Index>(chart.vertex.size()));
       chart.vertex.push_back(vertex);
@@ -36,12 +36,13 @@ class BlendTest : public ::testing::Test {
       chart.d.push_back(0.5f);
       chart.stretch.push_back(1);
       chart.e1.emplace_back(std::cos(sheet.angle), std::sin(sheet.angle), 0.0f);
-      displacement.push_back(sheet.displacement);
+      outputs.displacement.push_back(sheet.displacement);
     }
     LiveChart live(surface_.vertex_count());
     live.assign(chart);
     Vec3f place;
-    blend_sheets(surface_, live, displacement, {&vertex, 1}, overlap, "some.brush", {&place, 1});
+    const InstanceSheets sheets_of{&live, &outputs};
+    blend_sheets(surface_, {&sheets_of, 1}, {&vertex, 1}, {.overlap = overlap}, "some.brush", {&place, 1});
     return place;
   }
   Vec3f moved(const Sheet& sheet) const {

@@ -38,9 +38,8 @@ class EvaluateTest : public ::testing::Test {
 
   std::vector<Vec3f> evaluate(test::TestBrush& brush, std::span<const Index> nodes, float strength = 1) {
     const BrushStroke stroke(brush.brush, brush.descriptor, brush.context, brush.params);
-    const auto displacement =
-        evaluator_.evaluate(stroke, brush.context, {surface_, drawn_.nodes, 0.5f}, nodes, strength);
-    return {displacement.begin(), displacement.end()};
+    return evaluator_.evaluate(stroke, brush.context, {surface_, drawn_.nodes, 0.5f}, nodes, strength)
+        .displacement;
   }
 
   const Chart& chart() const { return drawn_.live.nodes(); }

@@ -80,7 +80,7 @@ TEST(BrushLibrary, RefusesABrushThatReadsWhatIsNotOffered) {
   const fs::path greedy = test::test_plugins_folder / "greedy_brush.burin";
   library.load(greedy);
   EXPECT_EQ(test::error_of([&] { library.create(library.brushes().at(0)); }),
-            greedy.string() + ": brush org.burin.test.greedy reads what this host does not offer: laplacian");
+            greedy.string() + ": brush org.burin.test.greedy reads what this host does not offer: number 40");
 }
 
 TEST(BrushLibrary, SearchesTheEnvironmentFirst) {

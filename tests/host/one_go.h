@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/deform/evaluate.h>
 #include <burin/deform/stroke_nodes.h>
+#include <burin/deform/stroke_passes.h>
 #include <burin/host/param_snapshot.h>
 
 #include "sessions.h"
@@ -39,13 +40,19 @@ inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& cur
   LiveChart chart(base.vertex_count());
   StrokeNodes nodes(chart, {radius, entry.descriptor->inputs_read, varying});
   chart.assign(StrokeCharter(base).chart(curve, {radius, settings.cap}));
-  const auto [all, vertices] = nodes.follow(curve, 0);
+  const std::vector<Index> vertices = nodes.follow(curve, 0).vertices;
+  const FootLine foot(curve, radius);
+  const NodeSource source{
+      .surface = base, .nodes = nodes, .radius = static_cast<float>(radius), .foot = &foot};
+  NodeOutputs outputs;
+  outputs.resize(chart.nodes().size(), paints(*entry.descriptor));
+  EvaluatedInstance instance{source, context, static_cast<float>(settings.strength), outputs};
+  const BlendOptions blend{.overlap = settings.overlap, .radius = radius};
   Evaluator evaluator;
-  const auto displacement = evaluator.evaluate(stroke, context, {base, nodes, static_cast<float>(radius)},
-                                               all, static_cast<float>(settings.strength));
-  std::vector<Vec3f> by_slot(chart.nodes().size()), places(vertices.size()), positions = base.positions;
-  for (std::size_t i = 0; i < all.size(); ++i) by_slot[all[i]] = displacement[i];
-  blend_sheets(base, chart, by_slot, vertices, settings.overlap, entry.descriptor->id, places);
+  StrokePasses(base, stroke, {&chart}, blend).update(evaluator, {&instance, 1}, vertices);
+  std::vector<Vec3f> places(vertices.size()), positions = base.positions;
+  const InstanceSheets sheets{&chart, &outputs};
+  blend_sheets(base, {&sheets, 1}, vertices, blend, entry.descriptor->id, places);
   for (std::size_t i = 0; i < vertices.size(); ++i) positions[vertices[i]] = places[i];
   return positions;
 }

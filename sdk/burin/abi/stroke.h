@@ -105,8 +105,8 @@ typedef struct burin_batch {
 /* Filled with zero (colour: the colour so far; mask: the mask so far) before evaluate is called. An
  * output that the brush did not declare in outputs_written has null data. Every value written must be
  * finite: the host rejects the stroke otherwise. The host multiplies displacement by the strength of
- * the stroke and by the node's mask, and goes from the colour or mask so far to the one written in the same
- * proportion (of the mask's strength alone, within 0..1), so that strength 0 leaves every surface untouched.
+ * the stroke and by the node's mask. From the colour so far it goes to the one written by the same product,
+ * within 0..1, and from the mask so far by the strength alone: so strength 0 leaves every surface untouched.
  */
 typedef struct burin_outputs {
   uint32_t struct_size;

@@ -38,6 +38,7 @@ class LiveChart {
   /// The vertices of the chart are numbered in the order in which they came; this one's number.
   Index place(Index vertex) const { return places_.find(vertex); }
   Index place_count() const { return places_.size(); }
+  Index vertex_at(Index place) const { return places_.vertex(place); }
 
   /// As a chart: by vertex and t. In proportion to the chart.
   Chart sorted() const;

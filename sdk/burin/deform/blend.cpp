@@ -2,91 +2,141 @@
 #include <burin/deform/blend.h>
 #include <burin/deform/displacement.h>
 #include <burin/deform/first_failure.h>
+#include <burin/deform/vertex_sheets.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <cmath>
+#include <optional>
 
 namespace burin {
 namespace {
 
-/// The nodes of a vertex.
-class Sheets {
- public:
-  Sheets(const Surface& surface, const LiveChart& chart, std::span<const Vec3f> displacement, Index vertex)
-      : chart_(chart),
-        displacement_(displacement),
-        base_(surface.positions[vertex]),
-        normal_(surface.normals[vertex]),
-        vertex_(vertex),
-        first_(chart.first(vertex)) {}
+bool is_sum(Overlap overlap) { return overlap == Overlap::add || overlap == Overlap::average; }
 
-  Vec3f blended(Overlap overlap) const;
+/// Where the nodes of a vertex say that it goes.
+class VertexBlend {
+ public:
+  VertexBlend(const Surface& surface, std::span<const InstanceSheets> instances, Index vertex)
+      : base_(surface.positions[vertex]), normal_(surface.normals[vertex]), sheets_(instances, vertex) {}
+
+  Vec3f place(const BlendOptions& options) const {
+    const Vec3f free = unlimited(options);
+    const double distance = (free - base_).cast<double>().norm();
+    if (!(distance > options.limit)) return free;
+    return base_ + static_cast<float>(options.limit / distance) * (free - base_);
+  }
 
  private:
-  Vec3f place(Index slot) const {
-    return displaced(base_, chart_.nodes().e1[slot], normal_, displacement_[slot]);
+  Vec3f unlimited(const BlendOptions& options) const;
+  Vec3f place(const SheetNode& node) const {
+    return displaced(base_, node.chart().e1[node.slot], normal_, node.displacement());
   }
-  bool farther_out(Index a, Index b) const;
-  Index winner(Overlap overlap) const;
-  Vec3d sum() const;
+  bool farther_out(const SheetNode& a, const SheetNode& b) const;
+  SheetNode winner(Overlap overlap) const;
+  Vec3d in_space(const SheetNode& node) const;
+  Vec3d sum(const BlendOptions& options) const;
 
-  const LiveChart& chart_;
-  std::span<const Vec3f> displacement_;
   const Vec3f &base_, &normal_;
-  Index vertex_, first_;
+  VertexSheets sheets_;
 };
 
 /// By the displacement along the normal; ties by where the vertex would go, whatever the order of sheets.
-bool Sheets::farther_out(Index a, Index b) const {
-  const float up_a = displacement_[a].z(), up_b = displacement_[b].z();
+bool VertexBlend::farther_out(const SheetNode& a, const SheetNode& b) const {
+  const float up_a = a.displacement().z(), up_b = b.displacement().z();
   if (up_a != up_b) return up_a > up_b;
   const Vec3f place_a = place(a), place_b = place(b);
   return std::lexicographical_compare(place_b.begin(), place_b.end(), place_a.begin(), place_a.end());
 }
 
-Index Sheets::winner(Overlap overlap) const {
-  Index best = first_;
-  for (Index slot = chart_.next(first_); slot != no_index; slot = chart_.next(slot)) {
-    const bool better = overlap == Overlap::latest || (overlap == Overlap::max && farther_out(slot, best)) ||
-                        (overlap == Overlap::min && farther_out(best, slot));
-    if (better) best = slot;
-  }
-  return best;
+SheetNode VertexBlend::winner(Overlap overlap) const {
+  std::optional<SheetNode> best;
+  sheets_.for_each([&](const SheetNode& node) {
+    const bool better = !best || overlap == Overlap::latest ||
+                        (overlap == Overlap::max && farther_out(node, *best)) ||
+                        (overlap == Overlap::min && farther_out(*best, node));
+    if (better) best = node;
+  });
+  return *best;
 }
 
-/// Of all sheets, in object space; in doubles, so that floats cannot tell in which order it was taken.
-Vec3d Sheets::sum() const {
-  const Vec3d n = normal_.cast<double>();
+/// In doubles, so that floats cannot tell in which order sums were taken.
+Vec3d VertexBlend::in_space(const SheetNode& node) const {
+  const Vec3d n = normal_.cast<double>(), e1 = node.chart().e1[node.slot].cast<double>();
+  const Vec3d part = node.displacement().cast<double>();
+  return e1 * part.x() + n.cross(e1) * part.y() + n * part.z();
+}
+
+Vec3d VertexBlend::sum(const BlendOptions& options) const {
   Vec3d total = Vec3d::Zero();
-  for (Index slot = first_; slot != no_index; slot = chart_.next(slot)) {
-    const Vec3d e1 = chart_.nodes().e1[slot].cast<double>(), part = displacement_[slot].cast<double>();
-    total += e1 * part.x() + n.cross(e1) * part.y() + n * part.z();
+  if (options.overlap == Overlap::latest) {
+    sheets_.for_each_weighed(options.radius,
+                             [&](const SheetNode& node, double weight) { total += weight * in_space(node); });
+    return total;
   }
-  return total;
+  sheets_.for_each([&](const SheetNode& node) { total += in_space(node); });
+  return options.overlap == Overlap::add ? total : Vec3d(total / static_cast<double>(sheets_.count()));
 }
 
-Vec3f Sheets::blended(Overlap overlap) const {
-  if (first_ == no_index) return base_;
-  const bool one = chart_.next(first_) == no_index;
-  if (one || (overlap != Overlap::add && overlap != Overlap::average)) return place(winner(overlap));
-  const Vec3d total = overlap == Overlap::add ? sum() : Vec3d(sum() / chart_.sheet_count(vertex_));
+Vec3f VertexBlend::unlimited(const BlendOptions& options) const {
+  if (sheets_.count() == 0) return base_;
+  std::size_t instances = 0;
+  sheets_.for_each_latest([&](const SheetNode&) { ++instances; });
+  const bool summed = is_sum(options.overlap) || (options.overlap == Overlap::latest && instances > 1);
+  if (sheets_.count() == 1 || !summed) return place(winner(options.overlap));
+  const Vec3d total = sum(options);
   if (total.isZero(0)) return base_;
   return (base_.cast<double>() + total).cast<float>();
 }
 
+Tint blended_tint(const VertexSheets& sheets, const Tint& before, const BlendOptions& options) {
+  if (sheets.count() == 0) return before;
+  Eigen::Matrix<double, 5, 1> sum = Eigen::Matrix<double, 5, 1>::Zero();
+  if (options.overlap == Overlap::latest) {
+    sheets.for_each_weighed(options.radius, [&](const SheetNode& node, double weight) {
+      sum += weight * node.tint().cast<double>();
+    });
+    return sum.cast<float>();
+  }
+  if (is_sum(options.overlap)) {
+    sheets.for_each([&](const SheetNode& node) { sum += (node.tint() - before).cast<double>(); });
+    if (options.overlap == Overlap::average) sum /= static_cast<double>(sheets.count());
+    return (before.cast<double>() + sum).cwiseMax(0).cwiseMin(1).cast<float>();
+  }
+  std::optional<Tint> best;
+  sheets.for_each([&](const SheetNode& node) {
+    if (!best) best = node.tint();
+    const Tint most = best->cwiseMax(node.tint()), least = best->cwiseMin(node.tint());
+    best = options.overlap == Overlap::max ? most : least;
+  });
+  return *best;
+}
+
 }  // namespace
 
-void blend_sheets(const Surface& surface, const LiveChart& chart, std::span<const Vec3f> displacement,
-                  std::span<const Index> vertices, Overlap overlap, std::string_view brush,
+void blend_sheets(const Surface& surface, std::span<const InstanceSheets> instances,
+                  std::span<const Index> vertices, const BlendOptions& options, std::string_view brush,
                   std::span<Vec3f> places) {
   FirstFailure failure;
   parallel_blocks(vertices.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      places[i] = Sheets(surface, chart, displacement, vertices[i]).blended(overlap);
+      places[i] = VertexBlend(surface, instances, vertices[i]).place(options);
       if (!places[i].allFinite()) return failure.note(i, "displaces beyond the range of floats");
     }
   });
-  if (failure.any()) failure.throw_at(brush, chart.nodes(), chart.first(vertices[failure.element()]));
+  if (!failure.any()) return;
+  VertexSheets(instances, vertices[failure.element()]).for_each([&](const SheetNode& node) {
+    failure.throw_at(brush, node.chart(), node.slot);
+  });
+}
+
+void blend_tints(const Paint& paint, std::span<const InstanceSheets> instances,
+                 std::span<const Index> vertices, const BlendOptions& options, std::span<Tint> tints) {
+  parallel_blocks(vertices.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Tint before = tint_of(paint.colour_of(vertices[i]), paint.mask_of(vertices[i]));
+      tints[i] = blended_tint(VertexSheets(instances, vertices[i]), before, options);
+    }
+  });
 }
 
 }  // namespace burin

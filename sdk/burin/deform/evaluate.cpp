@@ -3,7 +3,9 @@
 #include <burin/deform/evaluate.h>
 #include <burin/deform/first_failure.h>
 
+#include <algorithm>
 #include <mutex>
+#include <numeric>
 #include <utility>
 
 namespace burin {
@@ -38,13 +40,13 @@ struct Pass {
   const burin_stroke_context& context;
   const NodeSource& source;
   std::span<const Index> nodes;
-  std::span<Vec3f> displacement;
+  NodeOutputs& outputs;
   FirstFailure& failure;
 };
 
 /// Computes the elements [begin, end) of the pass.
 void evaluate_batch(const Pass& pass, Batch& batch, std::size_t begin, std::size_t end) {
-  const std::span<Vec3f> displacement = pass.displacement.subspan(begin, end - begin);
+  const std::span displacement = std::span(pass.outputs.displacement).subspan(begin, end - begin);
   batch.fill(pass.source, pass.stroke.descriptor().inputs_read, pass.stroke.descriptor().outputs_written,
              pass.stroke.params(), pass.nodes.subspan(begin, end - begin),
              pass.context.pass == 0 ? std::span<const Vec3f>{} : displacement);
@@ -52,50 +54,116 @@ void evaluate_batch(const Pass& pass, Batch& batch, std::size_t begin, std::size
   const burin_status status =
       pass.stroke.evaluate(pass.context, batch.inputs(), batch.outputs(), error.abi());
   if (status != BURIN_OK) return pass.failure.note(begin, error.line(status));
+  const bool tints = !pass.outputs.tint.empty();
   for (std::size_t i = 0; i < displacement.size(); ++i) {
     displacement[i] = batch.displacement(i);
-    if (displacement[i].allFinite()) continue;
-    return pass.failure.note(begin + i, "returned a displacement that is not finite");
+    if (!displacement[i].allFinite())
+      return pass.failure.note(begin + i, "returned a displacement that is not finite");
+    if (!tints) continue;
+    pass.outputs.tint[begin + i] = batch.tint(i);
+    if (!pass.outputs.tint[begin + i].allFinite())
+      return pass.failure.note(begin + i, "returned a colour or mask that is not finite");
   }
 }
 
-void scale(const Pass& pass, float strength, std::size_t begin, std::size_t end) {
-  for (std::size_t i = begin; i < end; ++i) {
-    pass.displacement[i] *= strength;
-    if (!pass.displacement[i].allFinite())
-      return pass.failure.note(i, "displaces beyond the range of floats");
-  }
+/// A share of the way from the tint before to the one written; masks do not protect themselves.
+Tint mixed(const Tint& before, const Tint& written, float strength, float mask) {
+  const float share = std::clamp(strength, 0.0f, 1.0f);
+  Tint tint = before;
+  tint.head<4>() += share * mask * (written - before).head<4>();
+  tint[4] += share * (written[4] - before[4]);
+  return tint.cwiseMax(0).cwiseMin(1);
+}
+
+void throw_if_any(const FirstFailure& failure, const BrushStroke& stroke, const NodeSource& source,
+                  std::span<const Index> nodes) {
+  if (failure.any()) failure.throw_at(stroke.descriptor().id, source.nodes.chart(), nodes[failure.element()]);
 }
 
 }  // namespace
 
+bool paints(const burin_brush_descriptor& brush) {
+  return brush.outputs_written & (BURIN_OUTPUT_MASK | BURIN_OUTPUT_COLOUR);
+}
+
 Evaluator::Evaluator() : pool_(std::make_unique<BatchPool>()) {}
 Evaluator::~Evaluator() = default;
 
-std::span<const Vec3f> Evaluator::evaluate(const BrushStroke& stroke, const burin_stroke_context& context,
-                                           const NodeSource& source, std::span<const Index> nodes,
-                                           float strength) {
-  displacement_.resize(nodes.size());
-  FirstFailure failure;
-  burin_stroke_context now = context;
-  const Pass pass{stroke, now, source, nodes, displacement_, failure};
-  const auto throw_if_any = [&] {
-    if (failure.any())
-      failure.throw_at(stroke.descriptor().id, source.nodes.chart(), nodes[failure.element()]);
-  };
-  for (now.pass = 0; now.pass < stroke.plan().passes; ++now.pass) {
-    parallel_blocks(nodes.size(), Batch::capacity, [&](std::size_t begin, std::size_t end) {
-      if (failure.lies_before(begin)) return;
-      std::unique_ptr<Batch> batch = pool_->take();
-      evaluate_batch(pass, *batch, begin, end);
-      pool_->give_back(std::move(batch));
-    });
-    throw_if_any();
+void Evaluator::pass(const BrushStroke& stroke, const burin_stroke_context& context, const NodeSource& source,
+                     std::span<const Index> nodes, NodeOutputs& outputs) {
+  if (source.dab_t.empty()) return run(stroke, context, source, nodes, outputs);
+  const std::vector<double>& t = source.nodes.chart().t;
+  std::vector<std::size_t> order(nodes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return t[nodes[i]]; });
+  for (auto first = order.begin(); first != order.end();) {
+    const double dab_t = t[nodes[*first]];
+    const auto last = std::find_if(first, order.end(), [&](std::size_t i) { return t[nodes[i]] != dab_t; });
+    run_dab(stroke, context, source, nodes, std::span(first, last), outputs);
+    first = last;
   }
-  parallel_blocks(nodes.size(), Batch::capacity,
-                  [&](std::size_t begin, std::size_t end) { scale(pass, strength, begin, end); });
-  throw_if_any();
-  return displacement_;
+}
+
+void Evaluator::run_dab(const BrushStroke& stroke, const burin_stroke_context& context,
+                        const NodeSource& source, std::span<const Index> nodes,
+                        std::span<const std::size_t> chosen, NodeOutputs& outputs) {
+  burin_stroke_context of_dab = context;
+  of_dab.flags |= BURIN_STROKE_DAB;
+  of_dab.length = 0;
+  of_dab.dab_t = source.nodes.chart().t[nodes[chosen.front()]];
+  std::vector<Index> of_nodes;
+  NodeOutputs dab;
+  dab.resize(chosen.size(), !outputs.tint.empty());
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    of_nodes.push_back(nodes[chosen[k]]);
+    dab.displacement[k] = outputs.displacement[chosen[k]];
+  }
+  run(stroke, of_dab, source, of_nodes, dab);
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    outputs.displacement[chosen[k]] = dab.displacement[k];
+    if (!dab.tint.empty()) outputs.tint[chosen[k]] = dab.tint[k];
+  }
+}
+
+void Evaluator::run(const BrushStroke& stroke, const burin_stroke_context& context, const NodeSource& source,
+                    std::span<const Index> nodes, NodeOutputs& outputs) {
+  FirstFailure failure;
+  const Pass pass{stroke, context, source, nodes, outputs, failure};
+  parallel_blocks(nodes.size(), Batch::capacity, [&](std::size_t begin, std::size_t end) {
+    if (failure.lies_before(begin)) return;
+    std::unique_ptr<Batch> batch = pool_->take();
+    evaluate_batch(pass, *batch, begin, end);
+    pool_->give_back(std::move(batch));
+  });
+  throw_if_any(failure, stroke, source, nodes);
+}
+
+void Evaluator::scale(const BrushStroke& stroke, const NodeSource& source, std::span<const Index> nodes,
+                      float strength, NodeOutputs& outputs) {
+  const Paint& paint = source.painted();
+  FirstFailure failure;
+  parallel_blocks(nodes.size(), Batch::capacity, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Index vertex = source.nodes.chart().vertex[nodes[i]];
+      const float mask = paint.mask_of(vertex);
+      outputs.displacement[i] *= strength * mask;
+      if (!outputs.displacement[i].allFinite())
+        return failure.note(i, "displaces beyond the range of floats");
+      if (outputs.tint.empty()) continue;
+      outputs.tint[i] = mixed(tint_of(paint.colour_of(vertex), mask), outputs.tint[i], strength, mask);
+    }
+  });
+  throw_if_any(failure, stroke, source, nodes);
+}
+
+const NodeOutputs& Evaluator::evaluate(const BrushStroke& stroke, const burin_stroke_context& context,
+                                       const NodeSource& source, std::span<const Index> nodes,
+                                       float strength) {
+  outputs_.resize(nodes.size(), paints(stroke.descriptor()));
+  burin_stroke_context now = context;
+  for (now.pass = 0; now.pass < stroke.plan().passes; ++now.pass) pass(stroke, now, source, nodes, outputs_);
+  scale(stroke, source, nodes, strength, outputs_);
+  return outputs_;
 }
 
 }  // namespace burin

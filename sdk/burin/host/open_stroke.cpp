@@ -11,9 +11,6 @@
 namespace burin {
 namespace {
 
-/// A t that all nodes reach.
-constexpr double everywhere = -std::numeric_limits<double>::infinity();
-
 const StrokeSettings& checked(const StrokeSettings& settings) {
   // Brushes compute in floats.
   const auto radius = static_cast<float>(settings.radius), strength = static_cast<float>(settings.strength);
@@ -23,79 +20,116 @@ const StrokeSettings& checked(const StrokeSettings& settings) {
     throw ContractError(
         fmt::format("a stroke's pressure width must be from 0 to 1, not {}", settings.pressure_width));
   if (!std::isfinite(strength)) throw ContractError("a stroke's strength is not finite");
+  if (!(settings.dab_spacing == 0 || settings.dab_spacing >= least_dab_spacing))
+    throw ContractError(fmt::format("the spacing of dabs must be 0, or at least {} radii, not {}",
+                                    least_dab_spacing, settings.dab_spacing));
   return settings;
+}
+
+void sort_unique(std::vector<Index>& vertices) {
+  std::ranges::sort(vertices);
+  const auto [first, last] = std::ranges::unique(vertices);
+  vertices.erase(first, last);
+}
+
+/// Everything that changed in any instance, each vertex once.
+std::vector<Index> all_vertices(const std::vector<StrokeChanges>& changes) {
+  std::vector<Index> vertices = changes.front().vertices;
+  if (changes.size() == 1) return vertices;
+  for (std::size_t i = 1; i < changes.size(); ++i)
+    vertices.insert(vertices.end(), changes[i].vertices.begin(), changes[i].vertices.end());
+  sort_unique(vertices);
+  return vertices;
 }
 
 }  // namespace
 
-OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, StrokeCharter& charter,
+OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, Charters& charters,
                        const burin_brush& brush, const burin_brush_descriptor& descriptor,
                        const StrokeSettings& settings)
     : surface_(&surface),
+      picker_(&picker),
       settings_(checked(settings)),
       params_(descriptor, settings.params),
-      tracer_(surface, picker, settings.radius, settings.fields.pressure ? settings.pressure_width : 0),
-      brush_stroke_(brush, descriptor, context(0), params_.abi()),
-      last_time_(-std::numeric_limits<double>::infinity()),
-      nodes_(charter.live(), read_inputs()) {
-  charter.begin({.radius = settings_.radius, .cap = settings_.cap, .join = settings_.join});
+      brush_stroke_(brush, descriptor, context(0, {}), params_.abi()),
+      last_time_(-std::numeric_limits<double>::infinity()) {
+  for (const SymmetryInstance& image : symmetry_instances(settings_.symmetry))
+    instances_.emplace_back(surface, picker, charters, settings_, image, read_inputs());
+  if (settings_.accumulate == Accumulate::from_current) accumulate();
+  if (passes_look_around()) look_around();
+}
+
+/// Passes that look at neighbours need what the one before left there.
+void OpenStroke::look_around() {
+  std::vector<const LiveChart*> charts;
+  for (const StrokeInstance& instance : instances_) charts.push_back(&instance.live());
+  passes_.emplace(*surface_, brush_stroke_, std::move(charts), blend_options());
+}
+
+void OpenStroke::accumulate() {
+  if (brush_stroke_.plan().passes > 1)
+    throw Error(fmt::format("{}: works in several passes, which start from the surface before the stroke",
+                            brush().id));
+  settings_.overlap = Overlap::add;
+  accumulation_.emplace(*surface_, brush_stroke_, settings_.dab_spacing > 0 ? 0 : settings_.radius);
+}
+
+bool OpenStroke::passes_look_around() const {
+  return brush().inputs_read & BURIN_INPUT_LAPLACIAN && brush_stroke_.plan().passes > 1;
 }
 
 ReadInputs OpenStroke::read_inputs() const {
   std::uint64_t varying = pen_inputs_present(settings_.fields);
   if (width_varies()) varying |= BURIN_INPUT_RADIUS;
-  const std::uint64_t inputs = brush_stroke_.descriptor().inputs_read;
-  return {settings_.radius, inputs, varying & inputs};
+  return {settings_.radius, brush().inputs_read, varying & brush().inputs_read};
+}
+
+BlendOptions OpenStroke::blend_options() const {
+  BlendOptions options{.overlap = settings_.overlap, .radius = settings_.radius};
+  if (settings_.clamp_to_radius) options.limit = settings_.radius;
+  return options;
 }
 
 void OpenStroke::trace(const SurfacePoint& at, double time, const Pen& pen) {
   if (!std::isfinite(time) || time < last_time_)
     throw ContractError(fmt::format("time goes from {} to {}", last_time_, time));
   last_time_ = time;
-  tracer_.add(at, time, pen);
-  traced_ = true;
+  instances_.front().trace(at, time, pen);
+  for (std::size_t i = 1; i < instances_.size(); ++i) {
+    const Vec3d place = instances_[i].image()(at.position.cast<double>());
+    const auto image = picker_->closest(place.cast<float>(), static_cast<float>(settings_.radius));
+    if (image && instances_[i].connects(*image)) instances_[i].trace(*image, time, pen);
+  }
 }
 
-VertexMoves OpenStroke::draw(const StrokeTools& tools) { return draw_traced(0, tools); }
-
-VertexMoves OpenStroke::draw_traced(std::uint64_t flags, const StrokeTools& tools) {
-  const std::size_t unchanged = drawn_points_;
-  const double length_before = drawn_length_;
-  drawn_points_ = tracer_.final_points();
-  drawn_length_ = curve().length();
-  traced_ = false;
-  chart(tools, unchanged);
-  const double end_zone = std::min(length_before, drawn_length_) - brush_stroke_.plan().end_influence;
-  const double same_pen_up_to = unchanged > 0 ? curve().points[unchanged - 1].t : everywhere;
-  return go_on(nodes_.follow(curve(), end_zone, same_pen_up_to), flags, tools);
+VertexMoves OpenStroke::draw(const StrokeTools& tools) {
+  std::vector<StrokeChanges> changes;
+  for (StrokeInstance& instance : instances_)
+    changes.push_back(instance.empty() ? StrokeChanges{}
+                                       : instance.draw(brush_stroke_.plan().end_influence, tools.cost));
+  tools.clock.lap(Stage::chart);
+  return go_on(changes, 0, tools);
 }
 
 VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
-  closed_curve_ = tracer_.closed_curve(closure);
+  for (StrokeInstance& instance : instances_)
+    if (!instance.empty()) instance.close(closure);
   tools.clock.lap(Stage::curve);
-  if (closed_curve_) {
-    chart(tools, 0);
-    return go_on(nodes_.follow(curve(), everywhere), BURIN_STROKE_CLOSED | BURIN_STROKE_FINAL, tools);
-  }
-  if (traced_) return draw_traced(BURIN_STROKE_FINAL, tools);
-  const double end_zone = curve().length() - brush_stroke_.plan().end_influence;
-  return go_on(nodes_.in_zone(end_zone), BURIN_STROKE_FINAL, tools);
-}
-
-void OpenStroke::chart(const StrokeTools& tools, std::size_t unchanged) {
-  tools.charter.draw(curve(), unchanged);
-  tools.cost.settled = tools.charter.settled();
-  tools.cost.pushes = tools.charter.pushes();
+  std::vector<StrokeChanges> changes;
+  for (StrokeInstance& instance : instances_)
+    changes.push_back(instance.empty() ? StrokeChanges{}
+                                       : instance.finish(brush_stroke_.plan().end_influence, tools.cost));
   tools.clock.lap(Stage::chart);
+  return go_on(changes, BURIN_STROKE_FINAL, tools);
 }
 
-burin_stroke_context OpenStroke::context(std::uint64_t flags) const {
+burin_stroke_context OpenStroke::context(std::uint64_t flags, const SurfaceCurve& curve) const {
   burin_stroke_context context{};
   context.struct_size = sizeof(burin_stroke_context);
-  context.flags = flags;
+  context.flags = flags | (curve.closed ? BURIN_STROKE_CLOSED : 0);
   context.pen_present = pen_inputs_present(settings_.fields);
   context.seed = settings_.seed;
-  context.length = curve().length();
+  context.length = curve.length();
   context.radius_min = settings_.radius * (width_varies() ? narrowest_width(settings_.pressure_width) : 1);
   context.radius_max = settings_.radius;
   context.object_scale = surface_->scale;
@@ -103,21 +137,61 @@ burin_stroke_context OpenStroke::context(std::uint64_t flags) const {
 }
 
 /// Evaluates what is stale, and tells where the vertices concerned go.
-VertexMoves OpenStroke::go_on(const StrokeChanges& changes, std::uint64_t flags, const StrokeTools& tools) {
-  const NodeSource source{*surface_, nodes_, static_cast<float>(settings_.radius)};
-  const std::span<const Vec3f> evaluated = tools.evaluator.evaluate(
-      brush_stroke_, context(flags), source, changes.stale, static_cast<float>(settings_.strength));
-  displacement_.resize(nodes_.chart().size());
-  for (std::size_t i = 0; i < evaluated.size(); ++i) displacement_[changes.stale[i]] = evaluated[i];
-  tools.cost.evaluated = evaluated.size();
+VertexMoves OpenStroke::go_on(const std::vector<StrokeChanges>& changes, std::uint64_t flags,
+                              const StrokeTools& tools) {
+  std::vector<Index> vertices = all_vertices(changes);
+  evaluate(changes, flags, tools, vertices);
   tools.clock.lap(Stage::evaluate);
-
-  VertexMoves moves;
-  moves.places.resize(changes.vertices.size());
-  blend_sheets(*surface_, nodes_.live(), displacement_, changes.vertices, settings_.overlap,
-               brush_stroke_.descriptor().id, moves.places);
-  moves.vertices = changes.vertices;
+  VertexMoves moves = blend(std::move(vertices), tools);
   tools.clock.lap(Stage::blend);
+  return moves;
+}
+
+void OpenStroke::evaluate(const std::vector<StrokeChanges>& changes, std::uint64_t flags,
+                          const StrokeTools& tools, std::vector<Index>& vertices) {
+  const auto strength = static_cast<float>(settings_.strength);
+  std::vector<EvaluatedInstance> evaluated;
+  for (StrokeInstance& instance : instances_) {
+    instance.outputs().resize(instance.live().nodes().size(), paints(brush()));
+    const std::uint64_t mirrored = instance.image().mirrored ? BURIN_STROKE_MIRRORED : 0;
+    evaluated.push_back({instance.source(tools.paint), context(flags | mirrored, instance.curve()), strength,
+                         instance.outputs()});
+  }
+  if (passes_) {
+    vertices = passes_->update(tools.evaluator, evaluated, std::move(vertices));
+    tools.cost.evaluated += vertices.size();
+    return;
+  }
+  if (accumulation_) {
+    const std::vector<Index> changed = vertices;
+    for (std::size_t i = 0; i < evaluated.size(); ++i)
+      accumulation_->update(tools.evaluator, evaluated[i], instances_[i].live(), changed, vertices);
+    sort_unique(vertices);
+    tools.cost.evaluated += vertices.size();
+    return;
+  }
+  for (std::size_t i = 0; i < evaluated.size(); ++i) {
+    const std::vector<Index>& stale = changes[i].stale;
+    const NodeOutputs& outputs =
+        tools.evaluator.evaluate(brush_stroke_, evaluated[i].context, evaluated[i].source, stale, strength);
+    for (std::size_t k = 0; k < stale.size(); ++k) {
+      evaluated[i].outputs.displacement[stale[k]] = outputs.displacement[k];
+      if (!outputs.tint.empty()) evaluated[i].outputs.tint[stale[k]] = outputs.tint[k];
+    }
+    tools.cost.evaluated += stale.size();
+  }
+}
+
+VertexMoves OpenStroke::blend(std::vector<Index> vertices, const StrokeTools& tools) const {
+  std::vector<InstanceSheets> sheets;
+  for (const StrokeInstance& instance : instances_) sheets.push_back({&instance.live(), &instance.outputs()});
+  VertexMoves moves;
+  moves.vertices = std::move(vertices);
+  moves.places.resize(moves.vertices.size());
+  blend_sheets(*surface_, sheets, moves.vertices, blend_options(), brush().id, moves.places);
+  if (!paints(brush())) return moves;
+  moves.tints.resize(moves.vertices.size());
+  blend_tints(tools.paint, sheets, moves.vertices, blend_options(), moves.tints);
   return moves;
 }
 

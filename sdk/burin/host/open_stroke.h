@@ -1,49 +1,55 @@
 #pragma once
-#include <burin/chart/stroke_chart.h>
+#include <burin/deform/accumulation.h>
 #include <burin/deform/brush_stroke.h>
 #include <burin/deform/evaluate.h>
-#include <burin/deform/stroke_nodes.h>
+#include <burin/deform/stroke_passes.h>
 #include <burin/host/event_cost.h>
 #include <burin/host/param_snapshot.h>
 #include <burin/host/session.h>
+#include <burin/host/stroke_instance.h>
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
 namespace burin {
 
-/// Vertices, each once, and where they go.
+/// What an event does to vertices, each named once.
 struct VertexMoves {
   std::vector<Index> vertices;
-  std::vector<Vec3f> places;  ///< [i] of vertices[i]
+  std::vector<Vec3f> places;  ///< where they go: [i] of vertices[i]
+  std::vector<Tint> tints;    ///< the same of colours and masks; empty where the brush writes none
 };
 
 /// What strokes need that sessions keep from one to the next. Looked at, not owned.
 struct StrokeTools {
-  StrokeCharter& charter;
   Evaluator& evaluator;
+  const Paint& paint;  ///< of the surface when the stroke began
   EventCost& cost;
   StageClock& clock;
 };
 
-/// The stroke that a session is drawing. Surface, picker, charter, brush and descriptor must outlive it, and
-/// the charter serves no other. Functions that throw leave nodes and moves unspoken for: the stroke is to be
-/// dropped.
+/// The stroke that a session is drawing, in all its symmetric images. Surface, picker, charters, brush and
+/// descriptor must outlive it, and the charters serve no other. Functions that throw leave nodes and moves
+/// unspoken for: the stroke is to be dropped.
 class OpenStroke {
  public:
   /// Begins a stroke of the brush. Throws Error as Session::begin_stroke.
-  OpenStroke(const Surface& surface, const Picker& picker, StrokeCharter& charter, const burin_brush& brush,
+  OpenStroke(const Surface& surface, const Picker& picker, Charters& charters, const burin_brush& brush,
              const burin_brush_descriptor& descriptor, const StrokeSettings& settings);
 
-  bool empty() const { return tracer_.curve().points.empty(); }
+  bool empty() const { return drawn_by_hand().empty(); }
   double radius() const { return settings_.radius; }
-  const SurfaceCurve& curve() const { return closed_curve_ ? *closed_curve_ : tracer_.curve(); }
+  const SurfaceCurve& curve() const { return drawn_by_hand().curve(); }
+  const LiveChart& live() const { return drawn_by_hand().live(); }
+  const burin_brush_descriptor& brush() const { return brush_stroke_.descriptor(); }
 
   /// Whether the stroke so far can go on at this place.
-  bool connects(const SurfacePoint& at) const { return empty() || tracer_.connects(at); }
+  bool connects(const SurfacePoint& at) const { return drawn_by_hand().connects(at); }
 
-  /// Leads the curve on to `at`.
+  /// Leads the curve on to `at`, and those of the images to theirs. An image that meets no surface, or only
+  /// across a gap, stays where it is.
   void trace(const SurfacePoint& at, double time, const Pen& pen);
 
   /// Draws what was traced since the last time. Vertices that leave the chart go back to their base.
@@ -54,28 +60,28 @@ class OpenStroke {
   VertexMoves finish(Closure closure, const StrokeTools& tools);
 
  private:
-  ChartOptions chart_options() const {
-    return {.radius = settings_.radius, .cap = settings_.cap, .join = settings_.join};
-  }
+  const StrokeInstance& drawn_by_hand() const { return instances_.front(); }
   bool width_varies() const { return settings_.pressure_width > 0 && settings_.fields.pressure; }
-  burin_stroke_context context(std::uint64_t flags) const;
+  void accumulate();
+  void look_around();
+  bool passes_look_around() const;
+  burin_stroke_context context(std::uint64_t flags, const SurfaceCurve& curve) const;
   ReadInputs read_inputs() const;
-  VertexMoves draw_traced(std::uint64_t flags, const StrokeTools& tools);
-  void chart(const StrokeTools& tools, std::size_t unchanged);
-  VertexMoves go_on(const StrokeChanges& changes, std::uint64_t flags, const StrokeTools& tools);
+  BlendOptions blend_options() const;
+  VertexMoves go_on(const std::vector<StrokeChanges>& changes, std::uint64_t flags, const StrokeTools& tools);
+  void evaluate(const std::vector<StrokeChanges>& changes, std::uint64_t flags, const StrokeTools& tools,
+                std::vector<Index>& vertices);
+  VertexMoves blend(std::vector<Index> vertices, const StrokeTools& tools) const;
 
   const Surface* surface_;
+  const Picker* picker_;
   StrokeSettings settings_;
   ParamSnapshot params_;
-  CurveTracer tracer_;
-  std::optional<SurfaceCurve> closed_curve_;  ///< once the stroke is finished as a closed one
   BrushStroke brush_stroke_;
+  std::deque<StrokeInstance> instances_;
+  std::optional<StrokePasses> passes_;        ///< of brushes whose passes look at neighbours
+  std::optional<Accumulation> accumulation_;  ///< of strokes that go on from what they made themselves
   double last_time_;
-  std::size_t drawn_points_ = 0;  ///< of the curve, that nothing traced since was drawn can change
-  double drawn_length_ = 0;
-  bool traced_ = false;  ///< and not drawn yet
-  StrokeNodes nodes_;
-  std::vector<Vec3f> displacement_;  ///< [slot] of nodes_, in its (e1, e2, n)
 };
 
 }  // namespace burin

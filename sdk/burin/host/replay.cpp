@@ -25,6 +25,10 @@ StrokeSettings settings_of(const Recording& recording, std::size_t index, const 
   settings.radius = *radius;
   settings.strength = overrides.strength.value_or(stroke.strength);
   settings.overlap = overrides.overlap;
+  settings.accumulate = overrides.accumulate;
+  settings.clamp_to_radius = overrides.clamp_to_radius;
+  settings.symmetry = overrides.symmetry;
+  settings.dab_spacing = overrides.dab_spacing;
   settings.pressure_width = overrides.pressure_width;
   settings.join = overrides.join;
   settings.params = overrides.params;

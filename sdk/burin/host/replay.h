@@ -18,6 +18,10 @@ struct StrokeOverrides {
   std::optional<double> radius;
   std::optional<double> strength;
   Overlap overlap = Overlap::latest;
+  Accumulate accumulate = Accumulate::from_base;
+  bool clamp_to_radius = false;  ///< as in StrokeSettings
+  Symmetry symmetry;
+  double dab_spacing = 0;          ///< as in StrokeSettings
   std::optional<Closure> closure;  ///< instead of what the recording marks
   double pressure_width = 0;       ///< as in StrokeSettings
   std::size_t show_every = 1;      ///< samples shown: every so many; 0: the whole stroke at its end

@@ -1,10 +1,13 @@
 #include <burin/base/error.h>
 #include <burin/base/hash.h>
+#include <burin/deform/shown_paint.h>
 #include <burin/deform/shown_surface.h>
 #include <burin/deform/undo_journal.h>
 #include <burin/host/open_stroke.h>
 #include <burin/host/session.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -13,13 +16,19 @@ namespace burin {
 
 struct Session::Impl {
   Impl(Surface given, const BrushLibrary& library)
-      : surface(std::move(given)), picker(surface), charter(surface), shown(surface), brushes(&library) {}
+      : surface(std::move(given)),
+        picker(surface),
+        charters(surface, picker),
+        shown(surface),
+        paint(surface.vertex_count()),
+        brushes(&library) {}
 
   const burin_brush& brush(const BrushEntry& entry);
   OpenStroke& open_stroke();
   StrokeEvent draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen, Show show,
                    StageClock& clock);
   std::span<const Index> finish(Closure closure);
+  std::span<const Index> apply(const VertexMoves& moves);
   void drop();
 
   /// Runs `body`; when it throws, the open stroke is gone as if it had never begun.
@@ -37,15 +46,17 @@ struct Session::Impl {
 
   Surface surface;
   Picker picker;
-  StrokeCharter charter;
+  Charters charters;
   ShownSurface shown;
+  ShownPaint paint;
   const BrushLibrary* brushes;
   std::map<const burin_brush_descriptor*, BrushPtr> created;
   Evaluator evaluator;
   std::optional<OpenStroke> stroke;
-  std::optional<Chart> sorted_chart;  ///< of the charter's chart, if somebody asked for it
+  std::optional<Chart> sorted_chart;     ///< of last_live, if somebody asked for it
+  const LiveChart* last_live = nullptr;  ///< of the open stroke, or of the last one
   SurfaceCurve last_curve;
-  std::vector<Index> changed_at_end;
+  std::vector<Index> changed;  ///< by the last call
   UndoJournal journal;
   EventCost cost;
 };
@@ -69,11 +80,21 @@ StrokeEvent Session::Impl::draw(const std::optional<SurfacePoint>& at, double ti
   stroke->trace(*at, time, pen);
   clock.lap(Stage::curve);
   if (show == Show::later) return {StrokeEvent::Outcome::drawn, {}};
-  const VertexMoves moves = stroke->draw({charter, evaluator, cost, clock});
-  const std::span<const Index> changed = shown.move(surface, moves.vertices, moves.places);
-  cost.moved = moves.vertices.size();
+  const std::span<const Index> seen = apply(stroke->draw({evaluator, paint.base(), cost, clock}));
   clock.lap(Stage::move);
-  return {StrokeEvent::Outcome::drawn, changed};
+  return {StrokeEvent::Outcome::drawn, seen};
+}
+
+std::span<const Index> Session::Impl::apply(const VertexMoves& moves) {
+  cost.moved = moves.vertices.size();
+  const std::span<const Index> moved = shown.move(surface, moves.vertices, moves.places);
+  if (moves.tints.empty()) return moved;
+  std::vector<Index> painted;
+  paint.set(moves.vertices, moves.tints, painted);
+  std::ranges::sort(painted);
+  changed.clear();
+  std::ranges::set_union(moved, painted, std::back_inserter(changed));
+  return changed;
 }
 
 std::span<const Index> Session::Impl::finish(Closure closure) {
@@ -82,19 +103,17 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
     return {};
   }
   StageClock clock(cost);
-  const VertexMoves moves = stroke->finish(closure, {charter, evaluator, cost, clock});
-  const std::span<const Index> changed = shown.move(surface, moves.vertices, moves.places);
-  changed_at_end.assign(changed.begin(), changed.end());
-  cost.moved = moves.vertices.size();
+  const std::span<const Index> seen = apply(stroke->finish(closure, {evaluator, paint.base(), cost, clock}));
+  if (seen.data() != changed.data()) changed.assign(seen.begin(), seen.end());
   clock.lap(Stage::move);
   const std::vector<Index> displaced = shown.take_displaced(surface);
-  journal.record(displaced, surface.positions);
+  journal.record(displaced, surface.positions, paint.commit());
   shown.commit(surface, displaced);
   picker.update(displaced);
   last_curve = stroke->curve();
   stroke.reset();
   clock.lap(Stage::record);
-  return changed_at_end;
+  return changed;
 }
 
 void Session::Impl::drop() {
@@ -105,6 +124,7 @@ void Session::Impl::drop() {
   for (const Index vertex : displaced) bases.push_back(surface.positions[vertex]);
   shown.move(surface, displaced, bases);
   shown.take_displaced(surface);
+  paint.drop();
   stroke.reset();
 }
 
@@ -120,13 +140,30 @@ const Surface& Session::surface() const { return impl_->surface; }
 const Picker& Session::picker() const { return impl_->picker; }
 std::span<const Vec3f> Session::positions() const { return impl_->shown.positions(); }
 std::span<const Vec3f> Session::normals() const { return impl_->shown.normals(); }
+const Paint& Session::paint() const { return impl_->paint.shown(); }
+
+void Session::set_paint(Paint paint) {
+  if (impl_->stroke) throw ContractError("a stroke is open");
+  const Index count = impl_->surface.vertex_count();
+  const auto one_each = [&](const auto& values) { return values.empty() || values.size() == count; };
+  const auto within = [](const auto& value) { return value >= 0 && value <= 1; };
+  const bool sound = one_each(paint.colour) && one_each(paint.mask) &&
+                     std::ranges::all_of(paint.mask, within) &&
+                     std::ranges::all_of(paint.colour, [&](const Vec4f& colour) {
+                       return std::all_of(colour.begin(), colour.end(), within);
+                     });
+  if (!sound) throw ContractError("colours and masks must be from 0 to 1, one a vertex");
+  impl_->paint.assign(std::move(paint));
+}
 
 void Session::begin_stroke(const StrokeSettings& settings) {
   impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open already");
     const BrushEntry& entry = impl_->brushes->find(settings.brush);
-    impl_->stroke.emplace(impl_->surface, impl_->picker, impl_->charter, impl_->brush(entry),
+    impl_->stroke.emplace(impl_->surface, impl_->picker, impl_->charters, impl_->brush(entry),
                           *entry.descriptor, settings);
+    impl_->last_live = &impl_->stroke->live();
+    impl_->paint.prepare(entry.descriptor->outputs_written);
   });
 }
 
@@ -153,7 +190,7 @@ std::span<const Index> Session::end_stroke(Closure closure) {
 void Session::cancel_stroke() { impl_->drop(); }
 
 const Chart& Session::chart() const {
-  if (!impl_->sorted_chart) impl_->sorted_chart = impl_->charter.live().sorted();
+  if (!impl_->sorted_chart) impl_->sorted_chart = impl_->last_live ? impl_->last_live->sorted() : Chart{};
   return *impl_->sorted_chart;
 }
 const SurfaceCurve& Session::curve() const {
@@ -170,6 +207,7 @@ bool Session::undo() {
     impl_->cost.moved = step->vertices.size();
     clock.lap(Stage::move);
     impl_->shown.commit(impl_->surface, step->vertices);
+    impl_->paint.restore(step->paint);
     impl_->picker.update(step->vertices);
     clock.lap(Stage::record);
     return true;
@@ -179,10 +217,15 @@ bool Session::undo() {
 const EventCost& Session::cost() const { return impl_->cost; }
 
 std::uint64_t Session::result_hash() const {
-  const std::span<const Vec3f> shown = positions();
-  std::vector<Vec3f> ordered(shown.size());
-  for (std::size_t v = 0; v < shown.size(); ++v) ordered[impl_->surface.source_vertex[v]] = shown[v];
-  return hash_bytes(ordered.data(), ordered.size() * sizeof(Vec3f));
+  const auto ordered = [this](const auto& values) {
+    std::vector<std::ranges::range_value_t<decltype(values)>> of_source(values.size());
+    for (std::size_t v = 0; v < values.size(); ++v) of_source[impl_->surface.source_vertex[v]] = values[v];
+    return hash_bytes(of_source.data(), of_source.size() * sizeof(of_source[0]));
+  };
+  const std::uint64_t of_positions = ordered(positions());
+  if (paint().colour.empty() && paint().mask.empty()) return of_positions;
+  const std::uint64_t hashes[] = {of_positions, ordered(paint().colour), ordered(paint().mask)};
+  return hash_bytes(hashes, sizeof hashes);
 }
 
 }  // namespace burin

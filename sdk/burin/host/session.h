@@ -1,9 +1,12 @@
 #pragma once
 #include <burin/chart/stroke_chart.h>
+#include <burin/deform/accumulate.h>
 #include <burin/deform/blend.h>
+#include <burin/deform/paint.h>
 #include <burin/host/brush_library.h>
 #include <burin/host/event_cost.h>
 #include <burin/stroke/recording.h>
+#include <burin/stroke/symmetry.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
 
@@ -14,6 +17,9 @@
 
 namespace burin {
 
+/// Least StrokeSettings::dab_spacing.
+inline constexpr double least_dab_spacing = 0.01;
+
 /// What a stroke is drawn with.
 struct StrokeSettings {
   std::string brush;    ///< id, "org.burin.groove"
@@ -22,10 +28,14 @@ struct StrokeSettings {
   Cap cap = Cap::round;
   Join join = Join::round;            ///< smooth, miter and overlap chart the stroke afresh with every sample
   Overlap overlap = Overlap::latest;  ///< what holds where the stroke overlaps itself
-  double pressure_width = 0;          ///< 0..1, share of the width that the pen's pressure decides
-  ParamSettings params;               ///< what differs from the brush's defaults
-  PenFields fields;                   ///< what the pen really reports
-  std::uint64_t seed = 0;             ///< of the brush's random numbers
+  Accumulate accumulate = Accumulate::from_base;  ///< from_current: sheets add up, whatever `overlap` says
+  double pressure_width = 0;  ///< 0..1, share of the width that the pen's pressure decides
+  ParamSettings params;       ///< what differs from the brush's defaults
+  PenFields fields;           ///< what the pen really reports
+  std::uint64_t seed = 0;     ///< of the brush's random numbers
+  Symmetry symmetry;          ///< where else it is drawn
+  double dab_spacing = 0;     ///< radii from dab to dab, for a row of dabs instead of one stroke; 0: a stroke
+  bool clamp_to_radius = false;  ///< no vertex goes farther than one radius
 };
 
 /// When a sample is to be seen. A stroke is the same whenever that is; who shows fewer samples pays for
@@ -43,8 +53,8 @@ struct StrokeEvent {
     disconnected,  ///< on the surface, but across a gap or silhouette: nothing changed
   };
   Outcome outcome = Outcome::off_surface;
-  /// Vertices that moved and their neighbours, whose normals may have changed; ascending. Valid until the
-  /// next call.
+  /// Vertices that moved and their neighbours, whose normals may have changed, and those of another colour or
+  /// mask; ascending. Valid until the next call.
   std::span<const Index> changed;
 };
 
@@ -68,6 +78,13 @@ class Session {
   /// What is to be shown now, the open stroke included; [vertex].
   std::span<const Vec3f> positions() const;
   std::span<const Vec3f> normals() const;
+
+  /// Colours and masks, the open stroke included; [vertex] of arrays that are not empty.
+  const Paint& paint() const;
+
+  /// Starts from these colours and masks. Not while a stroke is open, and not to be undone. Throws
+  /// ContractError for arrays that are neither empty nor of an element a vertex, or values outside of 0..1.
+  void set_paint(Paint paint);
 
   /// Opens a stroke. Throws Error: unknown brush or parameter, a value out of its range, a file that
   /// cannot be read, a brush that reads what this host does not offer.
@@ -97,7 +114,8 @@ class Session {
   /// Of the last add_sample, end_stroke or undo.
   const EventCost& cost() const;
 
-  /// XXH3 of the shown positions in the order of the mesh that the surface was made of.
+  /// XXH3 of the shown positions, and of colours and masks where there are any, in the order of the mesh that
+  /// the surface was made of.
   std::uint64_t result_hash() const;
 
  private:

@@ -1,4 +1,4 @@
-// org.burin.test.greedy: a smoothing brush; wants the Laplacian, which not every host offers.
+// org.burin.test.greedy: wants an input that no host of this version knows.
 #include <burin/plugin/plugin.h>
 
 namespace {
@@ -11,12 +11,12 @@ class GreedyBrush : public Brush {
                                   .name = "Greedy",
                                   .vendor = "Burin",
                                   .version = "1.0.0",
-                                  .inputs = BURIN_INPUT_LAPLACIAN | BURIN_INPUT_NORMAL};
+                                  .inputs = UINT64_C(1) << 40 | BURIN_INPUT_NORMAL};
 
   void evaluate(const Batch& in, const Outputs& out) const override {
-    const Vectors l = in.laplacian(), n = in.normal();
+    const Vectors n = in.normal();
     const FloatsOut up = out.up();
-    for (std::size_t i = 0; i < in.size(); ++i) up[i] = l.x[i] * n.x[i] + l.y[i] * n.y[i] + l.z[i] * n.z[i];
+    for (std::size_t i = 0; i < in.size(); ++i) up[i] = n.x[i];
   }
 };
 

@@ -1,0 +1,171 @@
+#include <burin/deform/accumulation.h>
+#include <burin/surface/normals.h>
+#include <burin/surface/surroundings.h>
+#include <burin/surface/triangle_shape.h>
+#include <burin/surface/unit_tangent.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace burin {
+namespace {
+
+/// In object space: of components along (e1, e2, n).
+Vec3f in_space(const Vec3f& e1, const Vec3f& n, const Vec3f& components) {
+  return e1 * components.x() + n.cross(e1) * components.y() + n * components.z();
+}
+
+Vec3f in_frame(const Vec3f& e1, const Vec3f& n, const Vec3f& vector) {
+  return {e1.dot(vector), n.cross(e1).dot(vector), n.dot(vector)};
+}
+
+/// Where place(v) says where vertices stand.
+template <class Place>
+Vec3f normal_of(const Surface& surface, const Place& place, Index vertex) {
+  const Vec3d here = place(vertex).template cast<double>();
+  NormalSum sum;
+  for (const Index index : surface.incident[vertex]) {
+    const Triangle& triangle = surface.triangles[index];
+    const std::size_t corner = corner_of(triangle, vertex);
+    sum.add(place(triangle[(corner + 1) % 3]).template cast<double>() - here,
+            place(triangle[(corner + 2) % 3]).template cast<double>() - here);
+  }
+  return sum.unit().cast<float>();
+}
+
+}  // namespace
+
+void Accumulation::update(Evaluator& evaluator, EvaluatedInstance& instance, const LiveChart& chart,
+                          std::span<const Index> vertices, std::vector<Index>& reached) const {
+  const std::vector<Due> due = due_nodes(chart, vertices);
+  for (auto first = due.begin(); first != due.end();) {
+    const auto last =
+        std::find_if(first, due.end(), [&](const Due& node) { return node.after != first->after; });
+    std::vector<Index> slots;
+    for (auto node = first; node != last; ++node) slots.push_back(node->slot);
+    evaluate(evaluator, instance, chart, slots);
+    for (const Index slot : slots) reached.push_back(chart.nodes().vertex[slot]);
+    first = last;
+  }
+}
+
+/// Whether a belongs to an earlier visit than b. Around the seam of a closed stroke one visit goes on.
+bool Accumulation::earlier(const Chart& nodes, Index a, Index b) const {
+  const double before = nodes.t[b] - nodes.t[a];
+  const double around = nodes.closed ? std::min(before, nodes.length - before) : before;
+  return before > 0 && around > apart_;
+}
+
+template <class Visit>
+void Accumulation::for_each_earlier(const LiveChart& chart, Index slot, const Visit& visit) const {
+  const Index vertex = chart.nodes().vertex[slot];
+  const auto visit_nodes = [&](Index at) {
+    for (Index other = chart.first(at); other != no_index; other = chart.next(other))
+      if (earlier(chart.nodes(), other, slot)) visit(other);
+  };
+  visit_nodes(vertex);
+  for (const Index neighbour : surface_->neighbours[vertex]) visit_nodes(neighbour);
+}
+
+/// Appends the nodes around these that stand on them.
+void Accumulation::add_later(const LiveChart& chart, std::span<const Index> from,
+                             std::vector<Index>& slots) const {
+  for (const Index slot : from) {
+    const Index vertex = chart.nodes().vertex[slot];
+    const auto add = [&](Index at) {
+      for (Index other = chart.first(at); other != no_index; other = chart.next(other))
+        if (earlier(chart.nodes(), slot, other)) slots.push_back(other);
+    };
+    add(vertex);
+    for (const Index neighbour : surface_->neighbours[vertex]) add(neighbour);
+  }
+}
+
+/// The nodes of the vertices and of their neighbours, since what a vertex lost counts too, and all that stand
+/// on them; in the order in which they can be computed.
+std::vector<Accumulation::Due> Accumulation::due_nodes(const LiveChart& chart,
+                                                       std::span<const Index> vertices) const {
+  std::map<Index, int> after;
+  std::vector<Index> front;
+  const auto take = [&](Index slot) {
+    if (after.emplace(slot, 0).second) front.push_back(slot);
+  };
+  const auto take_nodes = [&](Index vertex, bool all) {
+    const bool several = chart.first(vertex) != no_index && chart.next(chart.first(vertex)) != no_index;
+    for (Index slot = chart.first(vertex); slot != no_index && (all || several); slot = chart.next(slot))
+      take(slot);
+  };
+  for (const Index vertex : vertices) {
+    take_nodes(vertex, true);
+    for (const Index neighbour : surface_->neighbours[vertex]) take_nodes(neighbour, false);
+  }
+  while (!front.empty()) {
+    std::vector<Index> later;
+    add_later(chart, std::exchange(front, {}), later);
+    for (const Index slot : later) take(slot);
+  }
+  std::vector<Due> due;
+  for (const auto& [slot, none] : after) due.push_back({slot, none});
+  std::ranges::sort(due, {},
+                    [&](const Due& node) { return std::pair(chart.nodes().t[node.slot], node.slot); });
+  for (Due& node : due) {
+    for_each_earlier(chart, node.slot, [&](Index other) {
+      if (const auto found = after.find(other); found != after.end())
+        node.after = std::max(node.after, found->second + 1);
+    });
+    after[node.slot] = node.after;
+  }
+  std::ranges::stable_sort(due, {}, &Due::after);
+  return due;
+}
+
+/// Where a vertex stands for a node: after all visits before the node's.
+Vec3f Accumulation::left_at(const LiveChart& chart, const NodeOutputs& outputs, Index vertex,
+                            Index slot) const {
+  Vec3f place = surface_->positions[vertex];
+  for (Index other = chart.first(vertex); other != no_index; other = chart.next(other))
+    if (earlier(chart.nodes(), other, slot))
+      place += in_space(chart.nodes().e1[other], surface_->normals[vertex], outputs.displacement[other]);
+  return place;
+}
+
+CurrentBase::Place Accumulation::place_of(const LiveChart& chart, const NodeOutputs& outputs,
+                                          Index slot) const {
+  const Index vertex = chart.nodes().vertex[slot];
+  const auto at = [&](Index v) { return left_at(chart, outputs, v, slot); };
+  CurrentBase::Place place;
+  place.position = at(vertex);
+  place.normal = normal_of(*surface_, at, vertex);
+  place.e1 = unit_tangent(chart.nodes().e1[slot], place.normal);
+  place.laplacian = umbrella(*surface_, vertex, at);
+  place.displacement = in_frame(place.e1, place.normal, place.position - surface_->positions[vertex]);
+  return place;
+}
+
+void Accumulation::evaluate(Evaluator& evaluator, EvaluatedInstance& instance, const LiveChart& chart,
+                            std::span<const Index> slots) const {
+  CurrentBase current;
+  for (const Index slot : slots) {
+    bool stands_on_others = false;
+    for_each_earlier(chart, slot, [&](Index) { stands_on_others = true; });
+    if (stands_on_others) current.set(slot, place_of(chart, instance.outputs, slot));
+  }
+  NodeSource source = instance.source;
+  source.current = &current;
+  const NodeOutputs& outputs =
+      evaluator.evaluate(*stroke_, instance.context, source, slots, instance.strength);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    Vec3f displacement = outputs.displacement[i];
+    if (const CurrentBase::Place* place = current.find(slots[i])) {
+      const Vec3f& normal = surface_->normals[chart.nodes().vertex[slots[i]]];
+      const Vec3f vector = in_space(place->e1, place->normal, displacement);
+      displacement = in_frame(chart.nodes().e1[slots[i]], normal, vector);
+    }
+    instance.outputs.displacement[slots[i]] = displacement;
+    if (!outputs.tint.empty()) instance.outputs.tint[slots[i]] = outputs.tint[i];
+  }
+}
+
+}  // namespace burin

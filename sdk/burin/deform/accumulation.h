@@ -1,0 +1,48 @@
+#pragma once
+#include <burin/deform/brush_stroke.h>
+#include <burin/deform/current_base.h>
+#include <burin/deform/evaluate.h>
+#include <burin/deform/stroke_passes.h>
+
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// Evaluates strokes that go on from what they left themselves: each visit of a place stands on the surface
+/// as all visits at least half a radius before made it. Outputs are displacements from the base all the same,
+/// so that their sum is the surface.
+class Accumulation {
+ public:
+  /// `stroke`, of a single pass, must outlive the object. `radius`: of the stroke, object units; 0 for dabs,
+  /// each of which is a visit of its own.
+  Accumulation(const Surface& surface, const BrushStroke& stroke, double radius)
+      : surface_(&surface), stroke_(&stroke), apart_(radius / 2) {}
+
+  /// Follows changes at these vertices: sets the outputs of the instance's nodes there, and of all later
+  /// nodes that stand on them. Appends the vertices of these to `reached`. Throws as Evaluator.
+  void update(Evaluator& evaluator, EvaluatedInstance& instance, const LiveChart& chart,
+              std::span<const Index> vertices, std::vector<Index>& reached) const;
+
+ private:
+  /// A node to compute, and after how many others that it stands on.
+  struct Due {
+    Index slot;
+    int after;
+  };
+  std::vector<Due> due_nodes(const LiveChart& chart, std::span<const Index> vertices) const;
+  void add_later(const LiveChart& chart, std::span<const Index> from, std::vector<Index>& slots) const;
+  template <class Visit>
+  void for_each_earlier(const LiveChart& chart, Index slot, const Visit& visit) const;
+  bool earlier(const Chart& nodes, Index a, Index b) const;
+  CurrentBase::Place place_of(const LiveChart& chart, const NodeOutputs& outputs, Index slot) const;
+  Vec3f left_at(const LiveChart& chart, const NodeOutputs& outputs, Index vertex, Index slot) const;
+  void evaluate(Evaluator& evaluator, EvaluatedInstance& instance, const LiveChart& chart,
+                std::span<const Index> slots) const;
+
+  const Surface* surface_;
+  const BrushStroke* stroke_;
+  double apart_;  ///< least difference of t between visits, object units
+};
+
+}  // namespace burin

@@ -1,0 +1,36 @@
+#pragma once
+#include <burin/base/vector.h>
+
+#include <vector>
+
+namespace burin {
+
+/// Colour and mask of a surface's vertices. An empty array stands for a surface that nobody painted.
+struct Paint {
+  std::vector<Vec4f> colour;  ///< [vertex] linear RGB and coverage, each 0..1
+  std::vector<float> mask;    ///< [vertex] 0 = protected .. 1 = free
+
+  static Vec4f bare() { return {1, 1, 1, 0}; }
+
+  Vec4f colour_of(Index vertex) const { return colour.empty() ? bare() : colour[vertex]; }
+  float mask_of(Index vertex) const { return mask.empty() ? 1 : mask[vertex]; }
+};
+
+/// Colour and mask of one node or vertex in a form that may be added and averaged: red, green and blue times
+/// the coverage, coverage, mask.
+using Tint = Eigen::Matrix<float, 5, 1>;
+
+inline Tint tint_of(const Vec4f& colour, float mask) {
+  Tint tint;
+  tint << colour.head<3>() * colour.w(), colour.w(), mask;
+  return tint;
+}
+
+inline Vec4f colour_of(const Tint& tint) {
+  if (!(tint[3] > 0)) return Paint::bare();
+  Vec4f colour;
+  colour << tint.head<3>() / tint[3], tint[3];
+  return colour;
+}
+
+}  // namespace burin

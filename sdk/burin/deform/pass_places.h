@@ -1,0 +1,33 @@
+#pragma once
+#include <burin/chart/live_chart.h>
+#include <burin/surface/surface.h>
+
+#include <vector>
+
+namespace burin {
+
+/// Where the vertices under a stroke stand after one of its passes.
+class PassPlaces {
+ public:
+  /// The charts are those of the stroke's instances.
+  PassPlaces(const Surface& surface, std::vector<const LiveChart*> charts)
+      : surface_(&surface), charts_(std::move(charts)), places_(charts_.size()) {}
+
+  Vec3f operator[](Index vertex) const {
+    for (std::size_t i = 0; i < charts_.size(); ++i) {
+      const Index at = charts_[i]->place(vertex);
+      if (at != no_index && at < places_[i].size()) return places_[i][at];
+    }
+    return surface_->positions[vertex];
+  }
+
+  /// The vertex must have been in one of the charts.
+  void set(Index vertex, const Vec3f& place);
+
+ private:
+  const Surface* surface_;
+  std::vector<const LiveChart*> charts_;
+  std::vector<std::vector<Vec3f>> places_;  ///< [instance][place of its chart]
+};
+
+}  // namespace burin

@@ -1,0 +1,100 @@
+#include <burin/host/stroke_instance.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace burin {
+namespace {
+
+/// A t that all nodes reach.
+constexpr double everywhere = -std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+InstanceCharters& Charters::operator[](std::size_t instance) {
+  while (charters_.size() <= instance) charters_.push_back({StrokeCharter(*surface_), nullptr});
+  return charters_[instance];
+}
+
+LiveDabs& Charters::dabs(std::size_t instance) {
+  std::unique_ptr<LiveDabs>& dabs = (*this)[instance].dabs;
+  if (!dabs) dabs = std::make_unique<LiveDabs>(*surface_, *picker_);
+  return *dabs;
+}
+
+StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Charters& charters,
+                               const StrokeSettings& settings, const SymmetryInstance& image,
+                               const ReadInputs& reads)
+    : surface_(&surface),
+      image_(image),
+      reads_(reads),
+      tracer_(surface, picker, settings.radius, settings.fields.pressure ? settings.pressure_width : 0) {
+  if (settings.dab_spacing > 0) {
+    dabs_ = &charters.dabs(image.index);
+    dabs_->begin(settings.radius, settings.dab_spacing * settings.radius);
+  } else {
+    charter_ = &charters[image.index].stroke;
+    charter_->begin({.radius = settings.radius, .cap = settings.cap, .join = settings.join});
+  }
+  nodes_.emplace(live(), reads);
+}
+
+void StrokeInstance::trace(const SurfacePoint& at, double time, const Pen& pen) {
+  tracer_.add(at, time, pen);
+  traced_ = true;
+}
+
+StrokeChanges StrokeInstance::draw(double end_influence, EventCost& cost) {
+  const std::size_t unchanged = drawn_points_;
+  const double length_before = drawn_length_;
+  drawn_points_ = tracer_.final_points();
+  drawn_length_ = curve().length();
+  traced_ = false;
+  chart(unchanged, cost);
+  const double same_up_to = unchanged > 0 ? curve().points[unchanged - 1].t : everywhere;
+  double end_zone = std::min(length_before, drawn_length_) - end_influence;
+  if (reads_foot()) end_zone = std::min(end_zone, other_feet_from(std::min(same_up_to, length_before)));
+  return nodes_->follow(curve(), end_zone, same_up_to);
+}
+
+/// The t from which on feet may be others, when the curve is up to some other t as before. Beyond the begin
+/// all have the begin's.
+double StrokeInstance::other_feet_from(double same_curve_up_to) const {
+  const double from = same_curve_up_to - reads_.radius;
+  return from > 0 ? from : everywhere;
+}
+
+StrokeChanges StrokeInstance::finish(double end_influence, EventCost& cost) {
+  if (closed_curve_) {
+    chart(0, cost);
+    return nodes_->follow(curve(), everywhere);
+  }
+  if (traced_) return draw(end_influence, cost);
+  return nodes_->in_zone(curve().length() - end_influence);
+}
+
+NodeSource StrokeInstance::source(const Paint& paint) const {
+  return {.surface = *surface_,
+          .nodes = *nodes_,
+          .radius = static_cast<float>(reads_.radius),
+          .paint = &paint,
+          .foot = foot_ ? &*foot_ : nullptr,
+          .places = nullptr,
+          .symmetry = image_.index,
+          .mirrored = image_.mirrored,
+          .dab_t = dabs_ ? dabs_->along() : std::span<const float>{}};
+}
+
+void StrokeInstance::chart(std::size_t unchanged, EventCost& cost) {
+  if (dabs_) {
+    dabs_->draw(curve(), unchanged);
+    cost.settled += dabs_->settled();
+  } else {
+    charter_->draw(curve(), unchanged);
+    cost.settled += charter_->settled();
+    cost.pushes += charter_->pushes();
+  }
+  if (reads_foot()) foot_.emplace(curve(), reads_.radius);
+}
+
+}  // namespace burin

@@ -1,0 +1,91 @@
+#pragma once
+#include <burin/chart/live_dabs.h>
+#include <burin/chart/stroke_chart.h>
+#include <burin/deform/stroke_nodes.h>
+#include <burin/deform/stroke_passes.h>
+#include <burin/host/event_cost.h>
+#include <burin/host/session.h>
+#include <burin/stroke/foot_line.h>
+#include <burin/stroke/symmetry.h>
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+
+namespace burin {
+
+/// What charts one instance of a stroke, kept from stroke to stroke.
+struct InstanceCharters {
+  StrokeCharter stroke;
+  std::unique_ptr<LiveDabs> dabs;  ///< once a stroke of dabs was drawn
+};
+
+/// Charters of a surface, made when a stroke first needs them.
+class Charters {
+ public:
+  Charters(const Surface& surface, const Picker& picker) : surface_(&surface), picker_(&picker) {}
+
+  InstanceCharters& operator[](std::size_t instance);
+  LiveDabs& dabs(std::size_t instance);
+
+ private:
+  const Surface* surface_;
+  const Picker* picker_;
+  std::deque<InstanceCharters> charters_;
+};
+
+/// One symmetric image of a stroke that is being drawn: its curve, its chart, and what the brush does there.
+class StrokeInstance {
+ public:
+  StrokeInstance(const Surface& surface, const Picker& picker, Charters& charters,
+                 const StrokeSettings& settings, const SymmetryInstance& image, const ReadInputs& reads);
+  StrokeInstance(const StrokeInstance&) = delete;
+  StrokeInstance& operator=(const StrokeInstance&) = delete;
+
+  const SymmetryInstance& image() const { return image_; }
+  bool empty() const { return tracer_.curve().points.empty(); }
+  const SurfaceCurve& curve() const { return closed_curve_ ? *closed_curve_ : tracer_.curve(); }
+  const LiveChart& live() const { return dabs_ ? dabs_->live() : charter_->live(); }
+  NodeOutputs& outputs() { return outputs_; }
+  const NodeOutputs& outputs() const { return outputs_; }
+
+  /// Whether the stroke so far can go on at this place.
+  bool connects(const SurfacePoint& at) const { return empty() || tracer_.connects(at); }
+
+  /// Leads the curve on to `at`.
+  void trace(const SurfacePoint& at, double time, const Pen& pen);
+
+  /// Charts what was traced since the last time, and says what is stale. `end_influence`: of the brush.
+  StrokeChanges draw(double end_influence, EventCost& cost);
+
+  /// Once the pen is up, after close(): draws what is left, or all of it where the stroke closed.
+  StrokeChanges finish(double end_influence, EventCost& cost);
+
+  /// Decides whether the stroke closes.
+  void close(Closure closure) { closed_curve_ = tracer_.closed_curve(closure); }
+
+  /// What its nodes stand on. `paint`: of the surface.
+  NodeSource source(const Paint& paint) const;
+
+ private:
+  void chart(std::size_t unchanged, EventCost& cost);
+  double other_feet_from(double same_curve_up_to) const;
+  bool reads_foot() const { return reads_.inputs & BURIN_INPUT_FOOT; }
+
+  const Surface* surface_;
+  SymmetryInstance image_;
+  ReadInputs reads_;
+  StrokeCharter* charter_ = nullptr;
+  LiveDabs* dabs_ = nullptr;  ///< instead of the charter, in strokes of dabs
+  CurveTracer tracer_;
+  std::optional<SurfaceCurve> closed_curve_;  ///< once the stroke is finished as a closed one
+  std::optional<FootLine> foot_;
+  std::size_t drawn_points_ = 0;  ///< of the curve, that nothing traced since was drawn can change
+  double drawn_length_ = 0;
+  bool traced_ = false;  ///< and not drawn yet
+  std::optional<StrokeNodes> nodes_;
+  NodeOutputs outputs_;  ///< [slot]
+};
+
+}  // namespace burin
