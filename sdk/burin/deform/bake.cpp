@@ -16,7 +16,8 @@ namespace burin {
 namespace {
 
 constexpr std::size_t elements_a_block = 8192;
-constexpr float rounding = 1e-5F;  ///< of texture coordinates in files and by refinement
+constexpr double rounding = 1e-5;     ///< of texture coordinates in files and by refinement
+constexpr double tile_margin = 0.05;  ///< real meshes have islands that reach a little beyond the image
 
 /// Calls body(i) for i in [0, count), on all threads.
 template <class Body>
@@ -24,6 +25,11 @@ void for_each(std::size_t count, const Body& body) {
   parallel_blocks(count, elements_a_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(i);
   });
+}
+
+/// Whether texture coordinates lie farther than this outside 0..1.
+bool outside_by(double margin, const Vec2d& uv) {
+  return !(uv.minCoeff() >= -margin && uv.maxCoeff() <= 1 + margin);
 }
 
 /// Those have no place in incident_triangles(), and no area to bake.
@@ -148,17 +154,17 @@ void fill(FloatImage& image, const UvRaster& raster, const TriangleMesh& base,
 
 void check_bakeable(const PolygonMesh& mesh) {
   if (mesh.corner_uv.empty()) throw Error("not every face has texture coordinates, which a map needs");
-  const auto outside = [](const Vec2f& uv) {
-    return !(uv.minCoeff() >= -rounding && uv.maxCoeff() <= 1 + rounding);
-  };
   std::size_t corner = 0;
-  for (std::size_t face = 0; face < mesh.face_sizes.size(); ++face)
+  for (std::size_t face = 0; face < mesh.face_sizes.size(); ++face) {
+    Vec2d mean = Vec2d::Zero();
     for (const std::size_t end = corner + mesh.face_sizes[face]; corner < end; ++corner)
-      if (const Vec2f& uv = mesh.corner_uv[corner]; outside(uv))
-        throw Error(
-            fmt::format("face {} has the texture coordinates ({}, {}); a map holds those from 0 to 1, not "
-                        "further tiles (UDIM) or repetitions",
-                        face + 1, uv.x(), uv.y()));
+      mean += mesh.corner_uv[corner].cast<double>() / mesh.face_sizes[face];
+    if (outside_by(tile_margin, mean))
+      throw Error(fmt::format(
+          "face {} lies around ({:.6g}, {:.6g}) in texture coordinates; a map holds those from 0 to 1, "
+          "not further tiles (UDIM) or repetitions",
+          face + 1, mean.x(), mean.y()));
+  }
 }
 
 BakedMap bake_displacement(TriangleMesh base, std::span<const Vec3f> displaced,
@@ -170,6 +176,10 @@ BakedMap bake_displacement(TriangleMesh base, std::span<const Vec3f> displaced,
   const UvRaster raster = rasterise(base.triangle_uv, settings.size);
   BakedMap map;
   map.overlaps = raster.overlaps;
+  map.cut = static_cast<std::size_t>(std::ranges::count_if(base.triangle_uv, [](const TriangleUv& triangle) {
+    return std::ranges::any_of(triangle,
+                               [](const Vec2f& uv) { return outside_by(rounding, uv.cast<double>()); });
+  }));
   FloatImage& image = map.image;
   image.width = image.height = settings.size;
   image.channels = settings.vectors ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};

@@ -17,10 +17,12 @@ struct BakeSettings {
 struct BakedMap {
   FloatImage image;
   std::size_t overlaps = 0;  ///< texels that lie inside several triangles; the first one's value holds
+  std::size_t cut = 0;       ///< triangles that reach beyond the image, which cuts them off
 };
 
 /// Throws Error naming the face, counted from 1, when a mesh cannot be baked: not all corners have texture
-/// coordinates, or some lie outside 0..1, in a tile of their own (UDIM) or a repetition.
+/// coordinates, or those of a face lie in the mean more than 0.05 outside 0..1: in a tile of their own (UDIM)
+/// or a repetition, and not just beyond a border.
 void check_bakeable(const PolygonMesh& mesh);
 
 /// The displacement of a surface as an image over its texture coordinates. Texel centres stand for the point
