@@ -53,8 +53,8 @@ class BakeOption : public testing::Test {
     normals.resize(mesh.positions.size());
     for (Index v = 0; v < surface.vertex_count(); ++v) normals[surface.source_vertex[v]] = surface.normals[v];
     std::string text =
-        "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{\"brush\":\"org.burin.groove\",\"radius\":0."
-        "2},"
+        "{\"burin_stroke\":1,\"space\":\"object\"}\n"
+        "{\"begin\":{\"brush\":\"org.burin.groove\",\"radius\":0.2,\"params\":{\"depth\":0.3,\"taper\":0}},"
         "\"fields\":[\"time\",\"x\",\"y\",\"z\"]}\n";
     for (int i = 0; i <= 40; ++i)
       text += fmt::format("[{},0.42,{},{}]\n", 0.01 * i, 0.1 - 0.002 * i, 0.5 - 0.015 * i);
