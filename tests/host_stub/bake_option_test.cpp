@@ -29,7 +29,7 @@ struct Map {
 
   /// Bilinear; beyond the outermost texels those hold.
   double at(const Vec2f& uv, std::size_t channel) const {
-    const double x = std::clamp(uv.x() * size - 0.5, 0.0, size - 1.001);
+    const double x = std::clamp(double{uv.x()} * size - 0.5, 0.0, size - 1.001);
     const double y = std::clamp((1 - double{uv.y()}) * size - 0.5, 0.0, size - 1.001);
     double sum = 0;
     for (const double row : {std::floor(y), std::floor(y) + 1})
