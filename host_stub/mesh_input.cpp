@@ -2,7 +2,6 @@
 
 #include <burin/surface/defects.h>
 #include <burin/surface/mesh_file.h>
-#include <burin/surface/triangulate.h>
 #include <fmt/format.h>
 
 #include <map>
@@ -55,24 +54,34 @@ void add_mesh_options(CLI::App& command, MeshOptions& options) {
       ->check(CLI::IsMember({"auto", "catmull-clark", "loop"}));
 }
 
-LoadedSurface load_surface(const MeshOptions& options, const Progress& progress) {
+Cage read_cage(const MeshOptions& options) {
   return naming_file(options.path, [&] {
     if (holds_points(options.path)) {
       throw FileError(options.path, "holds points without faces; only 'burin chart' takes a point set");
     }
-    const PolygonMesh polygons = read_mesh(options.path);
-    LoadedSurface loaded;
-    TriangleMesh mesh;
-    const SubdivisionScheme scheme = options.scheme.value_or(natural_scheme(polygons));
-    if (const int level = levels(polygons, scheme, options); level > 0) {
-      mesh = refine(polygons, scheme, level, progress);
-    } else {
-      mesh = triangulate(polygons);
-      const MeshDefects defects = find_defects(mesh);
-      if (defects.any()) loaded.defects = defects.text();
-    }
-    loaded.surface = make_surface(std::move(mesh), progress);
-    return loaded;
+    Cage cage{read_mesh(options.path), SubdivisionScheme::catmull_clark, 0};
+    cage.scheme = options.scheme.value_or(natural_scheme(cage.polygons));
+    cage.level = levels(cage.polygons, cage.scheme, options);
+    return cage;
+  });
+}
+
+LoadedSurface make_loaded(TriangleMesh mesh, int level, const Progress& progress) {
+  LoadedSurface loaded;
+  mesh.triangle_uv = {};
+  if (level == 0) {
+    const MeshDefects defects = find_defects(mesh);
+    if (defects.any()) loaded.defects = defects.text();
+  }
+  loaded.surface = make_surface(std::move(mesh), progress);
+  return loaded;
+}
+
+LoadedSurface load_surface(const MeshOptions& options, const Progress& progress) {
+  Cage cage = read_cage(options);
+  cage.polygons.corner_uv = {};
+  return naming_file(options.path, [&] {
+    return make_loaded(refine(cage.polygons, cage.scheme, cage.level, progress), cage.level, progress);
   });
 }
 

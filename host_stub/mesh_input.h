@@ -26,6 +26,19 @@ struct LoadedSurface {
   std::string defects;  ///< of a mesh that was not refined, counted; empty for none
 };
 
+/// A mesh as its file has it, and how far the options ask to refine it.
+struct Cage {
+  PolygonMesh polygons;
+  SubdivisionScheme scheme;
+  int level;
+};
+
+/// Throws FileError, for a point set too.
+Cage read_cage(const MeshOptions& options);
+
+/// Makes triangles of a cage's `level` ready for strokes; texture coordinates are left behind.
+LoadedSurface make_loaded(TriangleMesh mesh, int level, const Progress& progress);
+
 /// Reads the mesh, refines or triangulates it and makes it ready. Throws FileError, for a point set too.
 LoadedSurface load_surface(const MeshOptions& options, const Progress& progress);
 

@@ -4,17 +4,17 @@
 
 #include <memory>
 
+#include "bake_option.h"
 #include "brush_folder.h"
 #include "command.h"
-#include "mesh_input.h"
 #include "name_file.h"
 #include "options.h"
 #include "output_file.h"
 #include "platform.h"
+#include "replay_mesh.h"
 #include "replay_report.h"
 #include "report_folder.h"
 #include "sculpt_options.h"
-#include "source_order.h"
 #include "stroke_input.h"
 
 namespace burin::command {
@@ -22,7 +22,8 @@ namespace {
 
 struct ReplayOptions {
   std::vector<std::string> strokes, params;
-  MeshOptions mesh;
+  ReplayMeshOptions mesh;
+  BakeOptions bake;
   StrokeOverrides overrides;
   std::string save_mesh, report;
   bool json = false;
@@ -70,7 +71,30 @@ std::optional<Camera> recorded_camera(const std::vector<Recording>& recordings) 
 void check_options(const ReplayOptions& options, const BrushLibrary& library) {
   check_output_path(options.save_mesh);
   check_report_folder(options.report);
+  check_bake_path(options.bake);
   if (options.overrides.brush) naming_file("--brush", [&] { library.find(*options.overrides.brush); });
+}
+
+/// The summary is then of the finest level.
+void finish(ReplayMesh& mesh, const Session& session, ReplaySummary& summary) {
+  if (!mesh.has_levels()) return;
+  mesh.finish(session);
+  summary.result.hash = mesh.result_hash();
+  summary.surface_vertices = mesh.before().positions.size();
+  summary.peak_memory = peak_memory();
+}
+
+ReplayPictures draw_pictures(Session& session, const ReplayMesh& mesh, const StrokeWitness& witness,
+                             const std::vector<Recording>& recordings) {
+  ProgressBar bar;
+  const Camera camera = replay_camera(session, witness, recorded_camera(recordings));
+  TriangleMesh result = mesh.has_levels() ? mesh.result(session) : TriangleMesh{};
+  ReplayPictures pictures = draw_replay(session, witness, camera, bar.progress());
+  if (mesh.has_levels()) {
+    pictures.before = draw_mesh(mesh.before(), camera, bar.progress());
+    pictures.after = draw_mesh(std::move(result), camera, bar.progress());
+  }
+  return pictures;
 }
 
 void run(const ReplayOptions& options) {
@@ -78,24 +102,22 @@ void run(const ReplayOptions& options) {
   library.load_search_path(own_brush_folder());
   check_options(options, library);
   const std::vector<Recording> recordings = read_recordings(options.strokes);
-  LoadedSurface loaded = load_surface_on_console(options.mesh);
-  const Json mesh = mesh_json(options.mesh, loaded);
-  const std::string mesh_line = mesh_text(options.mesh, loaded);
-  Session session(std::move(loaded.surface), library);
+  ReplayMesh mesh(options.mesh, options.bake.asked());
+  Session session(mesh.take_surface(), library);
   StrokeWitness witness;
-  const ReplaySummary summary = replay_all(session, options, recordings, witness);
+  ReplaySummary summary = replay_all(session, options, recordings, witness);
+  finish(mesh, session, summary);
   warn_of_left_out(summary);
-  Json json = {{"mesh", mesh}};
+  Json json = {{"mesh", mesh.json()}};
   json.update(summary_json(summary));
-  if (!options.save_mesh.empty()) {
-    write_ply(options.save_mesh, in_source_order(session.surface(), session.positions()));
+  if (!options.save_mesh.empty()) write_ply(options.save_mesh, mesh.result(session));
+  if (options.bake.asked()) {
+    json["bake"] = write_map(options.bake, mesh.before(), mesh.result(session).positions);
   }
   if (!options.report.empty()) {
-    ProgressBar bar;
-    write_report(options.report, summary, json,
-                 draw_replay(session, witness, recorded_camera(recordings), bar.progress()));
+    write_report(options.report, summary, json, draw_pictures(session, mesh, witness, recordings));
   }
-  fmt::print("{}\n", options.json ? json_text(json) : mesh_line + "\n" + summary_text(summary));
+  fmt::print("{}\n", options.json ? json_text(json) : mesh.text() + "\n" + summary_text(summary));
 }
 
 }  // namespace
@@ -106,7 +128,7 @@ void add_replay(CLI::App& app) {
   command.add_option("stroke_files", options->strokes, "recorded strokes")
       ->required()
       ->type_name("FILE.stroke");
-  add_mesh_options(command, options->mesh);
+  add_replay_mesh_options(command, options->mesh);
   StrokeOverrides& overrides = options->overrides;
   command.add_option("--brush", overrides.brush, "instead of the recorded brush")->type_name("ID");
   command.add_option("--radius", overrides.radius, "object units, instead of the recorded one")
@@ -124,6 +146,7 @@ void add_replay(CLI::App& app) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_option("--save-mesh", options->save_mesh, "surface to write")->type_name("FILE.ply");
+  add_bake_options(command, options->bake);
   command.add_option("--report", options->report, "folder for a report with pictures")->type_name("FOLDER");
   command.add_flag("--json", options->json, "write JSON to the standard output");
   command.callback([options] {

@@ -30,12 +30,15 @@ Vec3f StrokeWitness::colour(const SurfacePoint& point) const {
   return checkerboard_ ? (*checkerboard_)(point) : clay(point);
 }
 
-ReplayPictures draw_replay(Session& session, const StrokeWitness& witness,
-                           const std::optional<Camera>& recorded, const Progress& progress) {
+Camera replay_camera(const Session& session, const StrokeWitness& witness,
+                     const std::optional<Camera>& recorded) {
   const ViewOptions options;
-  const Camera camera = recorded
-                            ? fit_into(*recorded, options.width)
-                            : stroke_view(session.surface(), witness.curves(), witness.widest(), options);
+  return recorded ? fit_into(*recorded, options.width)
+                  : stroke_view(session.surface(), witness.curves(), witness.widest(), options);
+}
+
+ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const Camera& camera,
+                           const Progress& progress) {
   ReplayPictures pictures;
   pictures.after = render(session.surface(), session.picker(), camera, clay, progress);
   while (session.undo()) {
@@ -48,6 +51,11 @@ ReplayPictures draw_replay(Session& session, const StrokeWitness& witness,
     draw_curve(pictures.chart, camera, session.picker(), curve, witness.widest());
   }
   return pictures;
+}
+
+Picture draw_mesh(TriangleMesh mesh, const Camera& camera, const Progress& progress) {
+  const Surface surface = make_surface(std::move(mesh), progress);
+  return render(surface, Picker(surface), camera, clay, progress);
 }
 
 }  // namespace burin

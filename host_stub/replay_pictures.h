@@ -32,9 +32,15 @@ struct ReplayPictures {
   Picture chart;  ///< the strokes' (t, d) and curves on the surface before
 };
 
-/// Draws the surface with and without the strokes of the session, which are undone for it. `camera`: that of
-/// the recording; without one the pictures show the strokes from above.
-ReplayPictures draw_replay(Session& session, const StrokeWitness& witness,
-                           const std::optional<Camera>& camera, const Progress& progress);
+/// The camera of the recording, or one that shows the session's strokes from above.
+Camera replay_camera(const Session& session, const StrokeWitness& witness,
+                     const std::optional<Camera>& recorded);
+
+/// Draws the surface with and without the strokes of the session, which are undone for it.
+ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const Camera& camera,
+                           const Progress& progress);
+
+/// A mesh as clay.
+Picture draw_mesh(TriangleMesh mesh, const Camera& camera, const Progress& progress);
 
 }  // namespace burin

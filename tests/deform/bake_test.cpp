@@ -84,6 +84,7 @@ void expect_convergence(const TriangleMesh& base, const std::vector<Vec3f>& disp
       EXPECT_LE(error.root_mean_square, coarsest / 5);
     }
     EXPECT_EQ(map.overlaps, 0U);
+    EXPECT_EQ(map.cut, 0U);
   }
 }
 
@@ -266,14 +267,26 @@ TEST(Bake, SaysWhyAMeshCannotBeBaked) {
   EXPECT_EQ(message(mesh), "not every face has texture coordinates, which a map needs");
   mesh.corner_uv.assign(7, Vec2f(0.5F, 1));
   EXPECT_EQ(message(mesh), "no error");
-  mesh.corner_uv[4] = {1.000001F, -0.000001F};
+  mesh.corner_uv[4] = {1.4F, -0.01F};
   EXPECT_EQ(message(mesh), "no error");
-  mesh.corner_uv[6] = {1.25F, 0.5F};
-  EXPECT_EQ(message(mesh),
-            "face 2 has the texture coordinates (1.25, 0.5); a map holds those from 0 to 1, not "
-            "further tiles (UDIM) or repetitions");
-  mesh.corner_uv[2] = {0, -1};
+  mesh.corner_uv[6] = {3, 1};
+  EXPECT_EQ(
+      message(mesh),
+      "face 2 lies around (1.35, 0.7475) in texture coordinates; a map holds those from 0 to 1, not further "
+      "tiles (UDIM) or repetitions");
+  mesh.corner_uv[2] = {0, -3};
   EXPECT_EQ(message(mesh).substr(0, 6), "face 1");
+}
+
+TEST(Bake, CutsOffWhatReachesOutsideAndSaysSo) {
+  const TriangleMesh base = with_uv(
+      test::plane(1, 0.1, 2), [](const Vec3d& p) -> Vec2d { return 0.5 * p.head<2>() + Vec2d(0.49, 0.5); });
+  std::vector<Vec3f> displaced = base.positions;
+  for (Vec3f& p : displaced) p.z() += 1 + 0.5F * p.x();
+  const BakedMap map = bake_displacement(base, displaced, {.size = 100, .padding = 0});
+  EXPECT_GE(map.cut, 20U);
+  EXPECT_LT(map.cut, 80U);
+  EXPECT_NEAR(map.image.texels[50 * 100], 1 + 0.5 * (2 * 0.005 - 0.98), 1e-5);
 }
 
 }  // namespace

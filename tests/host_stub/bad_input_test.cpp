@@ -33,6 +33,7 @@ void fill(const CommandFolder& folder) {
                "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 1 0 1\nv 0 1 0\nv 0 1 1\nv -1 0 0\nv -1 0 1\n"
                "f 1 2 4 3\nf 1 2 6 5\nf 1 2 8 7\n");
   folder.write("cube.obj", cube_obj());
+  folder.write("tile.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 1 0\nvt 2 0\nvt 1 1\nf 1/1 2/2 3/3\n");
   folder.write("good.stroke", stroke);
   folder.write("off.stroke",
                "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{\"radius\":0.3},\"fields\":[\"x\","
@@ -99,18 +100,30 @@ std::vector<std::string> chart(const std::string& stroke, const std::vector<std:
 }
 
 std::vector<BadInput> meshes() {
-  return {{"missing_mesh", replay("@good.stroke", "@none.obj"), "@none.obj"},
-          {"folder_as_mesh", replay("@good.stroke", "@folder"), "@folder"},
-          {"index_out_of_range", replay("@good.stroke", "@cut.obj"), "@cut.obj"},
-          {"empty_mesh", replay("@good.stroke", "@empty.obj"), "@empty.obj"},
-          {"mesh_without_area", replay("@good.stroke", "@flat.obj"), "@flat.obj"},
-          {"truncated_ply", replay("@good.stroke", "@cut.ply"), "@cut.ply"},
-          {"unknown_format", replay("@good.stroke", "@mesh.xyz"), "@mesh.xyz"},
-          {"non_manifold_cage", replay("@good.stroke", "@three_quads.obj", {"--subdivide", "1"}),
-           "@three_quads.obj"},
-          {"loop_of_quads", replay("@good.stroke", "@cube.obj", {"--subdivide", "1", "--scheme", "loop"}),
-           "@cube.obj"},
-          {"too_many_triangles", replay("@good.stroke", "@cube.obj", {"--subdivide", "15"}), "@cube.obj"}};
+  return {
+      {"missing_mesh", replay("@good.stroke", "@none.obj"), "@none.obj"},
+      {"folder_as_mesh", replay("@good.stroke", "@folder"), "@folder"},
+      {"index_out_of_range", replay("@good.stroke", "@cut.obj"), "@cut.obj"},
+      {"empty_mesh", replay("@good.stroke", "@empty.obj"), "@empty.obj"},
+      {"mesh_without_area", replay("@good.stroke", "@flat.obj"), "@flat.obj"},
+      {"truncated_ply", replay("@good.stroke", "@cut.ply"), "@cut.ply"},
+      {"unknown_format", replay("@good.stroke", "@mesh.xyz"), "@mesh.xyz"},
+      {"non_manifold_cage", replay("@good.stroke", "@three_quads.obj", {"--subdivide", "1"}),
+       "@three_quads.obj"},
+      {"loop_of_quads", replay("@good.stroke", "@cube.obj", {"--subdivide", "1", "--scheme", "loop"}),
+       "@cube.obj"},
+      {"sculpt_level_above_the_finest",
+       replay("@good.stroke", "@cube.obj", {"--subdivide", "2", "--sculpt-level", "3"}), "@cube.obj"},
+      {"map_without_texture_coordinates", replay("@good.stroke", "@cube.obj", {"--bake", "@map.exr"}),
+       "@cube.obj: not every face has texture coordinates"},
+      {"map_of_another_tile", replay("@good.stroke", "@tile.obj", {"--bake", "@map.exr"}),
+       "@tile.obj: face 1 lies around (1.33333, 0.333333)"},
+      {"map_of_another_format", replay("@good.stroke", "@cube.obj", {"--bake", "@map.png"}), "@map.png"},
+      {"map_in_no_folder", replay("@good.stroke", "@cube.obj", {"--bake", "@none/map.exr"}), "@none/map.exr"},
+      {"map_of_no_size", replay("@good.stroke", "@cube.obj", {"--bake", "@map.exr", "--bake-size", "0"}),
+       "--bake-size"},
+      {"map_size_without_map", replay("@good.stroke", "@cube.obj", {"--bake-size", "64"}), "--bake"},
+      {"too_many_triangles", replay("@good.stroke", "@cube.obj", {"--subdivide", "15"}), "@cube.obj"}};
 }
 
 std::vector<BadInput> strokes() {

@@ -29,6 +29,7 @@ TEST(WriteExr, IsReadBackBitForBit) {
     EXPECT_EQ(input->spec().height, 23);
     EXPECT_EQ(input->spec().channelnames, channels);
     EXPECT_EQ(input->spec().format, OIIO::TypeFloat);
+    EXPECT_EQ(input->spec().get_string_attribute("DateTime"), "");
     std::vector<float> read(image.texels.size());
     ASSERT_TRUE(input->read_image(0, 0, 0, input->spec().nchannels, OIIO::TypeFloat, read.data()));
     EXPECT_EQ(read, image.texels);

@@ -17,18 +17,22 @@ struct BakeSettings {
 struct BakedMap {
   FloatImage image;
   std::size_t overlaps = 0;  ///< texels that lie inside several triangles; the first one's value holds
+  std::size_t cut = 0;       ///< triangles that reach beyond the image, which cuts them off
 };
 
 /// Throws Error naming the face, counted from 1, when a mesh cannot be baked: not all corners have texture
-/// coordinates, or some lie outside 0..1, in a tile of their own (UDIM) or a repetition.
+/// coordinates, or those of a face lie in the mean more than 0.05 outside 0..1: in a tile of their own (UDIM)
+/// or a repetition, and not just beyond a border.
 void check_bakeable(const PolygonMesh& mesh);
 
-/// The displacement of a surface as an image over its texture coordinates. Texel centres stand for the point
-/// of the base there; u to the right, v up, the top row below v = 1. Object units. Heights: channel Y, the
-/// displacement along the base's normal n (its vertex normals, interpolated, unit). Vectors: channels R, G,
-/// B, the displacement along t, n x t and n, where t is dP/du, the mean over the triangles around a vertex
-/// that share its texture coordinates, interpolated and made orthonormal to n. What no triangle covers, and
-/// padding does not reach, is 0. `base` must have texture coordinates, `displaced` is [vertex of it]; else
+/// The displacement of a surface as an image over its texture coordinates, object units. A texel's centre
+/// stands for the point of the base there; u to the right, v up, the top row below v = 1.
+/// - heights: channel Y, the displacement along the normal n;
+/// - vectors: channels R, G, B, the displacement along t, n x t and n; t is dP/du made orthonormal to n.
+///   Where an island is mirrored, n x t points against dP/dv.
+///
+/// n and t are those of the base's vertices, interpolated (BaseFrames). What no triangle covers, and padding
+/// does not reach, is 0. `base` must have texture coordinates, `displaced` is [vertex of it]; else
 /// ContractError. The same bits on any number of threads.
 BakedMap bake_displacement(TriangleMesh base, std::span<const Vec3f> displaced,
                            const BakeSettings& settings = {});

@@ -15,6 +15,8 @@ void write_exr(const std::filesystem::path& path, const FloatImage& image) {
   spec.channelnames = image.channels;
   spec.attribute("compression", "zip");
   spec.attribute("oiio:ColorSpace", "Linear");
+  // Left open it would be the time of writing, and no two files the same.
+  spec.attribute("DateTime", "");
   write_encoded(path, "exr", spec, image.texels.data());
 }
 

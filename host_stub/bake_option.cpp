@@ -1,0 +1,53 @@
+#include "bake_option.h"
+
+#include <burin/base/error.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "output_file.h"
+
+namespace burin {
+
+void add_bake_options(CLI::App& command, BakeOptions& options) {
+  auto* bake = command
+                   .add_option("--bake", options.path,
+                               "displacement map to write, over the mesh's texture coordinates")
+                   ->type_name("FILE.exr");
+  command.add_option("--bake-size", options.settings.size, "texels a side of the map")
+      ->check(CLI::Range(1, 16384))
+      ->capture_default_str()
+      ->needs(bake);
+  command
+      .add_flag("--bake-vectors", options.settings.vectors,
+                "vectors along tangent, bitangent and normal instead of heights")
+      ->needs(bake);
+}
+
+void check_bake_path(const BakeOptions& options) {
+  if (!options.asked()) return;
+  check_output_path(options.path);
+  if (std::filesystem::path(options.path).extension() != ".exr")
+    throw FileError(options.path, "maps are written as .exr files");
+}
+
+Json write_map(const BakeOptions& options, TriangleMesh base, std::span<const Vec3f> displaced) {
+  const BakedMap map = bake_displacement(std::move(base), displaced, options.settings);
+  if (map.overlaps > 0) {
+    warn(fmt::format(
+        "{}: texture coordinates overlap at {} texels, where the first triangle's displacement holds",
+        options.path, map.overlaps));
+  }
+  if (map.cut > 0) {
+    warn(fmt::format("{}: {} triangles reach beyond texture coordinates 0 to 1, which cut them off",
+                     options.path, map.cut));
+  }
+  write_exr(options.path, map.image);
+  return {{"file", options.path},
+          {"size", map.image.width},
+          {"channels", map.image.channels},
+          {"overlapping_texels", map.overlaps},
+          {"triangles_cut", map.cut}};
+}
+
+}  // namespace burin

@@ -1,0 +1,64 @@
+#pragma once
+#include <burin/host/session.h>
+#include <burin/subdiv/sculpt_levels.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "mesh_input.h"
+
+namespace burin {
+
+/// What a replay wants of its mesh.
+struct ReplayMeshOptions {
+  MeshOptions mesh;
+  std::optional<int> sculpt_level;  ///< the level that strokes are drawn on; the finest unless given
+};
+
+/// Adds the options of add_mesh_options, and --sculpt-level.
+void add_replay_mesh_options(CLI::App& command, ReplayMeshOptions& options);
+
+/// The mesh of a replay: strokes are drawn on one level of it, and its result is the finest.
+class ReplayMesh {
+ public:
+  /// Reads and refines, with a progress bar and a warning that counts defects. `for_map`: its displacement is
+  /// to be baked. Throws FileError: as load_surface, a level above the finest, a mesh that cannot be baked.
+  ReplayMesh(const ReplayMeshOptions& options, bool for_map);
+
+  /// The surface to draw on. To be called once.
+  Surface take_surface() { return std::move(drawn_.surface); }
+
+  /// Whether strokes are drawn on a level below the finest.
+  bool has_levels() const { return levels_.has_value(); }
+
+  /// Where there are levels: brings what the session drew up to the finest, and names that as
+  /// Session::result_hash does.
+  void finish(const Session& session);
+  std::uint64_t result_hash() const;
+
+  /// The finest level in the order of the file or of the refinement, as the session left it; finished.
+  TriangleMesh result(const Session& session) const;
+
+  /// The same before any stroke, with its texture coordinates when it is to be baked; without that and
+  /// without levels nothing.
+  const TriangleMesh& before() const { return before_; }
+
+  /// As mesh_json() and mesh_text(), of the level drawn on and of the finest.
+  const Json& json() const { return json_; }
+  const std::string& text() const { return text_; }
+
+ private:
+  void load(Cage cage, bool for_map, const Progress& progress);
+  void load_levels(const Cage& cage, const Progress& progress);
+  void describe(const MeshOptions& options);
+
+  LoadedSurface drawn_;
+  int drawn_level_ = 0;
+  std::optional<SculptLevels> levels_;
+  TriangleMesh before_;
+  Json json_;
+  std::string text_;
+};
+
+}  // namespace burin
