@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/abi/stroke.h>
+#include <burin/deform/batch_params.h>
 #include <burin/deform/stroke_nodes.h>
 #include <burin/surface/surface.h>
 
@@ -52,6 +53,7 @@ class Batch {
   std::size_t used_columns_ = 0;
   std::vector<std::uint32_t> sheets_, visit_counts_, node_ids_;
   float radius_ = 0;
+  BatchParams params_;
   burin_batch batch_{};
   burin_outputs outputs_{};
 };

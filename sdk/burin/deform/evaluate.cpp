@@ -61,7 +61,7 @@ void evaluate_batch(const Pass& pass, Batch& batch, std::size_t begin, std::size
 
 void scale(const Pass& pass, float strength, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
-    pass.displacement[i] *= strength;
+    pass.displacement[i] *= strength * pass.source.nodes.dynamics().strength(pass.nodes[i]);
     if (!pass.displacement[i].allFinite())
       return pass.failure.note(i, "displaces beyond the range of floats");
   }

@@ -18,8 +18,8 @@ class Evaluator {
   Evaluator& operator=(const Evaluator&) = delete;
 
   /// Runs all passes of the stroke over these nodes of source.nodes; [i] of the result is the displacement
-  /// by nodes[i], in its (e1, e2, n). Strength scales what the last pass wrote, so passes see each other at
-  /// full strength.
+  /// by nodes[i], in its (e1, e2, n). Strength, with the dynamics of the nodes, scales what the last pass
+  /// wrote, so passes see each other at full strength.
   /// The result does not depend on which other nodes are computed along. Valid until the next call.
   /// Throws ContractError naming brush and (t, d) when the brush fails or a number is not finite, for the
   /// lowest such batch or node of the earliest such pass.

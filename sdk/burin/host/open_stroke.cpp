@@ -34,7 +34,9 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, StrokeChart
     : surface_(&surface),
       settings_(checked(settings)),
       params_(descriptor, settings.params),
-      tracer_(surface, picker, settings.radius, settings.fields.pressure ? settings.pressure_width : 0),
+      width_(settings.pressure_width, settings.dynamics, driven_stroke()),
+      dynamics_(descriptor, params_.abi(), settings.dynamics, driven_stroke()),
+      tracer_(surface, picker, settings.radius, width_),
       brush_stroke_(brush, descriptor, context(0), params_.abi()),
       last_time_(-std::numeric_limits<double>::infinity()),
       nodes_(charter.live(), read_inputs()) {
@@ -43,9 +45,9 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, StrokeChart
 
 ReadInputs OpenStroke::read_inputs() const {
   std::uint64_t varying = pen_inputs_present(settings_.fields);
-  if (width_varies()) varying |= BURIN_INPUT_RADIUS;
+  if (width_.varies()) varying |= BURIN_INPUT_RADIUS;
   const std::uint64_t inputs = brush_stroke_.descriptor().inputs_read;
-  return {settings_.radius, inputs, varying & inputs};
+  return {settings_.radius, inputs, varying & inputs, &dynamics_};
 }
 
 void OpenStroke::trace(const SurfacePoint& at, double time, const Pen& pen) {
@@ -96,7 +98,7 @@ burin_stroke_context OpenStroke::context(std::uint64_t flags) const {
   context.pen_present = pen_inputs_present(settings_.fields);
   context.seed = settings_.seed;
   context.length = curve().length();
-  context.radius_min = settings_.radius * (width_varies() ? narrowest_width(settings_.pressure_width) : 1);
+  context.radius_min = settings_.radius * width_.narrowest();
   context.radius_max = settings_.radius;
   context.object_scale = surface_->scale;
   return context;

@@ -2,6 +2,7 @@
 #include <burin/chart/stroke_chart.h>
 #include <burin/deform/brush_stroke.h>
 #include <burin/deform/evaluate.h>
+#include <burin/deform/param_dynamics.h>
 #include <burin/deform/stroke_nodes.h>
 #include <burin/host/event_cost.h>
 #include <burin/host/param_snapshot.h>
@@ -57,7 +58,7 @@ class OpenStroke {
   ChartOptions chart_options() const {
     return {.radius = settings_.radius, .cap = settings_.cap, .join = settings_.join};
   }
-  bool width_varies() const { return settings_.pressure_width > 0 && settings_.fields.pressure; }
+  DrivenStroke driven_stroke() const { return {settings_.fields, settings_.radius, settings_.seed}; }
   burin_stroke_context context(std::uint64_t flags) const;
   ReadInputs read_inputs() const;
   VertexMoves draw_traced(std::uint64_t flags, const StrokeTools& tools);
@@ -67,6 +68,8 @@ class OpenStroke {
   const Surface* surface_;
   StrokeSettings settings_;
   ParamSnapshot params_;
+  StrokeWidth width_;
+  ParamDynamics dynamics_;
   CurveTracer tracer_;
   std::optional<SurfaceCurve> closed_curve_;  ///< once the stroke is finished as a closed one
   BrushStroke brush_stroke_;

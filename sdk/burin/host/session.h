@@ -11,6 +11,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -24,8 +25,10 @@ struct StrokeSettings {
   Overlap overlap = Overlap::latest;  ///< what holds where the stroke overlaps itself
   double pressure_width = 0;          ///< 0..1, share of the width that the pen's pressure decides
   ParamSettings params;               ///< what differs from the brush's defaults
-  PenFields fields;                   ///< what the pen really reports
-  std::uint64_t seed = 0;             ///< of the brush's random numbers
+  /// What of the pen varies radius, strength and parameters; "radius" acts besides the pressure width.
+  std::vector<Dynamic> dynamics;
+  PenFields fields;        ///< what the pen really reports
+  std::uint64_t seed = 0;  ///< of random numbers: the brush's, and PenSource::random
 };
 
 /// When a sample is to be seen. A stroke is the same whenever that is; who shows fewer samples pays for
@@ -70,7 +73,7 @@ class Session {
   std::span<const Vec3f> normals() const;
 
   /// Opens a stroke. Throws Error: unknown brush or parameter, a value out of its range, a file that
-  /// cannot be read, a brush that reads what this host does not offer.
+  /// cannot be read, a brush that reads what this host does not offer, a dynamic of what does not vary.
   void begin_stroke(const StrokeSettings& settings);
 
   /// The next sample: where a ray meets the surface, or the closest place to a point that is at most one
