@@ -2,6 +2,7 @@
 #include <burin/base/vector.h>
 #include <burin/chart/joins.h>
 #include <burin/stroke/recording.h>
+#include <burin/stroke/stabiliser.h>
 #include <burin/stroke/surface_curve.h>
 
 #include <CLI/CLI.hpp>
@@ -20,6 +21,9 @@ const CLI::Validator& finite_number();
 /// Adds an option that takes "x,y,z", finite and not all zero.
 void add_vector_option(CLI::App& command, const std::string& name, std::optional<Vec3d>& vector,
                        const std::string& help);
+
+/// Adds --dynamic and --stabilise.
+void add_input_options(CLI::App& command, std::vector<Dynamic>& dynamics, Stabilising& stabilising);
 
 /// Adds --closed, --pressure-width and --join.
 void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, double& pressure_width,
