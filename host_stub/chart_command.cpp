@@ -53,9 +53,11 @@ double chosen_radius(const ChartCommandOptions& options, const RecordedStroke& s
 /// What is to become of the stroke, as replay() draws it.
 TraceOptions trace_options(const ChartCommandOptions& options, const RecordedStroke& stroke) {
   const Closure recorded = stroke.closed ? Closure::closed : Closure::open;
-  return {.radius = chosen_radius(options, stroke),
+  const double radius = chosen_radius(options, stroke);
+  const DrivenStroke driven{stroke.fields, radius, options.stroke - 1};
+  return {.radius = radius,
           .closure = options.closure.value_or(recorded),
-          .pressure_width = options.pressure_width};
+          .width = StrokeWidth(options.pressure_width, stroke.dynamics, driven)};
 }
 
 /// The longest piece of the stroke, since one chart has one t.

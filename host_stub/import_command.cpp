@@ -23,16 +23,19 @@ struct ImportOptions {
   bool json = false;
 };
 
-/// Pointer events are one JSON object; libmypaint's recordings are plain numbers.
-bool holds_pointer_events(const std::string& path, const std::string& format) {
-  if (format != "auto") return format == "pointer";
-  return std::filesystem::path(path).extension() == ".json";
+std::string format_of(const ImportOptions& options) {
+  if (options.format != "auto") return options.format;
+  const std::filesystem::path extension = std::filesystem::path(options.recording).extension();
+  return extension == ".json" ? "pointer" : extension == ".svc" ? "svc" : "mypaint";
+}
+
+Recording import_as(const std::string& format, const std::string& path, const Camera& camera) {
+  if (format == "pointer") return import_pointer_events(path, camera);
+  return format == "svc" ? import_svc(path, camera) : import_mypaint_events(path, camera);
 }
 
 Recording read_recording(const ImportOptions& options, const Camera& camera) {
-  Recording recording = holds_pointer_events(options.recording, options.format)
-                            ? import_pointer_events(options.recording, camera)
-                            : import_mypaint_events(options.recording, camera);
+  Recording recording = import_as(format_of(options), options.recording, camera);
   for (RecordedStroke& stroke : recording.strokes) {
     if (!options.brush.empty()) stroke.brush = options.brush;
     stroke.radius = options.radius;
@@ -72,10 +75,12 @@ void add_import(CLI::App& app) {
   const auto options = std::make_shared<ImportOptions>();
   CLI::App& command =
       *app.add_subcommand("import", "turn a pen recording into a .stroke file in front of a surface");
-  command.add_option("recording", options->recording, "libmypaint events or HTML PointerEvent JSON")
+  command.add_option("recording", options->recording, "libmypaint events, HTML PointerEvent JSON or SVC")
       ->required();
-  command.add_option("--format", options->format, "of the recording; auto: pointer for .json, else mypaint")
-      ->check(CLI::IsMember({"auto", "mypaint", "pointer"}))
+  command
+      .add_option("--format", options->format,
+                  "of the recording; auto: pointer for .json, svc for .svc, else mypaint")
+      ->check(CLI::IsMember({"auto", "mypaint", "pointer", "svc"}))
       ->capture_default_str();
   add_mesh_options(command, options->mesh);
   add_view_options(command, options->view);

@@ -1,5 +1,8 @@
 #include "options.h"
 
+#include <burin/stroke/recording_faults.h>
+
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -49,6 +52,34 @@ Vec3d parse_vector(const std::string& name, const std::string& text) {
   const Vec3d vector = parse_point(name, text);
   if (vector.isZero(0)) throw CLI::ValidationError(name, "must not be zero");
   return vector;
+}
+
+/// "TARGET=SOURCE:x0,y0,x1,y1,...".
+Dynamic parse_dynamic(const std::string& text) {
+  const std::size_t equals = text.find('='), colon = text.find(':', std::min(equals, text.size()));
+  if (equals == 0 || colon == std::string::npos)
+    throw CLI::ValidationError("--dynamic", "takes TARGET=SOURCE:x0,y0,x1,y1,..., not " + text);
+  const std::string source = text.substr(equals + 1, colon - equals - 1);
+  const auto known = source_named(source);
+  if (!known)
+    throw CLI::ValidationError("--dynamic", "has no source '" + source + "'; there are: " + source_names());
+  const auto curve = parse_numbers(std::string_view(text).substr(colon + 1));
+  if (!curve) throw CLI::ValidationError("--dynamic", "takes numbers x0,y0,x1,y1,... in " + text);
+  const Dynamic dynamic{text.substr(0, equals), *known, *curve};
+  if (const std::string_view fault = fault_of(dynamic); !fault.empty())
+    throw CLI::ValidationError("--dynamic", std::string(fault) + ", not " + text);
+  return dynamic;
+}
+
+Stabilising parse_stabilising(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  const auto amount =
+      colon == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(colon + 1));
+  if ((kind != "string" && kind != "exponential") || !amount || *amount <= 0)
+    throw CLI::ValidationError("--stabilise",
+                               "takes string:LENGTH or exponential:SECONDS, above 0, not " + text);
+  return {kind == "string" ? Stabilising::Kind::string : Stabilising::Kind::exponential, *amount};
 }
 
 }  // namespace
@@ -102,6 +133,27 @@ void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, doub
           "--join", [&join](const std::string& name) { join = join_names().at(name); },
           "where strokes bend sharper than their radius: round (the default), smooth, miter or overlap")
       ->check(CLI::IsMember({"round", "smooth", "miter", "overlap"}));
+}
+
+void add_input_options(CLI::App& command, std::vector<Dynamic>& dynamics, Stabilising& stabilising) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--dynamic",
+          [&dynamics](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) dynamics.push_back(parse_dynamic(text));
+          },
+          "what varies along the stroke: radius, strength or a parameter of the brush, multiplied (an angle: "
+          "added to) by what the curve makes of " +
+              source_names() + "; repeatable, instead of the recorded ones of that target")
+      ->type_name("TARGET=SOURCE:X0,Y0,X1,Y1,...")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      .add_option_function<std::string>(
+          "--stabilise", [&stabilising](const std::string& text) { stabilising = parse_stabilising(text); },
+          "calm the samples: string:LENGTH pulls the brush on a string, in units of the recording's space; "
+          "exponential:SECONDS lets it lag behind")
+      ->type_name("KIND:AMOUNT");
 }
 
 ParamSettings parse_param_settings(const std::vector<std::string>& texts) {

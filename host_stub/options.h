@@ -2,6 +2,7 @@
 #include <burin/base/vector.h>
 #include <burin/chart/joins.h>
 #include <burin/stroke/recording.h>
+#include <burin/stroke/stabiliser.h>
 #include <burin/stroke/surface_curve.h>
 
 #include <CLI/CLI.hpp>
@@ -23,6 +24,9 @@ void add_vector_option(CLI::App& command, const std::string& name, std::optional
 
 /// The same for a place, which may be the origin; it stays as it is where none is given.
 void add_point_option(CLI::App& command, const std::string& name, Vec3d& point, const std::string& help);
+
+/// Adds --dynamic and --stabilise.
+void add_input_options(CLI::App& command, std::vector<Dynamic>& dynamics, Stabilising& stabilising);
 
 /// Adds --closed, --pressure-width and --join.
 void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, double& pressure_width,

@@ -137,6 +137,7 @@ void add_replay(CLI::App& app) {
       ->check(finite_number());
   add_sculpt_options(command, overrides);
   add_stroke_options(command, overrides.closure, overrides.pressure_width, overrides.join);
+  add_input_options(command, overrides.dynamics, overrides.stabilising);
   command
       .add_option("--show-every", overrides.show_every,
                   "show every so many samples, as where several come at a time; 0: each stroke at its end")

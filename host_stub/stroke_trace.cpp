@@ -19,13 +19,13 @@ std::vector<SurfaceCurve> trace_stroke(const Surface& surface, const Picker& pic
                                        const Recording& recording, const RecordedStroke& stroke,
                                        const TraceOptions& options) {
   std::vector<SurfaceCurve> pieces;
-  CurveTracer tracer(surface, picker, options.radius, options.pressure_width);
+  CurveTracer tracer(surface, picker, options.radius, options.width);
   const auto end_piece = [&](Closure of_piece) {
     if (auto closed = tracer.closed_curve(of_piece))
       pieces.push_back(*std::move(closed));
     else if (!tracer.curve().points.empty())
       pieces.push_back(tracer.curve());
-    tracer = CurveTracer(surface, picker, options.radius, options.pressure_width);
+    tracer = CurveTracer(surface, picker, options.radius, options.width);
   };
   // Of a stroke that breaks, only pieces that come back by themselves close.
   const Closure of_a_piece = options.closure == Closure::automatic ? options.closure : Closure::open;

@@ -10,7 +10,7 @@ namespace burin {
 struct TraceOptions {
   double radius = 0;  ///< object units
   Closure closure = Closure::open;
-  double pressure_width = 0;  ///< as stroke_width() takes it
+  StrokeWidth width;
 };
 
 /// The curves of a stroke of `recording` on the surface as it is: one for each piece between the places

@@ -54,6 +54,7 @@ inline SurfaceCurve straight_curve() {
     point.tangent = Vec3f::UnitX();
     point.t = t;
     point.time = 2 * t;
+    point.speed = 0.5;
     point.pen = {.pressure = t, .tilt_x = 0.5f * t};
     curve.points.push_back(point);
   }

@@ -24,21 +24,24 @@ inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& cur
   const BrushPtr brush = brushes().create(entry);
   const ParamSnapshot params(*entry.descriptor, settings.params);
   const std::uint64_t pen = pen_inputs_present(settings.fields);
-  const std::uint64_t varying = pen | (settings.pressure_width > 0 ? BURIN_INPUT_RADIUS : 0);
   const double radius = settings.radius;
+  const DrivenStroke driven{settings.fields, radius, settings.seed};
+  const StrokeWidth width(settings.pressure_width, settings.dynamics, driven);
+  const ParamDynamics dynamics(*entry.descriptor, params.abi(), settings.dynamics, driven);
+  const std::uint64_t varying = pen | (width.varies() ? BURIN_INPUT_RADIUS : 0);
   const burin_stroke_context context{.struct_size = sizeof(burin_stroke_context),
                                      .pass = 0,
                                      .flags = BURIN_STROKE_FINAL | (curve.closed ? BURIN_STROKE_CLOSED : 0),
                                      .pen_present = pen,
                                      .seed = settings.seed,
                                      .length = curve.length(),
-                                     .radius_min = radius * narrowest_width(settings.pressure_width),
+                                     .radius_min = radius * width.narrowest(),
                                      .radius_max = radius,
                                      .object_scale = base.scale,
                                      .dab_t = 0};
   const BrushStroke stroke(*brush, *entry.descriptor, context, params.abi());
   LiveChart chart(base.vertex_count());
-  StrokeNodes nodes(chart, {radius, entry.descriptor->inputs_read, varying});
+  StrokeNodes nodes(chart, {radius, entry.descriptor->inputs_read, varying, &dynamics});
   chart.assign(StrokeCharter(base).chart(curve, {radius, settings.cap}));
   const std::vector<Index> vertices = nodes.follow(curve, 0).vertices;
   const FootLine foot(curve, radius);

@@ -51,6 +51,15 @@ void fill(const CommandFolder& folder) {
   folder.write("no_brush.stroke", equator_stroke(-0.5, 0.5, 21, "\"radius\":0.3"));
   folder.write("no_radius.stroke", equator_stroke(-0.5, 0.5, 21, "\"brush\":\"org.burin.groove\""));
   folder.write("bad_param.stroke", equator_stroke(-0.5, 0.5, 21, good + ",\"params\":{\"depth\":\"deep\"}"));
+  folder.write(
+      "bad_source.stroke",
+      equator_stroke(-0.5, 0.5, 21,
+                     good + ",\"dynamics\":[{\"target\":\"depth\",\"source\":\"wheel\",\"curve\":[0,1]}]"));
+  folder.write(
+      "bad_target.stroke",
+      equator_stroke(-0.5, 0.5, 21,
+                     good + ",\"dynamics\":[{\"target\":\"taper\",\"source\":\"t\",\"curve\":[0,1]}]"));
+  folder.write("events.svc", "2\n0 0 0 1 0 900 0.5\n1 1 1 1 0 901 0.5\n");
   folder.write("events.dat", "0.0 1 1 0.5\n0.1 2 x 0.5\n");
   folder.write("events.json", "{\"x\":[1,2,3],\"y\":[1,2]}");
   std::filesystem::create_directory(folder.path("folder"));
@@ -140,6 +149,8 @@ std::vector<BadInput> strokes() {
           {"unknown_brush", draw("@unknown_brush.stroke"), "@unknown_brush.stroke"},
           {"no_brush", draw("@no_brush.stroke"), "@no_brush.stroke"},
           {"no_radius", draw("@no_radius.stroke"), "@no_radius.stroke"},
+          {"unknown_recorded_source", draw("@bad_source.stroke"), "@bad_source.stroke:2"},
+          {"recorded_dynamic_of_a_constant", draw("@bad_target.stroke"), "@bad_target.stroke: stroke 1"},
           {"recorded_param_of_wrong_type", draw("@bad_param.stroke"), "@bad_param.stroke"}};
 }
 
@@ -155,6 +166,18 @@ std::vector<BadInput> settings() {
           {"negative_radius", draw({"--radius", "-1"}), "--radius"},
           {"radius_nan", draw({"--radius", "nan"}), "--radius"},
           {"strength_infinite", draw({"--strength", "inf"}), "--strength"},
+          {"dynamic_of_nothing", draw({"--dynamic", "dept=pressure:0,0,1,1"}), "'dept'"},
+          {"dynamic_of_a_constant", draw({"--dynamic", "taper=pressure:0,0,1,1"}), "'taper'"},
+          {"dynamic_of_a_choice", draw({"--dynamic", "profile=pressure:0,0,1,1"}), "'profile'"},
+          {"unknown_source", draw({"--dynamic", "depth=wheel:0,0,1,1"}), "'wheel'"},
+          {"dynamic_without_source", draw({"--dynamic", "depth=0,0,1,1"}), "--dynamic"},
+          {"dynamic_without_target", draw({"--dynamic", "=t:0,0,1,1"}), "--dynamic"},
+          {"dynamic_without_curve", draw({"--dynamic", "depth=pressure:"}), "--dynamic"},
+          {"dynamic_of_half_a_knot", draw({"--dynamic", "depth=pressure:0,0,1"}), "pairs"},
+          {"dynamic_that_does_not_rise", draw({"--dynamic", "depth=pressure:1,0,0,1"}), "rise"},
+          {"unknown_stabiliser", draw({"--stabilise", "rope:1"}), "--stabilise"},
+          {"stabiliser_without_length", draw({"--stabilise", "string"}), "--stabilise"},
+          {"stabiliser_of_no_length", draw({"--stabilise", "string:0"}), "--stabilise"},
           {"two_levels", draw({"--subdivide", "1", "--target-triangles", "100"}), "--subdivide"},
           {"unknown_scheme", draw({"--subdivide", "1", "--scheme", "doo-sabin"}), "--scheme"},
           {"unknown_option", draw({"--colour", "red"}), "--colour"}};
@@ -201,6 +224,9 @@ std::vector<BadInput> other_commands() {
       {"malformed_events",
        {"import", "@events.dat", "--mesh", "@sphere.obj", "--out", "@a.stroke"},
        "@events.dat:2"},
+      {"malformed_svc",
+       {"import", "@events.svc", "--mesh", "@sphere.obj", "--out", "@a.stroke"},
+       "@events.svc:3"},
       {"malformed_pointer_events",
        {"import", "@events.json", "--mesh", "@sphere.obj", "--out", "@a.stroke"},
        "@events.json"}};

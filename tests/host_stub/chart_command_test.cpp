@@ -270,22 +270,25 @@ TEST(ChartCommand, JoinsBendsAsTold) {
 }
 
 TEST(ChartCommand, NarrowsTheStrokeWithThePressure) {
-  Equator equator;
-  std::string text =
-      "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{\"radius\":0.2},"
-      "\"fields\":[\"time\",\"x\",\"y\",\"z\",\"pressure\"]}\n";
-  for (int i = 0; i <= 60; ++i) {
-    const double angle = 0.02 * i;
-    text += fmt::format("[{},{},0,{},{}]\n", 0.01 * i, std::sin(angle), std::cos(angle), i / 60.);
-  }
-  equator.stroke = equator.folder.write("b.stroke", text + "{\"end\":true}\n");
-  std::size_t wide = 0;
-  for (const Row& row : equator.chart({"--pressure-width", "0.5"})) {
-    const double half_width = 0.1 + 0.1 * std::clamp(row.t / 1.2, 0., 1.);
-    EXPECT_LE(std::abs(row.d), half_width + 1e-3) << row.t;
-    wide += std::abs(row.d) > 0.8 * half_width ? 1 : 0;
-  }
-  EXPECT_GT(wide, 50u);
+  const auto expect_narrowing = [](const std::string& settings, const std::vector<std::string>& options) {
+    Equator equator;
+    std::string text = "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{\"radius\":0.2" + settings +
+                       "},\"fields\":[\"time\",\"x\",\"y\",\"z\",\"pressure\"]}\n";
+    for (int i = 0; i <= 60; ++i) {
+      const double angle = 0.02 * i;
+      text += fmt::format("[{},{},0,{},{}]\n", 0.01 * i, std::sin(angle), std::cos(angle), i / 60.);
+    }
+    equator.stroke = equator.folder.write("b.stroke", text + "{\"end\":true}\n");
+    std::size_t wide = 0;
+    for (const Row& row : equator.chart(options)) {
+      const double half_width = 0.1 + 0.1 * std::clamp(row.t / 1.2, 0., 1.);
+      EXPECT_LE(std::abs(row.d), half_width + 1e-3) << row.t;
+      wide += std::abs(row.d) > 0.8 * half_width ? 1 : 0;
+    }
+    EXPECT_GT(wide, 50u);
+  };
+  expect_narrowing("", {"--pressure-width", "0.5"});
+  expect_narrowing(R"(,"dynamics":[{"target":"radius","source":"pressure","curve":[0,0.5,1,1]}])", {});
 }
 
 // The picture ------------------------------------------------------------------------------------------

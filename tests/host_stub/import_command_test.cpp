@@ -73,6 +73,27 @@ TEST(ImportCommand, ReadsPointerEventsByTheExtension) {
   EXPECT_TRUE(read_strokes(folder.path("a.stroke")).strokes[0].fields.tilt);
 }
 
+TEST(ImportCommand, GivesStrokesOfThreeRecordersThatReplayWithDynamics) {
+  BURIN_SHARED_DATA_OR_SKIP(spot, "meshes/spot_control_mesh.obj");
+  for (const char* name : {"painting30sec.dat", "bdalab_html5_pointer_signal.json", "bdalab_signal.svc"}) {
+    BURIN_SHARED_DATA_OR_SKIP(recording, std::string("strokes/") + name);
+    const CommandFolder folder;
+    const std::string strokes = folder.path("a.stroke");
+    burin_output({"import", recording.string(), "--mesh", spot.string(), "--view", "-1,0,0", "--brush",
+                  "org.burin.groove", "--radius", "0.03", "--out", strokes});
+    std::vector<std::string> replay = {"replay", strokes, "--mesh", spot.string(), "--subdivide", "3"};
+    const auto plain = burin_json(replay);
+    const auto dynamics = {"radius=pressure:0,0.3,1,1", "strength=pressure:0,0,0.4,1",
+                           "depth=speed:0,1,30,0.5"};
+    for (const char* dynamic : dynamics) replay.insert(replay.end(), {"--dynamic", dynamic});
+    const auto driven = burin_json(replay);
+    EXPECT_GT(driven["events"], 50) << name;
+    EXPECT_NE(driven["result_hash"], plain["result_hash"]) << name;
+    replay.insert(replay.end(), {"--show-every", "0"});
+    EXPECT_EQ(burin_json(replay)["result_hash"], driven["result_hash"]) << name;
+  }
+}
+
 TEST(ImportCommand, GivesAPaintingThatReplays) {
   BURIN_SHARED_DATA_OR_SKIP(painting, "strokes/painting30sec.dat");
   BURIN_SHARED_DATA_OR_SKIP(spot, "meshes/spot_control_mesh.obj");

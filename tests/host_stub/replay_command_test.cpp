@@ -101,6 +101,34 @@ TEST(ReplayCommand, TakesTheWidthFromThePressure) {
   EXPECT_NE(burin(engraving.command({"--pressure-width", "1.2"})).exit_code, 0);
 }
 
+TEST(ReplayCommand, LetsThePenDriveTheStroke) {
+  Engraving engraving;
+  const double full = engraving.depth({});
+  EXPECT_NEAR(engraving.depth({"--dynamic", "strength=t:0,0.5"}), full / 2, 1e-3);
+  EXPECT_NEAR(engraving.depth({"--dynamic", "strength=t:0,0.5", "--dynamic", "depth=t:0,2"}), full, 1e-3);
+  EXPECT_NEAR(engraving.depth({"--dynamic", "strength=pressure:0,0.5"}), full, 1e-9)
+      << "there is no pressure";
+  const std::string half = R"(,"dynamics":[{"target":"strength","source":"t","curve":[0,0.5]}])";
+  engraving.stroke =
+      engraving.folder.write("b.stroke", equator_stroke(-0.6, 0.6, 61, std::string(groove) + half));
+  EXPECT_NEAR(engraving.depth({}), full / 2, 1e-3);
+  EXPECT_NEAR(engraving.depth({"--dynamic", "strength=time:0,0.25"}), full / 4, 1e-3) << "instead";
+  EXPECT_NEAR(engraving.depth({"--dynamic", "depth=time:0,2"}), full, 1e-3) << "besides";
+}
+
+TEST(ReplayCommand, CalmsTheHand) {
+  const Engraving engraving;
+  const auto plain = burin_json(engraving.command({}));
+  const auto string = burin_json(engraving.command({"--stabilise", "string:0.3"}));
+  const auto lagging = burin_json(engraving.command({"--stabilise", "exponential:0.1"}));
+  EXPECT_NE(string["result_hash"], plain["result_hash"]);
+  EXPECT_NE(lagging["result_hash"], plain["result_hash"]);
+  EXPECT_EQ(string["events"], plain["events"].get<int>() + 1) << "the stroke ends where the pen did";
+  const std::string help = burin_output({"replay", "--help"});
+  for (const char* option : {"--dynamic TARGET=SOURCE:X0,Y0,X1,Y1,...", "--stabilise KIND:AMOUNT"})
+    EXPECT_NE(help.find(option), std::string::npos) << help;
+}
+
 TEST(ReplayCommand, TellsWhatItMeasured) {
   const Engraving engraving;
   const json result = burin_json(engraving.command({}));

@@ -157,7 +157,7 @@ TEST(ClosedCurve, StaysOpenAcrossAGap) {
 }
 
 TEST(ClosedCurve, CarriesPenAndWidthOverTheSeam) {
-  CurveTracer tracer(ground().surface, ground().picker, 0.1, 0.5);
+  CurveTracer tracer(ground().surface, ground().picker, 0.1, StrokeWidth(0.5, {}, {{.pressure = true}}));
   const std::vector<Vec3d> places = arc(0, 2 * pi - 2 * pi / 40, 40);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto pressure = static_cast<float>(i) / 39;

@@ -30,7 +30,8 @@ std::string screen_header(const std::string& view, const std::string& projection
 
 const std::string rich_begin =
     R"({"begin": {"brush": "org.burin.scales", "radius": 0.05, "strength": 0.5, "closed": true, )"
-    R"("params": {"tile": "r\u00f6ck.exr", "depth": 2, "flip": true, "curve": [0, 0.5, 1, 1]}, "later": null}, )"
+    R"("params": {"tile": "r\u00f6ck.exr", "depth": 2, "flip": true, "curve": [0, 0.5, 1, 1]}, "later": null, )"
+    R"("dynamics": [{"target": "depth", "source": "t", "curve": [0, 0.5, 1, 2], "later": 1}]}, )"
     R"("fields": ["pressure","tilt_y","time","z","y","x","tilt_x","twist","wheel"]})";
 const std::string rich_file = lines({header, rich_begin, R"([0.5, 0.2, 1.25, 3, 2, 1, 0.1, 0.3, "any"])",
                                      "[0.75, 0, 1.25, 3, 2, 1.5, 0, 0, null]", end, begin,
@@ -87,6 +88,7 @@ TEST_F(ReadStrokes, ReadsEverySettingAndFieldsInAnyOrder) {
                                           {"depth", 2.0},
                                           {"flip", true},
                                           {"curve", std::vector<double>{0, 0.5, 1, 1}}}));
+  EXPECT_EQ(stroke.dynamics, (std::vector<Dynamic>{{"depth", PenSource::t, {0, 0.5, 1, 2}}}));
   EXPECT_EQ(stroke.fields, (PenFields{true, true, true, true}));
   ASSERT_EQ(stroke.samples.size(), 2u);
   const Sample& sample = stroke.samples[0];
@@ -220,6 +222,31 @@ TEST_F(ReadStrokes, RejectsBadSettings) {
             R"(2: parameter "a\nb" must be a truth value, number, text or list of numbers)");
   EXPECT_EQ(begin_complaint(R"({"params": {"curve": [0, "1"]}})"),
             R"(2: each number of parameter "curve" must be a number)");
+}
+
+TEST_F(ReadStrokes, RejectsBadDynamics) {
+  const auto dynamic_complaint = [&](const std::string& dynamic) {
+    return begin_complaint(R"({"dynamics": [)" + dynamic + "]}");
+  };
+  const auto curve_complaint = [&](const std::string& curve) {
+    return dynamic_complaint(R"({"target": "radius", "source": "tilt", "curve": )" + curve + "}");
+  };
+  EXPECT_EQ(curve_complaint("[0, 0, 1, 1]"), "accepted");
+  EXPECT_EQ(curve_complaint("[0.5, 2]"), "accepted");
+  EXPECT_EQ(begin_complaint(R"({"dynamics": {}})"), "2: dynamics must be a list");
+  EXPECT_EQ(dynamic_complaint("3"), "2: each of dynamics must be an object");
+  EXPECT_EQ(dynamic_complaint(R"({"source": "tilt", "curve": [0, 0]})"), "2: target is missing");
+  EXPECT_EQ(dynamic_complaint(R"({"target": 1, "source": "tilt", "curve": [0, 0]})"),
+            "2: a dynamic's target must be text");
+  EXPECT_EQ(dynamic_complaint(R"({"target": "radius", "source": "wheel", "curve": [0, 0]})"),
+            R"(2: a dynamic has no source "wheel"; there are: pressure, tilt, tilt_direction, direction, )"
+            "speed, time, t, random");
+  EXPECT_EQ(dynamic_complaint(R"({"target": "radius", "source": "tilt"})"), "2: curve is missing");
+  EXPECT_EQ(curve_complaint("1"), "2: a dynamic's curve must be a list of numbers");
+  EXPECT_EQ(curve_complaint("[]"), "2: a dynamic's curve must be pairs of numbers x y");
+  EXPECT_EQ(curve_complaint("[0, 0, 1]"), "2: a dynamic's curve must be pairs of numbers x y");
+  EXPECT_EQ(curve_complaint("[0, 0, 0, 1]"), "2: the x of a dynamic's curve must rise");
+  EXPECT_EQ(curve_complaint("[0, 1e39]"), "2: a dynamic's curve must be finite");
 }
 
 TEST_F(ReadStrokes, RejectsBadFields) {

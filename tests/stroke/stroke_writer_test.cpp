@@ -59,6 +59,8 @@ Recording any_recording(std::mt19937_64& random) {
   stroke.strength = -1 / 3.0;
   stroke.closed = true;
   stroke.params = {{"a", true}, {"b", 1 / 7.0}, {"c", "\\x"}, {"d", std::vector<double>{1, 1e-320, -0.5}}};
+  stroke.dynamics = {{"radius", PenSource::tilt_direction, {-1 / 3.0, 1e-320, 0, 2}},
+                     {"r\"ö", PenSource::random, {0.1, -0.5}}};
   stroke.fields = {true, true, true, true};
   for (const double time : times) stroke.samples.push_back(any_sample(random, time));
   stroke.samples.back().position = {-0.0, 100, 1e20};
@@ -126,6 +128,9 @@ TEST(StrokeWriter, RefusesWhatTheReaderWouldRefuse) {
   stroke.params = {{"curve", std::vector<double>{0, std::nan("")}}};
   EXPECT_THROW(writer.begin(stroke), ContractError);
   stroke.params.clear();
+  stroke.dynamics = {{"strength", PenSource::pressure, {0}}};
+  EXPECT_THROW(writer.begin(stroke), ContractError);
+  stroke.dynamics.clear();
   stroke.fields.time = true;
   writer.begin(stroke);
   EXPECT_THROW(writer.begin(stroke), ContractError);

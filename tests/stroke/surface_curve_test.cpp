@@ -104,25 +104,67 @@ TEST(CurveTracer, ConnectsAlongTheSurfaceButNotAcrossAGap) {
 }
 
 TEST(CurveTracer, TakesTheWidthFromThePressure) {
-  EXPECT_EQ(stroke_width({.pressure = 0.25F}, 0), 1);
-  EXPECT_EQ(stroke_width({.pressure = 0.25F}, 0.5), 0.625F);
-  EXPECT_EQ(stroke_width({.pressure = 0}, 1), 0.02F);
-  EXPECT_EQ(stroke_width({}, 1), 1);
-  EXPECT_EQ(narrowest_width(0.5), 0.5);
-  EXPECT_EQ(narrowest_width(1), 0.02);
   Ground ground(test::plane(1, 0.02, 1));
-  CurveTracer tracer(ground.surface, ground.picker, 0.1, 0.8);
+  CurveTracer tracer(ground.surface, ground.picker, 0.1, StrokeWidth(0.8, {}, {{.pressure = true}}));
   const float pressures[] = {1, 0, 0.5F};
   for (const int i : {0, 1, 2}) {
     const Vec3f place(-0.5F + 0.5F * static_cast<float>(i), 0, 0);
     tracer.add(*ground.picker.closest(place, 1), i, {.pressure = pressures[i]});
   }
   for (const CurvePoint& point : tracer.curve().points) {
-    const double t = point.t;
-    EXPECT_NEAR(point.width, t < 0.5 ? 1 - 1.6 * t : 0.2 + 0.8 * (t - 0.5), 0.02) << t;
     EXPECT_NEAR(point.width, 0.2 + 0.8 * point.pen.pressure, 1e-6);
-    EXPECT_EQ(pen_at(tracer.curve(), t).width, point.width);
+    EXPECT_EQ(pen_at(tracer.curve(), point.t).width, point.width);
   }
+  EXPECT_EQ(tracer.curve().points[0].width, 1);
+  EXPECT_NEAR(pen_at(tracer.curve(), 0.5).width, 0.2, 1e-3);
+  EXPECT_NEAR(pen_at(tracer.curve(), 1).width, 0.6, 1e-6);
+}
+
+/// A pen along x from -0.7 on, drawn so many times a second: place, pressure and tilt are smooth in time.
+SurfaceCurve smoothly_drawn(const Ground& ground, int rate, double seconds) {
+  CurveTracer tracer(ground.surface, ground.picker, 0.1);
+  for (int i = 0; i <= rate * seconds; ++i) {
+    const double time = static_cast<double>(i) / rate, share = time / seconds;
+    const Pen pen{.pressure = static_cast<float>(0.5 + 0.4 * std::sin(5 * share)),
+                  .tilt_x = static_cast<float>(std::cos(3 * share))};
+    const Vec3d place(-0.7 + 1.4 * (0.7 * share + 0.3 * share * share), 0, 0);
+    tracer.add(*ground.picker.closest(place.cast<float>(), 1), time, pen);
+  }
+  return tracer.curve();
+}
+
+TEST(CurveTracer, CarriesThePenSmoothlyBetweenSparseSamples) {
+  const Ground ground(test::plane(1, 0.02, 1));
+  const SurfaceCurve curve = smoothly_drawn(ground, 12, 1);
+  double squares = 0;
+  for (const CurvePoint& point : curve.points) {
+    const double share = (std::sqrt(0.49 + 1.2 * point.t / 1.4) - 0.7) / 0.6;
+    squares += std::pow(double{point.pen.pressure} - (0.5 + 0.4 * std::sin(5 * share)), 2);
+    EXPECT_NEAR(point.time, share, 1e-3) << point.t;
+    EXPECT_NEAR(point.pen.tilt_x, std::cos(3 * share), 4e-3) << point.t;
+  }
+  // Straight lines between the samples would be off by 0.4 * 25 / 144 / sqrt(120) / sqrt(2) = 0.0045.
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(curve.points.size())), 2e-3);
+}
+
+TEST(CurveTracer, HasTheSameSpeedAtAnyRate) {
+  const Ground ground(test::plane(1, 0.02, 1));
+  const SurfaceCurve slow = smoothly_drawn(ground, 60, 1.5), fast = smoothly_drawn(ground, 240, 1.5);
+  for (double t = 0; t < 1.4; t += 0.01) {
+    const double speed = pen_at(fast, t).speed;
+    EXPECT_NEAR(pen_at(slow, t).speed, speed, 0.003 * 1.4) << t;
+    const double time = pen_at(fast, t).time, rising = 1 - std::exp(-time / 0.04);
+    // The mean of a speed a + b time lags by the fading time; from rest it rises as the response to a ramp.
+    const double a = 1.4 * 0.7 / 1.5, b = 1.4 * 0.6 / 1.5 / 1.5;
+    EXPECT_NEAR(speed, a * rising + b * (time - 0.04 * rising), 0.01) << t;
+  }
+}
+
+TEST(CurveTracer, MakesSenseOfASpeedWithoutTime) {
+  const Ground ground(test::plane(1, 0.1, 1));
+  CurveTracer tracer(ground.surface, ground.picker, 0.1);
+  for (const float x : {-0.5F, 0.F, 0.5F}) tracer.add(*ground.picker.closest(Vec3f(x, 0, 0), 1), 3, {});
+  EXPECT_TRUE(std::isfinite(pen_at(tracer.curve(), 0.7).speed));
 }
 
 TEST(PenAt, InterpolatesPressureTimeAndSpeed) {
@@ -136,12 +178,16 @@ TEST(PenAt, InterpolatesPressureTimeAndSpeed) {
   add(0.5F, 11.5, 1);
   const PenAt middle = pen_at(tracer.curve(), 0.25), late = pen_at(tracer.curve(), 0.75);
   EXPECT_NEAR(middle.pen.pressure, 0.25F, 0.01F);
-  EXPECT_NEAR(middle.time, 0.25, 0.01);
+  // Between secants of 1 and 2 s a unit the slopes are 0.5, 1.5 and 2.5.
+  EXPECT_NEAR(middle.time, 0.25 - 0.0625, 0.01);
+  EXPECT_NEAR(late.time, 1 - 0.0625, 0.01);
   EXPECT_NEAR(middle.speed, 1, 0.1);
-  EXPECT_NEAR(late.time, 1, 0.03);
   EXPECT_NEAR(late.speed, 0.5, 0.05);
+  EXPECT_NEAR(late.t, 0.75, 1e-12);
+  EXPECT_NEAR(late.tangent.dot(Vec3f::UnitX()), 1, 1e-4F);
   EXPECT_EQ(pen_at(tracer.curve(), -1).pen.pressure, 0);
   EXPECT_EQ(pen_at(tracer.curve(), 9).pen.pressure, 1);
+  EXPECT_EQ(pen_at(tracer.curve(), 9).t, tracer.curve().length());
 }
 
 }  // namespace

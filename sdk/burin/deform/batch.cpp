@@ -27,7 +27,7 @@ void Batch::fill(const NodeSource& source, std::uint64_t inputs, std::uint64_t o
   batch_ = {};
   batch_.struct_size = sizeof(burin_batch);
   batch_.count = static_cast<std::uint32_t>(nodes.size());
-  batch_.params = &params;
+  batch_.params = &params_.fill(params, source.nodes.dynamics(), nodes);
   used_columns_ = 0;
   fill_outputs(outputs, nodes);
   fill_chart(inputs, nodes);

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/abi/stroke.h>
+#include <burin/deform/batch_params.h>
 #include <burin/deform/current_base.h>
 #include <burin/deform/paint.h>
 #include <burin/deform/pass_places.h>
@@ -86,6 +87,7 @@ class Batch {
   float radius_ = 0;
   std::uint32_t symmetry_ = 0;
   bool mirrored_ = false;
+  BatchParams params_;
   burin_batch batch_{};
   burin_outputs outputs_{};
 };

@@ -146,11 +146,12 @@ void Evaluator::scale(const BrushStroke& stroke, const NodeSource& source, std::
     for (std::size_t i = begin; i < end; ++i) {
       const Index vertex = source.nodes.chart().vertex[nodes[i]];
       const float mask = paint.mask_of(vertex);
-      outputs.displacement[i] *= strength * mask;
+      const float at_node = strength * source.nodes.dynamics().strength(nodes[i]);
+      outputs.displacement[i] *= at_node * mask;
       if (!outputs.displacement[i].allFinite())
         return failure.note(i, "displaces beyond the range of floats");
       if (outputs.tint.empty()) continue;
-      outputs.tint[i] = mixed(tint_of(paint.colour_of(vertex), mask), outputs.tint[i], strength, mask);
+      outputs.tint[i] = mixed(tint_of(paint.colour_of(vertex), mask), outputs.tint[i], at_node, mask);
     }
   });
   throw_if_any(failure, stroke, source, nodes);

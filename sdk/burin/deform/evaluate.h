@@ -43,8 +43,8 @@ class Evaluator {
   void pass(const BrushStroke& stroke, const burin_stroke_context& context, const NodeSource& source,
             std::span<const Index> nodes, NodeOutputs& outputs);
 
-  /// Makes of the last pass's outputs what is to be seen: displacement by strength and mask, tints between
-  /// those before and those written.
+  /// Makes of the last pass's outputs what is to be seen: displacement by strength, with the dynamics of the
+  /// nodes, and mask, tints between those before and those written.
   static void scale(const BrushStroke& stroke, const NodeSource& source, std::span<const Index> nodes,
                     float strength, NodeOutputs& outputs);
 

@@ -50,7 +50,8 @@ StrokeChanges StrokeNodes::in_zone(double end_zone) {
 /// of each other leave the curve as it was.
 void StrokeNodes::collect(double same_pen_up_to) {
   asked_.assign(chart_->computed().begin(), chart_->computed().end());
-  if (reads_.varying == 0 || same_pen_up_to >= chart_->computed_from()) return;
+  const bool varies = reads_.varying != 0 || dynamics_.any();
+  if (!varies || same_pen_up_to >= chart_->computed_from()) return;
   std::vector<bool> computed(chart().size());
   for (const Index slot : asked_) computed[slot] = true;
   for (Index slot = 0; slot < chart().size(); ++slot) {
@@ -60,13 +61,15 @@ void StrokeNodes::collect(double same_pen_up_to) {
   }
 }
 
-/// Brings pens and half widths up to date, and notes which differ.
+/// Brings pens, half widths and dynamics up to date, and notes which differ.
 void StrokeNodes::compare_pens(const SurfaceCurve& curve) {
   differs_.assign(asked_.size(), 0);
   const bool widths = reads_.varying & BURIN_INPUT_RADIUS, pens = reads_.varying & ~BURIN_INPUT_RADIUS;
   if (widths) half_width_.resize(chart().size());
   if (pens) pen_.resize(chart().size());
-  if (!widths && !pens) return;
+  dynamics_.resize(chart().size());
+  if (!widths && !pens && !dynamics_.any()) return;
+  const double loop = curve.closed ? curve.length() : 0;
   parallel_blocks(asked_.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index slot = asked_[i];
@@ -77,6 +80,7 @@ void StrokeNodes::compare_pens(const SurfaceCurve& curve) {
       };
       if (widths) note(half_width_, static_cast<float>(reads_.radius * at.width));
       if (pens) note(pen_, node_pen(at, reads_.varying));
+      if (dynamics_.any()) differs_[i] |= dynamics_.update(slot, at, loop);
     }
   });
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/chart/live_chart.h>
+#include <burin/deform/node_dynamics.h>
 #include <burin/stroke/surface_curve.h>
 
 #include <cstdint>
@@ -32,13 +33,15 @@ struct ReadInputs {
   std::uint64_t inputs = 0;   ///< that the brush reads
   std::uint64_t varying = 0;  ///< of these, BURIN_INPUT_RADIUS and BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME,
                               ///< those that may differ along the stroke
+  const ParamDynamics* dynamics = nullptr;  ///< of strength and parameters; must outlive the nodes
 };
 
 /// All that differs from node to node while a stroke grows.
 class StrokeNodes {
  public:
   /// The chart, which must outlive the object, is empty yet.
-  StrokeNodes(const LiveChart& chart, const ReadInputs& reads) : chart_(&chart), reads_(reads) {}
+  StrokeNodes(const LiveChart& chart, const ReadInputs& reads)
+      : chart_(&chart), reads_(reads), dynamics_(reads.dynamics) {}
 
   /// Follows the last event of the chart, of this curve. Nodes are stale that are new, whose inputs differ in
   /// any bit, or whose t is at least `end_zone`: there the brush may look at the stroke's length. Up to the t
@@ -55,6 +58,7 @@ class StrokeNodes {
   /// Of the stroke at the node's t, [slot]; empty where nobody asks for it.
   const std::vector<float>& half_width() const { return half_width_; }
   const std::vector<NodePen>& pen() const { return pen_; }
+  const NodeDynamics& dynamics() const { return dynamics_; }
 
  private:
   void collect(double same_pen_up_to);
@@ -68,11 +72,12 @@ class StrokeNodes {
   ReadInputs reads_;
   std::vector<float> half_width_;
   std::vector<NodePen> pen_;
+  NodeDynamics dynamics_;
 
   StrokeChanges changes_;
   std::uint32_t event_ = 0;
   std::vector<std::uint32_t> stale_in_, vertex_in_;  ///< [slot], [place of the chart]: event
-  std::vector<Index> asked_;                         ///< slots whose pen or half width may differ
+  std::vector<Index> asked_;                         ///< slots whose pen, half width or dynamics may differ
   std::vector<std::uint8_t> differs_;                ///< [i of asked_]
 };
 

@@ -51,10 +51,12 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, Charters& c
       picker_(&picker),
       settings_(checked(settings)),
       params_(descriptor, settings.params),
+      width_(settings.pressure_width, settings.dynamics, driven_stroke()),
+      dynamics_(descriptor, params_.abi(), settings.dynamics, driven_stroke()),
       brush_stroke_(brush, descriptor, context(0, {}), params_.abi()),
       last_time_(-std::numeric_limits<double>::infinity()) {
   for (const SymmetryInstance& image : symmetry_instances(settings_.symmetry))
-    instances_.emplace_back(surface, picker, charters, settings_, image, read_inputs());
+    instances_.emplace_back(surface, picker, charters, settings_, width_, image, read_inputs());
   if (settings_.accumulate == Accumulate::from_current) accumulate();
   if (passes_look_around()) look_around();
 }
@@ -80,8 +82,8 @@ bool OpenStroke::passes_look_around() const {
 
 ReadInputs OpenStroke::read_inputs() const {
   std::uint64_t varying = pen_inputs_present(settings_.fields);
-  if (width_varies()) varying |= BURIN_INPUT_RADIUS;
-  return {settings_.radius, brush().inputs_read, varying & brush().inputs_read};
+  if (width_.varies()) varying |= BURIN_INPUT_RADIUS;
+  return {settings_.radius, brush().inputs_read, varying & brush().inputs_read, &dynamics_};
 }
 
 BlendOptions OpenStroke::blend_options() const {
@@ -130,7 +132,7 @@ burin_stroke_context OpenStroke::context(std::uint64_t flags, const SurfaceCurve
   context.pen_present = pen_inputs_present(settings_.fields);
   context.seed = settings_.seed;
   context.length = curve.length();
-  context.radius_min = settings_.radius * (width_varies() ? narrowest_width(settings_.pressure_width) : 1);
+  context.radius_min = settings_.radius * width_.narrowest();
   context.radius_max = settings_.radius;
   context.object_scale = surface_->scale;
   return context;

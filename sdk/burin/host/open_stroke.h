@@ -2,6 +2,7 @@
 #include <burin/deform/accumulation.h>
 #include <burin/deform/brush_stroke.h>
 #include <burin/deform/evaluate.h>
+#include <burin/deform/param_dynamics.h>
 #include <burin/deform/stroke_passes.h>
 #include <burin/host/event_cost.h>
 #include <burin/host/param_snapshot.h>
@@ -61,7 +62,7 @@ class OpenStroke {
 
  private:
   const StrokeInstance& drawn_by_hand() const { return instances_.front(); }
-  bool width_varies() const { return settings_.pressure_width > 0 && settings_.fields.pressure; }
+  DrivenStroke driven_stroke() const { return {settings_.fields, settings_.radius, settings_.seed}; }
   void accumulate();
   void look_around();
   bool passes_look_around() const;
@@ -77,6 +78,8 @@ class OpenStroke {
   const Picker* picker_;
   StrokeSettings settings_;
   ParamSnapshot params_;
+  StrokeWidth width_;
+  ParamDynamics dynamics_;
   BrushStroke brush_stroke_;
   std::deque<StrokeInstance> instances_;
   std::optional<StrokePasses> passes_;        ///< of brushes whose passes look at neighbours

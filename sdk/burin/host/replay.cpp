@@ -14,6 +14,14 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Those of radius and strength mean the same to another brush, those of parameters nothing.
+std::vector<Dynamic> dynamics_of(const RecordedStroke& stroke, bool same_brush) {
+  std::vector<Dynamic> dynamics = stroke.dynamics;
+  if (!same_brush)
+    std::erase_if(dynamics, [](const Dynamic& d) { return d.target != "radius" && d.target != "strength"; });
+  return dynamics;
+}
+
 StrokeSettings settings_of(const Recording& recording, std::size_t index, const StrokeOverrides& overrides) {
   const RecordedStroke& stroke = recording.strokes[index];
   const auto& brush = overrides.brush ? overrides.brush : stroke.brush;
@@ -34,6 +42,7 @@ StrokeSettings settings_of(const Recording& recording, std::size_t index, const 
   settings.params = overrides.params;
   // Parameters of another brush mean nothing to this one.
   if (stroke.brush == brush) settings.params.insert(stroke.params.begin(), stroke.params.end());
+  settings.dynamics = replaced(dynamics_of(stroke, stroke.brush == brush), overrides.dynamics);
   settings.fields = stroke.fields;
   settings.seed = index;
   return settings;
@@ -44,6 +53,18 @@ std::vector<StrokeSettings> all_settings(const Recording& recording, const Strok
   for (std::size_t i = 0; i < recording.strokes.size(); ++i)
     settings.push_back(settings_of(recording, i, overrides));
   return settings;
+}
+
+/// The recording as the stabiliser lets it through.
+Recording stabilised(const Recording& recording, const Stabilising& stabilising) {
+  Recording calm = recording;
+  for (std::size_t i = 0; i < calm.strokes.size(); ++i) {
+    RecordedStroke& stroke = calm.strokes[i];
+    if (stabilising.kind == Stabilising::Kind::exponential && !stroke.fields.time)
+      throw Error(fmt::format("stroke {} has no times, which the exponential stabiliser needs", i + 1));
+    stroke.samples = stabilised(stroke.samples, stabilising);
+  }
+  return calm;
 }
 
 /// Draws one recorded stroke after the other, in as many pieces as it takes.
@@ -158,8 +179,9 @@ ReplayResult Replayer::finish() {
 
 }  // namespace
 
-ReplayResult replay(Session& session, const Recording& recording, const StrokeOverrides& overrides,
+ReplayResult replay(Session& session, const Recording& recorded, const StrokeOverrides& overrides,
                     const ReplayObserver& observer) {
+  const Recording recording = stabilised(recorded, overrides.stabilising);
   if (recording.space == StrokeSpace::screen && !recording.camera)
     throw ContractError("a recording in screen space without a camera");
   const std::vector<StrokeSettings> settings = all_settings(recording, overrides);

@@ -2,6 +2,7 @@
 #include <burin/base/progress.h>
 #include <burin/host/session.h>
 #include <burin/stroke/recording.h>
+#include <burin/stroke/stabiliser.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +27,8 @@ struct StrokeOverrides {
   double pressure_width = 0;       ///< as in StrokeSettings
   std::size_t show_every = 1;      ///< samples shown: every so many; 0: the whole stroke at its end
   Join join = Join::round;
+  std::vector<Dynamic> dynamics;  ///< target by target over the recording's
+  Stabilising stabilising;        ///< of the samples, before anything else sees them
   ParamSettings params;  ///< name by name over the recording's, where the brush is the recording's own
 };
 
@@ -53,7 +56,7 @@ struct ReplayResult {
 };
 
 /// Draws all strokes of a recording. Throws Error naming the stroke's number, from 1, before anything is
-/// drawn, when a stroke has no brush or radius; else as Session.
+/// drawn, when a stroke has no brush or radius, or not the times that stabilising needs; else as Session.
 ReplayResult replay(Session& session, const Recording& recording, const StrokeOverrides& overrides = {},
                     const ReplayObserver& observer = {});
 

@@ -14,6 +14,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -31,10 +32,12 @@ struct StrokeSettings {
   Accumulate accumulate = Accumulate::from_base;  ///< from_current: sheets add up, whatever `overlap` says
   double pressure_width = 0;  ///< 0..1, share of the width that the pen's pressure decides
   ParamSettings params;       ///< what differs from the brush's defaults
-  PenFields fields;           ///< what the pen really reports
-  std::uint64_t seed = 0;     ///< of the brush's random numbers
-  Symmetry symmetry;          ///< where else it is drawn
-  double dab_spacing = 0;     ///< radii from dab to dab, for a row of dabs instead of one stroke; 0: a stroke
+  /// What of the pen varies radius, strength and parameters; "radius" acts besides the pressure width.
+  std::vector<Dynamic> dynamics;
+  PenFields fields;        ///< what the pen really reports
+  std::uint64_t seed = 0;  ///< of random numbers: the brush's, and PenSource::random
+  Symmetry symmetry;       ///< where else it is drawn
+  double dab_spacing = 0;  ///< radii from dab to dab, for a row of dabs instead of one stroke; 0: a stroke
   bool clamp_to_radius = false;  ///< no vertex goes farther than one radius
 };
 
@@ -87,7 +90,7 @@ class Session {
   void set_paint(Paint paint);
 
   /// Opens a stroke. Throws Error: unknown brush or parameter, a value out of its range, a file that
-  /// cannot be read, a brush that reads what this host does not offer.
+  /// cannot be read, a brush that reads what this host does not offer, a dynamic of what does not vary.
   void begin_stroke(const StrokeSettings& settings);
 
   /// The next sample: where a ray meets the surface, or the closest place to a point that is at most one

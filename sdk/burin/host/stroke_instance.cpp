@@ -23,12 +23,9 @@ LiveDabs& Charters::dabs(std::size_t instance) {
 }
 
 StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Charters& charters,
-                               const StrokeSettings& settings, const SymmetryInstance& image,
-                               const ReadInputs& reads)
-    : surface_(&surface),
-      image_(image),
-      reads_(reads),
-      tracer_(surface, picker, settings.radius, settings.fields.pressure ? settings.pressure_width : 0) {
+                               const StrokeSettings& settings, const StrokeWidth& width,
+                               const SymmetryInstance& image, const ReadInputs& reads)
+    : surface_(&surface), image_(image), reads_(reads), tracer_(surface, picker, settings.radius, width) {
   if (settings.dab_spacing > 0) {
     dabs_ = &charters.dabs(image.index);
     dabs_->begin(settings.radius, settings.dab_spacing * settings.radius);

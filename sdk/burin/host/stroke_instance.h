@@ -39,7 +39,8 @@ class Charters {
 class StrokeInstance {
  public:
   StrokeInstance(const Surface& surface, const Picker& picker, Charters& charters,
-                 const StrokeSettings& settings, const SymmetryInstance& image, const ReadInputs& reads);
+                 const StrokeSettings& settings, const StrokeWidth& width, const SymmetryInstance& image,
+                 const ReadInputs& reads);
   StrokeInstance(const StrokeInstance&) = delete;
   StrokeInstance& operator=(const StrokeInstance&) = delete;
 

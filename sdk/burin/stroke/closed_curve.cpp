@@ -2,6 +2,7 @@
 #include <burin/stroke/surface_curve.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace burin {
@@ -61,9 +62,18 @@ void CurveTracer::retrace_closed() {
     trace_segment(segment);
   }
   const double end = curve_.points.back().t;
-  append(knots_[0], curve_.points[0].tangent.cast<double>());
+  append(knots_[0].at, curve_.points[0].tangent.cast<double>(), seam_time, knots_[0].pen);
   curve_.closing_length = curve_.points.back().t - end;
+  const double speed = curve_.points.back().speed;
   curve_.points.pop_back();
+  if (seam_time > 0) set_speed_around(speed, seam_time);
+  set_widths(0);
+}
+
+/// The pen did not rest before the first sample but came around: its fading mean goes on over the seam.
+void CurveTracer::set_speed_around(double at_seam, double seam_time) {
+  const double at_first = at_seam / -std::expm1(-seam_time / speed_fading_time);
+  for (CurvePoint& point : curve_.points) point.speed += at_first * std::exp(-point.time / speed_fading_time);
 }
 
 }  // namespace burin

@@ -20,4 +20,9 @@ Recording import_mypaint_events(const std::filesystem::path& path, const Camera&
 /// (0 lifts the pen), buttons (0 lifts the pen), tiltX, tiltY, twist (degrees).
 Recording import_pointer_events(const std::filesystem::path& path, const Camera& camera);
 
+/// SVC files in the units of BDALab's handwriting-sample: the number of events, then lines of `x y time
+/// pen_down azimuth altitude pressure`: x, y in mm, y upward; azimuth of the pen's upper end clockwise from
+/// the tablet's top and altitude above its plane in tenths of a degree; pressure 0..1.
+Recording import_svc(const std::filesystem::path& path, const Camera& camera);
+
 }  // namespace burin

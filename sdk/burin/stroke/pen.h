@@ -1,5 +1,5 @@
 #pragma once
-#include <cstdint>
+#include <burin/base/vector.h>
 
 namespace burin {
 
@@ -18,6 +18,16 @@ struct PenFields {
   bool twist = false;
 
   bool operator==(const PenFields&) const = default;
+};
+
+/// Pen and stroke where the arc length is t; in caps beyond the ends of an open stroke, those of the end.
+struct PenAt {
+  Pen pen;
+  double time = 0;                                        ///< seconds since the first sample
+  double speed = 0;                                       ///< object units a second, as CurvePoint::speed
+  float width = 1;                                        ///< as CurvePoint::width
+  double t = 0;                                           ///< within the curve, object units
+  Vec3f tangent = Vec3f::Zero(), normal = Vec3f::Zero();  ///< of the curve; directions, not unit
 };
 
 }  // namespace burin

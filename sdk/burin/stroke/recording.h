@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/stroke/camera.h>
+#include <burin/stroke/dynamics.h>
 #include <burin/stroke/pen.h>
 
 #include <map>
@@ -33,6 +34,7 @@ struct RecordedStroke {
   double strength = 1;
   bool closed = false;
   ParamSettings params;
+  std::vector<Dynamic> dynamics;
   PenFields fields;
   std::vector<Sample> samples;  ///< finite as floats, pressure 0..1, time not falling
 };

@@ -31,6 +31,16 @@ std::string_view fault_of(const Camera& camera) {
   return {};
 }
 
+std::string_view fault_of(const Dynamic& dynamic) {
+  const std::vector<double>& curve = dynamic.curve;
+  if (curve.empty() || curve.size() % 2 != 0) return "a dynamic's curve must be pairs of numbers x y";
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (!finite(static_cast<float>(curve[i]))) return "a dynamic's curve must be finite";
+    if (i >= 2 && i % 2 == 0 && !(curve[i] > curve[i - 2])) return "the x of a dynamic's curve must rise";
+  }
+  return {};
+}
+
 std::string_view fault_of(const RecordedStroke& settings) {
   // Brushes compute in floats.
   const auto radius = static_cast<float>(settings.radius.value_or(1));
@@ -38,6 +48,8 @@ std::string_view fault_of(const RecordedStroke& settings) {
   if (!std::isfinite(static_cast<float>(settings.strength))) return "strength must be finite";
   for (const auto& [id, setting] : settings.params)
     if (!finite(setting)) return "params must be finite";
+  for (const Dynamic& dynamic : settings.dynamics)
+    if (const std::string_view fault = fault_of(dynamic); !fault.empty()) return fault;
   return {};
 }
 

@@ -86,6 +86,16 @@ ParamSetting parse_param(const Json& value, const std::string& id) {
   return numbers(value, name);
 }
 
+Dynamic parse_dynamic(const Json& value) {
+  expect_object(value, "each of dynamics");
+  const Json &target = member(value, "target"), &source = member(value, "source");
+  if (!target.is_string()) throw Error("a dynamic's target must be text");
+  const auto known = source.is_string() ? source_named(source.get<std::string>()) : std::nullopt;
+  if (!known)
+    throw Error(fmt::format("a dynamic has no source {}; there are: {}", source.dump(), source_names()));
+  return {target.get<std::string>(), *known, numbers(member(value, "curve"), "a dynamic's curve")};
+}
+
 RecordedStroke parse_settings(const Json& begin) {
   expect_object(begin, "begin");
   RecordedStroke stroke;
@@ -102,6 +112,10 @@ RecordedStroke parse_settings(const Json& begin) {
   if (begin.contains("params")) {
     expect_object(begin["params"], "params");
     for (const auto& [id, value] : begin["params"].items()) stroke.params[id] = parse_param(value, id);
+  }
+  if (begin.contains("dynamics")) {
+    if (!begin["dynamics"].is_array()) throw Error("dynamics must be a list");
+    for (const Json& value : begin["dynamics"]) stroke.dynamics.push_back(parse_dynamic(value));
   }
   reject_fault(fault_of(stroke));
   return stroke;

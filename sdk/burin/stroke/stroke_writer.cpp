@@ -33,6 +33,9 @@ Json settings_json(const RecordedStroke& stroke) {
   settings["params"] = Json::object();
   for (const auto& [id, setting] : stroke.params)
     std::visit([&, &name = id](const auto& value) { settings["params"][name] = value; }, setting);
+  for (const Dynamic& dynamic : stroke.dynamics)
+    settings["dynamics"].push_back(
+        {{"target", dynamic.target}, {"source", source_name(dynamic.source)}, {"curve", dynamic.curve}});
   return settings;
 }
 

@@ -66,36 +66,30 @@ double arc_length(const CurvePoint& from, const Vec3f& to, const Vec3f& tangent)
   return turn < corner ? chord * (1 + turn / 24) : chord;
 }
 
-Pen interpolate(const Pen& a, const Pen& b, float s) {
-  const auto mix = [s](float x, float y) { return x + s * (y - x); };
-  return {mix(a.pressure, b.pressure), mix(a.tilt_x, b.tilt_x), mix(a.tilt_y, b.tilt_y),
-          mix(a.twist, b.twist)};
+PenAt pen_of(const CurvePoint& point) {
+  return {.pen = point.pen,
+          .time = point.time,
+          .speed = point.speed,
+          .width = point.width,
+          .t = point.t,
+          .tangent = point.tangent,
+          .normal = point.normal};
 }
 
-/// In the last part of a closed curve, between its last point and the first: time goes on as before it.
-PenAt pen_before_seam(const SurfaceCurve& curve, double t) {
-  const CurvePoint &before = *(curve.points.end() - 2), &from = curve.points.back(), &to = curve.points[0];
-  const double seconds = from.time - before.time, beyond = t - from.t;
-  const double speed = seconds > 0 ? (from.t - before.t) / seconds : 0;
-  const auto s = static_cast<float>(std::clamp(beyond / curve.closing_length, 0., 1.));
-  return {interpolate(from.pen, to.pen, s), from.time + (speed > 0 ? beyond / speed : 0), speed,
-          from.width + s * (to.width - from.width)};
+/// CurvePoint::speed after a step from this point.
+double faded_speed(const CurvePoint& from, double length, double seconds) {
+  const double faded = -std::expm1(-seconds / speed_fading_time);
+  const double weight = seconds > 0 ? faded / seconds : 1 / speed_fading_time;
+  return from.speed * (1 - faded) + length * weight;
 }
 
 }  // namespace
 
-double narrowest_width(double pressure_width) { return std::max(1 - pressure_width, 0.02); }
-
-float stroke_width(const Pen& pen, double pressure_width) {
-  const double lost = pressure_width * (1 - static_cast<double>(pen.pressure));
-  return static_cast<float>(std::max(1 - lost, narrowest_width(pressure_width)));
-}
-
-CurveTracer::CurveTracer(const Surface& surface, const Picker& picker, double radius, double pressure_width)
+CurveTracer::CurveTracer(const Surface& surface, const Picker& picker, double radius, StrokeWidth width)
     : surface_(&surface),
       picker_(&picker),
       radius_(radius),
-      pressure_width_(pressure_width),
+      width_(std::move(width)),
       min_spacing_(std::max(radius / 1000, surface.scale * 1e-5)),
       max_spacing_(std::max(radius / 8, min_spacing_)) {}
 
@@ -114,7 +108,7 @@ bool CurveTracer::connects(const Vec3f& from, const Vec3f& to) const {
 void CurveTracer::add(const SurfacePoint& point, double time, const Pen& pen) {
   const double since_begin = knots_.empty() ? 0 : time - first_time_;
   if (knots_.empty()) first_time_ = time;
-  const Knot knot{point, since_begin, pen, stroke_width(pen, pressure_width_)};
+  const Knot knot{point, since_begin, pen};
   if (!knots_.empty() && knots_.back().at.position == point.position) {
     knots_.back() = knot;
   } else {
@@ -126,13 +120,24 @@ void CurveTracer::add(const SurfacePoint& point, double time, const Pen& pen) {
 void CurveTracer::retrace_tail() {
   curve_.points.resize(final_points_);
   const std::size_t last = knots_.size() - 1;
-  if (last == 0) append(knots_[0], Vec3d::Zero());
+  const std::size_t kept = final_points_;
+  if (last == 0) append(knots_[0].at, Vec3d::Zero(), knots_[0].time, knots_[0].pen);
   for (std::size_t segment = final_segments_; segment < last; ++segment) {
     trace_segment(segment);
     if (segment + 2 <= last) {
       final_points_ = curve_.points.size();
       final_segments_ = segment + 1;
     }
+  }
+  set_widths(kept);
+}
+
+void CurveTracer::set_widths(std::size_t from_point) {
+  if (!width_.varies()) return;
+  const double loop = curve_.closed ? curve_.length() : 0;
+  for (std::size_t i = from_point; i < curve_.points.size(); ++i) {
+    CurvePoint& point = curve_.points[i];
+    point.width = width_.at(pen_of(point), loop);
   }
 }
 
@@ -146,9 +151,10 @@ void CurveTracer::trace_segment(std::size_t k) {
   const Vec3d place_before = place(before), place_after = place(after);
   const HermiteSegment spline = spline_segment(before ? &place_before : nullptr, place(&from), place(&to),
                                                after ? &place_after : nullptr);
+  const PenSpline pens = pen_spline(k);
   const double chord = (spline.to - spline.from).norm();
 
-  if (k == 0) append(from, spline.velocity(0));
+  if (k == 0) append(from.at, spline.velocity(0), from.time, from.pen);
   double s = 0;
   for (;;) {
     const double speed = std::max(spline.velocity(s).norm(), chord / 4);
@@ -156,15 +162,10 @@ void CurveTracer::trace_segment(std::size_t k) {
     s += step;
     if (s > 1 - step / 2) break;
     const auto at = picker_->closest(spline.position(s).cast<float>(), static_cast<float>(chord));
-    if (at) {
-      const auto share = static_cast<float>(s);
-      append({*at, from.time + s * (to.time - from.time), interpolate(from.pen, to.pen, share),
-              from.width + share * (to.width - from.width)},
-             spline.velocity(s));
-    }
+    if (at) append(*at, spline.velocity(s), pens.time(s), pens.pen(s));
   }
   if (k + 1 == knots_.size()) return;
-  append(to, spline.velocity(1));
+  append(to.at, spline.velocity(1), to.time, to.pen);
   knots_[k + 1].point = curve_.points.size() - 1;
 }
 
@@ -179,28 +180,33 @@ double CurveTracer::spacing(const SurfacePoint& at) const {
   return std::clamp<double>(half_mean_edge(*surface_, at), min_spacing_, max_spacing_);
 }
 
-void CurveTracer::append(const Knot& knot, const Vec3d& direction) {
-  const Vec3f& position = knot.at.position;
-  const Vec3f normal = normal_at(*surface_, knot.at);
-  const Vec3f tangent = unit_tangent(direction.cast<float>(), normal);
-  const double t = curve_.points.empty()
-                       ? 0
-                       : curve_.points.back().t + arc_length(curve_.points.back(), position, tangent);
-  curve_.points.push_back({knot.at, normal, tangent, t, knot.time, knot.pen, knot.width});
+/// Time does not go on from the last knot of a closed curve to the first, the pen does.
+PenSpline CurveTracer::pen_spline(std::size_t k) const {
+  const Knot *before = neighbour(k, 1, false), *after = neighbour(k, 2, true);
+  const auto interval = [](const Knot* a, const Knot* b) {
+    return a && b ? std::sqrt((b->at.position - a->at.position).cast<double>().norm()) : 0;
+  };
+  const Knot &from = knots_[k], &to = *neighbour(k, 1, true);
+  const MonotoneCubic::Intervals intervals{interval(before, &from), interval(&from, &to),
+                                           interval(&to, after)};
+  const MonotoneCubic::Intervals in_order{k > 0 ? intervals.before : 0, intervals.within,
+                                          k + 2 < knots_.size() ? intervals.after : 0};
+  const Knot &first = before ? *before : from, &last = after ? *after : to;
+  return {{in_order, first.time, from.time, to.time, last.time},
+          {intervals, first.pen, from.pen, to.pen, last.pen}};
 }
 
-PenAt pen_at(const SurfaceCurve& curve, double t) {
-  const auto& points = curve.points;
-  const auto after = std::ranges::upper_bound(points, t, {}, &CurvePoint::t);
-  if (points.size() == 1) return {points[0].pen, points[0].time, 0, points[0].width};
-  if (curve.closed && after == points.end() && curve.closing_length > 0) return pen_before_seam(curve, t);
-  const auto to = after == points.end() ? points.end() - 1 : std::max(after, points.begin() + 1);
-  const auto from = to - 1;
-  const double length = to->t - from->t, seconds = to->time - from->time;
-  const double s = length > 0 ? std::clamp((t - from->t) / length, 0., 1.) : 1;
-  return {interpolate(from->pen, to->pen, static_cast<float>(s)), from->time + s * seconds,
-          seconds > 0 ? length / seconds : 0,
-          from->width + static_cast<float>(s) * (to->width - from->width)};
+void CurveTracer::append(const SurfacePoint& at, const Vec3d& direction, double time, const Pen& pen) {
+  const Vec3f normal = normal_at(*surface_, at);
+  const Vec3f tangent = unit_tangent(direction.cast<float>(), normal);
+  CurvePoint point{.at = at, .normal = normal, .tangent = tangent, .time = time, .pen = pen};
+  if (!curve_.points.empty()) {
+    const CurvePoint& before = curve_.points.back();
+    const double length = arc_length(before, at.position, point.tangent);
+    point.t = before.t + length;
+    point.speed = faded_speed(before, length, time - before.time);
+  }
+  curve_.points.push_back(point);
 }
 
 }  // namespace burin

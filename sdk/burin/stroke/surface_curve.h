@@ -1,4 +1,6 @@
 #pragma once
+#include <burin/stroke/dynamics.h>
+#include <burin/stroke/pen_spline.h>
 #include <burin/stroke/recording.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
@@ -10,6 +12,9 @@
 
 namespace burin {
 
+/// Seconds; see CurvePoint::speed.
+inline constexpr double speed_fading_time = 0.04;
+
 /// A point of a stroke on a surface with its Darboux frame: e1 = tangent, n = normal, e2 = n x e1.
 struct CurvePoint {
   SurfacePoint at;
@@ -18,6 +23,10 @@ struct CurvePoint {
   double t = 0;     ///< arc length from the first point, object units
   double time = 0;  ///< seconds since the first sample
   Pen pen;
+  /// Object units a second: the mean over the time so far that fades as exp(-age / speed_fading_time). Before
+  /// the first sample the pen rested; that of a closed curve came around. So it hardly depends on the rate
+  /// of the samples, and on an open curve not on later ones.
+  double speed = 0;
   float width = 1;  ///< of the stroke here, a share of its radius, in (0, 1]; linear between points
 };
 
@@ -44,11 +53,6 @@ struct SurfaceCurve {
   }
 };
 
-/// CurvePoint::width at a sample when the pressure decides a share of it: 1 - pressure_width * (1 -
-/// pressure), at least 0.02. `pressure_width`: 0..1. The narrowest is that of no pressure.
-float stroke_width(const Pen& pen, double pressure_width);
-double narrowest_width(double pressure_width);
-
 /// Whether a stroke goes around.
 enum class Closure {
   open,
@@ -57,15 +61,16 @@ enum class Closure {
 };
 
 /// Turns the samples of one stroke into its surface curve as they arrive. Between two samples the curve
-/// follows the centripetal Catmull-Rom spline of the samples, brought onto the surface by closest points.
-/// The curve depends on the surface, the samples so far and the radius only, not on when it was asked
-/// for: the part up to the last sample but one is final, the rest is replaced by the next add().
-/// Surface and picker must outlive the tracer. One thread.
+/// follows the centripetal Catmull-Rom spline of the samples, brought onto the surface by closest points;
+/// time and pen follow monotone cubics, which stay between the samples' values. The curve depends on the
+/// surface, the samples so far and the radius only, not on when it was asked for: the part up to the last
+/// sample but one is final, the rest is replaced by the next add(). Surface and picker must outlive the
+/// tracer. One thread.
 class CurveTracer {
  public:
   /// `radius`: of the stroke, object units. Points are half an edge apart, but at least radius / 1000 and
-  /// at most radius / 8. `pressure_width`: as stroke_width() takes it.
-  CurveTracer(const Surface& surface, const Picker& picker, double radius, double pressure_width = 0);
+  /// at most radius / 8.
+  CurveTracer(const Surface& surface, const Picker& picker, double radius, StrokeWidth width = {});
 
   /// Whether a point can follow the samples so far: no point of the chord to it is farther from the
   /// surface than a quarter of the chord. Not so where the pen jumps over a silhouette or a gap.
@@ -97,7 +102,6 @@ class CurveTracer {
     SurfacePoint at;
     double time = 0;  ///< since the first sample
     Pen pen;
-    float width = 1;
     std::size_t point = 0;  ///< of curve_, where it goes through the knot
   };
   /// Where the curve, in its last quarter, is nearest to the first knot.
@@ -114,11 +118,15 @@ class CurveTracer {
   bool connects(const Vec3f& from, const Vec3f& to) const;
   double spacing(const SurfacePoint& at) const;
 
-  void append(const Knot& at, const Vec3d& direction);
+  PenSpline pen_spline(std::size_t knot) const;
+  void append(const SurfacePoint& at, const Vec3d& direction, double time, const Pen& pen);
+  void set_widths(std::size_t from_point);
+  void set_speed_around(double at_seam, double seam_time);
 
   const Surface* surface_;
   const Picker* picker_;
-  double radius_, pressure_width_;
+  double radius_;
+  StrokeWidth width_;
   double min_spacing_, max_spacing_;
   double first_time_ = 0;
   std::vector<Knot> knots_;
@@ -127,13 +135,7 @@ class CurveTracer {
   std::size_t final_points_ = 0;
 };
 
-/// Pen, time and width where the arc length is t, between the points around it; at the ends beyond them.
-struct PenAt {
-  Pen pen;
-  double time = 0;   ///< seconds since the first sample
-  double speed = 0;  ///< object units a second, 0 where time stands still
-  float width = 1;   ///< as CurvePoint::width
-};
+/// Between the points around t; at the ends beyond them.
 PenAt pen_at(const SurfaceCurve& curve, double t);
 
 }  // namespace burin
