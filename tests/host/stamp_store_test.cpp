@@ -59,6 +59,9 @@ TEST(StampStore, HoldsImagesOfNoFile) {
   store.close(first);
   EXPECT_EQ(store.find(first), nullptr);
   EXPECT_NE(store.find(second), nullptr);
+  const std::string no_path(100000, 'a');
+  EXPECT_NE(test::error_of([&] { store.open(no_path); }), "")
+      << "what has no path is not what comes from no file";
 }
 
 TEST(StampStore, HoldsAsManyAsItSays) {

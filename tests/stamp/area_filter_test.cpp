@@ -107,6 +107,21 @@ TEST(SampleArea, IsTheMeanOfNoise) {
   EXPECT_LE(rms_error(image, 8, 8, 0), 0.02);
 }
 
+// Waves along u, then along v: what the averages of the pyramid blur is taken off the ellipse.
+TEST(SampleArea, IsNoWiderThanTheArea) {
+  for (const bool along_v : {false, true}) {
+    StampImage image = image_of(256, 256, 1, [&](int x, int y, int) {
+      return static_cast<float>(std::cos(2 * std::numbers::pi * (along_v ? y : x) / 32));
+    });
+    set_range(image);
+    for (const double size : {8.0, 10.0}) {
+      const double error = rms_error(image, size, size, 0);
+      std::cout << "waves of 32 texels, area of " << size << ": " << 100 * error << " %\n";
+      EXPECT_LE(error, 0.001) << size;
+    }
+  }
+}
+
 TEST(SampleArea, IsBilinearWhereNoLongerThanATexel) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> place(-3, 3), size(0, 0.999f), angle(0, 7);

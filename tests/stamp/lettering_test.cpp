@@ -171,6 +171,8 @@ TEST(Lettering, IsKerned) {
   // kerning.
   EXPECT_NEAR(ink(both).right - ink(v).right, both.width - v.width, 1.5 / 64);
   EXPECT_NEAR(ink(both).left, ink(a).left, 1e-6);
+  // Neither wipes out what the other covers of the texels that they share.
+  EXPECT_NEAR(covered_square_ems(both, 64), covered_square_ems(a, 64) + covered_square_ems(v, 64), 1e-3);
 }
 
 TEST(Lettering, CoversTheOutlinesArea) {

@@ -69,13 +69,6 @@ LevelSpan level_span(double width, std::size_t levels) {
   return {level, width / static_cast<double>(std::uint64_t{1} << level) - 1};
 }
 
-/// Where a coordinate lies in texels from the border, within few periods of the image.
-double texel_place(float coordinate, Wrap wrap, int size, double reach) {
-  if (wrap == Wrap::periodic) return in_period(coordinate) * size;
-  if (wrap == Wrap::mirror) return 2 * in_period(coordinate / 2) * size;
-  return std::clamp(double{coordinate} * size, -reach - 2, size + reach + 2);
-}
-
 /// Without a call of std::floor, as in_period.
 std::ptrdiff_t whole_below(double place) {
   const auto whole = static_cast<std::ptrdiff_t>(place);
@@ -156,9 +149,10 @@ double level_mean(const MipPyramid& pyramid, std::size_t index, int channel, flo
   // The last level has no coarser one: there an ellipse of many images is made smaller.
   const double shrink = longest * longest / half_axes(e).long_square;
   if (shrink < 1) e = with_area({e.xx * shrink, e.xy * shrink, e.yy * shrink});
-  const double x = texel_place(u, stamp.wrap_u, level.width(), std::sqrt(e.xx)) - 0.5 + level.ring_u;
-  const double y = texel_place(v, stamp.wrap_v, level.height(), std::sqrt(e.yy)) - 0.5 + level.ring_v;
-  return ellipse_mean(Texels(level.image, channel), x, y, e);
+  const double width = level.width(), height = level.height();
+  const double x = wrapped_coordinate(u, stamp.wrap_u, (std::sqrt(e.xx) + 2) / width) * width;
+  const double y = wrapped_coordinate(v, stamp.wrap_v, (std::sqrt(e.yy) + 2) / height) * height;
+  return ellipse_mean(Texels(level.image, channel), x - 0.5 + level.ring_u, y - 0.5 + level.ring_v, e);
 }
 
 double pyramid_mean(const MipPyramid& pyramid, int channel, float u, float v, const Ellipse& e,

@@ -12,9 +12,10 @@ struct SampleArea {
 
 /// Mean of a channel, as sample_bilinear shows it, over an area around (u, v). Bit for bit sample_bilinear
 /// where the area is nowhere longer than a texel; from one to two texels it passes from one to the other.
-/// Continuous in the place and in the area. An area more than 4 texels across is taken from the pyramid's
-/// averages, one more than 32 times as long as those are wide is blurred across. NaN where a number is not
-/// finite. Any thread.
+/// Continuous in the place and in the area. Exact to the rule across rows (see the source) up to 4 texels
+/// across; wider areas are taken from the pyramid's averages, at 4 to 8 of their texels across. An area of
+/// more than 32 texels along and less than an eighth of that across is blurred across. NaN where a number is
+/// not finite. Any thread.
 float sample_area(const MipPyramid& pyramid, int channel, float u, float v, const SampleArea& area);
 
 }  // namespace burin

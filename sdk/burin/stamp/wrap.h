@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -51,16 +52,12 @@ inline double in_period(float coordinate) {
   return coordinate - (coordinate < whole ? whole - 1 : whole);
 }
 
-/// The coordinate within the image, 0..1, or `margin` beyond it at most, where an image of this wrap holds
-/// the same.
+/// A coordinate where an image of this wrap holds the same: in its period, 0..1, or 0..2 where every other
+/// one is mirrored; else `margin` beyond 0..1 at most.
 inline double wrapped_coordinate(float coordinate, Wrap wrap, double margin) {
   if (wrap == Wrap::periodic) return in_period(coordinate);
-  if (wrap == Wrap::mirror) {
-    const double place = 2 * in_period(coordinate / 2);
-    return place > 1 ? 2 - place : place;
-  }
-  const double place = coordinate;
-  return place < -margin ? -margin : place > 1 + margin ? 1 + margin : place;
+  if (wrap == Wrap::mirror) return 2 * in_period(coordinate / 2);
+  return std::clamp<double>(coordinate, -margin, 1 + margin);
 }
 
 }  // namespace burin
