@@ -59,9 +59,7 @@ TEST(StampStore, HoldsImagesOfNoFile) {
   store.close(first);
   EXPECT_EQ(store.find(first), nullptr);
   EXPECT_NE(store.find(second), nullptr);
-  const std::string no_path(100000, 'a');
-  EXPECT_NE(test::error_of([&] { store.open(no_path); }), "")
-      << "what has no path is not what comes from no file";
+  EXPECT_NE(test::error_of([&] { store.open(""); }), "") << "what has no path is not what comes from no file";
 }
 
 TEST(StampStore, HoldsAsManyAsItSays) {
