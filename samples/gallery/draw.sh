@@ -20,8 +20,8 @@ picture() {
   is_wanted "$brush" || return 0
   printf '%s\n' "$brush"
   "$burin" replay "samples/strokes/$stroke.stroke" --brush "org.burin.$brush" --radius .1 \
-    --mesh samples/meshes/ewer.obj --subdivide 6 --show-every 0 --view 0,-.15,-1 --fov 25 \
-    --width 640 --height 480 --png "samples/gallery/$brush.png" "$@" >/dev/null
+    --mesh samples/meshes/ewer.obj --subdivide 6 --show-every 0 --view 0,-.15,-1 --fov 12 \
+    --width 600 --height 450 --png "samples/gallery/$brush.png" "$@" >/dev/null
 }
 
 picture groove wave
