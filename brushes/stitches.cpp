@@ -32,6 +32,7 @@ class Stitches : public Brush {
   static constexpr IntParam rows{
       .id = "rows",
       .name = "Rows",
+      .help = "Rows side by side; threads of narrow rows are thin.",
       .hard = {1, 16},
       .soft = {1, 4},
       .initial = 1,

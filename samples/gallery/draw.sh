@@ -19,7 +19,7 @@ picture() {
   [[ "$wanted" = "  " || "$wanted" = *" $brush "* ]] || return 0
   printf '%s\n' "$brush"
   replay "$stroke" --brush "org.burin.$brush" "${surface[@]}" --png "samples/gallery/$brush.png" \
-    --view 0,-.15,-1 --fov 12 --width 480 --height 360 "$@"
+    --view 0,-.15,-1 --fov 12 --width 520 --height 390 "$@"
 }
 
 picture bark wave --radius .14
@@ -28,7 +28,7 @@ picture crease wave --radius .16
 picture groove wave --radius .16 --param width=.6
 picture rope wave --radius .12
 picture scales wave --radius .16 --param stamp=samples/stamps/scales.exr
-picture stitches wave --radius .15
+picture stitches wave --radius .11 --param length=1.7
 
 # under STROKE OPTION...: a surface with something on it, for brushes that change what is there.
 under() {
@@ -38,8 +38,8 @@ under() {
   surface=(--mesh "$work/under.ply")
 }
 
-under wave --radius .2 --brush org.burin.groove --param depth=-.4 --param width=.7
-picture pinch wave --radius .16 --param amount=1
+under wave --radius .2 --brush org.burin.groove --param depth=-.15
+picture pinch wave --radius .15 --param amount=1 --param lift=.1
 
 under wave --radius .18 --brush org.burin.scales --param stamp=samples/stamps/scales.exr
 picture flatten wave --radius .12

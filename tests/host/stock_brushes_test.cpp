@@ -15,21 +15,25 @@ namespace {
 
 struct BrushUse {
   const char* id;
-  ParamSettings params;  ///< without which it cannot draw
+  ParamSettings params;      ///< without which it cannot draw, or draws something else
+  const char* variant = "";  ///< letters that tell this use from others of the brush
 };
 
-// The brushes, each once; a brush that is missing here fails a test.
+// A brush that is missing here fails a test.
 const std::vector<BrushUse> uses = {
     {"org.burin.bark", {}},
     {"org.burin.bead", {}},
+    {"org.burin.bead", {{"form", std::string("beads")}}, "Beads"},
     {"org.burin.crease", {}},
     {"org.burin.flatten", {}},
     {"org.burin.groove", {}},
     {"org.burin.pinch", {}},
     {"org.burin.rope", {}},
+    {"org.burin.rope", {{"lay", std::string("plaited")}}, "Plaited"},
     {"org.burin.scales", {{"stamp", std::string(BURIN_SAMPLES "/stamps/scales.exr")}}},
     {"org.burin.smooth", {}},
     {"org.burin.stitches", {}},
+    {"org.burin.stitches", {{"pattern", std::string("cross")}}, "Cross"},
 };
 
 /// A unit sphere with bumps, and with dents that are narrower than a stroke of radius 0.3.
@@ -73,7 +77,7 @@ class StockBrushes : public testing::TestWithParam<BrushUse> {
 std::string name_of(const testing::TestParamInfo<BrushUse>& use) {
   std::string name = std::string(use.param.id).substr(std::string("org.burin.").size());
   std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return name + use.param.variant;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StockBrushes, testing::ValuesIn(uses), name_of);
