@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/deform/paint.h>
+#include <burin/surface/mesh_file.h>
 
 #include "render.h"
 
@@ -8,5 +9,8 @@ namespace burin {
 /// Clay that was painted: its colours over the clay by their coverage, and protected places dark. Looks at
 /// the paint, of the vertices of the surface that is drawn, while the picture is made.
 Albedo painted(const Paint& paint);
+
+/// What is painted on a surface, in the order of the mesh that it was made of.
+VertexPaint paint_in_source_order(const Surface& surface, const Paint& paint);
 
 }  // namespace burin

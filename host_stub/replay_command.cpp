@@ -10,12 +10,15 @@
 #include "name_file.h"
 #include "options.h"
 #include "output_file.h"
+#include "painted.h"
 #include "platform.h"
+#include "render.h"
 #include "replay_mesh.h"
 #include "replay_report.h"
 #include "report_folder.h"
 #include "sculpt_options.h"
 #include "stroke_input.h"
+#include "view.h"
 
 namespace burin::command {
 namespace {
@@ -25,7 +28,8 @@ struct ReplayOptions {
   ReplayMeshOptions mesh;
   BakeOptions bake;
   StrokeOverrides overrides;
-  std::string save_mesh, report;
+  ViewOptions view;
+  std::string save_mesh, png, report;
   bool json = false;
 };
 
@@ -35,13 +39,15 @@ std::vector<Recording> read_recordings(const std::vector<std::string>& paths) {
   return recordings;
 }
 
+bool draws(const ReplayOptions& options) { return !options.png.empty() || !options.report.empty(); }
+
 ReplaySummary replay_all(Session& session, const ReplayOptions& options,
                          const std::vector<Recording>& recordings, StrokeWitness& witness) {
   ReplaySummary summary{
       options.strokes, {}, session.surface().vertex_count(), seconds_since_process_start(), 0};
   ProgressBar bar;
   ReplayObserver observer{bar.progress(), {}};
-  if (!options.report.empty()) observer.piece_ended = [&](const Session& done) { witness.piece_ended(done); };
+  if (draws(options)) observer.piece_ended = [&](const Session& done) { witness.piece_ended(done); };
   for (std::size_t i = 0; i < recordings.size(); ++i) {
     naming_file(options.strokes[i],
                 [&] { add_result(summary, replay(session, recordings[i], options.overrides, observer)); });
@@ -70,6 +76,7 @@ std::optional<Camera> recorded_camera(const std::vector<Recording>& recordings) 
 
 void check_options(const ReplayOptions& options, const BrushLibrary& library) {
   check_output_path(options.save_mesh);
+  check_output_path(options.png);
   check_report_folder(options.report);
   check_bake_path(options.bake);
   if (options.overrides.brush) naming_file("--brush", [&] { library.find(*options.overrides.brush); });
@@ -84,17 +91,27 @@ void finish(ReplayMesh& mesh, const Session& session, ReplaySummary& summary) {
   summary.peak_memory = peak_memory();
 }
 
-ReplayPictures draw_pictures(Session& session, const ReplayMesh& mesh, const StrokeWitness& witness,
-                             const std::vector<Recording>& recordings) {
+/// Also of the finest level, on which nothing is painted.
+void write_pictures(const ReplayOptions& options, Session& session, const ReplayMesh& mesh,
+                    const StrokeWitness& witness, const Camera& camera, const ReplaySummary& summary,
+                    const Json& json) {
   ProgressBar bar;
-  const Camera camera = replay_camera(session, witness, recorded_camera(recordings));
-  TriangleMesh result = mesh.has_levels() ? mesh.result(session) : TriangleMesh{};
+  const Picture result = mesh.has_levels() ? draw_mesh(mesh.result(session), camera, bar.progress())
+                                           : render(session.surface(), session.picker(), camera,
+                                                    painted(session.paint()), bar.progress());
+  if (!options.png.empty()) write_png(options.png, result);
+  if (options.report.empty()) return;
   ReplayPictures pictures = draw_replay(session, witness, camera, bar.progress());
-  if (mesh.has_levels()) {
-    pictures.before = draw_mesh(mesh.before(), camera, bar.progress());
-    pictures.after = draw_mesh(std::move(result), camera, bar.progress());
-  }
-  return pictures;
+  pictures.after = result;
+  if (mesh.has_levels()) pictures.before = draw_mesh(mesh.before(), camera, bar.progress());
+  write_report(options.report, summary, json, pictures);
+}
+
+void save_mesh(const ReplayOptions& options, const Session& session, const ReplayMesh& mesh) {
+  if (options.save_mesh.empty()) return;
+  const VertexPaint paint =
+      mesh.has_levels() ? VertexPaint{} : paint_in_source_order(session.surface(), session.paint());
+  write_ply(options.save_mesh, mesh.result(session), paint);
 }
 
 void run(const ReplayOptions& options) {
@@ -110,12 +127,13 @@ void run(const ReplayOptions& options) {
   warn_of_left_out(summary);
   Json json = {{"mesh", mesh.json()}};
   json.update(summary_json(summary));
-  if (!options.save_mesh.empty()) write_ply(options.save_mesh, mesh.result(session));
+  save_mesh(options, session, mesh);
   if (options.bake.asked()) {
     json["bake"] = write_map(options.bake, mesh.before(), mesh.result(session).positions);
   }
-  if (!options.report.empty()) {
-    write_report(options.report, summary, json, draw_pictures(session, mesh, witness, recordings));
+  if (draws(options)) {
+    const Camera camera = replay_view(session, witness, recorded_camera(recordings), options.view);
+    write_pictures(options, session, mesh, witness, camera, summary, json);
   }
   fmt::print("{}\n", options.json ? json_text(json) : mesh.text() + "\n" + summary_text(summary));
 }
@@ -148,6 +166,9 @@ void add_replay(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_option("--save-mesh", options->save_mesh, "surface to write")->type_name("FILE.ply");
   add_bake_options(command, options->bake);
+  command.add_option("--png", options->png, "picture of the result, the strokes filling it")
+      ->type_name("FILE");
+  add_view_options(command, options->view);
   command.add_option("--report", options->report, "folder for a report with pictures")->type_name("FOLDER");
   command.add_flag("--json", options->json, "write JSON to the standard output");
   command.callback([options] {

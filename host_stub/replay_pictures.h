@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "checkerboard.h"
+#include "view.h"
 
 namespace burin {
 
@@ -32,15 +33,17 @@ struct ReplayPictures {
   Picture chart;  ///< the strokes' (t, d) and curves on the surface before
 };
 
-/// The camera of the recording, or one that shows the session's strokes from above.
-Camera replay_camera(const Session& session, const StrokeWitness& witness,
-                     const std::optional<Camera>& recorded);
+/// How to look at what a session drew: as the recording did if it has a camera and the options name no
+/// direction, else at the strokes from above.
+Camera replay_view(const Session& session, const StrokeWitness& witness,
+                   const std::optional<Camera>& recorded, const ViewOptions& options);
 
-/// Draws the surface with and without the strokes of the session, which are undone for it.
+/// Draws the session's surface without its strokes, which are undone for it, and their charts; not the
+/// result.
 ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const Camera& camera,
                            const Progress& progress);
 
-/// A mesh as clay.
+/// A picture of plain clay.
 Picture draw_mesh(TriangleMesh mesh, const Camera& camera, const Progress& progress);
 
 }  // namespace burin

@@ -4,7 +4,10 @@
 #include <burin/plugin/entry.h>
 #include <burin/plugin/error.h>
 #include <burin/plugin/falloff.h>
+#include <burin/plugin/frames.h>
 #include <burin/plugin/lettering.h>
 #include <burin/plugin/log.h>
+#include <burin/plugin/noise.h>
 #include <burin/plugin/params.h>
+#include <burin/plugin/random.h>
 #include <burin/plugin/stamps.h>

@@ -3,7 +3,10 @@
 #include <burin/surface/polygon_mesh.h>
 #include <burin/surface/triangle_mesh.h>
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace burin {
 
@@ -20,7 +23,15 @@ bool holds_points(const std::filesystem::path& path);
 /// Reads such a file, in its order. Throws FileError: as read_mesh, or without normals (nx, ny, nz).
 PointSet read_points(const std::filesystem::path& path);
 
-/// Writes a binary little-endian PLY, whole or not at all. Throws FileError.
-void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh);
+/// What is painted on vertices, in their order; each array may be empty.
+struct VertexPaint {
+  std::vector<std::array<std::uint8_t, 4>> colours;  ///< sRGB and coverage
+  std::vector<float> masks;                          ///< 0 = protected .. 1 = free
+};
+
+/// Writes a binary little-endian PLY, with properties red, green, blue, alpha and mask where they are
+/// painted; whole or not at all. Throws FileError; ContractError for arrays of another length than the
+/// positions.
+void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint = {});
 
 }  // namespace burin
