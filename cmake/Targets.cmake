@@ -45,6 +45,7 @@ function(burin_brush_plugin name)
   target_link_libraries(burin_brush_${name} PRIVATE burin_build_flags)
   set_target_properties(burin_brush_${name} PROPERTIES
     OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin/brushes)
+  add_dependencies(burin_brushes burin_brush_${name})
   burin_install_brush(burin_brush_${name})
 endfunction()
 
