@@ -17,17 +17,17 @@ constexpr const char* rock = "stamps/Rock035_height_1024_half_zip.exr";
 TEST(StampStore, HoldsAFileOnceUntilItsLastClose) {
   BURIN_SHARED_DATA_OR_SKIP(path, rock);
   StampStore store;
-  const std::uint64_t first = store.open(path),
-                      second = store.open(path.parent_path() / "." / path.filename());
+  const std::uint64_t first = store.open(path).handle,
+                      second = store.open(path.parent_path() / "." / path.filename()).handle;
   EXPECT_NE(first, 0u);
   EXPECT_EQ(store.find(first), store.find(second));
-  EXPECT_EQ(store.find(first)->width, 1024);
+  EXPECT_EQ(store.find(first)->stamp().width, 1024);
   store.close(first);
   EXPECT_NE(store.find(second), nullptr);
   store.close(second);
   EXPECT_EQ(store.find(second), nullptr);
   store.close(second);
-  EXPECT_NE(store.open(path), second) << "a handle is not used twice";
+  EXPECT_NE(store.open(path).handle, second) << "a handle is not used twice";
   EXPECT_EQ(store.find(second), nullptr);
   EXPECT_EQ(store.find(0), nullptr);
 }

@@ -1,4 +1,4 @@
-#include <burin/stamp/stamp_image.h>
+#include <burin/stamp/stamp_file.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #pragma once
-#include <burin/stamp/stamp_image.h>
+#include <burin/stamp/mip_pyramid.h>
+#include <burin/stamp/stamp_file.h>
 
 #include <array>
 #include <atomic>
@@ -10,31 +11,43 @@
 
 namespace burin {
 
-/// Stamp images by handle. A file that is opened several times is held once, until its last close.
-/// Any thread; find takes no lock, but must not run beside the close of the same handle.
+/// Stamps by handle, each with its pyramid, 4/3 of its texels. A file that is opened several times with the
+/// same options is held once, until its last close. Any thread; find takes no lock, but must not run beside
+/// the close of the same handle.
 class StampStore {
  public:
-  /// Handle of the file's image, never 0. Throws FileError as read_stamp, Error when `capacity` files are
-  /// open already.
-  std::uint64_t open(const std::filesystem::path& path);
+  /// What open found out.
+  struct Opened {
+    std::uint64_t handle;    ///< never 0
+    std::size_t filled = 0;  ///< values of the file that were not finite; 0 where it is held already
+  };
 
-  /// Gives back what open returned. A handle that is not open is ignored.
+  /// Throws FileError as read_stamp, Error when `capacity` stamps are open already.
+  Opened open(const std::filesystem::path& path, const StampOptions& options = {});
+
+  /// Handle of an image that comes from no file, never 0. Throws Error when `capacity` stamps are open
+  /// already.
+  std::uint64_t add(StampImage image);
+
+  /// Gives back what open or add returned. A handle that is not open is ignored.
   void close(std::uint64_t handle);
 
   /// Null for a handle that is not open.
-  const StampImage* find(std::uint64_t handle) const;
+  const MipPyramid* find(std::uint64_t handle) const;
 
   static constexpr std::size_t capacity = 256;
 
  private:
   struct Slot {
     std::atomic<std::uint64_t> handle{0};  ///< 0 = free; else times used * capacity + index of the slot
-    std::filesystem::path path;            ///< canonical
+    std::filesystem::path path;            ///< canonical; empty of what comes from no file
+    StampOptions options;
     std::size_t users = 0;
-    StampImage image;
+    MipPyramid pyramid;
   };
-  Slot* slot_of(const std::filesystem::path& path);
+  Slot* slot_of(const std::filesystem::path& path, const StampOptions& options);
   Slot& free_slot();
+  std::uint64_t publish(Slot& slot);
 
   std::mutex mutex_;
   std::array<Slot, capacity> slots_;

@@ -1,0 +1,57 @@
+#pragma once
+#include <burin/abi/ext/log.h>
+#include <burin/abi/ext/stamps.h>
+#include <burin/host/services.h>
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string_view>
+
+namespace burin {
+
+/// What HostServices hands out by id.
+extern const burin_stamps stamps_service;
+
+inline HostServices& services(const burin_host* host) { return *static_cast<HostServices*>(host->self); }
+
+/// A struct of the caller's, whose version may know fewer members or more: those it does not know are zero.
+template <class Struct>
+Struct known_members(const Struct& from_caller) {
+  Struct whole{};
+  std::memcpy(&whole, &from_caller, std::min<std::size_t>(from_caller.struct_size, sizeof whole));
+  return whole;
+}
+
+/// Fills the members of *to that the caller's version has. `to` may be null.
+template <class Struct>
+void fill_known_members(Struct from, Struct* to) {
+  if (!to) return;
+  from.struct_size = to->struct_size;
+  std::memcpy(to, &from, std::min<std::size_t>(to->struct_size, sizeof from));
+}
+
+inline void copy_text(std::string_view line, burin_text* text) {
+  if (!text || text->capacity == 0) return;
+  const std::size_t size = std::min<std::size_t>(line.size(), text->capacity - 1);
+  std::memcpy(text->data, line.data(), size);
+  text->data[size] = '\0';
+}
+
+/// Status of work that may throw, with what was thrown as its text.
+template <class Work>
+burin_status status_of(burin_text* error, const Work& work) {
+  try {
+    work();
+    return BURIN_OK;
+  } catch (const std::bad_alloc&) {
+    copy_text("out of memory", error);
+    return BURIN_OUT_OF_MEMORY;
+  } catch (const std::exception& failure) {
+    copy_text(failure.what(), error);
+    return BURIN_ERROR;
+  }
+}
+
+}  // namespace burin

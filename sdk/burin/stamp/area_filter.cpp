@@ -1,0 +1,173 @@
+#include <burin/stamp/area_filter.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+namespace {
+
+/// Diameter, in texels of the level that it is taken from, of the narrowest ellipse that is taken from it.
+constexpr double finest = 4;
+/// The longest ellipse in texels of the level, which bounds the cost of a sample.
+constexpr double longest = 32;
+/// Least square of a half axis in texels: keeps a line or a point from having no area.
+constexpr double least = 1e-8;
+
+/// The points x with x^T A^-1 x <= 1 for the symmetric matrix A, in texels of a level.
+struct Ellipse {
+  double xx, xy, yy;
+};
+
+struct HalfAxes {
+  double short_square, long_square;
+};
+
+HalfAxes half_axes(const Ellipse& e) {
+  const double mean = (e.xx + e.yy) / 2, half = (e.xx - e.yy) / 2;
+  const double long_square = mean + std::sqrt(half * half + e.xy * e.xy);
+  const double determinant = e.xx * e.yy - e.xy * e.xy;
+  return {long_square > 0 ? determinant / long_square : 0, long_square};
+}
+
+Ellipse inscribed(const SampleArea& area, int width, int height) {
+  const double ax = area.along_u / 2.0 * width, ay = area.along_v / 2.0 * height;
+  const double bx = area.across_u / 2.0 * width, by = area.across_v / 2.0 * height;
+  return {ax * ax + bx * bx, ax * ay + bx * by, ay * ay + by * by};
+}
+
+/// With the shorter half axis, and the longer one if need be, drawn out to sqrt(least).
+Ellipse with_area(const Ellipse& e) {
+  const auto [short_square, long_square] = half_axes(e);
+  if (short_square >= least) return e;
+  if (long_square <= least) return {least, 0, least};
+  const double gain = (least - short_square) / (long_square - short_square);
+  return {e.xx + gain * (long_square - e.xx), e.xy - gain * e.xy, e.yy + gain * (long_square - e.yy)};
+}
+
+/// What is left to be averaged of an ellipse in texels of the stamp when a texel of the level, the mean of
+/// stretch_x * stretch_y texels, is sampled bilinearly: in either direction the variances of box and tent,
+/// stretch^2 / 12 + stretch^2 / 6 less those at stretch 1, add up with that of an ellipse, half axis^2 / 4.
+Ellipse on_level(const Ellipse& e, double stretch_x, double stretch_y) {
+  const auto done = [](double stretch) { return 1 - 1 / (stretch * stretch); };
+  return with_area({e.xx / (stretch_x * stretch_x) - done(stretch_x), e.xy / (stretch_x * stretch_y),
+                    e.yy / (stretch_y * stretch_y) - done(stretch_y)});
+}
+
+/// The finer of two levels and the share of the coarser.
+struct LevelSpan {
+  std::size_t level;
+  double weight;
+};
+
+/// Between powers of two in proportion to the width, not to its logarithm: the same bits on any machine.
+LevelSpan level_span(double width, std::size_t levels) {
+  if (!(width > 1)) return {0, 0};
+  const auto level = static_cast<std::size_t>(std::bit_cast<std::uint64_t>(width) >> 52) - 1023;
+  if (level + 1 >= levels) return {levels - 1, 0};
+  return {level, width / static_cast<double>(std::uint64_t{1} << level) - 1};
+}
+
+/// Where a coordinate lies in texels from the border, within few periods of the image.
+double texel_place(float coordinate, Wrap wrap, int size, double reach) {
+  if (wrap == Wrap::periodic) return in_period(coordinate) * size;
+  if (wrap == Wrap::mirror) return 2 * in_period(coordinate / 2) * size;
+  return std::clamp(double{coordinate} * size, -reach - 2, size + reach + 2);
+}
+
+/// One channel of a level; texel centres lie at whole numbers.
+class Texels {
+ public:
+  Texels(const StampImage& image, int channel) : image_(image), first_(image.texels.data() + channel) {}
+
+  /// Mean from (begin, y) to (end, y) of the bilinear image.
+  double line_mean(double begin, double end, double y) const {
+    const auto row = static_cast<std::ptrdiff_t>(std::floor(y));
+    const double weight = y - static_cast<double>(row);
+    return (line_sum(row, begin, end) * (1 - weight) + line_sum(row + 1, begin, end) * weight) /
+           (end - begin);
+  }
+
+ private:
+  double line_sum(std::ptrdiff_t row, double begin, double end) const {
+    const std::ptrdiff_t y = wrapped_index(row, image_.height, image_.wrap_v);
+    if (y == no_texel) return 0;
+    const float* texels = first_ + y * image_.width * image_.channels;
+    const auto at = [&](std::ptrdiff_t column) {
+      const std::ptrdiff_t x = wrapped_index(column, image_.width, image_.wrap_u);
+      return x == no_texel ? 0.0 : double{texels[x * image_.channels]};
+    };
+    const auto first = static_cast<std::ptrdiff_t>(std::floor(begin));
+    double sum = 0, left = at(first);
+    for (std::ptrdiff_t x = first; static_cast<double>(x) < end; ++x) {
+      const double right = at(x + 1), cell = static_cast<double>(x);
+      const double from = std::max(begin - cell, 0.0), to = std::min(end - cell, 1.0),
+                   middle = (from + to) / 2;
+      sum += (to - from) * (left * (1 - middle) + right * middle);
+      left = right;
+    }
+    return sum;
+  }
+
+  const StampImage& image_;
+  const float* first_;
+};
+
+/// Mean of the bilinear image over the ellipse around (x, y): exact along lines, and across them by Gauss'
+/// rule of two points in every row of texels.
+double ellipse_mean(const Texels& texels, double x, double y, const Ellipse& e) {
+  const double height = std::sqrt(e.yy), slope = e.xy / e.yy;
+  const double half_chord = std::sqrt(e.xx - slope * e.xy);
+  constexpr double node = 0.57735026918962576;
+  double sum = 0, weights = 0;
+  for (double row = std::floor(y - height); row < y + height; ++row) {
+    const double low = std::max(row, y - height), high = std::min(row + 1, y + height);
+    for (const double at : {-node, node}) {
+      const double line = (low + high + at * (high - low)) / 2, away = (line - y) / height;
+      const double chord = std::sqrt(std::max(1 - away * away, 0.0)), weight = chord * (high - low);
+      if (!(weight > 0)) continue;
+      const double middle = x + slope * (line - y);
+      sum += weight * texels.line_mean(middle - half_chord * chord, middle + half_chord * chord, line);
+      weights += weight;
+    }
+  }
+  return sum / weights;
+}
+
+double level_mean(const MipPyramid& pyramid, std::size_t index, int channel, float u, float v,
+                  const Ellipse& on_stamp) {
+  const MipLevel& level = pyramid.levels[index];
+  const StampImage& stamp = pyramid.stamp();
+  Ellipse e = on_level(on_stamp, static_cast<double>(stamp.width) / level.width(),
+                       static_cast<double>(stamp.height) / level.height());
+  const double excess = 4 * half_axes(e).long_square / (longest * longest);
+  if (excess > 4) e = with_area({e.xx / excess * 4, e.xy / excess * 4, e.yy / excess * 4});
+  const double x = texel_place(u, stamp.wrap_u, level.width(), std::sqrt(e.xx)) - 0.5 + level.ring_u;
+  const double y = texel_place(v, stamp.wrap_v, level.height(), std::sqrt(e.yy)) - 0.5 + level.ring_v;
+  return ellipse_mean(Texels(level.image, channel), x, y, e);
+}
+
+double pyramid_mean(const MipPyramid& pyramid, int channel, float u, float v, const Ellipse& e,
+                    const HalfAxes& axes) {
+  const double across = 2 * std::sqrt(std::max(axes.short_square, 0.0)),
+               along = 2 * std::sqrt(axes.long_square);
+  const auto [level, weight] = level_span(std::max(across / finest, along / longest), pyramid.levels.size());
+  const double fine = level_mean(pyramid, level, channel, u, v, e);
+  return weight > 0 ? fine * (1 - weight) + level_mean(pyramid, level + 1, channel, u, v, e) * weight : fine;
+}
+
+}  // namespace
+
+float sample_area(const MipPyramid& pyramid, int channel, float u, float v, const SampleArea& area) {
+  const Ellipse e = inscribed(area, pyramid.stamp().width, pyramid.stamp().height);
+  if (!std::isfinite(e.xx + e.yy)) return std::numeric_limits<float>::quiet_NaN();
+  const HalfAxes axes = half_axes(e);
+  const float point = sample_bilinear(pyramid.stamp(), channel, u, v);
+  if (axes.long_square <= 0.25 || std::isnan(point)) return point;
+  const double mean = pyramid_mean(pyramid, channel, u, v, e, axes);
+  const double share = std::min(2 * std::sqrt(axes.long_square) - 1, 1.0);
+  return static_cast<float>(point * (1 - share) + mean * share);
+}
+
+}  // namespace burin
