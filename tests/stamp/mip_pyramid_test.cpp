@@ -2,33 +2,17 @@
 #include <burin/stamp/stamp_file.h>
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <random>
 
+#include "images.h"
 #include "support/shared_data.h"
 
 namespace burin {
 namespace {
 
+using test::extended, test::image_of, test::random_image, test::texel;
+
 constexpr unsigned seed = 20050101;
-
-/// Texel centres are at (x + 0.5, y + 0.5).
-StampImage image_of(int width, int height, int channels, const std::function<float(int, int, int)>& value) {
-  StampImage image{width, height, channels, {}};
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      for (int channel = 0; channel < channels; ++channel) image.texels.push_back(value(x, y, channel));
-  return image;
-}
-
-StampImage random_image(int width, int height, int channels, std::mt19937& random) {
-  std::uniform_real_distribution<float> value(-1, 1);
-  return image_of(width, height, channels, [&](int, int, int) { return value(random); });
-}
-
-float texel(const StampImage& image, int x, int y, int channel) {
-  return image.texels[static_cast<std::size_t>((y * image.width + x) * image.channels + channel)];
-}
 
 double mean(const StampImage& image, int channel) {
   double sum = 0;
@@ -88,17 +72,6 @@ TEST(MipPyramid, OfAnOddSizeAveragesAreas) {
     for (int x = 0; x < 5; ++x)
       EXPECT_NEAR(texel(level, x, y, 0),
                   cut_mean(pyramid.stamp(), x * 2.2, (x + 1) * 2.2, y * 2.25, (y + 1) * 2.25), 1e-6);
-}
-
-/// An image with so many texels more on every side, as its wrap says.
-StampImage extended(const StampImage& image, int by) {
-  return image_of(
-      image.width + 2 * by, image.height + 2 * by, image.channels, [&](int x, int y, int channel) {
-        const std::ptrdiff_t column = wrapped_index(x - by, image.width, image.wrap_u);
-        const std::ptrdiff_t row = wrapped_index(y - by, image.height, image.wrap_v);
-        return column < 0 || row < 0 ? 0
-                                     : texel(image, static_cast<int>(column), static_cast<int>(row), channel);
-      });
 }
 
 // An oracle without borders: the pyramid of the image with a whole image around it, whose texels lie as

@@ -153,8 +153,8 @@ TEST_F(WrittenStamp, ReadsWholeNumbersAsFractions) {
     const StampImage of_words = read_stamp(write({6, 1, 1, OIIO::TypeUInt16}, words, name.c_str()));
     const StampImage of_bytes = read_stamp(write({6, 1, 1, OIIO::TypeUInt8}, bytes, name.c_str()));
     for (std::size_t i = 0; i < 6; ++i) {
-      EXPECT_EQ(of_words.texels[i], static_cast<float>(words[i] / 65535.0)) << name << " " << i;
-      EXPECT_EQ(of_bytes.texels[i], static_cast<float>(bytes[i] / 255.0)) << name << " " << i;
+      EXPECT_FLOAT_EQ(of_words.texels[i], static_cast<float>(words[i] / 65535.0)) << name << " " << i;
+      EXPECT_FLOAT_EQ(of_bytes.texels[i], static_cast<float>(bytes[i] / 255.0)) << name << " " << i;
     }
   }
 }
@@ -174,16 +174,17 @@ TEST_F(WrittenStamp, ReadsTilesAndTheLargestMipLevel) {
   OIIO::ImageSpec spec = float_spec(32, 32, 1);
   spec.tile_width = spec.tile_height = 16;
   spec.attribute("wrapmodes", "mirror,clamp");
+  spec.attribute("textureformat", "Plain Texture");
   std::vector<float> values(32 * 32);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i);
   const fs::path path = folder_.path() / "tiled.exr";
-  const auto output = OIIO::ImageOutput::create(path.string());
+  auto output = OIIO::ImageOutput::create(path.string());
   ASSERT_TRUE(output->open(path.string(), spec));
   ASSERT_TRUE(output->write_image(OIIO::TypeFloat, values.data()));
   spec.width = spec.height = spec.full_width = spec.full_height = 16;
   ASSERT_TRUE(output->open(path.string(), spec, OIIO::ImageOutput::AppendMIPLevel)) << output->geterror();
   ASSERT_TRUE(output->write_image(OIIO::TypeFloat, values.data()));
-  output->close();
+  output.reset();
   StampFile file;
   const StampImage image = read_stamp(path, {}, &file);
   EXPECT_EQ(image.texels, values);

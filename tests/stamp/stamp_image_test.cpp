@@ -7,14 +7,41 @@
 #include <limits>
 #include <random>
 
+#include "images.h"
+
 namespace burin {
 namespace {
 
-StampImage random_image(int width, int height, int channels, std::mt19937& random) {
-  StampImage image{width, height, channels, {}, -1, 1};
-  std::uniform_real_distribution<float> value(-1, 1);
-  for (int i = 0; i < width * height * channels; ++i) image.texels.push_back(value(random));
-  return image;
+using test::random_image;
+
+TEST(SampleBilinear, GoesOnBeyondTheBorderAsTheImageDoes) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> place(-1, 2);
+  for (const Wrap wrap_u : {Wrap::periodic, Wrap::mirror, Wrap::clamp, Wrap::black})
+    for (const Wrap wrap_v : {Wrap::periodic, Wrap::mirror, Wrap::clamp, Wrap::black}) {
+      StampImage image = test::random_image(5, 4, 3, random);
+      image.wrap_u = wrap_u;
+      image.wrap_v = wrap_v;
+      const StampImage around = test::extended(image, 20);
+      for (int i = 0; i < 300; ++i) {
+        const float u = place(random), v = place(random);
+        ASSERT_NEAR(sample_bilinear(image, 1, u, v),
+                    sample_bilinear(around, 1, (u * 5 + 20) / 45, (v * 4 + 20) / 44), 1e-5)
+            << static_cast<int>(wrap_u) << " " << static_cast<int>(wrap_v) << ": " << u << " " << v;
+      }
+      EXPECT_TRUE(std::isfinite(sample_bilinear(image, 0, 1e30f, -1e30f)));
+    }
+}
+
+TEST(SampleBilinear, IsZeroFarOutsideOfABlackImageAndTheCornerOutsideOfAClampedOne) {
+  StampImage image{2, 2, 1, {1, 2, 3, 4}};
+  image.wrap_u = image.wrap_v = Wrap::black;
+  EXPECT_EQ(sample_bilinear(image, 0, -0.25f, 0.5f), 0);
+  EXPECT_EQ(sample_bilinear(image, 0, 1e30f, 0.5f), 0);
+  EXPECT_EQ(sample_bilinear(image, 0, 0, 0.25f), 0.5f);
+  image.wrap_u = image.wrap_v = Wrap::clamp;
+  EXPECT_EQ(sample_bilinear(image, 0, 1e30f, -1e30f), 2);
+  EXPECT_EQ(sample_bilinear(image, 0, 0.1f, 1.5f), 3);
 }
 
 /// The sample as a sum over all texels of triangle-shaped weights, repeated with period 1.

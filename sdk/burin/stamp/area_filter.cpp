@@ -76,6 +76,12 @@ double texel_place(float coordinate, Wrap wrap, int size, double reach) {
   return std::clamp(double{coordinate} * size, -reach - 2, size + reach + 2);
 }
 
+/// Without a call of std::floor, as in_period.
+std::ptrdiff_t whole_below(double place) {
+  const auto whole = static_cast<std::ptrdiff_t>(place);
+  return place < static_cast<double>(whole) ? whole - 1 : whole;
+}
+
 /// One channel of a level; texel centres lie at whole numbers.
 class Texels {
  public:
@@ -83,31 +89,37 @@ class Texels {
 
   /// Mean from (begin, y) to (end, y) of the bilinear image.
   double line_mean(double begin, double end, double y) const {
-    const auto row = static_cast<std::ptrdiff_t>(std::floor(y));
-    const double weight = y - static_cast<double>(row);
-    return (line_sum(row, begin, end) * (1 - weight) + line_sum(row + 1, begin, end) * weight) /
-           (end - begin);
+    const std::ptrdiff_t row = whole_below(y);
+    const Line line{row_of(row), row_of(row + 1), y - static_cast<double>(row)};
+    const std::ptrdiff_t first = whole_below(begin);
+    double sum = 0, left = value(line, first);
+    for (std::ptrdiff_t x = first; static_cast<double>(x) < end; ++x) {
+      const double right = value(line, x + 1), cell = static_cast<double>(x);
+      const double from = std::max(begin - cell, 0.0), to = std::min(end - cell, 1.0);
+      sum += (to - from) * (left + (right - left) * ((from + to) / 2));
+      left = right;
+    }
+    return sum / (end - begin);
   }
 
  private:
-  double line_sum(std::ptrdiff_t row, double begin, double end) const {
+  /// Two rows of texels, null where the image is black, and the weight of the second.
+  struct Line {
+    const float *above, *below;
+    double weight;
+  };
+
+  const float* row_of(std::ptrdiff_t row) const {
     const std::ptrdiff_t y = wrapped_index(row, image_.height, image_.wrap_v);
-    if (y == no_texel) return 0;
-    const float* texels = first_ + y * image_.width * image_.channels;
-    const auto at = [&](std::ptrdiff_t column) {
-      const std::ptrdiff_t x = wrapped_index(column, image_.width, image_.wrap_u);
-      return x == no_texel ? 0.0 : double{texels[x * image_.channels]};
-    };
-    const auto first = static_cast<std::ptrdiff_t>(std::floor(begin));
-    double sum = 0, left = at(first);
-    for (std::ptrdiff_t x = first; static_cast<double>(x) < end; ++x) {
-      const double right = at(x + 1), cell = static_cast<double>(x);
-      const double from = std::max(begin - cell, 0.0), to = std::min(end - cell, 1.0),
-                   middle = (from + to) / 2;
-      sum += (to - from) * (left * (1 - middle) + right * middle);
-      left = right;
-    }
-    return sum;
+    return y == no_texel ? nullptr : first_ + y * image_.width * image_.channels;
+  }
+
+  double value(const Line& line, std::ptrdiff_t column) const {
+    const std::ptrdiff_t x = wrapped_index(column, image_.width, image_.wrap_u);
+    if (x == no_texel) return 0;
+    const double above = line.above ? double{line.above[x * image_.channels]} : 0;
+    const double below = line.below ? double{line.below[x * image_.channels]} : 0;
+    return above + (below - above) * line.weight;
   }
 
   const StampImage& image_;
@@ -121,7 +133,7 @@ double ellipse_mean(const Texels& texels, double x, double y, const Ellipse& e) 
   const double half_chord = std::sqrt(e.xx - slope * e.xy);
   constexpr double node = 0.57735026918962576;
   double sum = 0, weights = 0;
-  for (double row = std::floor(y - height); row < y + height; ++row) {
+  for (auto row = static_cast<double>(whole_below(y - height)); row < y + height; ++row) {
     const double low = std::max(row, y - height), high = std::min(row + 1, y + height);
     for (const double at : {-node, node}) {
       const double line = (low + high + at * (high - low)) / 2, away = (line - y) / height;
@@ -141,8 +153,9 @@ double level_mean(const MipPyramid& pyramid, std::size_t index, int channel, flo
   const StampImage& stamp = pyramid.stamp();
   Ellipse e = on_level(on_stamp, static_cast<double>(stamp.width) / level.width(),
                        static_cast<double>(stamp.height) / level.height());
-  const double excess = 4 * half_axes(e).long_square / (longest * longest);
-  if (excess > 4) e = with_area({e.xx / excess * 4, e.xy / excess * 4, e.yy / excess * 4});
+  // The last level has no coarser one: there an ellipse of many images is made smaller.
+  const double shrink = longest * longest / half_axes(e).long_square;
+  if (shrink < 1) e = with_area({e.xx * shrink, e.xy * shrink, e.yy * shrink});
   const double x = texel_place(u, stamp.wrap_u, level.width(), std::sqrt(e.xx)) - 0.5 + level.ring_u;
   const double y = texel_place(v, stamp.wrap_v, level.height(), std::sqrt(e.yy)) - 0.5 + level.ring_v;
   return ellipse_mean(Texels(level.image, channel), x, y, e);
