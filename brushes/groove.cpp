@@ -69,7 +69,7 @@ class Groove : public Brush {
     const FloatsOut up = out.up();
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float across = in.stroke.distance(t[i], d[i]) / (widths[i] * radius[i]);
-      up[i] = -depths[i] * radius[i] * shape(across) * end_factor(in.stroke, t[i], radius[i]);
+      up[i] = -depths[i] * radius[i] * shape(across) * end_factor(in.stroke, t[i], radius[i], taper_);
     }
   }
 
@@ -85,13 +85,6 @@ class Groove : public Brush {
       default:
         return inside * inside * (1 + x) * (1 + x);
     }
-  }
-
-  /// 0 at an open end and beyond it, 1 from a taper's length on.
-  float end_factor(const Stroke& stroke, float t, float radius) const {
-    if (!stroke.has_ends() || taper_ == 0) return 1;
-    const float to_end = std::min(t, static_cast<float>(stroke.length() - t));
-    return smooth_step(to_end / (taper_ * radius));
   }
 
   const float taper_;  // radii

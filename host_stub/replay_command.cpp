@@ -11,11 +11,13 @@
 #include "options.h"
 #include "output_file.h"
 #include "platform.h"
+#include "render.h"
 #include "replay_report.h"
 #include "report_folder.h"
 #include "source_order.h"
 #include "stroke_choices.h"
 #include "stroke_input.h"
+#include "view.h"
 
 namespace burin::command {
 namespace {
@@ -24,7 +26,8 @@ struct ReplayOptions {
   std::vector<std::string> strokes, params;
   MeshOptions mesh;
   StrokeOverrides overrides;
-  std::string save_mesh, report;
+  ViewOptions view;
+  std::string save_mesh, png, report;
   bool json = false;
 };
 
@@ -34,13 +37,15 @@ std::vector<Recording> read_recordings(const std::vector<std::string>& paths) {
   return recordings;
 }
 
+bool draws(const ReplayOptions& options) { return !options.png.empty() || !options.report.empty(); }
+
 ReplaySummary replay_all(Session& session, const ReplayOptions& options,
                          const std::vector<Recording>& recordings, StrokeWitness& witness) {
   ReplaySummary summary{
       options.strokes, {}, session.surface().vertex_count(), seconds_since_process_start(), 0};
   ProgressBar bar;
   ReplayObserver observer{bar.progress(), {}};
-  if (!options.report.empty()) observer.piece_ended = [&](const Session& done) { witness.piece_ended(done); };
+  if (draws(options)) observer.piece_ended = [&](const Session& done) { witness.piece_ended(done); };
   for (std::size_t i = 0; i < recordings.size(); ++i) {
     naming_file(options.strokes[i],
                 [&] { add_result(summary, replay(session, recordings[i], options.overrides, observer)); });
@@ -69,8 +74,18 @@ std::optional<Camera> recorded_camera(const std::vector<Recording>& recordings) 
 
 void check_options(const ReplayOptions& options, const BrushLibrary& library) {
   check_output_path(options.save_mesh);
+  check_output_path(options.png);
   check_report_folder(options.report);
   if (options.overrides.brush) naming_file("--brush", [&] { library.find(*options.overrides.brush); });
+}
+
+void write_pictures(const ReplayOptions& options, Session& session, const StrokeWitness& witness,
+                    const Camera& camera, const ReplaySummary& summary, const Json& json) {
+  ProgressBar bar;
+  if (!options.png.empty())
+    write_png(options.png, render(session.surface(), session.picker(), camera, clay, bar.progress()));
+  if (!options.report.empty())
+    write_report(options.report, summary, json, draw_replay(session, witness, camera, bar.progress()));
 }
 
 void run(const ReplayOptions& options) {
@@ -90,10 +105,9 @@ void run(const ReplayOptions& options) {
   if (!options.save_mesh.empty()) {
     write_ply(options.save_mesh, in_source_order(session.surface(), session.positions()));
   }
-  if (!options.report.empty()) {
-    ProgressBar bar;
-    write_report(options.report, summary, json,
-                 draw_replay(session, witness, recorded_camera(recordings), bar.progress()));
+  if (draws(options)) {
+    const Camera camera = replay_view(session, witness, recorded_camera(recordings), options.view);
+    write_pictures(options, session, witness, camera, summary, json);
   }
   fmt::print("{}\n", options.json ? json_text(json) : mesh_line + "\n" + summary_text(summary));
 }
@@ -129,6 +143,9 @@ void add_replay(CLI::App& app) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_option("--save-mesh", options->save_mesh, "surface to write")->type_name("FILE.ply");
+  command.add_option("--png", options->png, "picture of the result, the strokes filling it")
+      ->type_name("FILE");
+  add_view_options(command, options->view);
   command.add_option("--report", options->report, "folder for a report with pictures")->type_name("FOLDER");
   command.add_flag("--json", options->json, "write JSON to the standard output");
   command.callback([options] {

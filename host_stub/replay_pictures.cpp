@@ -5,7 +5,6 @@
 
 #include "curve_overlay.h"
 #include "render.h"
-#include "view.h"
 
 namespace burin {
 namespace {
@@ -30,12 +29,14 @@ Vec3f StrokeWitness::colour(const SurfacePoint& point) const {
   return checkerboard_ ? (*checkerboard_)(point) : clay(point);
 }
 
-ReplayPictures draw_replay(Session& session, const StrokeWitness& witness,
-                           const std::optional<Camera>& recorded, const Progress& progress) {
-  const ViewOptions options;
-  const Camera camera = recorded
-                            ? fit_into(*recorded, options.width)
-                            : stroke_view(session.surface(), witness.curves(), witness.widest(), options);
+Camera replay_view(const Session& session, const StrokeWitness& witness,
+                   const std::optional<Camera>& recorded, const ViewOptions& options) {
+  if (recorded && !options.direction) return fit_into(*recorded, options.width);
+  return stroke_view(session.surface(), witness.curves(), witness.widest(), options);
+}
+
+ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const Camera& camera,
+                           const Progress& progress) {
   ReplayPictures pictures;
   pictures.after = render(session.surface(), session.picker(), camera, clay, progress);
   while (session.undo()) {

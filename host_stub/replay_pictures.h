@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "checkerboard.h"
+#include "view.h"
 
 namespace burin {
 
@@ -32,9 +33,13 @@ struct ReplayPictures {
   Picture chart;  ///< the strokes' (t, d) and curves on the surface before
 };
 
-/// Draws the surface with and without the strokes of the session, which are undone for it. `camera`: that of
-/// the recording; without one the pictures show the strokes from above.
-ReplayPictures draw_replay(Session& session, const StrokeWitness& witness,
-                           const std::optional<Camera>& camera, const Progress& progress);
+/// How to look at what a session drew: as the recording did if it has a camera and the options name no
+/// direction, else at the strokes from above.
+Camera replay_view(const Session& session, const StrokeWitness& witness,
+                   const std::optional<Camera>& recorded, const ViewOptions& options);
+
+/// Draws the surface with and without the strokes of the session, which are undone for it.
+ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const Camera& camera,
+                           const Progress& progress);
 
 }  // namespace burin

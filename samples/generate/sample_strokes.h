@@ -6,8 +6,9 @@
 namespace burin::samples {
 
 /// Writes the strokes drawn on the ewer: meander.stroke (groove, once around the shoulder, down past the
-/// handle and once around the foot), scale_band.stroke (scales, around the belly between the two) and
-/// scroll.stroke (groove, an S-scroll recorded in pixels of a camera that looks at the belly).
+/// handle and once around the foot), scale_band.stroke (scales, around the belly between the two), wave.stroke
+/// (groove, a short S on the belly that one look takes in) and scroll.stroke (groove, an S-scroll recorded in
+/// pixels of a camera that looks at the belly).
 /// `ewer`: the refined cage; the object-space strokes lie on it.
 void write_sample_strokes(const std::filesystem::path& folder, const Surface& ewer);
 

@@ -46,8 +46,8 @@ std::vector<double> arc_lengths(const std::vector<Sample>& samples) {
 class SampleStroke : public ::testing::TestWithParam<const char*> {};
 class ObjectStroke : public SampleStroke {};
 
-INSTANTIATE_TEST_SUITE_P(All, SampleStroke, ::testing::Values("meander", "scale_band", "scroll"));
-INSTANTIATE_TEST_SUITE_P(All, ObjectStroke, ::testing::Values("meander", "scale_band"));
+INSTANTIATE_TEST_SUITE_P(All, SampleStroke, ::testing::Values("meander", "scale_band", "wave", "scroll"));
+INSTANTIATE_TEST_SUITE_P(All, ObjectStroke, ::testing::Values("meander", "scale_band", "wave"));
 
 TEST_P(SampleStroke, IsReportedLikeATablets) {
   const Recording file = recording(GetParam());

@@ -42,11 +42,25 @@ class Stroke {
   /// read as their neutral value.
   bool has_pen(std::uint64_t input) const { return context_.pen_present & input; }
 
+  /// How far t lies beyond an end: below 0 before the start, above 0 after the end, else 0. With d it is the
+  /// way from the stroke to the place (t, d).
+  float beyond(float t) const {
+    if (closed()) return 0;
+    const float after = t - static_cast<float>(context_.length);
+    return after > 0 ? after : std::min(t, 0.0f);
+  }
+
   /// Distance to the stroke of the place (t, d): |d| beside it, round its ends within caps.
   float distance(float t, float d) const {
-    const float before = -t, after = t - static_cast<float>(context_.length);
-    const float beyond = std::max(before, after);
-    return beyond > 0 && !closed() ? std::hypot(beyond, d) : std::abs(d);
+    const float along = beyond(t);
+    return along != 0 ? std::hypot(along, d) : std::abs(d);
+  }
+
+  /// The length next to `period` (object units, > 0) that goes a whole number of times around a closed
+  /// stroke; on others `period` itself.
+  double whole_period(double period) const {
+    if (!closed() || !(length() > 0)) return period;
+    return length() / std::max(1.0, std::round(length() / period));
   }
 
  private:

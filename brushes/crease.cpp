@@ -1,0 +1,97 @@
+// org.burin.crease: a sharp valley or ridge with raised sides.
+
+#include <burin/plugin/plugin.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace burin::plugin;
+
+class Crease : public Brush {
+ public:
+  static constexpr BrushInfo info{
+      .id = "org.burin.crease",
+      .name = "Crease",
+      .vendor = "Burin",
+      .version = "1.0.0",
+      .help = "Cuts a sharp valley, or folds up a sharp ridge, and gathers the surface along it.",
+      .features = {"procedural"},
+      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
+      .outputs = BURIN_OUTPUT_DISPLACEMENT,
+  };
+  static constexpr FloatParam depth{
+      .id = "depth",
+      .name = "Depth",
+      .help = "Depth along the middle; below 0 a ridge.",
+      .unit = BURIN_UNIT_RADIUS,
+      .hard = {-10, 10},
+      .soft = {-1, 1},
+      .initial = 0.35f,
+      .dynamic = true,
+  };
+  static constexpr FloatParam sharpness{
+      .id = "sharpness",
+      .name = "Sharpness",
+      .help = "How steeply the sides fall to the middle: exponent of the profile.",
+      .hard = {1.5f, 32},
+      .soft = {2, 10},
+      .initial = 5,
+      .dynamic = true,
+  };
+  static constexpr FloatParam bulge{
+      .id = "bulge",
+      .name = "Bulge",
+      .help = "Height of the sides as a share of the depth.",
+      .hard = {0, 1},
+      .initial = 0.25f,
+      .dynamic = true,
+  };
+  static constexpr FloatParam pinch{
+      .id = "pinch",
+      .name = "Pinch",
+      .help = "How much the surface is drawn together towards the middle.",
+      .hard = {0, 1},
+      .initial = 0.3f,
+      .dynamic = true,
+  };
+  static constexpr FloatParam taper{
+      .id = "taper",
+      .name = "Taper",
+      .help = "Length over which the crease fades out at either end.",
+      .unit = BURIN_UNIT_RADIUS,
+      .hard = {0, 1000},
+      .soft = {0, 10},
+      .initial = 3,
+  };
+  static constexpr auto params = param_list(depth, sharpness, bulge, pinch, taper);
+
+  explicit Crease(StrokeStart& start) : taper_(start.params[taper].value()) {
+    start.end_influence = taper_ * start.stroke.radius_max();
+  }
+
+  void evaluate(const Batch& in, const Outputs& out) const override {
+    const Floats t = in.t(), d = in.d(), radius = in.radius();
+    const Floats depths = in.params[depth], exponents = in.params[sharpness];
+    const Floats bulges = in.params[bulge], pinches = in.params[pinch];
+    const FloatsOut along = out.along(), across = out.across(), up = out.up();
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      const float x = in.stroke.distance(t[i], d[i]) / radius[i], inside = std::max(1 - x, 0.0f);
+      const float valley = std::pow(inside, exponents[i]);
+      const float side = 16 * x * x * inside * inside;  // 1 half way to the rim, level at either end
+      const float ends = end_factor(in.stroke, t[i], radius[i], taper_);
+      const float pull = pinches[i] * inside * inside * ends;  // never beyond the middle
+      along[i] = -pull * in.stroke.beyond(t[i]);
+      across[i] = -pull * d[i];
+      up[i] = depths[i] * radius[i] * (bulges[i] * side - valley) * ends;
+    }
+  }
+
+ private:
+  const float taper_;  // radii
+};
+
+}  // namespace
+
+BURIN_PLUGIN(Crease);

@@ -1,0 +1,144 @@
+// org.burin.stitches: rows of thread that comes out of one hole of the surface and goes into the next.
+
+#include <burin/plugin/plugin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace {
+
+using namespace burin::plugin;
+
+class Stitches : public Brush {
+ public:
+  static constexpr BrushInfo info{
+      .id = "org.burin.stitches",
+      .name = "Stitches",
+      .vendor = "Burin",
+      .version = "1.0.0",
+      .help = "Sews rows of whole stitches, with holes and a slightly puckered surface.",
+      .features = {"procedural"},
+      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
+      .outputs = BURIN_OUTPUT_DISPLACEMENT,
+  };
+  static constexpr ChoiceParam pattern{
+      .id = "pattern",
+      .name = "Pattern",
+      .help = "Straight along the stroke, crosses, or zigzag.",
+      .choices = {"straight", "cross", "zigzag"},
+  };
+  static constexpr IntParam rows{
+      .id = "rows",
+      .name = "Rows",
+      .hard = {1, 16},
+      .soft = {1, 4},
+      .initial = 1,
+  };
+  static constexpr FloatParam length{
+      .id = "length",
+      .name = "Length",
+      .help = "From stitch to stitch.",
+      .unit = BURIN_UNIT_RADIUS,
+      .hard = {0.05f, 1000},
+      .soft = {0.5f, 4},
+      .initial = 1.6f,
+  };
+  static constexpr FloatParam thread{
+      .id = "thread",
+      .name = "Thread",
+      .help = "Half the thickness of the thread.",
+      .unit = BURIN_UNIT_RADIUS,
+      .hard = {0.005f, 0.25f},
+      .initial = 0.14f,
+      .dynamic = true,
+  };
+  static constexpr FloatParam pucker{
+      .id = "pucker",
+      .name = "Pucker",
+      .help = "Height of the surface between the holes.",
+      .unit = BURIN_UNIT_RADIUS,
+      .hard = {-1, 1},
+      .soft = {0, 0.5f},
+      .initial = 0.12f,
+      .dynamic = true,
+  };
+  static constexpr auto params = param_list(pattern, rows, length, thread, pucker);
+
+  explicit Stitches(StrokeStart& start)
+      : stitch_(stitches[start.params[pattern].value()]),
+        rows_(static_cast<float>(start.params[rows].value())),
+        length_(start.params[length].value() * start.stroke.radius_max()) {
+    start.end_influence = length_;
+  }
+
+  void evaluate(const Batch& in, const Outputs& out) const override {
+    const Floats t = in.t(), d = in.d(), radius = in.radius();
+    const Floats threads = in.params[thread], puckers = in.params[pucker];
+    const FloatsOut up = out.up();
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      const Tile tile = tile_at(in.stroke, t[i], d[i], radius[i]);
+      if (!tile.whole) continue;
+      const float x = std::min(in.stroke.distance(t[i], d[i]) / radius[i], 1.0f);
+      const float between = 0.5f - 0.5f * std::cos(2 * std::numbers::pi_v<float> * tile.u / tile.length);
+      const float cloth = puckers[i] * radius[i] * (1 - x * x) * (1 - x * x) * between;
+      up[i] = sewn(tile, threads[i] * radius[i] / std::sqrt(rows_), cloth);
+    }
+  }
+
+ private:
+  struct Tile {
+    float u, v;           // from its start along the stroke and from the middle of its row, object units
+    float length, width;  // the same for its end and for its side
+    bool whole;           // its stitch fits into the stroke
+  };
+  /// From hole to hole: u in tiles, v in half rows.
+  struct Segment {
+    float u0, v0, u1, v1;
+  };
+  static constexpr Segment straight[] = {{.16f, 0, .84f, 0}};
+  static constexpr Segment cross[] = {{.2f, -.7f, .8f, .7f}, {.2f, .7f, .8f, -.7f}};
+  static constexpr Segment zigzag[] = {{.12f, -.7f, .42f, .7f}, {.58f, .7f, .88f, -.7f}};
+  static constexpr std::span<const Segment> stitches[] = {straight, cross, zigzag};
+
+  Tile tile_at(const Stroke& stroke, float t, float d, float radius) const {
+    const bool dab = stroke.dab();
+    const double period = dab ? std::min(length_, 1.4 * radius) : stroke.whole_period(length_);
+    const double place = t / period + (dab ? 0.5 : 0), tile = std::floor(place);
+    const bool whole =
+        stroke.closed() || (tile >= 0 && (dab ? tile < 1 : (tile + 1) * period <= stroke.length()));
+    const float half_row = 0.6f * radius / rows_;
+    const float row = std::clamp(std::floor(0.5f * (d / half_row + rows_)), 0.0f, rows_ - 1);
+    return {static_cast<float>((place - tile) * period), d - half_row * (2 * row + 1 - rows_),
+            static_cast<float>(period), half_row, whole};
+  }
+
+  /// Height of the cloth with its holes and of the thread above it; r: half its thickness.
+  float sewn(const Tile& tile, float r, float cloth) const {
+    float holes = 0, highest = -10 * r, over = 0;
+    for (const Segment& s : stitch_) {
+      const float u = tile.u - s.u0 * tile.length, v = tile.v - s.v0 * tile.width;
+      const float way_u = (s.u1 - s.u0) * tile.length, way_v = (s.v1 - s.v0) * tile.width;
+      const float way = std::hypot(way_u, way_v);
+      const float along = std::clamp((u * way_u + v * way_v) / way, 0.0f, way),
+                  to_hole = std::min(along, way - along);
+      const float beside = std::hypot(u - along * way_u / way, v - along * way_v / way);
+      const float hole = std::min(std::hypot(u, v), std::hypot(u - way_u, v - way_v));
+      holes = std::max(holes, 1 - smooth_step(hole / (1.8f * r)));
+      const float sunk = 2 * r * (1 - smooth_step(to_hole / (3 * r)));
+      const float crossing = over * smooth_step(2 - std::abs(along - way / 2) / (2 * r));
+      highest = std::max(highest, r * strand_profile(beside / r) - sunk + crossing);
+      over += r;
+    }
+    return std::max(cloth - 2 * r * holes, cloth + highest);
+  }
+
+  const std::span<const Segment> stitch_;
+  const float rows_;
+  const double length_;  // of an open stroke's tiles, object units
+};
+
+}  // namespace
+
+BURIN_PLUGIN(Stitches);
