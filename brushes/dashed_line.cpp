@@ -71,24 +71,24 @@ class DashedLine : public Brush {
     const Cells cells(in);
     const Floats widths = in.params[width];
     const ink::Ink ink(in, out);
-    const Periods dashes = periods(in.stroke, period_);
+    const double period = in.stroke.whole_period(period_);
     for (std::size_t i = 0; i < in.size(); ++i) {
       const Cell cell = cells[i];
-      ink.draw(i, distance(in.stroke, dashes, cell, widths[i] * cell.radius), cell.footprint());
+      ink.draw(i, distance(in.stroke, period, cell, widths[i] * cell.radius), cell.footprint());
     }
   }
 
  private:
   /// To the nearest dash; the last one of an open stroke ends with it.
-  float distance(const Stroke& stroke, const Periods& dashes, const Cell& cell, float half_width) const {
-    const double t = along_line(stroke, cell.t), whole = dash_ * dashes.length / period_;
-    double place = std::round((t - whole / 2) / dashes.length), dash_length = whole;
+  float distance(const Stroke& stroke, double period, const Cell& cell, float half_width) const {
+    const double t = stroke.along_line(cell.t), whole = dash_ * period / period_;
+    double place = std::round((t - whole / 2) / period), dash_length = whole;
     if (stroke.has_ends()) {
-      place = std::clamp(place, 0.0, std::max(std::ceil(stroke.length() / dashes.length) - 1, 0.0));
-      dash_length = std::min(whole, stroke.length() - place * dashes.length);
+      place = std::clamp(place, 0.0, std::max(std::ceil(stroke.length() / period) - 1, 0.0));
+      dash_length = std::min(whole, stroke.length() - place * period);
     }
     const auto half = static_cast<float>(dash_length / 2);
-    const Place p{static_cast<float>(t - place * dashes.length) - half, cell.d};
+    const Place p{static_cast<float>(t - place * period) - half, cell.d};
     if (caps_ == butt) return box(p, half, half_width);
     return capsule(p, std::max(half - half_width, 0.0f), half_width);
   }

@@ -82,10 +82,10 @@ class PatternedFill : public Brush {
     const Cells cells(in);
     const Floats widths = in.params[width];
     const ink::Ink ink(in, out);
-    const Periods columns = periods(in.stroke, cell_);
+    const double length = in.stroke.whole_period(cell_);
     for (std::size_t i = 0; i < in.size(); ++i) {
       const Cell node = cells[i];
-      const double column = along_line(in.stroke, node.t) / columns.length;
+      const double column = in.stroke.along_line(node.t) / length;
       const Place p{static_cast<float>(column - std::floor(column)), static_cast<float>(node.d / cell_)};
       const float band = in.stroke.distance(node.t, node.d) - widths[i] * node.radius;
       const float inner = cut(in_cell(p) * static_cast<float>(cell_), band);

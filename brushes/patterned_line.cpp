@@ -78,22 +78,22 @@ class PatternedLine : public Brush {
     const Cells cells(in);
     const Floats widths = in.params[width];
     const ink::Ink ink(in, out);
-    const Periods row = periods(in.stroke, spacing_);
+    const double length = in.stroke.whole_period(spacing_);
     for (std::size_t i = 0; i < in.size(); ++i) {
       const Cell cell = cells[i];
-      ink.draw(i, nearest(in.stroke, row, cell, widths[i] * cell.radius), cell.footprint());
+      ink.draw(i, nearest(in.stroke, length, cell, widths[i] * cell.radius), cell.footprint());
     }
   }
 
  private:
   /// To the nearer of the two figures that the node lies between, of those that the stroke has room for.
-  float nearest(const Stroke& stroke, const Periods& row, const Cell& cell, float half_width) const {
-    const double t = along_line(stroke, cell.t), place = std::round(t / row.length);
-    const double last = std::max(std::floor(stroke.length() / row.length) - 1, 0.0);
+  float nearest(const Stroke& stroke, double length, const Cell& cell, float half_width) const {
+    const double t = stroke.along_line(cell.t), place = std::round(t / length);
+    const double last = std::max(std::floor(stroke.length() / length) - 1, 0.0);
     const auto to = [&](double column) {
       if (stroke.has_ends()) column = std::clamp(column, 0.0, last);
-      const Place from_middle{static_cast<float>(t - (column + 0.5) * row.length), cell.d};
-      return distance(from_middle, static_cast<float>(row.length), half_width);
+      const Place from_middle{static_cast<float>(t - (column + 0.5) * length), cell.d};
+      return distance(from_middle, static_cast<float>(length), half_width);
     };
     return join(to(place - 1), to(place));
   }

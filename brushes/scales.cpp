@@ -112,7 +112,7 @@ class Scales : public Brush {
         in.size(), [&](std::size_t i) { return tiling.at(cells[i]).area; }, up);
     for (std::size_t i = 0; i < in.size(); ++i) {
       const Cell cell = cells[i];
-      const float faded = smooth_step((1 - in.stroke.distance(cell.t, cell.d) / cell.radius) / rim);
+      const float faded = rim_factor(in.stroke, cell.t, cell.d, cell.radius, rim);
       up[i] = depths[i] * cell.radius * (up[i] - grey_centre) * faded;
     }
   }

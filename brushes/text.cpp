@@ -101,8 +101,7 @@ class Text : public Brush {
     sample(false, covered);
     sample(true, rise);  // the slope of a letter's edge is its blur
     for (std::size_t i = 0; i < in.size(); ++i) {
-      const float inside = 1 - in.stroke.distance(cells[i].t, cells[i].d) / cells[i].radius;
-      const float fade = smooth_step(inside / 0.1f);
+      const float fade = rim_factor(in.stroke, cells[i].t, cells[i].d, cells[i].radius, 0.1f);
       ink.draw_covered(i, covered[i] * fade, rise[i] * fade);
     }
   }

@@ -101,7 +101,7 @@ class Tread : public Brush {
         [&](const Tile& shown) -> const Stamp& { return stamps_[place_of(shown)]; }, up);
     for (std::size_t i = 0; i < in.size(); ++i) {
       const Cell cell = cells[i];
-      const float faded = smooth_step((1 - in.stroke.distance(cell.t, cell.d) / cell.radius) / rim);
+      const float faded = rim_factor(in.stroke, cell.t, cell.d, cell.radius, rim);
       up[i] *= heights[i] * cell.radius * faded;
     }
   }

@@ -153,9 +153,11 @@ double greatest_jump(const TileLayout& layout, const Context& context, const Ima
     return image(tile.area.at.u, tile.area.at.v);
   };
   const bool closed = Stroke(context).closed();
-  const double pitch = plugin::periods(Stroke(context), layout.length + layout.gap, layout.fit,
-                                       closed && layout.mirror_along ? 2 : 1)
-                           .length;
+  double pitch = layout.length;
+  if (closed || layout.fit) {
+    const double pair = closed && layout.mirror_along ? 2 : 1;
+    pitch = context.length / (pair * std::max(1.0, std::round(context.length / (pair * pitch))));
+  }
   constexpr float step = 1e-5f;
   double jump = 0;
   for (float d = -0.95f; d < 1; d += 0.05f) {

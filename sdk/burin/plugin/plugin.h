@@ -11,7 +11,6 @@
 #include <burin/plugin/log.h>
 #include <burin/plugin/noise.h>
 #include <burin/plugin/params.h>
-#include <burin/plugin/periods.h>
 #include <burin/plugin/random.h>
 #include <burin/plugin/sample_tiles.h>
 #include <burin/plugin/shapes.h>

@@ -1,6 +1,5 @@
 #pragma once
 #include <burin/plugin/cell.h>
-#include <burin/plugin/periods.h>
 #include <burin/plugin/random.h>
 #include <burin/plugin/stamps.h>
 
@@ -75,10 +74,9 @@ class Tiling {
         starts_(layout.start && stroke.has_ends()),
         ends_(layout.end && stroke.has_ends()) {
     const double pitch = unit_ * (static_cast<double>(layout.length) + layout.gap);
-    const bool even = layout.mirror_along && stroke.closed();
-    columns_ = periods(stroke, pitch, layout.fit, even ? 2 : 1);
-    if (starts_ && ends_ && columns_.count == 1) columns_ = {stroke.length() / 2, 2};
-    tile_length_ = columns_.length * layout.length / (static_cast<double>(layout.length) + layout.gap);
+    columns_ = whole_columns(pitch);
+    pitch_ = columns_ > 0 ? stroke.length() / columns_ : pitch;
+    tile_length_ = pitch_ * layout.length / (static_cast<double>(layout.length) + layout.gap);
   }
 
   /// How far back from the end of a stroke its tiles depend on where that is; for StrokeStart.
@@ -109,7 +107,7 @@ class Tiling {
     tile.cosine = std::cos(angle);
     tile.sine = std::sin(angle);
     const Frame frame{tile, tile_length_, width};
-    const Vector middle{(x - 0.5) * columns_.length, (0.5 - (y - row)) * width};
+    const Vector middle{(x - 0.5) * pitch_, (0.5 - (y - row)) * width};
     const Vector place = frame.in_stamp(middle);
     const Vector along = frame.in_stamp({cell.footprint_t, 0}),
                  across = frame.in_stamp({0, cell.footprint_d});
@@ -133,6 +131,15 @@ class Tiling {
     }
   };
 
+  /// How many the stroke has of those that are stretched to fit; 0: no tile is.
+  double whole_columns(double pitch) const {
+    const bool whole = stroke_.closed() || (layout_.fit && stroke_.has_ends());
+    if (!whole || stroke_.length() <= 0) return 0;
+    const double pair = layout_.mirror_along && stroke_.closed() ? 2 : 1;
+    const double count = pair * std::max(1.0, std::round(stroke_.length() / (pitch * pair)));
+    return starts_ && ends_ ? std::max(count, 2.0) : count;
+  }
+
   /// The tiles of a dab are told from those of others by where on its line it lies.
   static std::uint64_t key(const Stroke& stroke) {
     return stroke.dab() ? Random(stroke.seed()).bits(std::bit_cast<std::uint64_t>(stroke.dab_t()))
@@ -145,8 +152,8 @@ class Tiling {
   double column_at(float t, Tile& tile) const {
     tile.role = Tile::middle;
     tile.on_stroke = true;
-    if (stroke_.dab()) return t / columns_.length + 0.5;
-    const double first = t / columns_.length, length = stroke_.length() / columns_.length;
+    if (stroke_.dab()) return t / pitch_ + 0.5;
+    const double first = t / pitch_, length = stroke_.length() / pitch_;
     // A stroke too short for both shows half of either.
     const double last = std::max(length - 1, starts_ ? std::min(1.0, length / 2) : 0.0);
     if (ends_ && first >= last) {
@@ -162,8 +169,8 @@ class Tiling {
     tile.column = static_cast<std::int64_t>(column);
     const double middle = column + 0.5 + layout_.offset_along;
     tile.on_stroke = !stroke_.has_ends() || (middle >= 0 && middle <= length);
-    if (stroke_.closed() && columns_.count > 0)
-      tile.column -= static_cast<std::int64_t>(columns_.count * std::floor(column / columns_.count));
+    if (stroke_.closed() && columns_ > 0)
+      tile.column -= static_cast<std::int64_t>(columns_ * std::floor(column / columns_));
     return x - column;
   }
 
@@ -188,8 +195,8 @@ class Tiling {
   const double unit_;  // object units, of the layout's lengths
   const Random random_;
   const bool starts_, ends_;
-  Periods columns_;
-  double tile_length_;  // object units
+  double columns_;              // that fit the stroke; 0: they go on however long it gets
+  double pitch_, tile_length_;  // along the stroke, object units
 };
 
 }  // namespace burin::plugin
