@@ -87,7 +87,7 @@ class Arrow : public Brush {
     const float head = size * head_length_, base = size * head_width_ * radius;
     const float half = std::min(size * shaft_ * radius, base);
     const float narrow = length - head * half / base;  // where the head is as narrow as the shaft
-    return join(join(circle(p, size * tail_ * radius), box(p - Place{narrow / 2, 0}, narrow / 2, half)),
+    return join(join(circle(p, size * tail_ * radius), bar(p, narrow, half)),
                 triangle(p - Place{length - head, 0}, head, base));
   }
 

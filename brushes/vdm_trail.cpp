@@ -78,8 +78,7 @@ class VdmTrail : public Brush {
   static constexpr auto params = param_list(stamp, size, gap, amount, angle, mirror, flip);
 
   explicit VdmTrail(StrokeStart& start)
-      : layout_(layout(start.params)),
-        map_(start.host, start.params[stamp], {BURIN_WRAP_BLACK, BURIN_WRAP_BLACK}) {
+      : layout_(layout(start.params)), map_(start.host, start.params[stamp], Tiling::options(layout_)) {
     if (map_.info().channels < 3)
       throw Error(std::string(start.params[stamp]) + ": a vector displacement map has three channels");
     // A stamp is there from the moment on when the stroke reaches its middle.

@@ -51,6 +51,11 @@ TEST(Shapes, Box) {
                   [](Place p) { return std::abs(p.x) < 0.9f && std::abs(p.y) < 0.5f; });
 }
 
+TEST(Shapes, Bar) {
+  expect_distance([](Place p) { return bar(p, 1.3f, 0.5f); },
+                  [](Place p) { return p.x > 0 && p.x < 1.3f && std::abs(p.y) < 0.5f; });
+}
+
 TEST(Shapes, Capsule) {
   expect_distance([](Place p) { return capsule(p, 0.6f, 0.5f); },
                   [](Place p) { return std::hypot(p.x - std::clamp(p.x, -0.6f, 0.6f), p.y) < 0.5f; });

@@ -24,10 +24,19 @@ inline float outline(float distance, float thickness) {
 
 inline float circle(Place p, float radius) { return std::hypot(p.x, p.y) - radius; }
 
+/// A rectangle that the place lies beyond by so much along x and y, negative inside.
+inline float rectangle(float x, float y) {
+  return std::hypot(std::max(x, 0.0f), std::max(y, 0.0f)) + std::min(std::max(x, y), 0.0f);
+}
+
 /// The rectangle |x| <= half_x, |y| <= half_y.
 inline float box(Place p, float half_x, float half_y) {
-  const float x = std::abs(p.x) - half_x, y = std::abs(p.y) - half_y;
-  return std::hypot(std::max(x, 0.0f), std::max(y, 0.0f)) + std::min(std::max(x, y), 0.0f);
+  return rectangle(std::abs(p.x) - half_x, std::abs(p.y) - half_y);
+}
+
+/// The rectangle 0 <= x <= length, |y| <= half_y.
+inline float bar(Place p, float length, float half_y) {
+  return rectangle(std::max(-p.x, p.x - length), std::abs(p.y) - half_y);
 }
 
 /// All that is at most `radius` away from the points |x| <= half_x of the x axis.
