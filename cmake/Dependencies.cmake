@@ -42,12 +42,19 @@ burin_dependency(apt nlohmann-json3-dev why "stroke files, reports")
 find_package(nlohmann_json 3.11 REQUIRED)
 
 # The tools because Debian's configuration of the library insists on finding them.
-burin_dependency(apt libopenimageio-dev openimageio-tools why "EXR stamps in, PNG pictures out")
+burin_dependency(apt libopenimageio-dev openimageio-tools why "stamps in, PNG pictures out")
 find_package(OpenImageIO 2.4 REQUIRED)
 # Debian's configuration of it names a folder of OpenCV that its package does not bring; the headers' own
 # folder comes with OpenImageIO_Util.
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
   INTERFACE_INCLUDE_DIRECTORIES "" INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "")
+
+# Not OpenImageIO's own drawing of text, which knows no kerning.
+burin_dependency(apt libfreetype-dev why "outlines of letters")
+find_package(Freetype REQUIRED)
+
+burin_dependency(apt libharfbuzz-dev why "choice and places of letters in a line: ligatures, kerning")
+burin_find_library(HarfBuzz::harfbuzz harfbuzz/hb.h harfbuzz)
 
 burin_dependency(apt libcli11-dev why "command line of burin")
 find_package(CLI11 REQUIRED)
@@ -62,6 +69,8 @@ if(BURIN_TESTS)
 
   burin_dependency(apt libbenchmark-dev why "benchmarks of single kernels")
   find_package(benchmark 1.7 REQUIRED)
+
+  burin_dependency(apt fonts-dejavu-core why "tests set text in a font that is known")
 
   burin_dependency(apt xz-utils why "tests unpack the compressed meshes of ../shared/data")
   find_program(XZ_PROGRAM xz REQUIRED)

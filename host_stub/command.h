@@ -9,6 +9,7 @@ void add_replay(CLI::App& app);
 void add_chart(CLI::App& app);
 void add_render(CLI::App& app);
 void add_list(CLI::App& app);
+void add_stamp(CLI::App& app);
 void add_import(CLI::App& app);
 void add_bench(CLI::App& app);
 

@@ -43,6 +43,8 @@ const std::map<std::string, Names> third_party = {
     {"opensubdiv/", {"subdiv"}},
     {"openvdb/", {"volume"}},
     {"OpenImageIO/", {"stamp"}},
+    {"freetype/", {"stamp"}},
+    {"harfbuzz/", {"stamp"}},
     {"embree", {"surface"}},
     {"nanoflann", {"surface"}},
     {"assimp/", {"surface"}},

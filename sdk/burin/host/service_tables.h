@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/abi/ext/lettering.h>
 #include <burin/abi/ext/log.h>
 #include <burin/abi/ext/stamps.h>
 #include <burin/host/services.h>
@@ -13,6 +14,7 @@ namespace burin {
 
 /// What HostServices hands out by id.
 extern const burin_stamps stamps_service;
+extern const burin_lettering lettering_service;
 
 inline HostServices& services(const burin_host* host) { return *static_cast<HostServices*>(host->self); }
 

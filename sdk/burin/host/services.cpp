@@ -15,6 +15,7 @@ const void* BURIN_CALL get_extension(const burin_host*, const char* id) {
   if (!id) return nullptr;
   if (std::strcmp(id, BURIN_EXT_LOG) == 0) return &log_service;
   if (std::strcmp(id, BURIN_EXT_STAMPS) == 0) return &stamps_service;
+  if (std::strcmp(id, BURIN_EXT_LETTERING) == 0) return &lettering_service;
   return nullptr;
 }
 

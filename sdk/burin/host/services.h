@@ -6,7 +6,8 @@
 
 namespace burin {
 
-/// What this host gives to plugins: the log and the stamps. Must stay in place while plugins know of it.
+/// What this host gives to plugins: the log, stamps and lettering. Must stay in place while plugins know of
+/// it.
 class HostServices {
  public:
   /// Must not throw. Any thread, concurrent.

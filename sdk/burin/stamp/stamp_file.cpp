@@ -95,20 +95,12 @@ std::vector<float> display_window(const OIIO::ImageSpec& spec, std::vector<float
   return display;
 }
 
-Wrap wrap_of(std::string_view word) {
-  if (word == "periodic") return Wrap::periodic;
-  if (word == "mirror") return Wrap::mirror;
-  if (word == "clamp") return Wrap::clamp;
-  if (word == "black") return Wrap::black;
-  return Wrap::unknown;
-}
-
 /// "periodic,clamp" of texture files: u, then v; one word holds for both.
 void read_wrap(const OIIO::ImageSpec& spec, StampFile& file) {
   const std::string modes = spec.get_string_attribute("wrapmodes");
   const std::size_t comma = modes.find(',');
-  file.wrap_u = wrap_of(std::string_view(modes).substr(0, comma));
-  file.wrap_v = comma == modes.npos ? file.wrap_u : wrap_of(std::string_view(modes).substr(comma + 1));
+  file.wrap_u = wrap_named(std::string_view(modes).substr(0, comma));
+  file.wrap_v = comma == modes.npos ? file.wrap_u : wrap_named(std::string_view(modes).substr(comma + 1));
 }
 
 StampFile describe(OIIO::ImageInput& input) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace burin {
 namespace {
@@ -23,14 +24,16 @@ TexelSpan texel_span(float coordinate, int size, Wrap wrap) {
 
 }  // namespace
 
-void set_range(StampImage& image) {
-  image.minimum = std::numeric_limits<float>::infinity();
-  image.maximum = -image.minimum;
-  for (std::size_t i = 0; i < image.texels.size(); i += static_cast<std::size_t>(image.channels)) {
-    image.minimum = std::min(image.minimum, image.texels[i]);
-    image.maximum = std::max(image.maximum, image.texels[i]);
-  }
+std::pair<float, float> channel_range(const StampImage& image, int channel) {
+  constexpr float beyond = std::numeric_limits<float>::infinity();
+  std::pair<float, float> range = {beyond, -beyond};
+  for (std::size_t i = static_cast<std::size_t>(channel); i < image.texels.size();
+       i += static_cast<std::size_t>(image.channels))
+    range = {std::min(range.first, image.texels[i]), std::max(range.second, image.texels[i])};
+  return range;
 }
+
+void set_range(StampImage& image) { std::tie(image.minimum, image.maximum) = channel_range(image, 0); }
 
 float sample_bilinear(const StampImage& image, int channel, float u, float v) {
   if (!std::isfinite(u) || !std::isfinite(v)) return std::numeric_limits<float>::quiet_NaN();

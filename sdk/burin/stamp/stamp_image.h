@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/stamp/wrap.h>
 
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -12,6 +13,9 @@ struct StampImage {
   float minimum = 0, maximum = 0;                         ///< over the first channel
   Wrap wrap_u = Wrap::periodic, wrap_v = Wrap::periodic;  ///< never unknown
 };
+
+/// Least and greatest value of a channel.
+std::pair<float, float> channel_range(const StampImage& image, int channel);
 
 /// Sets minimum and maximum.
 void set_range(StampImage& image);

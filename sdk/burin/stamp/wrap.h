@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace burin {
 
@@ -13,6 +14,12 @@ enum class Wrap : std::int32_t {
   clamp = 3,     ///< the texel at the border goes on
   black = 4      ///< 0
 };
+
+/// "periodic", "mirror", "clamp", "black"; "unknown".
+std::string_view wrap_name(Wrap wrap);
+
+/// Wrap::unknown for any other text.
+Wrap wrap_named(std::string_view name);
 
 constexpr std::ptrdiff_t no_texel = -1;
 

@@ -1,0 +1,36 @@
+#include <burin/host/service_tables.h>
+#include <burin/host/utf8_path.h>
+#include <burin/stamp/font_search.h>
+#include <burin/stamp/lettering.h>
+
+#include <utility>
+
+namespace burin {
+namespace {
+
+burin_lettering_info info_of(const Lettering& lettering) {
+  return {.struct_size = 0,
+          .width = lettering.width,
+          .ascent = lettering.ascent,
+          .descent = lettering.descent,
+          .left = lettering.left,
+          .right = lettering.right,
+          .bottom = lettering.bottom,
+          .top = lettering.top};
+}
+
+burin_status BURIN_CALL set(const burin_host* host, const char* font, const char* text, std::uint32_t em,
+                            burin_stamp* stamp, burin_lettering_info* info, burin_text* error) {
+  if (!font || !text || !stamp || em < least_em || em > greatest_em) return BURIN_INVALID_ARGUMENT;
+  return status_of(error, [&] {
+    Lettering lettering = set_lettering(find_font(path_from_utf8(font)), text, em);
+    stamp->handle = services(host).stamps().add(std::move(lettering.image));
+    fill_known_members(info_of(lettering), info);
+  });
+}
+
+}  // namespace
+
+constexpr burin_lettering lettering_service{sizeof(burin_lettering), 0, set};
+
+}  // namespace burin
