@@ -105,7 +105,7 @@ class Bark : public Brush {
  private:
   /// Cracks run where the noise is 0. Of mean 0 like the noise, so that octaves fade without a change of
   /// level.
-  float shaped(float n) const { return pattern_ == noise ? n : 1.7f * std::sqrt(std::abs(n)) - 0.8f; }
+  float shaped(float n) const { return pattern_ == noise ? n : 0.6f - 0.16f / (std::abs(n) + 0.1f); }
 
   const int pattern_;
   const double width_, length_;  // of the first octave's cells, object units; of open strokes

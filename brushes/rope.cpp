@@ -51,6 +51,7 @@ class Rope : public Brush {
   static constexpr IntParam strands{
       .id = "strands",
       .name = "Strands",
+      .help = "Number of strands.",
       .hard = {2, 3},
       .initial = 3,
   };
@@ -77,7 +78,7 @@ class Rope : public Brush {
     const double turn_length = in.stroke.whole_period(turn_);
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float beyond = in.stroke.beyond(t[i]) / radius[i];
-      const float half_width = widths[i] * radius[i] * (1 - beyond * beyond);  // closes within round caps
+      const float half_width = widths[i] * radius[i] * (1 - beyond * beyond);  // closes within caps
       if (std::abs(d[i]) >= half_width) continue;
       const auto turns = static_cast<float>(t[i] / turn_length - std::floor(t[i] / turn_length));
       const float steepness = half_width / static_cast<float>(turn_length);

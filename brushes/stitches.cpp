@@ -32,6 +32,7 @@ class Stitches : public Brush {
   static constexpr IntParam rows{
       .id = "rows",
       .name = "Rows",
+      .help = "Rows side by side; threads of narrow rows are thin.",
       .hard = {1, 16},
       .soft = {1, 4},
       .initial = 1,
@@ -43,7 +44,7 @@ class Stitches : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.05f, 1000},
       .soft = {0.5f, 4},
-      .initial = 1.6f,
+      .initial = 2,
   };
   static constexpr FloatParam thread{
       .id = "thread",
@@ -51,7 +52,7 @@ class Stitches : public Brush {
       .help = "Half the thickness of the thread.",
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.005f, 0.25f},
-      .initial = 0.14f,
+      .initial = 0.16f,
       .dynamic = true,
   };
   static constexpr FloatParam pucker{
@@ -61,7 +62,7 @@ class Stitches : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {-1, 1},
       .soft = {0, 0.5f},
-      .initial = 0.12f,
+      .initial = 0.06f,
       .dynamic = true,
   };
   static constexpr auto params = param_list(pattern, rows, length, thread, pucker);
@@ -83,7 +84,9 @@ class Stitches : public Brush {
       const float x = std::min(in.stroke.distance(t[i], d[i]) / radius[i], 1.0f);
       const float between = 0.5f - 0.5f * std::cos(2 * std::numbers::pi_v<float> * tile.u / tile.length);
       const float cloth = puckers[i] * radius[i] * (1 - x * x) * (1 - x * x) * between;
-      up[i] = sewn(tile, threads[i] * radius[i] / std::sqrt(rows_), cloth);
+      // Holes, 1.4 half threads wide, stay within their tile.
+      const float thickest = std::min(0.085f * tile.length, 0.21f * tile.width);
+      up[i] = cloth + sewn(tile, std::min(threads[i] * radius[i], thickest));
     }
   }
 
@@ -93,13 +96,14 @@ class Stitches : public Brush {
     float length, width;  // the same for its end and for its side
     bool whole;           // its stitch fits into the stroke
   };
-  /// From hole to hole: u in tiles, v in half rows.
+  /// From hole to hole: u in tiles, v in half rows. Its middle may cross over another thread.
   struct Segment {
     float u0, v0, u1, v1;
+    bool crosses_over;
   };
-  static constexpr Segment straight[] = {{.16f, 0, .84f, 0}};
-  static constexpr Segment cross[] = {{.2f, -.7f, .8f, .7f}, {.2f, .7f, .8f, -.7f}};
-  static constexpr Segment zigzag[] = {{.12f, -.7f, .42f, .7f}, {.58f, .7f, .88f, -.7f}};
+  static constexpr Segment straight[] = {{.13f, 0, .87f, 0, false}};
+  static constexpr Segment cross[] = {{.2f, -.7f, .8f, .7f, false}, {.2f, .7f, .8f, -.7f, true}};
+  static constexpr Segment zigzag[] = {{.12f, -.7f, .4f, .7f, false}, {.6f, .7f, .88f, -.7f, false}};
   static constexpr std::span<const Segment> stitches[] = {straight, cross, zigzag};
 
   Tile tile_at(const Stroke& stroke, float t, float d, float radius) const {
@@ -108,15 +112,15 @@ class Stitches : public Brush {
     const double place = t / period + (dab ? 0.5 : 0), tile = std::floor(place);
     const bool whole =
         stroke.closed() || (tile >= 0 && (dab ? tile < 1 : (tile + 1) * period <= stroke.length()));
-    const float half_row = 0.6f * radius / rows_;
+    const float half_row = 0.8f * radius / rows_;
     const float row = std::clamp(std::floor(0.5f * (d / half_row + rows_)), 0.0f, rows_ - 1);
     return {static_cast<float>((place - tile) * period), d - half_row * (2 * row + 1 - rows_),
             static_cast<float>(period), half_row, whole};
   }
 
-  /// Height of the cloth with its holes and of the thread above it; r: half its thickness.
-  float sewn(const Tile& tile, float r, float cloth) const {
-    float holes = 0, highest = -10 * r, over = 0;
+  /// Depth of the holes and height of the thread, of half thickness r, over the cloth.
+  float sewn(const Tile& tile, float r) const {
+    float holes = 0, highest = -10 * r;
     for (const Segment& s : stitch_) {
       const float u = tile.u - s.u0 * tile.length, v = tile.v - s.v0 * tile.width;
       const float way_u = (s.u1 - s.u0) * tile.length, way_v = (s.v1 - s.v0) * tile.width;
@@ -125,13 +129,12 @@ class Stitches : public Brush {
                   to_hole = std::min(along, way - along);
       const float beside = std::hypot(u - along * way_u / way, v - along * way_v / way);
       const float hole = std::min(std::hypot(u, v), std::hypot(u - way_u, v - way_v));
-      holes = std::max(holes, 1 - smooth_step(hole / (1.8f * r)));
-      const float sunk = 2 * r * (1 - smooth_step(to_hole / (3 * r)));
-      const float crossing = over * smooth_step(2 - std::abs(along - way / 2) / (2 * r));
-      highest = std::max(highest, r * strand_profile(beside / r) - sunk + crossing);
-      over += r;
+      holes = std::max(holes, 1 - smooth_step(hole / (1.4f * r)));
+      const float sunk = 1.6f * r * (1 - smooth_step(to_hole / (2.5f * r)));
+      const float over = s.crosses_over ? r * smooth_step(2 - std::abs(along - way / 2) / (1.5f * r)) : 0;
+      highest = std::max(highest, r * strand_profile(beside / r) - sunk + over);
     }
-    return std::max(cloth - 2 * r * holes, cloth + highest);
+    return std::max(-2 * r * holes, highest);
   }
 
   const std::span<const Segment> stitch_;

@@ -1,32 +1,46 @@
 #!/usr/bin/env bash
-# Draws a picture of each stock brush into this folder: ./dev gallery [BRUSH...]
-# With names, these alone. Run at the root of the sources, after a build.
+# Draws a picture of each stock brush into this folder: ./dev gallery [BRUSH...]; with names these alone.
 set -euo pipefail
+cd "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 
 burin=build/release/bin/burin
-wanted=("$@")
+wanted=" $* "
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 
-is_wanted() {
-  [ ${#wanted[@]} -gt 0 ] || return 0
-  local name
-  for name in "${wanted[@]}"; do [ "$name" != "$1" ] || return 0; done
-  return 1
-}
+replay() { "$burin" replay "$@" --show-every 0 >/dev/null; }
 
-# picture BRUSH STROKE [OPTION...]: the sample stroke drawn with org.burin.BRUSH and options of `burin replay`.
+# picture BRUSH STROKE [OPTION...]: the sample stroke drawn with org.burin.BRUSH and options of `burin replay`
+# on the surface that `surface` names.
+surface=(--mesh samples/meshes/ewer.obj --subdivide 6)
 picture() {
-  local brush=$1 stroke=$2
+  local brush=$1 stroke=samples/strokes/$2.stroke
   shift 2
-  is_wanted "$brush" || return 0
+  [[ "$wanted" = "  " || "$wanted" = *" $brush "* ]] || return 0
   printf '%s\n' "$brush"
-  "$burin" replay "samples/strokes/$stroke.stroke" --brush "org.burin.$brush" --radius .1 \
-    --mesh samples/meshes/ewer.obj --subdivide 6 --show-every 0 --view 0,-.15,-1 --fov 25 \
-    --width 640 --height 480 --png "samples/gallery/$brush.png" "$@" >/dev/null
+  replay "$stroke" --brush "org.burin.$brush" "${surface[@]}" --png "samples/gallery/$brush.png" \
+    --view 0,-.15,-1 --fov 12 --width 520 --height 390 "$@"
 }
 
-picture groove wave
-picture crease wave
-picture bead wave
-picture rope wave
-picture stitches wave
-picture pinch wave
+picture bark wave --radius .14
+picture bead wave --radius .11 --param form=beads
+picture crease wave --radius .16
+picture groove wave --radius .16 --param width=.6
+picture rope wave --radius .12
+picture scales wave --radius .16 --param stamp=samples/stamps/scales.exr
+picture stitches wave --radius .11 --param length=1.7
+
+# under STROKE OPTION...: a surface with something on it, for brushes that change what is there.
+under() {
+  local stroke=samples/strokes/$1.stroke
+  shift
+  replay "$stroke" --mesh samples/meshes/ewer.obj --subdivide 6 --save-mesh "$work/under.ply" "$@"
+  surface=(--mesh "$work/under.ply")
+}
+
+under wave --radius .2 --brush org.burin.groove --param depth=-.15
+picture pinch wave --radius .15 --param amount=1 --param lift=.1
+
+under wave --radius .18 --brush org.burin.scales --param stamp=samples/stamps/scales.exr
+picture flatten wave --radius .12
+picture smooth wave --radius .12 --param passes=60

@@ -55,7 +55,7 @@ std::pair<double, double> scale_band_at(double u) {
 
 /// An S on its side, on the belly between lip and handle.
 std::pair<double, double> wave_at(double u) {
-  return {1.5 * pi + 1.4 * (u - .5), -.1 + .18 * std::sin(2.5 * pi * (u - .5))};
+  return {1.5 * pi + 1.4 * (u - .5), -.1 + .12 * std::sin(2 * pi * (u - .5))};
 }
 
 /// Cornu's spiral: curls one way at its start and the other way at its end. In its own units, about -1..1.
@@ -147,7 +147,7 @@ void write_sample_strokes(const fs::path& folder, const Surface& ewer) {
                 {"org.burin.scales", .2, {{"depth", .2}, {"stamp", "samples/stamps/scales.exr"}}},
                 {.speed = 1.4, .acceleration = 6, .bend_radius = .6, .tremor = .0004, .seed = 2});
   write_on_body(folder / "wave.stroke", picker, wave_at,
-                {"org.burin.groove", .13, {{"depth", .25}, {"width", .6}}},
+                {"org.burin.groove", .19, {{"depth", .2}, {"width", .4}}},
                 {.speed = .5, .acceleration = 2, .bend_radius = .4, .tremor = .0002, .seed = 4});
   write_scroll(folder / "scroll.stroke", ewer, {"org.burin.groove", .1, {{"depth", .25}, {"width", .6}}},
                {.speed = 420, .acceleration = 1600, .bend_radius = 260, .tremor = .15, .seed = 3});

@@ -22,9 +22,10 @@ std::string load_error(const std::string& name) {
 TEST(BrushLibrary, LoadsTheStockBrushesByName) {
   BrushLibrary library;
   library.load_folder(test::brushes_folder);
-  ASSERT_EQ(library.brushes().size(), 2u);
-  EXPECT_STREQ(library.brushes()[0].descriptor->id, "org.burin.groove");
-  EXPECT_EQ(library.brushes()[0].module, test::brushes_folder / "groove.burin");
+  const std::vector<BrushEntry>& brushes = library.brushes();
+  ASSERT_GT(brushes.size(), 1u);
+  for (std::size_t i = 1; i < brushes.size(); ++i) EXPECT_LT(brushes[i - 1].module, brushes[i].module);
+  EXPECT_EQ(library.find("org.burin.groove").module, test::brushes_folder / "groove.burin");
   EXPECT_STREQ(library.find("org.burin.scales").descriptor->id, "org.burin.scales");
   EXPECT_TRUE(library.create(library.find("org.burin.groove")));
 }
@@ -33,7 +34,7 @@ TEST(BrushLibrary, NamesTheBrushesThereAre) {
   BrushLibrary library;
   EXPECT_EQ(test::error_of([&] { library.find("org.burin.none"); }),
             "no brush 'org.burin.none'; there are: none");
-  library.load_folder(test::brushes_folder);
+  for (const char* name : {"groove.burin", "scales.burin"}) library.load(test::brushes_folder / name);
   EXPECT_EQ(test::error_of([&] { library.find("groove"); }),
             "no brush 'groove'; there are: org.burin.groove, org.burin.scales");
 }
@@ -59,20 +60,20 @@ TEST(BrushLibrary, RefusesWhatIsNoModule) {
 
 TEST(BrushLibrary, RefusesABrushThatIsThere) {
   BrushLibrary library;
-  library.load_folder(test::brushes_folder);
   const test::TemporaryFolder folder;
   const fs::path groove = test::brushes_folder / "groove.burin", copy = folder.path() / "copy.burin";
+  library.load(groove);
   fs::copy_file(groove, copy);
   EXPECT_EQ(test::error_of([&] { library.load(copy); }),
             copy.string() + ": brush org.burin.groove is already there, from " + groove.string());
-  EXPECT_EQ(library.brushes().size(), 2u);
+  EXPECT_EQ(library.brushes().size(), 1u);
 }
 
 TEST(BrushLibrary, TakesOneModuleUnderTwoNamesOnce) {
   BrushLibrary library;
-  library.load_folder(test::brushes_folder);
+  library.load(test::brushes_folder / "groove.burin");
   library.load(test::brushes_folder / ".." / test::brushes_folder.filename() / "groove.burin");
-  EXPECT_EQ(library.brushes().size(), 2u);
+  EXPECT_EQ(library.brushes().size(), 1u);
 }
 
 TEST(BrushLibrary, RefusesABrushThatReadsWhatIsNotOffered) {
@@ -90,7 +91,7 @@ TEST(BrushLibrary, SearchesTheEnvironmentFirst) {
   BrushLibrary library;
   library.load_search_path(test::brushes_folder);
   unsetenv("BURIN_PLUGIN_PATH");
-  ASSERT_EQ(library.brushes().size(), 3u);
+  ASSERT_GT(library.brushes().size(), 2u);
   EXPECT_STREQ(library.brushes()[0].descriptor->id, "org.burin.test.nan");
 
   BrushLibrary alone;

@@ -101,6 +101,28 @@ TEST(ReplayCommand, TakesTheWidthFromThePressure) {
   EXPECT_NE(burin(engraving.command({"--pressure-width", "1.2"})).exit_code, 0);
 }
 
+TEST(ReplayCommand, DrawsAPictureOfTheResult) {
+  const Engraving engraving;
+  const std::string png = engraving.folder.path("a.png"), flat_png = engraving.folder.path("b.png");
+  const std::vector<std::string> view = {"--width", "160", "--height", "100"};
+  const auto picture = [&](const std::string& path, const std::vector<std::string>& options) {
+    std::vector<std::string> all = {"--png", path};
+    all.insert(all.end(), view.begin(), view.end());
+    all.insert(all.end(), options.begin(), options.end());
+    burin_output(engraving.command(all));
+    return read_png(path);
+  };
+  const Picture grooved = picture(png, {}), flat = picture(flat_png, {"--strength", "0"});
+  EXPECT_EQ(grooved.width, 160);
+  EXPECT_EQ(grooved.height, 100);
+  int different = 0;
+  for (int column = 0; column < 160; ++column)
+    different += pixel(grooved, column, 50) != pixel(flat, column, 50) ? 1 : 0;
+  EXPECT_GT(different, 60) << "the stroke fills the picture";
+  EXPECT_NE(picture(png, {"--view", "1,0,0"}).rgb, grooved.rgb);
+  EXPECT_NE(burin(engraving.command({"--png", engraving.folder.path("none/a.png")})).exit_code, 0);
+}
+
 TEST(ReplayCommand, TellsWhatItMeasured) {
   const Engraving engraving;
   const json result = burin_json(engraving.command({}));

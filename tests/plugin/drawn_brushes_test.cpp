@@ -51,7 +51,8 @@ class DrawnBrush : public testing::TestWithParam<const char*> {
     const auto length = static_cast<float>(stroke_.context.length);
     Nodes nodes;
     nodes.radius = static_cast<float>(stroke_.context.radius_max);
-    nodes.footprint = nodes.radius * random(0, 0.3f);
+    nodes.footprint_t = nodes.radius * random(0, 0.3f);
+    nodes.footprint_d = nodes.radius * random(0, 0.3f);
     for (std::size_t i = 0; i < count; ++i) {
       nodes.t.push_back(random(-nodes.radius, length + nodes.radius));
       nodes.d.push_back(random(-nodes.radius, nodes.radius));

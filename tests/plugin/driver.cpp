@@ -105,6 +105,13 @@ burin_status set_text(const burin_host* host, const char* font, const char* text
   return BURIN_OK;
 }
 
+burin_floats uniform(const float& value) { return {&value, 0, 0}; }
+
+burin_vectors vectors(const std::vector<Vector>& values) {
+  if (values.empty()) return {};
+  return {{&values[0].x, 3, 0}, {&values[0].y, 3, 0}, {&values[0].z, 3, 0}};
+}
+
 burin_param_value default_value(const burin_param_info& info) {
   burin_param_value value{};
   value.number = {&info.default_number, 0, 0};
@@ -237,8 +244,17 @@ Answer StrokeDriver::evaluate(const Nodes& nodes) {
   batch.params = &values;
   if (read & BURIN_INPUT_T) batch.t = {nodes.t.data(), 1, 0};
   if (read & BURIN_INPUT_D) batch.d = {nodes.d.data(), 1, 0};
-  if (read & BURIN_INPUT_RADIUS) batch.radius = {&nodes.radius, 0, 0};
-  if (read & BURIN_INPUT_FOOTPRINT) batch.footprint_t = batch.footprint_d = {&nodes.footprint, 0, 0};
+  if (read & BURIN_INPUT_RADIUS) batch.radius = uniform(nodes.radius);
+  if (!nodes.radii.empty()) batch.radius = {nodes.radii.data(), 1, 0};
+  if (read & BURIN_INPUT_FOOTPRINT) batch.footprint_t = uniform(nodes.footprint_t);
+  if (read & BURIN_INPUT_FOOTPRINT) batch.footprint_d = uniform(nodes.footprint_d);
+  if (read & BURIN_INPUT_POSITION) batch.position = vectors(nodes.position);
+  if (read & BURIN_INPUT_NORMAL) batch.normal = vectors(nodes.normal);
+  if (read & BURIN_INPUT_E1) batch.e1 = vectors(nodes.e1);
+  if (read & BURIN_INPUT_LAPLACIAN) batch.laplacian = vectors(nodes.laplacian);
+  if (read & BURIN_INPUT_DISPLACEMENT) batch.displacement = vectors(nodes.displacement);
+  if (read & BURIN_INPUT_FOOT) batch.foot = vectors(nodes.foot);
+  if (read & BURIN_INPUT_FOOT) batch.foot_normal = vectors(nodes.foot_normal);
 
   burin_outputs outputs{};
   outputs.struct_size = sizeof outputs;

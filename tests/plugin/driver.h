@@ -94,11 +94,17 @@ class ParamSnapshot {
   std::map<std::string, std::string, std::less<>> files_;
 };
 
-/// The chart nodes to evaluate.
+struct Vector {
+  float x, y, z;
+};
+
+/// The chart nodes to evaluate. What a brush reads must be there, an element a node.
 struct Nodes {
   std::vector<float> t, d;
-  float radius = 1;
-  float footprint = 0;  ///< along t and d
+  float radius = 1;  ///< of all nodes, unless `radii` has one for each
+  std::vector<float> radii{};
+  float footprint_t = 0.01f, footprint_d = 0.01f;
+  std::vector<Vector> position{}, normal{}, e1{}, laplacian{}, displacement{}, foot{}, foot_normal{};
 };
 
 /// What a call answered.

@@ -3,12 +3,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "driver.h"
+#include "stock_brush.h"
 
 namespace burin {
 namespace {
 
 using test::Nodes;
+using test::steps;
 
 enum Profile { round_profile, v_profile, flat_profile };
 
@@ -27,13 +28,6 @@ class Groove : public testing::Test {
 
   float depth_at(float t, float d) { return -evaluate({{t}, {d}})[0]; }
 };
-
-/// n + 1 places from 0 to `last`.
-std::vector<float> steps(int n, float last) {
-  std::vector<float> values;
-  for (int i = 0; i <= n; ++i) values.push_back(last * static_cast<float>(i) / static_cast<float>(n));
-  return values;
-}
 
 TEST_F(Groove, IsAsDeepAsItsParameterSaysInTheMiddle) {
   stroke_.params.set("depth", 0.5f);

@@ -18,8 +18,9 @@ class InkBrush : public testing::Test {
     stroke_.context.flags = BURIN_STROKE_FINAL;
   }
 
-  /// Share of each node's cell that is covered.
-  std::vector<float> covered(const Nodes& nodes) {
+  /// Share of each node's cell that is covered; without a size of the cells outlines are sharp.
+  std::vector<float> covered(Nodes nodes, float footprint = 0) {
+    nodes.footprint_t = nodes.footprint_d = footprint;
     stroke_.end();
     const Answer began = stroke_.begin(), evaluated = stroke_.evaluate(nodes);
     EXPECT_EQ(began.status, BURIN_OK) << began.text;
@@ -33,14 +34,13 @@ class InkBrush : public testing::Test {
   /// Mean of the coverage over t_min <= t <= t_max, |d| <= 1, sampled at cells of this size.
   double mean_covered(float t_min, float t_max, float cell) {
     Nodes nodes;
-    nodes.footprint = cell;
     for (float t = t_min + cell / 2; t < t_max; t += cell)
       for (float d = -1 + cell / 2; d < 1; d += cell) {
         nodes.t.push_back(t);
         nodes.d.push_back(d);
       }
     double sum = 0;
-    for (const float share : covered(nodes)) sum += share;
+    for (const float share : covered(nodes, cell)) sum += share;
     return sum / static_cast<double>(nodes.t.size());
   }
 

@@ -42,9 +42,7 @@ TEST_F(Ink, RisesFromTheOutlineInward) {
 }
 
 TEST_F(Ink, IsNoSteeperThanTheMeshCanShow) {
-  test::Nodes nodes{{5}, {0.3f}};
-  nodes.footprint = 0.4f;
-  covered(nodes);
+  covered({{5}, {0.3f}}, 0.4f);
   EXPECT_NEAR(stroke_.up[0], 0.15f, 1e-6) << "half of the height at half of a cell within";
 }
 
@@ -59,9 +57,7 @@ TEST_F(Ink, LeavesColourAndMaskAloneByDefault) {
 TEST_F(Ink, ProtectsWhatItCovers) {
   stroke_.params.set("mask", 0.75f);
   stroke_.mask_before = 0.8f;
-  test::Nodes nodes{{5, 5, 5}, {0, 0.5f, 0.9f}};
-  nodes.footprint = 0.1f;
-  covered(nodes);
+  covered({{5, 5, 5}, {0, 0.5f, 0.9f}}, 0.1f);
   EXPECT_FLOAT_EQ(stroke_.mask[0], 0.2f);
   EXPECT_FLOAT_EQ(stroke_.mask[1], 0.8f * (1 - 0.375f));
   EXPECT_EQ(stroke_.mask[2], 0.8f);

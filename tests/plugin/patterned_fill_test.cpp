@@ -88,12 +88,10 @@ TEST_F(PatternedFill, TakesWholeCellsAroundALoop) {
         nodes.d.push_back(d);
         further.d.push_back(d);
       }
-    nodes.footprint = further.footprint = 0.05f;
-    const std::vector<float> here = covered(nodes), there = covered(further);
+    const std::vector<float> here = covered(nodes, 0.05f), there = covered(further, 0.05f);
     for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(here[i], there[i], 2e-4) << pattern;
-    test::Nodes first{{0, 0}, {0.21f, -0.4f}}, last{{10, 10}, {0.21f, -0.4f}};
-    first.footprint = last.footprint = 0.05f;
-    const std::vector<float> seam = covered(first), round = covered(last);
+    const std::vector<float> seam = covered({{0, 0}, {0.21f, -0.4f}}, 0.05f),
+                             round = covered({{10, 10}, {0.21f, -0.4f}}, 0.05f);
     for (std::size_t i = 0; i < seam.size(); ++i) EXPECT_NEAR(seam[i], round[i], 2e-4) << pattern;
   }
 }

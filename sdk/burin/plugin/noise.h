@@ -8,9 +8,9 @@
 
 namespace burin::plugin {
 
-/// Gradient noise in the plane [Perlin, "Improving noise", SIGGRAPH 2002]: smooth, 0 at all whole (x, y),
-/// with random slopes there. Within [-1, 1] with mean 0; its bumps are one to two cells long, and less than 3
-/// % of its energy lies above one cycle a cell in either direction... of two cycles a cell less than 0.1 %.
+/// Gradient noise in the plane [Perlin, "Improving noise", SIGGRAPH 2002]: 0 at all whole (x, y), with random
+/// slopes there, smooth between. Within [-1, 1], of mean 0 and root mean square 0.33. It is band-limited: 0.7
+/// % of its energy lies above one cycle a cell along either axis, 0.01 % above two.
 class GradientNoise {
  public:
   explicit constexpr GradientNoise(std::uint64_t seed) : random_(seed) {}
