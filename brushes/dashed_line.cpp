@@ -64,7 +64,9 @@ class DashedLine : public Brush {
       : dash_(start.params[dash].value() * start.stroke.radius_max()),
         period_(dash_ + start.params[gap].value() * start.stroke.radius_max()),
         caps_(start.params[caps].value()) {
-    start.end_influence = start.stroke.closed() ? std::numeric_limits<double>::infinity() : period_;
+    // The cap of the start shows the first dash, however far that has grown.
+    start.end_influence =
+        start.stroke.closed() ? std::numeric_limits<double>::infinity() : period_ + start.stroke.radius_max();
   }
 
   void evaluate(const Batch& in, const Outputs& out) const override {

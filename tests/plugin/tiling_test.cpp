@@ -164,7 +164,9 @@ double greatest_jump(const TileLayout& layout, const Context& context, const Ima
     for (double t = pitch; t < context.length - 0.5 * pitch; t += pitch)
       jump = std::max(jump, std::abs(height(std::nextafter(static_cast<float>(t), 0.0f), d) -
                                      height(std::nextafter(static_cast<float>(t), 1e9f), d)));
-    if (closed) jump = std::max(jump, std::abs(height(static_cast<float>(context.length), d) - height(0, d)));
+    if (closed)
+      jump = std::max(
+          jump, std::abs(height(std::nextafter(static_cast<float>(context.length), 0.0f), d) - height(0, d)));
   }
   for (float t = 0.1f; t < 10; t += 0.1f)
     for (float border = -4; border <= 4; border += 1) {
