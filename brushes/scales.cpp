@@ -3,8 +3,6 @@
 #include <burin/plugin/plugin.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace {
 
@@ -16,10 +14,10 @@ class Scales : public Brush {
       .id = "org.burin.scales",
       .name = "Scales",
       .vendor = "Burin",
-      .version = "1.0.0",
+      .version = "1.1.0",
       .help = "Tiles a stamp along and across the stroke.",
       .features = {"stamp"},
-      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
+      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_FOOTPRINT,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
   };
   static constexpr FileParam stamp{
@@ -69,41 +67,69 @@ class Scales : public Brush {
       .hard = {0.01f, 1},
       .initial = 0.25f,
   };
-  static constexpr auto params = param_list(stamp, depth, centre, tile, aspect, fade);
+  static constexpr FloatParam offset_along{
+      .id = "offset_along",
+      .name = "Offset along",
+      .help = "Moves the tiles forward, by so many tiles.",
+      .hard = {-1000, 1000},
+      .soft = {0, 1},
+      .initial = 0,
+  };
+  static constexpr FloatParam offset_across{
+      .id = "offset_across",
+      .name = "Offset across",
+      .help = "Moves the tiles to the right, by so many tiles.",
+      .hard = {-1000, 1000},
+      .soft = {0, 1},
+      .initial = 0,
+  };
+  static constexpr BoolParam mirror{
+      .id = "mirror",
+      .name = "Mirror",
+      .help = "Mirrors every other tile, so that any image joins without a seam.",
+  };
+  static constexpr BoolParam flip{
+      .id = "flip",
+      .name = "Flip",
+      .help = "Turns tiles upside down at random.",
+  };
+  static constexpr auto params =
+      param_list(stamp, depth, centre, tile, aspect, fade, offset_along, offset_across, mirror, flip);
 
   explicit Scales(StrokeStart& start)
-      : stamp_(start.host, start.params[stamp]),
-        tile_(start.params[tile].value() * start.stroke.radius_max()),
-        aspect_(start.params[aspect].value() * stamp_.aspect()) {
-    if (start.stroke.closed()) start.end_influence = std::numeric_limits<double>::infinity();
+      : layout_(layout(start.params)), stamp_(start.host, start.params[stamp], Tiling::options(layout_)) {
+    layout_.width = layout_.length * start.params[aspect].value() * stamp_.aspect();
+    start.end_influence = Tiling::end_influence(layout_, start.stroke);
   }
 
   void evaluate(const Batch& in, const Outputs& out) const override {
-    const Floats t = in.t(), d = in.d(), radius = in.radius(), depths = in.params[depth];
+    const Cells cells(in);
+    const Floats depths = in.params[depth];
     const float grey_centre = in.params[centre].value(), rim = in.params[fade].value();
-    const double along = tile_length(in.stroke), across = tile_ * aspect_;
+    const Tiling tiling(layout_, in.stroke);
     const FloatsOut up = out.up();
-    const auto place = [&](std::size_t
-                               i) {  // the middle row of a tile runs along the stroke, its top on the left
-      return StampArea{{static_cast<float>(t[i] / along), static_cast<float>(0.5 - d[i] / across)}, {}, {}};
-    };
-    stamp_.sample(in.size(), place, up);
+    stamp_.sample(
+        in.size(), [&](std::size_t i) { return tiling.at(cells[i]).area; }, up);
     for (std::size_t i = 0; i < in.size(); ++i) {
-      const float faded = smooth_step((1 - in.stroke.distance(t[i], d[i]) / radius[i]) / rim);
-      up[i] = depths[i] * radius[i] * (up[i] - grey_centre) * faded;
+      const Cell cell = cells[i];
+      const float faded = rim_factor(in.stroke, cell.t, cell.d, cell.radius, rim);
+      up[i] = depths[i] * cell.radius * (up[i] - grey_centre) * faded;
     }
   }
 
  private:
-  /// Whole tiles go round a closed stroke.
-  double tile_length(const Stroke& stroke) const {
-    if (!stroke.closed() || stroke.length() == 0) return tile_;
-    return stroke.length() / std::max(1.0, std::round(stroke.length() / tile_));
+  static TileLayout layout(const Params& params) {
+    TileLayout layout;
+    layout.length = params[tile].value();
+    layout.offset_along = params[offset_along].value();
+    layout.offset_across = params[offset_across].value();
+    layout.mirror_along = layout.mirror_across = params[mirror].value();
+    layout.flip_across = params[flip].value();
+    return layout;
   }
 
+  TileLayout layout_;
   const Stamp stamp_;
-  const double tile_;    // length of an open stroke's tiles, object units
-  const double aspect_;  // width across the stroke over length along it
 };
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include "ewer_cage.h"
 #include "sample_strokes.h"
 #include "scales_stamp.h"
+#include "thorn_stamp.h"
+#include "tread_stamps.h"
 
 namespace {
 
@@ -21,6 +23,8 @@ void write_samples(const fs::path& folder) {
   const burin::PolygonMesh cage = burin::samples::ewer_cage();
   burin::samples::write_cage(folder / "meshes/ewer.obj", "A ewer, to be refined by Catmull-Clark", cage);
   burin::samples::write_scales(folder / "stamps/scales.exr");
+  burin::samples::write_treads(folder / "stamps");
+  burin::samples::write_thorn(folder / "stamps/thorn.exr");
   // Within 2e-5 units of the limit surface: an edge e bulges by e^2 / 8R, about 0.011^2 / (8 * 0.7).
   const auto ewer = burin::make_surface(burin::refine(cage, burin::SubdivisionScheme::catmull_clark, 4));
   burin::samples::write_sample_strokes(folder / "strokes", ewer);

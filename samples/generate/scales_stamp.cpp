@@ -1,12 +1,11 @@
 #include "scales_stamp.h"
 
-#include <OpenImageIO/imageio.h>
-#include <burin/base/error.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
+
+#include "exr_file.h"
 
 namespace burin::samples {
 
@@ -70,14 +69,7 @@ void write_scales(const std::filesystem::path& path) {
       texels.push_back(
           tile[static_cast<std::size_t>(y % period) * period + static_cast<std::size_t>(x % period)]);
 
-  OIIO::ImageSpec spec(size, size, 1, OIIO::TypeDesc::HALF);
-  spec.channelnames = {"Y"};
-  spec.attribute("compression", "zip");
-  spec.attribute("DateTime", "2000:01:01 00:00:00");  // not now: the same file every time
-  const auto out = OIIO::ImageOutput::create(path.string());
-  if (!out || !out->open(path.string(), spec)) throw FileError(path.string(), OIIO::geterror());
-  if (!out->write_image(OIIO::TypeDesc::FLOAT, texels.data()) || !out->close())
-    throw FileError(path.string(), out->geterror());
+  write_exr(path, size, size, {"Y"}, texels);
 }
 
 }  // namespace burin::samples

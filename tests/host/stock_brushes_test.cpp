@@ -21,12 +21,18 @@ struct BrushUse {
 
 // A brush that is missing here fails a test.
 const std::vector<BrushUse> uses = {
+    {"org.burin.arrow", {}},
     {"org.burin.bark", {}},
     {"org.burin.bead", {}},
     {"org.burin.bead", {{"form", std::string("beads")}}, "Beads"},
     {"org.burin.crease", {}},
+    {"org.burin.dashed-line", {}},
     {"org.burin.flatten", {}},
     {"org.burin.groove", {}},
+    {"org.burin.patterned-fill", {}},
+    {"org.burin.patterned-fill", {{"pattern", std::string("hexagons")}}, "Hexagons"},
+    {"org.burin.patterned-line", {}},
+    {"org.burin.patterned-line", {{"figure", std::string("chain")}}, "Chain"},
     {"org.burin.pinch", {}},
     {"org.burin.rope", {}},
     {"org.burin.rope", {{"lay", std::string("plaited")}}, "Plaited"},
@@ -34,6 +40,9 @@ const std::vector<BrushUse> uses = {
     {"org.burin.smooth", {}},
     {"org.burin.stitches", {}},
     {"org.burin.stitches", {{"pattern", std::string("cross")}}, "Cross"},
+    {"org.burin.text", {}},
+    {"org.burin.tread", {{"stamp", std::string(BURIN_SAMPLES "/stamps/tread.exr")}}},
+    {"org.burin.vdm-trail", {{"stamp", std::string(BURIN_SAMPLES "/stamps/thorn.exr")}}},
 };
 
 /// A unit sphere with bumps, and with dents that are narrower than a stroke of radius 0.3.

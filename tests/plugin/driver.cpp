@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -9,8 +10,7 @@ namespace burin::test {
 
 namespace {
 
-const std::string_view ramp_file = "ramp.exr";
-constexpr std::uint64_t ramp_handle = 7;
+constexpr std::uint64_t first_handle = 7;
 
 TestHost& self(const burin_host* host) { return *static_cast<TestHost*>(host->self); }
 
@@ -23,41 +23,86 @@ void write(burin_text* text, const std::string& line) {
   text->data[size] = '\0';
 }
 
-burin_status open_stamp(const burin_host* host, const char* path, burin_stamp* stamp, burin_stamp_info* info,
-                        burin_text* error) {
-  if (path != ramp_file) {
+burin_status open_with(const burin_host* host, const char* path, const burin_stamp_options* options,
+                       burin_stamp* stamp, burin_stamp_info* info, burin_text* error) {
+  const auto found = self(host).pictures.find(path);
+  if (found == self(host).pictures.end()) {
     write(error, std::string(path) + ": no such file");
     return BURIN_NOT_FOUND;
   }
+  const auto known = [](burin_stamp_wrap wrap) { return wrap ? wrap : BURIN_WRAP_PERIODIC; };
+  const TestPicture& picture = found->second;
+  self(host).stamps.push_back({picture, known(options->wrap_u), known(options->wrap_v)});
   ++self(host).open_stamps;
-  stamp->handle = ramp_handle;
-  *info = {sizeof(burin_stamp_info), 64, 32, 1, 0, 3, BURIN_WRAP_PERIODIC, BURIN_WRAP_PERIODIC};
+  stamp->handle = first_handle + self(host).stamps.size() - 1;
+  *info = {sizeof(burin_stamp_info),
+           picture.width,
+           picture.height,
+           picture.channels,
+           0,
+           3,
+           self(host).stamps.back().wrap_u,
+           self(host).stamps.back().wrap_v};
   return BURIN_OK;
+}
+
+burin_status open_stamp(const burin_host* host, const char* path, burin_stamp* stamp, burin_stamp_info* info,
+                        burin_text* error) {
+  const burin_stamp_options options{sizeof options, 0, 0, 0};
+  return open_with(host, path, &options, stamp, info, error);
 }
 
 void close_stamp(const burin_host* host, burin_stamp stamp) {
-  if (stamp.handle != ramp_handle) throw std::logic_error("a stamp is closed that was not open");
+  if (stamp.handle < first_handle || self(host).open_stamps == 0)
+    throw std::logic_error("a stamp is closed that was not open");
   --self(host).open_stamps;
 }
 
-burin_status sample_stamp(const burin_host*, burin_stamp stamp, std::uint32_t channel, std::uint32_t count,
-                          burin_floats u, burin_floats v, burin_floats_out values) {
-  if (stamp.handle != ramp_handle || channel > 0) return BURIN_INVALID_ARGUMENT;
-  for (std::uint32_t i = 0; i < count; ++i)
-    values.data[i * values.stride] = TestHost::ramp(u.data[i * u.stride], v.data[i * v.stride]);
+/// Into 0..1 by the wrap; false where there is nothing.
+bool wrapped(double& u, burin_stamp_wrap wrap) {
+  if (wrap == BURIN_WRAP_BLACK) return u >= 0 && u <= 1;
+  if (wrap == BURIN_WRAP_CLAMP) u = std::clamp(u, 0.0, 1.0);
+  if (wrap == BURIN_WRAP_MIRROR) u = std::abs(u - 2 * std::round(u / 2));
+  if (wrap == BURIN_WRAP_PERIODIC) u -= std::floor(u);
+  return true;
+}
+
+burin_status sample_stamp(const burin_host* host, burin_stamp stamp, std::uint32_t channel,
+                          std::uint32_t count, burin_floats u, burin_floats v, burin_floats_out values) {
+  const TestHost::Stamp& opened = self(host).stamps.at(stamp.handle - first_handle);
+  if (channel >= opened.picture.channels) return BURIN_INVALID_ARGUMENT;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    double x = u.data[i * u.stride], y = v.data[i * v.stride];
+    const bool there = wrapped(x, opened.wrap_u) && wrapped(y, opened.wrap_v);
+    values.data[i * values.stride] = there ? opened.picture.at(channel, x, y) : 0;
+  }
   return BURIN_OK;
 }
 
-burin_status open_with(const burin_host* host, const char* path, const burin_stamp_options*,
-                       burin_stamp* stamp, burin_stamp_info* info, burin_text* error) {
-  return open_stamp(host, path, stamp, info, error);
-}
-
-/// The ramp is linear, so a mean over a small area within a period is its value in the middle.
 burin_status sample_area(const burin_host* host, burin_stamp stamp, std::uint32_t channel,
                          std::uint32_t count, burin_floats u, burin_floats v, const burin_stamp_area*,
                          burin_floats_out values) {
   return sample_stamp(host, stamp, channel, count, u, v, values);
+}
+
+burin_status set_text(const burin_host* host, const char* font, const char* text, std::uint32_t em,
+                      burin_stamp* stamp, burin_lettering_info* info, burin_text* error) {
+  if (std::string_view(font) != "DejaVuSans.ttf") {
+    write(error, std::string("no font '") + font + "'");
+    return BURIN_NOT_FOUND;
+  }
+  const float width = TestHost::letter_width * static_cast<float>(std::string_view(text).size());
+  const float top = 1, bottom = -0.5f;
+  *info = {sizeof *info, width, TestHost::ascent, TestHost::descent, 0, width, bottom, top};
+  const auto at = [=](std::uint32_t, double u, double v) {
+    const double x = u * width, letter = std::floor(x / TestHost::letter_width);
+    return TestHost::letter(x - letter * TestHost::letter_width, top - v * (top - bottom));
+  };
+  const auto texels = static_cast<std::uint32_t>(width * static_cast<float>(em));
+  self(host).stamps.push_back({{texels, em, 1, at}, BURIN_WRAP_BLACK, BURIN_WRAP_BLACK});
+  ++self(host).open_stamps;
+  stamp->handle = first_handle + self(host).stamps.size() - 1;
+  return BURIN_OK;
 }
 
 burin_floats uniform(const float& value) { return {&value, 0, 0}; }
@@ -107,6 +152,8 @@ const burin_brush_descriptor& PluginModule::descriptor(std::string_view id) cons
 TestHost::TestHost() {
   log_ = {sizeof(burin_log), 0, write_line};
   stamps_ = {sizeof(burin_stamps), 0, open_stamp, close_stamp, sample_stamp, open_with, sample_area};
+  lettering_ = {sizeof(burin_lettering), 0, set_text};
+  pictures["ramp.exr"] = {64, 32, 1, [](std::uint32_t, double u, double v) { return ramp(u, v); }};
   abi = {sizeof(burin_host), BURIN_ABI_MAJOR, BURIN_ABI_MINOR, 0, this, "test", "1.0", nullptr};
   abi.get_extension = [](const burin_host* host, const char* id) -> const void* {
     TestHost& test = self(host);
@@ -114,12 +161,19 @@ TestHost::TestHost() {
     if (test.withholds_services) return nullptr;
     if (std::string_view(id) == BURIN_EXT_LOG) return &test.log_;
     if (std::string_view(id) == BURIN_EXT_STAMPS) return &test.stamps_;
+    if (std::string_view(id) == BURIN_EXT_LETTERING) return &test.lettering_;
     return nullptr;
   };
 }
 
 float TestHost::ramp(double u, double v) {
   return static_cast<float>((u - std::floor(u)) + 2 * (v - std::floor(v)));
+}
+
+float TestHost::letter(double x, double y) {
+  const bool stem = x >= 0 && x <= 0.15 && y >= 0 && y <= 0.7;
+  const bool foot = x >= 0 && x <= 0.5 && y >= 0 && y <= 0.15;
+  return stem || foot ? 1.0f : 0.0f;
 }
 
 ParamSnapshot::ParamSnapshot(const burin_brush_descriptor& descriptor) : descriptor_(descriptor) {
@@ -205,15 +259,17 @@ Answer StrokeDriver::evaluate(const Nodes& nodes) {
   burin_outputs outputs{};
   outputs.struct_size = sizeof outputs;
   outputs.count = batch.count;
-  const auto offer = [&](std::uint64_t output, std::vector<float>& array) -> burin_floats_out {
-    array.assign(nodes.t.size(), 0);
+  const auto offer = [&](std::uint64_t output, std::vector<float>& array,
+                         float before = 0) -> burin_floats_out {
+    array.assign(nodes.t.size(), before);
     return {written & output ? array.data() : nullptr, 1, 0};
   };
   outputs.along = offer(BURIN_OUTPUT_DISPLACEMENT, along);
   outputs.across = offer(BURIN_OUTPUT_DISPLACEMENT, across);
   outputs.up = offer(BURIN_OUTPUT_DISPLACEMENT, up);
-  outputs.mask = offer(BURIN_OUTPUT_MASK, mask);
-  for (std::size_t i = 0; i < 4; ++i) outputs.colour[i] = offer(BURIN_OUTPUT_COLOUR, colour[i]);
+  outputs.mask = offer(BURIN_OUTPUT_MASK, mask, mask_before);
+  for (std::size_t i = 0; i < 4; ++i)
+    outputs.colour[i] = offer(BURIN_OUTPUT_COLOUR, colour[i], colour_before[i]);
 
   const burin_status status = brush_->evaluate(brush_, stroke_, &context, &batch, &outputs, &text);
   return {status, line.c_str()};

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/abi/ext/lettering.h>
 #include <burin/abi/ext/log.h>
 #include <burin/abi/ext/stamps.h>
 #include <burin/abi/plugin.h>
@@ -6,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -34,8 +36,15 @@ class PluginModule {
   const burin_plugin_entry* entry_;
 };
 
-/// A host with both services, unless told to withhold them. Its stamps know one file, "ramp.exr": 64 x 32
-/// texels, at (u, v) the value fraction(u) + 2 fraction(v).
+/// What a TestHost has for an image: its value at (u, v) within 0..1.
+struct TestPicture {
+  std::uint32_t width, height, channels;
+  std::function<float(std::uint32_t channel, double u, double v)> at;
+};
+
+/// A host with all services, unless told to withhold them. Its stamps know "ramp.exr", 64 x 32 texels, at
+/// (u, v) the value fraction(u) + 2 fraction(v), and what tests add; they take no means. It sets text in one
+/// font, "DejaVuSans.ttf", and every character as an L, see `letter`.
 class TestHost {
  public:
   TestHost();
@@ -44,15 +53,27 @@ class TestHost {
 
   static float ramp(double u, double v);
 
+  /// 1 inside of the L that stands at x = 0, ems: 0.7 high, 0.5 wide, its strokes 0.15 thick.
+  static float letter(double x, double y);
+  static constexpr float letter_width = 0.6f, ascent = 0.9f, descent = 0.3f;  ///< ems
+
   burin_host abi;
   bool withholds_services = false;
   std::uint32_t log_struct_size = sizeof(burin_log);
   std::vector<std::pair<burin_log_severity, std::string>> lines;
   int open_stamps = 0;
+  std::map<std::string, TestPicture> pictures;
+
+  struct Stamp {
+    TestPicture picture;
+    burin_stamp_wrap wrap_u, wrap_v;
+  };
+  std::vector<Stamp> stamps;  ///< all that were ever opened; handle - 7
 
  private:
   burin_log log_;
   burin_stamps stamps_;
+  burin_lettering lettering_;
 };
 
 /// Parameter values, at first the defaults of the descriptor.
@@ -112,6 +133,8 @@ class StrokeDriver {
   Answer evaluate(const Nodes& nodes);
   std::vector<float> along, across, up, mask;
   std::array<std::vector<float>, 4> colour;
+  float mask_before = 1;
+  std::array<float, 4> colour_before{1, 1, 1, 1};
 
   burin_stroke_plan plan{};
 

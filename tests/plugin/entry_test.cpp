@@ -112,7 +112,8 @@ TEST(StockBrushes, DeclareTheParametersThatStrokesName) {
   EXPECT_EQ(ids(groove.descriptor("org.burin.groove")),
             (std::vector<std::string>{"depth", "width", "taper", "profile"}));
   EXPECT_EQ(ids(scales.descriptor("org.burin.scales")),
-            (std::vector<std::string>{"stamp", "depth", "centre", "tile", "aspect", "fade"}));
+            (std::vector<std::string>{"stamp", "depth", "centre", "tile", "aspect", "fade", "offset_along",
+                                      "offset_across", "mirror", "flip"}));
 }
 
 TEST(StrokeStart, TellsTheModulesPathAndTakesThePlan) {

@@ -102,6 +102,57 @@ TEST_F(Scales, DoesNotDependOnTheEndOfAnOpenStroke) {
   EXPECT_EQ(evaluate(nodes), before);
 }
 
+TEST_F(Scales, MovesMirrorsAndFlipsItsTiles) {
+  stroke_.params.set("tile", 2);
+  stroke_.params.set("depth", 1);
+  stroke_.params.set("centre", 0);
+  const Nodes nodes{{2.5f}, {0.2f}};  // tiles are 1 wide: u = 0.25 of column 1, v = 0.3 of row 0
+  EXPECT_NEAR(evaluate(nodes)[0], TestHost::ramp(0.25, 0.3), 1e-5);
+  stroke_.params.set("offset_along", 0.125f);
+  stroke_.params.set("offset_across", 0.1f);
+  EXPECT_NEAR(evaluate(nodes)[0], TestHost::ramp(0.125, 0.2), 1e-5);
+  stroke_.params.set("offset_along", 0);
+  stroke_.params.set("offset_across", 0);
+  stroke_.params.set("mirror", 1);
+  EXPECT_NEAR(evaluate(nodes)[0], TestHost::ramp(0.75, 0.3), 1e-5);
+  EXPECT_EQ(host_.stamps.back().wrap_u, BURIN_WRAP_MIRROR);
+  stroke_.params.set("mirror", 0);
+  stroke_.params.set("flip", 1);
+  int flipped = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    stroke_.context.seed = seed;
+    const float up = evaluate(nodes)[0];
+    const bool turned = std::abs(up - TestHost::ramp(0.25, 0.7)) < 1e-5;
+    EXPECT_TRUE(turned || std::abs(up - TestHost::ramp(0.25, 0.3)) < 1e-5);
+    flipped += turned;
+  }
+  EXPECT_NEAR(flipped, 100, 42);
+}
+
+TEST_F(Scales, JoinsMirroredTilesWithoutASeam) {
+  host_.pictures["slope"] = {64, 32, 1,
+                             [](std::uint32_t, double u, double v) { return static_cast<float>(u + 2 * v); }};
+  stroke_.params.set_file("stamp", "slope");
+  stroke_.params.set("tile", 0.9f);
+  stroke_.params.set("depth", 1);
+  stroke_.params.set("mirror", 1);
+  const auto greatest_step = [&] {
+    Nodes nodes;
+    for (float t = 0; t < 10; t += 1e-5f) nodes.t.push_back(t), nodes.d.push_back(0.1f);
+    const auto up = evaluate(nodes);
+    float step = 0;
+    for (std::size_t i = 1; i < up.size(); ++i) step = std::max(step, std::abs(up[i] - up[i - 1]));
+    return step;
+  };
+  EXPECT_LE(greatest_step(), 1e-4);
+  stroke_.context.flags = BURIN_STROKE_CLOSED;
+  stroke_.params.set("tile", 1.4f);  // 7 tiles before the loop makes them even
+  EXPECT_LE(greatest_step(), 1e-4);
+  EXPECT_NEAR(evaluate({{0}, {0.1f}})[0], evaluate({{std::nextafter(10.0f, 0.0f)}, {0.1f}})[0], 1e-4);
+  stroke_.params.set("mirror", 0);
+  EXPECT_GT(greatest_step(), 0.5) << "the slope jumps where it is not mirrored";
+}
+
 TEST_F(Scales, KeepsTheStampOpenWhileTheStrokeIs) {
   ASSERT_EQ(stroke_.begin().status, BURIN_OK);
   EXPECT_EQ(host_.open_stamps, 1);

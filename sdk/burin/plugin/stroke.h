@@ -56,6 +56,9 @@ class Stroke {
     return along != 0 ? std::hypot(along, d) : std::abs(d);
   }
 
+  /// Arc length of t along the drawn line: a dab continues the pattern of the line that it is a dab of.
+  double along_line(float t) const { return dab_t() + t; }
+
   /// The length next to `period` (object units, > 0) that goes a whole number of times around a closed
   /// stroke; on others `period` itself.
   double whole_period(double period) const {

@@ -1,0 +1,128 @@
+// org.burin.tread: the print of a tyre, tiles as wide as the stroke between one that begins and one that ends
+// it.
+
+#include <burin/plugin/plugin.h>
+
+#include <vector>
+
+namespace {
+
+using namespace burin::plugin;
+
+class Tread : public Brush {
+ public:
+  static constexpr BrushInfo info{
+      .id = "org.burin.tread",
+      .name = "Tread",
+      .vendor = "Burin",
+      .version = "1.0.0",
+      .help = "Rolls a stamp as wide as the stroke along it, with stamps of its own for its start and end.",
+      .features = {"stamp"},
+      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_FOOTPRINT,
+      .outputs = BURIN_OUTPUT_DISPLACEMENT,
+  };
+  static constexpr FileParam stamp{
+      .id = "stamp",
+      .name = "Stamp",
+      .help = "An EXR image of heights that repeats along the stroke, to the right.",
+  };
+  static constexpr FileParam start_stamp{
+      .id = "start_stamp",
+      .name = "Start stamp",
+      .help = "For the first tile of an open stroke; none is needed.",
+      .initial = "",
+  };
+  static constexpr FileParam end_stamp{
+      .id = "end_stamp",
+      .name = "End stamp",
+      .help = "For the last tile of an open stroke; none is needed.",
+      .initial = "",
+  };
+  static constexpr FileParam other_stamp{
+      .id = "other_stamp",
+      .name = "Other stamp",
+      .help = "Stands in for the stamp in half of the tiles, at random; none is needed.",
+      .initial = "",
+  };
+  static constexpr FloatParam height{
+      .id = "height",
+      .name = "Height",
+      .help = "Height that one unit of grey adds; below 0 the print is pressed in.",
+      .unit = BURIN_UNIT_RADIUS,
+      .hard = {-10, 10},
+      .soft = {-0.5f, 0.5f},
+      .initial = -0.15f,
+      .dynamic = true,
+  };
+  static constexpr FloatParam tile{
+      .id = "tile",
+      .name = "Tile",
+      .help = "Length of a tile along the stroke.",
+      .unit = BURIN_UNIT_RADIUS,
+      .hard = {0.01f, 1000},
+      .soft = {0.25f, 8},
+      .initial = 2,
+  };
+  static constexpr BoolParam fit{
+      .id = "fit",
+      .name = "Fit",
+      .help = "Stretches tiles so that an open stroke ends with a whole one; a closed one always does.",
+  };
+  static constexpr FloatParam fade{
+      .id = "fade",
+      .name = "Fade",
+      .help = "Share of the radius over which the print fades out at the rim.",
+      .hard = {0.001f, 1},
+      .initial = 0.06f,
+  };
+  static constexpr auto params =
+      param_list(stamp, start_stamp, end_stamp, other_stamp, height, tile, fit, fade);
+
+  explicit Tread(StrokeStart& start) {
+    layout_.span(1);
+    layout_.length = start.params[tile].value();
+    layout_.fit = start.params[fit].value();
+    add(start, stamp, Tiling::options(layout_));
+    if (add(start, other_stamp, Tiling::options(layout_))) layout_.choices = 2;
+    const StampOptions alone{BURIN_WRAP_CLAMP, BURIN_WRAP_UNKNOWN};
+    if ((layout_.start = add(start, start_stamp, alone))) first_ = stamps_.size() - 1;
+    if ((layout_.end = add(start, end_stamp, alone))) last_ = stamps_.size() - 1;
+    start.end_influence = Tiling::end_influence(layout_, start.stroke);
+  }
+
+  void evaluate(const Batch& in, const Outputs& out) const override {
+    const Cells cells(in);
+    const Floats heights = in.params[height];
+    const float rim = in.params[fade].value();
+    const Tiling tiling(layout_, in.stroke);
+    const FloatsOut up = out.up();
+    sample_tiles(
+        in.size(), [&](std::size_t i) { return tiling.at(cells[i]); },
+        [&](const Tile& shown) -> const Stamp& { return stamps_[place_of(shown)]; }, up);
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      const Cell cell = cells[i];
+      const float faded = rim_factor(in.stroke, cell.t, cell.d, cell.radius, rim);
+      up[i] *= heights[i] * cell.radius * faded;
+    }
+  }
+
+ private:
+  bool add(const StrokeStart& start, const FileParam& file, const StampOptions& options) {
+    const char* path = start.params[file];
+    if (*path) stamps_.emplace_back(start.host, path, options);
+    return *path;
+  }
+
+  std::size_t place_of(const Tile& shown) const {
+    if (shown.role == Tile::start) return first_;
+    return shown.role == Tile::end ? last_ : shown.choice;
+  }
+
+  TileLayout layout_;
+  std::vector<Stamp> stamps_;         // those to choose from first
+  std::size_t first_ = 0, last_ = 0;  // in stamps_, those of the ends
+};
+
+}  // namespace
+
+BURIN_PLUGIN(Tread);

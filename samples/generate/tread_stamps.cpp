@@ -1,0 +1,70 @@
+#include "tread_stamps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "exr_file.h"
+
+namespace burin::samples {
+
+namespace {
+
+constexpr int size = 128;        // texels each way
+constexpr int oversampling = 4;  // each way
+
+// Lengths below are in half widths of the tread; y runs across it from -1 to 1, x along it with period 2.
+constexpr double slope = .06;  // of the blocks' sides
+
+double smoothstep(double x) {
+  const double s = std::clamp(x, 0., 1.);
+  return s * s * (3 - 2 * s);
+}
+
+/// 0 at whole x, 1 between them.
+double zigzag(double x) { return 2 * std::abs(x - std::round(x)); }
+
+/// Distance from the middle of slanting lines, two of them a period, at place x along them.
+double to_line(double x) { return std::abs(x - std::round(x)); }
+
+/// Distance into a block of the rubber, negative in the grooves between.
+double into_block(double x, double y) {
+  const double side = std::abs(y);
+  const double round_groove = std::abs(side - .36 - .07 * zigzag(x + (y > 0 ? .5 : 0))) - .065;
+  const double sipes = to_line(x + .8 * y) - .05;
+  const double lugs = .8 * to_line(x + .7 * side + (y > 0 ? .5 : 0)) - .1;
+  const double edge = .96 - side;
+  return std::min({round_groove, side < .4 ? sipes : lugs, edge});
+}
+
+double tread_height(double x, double y) { return smoothstep(into_block(x, y) / slope); }
+
+/// What a border that bulges to the right leaves at x, 0..2 within the tile.
+double rounded(double x, double y) { return smoothstep((1.75 - x - .9 * y * y) / .3); }
+
+void write_tile(const std::filesystem::path& path, const std::function<double(double x, double y)>& height) {
+  std::vector<float> texels;
+  for (int row = 0; row < size; ++row)
+    for (int column = 0; column < size; ++column) {
+      double sum = 0;
+      for (int i = 0; i < oversampling * oversampling; ++i) {
+        const double u = column + (i % oversampling + .5) / oversampling;
+        const double v = row + (i / oversampling + .5) / oversampling;
+        sum += height(2 * u / size, 1 - 2 * v / size);
+      }
+      texels.push_back(static_cast<float>(sum / (oversampling * oversampling)));
+    }
+  write_exr(path, size, size, {"Y"}, texels);
+}
+
+}  // namespace
+
+void write_treads(const std::filesystem::path& folder) {
+  write_tile(folder / "tread.exr", tread_height);
+  write_tile(folder / "tread_start.exr",
+             [](double x, double y) { return tread_height(x, y) * rounded(2 - x, y); });
+  write_tile(folder / "tread_end.exr", [](double x, double y) { return tread_height(x, y) * rounded(x, y); });
+}
+
+}  // namespace burin::samples

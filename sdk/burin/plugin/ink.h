@@ -1,0 +1,100 @@
+#pragma once
+#include <burin/plugin/batch.h>
+#include <burin/plugin/falloff.h>
+#include <burin/plugin/outputs.h>
+#include <burin/plugin/params.h>
+#include <burin/plugin/shapes.h>
+
+#include <algorithm>
+#include <cstddef>
+
+/// What a drawn figure does to the surface: raises it, colours it, protects it. A brush that draws by Ink
+/// declares ink::inputs, ink::outputs and, in its param_list, the four parameters.
+namespace burin::plugin::ink {
+
+inline constexpr std::uint64_t inputs =
+    BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_FOOTPRINT;
+inline constexpr std::uint64_t outputs = BURIN_OUTPUT_DISPLACEMENT | BURIN_OUTPUT_MASK | BURIN_OUTPUT_COLOUR;
+
+inline constexpr FloatParam height{
+    .id = "height",
+    .name = "Height",
+    .help = "How far the figure stands out; below 0 it is engraved.",
+    .unit = BURIN_UNIT_RADIUS,
+    .hard = {-10, 10},
+    .soft = {-0.5f, 0.5f},
+    .initial = 0.1f,
+    .dynamic = true,
+};
+inline constexpr FloatParam bevel{
+    .id = "bevel",
+    .name = "Bevel",
+    .help = "Width of the slope inside of the figure's outline; never steeper than the mesh can show.",
+    .unit = BURIN_UNIT_RADIUS,
+    .hard = {0, 10},
+    .soft = {0, 0.5f},
+    .initial = 0.06f,
+};
+inline constexpr ColourParam colour{
+    .id = "colour",
+    .name = "Colour",
+    .help = "Ink; its alpha says how much it covers, 0 leaves the colours alone.",
+    .initial = {0, 0, 0, 0},
+};
+inline constexpr FloatParam mask{
+    .id = "mask",
+    .name = "Mask",
+    .help = "How much the figure is protected from later strokes.",
+    .hard = {0, 1},
+    .initial = 0,
+};
+
+/// Writes the outputs of a batch, an element at a time.
+class Ink {
+ public:
+  Ink(const Batch& in, const Outputs& out)
+      : radius_(in.radius()),
+        height_(in.params[height]),
+        bevel_(in.params[bevel].value()),
+        protects_(in.params[mask].value()),
+        ink_(in.params[colour]),
+        up_(out.up()),
+        mask_(out.mask()),
+        colour_(out.colour()) {}
+
+  /// Width of the slope at an element, object units.
+  float slope(std::size_t i, float footprint) const { return std::max(bevel_ * radius_[i], footprint); }
+
+  /// A figure whose outline is `distance` away (negative inside), seen through a cell of this size.
+  void draw(std::size_t i, float distance, float footprint) const {
+    const float rise = smooth_step(-distance / std::max(slope(i, footprint), 1e-30f));
+    draw_covered(i, coverage(distance, footprint), rise);
+  }
+
+  /// A figure that covers this share of the cell and rises to `rise` (0..1) of its height there.
+  void draw_covered(std::size_t i, float covered, float rise) const {
+    up_[i] = height_[i] * radius_[i] * rise;
+    mask_[i] *= 1 - protects_ * covered;
+    lay_over(i, covered * ink_.a[i]);
+  }
+
+ private:
+  /// Over what is there, by [Porter and Duff 1984].
+  void lay_over(std::size_t i, float share) const {
+    const float below = colour_.a[i] * (1 - share), whole = share + below;
+    if (share <= 0 || whole <= 0) return;
+    const auto mix = [&](float ink, float& channel) { channel = (ink * share + channel * below) / whole; };
+    mix(ink_.r[i], colour_.r[i]);
+    mix(ink_.g[i], colour_.g[i]);
+    mix(ink_.b[i], colour_.b[i]);
+    colour_.a[i] = std::min(whole, 1.0f);
+  }
+
+  const Floats radius_, height_;
+  const float bevel_, protects_;
+  const Colours ink_;
+  const FloatsOut up_, mask_;
+  const ColoursOut colour_;
+};
+
+}  // namespace burin::plugin::ink
