@@ -1,4 +1,4 @@
-// org.burin.flatten: moves points along their normals to the plane that the stroke around their foot lies in.
+// org.burin.flatten: moves points straight to the plane that the stroke around their foot lies in.
 
 #include <burin/plugin/plugin.h>
 
@@ -18,7 +18,7 @@ class Flatten : public Brush {
       .help = "Levels what is above and below the stroke.",
       .features = {"procedural"},
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_POSITION |
-                BURIN_INPUT_NORMAL | BURIN_INPUT_FOOT,
+                BURIN_INPUT_NORMAL | BURIN_INPUT_E1 | BURIN_INPUT_FOOT,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
   };
   static constexpr FloatParam amount{
@@ -51,25 +51,24 @@ class Flatten : public Brush {
 
   void evaluate(const Batch& in, const Outputs& out) const override {
     const Floats t = in.t(), d = in.d(), radius = in.radius(), amounts = in.params[amount];
-    const Vectors position = in.position(), normal = in.normal(), foot = in.foot();
-    const Vectors plane_normal = in.foot_normal();
-    const FloatsOut up = out.up();
+    const Vectors position = in.position(), foot = in.foot(), plane_normal = in.foot_normal();
+    const FloatsOut along = out.along(), across = out.across(), up = out.up();
+    const Frames frames(in);
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float height = (position.x[i] - foot.x[i]) * plane_normal.x[i] +
                            (position.y[i] - foot.y[i]) * plane_normal.y[i] +
                            (position.z[i] - foot.z[i]) * plane_normal.z[i];
       if ((part_ == peaks && height < 0) || (part_ == valleys && height > 0)) continue;
-      const float way =
-          std::clamp(-height * along_normal(dot(normal, plane_normal, i)), -radius[i], radius[i]);
-      up[i] = amounts[i] * rim_factor(in.stroke, t[i], d[i], radius[i], fade_) * way;
+      const float share = amounts[i] * rim_factor(in.stroke, t[i], d[i], radius[i], fade_);
+      const float way = share * std::clamp(-height, -radius[i], radius[i]);
+      const FrameComponents outward = frames.components(plane_normal, i);
+      along[i] = way * outward.along;
+      across[i] = way * outward.across;
+      up[i] = way * outward.up;
     }
   }
 
  private:
-  /// Way along a normal that gains one unit of height over the plane, by the cosine of their angle. Beyond 60
-  /// degrees less, and nothing at 90, where no way along the normal leads to the plane.
-  static float along_normal(float cosine) { return cosine / std::max(cosine * cosine, 0.25f); }
-
   const int part_;
   const float fade_;  // share of the radius
 };

@@ -31,7 +31,7 @@ class Smooth : public Brush {
       .id = "passes",
       .name = "Passes",
       .help = "How many times.",
-      .hard = {1, 1000},
+      .hard = {1, 200},
       .soft = {1, 50},
       .initial = 10,
   };

@@ -31,6 +31,18 @@ picture groove wave --radius .16 --param width=.6
 picture rope wave --radius .12
 picture scales wave --radius .16 --param stamp=samples/stamps/scales.exr
 picture stitches wave --radius .11 --param length=1.7
+picture tread wave --radius .14 --param stamp=samples/stamps/tread.exr \
+  --param start_stamp=samples/stamps/tread_start.exr --param end_stamp=samples/stamps/tread_end.exr --param fit=true
+picture vdm-trail wave --radius .09 --param stamp=samples/stamps/thorn.exr --param gap=.2 --param flip=1 \
+  --param angle=1.57
+picture dashed-line wave --radius .14 --param colour=.04,.12,.3,1
+picture patterned-line wave --radius .1 --param figure=chain --param spacing=2.6 --param width=.6 --param line=.5 \
+  --param height=.18 --param bevel=.15
+picture patterned-fill wave --radius .14 --param pattern=hexagons --param fill=.85 --param cell=.5 \
+  --param height=.12 --param bevel=.08
+picture arrow wave --radius .15 --param colour=.5,.03,.02,1
+picture text wave --radius .15 --param text=Engraver --param size=1.6 --param align=middle --param height=.12 \
+  --param bevel=.05
 
 # under OPTION...: from now on on a surface with something on it, for brushes that change what is there.
 under() {
@@ -44,7 +56,7 @@ if is_wanted pinch; then
   picture pinch wave --radius .15 --param amount=1 --param lift=.1
 fi
 if is_wanted flatten || is_wanted smooth; then
-  under --brush org.burin.scales --param stamp=samples/stamps/scales.exr --radius .18
+  under --brush org.burin.scales --param stamp=samples/stamps/scales.exr --param depth=.05 --radius .18
   picture flatten wave --radius .12
   picture smooth wave --radius .12 --param passes=60
 fi

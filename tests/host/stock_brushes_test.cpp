@@ -1,6 +1,5 @@
 // What holds for every brush of the folder brushes/, whatever it draws.
 #include <burin/base/parallel.h>
-#include <burin/deform/offered.h>
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -8,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "sessions.h"
+#include "symmetric.h"
 
 namespace burin {
 namespace {
@@ -58,12 +57,6 @@ TriangleMesh bumpy(float dents = 0.02f) {
 
 class StockBrushes : public testing::TestWithParam<BrushUse> {
  protected:
-  void SetUp() override {
-    const std::uint64_t missing = descriptor().inputs_read & ~offered_inputs;
-    const std::uint64_t unknown = descriptor().outputs_written & ~offered_outputs;
-    if (missing || unknown) GTEST_SKIP() << "this host does not offer what the brush reads or writes";
-  }
-
   const burin_brush_descriptor& descriptor() const { return *test::brushes().find(GetParam().id).descriptor; }
 
   StrokeSettings stroke(double radius = 0.3) const {
@@ -139,6 +132,23 @@ TEST_P(StockBrushes, MovesWithTheSurface) {
   std::cout << fmt::format("off by {:.2g}, displaced by {:.2g}\n", error, displacement);
   EXPECT_LT(error, 1e-5);
   EXPECT_GT(displacement, 1e-3);
+}
+
+TEST_P(StockBrushes, IsMirroredWhereStrokesAre) {
+  StrokeSettings mirrored = stroke(0.2);
+  mirrored.symmetry.mirror_x = true;
+  const SymmetryInstance image = symmetry_instances(mirrored.symmetry)[1];
+  TriangleMesh mesh = test::octahedral_sphere(48);
+  for (Vec3f& p : mesh.positions) p *= 1 + 0.05f * std::cos(4 * p.x()) * std::sin(5 * p.y() + 1);
+  test::SymmetricSession symmetric(std::move(mesh), image);
+  test::draw(symmetric.session, mirrored, around(test::arc(0.4, 1.2, 0.2), symmetric.session));
+  EXPECT_GT(symmetric.moved(), 40u);
+  const bool readable_in_mirrors = std::string_view(GetParam().id) == "org.burin.text";
+  if (readable_in_mirrors) {
+    EXPECT_GT(symmetric.worst(image), 1e-3);
+  } else {
+    EXPECT_LE(symmetric.worst(image), 1e-5);
+  }
 }
 
 TEST_P(StockBrushes, GivesTheSameBitsHoweverItIsShownAndOnHowManyThreads) {

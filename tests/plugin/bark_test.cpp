@@ -58,7 +58,8 @@ TEST_F(Bark, LeavesOutWhatTheMeshCannotShow) {
 }
 
 TEST_F(Bark, DiffersFromStrokeToStroke) {
-  const Nodes nodes = random_nodes(500);
+  stroke_.context.length = 500;  // of some thousand cells
+  const Nodes nodes = random_nodes(5000);
   const auto first = evaluate(nodes).up;
   EXPECT_EQ(evaluate(nodes).up, first);
   stroke_.context.seed = 1;
