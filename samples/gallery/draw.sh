@@ -20,7 +20,7 @@ picture() {
   shift 2
   is_wanted "$brush" || return 0
   printf '%s\n' "$brush"
-  replay "$stroke" --brush "org.burin.$brush" "${surface[@]}" --png "samples/gallery/$brush.png" \
+  replay "$stroke" --brush "org.burin.$brush" "${surface[@]}" --png "samples/gallery/${brush//-/_}.png" \
     --view 0,-.15,-1 --fov 12 --width 520 --height 390 "$@"
 }
 
