@@ -93,11 +93,12 @@ class Scales : public Brush {
       .name = "Flip",
       .help = "Turns tiles upside down at random.",
   };
-  static constexpr auto params =
-      param_list(stamp, depth, centre, tile, aspect, fade, offset_along, offset_across, mirror, flip);
+  static constexpr auto params = param_list(stamp, depth, centre, tile, aspect, fade, offset_along,
+                                            offset_across, mirror, flip, clean_stamp);
 
   explicit Scales(StrokeStart& start)
-      : layout_(layout(start.params)), stamp_(start.host, start.params[stamp], Tiling::options(layout_)) {
+      : layout_(layout(start.params)),
+        stamp_(start.host, start.params[stamp], cleaned(Tiling::options(layout_), start.params)) {
     layout_.width = layout_.length * start.params[aspect].value() * stamp_.aspect();
     start.end_influence = Tiling::end_influence(layout_, start.stroke);
   }

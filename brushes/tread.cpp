@@ -76,7 +76,7 @@ class Tread : public Brush {
       .initial = 0.06f,
   };
   static constexpr auto params =
-      param_list(stamp, start_stamp, end_stamp, other_stamp, height, tile, fit, fade);
+      param_list(stamp, start_stamp, end_stamp, other_stamp, height, tile, fit, fade, clean_stamp);
 
   explicit Tread(StrokeStart& start) {
     layout_.span(1);
@@ -109,7 +109,7 @@ class Tread : public Brush {
  private:
   bool add(const StrokeStart& start, const FileParam& file, const StampOptions& options) {
     const char* path = start.params[file];
-    if (*path) stamps_.emplace_back(start.host, path, options);
+    if (*path) stamps_.emplace_back(start.host, path, cleaned(options, start.params));
     return *path;
   }
 

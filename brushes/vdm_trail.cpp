@@ -75,10 +75,11 @@ class VdmTrail : public Brush {
       .name = "Flip",
       .help = "Mirrors stamps across the stroke at random.",
   };
-  static constexpr auto params = param_list(stamp, size, gap, amount, angle, mirror, flip);
+  static constexpr auto params = param_list(stamp, size, gap, amount, angle, mirror, flip, clean_stamp);
 
   explicit VdmTrail(StrokeStart& start)
-      : layout_(layout(start.params)), map_(start.host, start.params[stamp], Tiling::options(layout_)) {
+      : layout_(layout(start.params)),
+        map_(start.host, start.params[stamp], cleaned(Tiling::options(layout_), start.params)) {
     if (map_.info().channels < 3)
       throw Error(std::string(start.params[stamp]) + ": a vector displacement map has three channels");
     // A stamp is there from the moment on when the stroke reaches its middle.

@@ -14,5 +14,6 @@
 #include <burin/plugin/random.h>
 #include <burin/plugin/sample_tiles.h>
 #include <burin/plugin/shapes.h>
+#include <burin/plugin/stamp_params.h>
 #include <burin/plugin/stamps.h>
 #include <burin/plugin/tiling.h>
