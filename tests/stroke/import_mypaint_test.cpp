@@ -67,23 +67,9 @@ TEST(ImportMypaintEvents, SurvivesAFile) {
   test::expect_survives_a_file(import_mypaint_events(path, test::import_camera(1280, 720)));
 }
 
-class MypaintText : public ::testing::Test {
+class MypaintText : public test::ImportedText {
  protected:
-  Recording import(const std::string& text) {
-    write_file_whole(path_, [&](std::ostream& out) { out << text; });
-    return import_mypaint_events(path_, test::import_camera(100, 100));
-  }
-  std::string complaint(const std::string& text) {
-    try {
-      import(text);
-    } catch (const FileError& error) {
-      return std::string(error.what()).substr(path_.string().size() + 1);
-    }
-    return "accepted";
-  }
-
-  test::TemporaryFolder folder_;
-  std::filesystem::path path_ = folder_.path() / "a.dat";
+  MypaintText() : ImportedText(import_mypaint_events, "a.dat") {}
 };
 
 TEST_F(MypaintText, LeavesOutStrokesWithoutExtentAndRaisesTimesThatFall) {

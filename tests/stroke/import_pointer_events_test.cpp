@@ -35,23 +35,9 @@ TEST(ImportPointerEvents, SurvivesAFile) {
   test::expect_survives_a_file(import_pointer_events(path, test::import_camera(640, 480)));
 }
 
-class PointerText : public ::testing::Test {
+class PointerText : public test::ImportedText {
  protected:
-  Recording import(const std::string& text) {
-    write_file_whole(path_, [&](std::ostream& out) { out << text; });
-    return import_pointer_events(path_, test::import_camera(100, 100));
-  }
-  std::string complaint(const std::string& text) {
-    try {
-      import(text);
-    } catch (const FileError& error) {
-      return std::string(error.what()).substr(path_.string().size() + 1);
-    }
-    return "accepted";
-  }
-
-  test::TemporaryFolder folder_;
-  std::filesystem::path path_ = folder_.path() / "a.json";
+  PointerText() : ImportedText(import_pointer_events, "a.json") {}
 };
 
 TEST_F(PointerText, LiftsThePenWithoutButtonsOrPressure) {

@@ -48,23 +48,9 @@ TEST(ImportSvc, SurvivesAFile) {
   test::expect_survives_a_file(import_svc(path, test::import_camera(1280, 720)));
 }
 
-class SvcText : public ::testing::Test {
+class SvcText : public test::ImportedText {
  protected:
-  Recording import(const std::string& text) {
-    write_file_whole(path_, [&](std::ostream& out) { out << text; });
-    return import_svc(path_, test::import_camera(100, 100));
-  }
-  std::string complaint(const std::string& text) {
-    try {
-      import(text);
-    } catch (const FileError& error) {
-      return std::string(error.what()).substr(path_.string().size() + 1);
-    }
-    return "accepted";
-  }
-
-  test::TemporaryFolder folder_;
-  std::filesystem::path path_ = folder_.path() / "a.svc";
+  SvcText() : ImportedText(import_svc, "a.svc") {}
 };
 
 TEST_F(SvcText, TurnsTheTabletUprightAndAnglesIntoTilts) {

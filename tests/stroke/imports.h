@@ -1,7 +1,12 @@
 #pragma once
+#include <burin/base/error.h>
+#include <burin/base/file.h>
 #include <burin/stroke/recording.h>
 #include <burin/stroke/stroke_file.h>
 #include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
 
 #include "stroke/recordings.h"
 #include "support/shared_data.h"
@@ -43,5 +48,31 @@ inline void expect_survives_a_file(const Recording& recording) {
   }
   EXPECT_TRUE(same_bits(read_strokes(path), recording));
 }
+
+/// Imports texts as if they were files of one format.
+class ImportedText : public ::testing::Test {
+ protected:
+  using Import = Recording (*)(const std::filesystem::path& path, const Camera& camera);
+  ImportedText(Import import_file, const char* name) : import_(import_file), path_(folder_.path() / name) {}
+
+  Recording import(const std::string& text) {
+    write_file_whole(path_, [&](std::ostream& out) { out << text; });
+    return import_(path_, import_camera(100, 100));
+  }
+
+  /// What is wrong with a text, without the name of the file.
+  std::string complaint(const std::string& text) {
+    try {
+      import(text);
+    } catch (const FileError& error) {
+      return std::string(error.what()).substr(path_.string().size() + 1);
+    }
+    return "accepted";
+  }
+
+  TemporaryFolder folder_;
+  const Import import_;
+  const std::filesystem::path path_;
+};
 
 }  // namespace burin::test
