@@ -32,6 +32,19 @@ TEST(Symmetry, MirrorsWhatALopsidedBrushDoes) {
   }
 }
 
+TEST(Symmetry, MirrorsWhatTheDirectionOfTravelDrives) {
+  StrokeSettings mirrored = settings("org.burin.vdm-trail", 0.2);
+  mirrored.params = {{"stamp", std::string(BURIN_SAMPLES) + "/stamps/thorn.exr"}};
+  mirrored.dynamics = {{"angle", PenSource::direction, {-4, -4, 4, 4}},
+                       {"radius", PenSource::direction, {-4, 0.4, 4, 1}}};
+  mirrored.symmetry.mirror_x = true;
+  const SymmetryInstance image = symmetry_instances(mirrored.symmetry)[1];
+  SymmetricSession symmetric(octahedral_sphere(48), image);
+  draw(symmetric.session, mirrored, arc(0.3, 1.2, 0.2));
+  EXPECT_GT(symmetric.moved(), 100u);
+  EXPECT_LE(symmetric.worst(image), 1e-5);
+}
+
 TEST(Symmetry, TurnsAStrokeAroundAnAxis) {
   StrokeSettings radial = lopsided();
   radial.symmetry.radial = 4;

@@ -51,12 +51,13 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, Charters& c
       picker_(&picker),
       settings_(checked(settings)),
       params_(descriptor, settings.params),
-      width_(settings.pressure_width, settings.dynamics, driven_stroke()),
-      dynamics_(descriptor, params_.abi(), settings.dynamics, driven_stroke()),
+      narrowest_(StrokeWidth(settings.pressure_width, settings.dynamics,
+                             {.fields = settings.fields, .radius = settings.radius, .seed = settings.seed})
+                     .narrowest()),
       brush_stroke_(brush, descriptor, context(0, {}), params_.abi()),
       last_time_(-std::numeric_limits<double>::infinity()) {
   for (const SymmetryInstance& image : symmetry_instances(settings_.symmetry))
-    instances_.emplace_back(surface, picker, charters, settings_, width_, image, read_inputs());
+    instances_.emplace_back(surface, picker, charters, settings_, image, brush_stroke_);
   if (settings_.accumulate == Accumulate::from_current) accumulate();
   if (passes_look_around()) look_around();
 }
@@ -78,12 +79,6 @@ void OpenStroke::accumulate() {
 
 bool OpenStroke::passes_look_around() const {
   return brush().inputs_read & BURIN_INPUT_LAPLACIAN && brush_stroke_.plan().passes > 1;
-}
-
-ReadInputs OpenStroke::read_inputs() const {
-  std::uint64_t varying = pen_inputs_present(settings_.fields);
-  if (width_.varies()) varying |= BURIN_INPUT_RADIUS;
-  return {settings_.radius, brush().inputs_read, varying & brush().inputs_read, &dynamics_};
 }
 
 BlendOptions OpenStroke::blend_options() const {
@@ -132,7 +127,7 @@ burin_stroke_context OpenStroke::context(std::uint64_t flags, const SurfaceCurve
   context.pen_present = pen_inputs_present(settings_.fields);
   context.seed = settings_.seed;
   context.length = curve.length();
-  context.radius_min = settings_.radius * width_.narrowest();
+  context.radius_min = settings_.radius * narrowest_;
   context.radius_max = settings_.radius;
   context.object_scale = surface_->scale;
   return context;

@@ -2,7 +2,6 @@
 #include <burin/deform/accumulation.h>
 #include <burin/deform/brush_stroke.h>
 #include <burin/deform/evaluate.h>
-#include <burin/deform/param_dynamics.h>
 #include <burin/deform/stroke_passes.h>
 #include <burin/host/event_cost.h>
 #include <burin/host/param_snapshot.h>
@@ -62,12 +61,10 @@ class OpenStroke {
 
  private:
   const StrokeInstance& drawn_by_hand() const { return instances_.front(); }
-  DrivenStroke driven_stroke() const { return {settings_.fields, settings_.radius, settings_.seed}; }
   void accumulate();
   void look_around();
   bool passes_look_around() const;
   burin_stroke_context context(std::uint64_t flags, const SurfaceCurve& curve) const;
-  ReadInputs read_inputs() const;
   BlendOptions blend_options() const;
   VertexMoves go_on(const std::vector<StrokeChanges>& changes, std::uint64_t flags, const StrokeTools& tools);
   void evaluate(const std::vector<StrokeChanges>& changes, std::uint64_t flags, const StrokeTools& tools,
@@ -78,8 +75,7 @@ class OpenStroke {
   const Picker* picker_;
   StrokeSettings settings_;
   ParamSnapshot params_;
-  StrokeWidth width_;
-  ParamDynamics dynamics_;
+  double narrowest_;  ///< width that the stroke may have, a share of its radius
   BrushStroke brush_stroke_;
   std::deque<StrokeInstance> instances_;
   std::optional<StrokePasses> passes_;        ///< of brushes whose passes look at neighbours

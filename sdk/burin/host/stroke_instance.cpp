@@ -9,6 +9,10 @@ namespace {
 /// A t that all nodes reach.
 constexpr double everywhere = -std::numeric_limits<double>::infinity();
 
+DrivenStroke driven_stroke(const StrokeSettings& settings, const SymmetryInstance& image) {
+  return {settings.fields, settings.radius, settings.seed, image.linear.transpose().cast<float>()};
+}
+
 }  // namespace
 
 InstanceCharters& Charters::operator[](std::size_t instance) {
@@ -23,9 +27,14 @@ LiveDabs& Charters::dabs(std::size_t instance) {
 }
 
 StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Charters& charters,
-                               const StrokeSettings& settings, const StrokeWidth& width,
-                               const SymmetryInstance& image, const ReadInputs& reads)
-    : surface_(&surface), image_(image), reads_(reads), tracer_(surface, picker, settings.radius, width) {
+                               const StrokeSettings& settings, const SymmetryInstance& image,
+                               const BrushStroke& brush)
+    : surface_(&surface),
+      image_(image),
+      width_(settings.pressure_width, settings.dynamics, driven_stroke(settings, image)),
+      dynamics_(brush.descriptor(), brush.params(), settings.dynamics, driven_stroke(settings, image)),
+      reads_(read_inputs(settings, brush.descriptor().inputs_read)),
+      tracer_(surface, picker, settings.radius, width_) {
   if (settings.dab_spacing > 0) {
     dabs_ = &charters.dabs(image.index);
     dabs_->begin(settings.radius, settings.dab_spacing * settings.radius);
@@ -33,7 +42,13 @@ StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Cha
     charter_ = &charters[image.index].stroke;
     charter_->begin({.radius = settings.radius, .cap = settings.cap, .join = settings.join});
   }
-  nodes_.emplace(live(), reads);
+  nodes_.emplace(live(), reads_);
+}
+
+ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const {
+  std::uint64_t varying = pen_inputs_present(settings.fields);
+  if (width_.varies()) varying |= BURIN_INPUT_RADIUS;
+  return {settings.radius, inputs, varying & inputs, &dynamics_};
 }
 
 void StrokeInstance::trace(const SurfacePoint& at, double time, const Pen& pen) {

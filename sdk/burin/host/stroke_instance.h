@@ -1,6 +1,8 @@
 #pragma once
 #include <burin/chart/live_dabs.h>
 #include <burin/chart/stroke_chart.h>
+#include <burin/deform/brush_stroke.h>
+#include <burin/deform/param_dynamics.h>
 #include <burin/deform/stroke_nodes.h>
 #include <burin/deform/stroke_passes.h>
 #include <burin/host/event_cost.h>
@@ -38,9 +40,9 @@ class Charters {
 /// One symmetric image of a stroke that is being drawn: its curve, its chart, and what the brush does there.
 class StrokeInstance {
  public:
+  /// Throws Error for dynamics that the brush does not take.
   StrokeInstance(const Surface& surface, const Picker& picker, Charters& charters,
-                 const StrokeSettings& settings, const StrokeWidth& width, const SymmetryInstance& image,
-                 const ReadInputs& reads);
+                 const StrokeSettings& settings, const SymmetryInstance& image, const BrushStroke& brush);
   StrokeInstance(const StrokeInstance&) = delete;
   StrokeInstance& operator=(const StrokeInstance&) = delete;
 
@@ -70,12 +72,15 @@ class StrokeInstance {
   NodeSource source(const Paint& paint) const;
 
  private:
+  ReadInputs read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const;
   void chart(std::size_t unchanged, EventCost& cost);
   double other_feet_from(double same_curve_up_to) const;
   bool reads_foot() const { return reads_.inputs & BURIN_INPUT_FOOT; }
 
   const Surface* surface_;
   SymmetryInstance image_;
+  StrokeWidth width_;
+  ParamDynamics dynamics_;
   ReadInputs reads_;
   StrokeCharter* charter_ = nullptr;
   LiveDabs* dabs_ = nullptr;  ///< instead of the charter, in strokes of dabs

@@ -97,7 +97,7 @@ std::vector<Dynamic> replaced(const std::vector<Dynamic>& theirs, const std::vec
 
 TargetDynamics::TargetDynamics(std::span<const Dynamic> dynamics, std::string_view target,
                                const DrivenStroke& stroke)
-    : radius_(stroke.radius) {
+    : radius_(stroke.radius), to_hand_(stroke.to_hand) {
   for (const Dynamic& dynamic : dynamics)
     if (dynamic.target == target && is_there(dynamic.source, stroke.fields)) dynamics_.push_back(dynamic);
   const std::array<std::uint64_t, 2> key{stroke.seed, hash_bytes(target.data(), target.size())};
@@ -113,7 +113,7 @@ double TargetDynamics::source_value(PenSource source, const PenAt& at, double lo
     case PenSource::tilt_direction:
       return std::atan2(lean(at.pen).y(), lean(at.pen).x());
     case PenSource::direction:
-      return travel_direction(at.tangent, at.normal);
+      return travel_direction(to_hand_ * at.tangent, to_hand_ * at.normal);
     case PenSource::speed:
       return at.speed / radius_;
     case PenSource::time:
