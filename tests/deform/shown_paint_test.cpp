@@ -56,6 +56,18 @@ TEST_F(ShownPaintTest, CommitsAndGoesBackBitForBit) {
   }
 }
 
+TEST_F(ShownPaintTest, GoesBackToPaintThatWasTakenAwaySince) {
+  set({2}, {tint_of(red, 0.5f)});
+  paint_.commit();
+  set({2}, {tint_of(Paint::bare(), 1)});
+  const PaintStep to_red = paint_.commit();
+  paint_.assign({});
+  paint_.restore(to_red);
+  EXPECT_EQ(paint_.shown().colour[2], red);
+  EXPECT_EQ(paint_.base().mask[2], 0.5f);
+  EXPECT_EQ(paint_.shown().colour[1], Paint::bare());
+}
+
 TEST_F(ShownPaintTest, DropsWhatWasNotCommitted) {
   set({0, 3}, {tint_of(red, 0), tint_of(red, 0.5f)});
   paint_.drop();
