@@ -6,8 +6,7 @@ namespace burin {
 namespace {
 
 TEST(Srgb, GivesEveryByteBack) {
-  for (int byte = 0; byte < 256; ++byte)
-    EXPECT_EQ(to_srgb(from_srgb(static_cast<std::uint8_t>(byte))), byte);
+  for (int byte = 0; byte < 256; ++byte) EXPECT_EQ(to_srgb(from_srgb(static_cast<std::uint8_t>(byte))), byte);
 }
 
 TEST(Srgb, KnowsMiddleGrey) {

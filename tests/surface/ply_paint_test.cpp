@@ -45,7 +45,8 @@ TEST(PlyPaint, ComesBackAsItWasWritten) {
   VertexPaint paint;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const auto byte = static_cast<std::uint8_t>(i);
-    paint.colours.push_back({byte, static_cast<std::uint8_t>(255 - byte), 7, static_cast<std::uint8_t>(3 * i)});
+    paint.colours.push_back(
+        {byte, static_cast<std::uint8_t>(255 - byte), 7, static_cast<std::uint8_t>(3 * i)});
     paint.masks.push_back(static_cast<float>(i) / 799);
   }
   const auto path = folder.path() / "a.ply";
@@ -68,8 +69,9 @@ TEST(PlyPaint, TakesEveryTypeOfChannel) {
   EXPECT_EQ(paint_of(rgb("int"), {"255 0 51", "0 255 0", "1 2 3"}).colours, expected);
   EXPECT_EQ(paint_of(rgb("ushort"), {"65535 0 13107", "0 65535 0", "257 514 771"}).colours, expected);
   EXPECT_EQ(paint_of(rgb("float"), {"1 0 0.2", "0 1 0", "0.00392 0.00784 0.0118"}).colours, expected);
-  EXPECT_EQ(paint_of(rgb("double") + "property double alpha\n", {"1 0 .2 1", "0 1 0 1", "0 0 0 0.2"}).colours[2],
-            (Colours::value_type{0, 0, 0, 51}));
+  EXPECT_EQ(
+      paint_of(rgb("double") + "property double alpha\n", {"1 0 .2 1", "0 1 0 1", "0 0 0 0.2"}).colours[2],
+      (Colours::value_type{0, 0, 0, 51}));
 }
 
 TEST(PlyPaint, IsEmptyWhereNothingWholeIsPainted) {
