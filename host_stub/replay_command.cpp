@@ -1,7 +1,9 @@
+#include <burin/base/error.h>
 #include <burin/host/replay.h>
 #include <burin/surface/mesh_file.h>
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "bake_option.h"
@@ -80,8 +82,14 @@ std::optional<Camera> recorded_camera(const std::vector<Recording>& recordings) 
   return std::nullopt;
 }
 
+void check_mesh_path(const std::string& path) {
+  check_output_path(path);
+  if (!path.empty() && std::filesystem::path(path).extension() != ".ply")
+    throw FileError(path, "meshes are written as .ply files");
+}
+
 void check_options(const ReplayOptions& options, const BrushLibrary& library) {
-  check_output_path(options.save_mesh);
+  check_mesh_path(options.save_mesh);
   check_output_path(options.png);
   check_report_folder(options.report);
   check_bake_path(options.bake);
@@ -181,7 +189,8 @@ void add_replay(CLI::App& app) {
       ->type_name("NAME=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--save-mesh", options->save_mesh, "surface to write")->type_name("FILE.ply");
+  command.add_option("--save-mesh", options->save_mesh, "surface to write, with what is painted on it")
+      ->type_name("FILE.ply");
   add_bake_options(command, options->bake);
   command.add_option("--png", options->png, "picture of the result, the strokes filling it")
       ->type_name("FILE");
