@@ -7,6 +7,7 @@
 #include <map>
 
 #include "name_file.h"
+#include "painted.h"
 
 namespace burin {
 namespace {
@@ -62,11 +63,16 @@ Cage read_cage(const MeshOptions& options) {
     Cage cage{read_mesh(options.path), SubdivisionScheme::catmull_clark, 0};
     cage.scheme = options.scheme.value_or(natural_scheme(cage.polygons));
     cage.level = levels(cage.polygons, cage.scheme, options);
+    if (cage.level > 0 && !cage.polygons.paint.empty()) {
+      warn(options.path +
+           ": colours and masks are left behind: they are kept on meshes that are not refined");
+      cage.polygons.paint = {};
+    }
     return cage;
   });
 }
 
-LoadedSurface make_loaded(TriangleMesh mesh, int level, const Progress& progress) {
+LoadedSurface make_loaded(TriangleMesh mesh, int level, const VertexPaint& paint, const Progress& progress) {
   LoadedSurface loaded;
   mesh.triangle_uv = {};
   if (level == 0) {
@@ -74,6 +80,7 @@ LoadedSurface make_loaded(TriangleMesh mesh, int level, const Progress& progress
     if (defects.any()) loaded.defects = defects.text();
   }
   loaded.surface = make_surface(std::move(mesh), progress);
+  loaded.paint = paint_in_surface_order(loaded.surface, paint);
   return loaded;
 }
 
@@ -81,7 +88,8 @@ LoadedSurface load_surface(const MeshOptions& options, const Progress& progress)
   Cage cage = read_cage(options);
   cage.polygons.corner_uv = {};
   return naming_file(options.path, [&] {
-    return make_loaded(refine(cage.polygons, cage.scheme, cage.level, progress), cage.level, progress);
+    return make_loaded(refine(cage.polygons, cage.scheme, cage.level, progress), cage.level,
+                       cage.polygons.paint, progress);
   });
 }
 

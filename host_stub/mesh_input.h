@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/deform/paint.h>
 #include <burin/subdiv/refine.h>
 #include <burin/surface/surface.h>
 
@@ -24,20 +25,23 @@ void add_mesh_options(CLI::App& command, MeshOptions& options);
 struct LoadedSurface {
   Surface surface;
   std::string defects;  ///< of a mesh that was not refined, counted; empty for none
+  Paint paint = {};     ///< on the surface's vertices, where the file has colours or masks
 };
 
-/// A mesh as its file has it, and how far the options ask to refine it.
+/// A mesh as its file has it, though painted only where it is not to be refined, and how far the options ask
+/// to refine it.
 struct Cage {
   PolygonMesh polygons;
   SubdivisionScheme scheme;
   int level;
 };
 
-/// Throws FileError, for a point set too.
+/// Warns of paint that refinement loses. Throws FileError, for a point set too.
 Cage read_cage(const MeshOptions& options);
 
-/// Makes triangles of a cage's `level` ready for strokes; texture coordinates are left behind.
-LoadedSurface make_loaded(TriangleMesh mesh, int level, const Progress& progress);
+/// Makes triangles of a cage's `level` ready for strokes; texture coordinates are left behind. `paint`: of
+/// the vertices, or nothing.
+LoadedSurface make_loaded(TriangleMesh mesh, int level, const VertexPaint& paint, const Progress& progress);
 
 /// Reads the mesh, refines or triangulates it and makes it ready. Throws FileError, for a point set too.
 LoadedSurface load_surface(const MeshOptions& options, const Progress& progress);

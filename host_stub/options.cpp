@@ -156,14 +156,16 @@ void add_input_options(CLI::App& command, std::vector<Dynamic>& dynamics, Stabil
       ->type_name("KIND:AMOUNT");
 }
 
-ParamSettings parse_param_settings(const std::vector<std::string>& texts) {
+ParamSettings parse_param_settings(const std::vector<std::string>& texts,
+                                   const std::function<bool(const std::string& name)>& is_text) {
   ParamSettings settings;
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     if (equals == 0 || equals == std::string::npos) {
       throw CLI::ValidationError("--param", "takes NAME=VALUE, not " + text);
     }
-    settings[text.substr(0, equals)] = parse_setting(text.substr(equals + 1));
+    const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
+    settings[name] = is_text(name) ? value : parse_setting(value);
   }
   return settings;
 }

@@ -6,6 +6,7 @@
 #include <burin/stroke/surface_curve.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,8 +33,9 @@ void add_input_options(CLI::App& command, std::vector<Dynamic>& dynamics, Stabil
 void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, double& pressure_width,
                         Join& join);
 
-/// The value of "NAME=VALUE": true and false, a number, numbers between commas, else text.
-/// Throws CLI::ValidationError without a NAME.
-ParamSettings parse_param_settings(const std::vector<std::string>& texts);
+/// The value of "NAME=VALUE": true and false, a number, numbers between commas, else text; always text where
+/// `is_text` says so of the NAME. Throws CLI::ValidationError without a NAME.
+ParamSettings parse_param_settings(const std::vector<std::string>& texts,
+                                   const std::function<bool(const std::string& name)>& is_text);
 
 }  // namespace burin

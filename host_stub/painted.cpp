@@ -1,5 +1,6 @@
 #include "painted.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "srgb.h"
@@ -19,6 +20,17 @@ Tint tint_at(const Paint& paint, const SurfacePoint& point) {
   return tint;
 }
 
+using Bytes = std::array<std::uint8_t, 4>;
+
+Vec4f colour_of(const Bytes& bytes) {
+  return {from_srgb(bytes[0]), from_srgb(bytes[1]), from_srgb(bytes[2]), static_cast<float>(bytes[3]) / 255};
+}
+
+Bytes bytes_of(const Vec4f& colour) {
+  return {to_srgb(colour.x()), to_srgb(colour.y()), to_srgb(colour.z()),
+          static_cast<std::uint8_t>(std::lround(255 * colour.w()))};
+}
+
 }  // namespace
 
 Albedo painted(const Paint& paint) {
@@ -30,18 +42,29 @@ Albedo painted(const Paint& paint) {
   };
 }
 
+Paint paint_in_surface_order(const Surface& surface, const VertexPaint& paint) {
+  Paint of_surface;
+  for (const Index source : surface.source_vertex) {
+    if (!paint.colours.empty()) of_surface.colour.push_back(colour_of(paint.colours[source]));
+    if (!paint.masks.empty()) of_surface.mask.push_back(paint.masks[source]);
+  }
+  return of_surface;
+}
+
 VertexPaint paint_in_source_order(const Surface& surface, const Paint& paint) {
   VertexPaint of_source;
-  of_source.colours.resize(paint.colour.size());
-  of_source.masks.resize(paint.mask.size());
-  for (std::size_t vertex = 0; vertex < paint.colour.size(); ++vertex) {
-    const Vec4f& colour = paint.colour[vertex];
-    auto& bytes = of_source.colours[surface.source_vertex[vertex]];
-    for (int k = 0; k < 3; ++k) bytes[static_cast<std::size_t>(k)] = to_srgb(colour[k]);
-    bytes[3] = static_cast<std::uint8_t>(std::lround(255 * colour.w()));
+  const auto is_bare = [](const Vec4f& colour) { return colour.w() == 0; };
+  if (!std::ranges::all_of(paint.colour, is_bare)) {
+    of_source.colours.resize(paint.colour.size());
+    for (std::size_t vertex = 0; vertex < paint.colour.size(); ++vertex)
+      of_source.colours[surface.source_vertex[vertex]] = bytes_of(paint.colour[vertex]);
   }
-  for (std::size_t vertex = 0; vertex < paint.mask.size(); ++vertex)
-    of_source.masks[surface.source_vertex[vertex]] = paint.mask[vertex];
+  const auto is_free = [](float mask) { return mask == 1; };
+  if (!std::ranges::all_of(paint.mask, is_free)) {
+    of_source.masks.resize(paint.mask.size());
+    for (std::size_t vertex = 0; vertex < paint.mask.size(); ++vertex)
+      of_source.masks[surface.source_vertex[vertex]] = paint.mask[vertex];
+  }
   return of_source;
 }
 

@@ -5,6 +5,7 @@
 #include "command.h"
 #include "mesh_input.h"
 #include "output_file.h"
+#include "painted.h"
 #include "render.h"
 #include "view.h"
 
@@ -23,8 +24,8 @@ void run(const RenderOptions& options) {
   const LoadedSurface loaded = load_surface_on_console(options.mesh);
   const Picker picker(loaded.surface);
   ProgressBar bar;
-  write_png(options.png,
-            render(loaded.surface, picker, whole_view(loaded.surface, options.view), clay, bar.progress()));
+  write_png(options.png, render(loaded.surface, picker, whole_view(loaded.surface, options.view),
+                                painted(loaded.paint), bar.progress()));
   if (options.json) {
     fmt::print("{}\n", json_text({{"mesh", mesh_json(options.mesh, loaded)}, {"png", options.png}}));
   } else {

@@ -1,11 +1,14 @@
+#include <burin/base/error.h>
 #include <burin/host/replay.h>
 #include <burin/surface/mesh_file.h>
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "bake_option.h"
 #include "brush_folder.h"
+#include "brush_params.h"
 #include "command.h"
 #include "name_file.h"
 #include "options.h"
@@ -66,6 +69,11 @@ void warn_of_left_out(const ReplaySummary& summary) {
   if (result.samples_drawn == 0) warn("no stroke meets the surface");
 }
 
+void warn_of_lost_paint(const Session& session, const ReplayMesh& mesh) {
+  if (mesh.has_levels() && !paint_in_source_order(session.surface(), session.paint()).empty())
+    warn("--sculpt-level is below the finest level, which takes no colours and masks: they are lost");
+}
+
 /// Of the first recording in screen space.
 std::optional<Camera> recorded_camera(const std::vector<Recording>& recordings) {
   for (const Recording& recording : recordings) {
@@ -74,8 +82,14 @@ std::optional<Camera> recorded_camera(const std::vector<Recording>& recordings) 
   return std::nullopt;
 }
 
+void check_mesh_path(const std::string& path) {
+  check_output_path(path);
+  if (!path.empty() && std::filesystem::path(path).extension() != ".ply")
+    throw FileError(path, "meshes are written as .ply files");
+}
+
 void check_options(const ReplayOptions& options, const BrushLibrary& library) {
-  check_output_path(options.save_mesh);
+  check_mesh_path(options.save_mesh);
   check_output_path(options.png);
   check_report_folder(options.report);
   check_bake_path(options.bake);
@@ -114,17 +128,28 @@ void save_mesh(const ReplayOptions& options, const Session& session, const Repla
   write_ply(options.save_mesh, mesh.result(session), paint);
 }
 
-void run(const ReplayOptions& options) {
+/// What text looks like a number stays text where the brush takes text.
+ParamSettings read_params(const ReplayOptions& options, const BrushLibrary& library) {
+  return parse_param_settings(options.params, [&](const std::string& name) {
+    return has_param(library, options.overrides.brush, name,
+                     {BURIN_PARAM_TEXT, BURIN_PARAM_FILE, BURIN_PARAM_CHOICE});
+  });
+}
+
+void run(ReplayOptions& options) {
   BrushLibrary library(log_on_console);
   library.load_search_path(own_brush_folder());
   check_options(options, library);
+  options.overrides.params = read_params(options, library);
   const std::vector<Recording> recordings = read_recordings(options.strokes);
   ReplayMesh mesh(options.mesh, options.bake.asked());
   Session session(mesh.take_surface(), library);
+  session.set_paint(mesh.take_paint());
   StrokeWitness witness;
   ReplaySummary summary = replay_all(session, options, recordings, witness);
   finish(mesh, session, summary);
   warn_of_left_out(summary);
+  warn_of_lost_paint(session, mesh);
   Json json = {{"mesh", mesh.json()}};
   json.update(summary_json(summary));
   save_mesh(options, session, mesh);
@@ -164,17 +189,15 @@ void add_replay(CLI::App& app) {
       ->type_name("NAME=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--save-mesh", options->save_mesh, "surface to write")->type_name("FILE.ply");
+  command.add_option("--save-mesh", options->save_mesh, "surface to write, with what is painted on it")
+      ->type_name("FILE.ply");
   add_bake_options(command, options->bake);
   command.add_option("--png", options->png, "picture of the result, the strokes filling it")
       ->type_name("FILE");
   add_view_options(command, options->view);
   command.add_option("--report", options->report, "folder for a report with pictures")->type_name("FOLDER");
   command.add_flag("--json", options->json, "write JSON to the standard output");
-  command.callback([options] {
-    options->overrides.params = parse_param_settings(options->params);
-    run(*options);
-  });
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace burin::command

@@ -42,14 +42,15 @@ ReplayMesh::ReplayMesh(const ReplayMeshOptions& options, bool for_map) {
 
 void ReplayMesh::load(Cage cage, bool for_map, const Progress& progress) {
   TriangleMesh mesh = refine(cage.polygons, cage.scheme, cage.level, progress);
+  const VertexPaint paint = std::move(cage.polygons.paint);
   cage.polygons = {};
   if (for_map) before_ = mesh;
-  drawn_ = make_loaded(std::move(mesh), cage.level, progress);
+  drawn_ = make_loaded(std::move(mesh), cage.level, paint, progress);
 }
 
 void ReplayMesh::load_levels(const Cage& cage, const Progress& progress) {
   levels_.emplace(cage.polygons, cage.scheme, cage.level, progress);
-  drawn_ = make_loaded(levels_->mesh(drawn_level_), drawn_level_, progress);
+  drawn_ = make_loaded(levels_->mesh(drawn_level_), drawn_level_, {}, progress);
   before_ = refine(cage.polygons, cage.scheme, cage.level, progress);
 }
 

@@ -29,6 +29,9 @@ class ReplayMesh {
   /// The surface to draw on. To be called once.
   Surface take_surface() { return std::move(drawn_.surface); }
 
+  /// What is painted on it. To be called once.
+  Paint take_paint() { return std::move(drawn_.paint); }
+
   /// Whether strokes are drawn on a level below the finest.
   bool has_levels() const { return levels_.has_value(); }
 

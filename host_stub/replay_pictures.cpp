@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "curve_overlay.h"
+#include "painted.h"
 #include "render.h"
 
 namespace burin {
@@ -40,7 +41,7 @@ ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const
   ReplayPictures pictures;
   while (session.undo()) {
   }
-  pictures.before = render(session.surface(), session.picker(), camera, clay, progress);
+  pictures.before = render(session.surface(), session.picker(), camera, painted(session.paint()), progress);
   const Albedo checkers = [&](const SurfacePoint& point) { return witness.colour(point); };
   pictures.chart = render(session.surface(), session.picker(), camera, checkers, progress);
   // Later strokes run where earlier ones had moved the surface, perhaps below what the picture shows.

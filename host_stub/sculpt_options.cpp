@@ -9,6 +9,7 @@ namespace burin {
 namespace {
 
 void set_mirrors(Symmetry& symmetry, const std::string& axes) {
+  if (axes.empty()) throw CLI::ValidationError("--mirror", "takes x, y, z or several of them");
   for (const char axis : axes) {
     if (axis != 'x' && axis != 'y' && axis != 'z')
       throw CLI::ValidationError("--mirror", "takes x, y, z or several of them, not " + axes);
@@ -22,14 +23,16 @@ void add_symmetry_options(CLI::App& command, Symmetry& symmetry) {
           "--mirror", [&symmetry](const std::string& axes) { set_mirrors(symmetry, axes); },
           "draw each stroke mirrored along these axes too: x, y, z, xy ...")
       ->type_name("AXES");
-  command.add_option("--radial", symmetry.radial, "draw each stroke so many times around an axis")
-      ->check(CLI::Range(1, 128))
-      ->capture_default_str();
+  auto* radial =
+      command.add_option("--radial", symmetry.radial, "draw each stroke so many times around an axis")
+          ->check(CLI::Range(1, 128))
+          ->capture_default_str();
   command
       .add_option_function<std::string>(
           "--radial-axis", [&symmetry](const std::string& axis) { symmetry.axis = axis[0] - 'x'; },
           "that axis: x, y (the default) or z")
-      ->check(CLI::IsMember({"x", "y", "z"}));
+      ->check(CLI::IsMember({"x", "y", "z"}))
+      ->needs(radial);
   add_point_option(command, "--symmetry-centre", symmetry.centre,
                    "where mirror planes and axis meet; the origin unless given");
 }

@@ -12,4 +12,10 @@ inline std::uint8_t to_srgb(float light) {
   return static_cast<std::uint8_t>(std::lround(255 * encoded));
 }
 
+/// Its inverse: linear light, 0..1.
+inline float from_srgb(std::uint8_t byte) {
+  const float x = static_cast<float>(byte) / 255;
+  return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
+}
+
 }  // namespace burin

@@ -84,7 +84,7 @@ class CaseRunner {
   CaseRunner(const std::string& path, const BenchCase& bench_case, const BrushLibrary& brushes,
              const Progress& progress)
       : case_(bench_case), overrides_(bench_case.overrides), progress_(progress) {
-    overrides_.params = params_of_suite(path, bench_case.overrides.params, brushes);
+    overrides_.params = params_of_suite(path, bench_case.overrides, brushes);
     result_.name = bench_case.name;
     result_.mesh = bench_case.mesh.path;
     result_.axis = bench_case.axis;
@@ -118,7 +118,9 @@ class CaseRunner {
 void CaseRunner::load(const BrushLibrary& brushes) {
   const std::size_t memory_before = resident_memory();
   const auto start = Clock::now();
-  session_.emplace(load_surface(case_.mesh, progress_).surface, brushes);
+  LoadedSurface loaded = load_surface(case_.mesh, progress_);
+  session_.emplace(std::move(loaded.surface), brushes);
+  session_->set_paint(std::move(loaded.paint));
   result_.load_seconds = seconds_since(start);
   result_.seconds_to_first_event = seconds_since_process_start();
   result_.memory.ready = growth(memory_before, resident_memory());

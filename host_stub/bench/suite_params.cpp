@@ -1,29 +1,19 @@
 #include "bench/suite_params.h"
 
 #include <filesystem>
-#include <string_view>
+
+#include "brush_params.h"
 
 namespace burin {
-namespace {
 
-/// Whether some brush has a parameter of this name that is a file.
-bool is_file_param(const BrushLibrary& brushes, std::string_view name) {
-  for (const BrushEntry& entry : brushes.brushes()) {
-    for (std::uint32_t i = 0; i < entry.descriptor->param_count; ++i) {
-      const burin_param_info& param = *entry.descriptor->params[i];
-      if (param.type == BURIN_PARAM_FILE && param.id == name) return true;
-    }
-  }
-  return false;
-}
-
-}  // namespace
-
-ParamSettings params_of_suite(const std::string& path, ParamSettings params, const BrushLibrary& brushes) {
+ParamSettings params_of_suite(const std::string& path, const StrokeOverrides& overrides,
+                              const BrushLibrary& brushes) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  ParamSettings params = overrides.params;
   for (auto& [name, setting] : params) {
     auto* text = std::get_if<std::string>(&setting);
-    if (text && is_file_param(brushes, name)) *text = (folder / *text).lexically_normal().string();
+    if (text && !text->empty() && has_param(brushes, overrides.brush, name, {BURIN_PARAM_FILE}))
+      *text = (folder / *text).lexically_normal().string();
   }
   return params;
 }

@@ -18,6 +18,11 @@ void fill(const CommandFolder& folder) {
   folder.write("empty.obj", "");
   folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
   folder.write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n");
+  folder.write(
+      "mask.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float mask\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 1\n1 0 0 2\n0 1 0 1\n3 0 1 2\n");
   folder.write("mesh.xyz", "0 0 0\n");
   folder.write("points.ply", ply_text(sphere_points(3, 1)));
   folder.write(
@@ -116,6 +121,7 @@ std::vector<BadInput> meshes() {
       {"empty_mesh", replay("@good.stroke", "@empty.obj"), "@empty.obj"},
       {"mesh_without_area", replay("@good.stroke", "@flat.obj"), "@flat.obj"},
       {"truncated_ply", replay("@good.stroke", "@cut.ply"), "@cut.ply"},
+      {"mask_out_of_range", replay("@good.stroke", "@mask.ply"), "@mask.ply:vertex 2: its mask is 2"},
       {"unknown_format", replay("@good.stroke", "@mesh.xyz"), "@mesh.xyz"},
       {"non_manifold_cage", replay("@good.stroke", "@three_quads.obj", {"--subdivide", "1"}),
        "@three_quads.obj"},
@@ -190,6 +196,9 @@ std::vector<BadInput> outputs() {
           {"save_mesh_is_a_folder",
            {"replay", "@good.stroke", "--mesh", "@sphere.obj", "--save-mesh", "@folder"},
            "@folder"},
+          {"save_mesh_of_another_format",
+           {"replay", "@good.stroke", "--mesh", "@sphere.obj", "--save-mesh", "@out.obj"},
+           "@out.obj"},
           {"report_is_a_file",
            {"replay", "@good.stroke", "--mesh", "@sphere.obj", "--report", "@sphere.obj"},
            "@sphere.obj"},

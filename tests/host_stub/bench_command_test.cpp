@@ -102,6 +102,26 @@ TEST(BenchCommand, FindsStampsFromTheFolderOfTheSuite) {
   EXPECT_EQ(burin_json({"bench", suite})["cases"][0]["hash"], replayed["result_hash"]);
 }
 
+TEST(BenchCommand, TakesTextAndTheFilesThatMayBeLeftOut) {
+  const BenchFolder folder;
+  const auto benched = [&](const json& members) {
+    json all = {{"repeat", 1}};
+    all.update(members);
+    return burin_json({"bench", folder.write_suite({BenchFolder::bench_case("a", all)})})["cases"][0]["hash"];
+  };
+  const auto replayed = [&](std::vector<std::string> options) {
+    options.insert(options.begin(),
+                   {"replay", folder.path("a.stroke"), "--mesh", folder.path("sphere.obj"), "--brush"});
+    return burin_json(options)["result_hash"];
+  };
+  const std::string stamp = BURIN_SAMPLES "/stamps/scales.exr";
+  std::filesystem::copy(stamp, folder.path("s.exr"));
+  EXPECT_EQ(benched({{"brush", "org.burin.tread"}, {"params", {{"stamp", "s.exr"}, {"end_stamp", ""}}}}),
+            replayed({"org.burin.tread", "--param", "stamp=" + stamp, "--param", "end_stamp="}));
+  EXPECT_EQ(benched({{"brush", "org.burin.text"}, {"params", {{"text", "Ä 7"}}}}),
+            replayed({"org.burin.text", "--param", "text=Ä 7"}));
+}
+
 TEST(BenchCommand, NeedsASuiteOrAHistoryToReport) {
   EXPECT_EQ(burin({"bench"}).exit_code, 2);
   EXPECT_EQ(burin({"bench", "none.json"}).exit_code, 2);

@@ -32,6 +32,15 @@ TEST(ListCommand, ListsTheStockBrushesWithTheirParameters) {
   EXPECT_TRUE(takes_a_file);
 }
 
+TEST(ListCommand, TellsOfTextParameters) {
+  const json params = find(burin_json({"list"})["brushes"], "org.burin.text")["params"];
+  const json text = find(params, "text");
+  ASSERT_FALSE(text.is_null());
+  EXPECT_EQ(text["type"], "text");
+  EXPECT_EQ(text["default"], "Burin");
+  EXPECT_FALSE(text.contains("range"));
+}
+
 TEST(ListCommand, NamesEveryParameterInItsText) {
   const std::string text = burin_output({"list"});
   for (const json& brush : burin_json({"list"})["brushes"]) {

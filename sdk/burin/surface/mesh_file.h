@@ -2,11 +2,9 @@
 #include <burin/surface/point_set.h>
 #include <burin/surface/polygon_mesh.h>
 #include <burin/surface/triangle_mesh.h>
+#include <burin/surface/vertex_paint.h>
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
-#include <vector>
 
 namespace burin {
 
@@ -14,7 +12,9 @@ namespace burin {
 /// vertex order is the file's; of an STL file, which shares no vertices, equal positions become one vertex in
 /// order of first appearance. Throws FileError naming the line, or the face or vertex counted from 1:
 /// unreadable, truncated, an index out of range, a coordinate that is not finite, no face at all, an OBJ face
-/// of more than 255 corners.
+/// of more than 255 corners, a colour or mask out of its range. Of PLY files colours and masks of the
+/// vertices are read too: red, green, blue (sRGB; integers to 255, ushort to 65535, floating point to 1),
+/// alpha, the coverage, 1 where it is missing, and mask, 0 to 1.
 PolygonMesh read_mesh(const std::filesystem::path& path);
 
 /// Whether a file holds points instead of a mesh: a PLY file without faces. Throws FileError like read_mesh.
@@ -22,12 +22,6 @@ bool holds_points(const std::filesystem::path& path);
 
 /// Reads such a file, in its order. Throws FileError: as read_mesh, or without normals (nx, ny, nz).
 PointSet read_points(const std::filesystem::path& path);
-
-/// What is painted on vertices, in their order; each array may be empty.
-struct VertexPaint {
-  std::vector<std::array<std::uint8_t, 4>> colours;  ///< sRGB and coverage
-  std::vector<float> masks;                          ///< 0 = protected .. 1 = free
-};
 
 /// Writes a binary little-endian PLY, with properties red, green, blue, alpha and mask where they are
 /// painted; whole or not at all. Throws FileError; ContractError for arrays of another length than the

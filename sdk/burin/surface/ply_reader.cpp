@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/surface/mesh_formats.h>
 #include <burin/surface/ply_header.h>
+#include <burin/surface/ply_paint.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -107,14 +108,17 @@ class PlyReader {
       for (const char* axis : {"nx", "ny", "nz"}) require({axis}, fmt::format("property '{}'", axis));
       normals_.resize(element_->count);
     }
+    PlyPaint painted(*element_);
     read_each([&](const PlyProperty& property, double value) {
       const std::string& name = property.name;
+      if (const std::string fault = painted.take(property, row_, value); !fault.empty()) fail(fault);
       const bool is_normal = wants_normals_ && name.size() == 2 && name[0] == 'n';
       if (name.size() != 1 && !is_normal) return;
       const char axis = name.back();
       if (axis < 'x' || axis > 'z') return;
       (is_normal ? normals_ : mesh_.positions)[row_][axis - 'x'] = static_cast<float>(value);
     });
+    mesh_.paint = std::move(painted.paint);
   }
 
   void read_faces() {

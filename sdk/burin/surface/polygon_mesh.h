@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/base/vector.h>
+#include <burin/surface/vertex_paint.h>
 
 #include <cstdint>
 #include <vector>
@@ -30,6 +31,7 @@ struct PolygonMesh {
   std::vector<CreaseEdge> creases;                   ///< OBJ tag `t crease`
   std::vector<CornerVertex> corners;                 ///< OBJ tag `t corner`
   BoundaryRule boundary = BoundaryRule::edges_only;  ///< OBJ tag `t interpolateboundary`: 1 = corners too
+  VertexPaint paint;                                 ///< on the vertices of a PLY file
 };
 
 }  // namespace burin

@@ -1,0 +1,29 @@
+#pragma once
+#include <burin/surface/ply_header.h>
+#include <burin/surface/vertex_paint.h>
+
+#include <string>
+
+namespace burin {
+
+/// What the vertices of a PLY file have painted on them: properties red, green and blue, with or without
+/// alpha, and mask. Channels are sRGB from 0 to 1 where they are floating-point, to 65535 where they are
+/// ushort, else to 255. Other properties are passed over, and so are colours that lack a channel.
+class PlyPaint {
+ public:
+  /// `vertices` must outlive this.
+  explicit PlyPaint(const PlyElement& vertices);
+
+  /// Takes a value of a vertex. Returns what is wrong with it, or nothing.
+  std::string take(const PlyProperty& property, std::uint64_t vertex, double value);
+
+  VertexPaint paint;
+
+ private:
+  enum class Slot { none = -1, red, green, blue, alpha, mask };
+
+  const PlyElement& vertices_;
+  std::vector<Slot> slots_;  ///< [property]
+};
+
+}  // namespace burin
