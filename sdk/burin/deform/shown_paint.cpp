@@ -1,7 +1,7 @@
 #include <burin/abi/stroke.h>
+#include <burin/base/sort_unique.h>
 #include <burin/deform/shown_paint.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace burin {
@@ -65,9 +65,7 @@ void ShownPaint::restore(const PaintStep& step) {
 
 std::vector<Index> ShownPaint::take_touched() {
   std::vector<Index> vertices = std::exchange(touched_, {});
-  std::ranges::sort(vertices);
-  const auto [first, last] = std::ranges::unique(vertices);
-  vertices.erase(first, last);
+  sort_unique(vertices);
   return vertices;
 }
 

@@ -1,3 +1,4 @@
+#include <burin/base/sort_unique.h>
 #include <burin/deform/stroke_passes.h>
 
 #include <algorithm>
@@ -5,12 +6,6 @@
 
 namespace burin {
 namespace {
-
-void sort_unique(std::vector<Index>& vertices) {
-  std::ranges::sort(vertices);
-  const auto [first, last] = std::ranges::unique(vertices);
-  vertices.erase(first, last);
-}
 
 /// The slots of these vertices, vertex by vertex.
 std::vector<Index> slots_of(const LiveChart& chart, std::span<const Index> vertices) {
