@@ -78,7 +78,9 @@ bool OpenStroke::passes_look_around() const {
 ReadInputs OpenStroke::read_inputs() const {
   std::uint64_t varying = pen_inputs_present(settings_.fields);
   if (width_.varies()) varying |= BURIN_INPUT_RADIUS;
-  return {settings_.radius, brush().inputs_read, varying & brush().inputs_read, &dynamics_};
+  std::uint64_t asked = brush().inputs_read;
+  if (symmetry_instances(settings_.symmetry).size() > 1) asked |= BURIN_INPUT_RADIUS;  // to blend them
+  return {settings_.radius, brush().inputs_read, varying & asked, &dynamics_};
 }
 
 BlendOptions OpenStroke::blend_options() const {
@@ -181,7 +183,7 @@ void OpenStroke::evaluate(const std::vector<StrokeChanges>& changes, std::uint64
 
 VertexMoves OpenStroke::blend(std::vector<Index> vertices, const StrokeTools& tools) const {
   std::vector<InstanceSheets> sheets;
-  for (const StrokeInstance& instance : instances_) sheets.push_back({&instance.live(), &instance.outputs()});
+  for (const StrokeInstance& instance : instances_) sheets.push_back(instance.sheets());
   VertexMoves moves;
   moves.vertices = std::move(vertices);
   moves.places.resize(moves.vertices.size());
