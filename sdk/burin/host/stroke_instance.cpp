@@ -9,6 +9,9 @@ namespace {
 /// A t that all nodes reach.
 constexpr double everywhere = -std::numeric_limits<double>::infinity();
 
+/// One that none reaches.
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+
 }  // namespace
 
 InstanceCharters& Charters::operator[](std::size_t instance) {
@@ -49,7 +52,8 @@ StrokeChanges StrokeInstance::draw(double end_influence, EventCost& cost) {
   traced_ = false;
   chart(unchanged, cost);
   const double same_up_to = unchanged > 0 ? curve().points[unchanged - 1].t : everywhere;
-  double end_zone = std::min(length_before, drawn_length_) - end_influence;
+  // A dab knows nothing of the stroke's length.
+  double end_zone = dabs_ ? nowhere : std::min(length_before, drawn_length_) - end_influence;
   if (reads_foot()) end_zone = std::min(end_zone, other_feet_from(std::min(same_up_to, length_before)));
   return nodes_->follow(curve(), end_zone, same_up_to);
 }
@@ -67,7 +71,7 @@ StrokeChanges StrokeInstance::finish(double end_influence, EventCost& cost) {
     return nodes_->follow(curve(), everywhere);
   }
   if (traced_) return draw(end_influence, cost);
-  return nodes_->in_zone(curve().length() - end_influence);
+  return nodes_->in_zone(dabs_ ? nowhere : curve().length() - end_influence);
 }
 
 NodeSource StrokeInstance::source(const Paint& paint) const {
@@ -79,7 +83,7 @@ NodeSource StrokeInstance::source(const Paint& paint) const {
           .places = nullptr,
           .symmetry = image_.index,
           .mirrored = image_.mirrored,
-          .dab_t = dabs_ ? dabs_->along() : std::span<const float>{}};
+          .dab_t = dab_t()};
 }
 
 void StrokeInstance::chart(std::size_t unchanged, EventCost& cost) {
