@@ -122,30 +122,30 @@ TEST(Dabs, RepeatThePictureOfAStamp) {
   EXPECT_LE(worst, 1e-3f * highest);
 }
 
+std::size_t moved(const Session& session) {
+  std::size_t count = 0;
+  for (const Vec3f& place : session.positions()) count += place.z() != 0;
+  return count;
+}
+
 TEST(Dabs, OfAClosedStrokeAreThoseOfAnOpenOne) {
   // Stitches: one to a dab, but without end along a closed stroke.
-  StrokeSettings stitches = dabs(settings("org.burin.stitches", 0.1), 0.8);
-  Session session = test::plane_session(), open = test::plane_session();
+  const StrokeSettings stitches = dabs(settings("org.burin.stitches", 0.13), 2.1);
+  Session session(make_surface(grid()), test::brushes()), open(make_surface(grid()), test::brushes());
   std::vector<Sample> loop;
   for (int i = 0; i < 60; ++i) {
     const double angle = 0.105 * i;
-    loop.push_back({0.01 * i, Vec3d(0.5 * std::cos(angle), 0.5 * std::sin(angle), 0), {}});
+    loop.push_back({0.01 * i, Vec3d(0.6 * std::cos(angle), 0.6 * std::sin(angle), 0), {}});
   }
   session.begin_stroke(stitches);
   test::add(session, loop);
   session.end_stroke(Closure::closed);
   ASSERT_TRUE(session.curve().closed);
-
-  draw(open, stitches, {{0, Vec3d(0.5, 0, 0), {}}});
-  const auto moved_of = [](const Session& of) {
-    std::size_t count = 0;
-    for (const Vec3f& place : of.positions()) count += place.z() != 0;
-    return count;
-  };
-  const std::size_t moved = moved_of(session);
-  const auto dab_count = static_cast<double>(std::lround(session.curve().length() / 0.08));
-  EXPECT_GT(moved_of(open), 10u);
-  EXPECT_LT(static_cast<double>(moved), 1.3 * dab_count * static_cast<double>(moved_of(open)));
+  draw(open, stitches, {loop.front()});
+  const double count = std::round(session.curve().length() / (2.1 * 0.13));
+  const auto one = static_cast<double>(moved(open));
+  EXPECT_GT(one, 20);
+  EXPECT_NEAR(static_cast<double>(moved(session)), count * one, 0.1 * count * one);
 }
 
 TEST(Dabs, AreSymmetricWithoutASeam) {
