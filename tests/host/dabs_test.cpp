@@ -148,7 +148,7 @@ TEST(Dabs, OfAClosedStrokeAreThoseOfAnOpenOne) {
   EXPECT_NEAR(static_cast<double>(moved(session)), count * one, 0.1 * count * one);
 }
 
-TEST(Dabs, AreSymmetricWithoutASeam) {
+TEST(Dabs, AreMirroredAcrossThePlane) {
   StrokeSettings mirrored = dabs(settings("org.burin.groove", 0.2), 0.5);
   mirrored.symmetry.mirror_x = true;
   const SymmetryInstance image = symmetry_instances(mirrored.symmetry)[1];
