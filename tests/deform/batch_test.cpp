@@ -2,9 +2,11 @@
 
 #include <burin/deform/batch.h>
 #include <burin/deform/offered.h>
+#include <burin/surface/surroundings.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <numeric>
 
@@ -30,6 +32,13 @@ class BatchTest : public ::testing::Test {
     return batch_.inputs();
   }
 
+  const burin_batch& fill_from(const NodeSource& source, std::uint64_t inputs, std::uint64_t outputs = 0,
+                               std::span<const Vec3f> displacement = {}) {
+    batch_.fill(source, inputs, outputs, params_, listed_, displacement);
+    return batch_.inputs();
+  }
+  NodeSource source() const { return {.surface = surface_, .nodes = drawn_->nodes, .radius = 0.3f}; }
+
   Chart chart() const { return drawn_->live.nodes(); }
   Index vertex(std::size_t i) const { return drawn_->live.nodes().vertex[listed_[i]]; }
 
@@ -41,6 +50,9 @@ class BatchTest : public ::testing::Test {
 };
 
 float at(const burin_floats& floats, std::size_t i) { return floats.data[i * floats.stride]; }
+Vec3f at(const burin_vectors& vectors, std::size_t i) {
+  return {at(vectors.x, i), at(vectors.y, i), at(vectors.z, i)};
+}
 
 TEST_F(BatchTest, LeavesWhatIsNotDeclaredNull) {
   const burin_batch& batch = fill(BURIN_INPUT_D);
@@ -147,6 +159,166 @@ TEST_F(BatchTest, HandsOutZeroedOutputsEveryTime) {
   EXPECT_EQ(batch_.displacement(2), Vec3f(0, 0, 7));
   fill(BURIN_INPUT_T);
   EXPECT_EQ(batch_.displacement(2), Vec3f(0, 0, 0));
+}
+
+TEST_F(BatchTest, MeasuresCellsAlongTAndAcross) {
+  Chart stretched = chart();
+  std::ranges::fill(stretched.stretch, 2.0f);
+  use(stretched);
+  const burin_batch& batch = fill(BURIN_INPUT_FOOTPRINT);
+  constexpr double edge = 1.0 / 11;
+  std::size_t inner = 0;
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    if (surface_.neighbours[vertex(i)].size() != 6) continue;
+    ++inner;
+    // Four of six neighbours are one edge away along either direction.
+    EXPECT_NEAR(at(batch.footprint_d, i), std::sqrt(4.0 / 3) * edge, 1e-6);
+    EXPECT_NEAR(at(batch.footprint_t, i), std::sqrt(4.0 / 3) * edge / 2, 1e-6)
+        << "an edge is half of that in t";
+  }
+  EXPECT_GT(inner, 10u);
+}
+
+TEST_F(BatchTest, TellsCurvatureAndUmbrellaOfTheBase) {
+  TriangleMesh bowl;
+  bowl.positions = surface_.positions;
+  bowl.triangles = surface_.triangles;
+  for (Vec3f& place : bowl.positions) place.z() = 0.5f * (place.head<2>() - Vec2f(0.3f, 0.5f)).squaredNorm();
+  surface_ = make_surface(std::move(bowl));
+  use(test::straight_chart(surface_, 0.6f, 0.3f));
+  const burin_batch& batch = fill(BURIN_INPUT_MEAN_CURVATURE | BURIN_INPUT_LAPLACIAN);
+  constexpr float edge = 1.0f / 11;
+  std::size_t inner = 0;
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    EXPECT_EQ(at(batch.mean_curvature, i), mean_curvature(surface_, vertex(i)));
+    if (surface_.neighbours[vertex(i)].size() != 6) continue;
+    ++inner;
+    EXPECT_LT(at(batch.mean_curvature, i), -0.5f) << "hollow seen from outside";
+    // The mean of 0.5 (steps)^2: four of one edge, two of a diagonal.
+    EXPECT_LT((at(batch.laplacian, i) - Vec3f(0, 0, 0.5f * 8 / 6 * edge * edge)).norm(), 1e-6f);
+  }
+  EXPECT_GT(inner, 10u);
+}
+
+TEST_F(BatchTest, TakesTheUmbrellaOfThePassBefore) {
+  PassPlaces places(surface_, {&drawn_->live});
+  const Index raised = vertex(20);
+  places.set(raised, surface_.positions[raised] + Vec3f(0, 0, 3));
+  NodeSource moved = source();
+  moved.places = &places;
+  const burin_batch& batch = fill_from(moved, BURIN_INPUT_LAPLACIAN);
+  std::size_t beside = 0;
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    const auto neighbours = surface_.neighbours[vertex(i)];
+    const bool next_to = std::ranges::count(neighbours, raised) > 0;
+    beside += next_to;
+    const float share = 3 / static_cast<float>(neighbours.size());
+    EXPECT_FLOAT_EQ(at(batch.laplacian.z, i), vertex(i) == raised ? -3 : next_to ? share : 0) << i;
+  }
+  EXPECT_GT(beside, 2u);
+}
+
+TEST_F(BatchTest, TellsMaskAndColourSoFar) {
+  const burin_batch& bare = fill(BURIN_INPUT_MASK | BURIN_INPUT_COLOUR);
+  EXPECT_EQ(bare.mask.stride, 0u);
+  EXPECT_EQ(*bare.mask.data, 1.0f);
+  EXPECT_EQ(at(bare.colour.r, 3), 1.0f);
+  EXPECT_EQ(at(bare.colour.a, 3), 0.0f);
+  Paint paint;
+  for (const Vec3f& place : surface_.positions) {
+    paint.mask.push_back(place.x());
+    paint.colour.emplace_back(place.y(), place.x(), 0.25f, 0.5f);
+  }
+  NodeSource painted = source();
+  painted.paint = &paint;
+  const burin_batch& batch =
+      fill_from(painted, BURIN_INPUT_MASK | BURIN_INPUT_COLOUR, BURIN_OUTPUT_MASK | BURIN_OUTPUT_COLOUR);
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    const Vec4f& colour = paint.colour[vertex(i)];
+    EXPECT_EQ(at(batch.mask, i), paint.mask[vertex(i)]);
+    EXPECT_EQ(
+        Vec4f(at(batch.colour.r, i), at(batch.colour.g, i), at(batch.colour.b, i), at(batch.colour.a, i)),
+        colour);
+    for (int k = 0; k < 4; ++k) EXPECT_EQ(batch_.outputs().colour[k].data[i], colour[k]) << "so far";
+    EXPECT_EQ(batch_.outputs().mask.data[i], paint.mask[vertex(i)]);
+    EXPECT_EQ(batch_.tint(i), tint_of(colour, paint.mask[vertex(i)]));
+  }
+}
+
+TEST_F(BatchTest, BringsTintsIntoTheirRange) {
+  constexpr float endless = std::numeric_limits<float>::infinity();
+  fill(0, {}, BURIN_OUTPUT_MASK | BURIN_OUTPUT_COLOUR);
+  const auto write = [&](std::size_t i, const Vec4f& colour, float mask) {
+    for (int k = 0; k < 4; ++k) batch_.outputs().colour[k].data[i] = colour[k];
+    batch_.outputs().mask.data[i] = mask;
+  };
+  write(0, {2, -1, 0.5f, 0.5f}, 7);
+  write(1, {0.5f, 1, 0, 2}, -1);
+  write(2, {endless, 0, 0, 0.5f}, 1);
+  write(3, {0, 0, 0, 0}, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_EQ(batch_.tint(0), tint_of({1, 0, 0.5f, 0.5f}, 1));
+  EXPECT_EQ(batch_.tint(1), tint_of({0.5f, 1, 0, 1}, 0));
+  EXPECT_FALSE(batch_.tint(2).allFinite());
+  EXPECT_FALSE(batch_.tint(3).allFinite());
+}
+
+TEST_F(BatchTest, TellsThePlaneOfTheFoot) {
+  const burin_batch& batch = fill(BURIN_INPUT_FOOT);
+  const FootLine line(test::straight_curve(), 0.3);
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    const FootPlane plane = line.at(chart().t[listed_[i]]);
+    EXPECT_EQ(at(batch.foot, i), plane.position);
+    EXPECT_EQ(at(batch.foot_normal, i), plane.normal);
+  }
+  EXPECT_NE(at(batch.foot.x, 0), at(batch.foot.x, batch.count - 1));
+}
+
+TEST_F(BatchTest, ShowsAMirrorImageTheOtherWayRound) {
+  NodeSource mirrored = source();
+  mirrored.mirrored = true;
+  mirrored.symmetry = 5;
+  const std::vector<Vec3f> before(listed_.size(), Vec3f(0.1f, 0.2f, 0.3f));
+  const burin_batch& batch =
+      fill_from(mirrored, BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_DISPLACEMENT | BURIN_INPUT_SYMMETRY,
+                BURIN_OUTPUT_DISPLACEMENT, before);
+  EXPECT_EQ(batch.symmetry.stride, 0u);
+  EXPECT_EQ(*batch.symmetry.data, 5u);
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    EXPECT_EQ(at(batch.d, i), -chart().d[listed_[i]]);
+    EXPECT_EQ(at(batch.t, i), static_cast<float>(chart().t[listed_[i]]));
+    EXPECT_EQ(at(batch.displacement, i), Vec3f(0.1f, -0.2f, 0.3f));
+  }
+  batch_.outputs().along.data[2] = 1;
+  batch_.outputs().across.data[2] = 2;
+  batch_.outputs().up.data[2] = 3;
+  EXPECT_EQ(batch_.displacement(2), Vec3f(1, -2, 3));
+}
+
+TEST_F(BatchTest, TellsTWithinTheDab) {
+  std::vector<float> dab_t(chart().size());
+  std::iota(dab_t.begin(), dab_t.end(), 100.0f);
+  NodeSource dabs = source();
+  dabs.dab_t = dab_t;
+  const burin_batch& batch = fill_from(dabs, BURIN_INPUT_T);
+  for (std::size_t i = 0; i < batch.count; ++i) EXPECT_EQ(at(batch.t, i), dab_t[listed_[i]]);
+}
+
+TEST_F(BatchTest, StandsOnWhatTheStrokeMadeBefore) {
+  CurrentBase current;
+  const CurrentBase::Place place{{1, 2, 3}, Vec3f::UnitX(), Vec3f::UnitZ(), {4, 5, 6}};
+  current.set(listed_[7], place);
+  NodeSource standing = source();
+  standing.current = &current;
+  const burin_batch& batch = fill_from(standing, BURIN_INPUT_POSITION | BURIN_INPUT_NORMAL | BURIN_INPUT_E1 |
+                                                     BURIN_INPUT_LAPLACIAN | BURIN_INPUT_DISPLACEMENT);
+  EXPECT_EQ(at(batch.position, 7), place.position);
+  EXPECT_EQ(at(batch.normal, 7), place.normal);
+  EXPECT_EQ(at(batch.e1, 7), place.e1);
+  EXPECT_EQ(at(batch.laplacian, 7), place.laplacian);
+  EXPECT_EQ(at(batch.displacement, 7), Vec3f(0, 0, 0)) << "from where it stands";
+  EXPECT_EQ(at(batch.position, 8), surface_.positions[vertex(8)]);
+  EXPECT_EQ(at(batch.normal, 8), surface_.normals[vertex(8)]);
+  EXPECT_EQ(at(batch.e1, 8), Vec3f(1, 0, 0));
 }
 
 }  // namespace

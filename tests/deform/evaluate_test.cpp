@@ -9,7 +9,10 @@
 #include <chrono>
 #include <cstdio>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <numeric>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -153,6 +156,108 @@ TEST_F(EvaluateTest, RefusesToLeaveTheRangeOfFloats) {
                         });
   EXPECT_EQ(evaluate(brush, all_)[0].z(), 3e38f);
   EXPECT_THROW(evaluate(brush, all_, 10), ContractError);
+}
+
+/// Paints what is black white, without coverage where t is above a half, and takes the mask away.
+class TintTest : public EvaluateTest {
+ protected:
+  TintTest()
+      : brush_(BURIN_INPUT_T,
+               [](const burin_stroke_context&, const burin_batch& batch, const burin_outputs& outputs,
+                  burin_text*) -> burin_status {
+                 for (std::uint32_t i = 0; i < batch.count; ++i) {
+                   for (int k = 0; k < 3; ++k) outputs.colour[k].data[i] = 1;
+                   outputs.colour[3].data[i] = batch.t.data[i] > 0.5f ? 0.0f : 1.0f;
+                   outputs.mask.data[i] = 0;
+                 }
+                 return BURIN_OK;
+               }) {
+    brush_.descriptor.outputs_written = BURIN_OUTPUT_COLOUR | BURIN_OUTPUT_MASK;
+    paint_.colour.assign(surface_.vertex_count(), Vec4f(0, 0, 0, 1));
+    for (const Vec3f& place : surface_.positions) paint_.mask.push_back(place.y());
+  }
+
+  NodeOutputs tinted(float strength) {
+    const BrushStroke stroke(brush_.brush, brush_.descriptor, brush_.context, brush_.params);
+    const NodeSource source{.surface = surface_, .nodes = drawn_.nodes, .radius = 0.5f, .paint = &paint_};
+    return evaluator_.evaluate(stroke, brush_.context, source, all_, strength);
+  }
+
+  test::TestBrush brush_;
+  Paint paint_;
+};
+
+TEST_F(TintTest, GoesByStrengthAndMaskAndTheMaskByStrengthAlone) {
+  for (const float strength : {0.0f, 0.25f, 1.0f, 3.0f, -1.0f}) {
+    const NodeOutputs outputs = tinted(strength);
+    ASSERT_EQ(outputs.tint.size(), all_.size());
+    const float share = std::clamp(strength, 0.0f, 1.0f);
+    for (const Index node : all_) {
+      const Index vertex = chart().vertex[node];
+      const float mask = paint_.mask[vertex];
+      const bool erased = surface_.positions[vertex].x() > 0.5f;
+      ASSERT_NEAR(outputs.tint[node][0], erased ? 0 : share * mask, 1e-6f);
+      ASSERT_NEAR(outputs.tint[node][3], erased ? 1 - share * mask : 1, 1e-6f);
+      ASSERT_NEAR(outputs.tint[node][4], mask * (1 - share), 1e-6f);
+      ASSERT_EQ(outputs.displacement[node], Vec3f(0, 0, 0));
+    }
+  }
+}
+
+TEST_F(EvaluateTest, RefusesColoursAndMasksThatAreNotFinite) {
+  for (const bool mask : {false, true}) {
+    test::TestBrush brush(BURIN_INPUT_D,
+                          [mask](const burin_stroke_context&, const burin_batch&,
+                                 const burin_outputs& outputs, burin_text*) -> burin_status {
+                            const burin_floats_out& out = mask ? outputs.mask : outputs.colour[1];
+                            out.data[0] = std::numeric_limits<float>::infinity();
+                            return BURIN_OK;
+                          });
+    brush.descriptor.outputs_written = mask ? BURIN_OUTPUT_MASK : BURIN_OUTPUT_COLOUR;
+    EXPECT_EQ(
+        failure(brush).find("org.burin.test.function: returned a colour or mask that is not finite at "), 0u)
+        << failure(brush);
+  }
+}
+
+TEST_F(EvaluateTest, EvaluatesEveryDabWithItsOwnContext) {
+  Chart dabs = chart();
+  std::vector<float> dab_t;
+  for (Index node = 0; node < dabs.size(); ++node) {
+    dabs.t[node] = 0.25 * (node % 3);
+    dab_t.push_back(0.001f * static_cast<float>(node));
+  }
+  drawn_.live.assign(dabs);
+  std::mutex mutex;
+  std::map<double, std::size_t> nodes_of;
+  std::set<std::uint64_t> flags;
+  test::TestBrush brush(BURIN_INPUT_T | BURIN_INPUT_DISPLACEMENT,
+                        [&](const burin_stroke_context& now, const burin_batch& batch,
+                            const burin_outputs& outputs, burin_text*) -> burin_status {
+                          const std::lock_guard lock(mutex);
+                          if (now.pass == 0) nodes_of[now.dab_t] += batch.count;
+                          flags.insert(now.flags);
+                          if (now.length != 0) return BURIN_ERROR;
+                          for (std::uint32_t i = 0; i < batch.count; ++i) {
+                            outputs.along.data[i] = batch.t.data[i];
+                            outputs.across.data[i] = static_cast<float>(now.dab_t);
+                            outputs.up.data[i] = batch.displacement.y.data[i * batch.displacement.y.stride];
+                          }
+                          return BURIN_OK;
+                        });
+  brush.passes = 2;
+  brush.context.length = 7;
+  brush.context.flags = BURIN_STROKE_CLOSED | BURIN_STROKE_MIRRORED;
+  const BrushStroke stroke(brush.brush, brush.descriptor, brush.context, brush.params);
+  const NodeSource source{.surface = surface_, .nodes = drawn_.nodes, .radius = 0.5f, .dab_t = dab_t};
+  const NodeOutputs& outputs = evaluator_.evaluate(stroke, brush.context, source, all_, 1);
+  for (const Index node : all_) {
+    const auto of = static_cast<float>(dabs.t[node]);
+    ASSERT_EQ(outputs.displacement[node], Vec3f(dab_t[node], of, of)) << "the second pass sees the first";
+  }
+  EXPECT_EQ(nodes_of, (std::map<double, std::size_t>{{0, 3334}, {0.25, 3333}, {0.5, 3333}}));
+  EXPECT_EQ(flags, std::set<std::uint64_t>{BURIN_STROKE_DAB | BURIN_STROKE_FINAL | BURIN_STROKE_MIRRORED})
+      << "dabs have no ends and do not go around";
 }
 
 }  // namespace

@@ -76,5 +76,17 @@ TEST_F(ShownPaintTest, DropsWhatWasNotCommitted) {
   EXPECT_TRUE(paint_.commit().vertices.empty());
 }
 
+TEST_F(ShownPaintTest, KeepsTheBitsOfColoursUnderAnotherMask) {
+  const Vec4f odd(0.1f, 0.7f, 0.3f, 0.37f), hidden(0.2f, 0.4f, 0.6f, 0);
+  Paint start;
+  start.colour = {odd, hidden, red, red};
+  paint_.assign(start);
+  paint_.prepare(BURIN_OUTPUT_MASK);
+  EXPECT_EQ(set({0, 1, 2}, {tint_of(odd, 0.5f), tint_of(hidden, 0), tint_of(red, 1)}),
+            (std::vector<Index>{0, 1}));
+  EXPECT_EQ(paint_.shown().colour, start.colour);
+  EXPECT_EQ(paint_.shown().mask, (std::vector<float>{0.5f, 0, 1, 1}));
+}
+
 }  // namespace
 }  // namespace burin

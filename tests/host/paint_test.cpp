@@ -131,6 +131,7 @@ TEST(SessionPaint, RefusesPaintThatDoesNotFit) {
   EXPECT_THROW(session.set_paint({std::vector<Vec4f>(count, Vec4f(0, 0, -1, 1)), {}}), ContractError);
   session.begin_stroke(painting());
   EXPECT_THROW(session.set_paint({}), ContractError);
+  EXPECT_EQ(test::error_of([&] { session.end_stroke(); }), "no stroke is open");
 }
 
 }  // namespace

@@ -34,6 +34,18 @@ TEST(Symmetry, TurnsAroundItsAxis) {
   EXPECT_TRUE(instances[3].mirrored);
 }
 
+TEST(Symmetry, HasNoImageTwice) {
+  // Mirroring in x and z is half a turn around y.
+  const auto instances = symmetry_instances({.mirror_x = true, .mirror_z = true, .radial = 6});
+  EXPECT_EQ(instances.size(), 12u);
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    EXPECT_EQ(instances[i].index, i);
+    for (std::size_t other = 0; other < i; ++other)
+      EXPECT_GT((instances[i](Vec3d(1, 2, 3)) - instances[other](Vec3d(1, 2, 3))).norm(), 0.1);
+  }
+  EXPECT_EQ(symmetry_instances({.mirror_x = true, .mirror_z = true, .radial = 3}).size(), 12u);
+}
+
 TEST(Symmetry, RefusesWhatIsNone) {
   EXPECT_THROW(symmetry_instances({.radial = 0}), ContractError);
   EXPECT_THROW(symmetry_instances({.axis = 3}), ContractError);

@@ -51,7 +51,8 @@ extern "C" {
 #define BURIN_STROKE_MIRRORED (UINT64_C(1) << 2) /* a symmetry instance that is a mirror image: d, e2 and */
                                                  /* `across` point to the right of the direction of travel */
 #define BURIN_STROKE_DAB (UINT64_C(1) << 3)      /* one dab of a stroke of dabs: length is 0, t and d are */
-                                                 /* normal coordinates around it, and there are no ends */
+                                                 /* normal coordinates around it, and there are no ends; */
+                                                 /* always with BURIN_STROKE_FINAL, never _CLOSED */
 
 /* Constant during a call. */
 typedef struct burin_stroke_context {
@@ -86,7 +87,7 @@ typedef struct burin_batch {
   burin_vectors e1;            /* unit, tangent to the base surface; e2 = normal x e1 */
   burin_floats mean_curvature; /* base surface, 1/length, positive where convex seen from outside */
   burin_vectors laplacian;     /* umbrella: mean of the neighbours minus the node, current surface */
-  burin_vectors displacement;  /* by this stroke so far: x along e1, y along e2, z along the normal */
+  burin_vectors displacement;  /* by the passes before: x along e1, y along e2, z along the normal */
   burin_floats mask;           /* 0 = protected .. 1 = free */
   burin_colours colour;        /* the surface's so far */
   burin_indices sheet;         /* which pass of a self-overlapping stroke, by rising t, from 0 */

@@ -92,14 +92,12 @@ std::vector<Accumulation::Due> Accumulation::due_nodes(const LiveChart& chart,
   const auto take = [&](Index slot) {
     if (after.emplace(slot, 0).second) front.push_back(slot);
   };
-  const auto take_nodes = [&](Index vertex, bool all) {
-    const bool several = chart.first(vertex) != no_index && chart.next(chart.first(vertex)) != no_index;
-    for (Index slot = chart.first(vertex); slot != no_index && (all || several); slot = chart.next(slot))
-      take(slot);
+  const auto take_nodes = [&](Index vertex) {
+    for (Index slot = chart.first(vertex); slot != no_index; slot = chart.next(slot)) take(slot);
   };
   for (const Index vertex : vertices) {
-    take_nodes(vertex, true);
-    for (const Index neighbour : surface_->neighbours[vertex]) take_nodes(neighbour, false);
+    take_nodes(vertex);
+    for (const Index neighbour : surface_->neighbours[vertex]) take_nodes(neighbour);
   }
   while (!front.empty()) {
     std::vector<Index> later;
@@ -140,7 +138,6 @@ CurrentBase::Place Accumulation::place_of(const LiveChart& chart, const NodeOutp
   place.normal = normal_of(*surface_, at, vertex);
   place.e1 = unit_tangent(chart.nodes().e1[slot], place.normal);
   place.laplacian = umbrella(*surface_, vertex, at);
-  place.displacement = in_frame(place.e1, place.normal, place.position - surface_->positions[vertex]);
   return place;
 }
 

@@ -1,6 +1,7 @@
 #include <burin/deform/batch.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace burin {
 namespace {
@@ -10,6 +11,9 @@ constexpr std::size_t output_columns = 8;
 // t, d, radius, stretch, two of footprint; position, normal, e1; curvature, laplacian; displacement; mask,
 // four of colour; foot and its normal; six of the pen
 constexpr std::size_t input_columns = 39;
+
+/// Within 0..1; what is not finite stays so, to be found out.
+float in_range(float value) { return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : value; }
 
 }  // namespace
 
@@ -73,9 +77,9 @@ Vec3f Batch::displacement(std::size_t i) const {
 Tint Batch::tint(std::size_t i) const {
   const Tint& before = tints_before_[i];
   const auto& rgba = outputs_.colour;
-  const float mask = outputs_.mask.data ? outputs_.mask.data[i] : before[4];
-  if (rgba[0].data)
-    return tint_of({rgba[0].data[i], rgba[1].data[i], rgba[2].data[i], rgba[3].data[i]}, mask);
+  const float mask = outputs_.mask.data ? in_range(outputs_.mask.data[i]) : before[4];
+  const auto channel = [&](int k) { return in_range(rgba[k].data[i]); };
+  if (rgba[0].data) return tint_of({channel(0), channel(1), channel(2), channel(3)}, mask);
   Tint tint = before;
   tint[4] = mask;
   return tint;

@@ -52,7 +52,7 @@ class Batch {
   /// What the brush wrote for element i, in (e1, e2 = n x e1, n).
   Vec3f displacement(std::size_t i) const;
 
-  /// Colour and mask that it wrote, or those before.
+  /// Colour and mask that it wrote, brought within 0..1 where finite, or those before.
   Tint tint(std::size_t i) const;
 
  private:

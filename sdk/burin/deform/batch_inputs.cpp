@@ -84,14 +84,10 @@ void Batch::fill_place(std::uint64_t inputs, std::span<const Index> nodes,
       return place ? place->normal : surface.normals[vertex(nodes[i])];
     });
   if (!(inputs & BURIN_INPUT_DISPLACEMENT)) return;
-  const bool uniformly_none = displacement.empty() && !source_->current;
   batch_.displacement =
-      uniformly_none ? burin_vectors{uniform(zero), uniform(zero), uniform(zero)}
-                     : vectors(nodes.size(), [&](std::size_t i) {
-                         if (const CurrentBase::Place* place = current(nodes[i]))
-                           return in_brush_frame(place->displacement);
-                         return displacement.empty() ? Vec3f(0, 0, 0) : in_brush_frame(displacement[i]);
-                       });
+      displacement.empty()
+          ? burin_vectors{uniform(zero), uniform(zero), uniform(zero)}
+          : vectors(nodes.size(), [&](std::size_t i) { return in_brush_frame(displacement[i]); });
 }
 
 /// Of components along (e1, e2, n).

@@ -24,6 +24,9 @@ enum class Overlap {
 struct InstanceSheets {
   const LiveChart* chart;
   const NodeOutputs* outputs;  ///< [slot]
+  /// [slot] where the stroke's width varies and instances are blended; else empty.
+  std::span<const float> half_width = {};
+  std::span<const float> dab_t = {};  ///< [slot] first coordinate within the dab; empty without dabs
 };
 
 /// How sheets become one. Where instances meet, their sheets are blended like those of one stroke; but of

@@ -11,7 +11,6 @@ class CurrentBase {
   struct Place {
     Vec3f position, normal, e1;  ///< object space; frame right-handed and orthonormal
     Vec3f laplacian;             ///< of the surface as it is there
-    Vec3f displacement;          ///< so far, in (e1, e2 = normal x e1, normal)
   };
 
   void set(Index slot, const Place& place) { places_[slot] = place; }

@@ -108,7 +108,7 @@ void Evaluator::run_dab(const BrushStroke& stroke, const burin_stroke_context& c
                         const NodeSource& source, std::span<const Index> nodes,
                         std::span<const std::size_t> chosen, NodeOutputs& outputs) {
   burin_stroke_context of_dab = context;
-  of_dab.flags |= BURIN_STROKE_DAB;
+  of_dab.flags = (of_dab.flags | BURIN_STROKE_DAB | BURIN_STROKE_FINAL) & ~BURIN_STROKE_CLOSED;
   of_dab.length = 0;
   of_dab.dab_t = source.nodes.chart().t[nodes[chosen.front()]];
   std::vector<Index> of_nodes;

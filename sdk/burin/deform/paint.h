@@ -29,7 +29,8 @@ inline Tint tint_of(const Vec4f& colour, float mask) {
 inline Vec4f colour_of(const Tint& tint) {
   if (!(tint[3] > 0)) return Paint::bare();
   Vec4f colour;
-  colour << tint.head<3>() / tint[3], tint[3];
+  // Sums of tints may hold more of a colour than their coverage.
+  colour << (tint.head<3>() / tint[3]).cwiseMin(1), tint[3];
   return colour;
 }
 

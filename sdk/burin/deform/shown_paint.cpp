@@ -1,7 +1,7 @@
 #include <burin/abi/stroke.h>
+#include <burin/base/sort_unique.h>
 #include <burin/deform/shown_paint.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace burin {
@@ -25,8 +25,8 @@ void ShownPaint::set(std::span<const Index> vertices, std::span<const Tint> tint
     const Index vertex = vertices[i];
     const Vec4f before = base_.colour_of(vertex), showing = shown_.colour_of(vertex);
     const float mask_showing = shown_.mask_of(vertex);
-    const bool bare = tints[i] == tint_of(before, base_.mask_of(vertex));
-    const Vec4f colour = bare ? before : colour_of(tints[i]);
+    const bool as_before = tints[i].head<4>() == tint_of(before, 1).head<4>();
+    const Vec4f colour = as_before ? before : colour_of(tints[i]);
     if (colour == showing && tints[i][4] == mask_showing) continue;
     if (!shown_.colour.empty()) shown_.colour[vertex] = colour;
     if (!shown_.mask.empty()) shown_.mask[vertex] = tints[i][4];
@@ -67,9 +67,7 @@ void ShownPaint::restore(const PaintStep& step) {
 
 std::vector<Index> ShownPaint::take_touched() {
   std::vector<Index> vertices = std::exchange(touched_, {});
-  std::ranges::sort(vertices);
-  const auto [first, last] = std::ranges::unique(vertices);
-  vertices.erase(first, last);
+  sort_unique(vertices);
   return vertices;
 }
 

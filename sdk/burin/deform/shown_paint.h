@@ -29,8 +29,8 @@ class ShownPaint {
   /// Makes room for what a brush of these outputs writes: in proportion to the surface, the first time.
   void prepare(std::uint64_t outputs);
 
-  /// Tints vertices, each named once. One whose tint is that of its base gets its very bits. Appends those
-  /// that look other than before to `changed`.
+  /// Tints vertices, each named once. One whose colour is that of its base gets its very bits, which a
+  /// tint does not hold. Appends those that look other than before to `changed`.
   void set(std::span<const Index> vertices, std::span<const Tint> tints, std::vector<Index>& changed);
 
   /// Makes the base what is shown; returns what was there where they differed.

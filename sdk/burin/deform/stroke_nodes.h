@@ -31,8 +31,8 @@ struct StrokeChanges {
 struct ReadInputs {
   double radius = 0;          ///< of the stroke where its width is 1, object units
   std::uint64_t inputs = 0;   ///< that the brush reads
-  std::uint64_t varying = 0;  ///< of these, BURIN_INPUT_RADIUS and BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME,
-                              ///< those that may differ along the stroke
+  std::uint64_t varying = 0;  ///< of BURIN_INPUT_RADIUS and BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME, those
+                              ///< to keep that may differ along the stroke
   const ParamDynamics* dynamics = nullptr;  ///< of strength and parameters; must outlive the nodes
 };
 

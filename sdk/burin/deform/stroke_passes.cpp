@@ -1,3 +1,4 @@
+#include <burin/base/sort_unique.h>
 #include <burin/deform/stroke_passes.h>
 
 #include <algorithm>
@@ -5,12 +6,6 @@
 
 namespace burin {
 namespace {
-
-void sort_unique(std::vector<Index>& vertices) {
-  std::ranges::sort(vertices);
-  const auto [first, last] = std::ranges::unique(vertices);
-  vertices.erase(first, last);
-}
 
 /// The slots of these vertices, vertex by vertex.
 std::vector<Index> slots_of(const LiveChart& chart, std::span<const Index> vertices) {
@@ -36,7 +31,7 @@ std::vector<Index> StrokePasses::update(Evaluator& evaluator, std::span<Evaluate
   for (std::uint32_t pass = 0; pass < stroke_->plan().passes; ++pass) {
     if (pass > 0) add_neighbours(vertices);
     run(pass, evaluator, instances, vertices);
-    if (pass < left_.size()) place(pass, vertices);
+    if (pass < left_.size()) place(pass, instances, vertices);
   }
   return vertices;
 }
@@ -78,10 +73,14 @@ void StrokePasses::run(std::uint32_t pass, Evaluator& evaluator, std::span<Evalu
   }
 }
 
-void StrokePasses::place(std::uint32_t pass, std::span<const Index> vertices) {
+void StrokePasses::place(std::uint32_t pass, std::span<const EvaluatedInstance> instances,
+                         std::span<const Index> vertices) {
   Left& left = left_[pass];
   std::vector<InstanceSheets> sheets;
-  for (std::size_t i = 0; i < charts_.size(); ++i) sheets.push_back({charts_[i], &left.outputs[i]});
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    const NodeSource& source = instances[i].source;
+    sheets.push_back({charts_[i], &left.outputs[i], source.nodes.half_width(), source.dab_t});
+  }
   std::vector<Vec3f> places(vertices.size());
   blend_sheets(*surface_, sheets, vertices, blend_, stroke_->descriptor().id, places);
   for (std::size_t i = 0; i < vertices.size(); ++i) left.places.set(vertices[i], places[i]);

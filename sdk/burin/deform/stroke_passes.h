@@ -39,7 +39,8 @@ class StrokePasses {
   void add_neighbours(std::vector<Index>& vertices) const;
   void run(std::uint32_t pass, Evaluator& evaluator, std::span<EvaluatedInstance> instances,
            std::span<const Index> vertices);
-  void place(std::uint32_t pass, std::span<const Index> vertices);
+  void place(std::uint32_t pass, std::span<const EvaluatedInstance> instances,
+             std::span<const Index> vertices);
 
   const Surface* surface_;
   const BrushStroke* stroke_;

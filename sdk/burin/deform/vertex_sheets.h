@@ -55,12 +55,21 @@ class VertexSheets {
   }
 
  private:
-  /// Falls from 1 on the stroke to next to nothing at its rim, level there.
+  /// Falls from 1 on the stroke, or in the middle of a dab, to next to nothing at its rim, level there.
   static double nearness(const SheetNode& node, double radius) {
     const Chart& chart = node.chart();
-    const double t = chart.t[node.slot], beyond = chart.closed ? 0 : std::max({-t, t - chart.length, 0.0});
-    const double inside = std::max(1 - std::hypot(beyond, double{chart.d[node.slot]}) / radius, 0.0);
+    const double reach = node.of->half_width.empty() ? radius : node.of->half_width[node.slot];
+    const double distance = std::hypot(along(node), double{chart.d[node.slot]});
+    const double inside = std::max(1 - distance / reach, 0.0);
     return inside * inside + 1e-12;
+  }
+
+  /// How far a node lies beyond an end, or from the middle of its dab.
+  static double along(const SheetNode& node) {
+    if (!node.of->dab_t.empty()) return node.of->dab_t[node.slot];
+    const Chart& chart = node.chart();
+    const double t = chart.t[node.slot];
+    return chart.closed ? 0 : std::max({-t, t - chart.length, 0.0});
   }
 
   std::span<const InstanceSheets> instances_;

@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/sort_unique.h>
 #include <burin/deform/blend.h>
 #include <burin/host/open_stroke.h>
 #include <fmt/format.h>
@@ -24,12 +25,6 @@ const StrokeSettings& checked(const StrokeSettings& settings) {
     throw ContractError(fmt::format("the spacing of dabs must be 0, or at least {} radii, not {}",
                                     least_dab_spacing, settings.dab_spacing));
   return settings;
-}
-
-void sort_unique(std::vector<Index>& vertices) {
-  std::ranges::sort(vertices);
-  const auto [first, last] = std::ranges::unique(vertices);
-  vertices.erase(first, last);
 }
 
 /// Everything that changed in any instance, each vertex once.
@@ -181,7 +176,7 @@ void OpenStroke::evaluate(const std::vector<StrokeChanges>& changes, std::uint64
 
 VertexMoves OpenStroke::blend(std::vector<Index> vertices, const StrokeTools& tools) const {
   std::vector<InstanceSheets> sheets;
-  for (const StrokeInstance& instance : instances_) sheets.push_back({&instance.live(), &instance.outputs()});
+  for (const StrokeInstance& instance : instances_) sheets.push_back(instance.sheets());
   VertexMoves moves;
   moves.vertices = std::move(vertices);
   moves.places.resize(moves.vertices.size());

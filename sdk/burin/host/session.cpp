@@ -27,6 +27,7 @@ struct Session::Impl {
   OpenStroke& open_stroke();
   StrokeEvent draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen, Show show,
                    StageClock& clock);
+  void set_paint(Paint given);
   std::span<const Index> finish(Closure closure);
   std::span<const Index> apply(const VertexMoves& moves);
   void drop();
@@ -128,6 +129,20 @@ void Session::Impl::drop() {
   stroke.reset();
 }
 
+void Session::Impl::set_paint(Paint given) {
+  if (stroke) throw ContractError("a stroke is open");
+  const Index count = surface.vertex_count();
+  const auto one_each = [&](const auto& values) { return values.empty() || values.size() == count; };
+  const auto within = [](const auto& value) { return value >= 0 && value <= 1; };
+  const bool sound = one_each(given.colour) && one_each(given.mask) &&
+                     std::ranges::all_of(given.mask, within) &&
+                     std::ranges::all_of(given.colour, [&](const Vec4f& colour) {
+                       return std::all_of(colour.begin(), colour.end(), within);
+                     });
+  if (!sound) throw ContractError("colours and masks must be from 0 to 1, one a vertex");
+  paint.assign(std::move(given));
+}
+
 Session::Session(Surface surface, const BrushLibrary& brushes) {
   if (surface.is_point_set()) throw ContractError("a point set cannot be sculpted");
   impl_ = std::make_unique<Impl>(std::move(surface), brushes);
@@ -143,17 +158,7 @@ std::span<const Vec3f> Session::normals() const { return impl_->shown.normals();
 const Paint& Session::paint() const { return impl_->paint.shown(); }
 
 void Session::set_paint(Paint paint) {
-  if (impl_->stroke) throw ContractError("a stroke is open");
-  const Index count = impl_->surface.vertex_count();
-  const auto one_each = [&](const auto& values) { return values.empty() || values.size() == count; };
-  const auto within = [](const auto& value) { return value >= 0 && value <= 1; };
-  const bool sound = one_each(paint.colour) && one_each(paint.mask) &&
-                     std::ranges::all_of(paint.mask, within) &&
-                     std::ranges::all_of(paint.colour, [&](const Vec4f& colour) {
-                       return std::all_of(colour.begin(), colour.end(), within);
-                     });
-  if (!sound) throw ContractError("colours and masks must be from 0 to 1, one a vertex");
-  impl_->paint.assign(std::move(paint));
+  impl_->guarded([&] { impl_->set_paint(std::move(paint)); });
 }
 
 void Session::begin_stroke(const StrokeSettings& settings) {

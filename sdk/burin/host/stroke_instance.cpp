@@ -9,6 +9,9 @@ namespace {
 /// A t that all nodes reach.
 constexpr double everywhere = -std::numeric_limits<double>::infinity();
 
+/// One that none reaches.
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+
 DrivenStroke driven_stroke(const StrokeSettings& settings, const SymmetryInstance& image) {
   return {settings.fields, settings.radius, settings.seed, image.linear.transpose().cast<float>()};
 }
@@ -48,7 +51,9 @@ StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Cha
 ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const {
   std::uint64_t varying = pen_inputs_present(settings.fields);
   if (width_.varies()) varying |= BURIN_INPUT_RADIUS;
-  return {settings.radius, inputs, varying & inputs, &dynamics_};
+  std::uint64_t asked = inputs;
+  if (symmetry_instances(settings.symmetry).size() > 1) asked |= BURIN_INPUT_RADIUS;  // to blend them
+  return {settings.radius, inputs, varying & asked, &dynamics_};
 }
 
 void StrokeInstance::trace(const SurfacePoint& at, double time, const Pen& pen) {
@@ -64,7 +69,8 @@ StrokeChanges StrokeInstance::draw(double end_influence, EventCost& cost) {
   traced_ = false;
   chart(unchanged, cost);
   const double same_up_to = unchanged > 0 ? curve().points[unchanged - 1].t : everywhere;
-  double end_zone = std::min(length_before, drawn_length_) - end_influence;
+  // A dab knows nothing of the stroke's length.
+  double end_zone = dabs_ ? nowhere : std::min(length_before, drawn_length_) - end_influence;
   if (reads_foot()) end_zone = std::min(end_zone, other_feet_from(std::min(same_up_to, length_before)));
   return nodes_->follow(curve(), end_zone, same_up_to);
 }
@@ -82,7 +88,7 @@ StrokeChanges StrokeInstance::finish(double end_influence, EventCost& cost) {
     return nodes_->follow(curve(), everywhere);
   }
   if (traced_) return draw(end_influence, cost);
-  return nodes_->in_zone(curve().length() - end_influence);
+  return nodes_->in_zone(dabs_ ? nowhere : curve().length() - end_influence);
 }
 
 NodeSource StrokeInstance::source(const Paint& paint) const {
@@ -94,7 +100,7 @@ NodeSource StrokeInstance::source(const Paint& paint) const {
           .places = nullptr,
           .symmetry = image_.index,
           .mirrored = image_.mirrored,
-          .dab_t = dabs_ ? dabs_->along() : std::span<const float>{}};
+          .dab_t = dab_t()};
 }
 
 void StrokeInstance::chart(std::size_t unchanged, EventCost& cost) {

@@ -51,7 +51,8 @@ class StrokeInstance {
   const SurfaceCurve& curve() const { return closed_curve_ ? *closed_curve_ : tracer_.curve(); }
   const LiveChart& live() const { return dabs_ ? dabs_->live() : charter_->live(); }
   NodeOutputs& outputs() { return outputs_; }
-  const NodeOutputs& outputs() const { return outputs_; }
+  /// What is to be blended. Valid until the next event.
+  InstanceSheets sheets() const { return {&live(), &outputs_, nodes_->half_width(), dab_t()}; }
 
   /// Whether the stroke so far can go on at this place.
   bool connects(const SurfacePoint& at) const { return empty() || tracer_.connects(at); }
@@ -73,6 +74,7 @@ class StrokeInstance {
 
  private:
   ReadInputs read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const;
+  std::span<const float> dab_t() const { return dabs_ ? dabs_->along() : std::span<const float>{}; }
   void chart(std::size_t unchanged, EventCost& cost);
   double other_feet_from(double same_curve_up_to) const;
   bool reads_foot() const { return reads_.inputs & BURIN_INPUT_FOOT; }

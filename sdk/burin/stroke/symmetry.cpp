@@ -2,6 +2,7 @@
 #include <burin/stroke/symmetry.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,6 +25,13 @@ Eigen::Matrix3d mirroring(const std::vector<int>& axes, std::size_t chosen) {
   return signs.asDiagonal();
 }
 
+/// Two mirrorings may make a half turn, which may be among the radial copies too.
+bool has_image(const std::vector<SymmetryInstance>& instances, const Eigen::Matrix3d& linear) {
+  return std::ranges::any_of(instances, [&](const SymmetryInstance& instance) {
+    return (instance.linear - linear).cwiseAbs().maxCoeff() < 1e-9;
+  });
+}
+
 }  // namespace
 
 std::vector<SymmetryInstance> symmetry_instances(const Symmetry& symmetry) {
@@ -42,6 +50,7 @@ std::vector<SymmetryInstance> symmetry_instances(const Symmetry& symmetry) {
   for (int step = 0; step < symmetry.radial; ++step) {
     for (std::size_t chosen = 0; chosen < mirrorings; ++chosen) {
       const Eigen::Matrix3d linear = rotation(symmetry, step) * mirroring(axes, chosen);
+      if (has_image(instances, linear)) continue;
       const auto index = static_cast<std::uint32_t>(instances.size());
       instances.push_back({linear, symmetry.centre, index, linear.determinant() < 0});
     }

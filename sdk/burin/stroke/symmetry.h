@@ -27,8 +27,8 @@ struct SymmetryInstance {
 };
 
 /// All images, by index: all mirrorings (x first, then y, then z, and their combinations) of the stroke as it
-/// is drawn, then the same turned by one radial step, and so on. Throws ContractError for fewer than one
-/// radial copy, an axis that there is not, a centre that is not finite, more than 1024 images.
+/// is drawn, then the same turned by one radial step, and so on; each image once. Throws ContractError for
+/// fewer than one radial copy, an axis that there is not, a centre that is not finite, more than 1024 images.
 std::vector<SymmetryInstance> symmetry_instances(const Symmetry& symmetry);
 
 }  // namespace burin
