@@ -8,9 +8,8 @@ namespace burin {
 
 /// Puts indices in ascending order, each once.
 inline void sort_unique(std::vector<Index>& indices) {
-  std::ranges::sort(indices);
-  const auto [first, last] = std::ranges::unique(indices);
-  indices.erase(first, last);
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
 }
 
 }  // namespace burin

@@ -105,6 +105,7 @@ std::vector<Accumulation::Due> Accumulation::due_nodes(const LiveChart& chart,
     for (const Index slot : later) take(slot);
   }
   std::vector<Due> due;
+  due.reserve(after.size());
   for (const auto& [slot, none] : after) due.push_back({slot, none});
   std::ranges::sort(due, {},
                     [&](const Due& node) { return std::pair(chart.nodes().t[node.slot], node.slot); });

@@ -20,7 +20,7 @@ class VertexBlend {
       : base_(surface.positions[vertex]), normal_(surface.normals[vertex]), sheets_(instances, vertex) {}
 
   Vec3f place(const BlendOptions& options) const {
-    const Vec3f free = unlimited(options);
+    Vec3f free = unlimited(options);
     const double distance = (free - base_).cast<double>().norm();
     if (!(distance > options.limit)) return free;
     return base_ + static_cast<float>(options.limit / distance) * (free - base_);

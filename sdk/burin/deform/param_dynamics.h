@@ -14,11 +14,11 @@ class ParamDynamics {
  public:
   /// Of a parameter that varies.
   struct Param {
-    std::uint32_t index;  ///< of the descriptor
-    double before;        ///< its value before dynamics
-    double low, high;     ///< what is delivered lies within
-    bool adds;            ///< angles: the curves are added, not multiplied
-    bool whole;           ///< rounded
+    std::uint32_t index = 0;   ///< of the descriptor
+    double before = 0;         ///< its value before dynamics
+    double low = 0, high = 0;  ///< what is delivered lies within
+    bool adds = false;         ///< angles: the curves are added, not multiplied
+    bool whole = false;        ///< rounded
     TargetDynamics dynamics;
   };
 
