@@ -12,8 +12,8 @@ namespace burin {
 /// One symmetry instance of a stroke, to be evaluated.
 struct EvaluatedInstance {
   NodeSource source;
-  burin_stroke_context context;
-  float strength;
+  burin_stroke_context context{};
+  float strength = 1;
   NodeOutputs& outputs;  ///< [slot], of the chart's size
 };
 
