@@ -51,7 +51,9 @@ void ReplayMesh::load(Cage cage, bool for_map, const Progress& progress) {
 void ReplayMesh::load_levels(const Cage& cage, const Progress& progress) {
   levels_.emplace(cage.polygons, cage.scheme, cage.level, progress);
   drawn_ = make_loaded(levels_->mesh(drawn_level_), drawn_level_, {}, progress);
-  before_ = refine(cage.polygons, cage.scheme, cage.level, progress);
+  // Levels without details are the refined cage, but have no texture coordinates.
+  before_ = cage.polygons.corner_uv.empty() ? levels_->mesh(levels_->finest())
+                                            : refine(cage.polygons, cage.scheme, cage.level, progress);
 }
 
 void ReplayMesh::describe(const MeshOptions& options) {

@@ -20,9 +20,7 @@ struct StampCommandOptions {
 
 /// "MODE" or "MODE,MODE".
 void read_wrap(const std::string& text, StampOptions& options) {
-  const std::size_t comma = text.find(',');
-  options.wrap_u = wrap_named(text.substr(0, comma));
-  options.wrap_v = comma == text.npos ? options.wrap_u : wrap_named(text.substr(comma + 1));
+  std::tie(options.wrap_u, options.wrap_v) = wraps_named(text);
   if (options.wrap_u == Wrap::unknown || options.wrap_v == Wrap::unknown)
     throw CLI::ValidationError("--wrap", "'" + text +
                                              "' is none of periodic, mirror, clamp and black, or two of "

@@ -1,7 +1,7 @@
 #include <burin/deform/accumulation.h>
+#include <burin/deform/displacement.h>
 #include <burin/surface/normals.h>
 #include <burin/surface/surroundings.h>
-#include <burin/surface/triangle_shape.h>
 #include <burin/surface/unit_tangent.h>
 
 #include <algorithm>
@@ -10,32 +10,6 @@
 #include <utility>
 
 namespace burin {
-namespace {
-
-/// In object space: of components along (e1, e2, n).
-Vec3f in_space(const Vec3f& e1, const Vec3f& n, const Vec3f& components) {
-  return e1 * components.x() + n.cross(e1) * components.y() + n * components.z();
-}
-
-Vec3f in_frame(const Vec3f& e1, const Vec3f& n, const Vec3f& vector) {
-  return {e1.dot(vector), n.cross(e1).dot(vector), n.dot(vector)};
-}
-
-/// Where place(v) says where vertices stand.
-template <class Place>
-Vec3f normal_of(const Surface& surface, const Place& place, Index vertex) {
-  const Vec3d here = place(vertex).template cast<double>();
-  NormalSum sum;
-  for (const Index index : surface.incident[vertex]) {
-    const Triangle& triangle = surface.triangles[index];
-    const std::size_t corner = corner_of(triangle, vertex);
-    sum.add(place(triangle[(corner + 1) % 3]).template cast<double>() - here,
-            place(triangle[(corner + 2) % 3]).template cast<double>() - here);
-  }
-  return sum.unit().cast<float>();
-}
-
-}  // namespace
 
 void Accumulation::update(Evaluator& evaluator, EvaluatedInstance& instance, const LiveChart& chart,
                           std::span<const Index> vertices, std::vector<Index>& reached) const {
@@ -58,29 +32,32 @@ bool Accumulation::earlier(const Chart& nodes, Index a, Index b) const {
   return before > 0 && around > apart_;
 }
 
+/// The nodes of a slot's vertex and of its neighbours.
 template <class Visit>
-void Accumulation::for_each_earlier(const LiveChart& chart, Index slot, const Visit& visit) const {
-  const Index vertex = chart.nodes().vertex[slot];
-  const auto visit_nodes = [&](Index at) {
-    for (Index other = chart.first(at); other != no_index; other = chart.next(other))
-      if (earlier(chart.nodes(), other, slot)) visit(other);
+void Accumulation::for_each_around(const LiveChart& chart, Index slot, const Visit& visit) const {
+  const auto visit_nodes = [&](Index vertex) {
+    for (Index other = chart.first(vertex); other != no_index; other = chart.next(other)) visit(other);
   };
+  const Index vertex = chart.nodes().vertex[slot];
   visit_nodes(vertex);
   for (const Index neighbour : surface_->neighbours[vertex]) visit_nodes(neighbour);
+}
+
+/// Those of them that it stands on.
+template <class Visit>
+void Accumulation::for_each_earlier(const LiveChart& chart, Index slot, const Visit& visit) const {
+  for_each_around(chart, slot, [&](Index other) {
+    if (earlier(chart.nodes(), other, slot)) visit(other);
+  });
 }
 
 /// Appends the nodes around these that stand on them.
 void Accumulation::add_later(const LiveChart& chart, std::span<const Index> from,
                              std::vector<Index>& slots) const {
-  for (const Index slot : from) {
-    const Index vertex = chart.nodes().vertex[slot];
-    const auto add = [&](Index at) {
-      for (Index other = chart.first(at); other != no_index; other = chart.next(other))
-        if (earlier(chart.nodes(), slot, other)) slots.push_back(other);
-    };
-    add(vertex);
-    for (const Index neighbour : surface_->neighbours[vertex]) add(neighbour);
-  }
+  for (const Index slot : from)
+    for_each_around(chart, slot, [&](Index other) {
+      if (earlier(chart.nodes(), slot, other)) slots.push_back(other);
+    });
 }
 
 /// The nodes of the vertices and of their neighbours, since what a vertex lost counts too, and all that stand
@@ -136,7 +113,7 @@ CurrentBase::Place Accumulation::place_of(const LiveChart& chart, const NodeOutp
   const auto at = [&](Index v) { return left_at(chart, outputs, v, slot); };
   CurrentBase::Place place;
   place.position = at(vertex);
-  place.normal = normal_of(*surface_, at, vertex);
+  place.normal = vertex_normal(surface_->triangles, surface_->incident, vertex, at);
   place.e1 = unit_tangent(chart.nodes().e1[slot], place.normal);
   place.laplacian = umbrella(*surface_, vertex, at);
   return place;
@@ -155,14 +132,13 @@ void Accumulation::evaluate(Evaluator& evaluator, EvaluatedInstance& instance, c
   const NodeOutputs& outputs =
       evaluator.evaluate(*stroke_, instance.context, source, slots, instance.strength);
   for (std::size_t i = 0; i < slots.size(); ++i) {
-    Vec3f displacement = outputs.displacement[i];
-    if (const CurrentBase::Place* place = current.find(slots[i])) {
-      const Vec3f& normal = surface_->normals[chart.nodes().vertex[slots[i]]];
-      const Vec3f vector = in_space(place->e1, place->normal, displacement);
-      displacement = in_frame(chart.nodes().e1[slots[i]], normal, vector);
-    }
-    instance.outputs.displacement[slots[i]] = displacement;
-    if (!outputs.tint.empty()) instance.outputs.tint[slots[i]] = outputs.tint[i];
+    const Index slot = slots[i];
+    instance.outputs.take(slot, outputs, i);
+    const CurrentBase::Place* place = current.find(slot);
+    if (!place) continue;
+    const Vec3f vector = in_space(place->e1, place->normal, outputs.displacement[i]);
+    const Vec3f& normal = surface_->normals[chart.nodes().vertex[slot]];
+    instance.outputs.displacement[slot] = in_frame(chart.nodes().e1[slot], normal, vector);
   }
 }
 

@@ -33,6 +33,8 @@ class Accumulation {
   std::vector<Due> due_nodes(const LiveChart& chart, std::span<const Index> vertices) const;
   void add_later(const LiveChart& chart, std::span<const Index> from, std::vector<Index>& slots) const;
   template <class Visit>
+  void for_each_around(const LiveChart& chart, Index slot, const Visit& visit) const;
+  template <class Visit>
   void for_each_earlier(const LiveChart& chart, Index slot, const Visit& visit) const;
   bool earlier(const Chart& nodes, Index a, Index b) const;
   CurrentBase::Place place_of(const LiveChart& chart, const NodeOutputs& outputs, Index slot) const;

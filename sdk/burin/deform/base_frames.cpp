@@ -45,7 +45,8 @@ BaseFrames::BaseFrames(const TriangleMesh& base, bool tangents)
       tangents_(tangents ? base.triangles.size() : 0) {
   parallel_blocks(normals_.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
     for (Index vertex = static_cast<Index>(begin); vertex < end; ++vertex)
-      normals_[vertex] = vertex_normal(base.triangles, incident_, base.positions, vertex);
+      normals_[vertex] = vertex_normal(base.triangles, incident_, vertex,
+                                       [&](Index at) -> const Vec3f& { return base.positions[at]; });
   });
   parallel_blocks(tangents_.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
     for (Index triangle = static_cast<Index>(begin); triangle < end; ++triangle)

@@ -62,8 +62,7 @@ SheetNode VertexBlend::winner(Overlap overlap) const {
 /// In doubles, so that floats cannot tell in which order sums were taken.
 Vec3d VertexBlend::in_space(const SheetNode& node) const {
   const Vec3d n = normal_.cast<double>(), e1 = node.chart().e1[node.slot].cast<double>();
-  const Vec3d part = node.displacement().cast<double>();
-  return e1 * part.x() + n.cross(e1) * part.y() + n * part.z();
+  return burin::in_space<Vec3d>(e1, n, node.displacement().cast<double>());
 }
 
 Vec3d VertexBlend::sum(const BlendOptions& options) const {

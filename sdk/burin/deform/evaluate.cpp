@@ -119,10 +119,7 @@ void Evaluator::run_dab(const BrushStroke& stroke, const burin_stroke_context& c
     dab.displacement[k] = outputs.displacement[chosen[k]];
   }
   run(stroke, of_dab, source, of_nodes, dab);
-  for (std::size_t k = 0; k < chosen.size(); ++k) {
-    outputs.displacement[chosen[k]] = dab.displacement[k];
-    if (!dab.tint.empty()) outputs.tint[chosen[k]] = dab.tint[k];
-  }
+  for (std::size_t k = 0; k < chosen.size(); ++k) outputs.take(chosen[k], dab, k);
 }
 
 void Evaluator::run(const BrushStroke& stroke, const burin_stroke_context& context, const NodeSource& source,

@@ -17,6 +17,12 @@ struct NodeOutputs {
     displacement.resize(nodes);
     tint.resize(paints ? nodes : 0);
   }
+
+  /// Takes over what another, of the same brush, has for one node.
+  void take(std::size_t node, const NodeOutputs& from, std::size_t node_of_from) {
+    displacement[node] = from.displacement[node_of_from];
+    if (!from.tint.empty()) tint[node] = from.tint[node_of_from];
+  }
 };
 
 /// Whether the brush writes colours or masks.

@@ -66,10 +66,7 @@ void StrokePasses::run(std::uint32_t pass, Evaluator& evaluator, std::span<Evalu
     if (last) Evaluator::scale(*stroke_, source, slots, instance.strength, outputs);
     NodeOutputs& kept = last ? instance.outputs : left_[pass].outputs[i];
     kept.resize(charts_[i]->nodes().size(), tints);
-    for (std::size_t k = 0; k < slots.size(); ++k) {
-      kept.displacement[slots[k]] = outputs.displacement[k];
-      if (tints) kept.tint[slots[k]] = outputs.tint[k];
-    }
+    for (std::size_t k = 0; k < slots.size(); ++k) kept.take(slots[k], outputs, k);
   }
 }
 

@@ -51,8 +51,9 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, Charters& c
                      .narrowest()),
       brush_stroke_(brush, descriptor, context(0, {}), params_.abi()),
       last_time_(-std::numeric_limits<double>::infinity()) {
-  for (const SymmetryInstance& image : symmetry_instances(settings_.symmetry))
-    instances_.emplace_back(surface, picker, charters, settings_, image, brush_stroke_);
+  const std::vector<SymmetryInstance> images = symmetry_instances(settings_.symmetry);
+  for (const SymmetryInstance& image : images)
+    instances_.emplace_back(surface, picker, charters, settings_, image, brush_stroke_, images.size() > 1);
   if (settings_.accumulate == Accumulate::from_current) accumulate();
   if (passes_look_around()) look_around();
 }
@@ -166,10 +167,7 @@ void OpenStroke::evaluate(const std::vector<StrokeChanges>& changes, std::uint64
     const std::vector<Index>& stale = changes[i].stale;
     const NodeOutputs& outputs =
         tools.evaluator.evaluate(brush_stroke_, evaluated[i].context, evaluated[i].source, stale, strength);
-    for (std::size_t k = 0; k < stale.size(); ++k) {
-      evaluated[i].outputs.displacement[stale[k]] = outputs.displacement[k];
-      if (!outputs.tint.empty()) evaluated[i].outputs.tint[stale[k]] = outputs.tint[k];
-    }
+    for (std::size_t k = 0; k < stale.size(); ++k) evaluated[i].outputs.take(stale[k], outputs, k);
     tools.cost.evaluated += stale.size();
   }
 }

@@ -31,12 +31,12 @@ LiveDabs& Charters::dabs(std::size_t instance) {
 
 StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Charters& charters,
                                const StrokeSettings& settings, const SymmetryInstance& image,
-                               const BrushStroke& brush)
+                               const BrushStroke& brush, bool has_twins)
     : surface_(&surface),
       image_(image),
       width_(settings.pressure_width, settings.dynamics, driven_stroke(settings, image)),
       dynamics_(brush.descriptor(), brush.params(), settings.dynamics, driven_stroke(settings, image)),
-      reads_(read_inputs(settings, brush.descriptor().inputs_read)),
+      reads_(read_inputs(settings, brush.descriptor().inputs_read, has_twins)),
       tracer_(surface, picker, settings.radius, width_) {
   if (settings.dab_spacing > 0) {
     dabs_ = &charters.dabs(image.index);
@@ -48,11 +48,12 @@ StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Cha
   nodes_.emplace(live(), reads_);
 }
 
-ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const {
+ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs,
+                                       bool has_twins) const {
   std::uint64_t varying = pen_inputs_present(settings.fields);
   if (width_.varies()) varying |= BURIN_INPUT_RADIUS;
   std::uint64_t asked = inputs;
-  if (symmetry_instances(settings.symmetry).size() > 1) asked |= BURIN_INPUT_RADIUS;  // to blend them
+  if (has_twins) asked |= BURIN_INPUT_RADIUS;  // to blend them
   return {settings.radius, inputs, varying & asked, &dynamics_};
 }
 

@@ -28,8 +28,11 @@ void sample_tiles(std::size_t count, const TileOf& tile, const StampOf& stamp, c
       const Stamp* const one = shown[i];
       if (!one) continue;  // sampled along with an earlier element
       std::size_t found = 0;
-      for (std::size_t k = i; k < size; ++k)
-        if (shown[k] == one) members[found++] = k, shown[k] = nullptr;
+      for (std::size_t k = i; k < size; ++k) {
+        if (shown[k] != one) continue;
+        members[found++] = k;
+        shown[k] = nullptr;
+      }
       one->sample(
           found, [&](std::size_t k) { return tiles[members[k]].area; }, FloatsOut(sampled.data(), 1),
           channel);

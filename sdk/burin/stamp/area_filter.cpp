@@ -170,11 +170,11 @@ float sample_area(const MipPyramid& pyramid, int channel, float u, float v, cons
   const Ellipse e = inscribed(area, pyramid.stamp().width, pyramid.stamp().height);
   if (!std::isfinite(e.xx + e.yy)) return std::numeric_limits<float>::quiet_NaN();
   const HalfAxes axes = half_axes(e);
-  const float point = sample_bilinear(pyramid.stamp(), channel, u, v);
-  if (axes.long_square <= 0.25 || std::isnan(point)) return point;
+  const auto point = [&] { return sample_bilinear(pyramid.stamp(), channel, u, v); };
+  if (axes.long_square <= 0.25 || !std::isfinite(u) || !std::isfinite(v)) return point();
   const double mean = pyramid_mean(pyramid, channel, u, v, e, axes);
-  const double share = std::min(2 * std::sqrt(axes.long_square) - 1, 1.0);
-  return static_cast<float>(point * (1 - share) + mean * share);
+  const double share = 2 * std::sqrt(axes.long_square) - 1;
+  return static_cast<float>(share < 1 ? point() * (1 - share) + mean * share : mean);
 }
 
 }  // namespace burin

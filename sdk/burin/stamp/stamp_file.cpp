@@ -95,14 +95,6 @@ std::vector<float> display_window(const OIIO::ImageSpec& spec, std::vector<float
   return display;
 }
 
-/// "periodic,clamp" of texture files: u, then v; one word holds for both.
-void read_wrap(const OIIO::ImageSpec& spec, StampFile& file) {
-  const std::string modes = spec.get_string_attribute("wrapmodes");
-  const std::size_t comma = modes.find(',');
-  file.wrap_u = wrap_named(std::string_view(modes).substr(0, comma));
-  file.wrap_v = comma == modes.npos ? file.wrap_u : wrap_named(std::string_view(modes).substr(comma + 1));
-}
-
 StampFile describe(OIIO::ImageInput& input) {
   const OIIO::ImageSpec spec = input.spec();
   StampFile file;
@@ -118,7 +110,7 @@ StampFile describe(OIIO::ImageInput& input) {
   file.data_y = spec.y - spec.full_y;
   file.data_width = spec.width;
   file.data_height = spec.height;
-  read_wrap(spec, file);
+  std::tie(file.wrap_u, file.wrap_v) = wraps_named(spec.get_string_attribute("wrapmodes").c_str());
   return file;
 }
 

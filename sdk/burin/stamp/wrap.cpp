@@ -6,15 +6,21 @@
 namespace burin {
 namespace {
 
-constexpr std::array<std::string_view, 5> names = {"unknown", "periodic", "mirror", "clamp", "black"};
+constexpr std::array<std::string_view, 5> wrap_names = {"unknown", "periodic", "mirror", "clamp", "black"};
 
 }  // namespace
 
-std::string_view wrap_name(Wrap wrap) { return names[static_cast<std::size_t>(wrap)]; }
+std::string_view wrap_name(Wrap wrap) { return wrap_names[static_cast<std::size_t>(wrap)]; }
 
 Wrap wrap_named(std::string_view name) {
-  const auto found = std::ranges::find(names, name);
-  return found == names.end() ? Wrap::unknown : static_cast<Wrap>(found - names.begin());
+  const auto found = std::ranges::find(wrap_names, name);
+  return found == wrap_names.end() ? Wrap::unknown : static_cast<Wrap>(found - wrap_names.begin());
+}
+
+std::pair<Wrap, Wrap> wraps_named(std::string_view names) {
+  const std::size_t comma = names.find(',');
+  const Wrap u = wrap_named(names.substr(0, comma));
+  return {u, comma == names.npos ? u : wrap_named(names.substr(comma + 1))};
 }
 
 }  // namespace burin

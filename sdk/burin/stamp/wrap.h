@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 
 namespace burin {
 
@@ -21,6 +22,9 @@ std::string_view wrap_name(Wrap wrap);
 
 /// Wrap::unknown for any other text.
 Wrap wrap_named(std::string_view name);
+
+/// Of "periodic,clamp", as texture files have it: u, then v. One word holds for both.
+std::pair<Wrap, Wrap> wraps_named(std::string_view names);
 
 constexpr std::ptrdiff_t no_texel = -1;
 

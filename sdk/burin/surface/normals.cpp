@@ -1,6 +1,5 @@
 #include <burin/base/parallel.h>
 #include <burin/surface/normals.h>
-#include <burin/surface/triangle_shape.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -39,20 +38,8 @@ Vec3d NormalSum::unit() const {
 }
 
 Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex) {
-  return vertex_normal(surface.triangles, surface.incident, positions, vertex);
-}
-
-Vec3f vertex_normal(std::span<const Triangle> triangles, const Csr& incident,
-                    std::span<const Vec3f> positions, Index vertex) {
-  const Vec3d here = positions[vertex].cast<double>();
-  NormalSum sum;
-  for (const Index index : incident[vertex]) {
-    const Triangle& triangle = triangles[index];
-    const std::size_t corner = corner_of(triangle, vertex);
-    sum.add(positions[triangle[(corner + 1) % 3]].cast<double>() - here,
-            positions[triangle[(corner + 2) % 3]].cast<double>() - here);
-  }
-  return sum.unit().cast<float>();
+  return vertex_normal(surface.triangles, surface.incident, vertex,
+                       [&](Index at) -> const Vec3f& { return positions[at]; });
 }
 
 void update_normals(const Surface& surface, std::span<const Vec3f> positions, std::span<const Index> vertices,

@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/surface/surface.h>
 #include <burin/surface/surface_point.h>
+#include <burin/surface/triangle_shape.h>
 
 #include <span>
 
@@ -26,9 +27,21 @@ class NormalSum {
 /// Unit normal at a vertex of a surface whose vertices stand at `positions`: the NormalSum of its triangles.
 Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex);
 
-/// The same where there is no Surface: `incident` as incident_triangles() gives it.
-Vec3f vertex_normal(std::span<const Triangle> triangles, const Csr& incident,
-                    std::span<const Vec3f> positions, Index vertex);
+/// The same where there is no Surface, or its vertices stand elsewhere: `incident` as incident_triangles()
+/// gives it, place(v) where vertex v stands.
+template <class Place>
+Vec3f vertex_normal(std::span<const Triangle> triangles, const Csr& incident, Index vertex,
+                    const Place& place) {
+  const Vec3d here = place(vertex).template cast<double>();
+  NormalSum sum;
+  for (const Index index : incident[vertex]) {
+    const Triangle& triangle = triangles[index];
+    const std::size_t corner = corner_of(triangle, vertex);
+    sum.add(place(triangle[(corner + 1) % 3]).template cast<double>() - here,
+            place(triangle[(corner + 2) % 3]).template cast<double>() - here);
+  }
+  return sum.unit().template cast<float>();
+}
 
 /// Sets normals[v] for all v in `vertices`, in parallel.
 void update_normals(const Surface& surface, std::span<const Vec3f> positions, std::span<const Index> vertices,
