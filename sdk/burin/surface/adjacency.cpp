@@ -1,11 +1,10 @@
 #include <burin/base/counting_sort.h>
-#include <burin/base/parallel.h>
 #include <burin/surface/adjacency.h>
+#include <burin/surface/collect_rows.h>
 #include <burin/surface/triangle_shape.h>
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace burin {
 namespace {
@@ -72,25 +71,10 @@ Csr incident_triangles(std::size_t vertices, std::span<const Triangle> triangles
 }
 
 Csr neighbour_vertices(std::span<const Triangle> triangles, const Csr& incident) {
-  Csr result;
-  result.offsets.resize(incident.rows() + std::size_t{1});
-  std::vector<UnsetVector<Index>> found(incident.rows() / vertices_a_block + 1);  // [block]
-  parallel_blocks(incident.rows(), vertices_a_block, [&](std::size_t begin, std::size_t end) {
-    UnsetVector<Index>& neighbours = found[begin / vertices_a_block];
-    neighbours.reserve(incident.offsets[end] - incident.offsets[begin]);
-    for (Index vertex = static_cast<Index>(begin); vertex < end; ++vertex) {
-      const std::size_t before = neighbours.size();
-      if (!append_closed_fan(triangles, incident[vertex], vertex, neighbours))
-        append_neighbours(triangles, incident[vertex], vertex, neighbours);
-      result.offsets[vertex + 1] = static_cast<Index>(neighbours.size() - before);
-    }
+  return collect_rows(incident.rows(), vertices_a_block, [&](Index vertex, UnsetVector<Index>& out) {
+    if (!append_closed_fan(triangles, incident[vertex], vertex, out))
+      append_neighbours(triangles, incident[vertex], vertex, out);
   });
-  std::inclusive_scan(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
-  result.items.resize(result.offsets.back());
-  parallel_blocks(found.size(), 1, [&](std::size_t block, std::size_t) {
-    std::ranges::copy(found[block], result.items.begin() + result.offsets[block * vertices_a_block]);
-  });
-  return result;
 }
 
 }  // namespace burin

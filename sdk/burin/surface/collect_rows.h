@@ -1,0 +1,34 @@
+#pragma once
+#include <burin/base/parallel.h>
+#include <burin/surface/csr.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+namespace burin {
+
+/// Lists whose lengths are not known before they are made: append(row, items) appends row's items. Called on
+/// all threads, for rows in order within blocks of `rows_a_block`; the result does not depend on threads.
+template <class Append>
+Csr collect_rows(Index rows, std::size_t rows_a_block, const Append& append) {
+  Csr result;
+  result.offsets.resize(rows + std::size_t{1});
+  std::vector<UnsetVector<Index>> found(rows / rows_a_block + 1);  // [block]
+  parallel_blocks(rows, rows_a_block, [&](std::size_t begin, std::size_t end) {
+    UnsetVector<Index>& items = found[begin / rows_a_block];
+    for (auto row = static_cast<Index>(begin); row < end; ++row) {
+      const std::size_t before = items.size();
+      append(row, items);
+      result.offsets[row + 1] = static_cast<Index>(items.size() - before);
+    }
+  });
+  std::inclusive_scan(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
+  result.items.resize(result.offsets.back());
+  parallel_blocks(found.size(), 1, [&](std::size_t block, std::size_t) {
+    std::ranges::copy(found[block], result.items.begin() + result.offsets[block * rows_a_block]);
+  });
+  return result;
+}
+
+}  // namespace burin

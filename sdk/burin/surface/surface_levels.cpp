@@ -1,0 +1,163 @@
+// Levels by clustering. Each vertex that no cluster has reached yet, in the order along the space-filling
+// curve, becomes the middle of a new one, which takes all vertices within its reach along edges that are not
+// nearer to another middle: a Poisson disc sampling with its Voronoi cells, by bounded runs of Dijkstra's
+// algorithm. Ranges of consecutive vertices are clustered side by side; no cluster crosses their borders.
+#include <burin/base/counting_sort.h>
+#include <burin/surface/collect_rows.h>
+#include <burin/surface/surface_levels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <span>
+
+namespace burin {
+namespace {
+
+constexpr Index vertices_a_range = 32768, rows_a_block = 4096;
+
+/// Levels with fewer clusters are of no use to any stroke.
+constexpr Index fewest_clusters = 64;
+
+/// Middles farther apart than this share of a spacing leave about one cluster for the area of a spacing.
+constexpr double reach_over_spacing = 0.65;
+
+constexpr double first_spacing_over_edge = 1.7, spacing_over_spacing = 2;
+
+/// Vertices joined by edges.
+struct Graph {
+  std::span<const Vec3f> positions;
+  const Csr& neighbours;
+};
+
+/// The clusters of one range of vertices.
+class RangeClusters {
+ public:
+  /// Numbers clusters from 0 in `cluster_of`, whose elements of the range, as those of `distance`, are its
+  /// own to write.
+  RangeClusters(const Graph& graph, float reach, std::span<Index> cluster_of, std::span<float> distance)
+      : graph_(graph), reach_(reach), cluster_of_(cluster_of), distance_(distance) {}
+
+  /// Returns the middles.
+  std::vector<Index> make(Index begin, Index end) {
+    std::fill(distance_.begin() + begin, distance_.begin() + end, std::numeric_limits<float>::infinity());
+    std::vector<Index> middles;
+    for (Index vertex = begin; vertex < end; ++vertex) {
+      if (distance_[vertex] <= reach_) continue;
+      grow(vertex, static_cast<Index>(middles.size()), begin, end);
+      middles.push_back(vertex);
+    }
+    return middles;
+  }
+
+ private:
+  struct Entry {
+    float distance;
+    Index vertex;
+    auto operator<=>(const Entry&) const = default;
+  };
+
+  void grow(Index middle, Index cluster, Index begin, Index end) {
+    put(middle, 0, cluster);
+    while (!queue_.empty()) {
+      std::ranges::pop_heap(queue_, std::greater<>());
+      const Entry next = queue_.back();
+      queue_.pop_back();
+      if (next.distance > distance_[next.vertex]) continue;
+      for (const Index neighbour : graph_.neighbours[next.vertex]) {
+        if (neighbour < begin || neighbour >= end) continue;
+        const float edge = (graph_.positions[neighbour] - graph_.positions[next.vertex]).norm();
+        const float through = next.distance + edge;
+        if (through <= reach_ && through < distance_[neighbour]) put(neighbour, through, cluster);
+      }
+    }
+  }
+
+  void put(Index vertex, float distance, Index cluster) {
+    distance_[vertex] = distance;
+    cluster_of_[vertex] = cluster;
+    queue_.push_back({distance, vertex});
+    std::ranges::push_heap(queue_, std::greater<>());
+  }
+
+  const Graph& graph_;
+  float reach_;
+  std::span<Index> cluster_of_;
+  std::span<float> distance_;
+  std::vector<Entry> queue_;
+};
+
+/// Sets level.cluster_of; returns the middles, [cluster].
+std::vector<Index> make_clusters(const Graph& graph, double reach, SurfaceLevel& level) {
+  const auto vertices = static_cast<Index>(graph.positions.size());
+  level.cluster_of.resize(vertices);
+  UnsetVector<float> distance(vertices);
+  std::vector<std::vector<Index>> middles(vertices / vertices_a_range + 1);  // [range]
+  parallel_blocks(vertices, vertices_a_range, [&](std::size_t begin, std::size_t end) {
+    middles[begin / vertices_a_range] =
+        RangeClusters(graph, static_cast<float>(reach), level.cluster_of, distance)
+            .make(static_cast<Index>(begin), static_cast<Index>(end));
+  });
+  std::vector<Index> all, first{0};
+  for (const std::vector<Index>& of_range : middles) {
+    all.insert(all.end(), of_range.begin(), of_range.end());
+    first.push_back(static_cast<Index>(all.size()));
+  }
+  parallel_blocks(vertices, vertices_a_range, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) level.cluster_of[i] += first[begin / vertices_a_range];
+  });
+  return all;
+}
+
+void connect(const Graph& graph, Index clusters, SurfaceLevel& level) {
+  level.members.items.resize(level.cluster_of.size());
+  level.members.offsets = counting_sort(
+      level.cluster_of.size(), clusters, [&](std::size_t i, const auto& emit) { emit(level.cluster_of[i]); },
+      [&](std::size_t i, std::size_t position) { level.members.items[position] = static_cast<Index>(i); });
+  level.neighbours = collect_rows(clusters, rows_a_block, [&](Index cluster, UnsetVector<Index>& out) {
+    const auto first = static_cast<std::ptrdiff_t>(out.size());
+    for (const Index member : level.members[cluster])
+      for (const Index neighbour : graph.neighbours[member])
+        if (level.cluster_of[neighbour] != cluster) out.push_back(level.cluster_of[neighbour]);
+    std::sort(out.begin() + first, out.end());
+    out.erase(std::unique(out.begin() + first, out.end()), out.end());
+  });
+}
+
+double area_of(const Surface& surface) {
+  double doubled = 0;
+  for (const auto& [a, b, c] : surface.triangles) {
+    const Vec3f& at = surface.positions[a];
+    doubled += static_cast<double>((surface.positions[b] - at).cross(surface.positions[c] - at).norm());
+  }
+  return doubled / 2;
+}
+
+/// Edge of the lattice of equilateral triangles with so many vertices on an area: each has two triangles.
+double lattice_edge(double area, Index vertices) { return std::sqrt(2 * area / (std::sqrt(3.) * vertices)); }
+
+}  // namespace
+
+SurfaceLevels::SurfaceLevels(const Surface& surface) : surface_(&surface) {
+  const double area = area_of(surface);
+  if (!(area > 0)) return;
+  edge_ = lattice_edge(area, surface.vertex_count());
+  std::vector<Vec3f> middles;  // of the last level
+  for (double spacing = first_spacing_over_edge * edge_;; spacing *= spacing_over_spacing) {
+    const Graph graph = coarser_.empty() ? Graph{surface.positions, surface.neighbours}
+                                         : Graph{middles, coarser_.back().neighbours};
+    SurfaceLevel level;
+    const std::vector<Index> vertices = make_clusters(graph, reach_over_spacing * spacing, level);
+    const auto clusters = static_cast<Index>(vertices.size());
+    if (clusters < fewest_clusters || clusters == graph.positions.size()) return;
+    connect(graph, clusters, level);
+    level.spacing = lattice_edge(area, clusters);
+    std::vector<Vec3f> positions;
+    for (const Index vertex : vertices) positions.push_back(graph.positions[vertex]);
+    middles = std::move(positions);
+    coarser_.push_back(std::move(level));
+  }
+}
+
+}  // namespace burin

@@ -1,0 +1,62 @@
+#pragma once
+#include <burin/surface/csr.h>
+#include <burin/surface/surface.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace burin {
+
+/// A level coarser than the surface: clusters of vertices, each of which is a vertex of this level. Clusters are connected
+/// on the surface, and their vertices lie within about half a spacing of the middle along the surface: none
+/// reaches across a gap, or to the other side of a plate.
+struct SurfaceLevel {
+  /// Length of the edges of a lattice of equilateral triangles with as many vertices an area, object units.
+  double spacing = 0;
+  UnsetVector<Index> cluster_of;  ///< [vertex of the level below]
+  Csr members;                    ///< [cluster] vertices of the level below, ascending
+  Csr neighbours;                 ///< [cluster] those with neighbouring members, ascending
+
+};
+
+/// The levels of a surface: level 0 are its vertices, each further one has clusters of about twice the spacing
+/// of the one below; the first of 1.7 edges. They follow from the surface as it is when they are made; moved
+/// vertices stay in their clusters. Made on all threads; the result does not depend on their number.
+class SurfaceLevels {
+ public:
+  /// The surface must outlive the object. One without triangles has level 0 only, of no spacing.
+  explicit SurfaceLevels(const Surface& surface);
+
+  std::size_t size() const { return 1 + coarser_.size(); }
+  const Csr& neighbours(std::size_t level) const {
+    return level == 0 ? surface_->neighbours : coarser_[level - 1].neighbours;
+  }
+  double spacing(std::size_t level) const { return level == 0 ? edge_ : coarser_[level - 1].spacing; }
+
+  /// The cluster of a vertex of the surface.
+  Index cluster(std::size_t level, Index vertex) const {
+    for (std::size_t i = 0; i < level; ++i) vertex = coarser_[i].cluster_of[vertex];
+    return vertex;
+  }
+
+  /// A vertex of the surface in the cluster.
+  Index vertex(std::size_t level, Index cluster) const {
+    for (; level > 0; --level) cluster = coarser_[level - 1].members[cluster][0];
+    return cluster;
+  }
+
+  /// Calls visit(vertex) for the vertices of the surface that make up a cluster.
+  template <class Visit>
+  void for_each_vertex(std::size_t level, Index cluster, const Visit& visit) const {
+    if (level == 0) return visit(cluster);
+    for (const Index member : coarser_[level - 1].members[cluster])
+      for_each_vertex(level - 1, member, visit);
+  }
+
+ private:
+  const Surface* surface_;
+  double edge_ = 0;
+  std::vector<SurfaceLevel> coarser_;
+};
+
+}  // namespace burin
