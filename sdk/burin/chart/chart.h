@@ -18,7 +18,8 @@ struct Chart {
   std::vector<double> t;       ///< arc length along the stroke, object units; beyond [0, length] in round
                                ///< caps, in [0, length) of a closed stroke
   std::vector<float> d;        ///< signed geodesic distance to the stroke, object units, |d| <= radius
-  std::vector<Vec3f> e1;       ///< unit, at right angles to the vertex normal, along the stroke
+  std::vector<Vec3f> e1;       ///< unit, at right angles to the normal, along the stroke
+  std::vector<Vec3f> normal;   ///< unit, of the surface; of a stroke on the base surface, of that
   std::vector<float> stretch;  ///< J = |dP/dt|, 1 on the stroke; 1 everywhere in charts of first order
   double length = 0;           ///< of the stroke, object units
   bool closed = false;         ///< t goes around
@@ -30,12 +31,14 @@ struct Chart {
     return {.t = t[node], .d = d[node], .e1 = e1[node], .curvature = 0, .stretch = stretch[node]};
   }
 
-  void set(std::size_t node, Index of_vertex, std::uint32_t of_sheet, const ChartFrame& frame) {
+  void set(std::size_t node, Index of_vertex, std::uint32_t of_sheet, const ChartFrame& frame,
+           const Vec3f& unit_normal) {
     vertex[node] = of_vertex;
     sheet[node] = of_sheet;
     t[node] = frame.t;
     d[node] = frame.d;
     e1[node] = frame.e1;
+    normal[node] = unit_normal;
     stretch[node] = frame.stretch;
   }
 
@@ -45,6 +48,7 @@ struct Chart {
     t.resize(nodes);
     d.resize(nodes);
     e1.resize(nodes);
+    normal.resize(nodes);
     stretch.resize(nodes);
   }
 };

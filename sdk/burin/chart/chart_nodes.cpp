@@ -41,7 +41,9 @@ Index ChartNodes::find_or_add(Index vertex, Index sample, Index head) {
 
 Index ChartNodes::add(Index vertex, Index sample, Index head) {
   if (head == no_index && own_.holds(vertex)) head = add_block(vertex);
-  if (!samples_->disc_holds(sample, surface_->positions[vertex], surface_->normals[vertex])) return no_index;
+  ground_->require(vertex);
+  const Surface& surface = ground_->surface();
+  if (!samples_->disc_holds(sample, surface.positions[vertex], surface.normals[vertex])) return no_index;
   Index node = head;
   while (node != no_index && nodes_[node].run_length > 0) node = nodes_[node].next;
   if (node == no_index) node = add_loose(vertex);
@@ -52,7 +54,7 @@ Index ChartNodes::add(Index vertex, Index sample, Index head) {
 /// Returns the node of the vertex.
 Index ChartNodes::add_block(Index vertex) {
   const Index block = vertex / block_size, first = size();
-  const Index begin = block * block_size, end = std::min(begin + block_size, surface_->vertex_count());
+  const Index begin = block * block_size, end = std::min(begin + block_size, ground_->vertex_count());
   nodes_.resize(first + end - begin);
   for (Index i = begin; i < end; ++i) set_vertex(nodes_[first + i - begin], i);
   return (block_of_[block] = first) + vertex % block_size;
@@ -71,14 +73,20 @@ Index ChartNodes::add_loose(Index vertex) {
 
 void ChartNodes::set_vertex(FrontNode& node, Index vertex) const {
   node.key = front_key(unreached, vertex);
-  node.position = surface_->positions[vertex];
-  node.normal = surface_->normals[vertex];
-  node.gauss = surface_->gauss_curvature[vertex];
   node.run_epoch = epoch_;
   node.run_begins = node.run_ends = true;
 }
 
+/// Reads of the vertex what fronts ask for.
+void ChartNodes::place(FrontNode& node) const {
+  const Surface& surface = ground_->surface();
+  node.position = surface.positions[node.vertex()];
+  node.normal = surface.normals[node.vertex()];
+  node.gauss = surface.gauss_curvature[node.vertex()];
+}
+
 void ChartNodes::begin_run(FrontNode& node, Index sample) const {
+  place(node);
   node.run_begin = sample;
   node.run_length = 1;
   node.run_begins = node.run_ends = false;

@@ -1,7 +1,7 @@
 #pragma once
+#include <burin/chart/chart_ground.h>
 #include <burin/chart/front_node.h>
 #include <burin/chart/stroke_samples.h>
-#include <burin/surface/surface.h>
 
 #include <span>
 #include <unordered_map>
@@ -30,8 +30,8 @@ class ChartNodes {
 
   /// `blocks`: scratch memory for blocks_of() all vertices; zeroes, or as another use left it. All must
   /// outlive the object.
-  ChartNodes(const Surface& surface, const StrokeSamples& samples, std::span<Index> blocks)
-      : surface_(&surface), samples_(&samples), block_of_(blocks) {}
+  ChartNodes(const ChartGround& ground, const StrokeSamples& samples, std::span<Index> blocks)
+      : ground_(&ground), samples_(&samples), block_of_(blocks) {}
 
   /// Forgets everything. Of `blocks`, those of `own` are written only, which begins with a block and ends
   /// with one, or with the last vertex.
@@ -53,7 +53,11 @@ class ChartNodes {
   }
 
   /// A node of a vertex that is not own, without a run. Moves all in memory.
-  Index add_foreign(Index vertex) { return add_loose(vertex); }
+  Index add_foreign(Index vertex) {
+    const Index node = add_loose(vertex);
+    place(nodes_[node]);
+    return node;
+  }
 
   /// Whether the node's run holds the sample.
   bool holds(Index node, Index sample) {
@@ -84,6 +88,7 @@ class ChartNodes {
   Index add_block(Index vertex);
   Index add_loose(Index vertex);
   void set_vertex(FrontNode& node, Index vertex) const;
+  void place(FrontNode& node) const;
   void begin_run(FrontNode& node, Index sample) const;
   void forget_changed(FrontNode& node) const;
   bool extends_to(FrontNode& node, Index sample) const;
@@ -93,7 +98,7 @@ class ChartNodes {
     return samples_->disc_holds(sample, node.position, node.normal);
   }
 
-  const Surface* surface_;
+  const ChartGround* ground_;
   const StrokeSamples* samples_;
   VertexRange own_;
   std::span<Index> block_of_;  ///< [vertex / block_size] its first node, perhaps of another use

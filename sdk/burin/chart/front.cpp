@@ -20,8 +20,8 @@ constexpr double finest_share = 1e-5;
 
 }  // namespace
 
-Front::Front(const Surface& surface)
-    : surface_(&surface), blocks_(ChartNodes::blocks_of(surface.vertex_count()), 0) {}
+Front::Front(const ChartGround& ground)
+    : ground_(ground), blocks_(ChartNodes::blocks_of(ground.vertex_count()), 0) {}
 
 void Front::restart(double radius, int order, const Extensions& extensions) {
   stroke_.radius = radius;
@@ -33,7 +33,7 @@ void Front::restart(double radius, int order, const Extensions& extensions) {
 
 void Front::update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t parts) {
   if (curve.closed || stroke_.samples.closed()) restart(stroke_.radius, stroke_.order, stroke_.extensions);
-  if (points_.empty()) cut(curve, parts);
+  if (points_.empty()) cut(curve, ground_.concurrent() ? parts : 1);
   const CurveChange change = replace_curve(curve, std::min(unchanged, points_.size()));
   if (parts_.size() > 1) return advance_in_steps(curve, change);
   parts_[0]->change(curve, change);
@@ -45,14 +45,14 @@ void Front::cut(const SurfaceCurve& curve, std::size_t parts) {
   std::vector<Index> corners;
   for (const CurvePoint& point : curve.points) corners.push_back(point.at.corners[0]);
   std::ranges::sort(corners);
-  while (parts_.size() < parts) parts_.push_back(std::make_unique<FrontPart>(*surface_, stroke_, blocks_));
+  while (parts_.size() < parts) parts_.push_back(std::make_unique<FrontPart>(ground_, stroke_, blocks_));
   parts_.resize(parts);
   VertexRange range{0, 0};
   for (std::size_t part = 1; part <= parts; ++part) {
     const bool last = part == parts;
     const Index middle = corners[std::min(corners.size() * part / parts, corners.size() - 1)];
     const Index whole_blocks = middle / ChartNodes::block_size * ChartNodes::block_size;
-    range.end = last ? surface_->vertex_count() : std::max(range.begin, whole_blocks);
+    range.end = last ? ground_.vertex_count() : std::max(range.begin, whole_blocks);
     parts_[part - 1]->restart(range);
     range.begin = range.end;
   }
@@ -68,7 +68,7 @@ CurveChange Front::replace_curve(const SurfaceCurve& curve, std::size_t unchange
 
   const std::size_t bent = stroke_.curvature.update(curve, curvature_window * stroke_.radius, unchanged);
   CurveChange change{};
-  change.first_sample = stroke_.samples.update(curve, stroke_.radius, finest_share * surface_->scale,
+  change.first_sample = stroke_.samples.update(curve, stroke_.radius, finest_share * ground_.scale(),
                                                stroke_.extensions, unchanged);
   change.unchanged_t = change.first_sample > 0 ? stroke_.samples.t(change.first_sample - 1)
                                                : -std::numeric_limits<double>::infinity();

@@ -10,7 +10,7 @@
 namespace burin {
 
 /// The front that spreads a stroke's coordinates over its surroundings, and the coordinates themselves. They
-/// are a function of the surface, the curve, the radius and the order: update() replaces the curve and
+/// are a function of the ground, the curve, the radius and the order: update() replaces the curve and
 /// recomputes what follows from the difference, with the result of a fresh start bit for bit.
 ///
 /// Nodes are visits of the stroke to vertices. A node leads on to the nodes of the neighbouring vertices
@@ -23,15 +23,16 @@ class Front {
   /// Over which the stroke's curvature is estimated, on either side, in shares of the radius.
   static constexpr double curvature_window = 0.25;
 
-  /// The surface must outlive the front.
-  explicit Front(const Surface& surface);
+  /// The ground must outlive the front, and keep its number of vertices.
+  explicit Front(const ChartGround& ground);
 
-  /// Forgets everything; the surface may have changed. `radius`: half width of the stroke at width 1, object
+  /// Forgets everything; the ground may have changed. `radius`: half width of the stroke at width 1, object
   /// units. `order`: 1 or 2.
   void restart(double radius, int order, const Extensions& extensions = {});
 
   /// Goes over to this curve, of at least one point. Its first `unchanged` points are known to be those of
-  /// the curve before. After restart() the front has `parts` parts.
+  /// the curve before. After restart() the front has `parts`
+  /// parts; one on a base surface.
   void update(const SurfaceCurve& curve, std::size_t unchanged = 0, std::size_t parts = 1);
 
   /// The nodes inside of each part, ascending by vertex and t, through all of them.
@@ -61,7 +62,7 @@ class Front {
   CurveChange replace_curve(const SurfaceCurve& curve, std::size_t unchanged);
   void advance_in_steps(const SurfaceCurve& curve, const CurveChange& change);
 
-  const Surface* surface_;
+  ChartGround ground_;
   FrontStroke stroke_;
   double unchanged_t_ = 0;
   std::vector<CurvePoint> points_;  ///< of the last curve

@@ -31,7 +31,7 @@ Index FrontPart::copy_of(std::size_t part, const BorderNode& report) {
   const auto known = copies_[part].find(report.node);
   if (known != copies_[part].end()) return known->second;
   const auto own = [this](Index vertex) { return own_.holds(vertex); };
-  if (std::ranges::none_of(surface_->neighbours[report.vertex], own)) return no_index;
+  if (std::ranges::none_of(ground_->neighbours(report.vertex), own)) return no_index;
   return copies_[part][report.node] = nodes_.add_foreign(report.vertex);
 }
 

@@ -172,7 +172,7 @@ bool FrontPart::within_stroke(Index index) {
 void FrontPart::lead_on(Index index) {
   const Index vertex = nodes_[index].vertex(), sample = nodes_[index].sample;
   bool border = false;
-  for (const Index neighbour : surface_->neighbours[vertex]) {
+  for (const Index neighbour : ground_->neighbours(vertex)) {
     if (!own_.holds(neighbour)) {
       border = true;
       continue;

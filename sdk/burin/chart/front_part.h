@@ -51,12 +51,12 @@ struct BorderNode {
 class FrontPart {
  public:
   /// `blocks` as ChartNodes takes it. All must outlive the object.
-  FrontPart(const Surface& surface, const FrontStroke& stroke, std::span<Index> blocks)
-      : surface_(&surface),
+  FrontPart(const ChartGround& ground, const FrontStroke& stroke, std::span<Index> blocks)
+      : ground_(&ground),
         stroke_(&stroke),
-        nodes_(surface, stroke.samples, blocks),
-        seeds_(surface),
-        inside_(surface.vertex_count()) {}
+        nodes_(ground, stroke.samples, blocks),
+        seeds_(ground),
+        inside_(ground.vertex_count()) {}
 
   /// Forgets everything, and takes over these vertices.
   void restart(VertexRange own);
@@ -121,13 +121,13 @@ class FrontPart {
   /// Calls `visit` with the nodes of the neighbouring vertices.
   template <class Visit>
   void for_each_around(Index node, const Visit& visit) const {
-    for (const Index neighbour : surface_->neighbours[nodes_[node].vertex()]) {
+    for (const Index neighbour : ground_->neighbours(nodes_[node].vertex())) {
       for (Index around = nodes_.first(neighbour); around != no_index; around = nodes_[around].next)
         visit(around);
     }
   }
 
-  const Surface* surface_;
+  const ChartGround* ground_;
   const FrontStroke* stroke_;
   VertexRange own_;
   ChartNodes nodes_;

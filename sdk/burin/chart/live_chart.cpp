@@ -34,17 +34,19 @@ void LiveChart::begin_event(double length, bool closed, double computed_from) {
   nodes_.closed = closed;
   computed_from_ = computed_from;
   computed_.clear();
+  removed_.clear();
   altered_.clear();
 }
 
-void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame) {
+void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal) {
   if (slot >= nodes_.size()) grow_to(slot + 1);
   computed_.push_back(slot);
   const bool same = taken_[slot] && nodes_.t[slot] == frame.t && nodes_.d[slot] == frame.d &&
-                    nodes_.e1[slot] == frame.e1 && nodes_.stretch[slot] == frame.stretch;
+                    nodes_.e1[slot] == frame.e1 && nodes_.stretch[slot] == frame.stretch &&
+                    nodes_.normal[slot] == normal;
   if (same) return;
   if (taken_[slot]) unlink(slot);
-  nodes_.set(slot, vertex, 0, frame);
+  nodes_.set(slot, vertex, 0, frame, normal);
   taken_[slot] = true;
   changed_in_[slot] = event_;
   link(slot);
@@ -54,12 +56,13 @@ void LiveChart::remove(Index slot) {
   if (slot >= nodes_.size() || !taken_[slot]) return;
   unlink(slot);
   taken_[slot] = false;
+  removed_.push_back(slot);
 }
 
 void LiveChart::assign(const Chart& chart) {
   begin_event(chart.length, chart.closed, -std::numeric_limits<double>::infinity());
   for (Index slot = 0; slot < nodes_.size(); ++slot) remove(slot);
-  for (Index i = 0; i < chart.size(); ++i) set(i, chart.vertex[i], chart.frame(i));
+  for (Index i = 0; i < chart.size(); ++i) set(i, chart.vertex[i], chart.frame(i), chart.normal[i]);
 }
 
 Chart LiveChart::sorted() const {
@@ -73,7 +76,8 @@ Chart LiveChart::sorted() const {
   chart.closed = nodes_.closed;
   chart.resize(slots.size());
   for (std::size_t i = 0; i < slots.size(); ++i)
-    chart.set(i, nodes_.vertex[slots[i]], nodes_.sheet[slots[i]], nodes_.frame(slots[i]));
+    chart.set(i, nodes_.vertex[slots[i]], nodes_.sheet[slots[i]], nodes_.frame(slots[i]),
+              nodes_.normal[slots[i]]);
   return chart;
 }
 

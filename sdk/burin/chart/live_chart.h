@@ -29,6 +29,9 @@ class LiveChart {
   std::span<const Index> computed() const { return computed_; }
   bool changed(Index slot) const { return changed_in_[slot] == event_; }
 
+  /// Slots that the last event made vacant, though it may have taken them again.
+  std::span<const Index> removed() const { return removed_; }
+
   /// Vertices that have a node that changed, or lost one, in the last event; each once.
   std::span<const Index> altered() const { return altered_; }
 
@@ -50,7 +53,7 @@ class LiveChart {
   void begin_event(double length, bool closed, double computed_from);
 
   /// Puts a node into a slot, which is vacant or has a node of this vertex.
-  void set(Index slot, Index vertex, const ChartFrame& frame);
+  void set(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal);
   void remove(Index slot);
 
   /// An event that changes everything: slot i is node i of this chart.
@@ -69,7 +72,7 @@ class LiveChart {
   VertexNodes places_;
   std::vector<Index> first_;               ///< [place] slot
   std::vector<std::uint32_t> altered_in_;  ///< [place] event
-  std::vector<Index> computed_, altered_;
+  std::vector<Index> computed_, removed_, altered_;
   double computed_from_ = 0;
   std::uint32_t event_ = 0;
 };

@@ -24,7 +24,7 @@ std::size_t dab_count(const SurfaceCurve& curve, double spacing) {
 }  // namespace
 
 LiveDabs::LiveDabs(const Surface& surface, const Picker& picker)
-    : picker_(&picker), charter_(surface), live_(surface.vertex_count()) {}
+    : surface_(&surface), picker_(&picker), charter_(surface), live_(surface.vertex_count()) {}
 
 void LiveDabs::begin(double radius, double spacing) {
   radius_ = radius;
@@ -70,7 +70,8 @@ void LiveDabs::put(const CurvePoint& middle) {
     const Index slot = vacant_slot();
     dab.slots.push_back(slot);
     live_.set(slot, chart.vertex[i],
-              {.t = middle.t, .d = chart.v[i], .e1 = chart.e1[i], .curvature = 0, .stretch = 1});
+              {.t = middle.t, .d = chart.v[i], .e1 = chart.e1[i], .curvature = 0, .stretch = 1},
+              surface_->normals[chart.vertex[i]]);
     along_.resize(std::max<std::size_t>(along_.size(), slot + 1));
     along_[slot] = chart.u[i];
   }

@@ -44,6 +44,7 @@ class LiveDabs {
   void put(const CurvePoint& middle);
   Index vacant_slot();
 
+  const Surface* surface_;
   const Picker* picker_;
   DabCharter charter_;
   double radius_ = 0, spacing_ = 0;

@@ -27,7 +27,7 @@ struct SeededCurve {
 /// one-ring, the nearest foot on the segments nearby. The surface must outlive the object.
 class Seeds {
  public:
-  explicit Seeds(const Surface& surface) : surface_(&surface) {}
+  explicit Seeds(const ChartGround& ground) : ground_(&ground) {}
 
   /// Forgets everything. Seeds vertices of `own` only.
   void restart(VertexRange own);
@@ -68,7 +68,7 @@ class Seeds {
   void offer(const SeededCurve& on, std::size_t segment, Index vertex, ChartNodes& nodes);
   void renew(const SeededCurve& on, Index entry, ChartNodes& nodes);
 
-  const Surface* surface_;
+  const ChartGround* ground_;
   VertexRange own_;
   std::vector<Entry> entries_;
   std::vector<Offer> offers_;       ///< by segment

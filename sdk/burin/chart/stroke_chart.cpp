@@ -1,146 +1,82 @@
-// Stroke charts [R. Schmidt, Stroke Parameterization, 2013]: seeds from the stroke's segments, then the
-// front.
-#include <burin/base/error.h>
-#include <burin/base/parallel.h>
-#include <burin/chart/closed_length.h>
-#include <burin/chart/front.h>
-#include <burin/chart/joined_legs.h>
-#include <burin/chart/stroke_chart.h>
+// Stroke charts [R. Schmidt, Stroke Parameterization, 2013], propagated over the vertices themselves or over
+// a base surface and carried from there.
+#include <burin/chart/ground_charter.h>
+#include <burin/chart/live_carrier.h>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <optional>
 
 namespace burin {
 
-namespace {
-
-Chart chart_of(const SurfaceCurve& curve, std::size_t nodes) {
-  Chart chart;
-  chart.length = curve.length();
-  chart.closed = curve.closed;
-  chart.resize(nodes);
-  return chart;
-}
-
-/// Sets node i. Nodes of one vertex by rising t, and after the nodes before it from `first` on.
-void set(Chart& chart, std::size_t first, std::size_t i, Index vertex, const ChartFrame& frame) {
-  const bool same = i > first && chart.vertex[i - 1] == vertex;
-  chart.set(i, vertex, same ? chart.sheet[i - 1] + 1 : 0, frame);
-}
-
-/// Parts of a front that are worth a thread of their own.
-std::size_t parts_for(const SurfaceCurve& curve, double radius) {
-  // A point of the curve stands for half an edge.
-  constexpr double least_nodes = 8000;
-  const double points = static_cast<double>(curve.points.size());
-  const double edge = 2 * curve.length() / std::max(points, 1.);
-  const double nodes = edge > 0 ? points / 2 * (2 * radius / edge) : 0;
-  return std::clamp<std::size_t>(static_cast<std::size_t>(std::min(nodes / least_nodes, 1e3)), 1,
-                                 thread_count());
-}
-
-}  // namespace
-
 struct StrokeCharter::Stroke {
-  explicit Stroke(const Surface& s) : front(s), legs(s), live(s.vertex_count()) {}
+  Stroke(const Surface& s, const SurfaceLevels* levels)
+      : surface(s), own(ChartGround(s)), live(s.vertex_count()) {
+    if (levels) base.emplace(s, *levels);
+  }
 
   void begin(const ChartOptions& with);
-  Chart update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t parts);
-  void draw(const SurfaceCurve& curve, std::size_t unchanged);
-  bool in_one_piece(const SurfaceCurve& curve) const;
-  Chart plain(const SurfaceCurve& curve);
-  Chart joined(const SurfaceCurve& curve);
+  const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged);
+  bool on_base() const { return carried.has_value(); }
+  GroundCharter& charter() { return on_base() ? *of_base : own; }
 
+  const Surface& surface;
   ChartOptions options;
-  Front front;
-  JoinedLegs legs;
-  LiveChart live;
+  GroundCharter own;
+  std::optional<BaseSurface> base;
+  std::optional<GroundCharter> of_base;
+  std::optional<LiveCarrier> carried;  ///< of strokes on the base surface
+  LiveChart live;                      ///< the same
 };
 
 void StrokeCharter::Stroke::begin(const ChartOptions& with) {
-  const auto radius = static_cast<float>(with.radius);
-  if (!std::isfinite(radius) || radius <= 0)
-    throw ContractError("a stroke's radius must be a finite number above 0");
   options = with;
-  front.restart(options.radius, options.order);
+  own.begin(with);
+  carried.reset();
+  const double scale = with.radius * (1 - with.follow);
+  if (!base || !(scale > 0) || !base->set_radius(scale)) return;
+  of_base.emplace(ChartGround(*base));
+  ChartOptions wider = with;
+  wider.radius += carrying_margin * base->spacing();
+  wider.cap = Cap::round;
+  of_base->begin(wider);
   live.clear();
+  carried.emplace(*base, surface, CarriedStroke{with.radius, wider.radius, with.cap});
 }
 
-bool StrokeCharter::Stroke::in_one_piece(const SurfaceCurve& curve) const {
-  if (options.radius == 0) throw ContractError("there is no stroke chart to extend");
-  if (curve.points.empty()) throw ContractError("a stroke chart needs a curve of at least one point");
-  return options.join == Join::round && !curve.closed;
+const LiveChart& StrokeCharter::Stroke::draw(const SurfaceCurve& curve, std::size_t unchanged) {
+  if (!on_base()) return own.draw(curve, unchanged);
+  carried->update(of_base->draw(carried->widened(curve), unchanged), curve, live);
+  return live;
 }
 
-Chart StrokeCharter::Stroke::update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t parts) {
-  if (!in_one_piece(curve)) return joined(curve);
-  front.update(curve, unchanged, parts);
-  return plain(curve);
-}
-
-void StrokeCharter::Stroke::draw(const SurfaceCurve& curve, std::size_t unchanged) {
-  if (!in_one_piece(curve)) return live.assign(joined(curve));
-  front.update(curve, unchanged, parts_for(curve, options.radius));
-  live.begin_event(curve.length(), false, front.unchanged_t());
-  front.for_each_touched([&](Index slot, const FrontNode& node) {
-    const bool cut_off = options.cap == Cap::butt && beyond_end(node.frame.t, curve);
-    if (node.state == NodeState::inside && !cut_off)
-      live.set(slot, node.vertex(), node.frame);
-    else
-      live.remove(slot);
-  });
-}
-
-Chart StrokeCharter::Stroke::plain(const SurfaceCurve& curve) {
-  std::vector<std::vector<const FrontNode*>> inside = front.inside();
-  if (options.cap == Cap::butt)
-    for (auto& nodes : inside)
-      std::erase_if(nodes, [&](const FrontNode* node) { return beyond_end(node->frame.t, curve); });
-  std::vector<std::size_t> begins{0};
-  for (const auto& nodes : inside) begins.push_back(begins.back() + nodes.size());
-  Chart chart = chart_of(curve, begins.back());
-  parallel_blocks(inside.size(), 1, [&](std::size_t part, std::size_t) {
-    for (std::size_t i = 0; i < inside[part].size(); ++i)
-      set(chart, begins[part], begins[part] + i, inside[part][i]->vertex(), inside[part][i]->frame);
-  });
-  return chart;
-}
-
-Chart StrokeCharter::Stroke::joined(const SurfaceCurve& curve) {
-  std::vector<PlacedNode> nodes;
-  legs.place(curve, options, front, nodes);
-  if (curve.closed)
-    for (PlacedNode& node : nodes) node.frame.t = wrapped_t(node.frame.t, curve.length());
-  std::ranges::sort(nodes, {}, [](const PlacedNode& node) { return std::pair(node.vertex, node.frame.t); });
-  Chart chart = chart_of(curve, nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) set(chart, 0, i, nodes[i].vertex, nodes[i].frame);
-  return chart;
-}
-
-StrokeCharter::StrokeCharter(const Surface& surface) : stroke_(std::make_unique<Stroke>(surface)) {}
+StrokeCharter::StrokeCharter(const Surface& surface, const SurfaceLevels* levels)
+    : stroke_(std::make_unique<Stroke>(surface, levels)) {}
 StrokeCharter::~StrokeCharter() = default;
 StrokeCharter::StrokeCharter(StrokeCharter&&) noexcept = default;
 StrokeCharter& StrokeCharter::operator=(StrokeCharter&&) noexcept = default;
 
 Chart StrokeCharter::chart(const SurfaceCurve& curve, const ChartOptions& options) {
   stroke_->begin(options);
-  return stroke_->update(curve, 0, parts_for(curve, options.radius));
+  if (stroke_->on_base()) return stroke_->draw(curve, 0).sorted();
+  return stroke_->own.update(curve, 0, parts_for(curve, options.radius));
 }
 
 Chart StrokeCharter::extend(const SurfaceCurve& curve, std::size_t unchanged) {
-  return stroke_->update(curve, unchanged, 1);
+  if (stroke_->on_base()) return stroke_->draw(curve, unchanged).sorted();
+  return stroke_->own.update(curve, unchanged, 1);
 }
 
 void StrokeCharter::begin(const ChartOptions& options) { stroke_->begin(options); }
 
 const LiveChart& StrokeCharter::draw(const SurfaceCurve& curve, std::size_t unchanged) {
-  stroke_->draw(curve, unchanged);
-  return stroke_->live;
+  return stroke_->draw(curve, unchanged);
 }
 
-const LiveChart& StrokeCharter::live() const { return stroke_->live; }
-std::uint64_t StrokeCharter::settled() const { return stroke_->front.settled(); }
-std::uint64_t StrokeCharter::pushes() const { return stroke_->front.pushes(); }
+BaseSurface* StrokeCharter::base() { return stroke_->on_base() ? &*stroke_->base : nullptr; }
+const LiveChart& StrokeCharter::live() const {
+  return stroke_->on_base() ? stroke_->live : stroke_->own.live();
+}
+std::uint64_t StrokeCharter::settled() const { return stroke_->charter().settled(); }
+std::uint64_t StrokeCharter::pushes() const { return stroke_->charter().pushes(); }
 
 }  // namespace burin

@@ -3,6 +3,7 @@
 #include <burin/chart/joins.h>
 #include <burin/chart/live_chart.h>
 #include <burin/stroke/surface_curve.h>
+#include <burin/surface/base_surface.h>
 #include <burin/surface/surface.h>
 
 #include <cstddef>
@@ -21,14 +22,18 @@ struct ChartOptions {
   Cap cap = Cap::round;
   int order = 2;  ///< 1: Eq. 2 and 3 of the paper; 2: second order on curved strokes and surfaces
   Join join = Join::round;
+  /// 0..1: how much of the surface's relief the chart feels. 1: all of it. Less: what is wider than about a
+  /// third of (1 - follow) radii, where the surface has several edges in that; see BaseSurface.
+  double follow = 1;
 };
 
 /// Computes stroke charts on one surface [Schmidt 2013, section 4]. Holds scratch memory of five bytes a
 /// vertex, so keep one as long as the surface; a chart costs in proportion to its own region only.
-/// The surface must outlive it. One thread at a time.
+/// Surface and levels must outlive it. One thread at a time.
 class StrokeCharter {
  public:
-  explicit StrokeCharter(const Surface& surface);
+  /// `levels`: of the surface, for strokes that do not follow all of its relief; null: all do.
+  explicit StrokeCharter(const Surface& surface, const SurfaceLevels* levels = nullptr);
   ~StrokeCharter();
   StrokeCharter(StrokeCharter&&) noexcept;
   StrokeCharter& operator=(StrokeCharter&&) noexcept;
@@ -46,6 +51,10 @@ class StrokeCharter {
 
   /// Begins a stroke that grows by draw(). Throws ContractError as chart().
   void begin(const ChartOptions& options);
+
+  /// The base surface that the stroke which was begun last runs on; its curves must be curves of it. Null:
+  /// the surface itself.
+  BaseSurface* base();
 
   /// As extend(), at the cost of what changes only. Valid until the next call of any function.
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged = 0);

@@ -103,7 +103,7 @@ Vec3f Accumulation::left_at(const LiveChart& chart, const NodeOutputs& outputs, 
   Vec3f place = surface_->positions[vertex];
   for (Index other = chart.first(vertex); other != no_index; other = chart.next(other))
     if (earlier(chart.nodes(), other, slot))
-      place += in_space(chart.nodes().e1[other], surface_->normals[vertex], outputs.displacement[other]);
+      place += in_space(chart.nodes().e1[other], chart.nodes().normal[other], outputs.displacement[other]);
   return place;
 }
 
@@ -137,7 +137,7 @@ void Accumulation::evaluate(Evaluator& evaluator, EvaluatedInstance& instance, c
     const CurrentBase::Place* place = current.find(slot);
     if (!place) continue;
     const Vec3f vector = in_space(place->e1, place->normal, outputs.displacement[i]);
-    const Vec3f& normal = surface_->normals[chart.nodes().vertex[slot]];
+    const Vec3f& normal = chart.nodes().normal[slot];
     instance.outputs.displacement[slot] = in_frame(chart.nodes().e1[slot], normal, vector);
   }
 }

@@ -75,13 +75,13 @@ void Batch::fill_place(std::uint64_t inputs, std::span<const Index> nodes,
       if (const CurrentBase::Place* place = current(nodes[i])) return place->position;
       const Vec3f& base = surface.positions[vertex(nodes[i])];
       if (displacement.empty()) return base;
-      return displaced(base, chart.e1[nodes[i]], surface.normals[vertex(nodes[i])], displacement[i]);
+      return displaced(base, chart.e1[nodes[i]], chart.normal[nodes[i]], displacement[i]);
     });
   }
   if (inputs & BURIN_INPUT_NORMAL)
     batch_.normal = vectors(nodes.size(), [&](std::size_t i) {
       const CurrentBase::Place* place = current(nodes[i]);
-      return place ? place->normal : surface.normals[vertex(nodes[i])];
+      return place ? place->normal : chart.normal[nodes[i]];
     });
   if (!(inputs & BURIN_INPUT_DISPLACEMENT)) return;
   batch_.displacement =
@@ -105,7 +105,7 @@ void Batch::fill_surroundings(std::uint64_t inputs, std::span<const Index> nodes
     });
     batch_.footprint_d = numbers(nodes, [&](Index node) {
       const Index at = vertex(node);
-      return cell_size(surface, at, surface.normals[at].cross(chart.e1[node]));
+      return cell_size(surface, at, chart.normal[node].cross(chart.e1[node]));
     });
   }
   if (inputs & BURIN_INPUT_MEAN_CURVATURE)

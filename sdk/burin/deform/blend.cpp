@@ -17,7 +17,7 @@ bool is_sum(Overlap overlap) { return overlap == Overlap::add || overlap == Over
 class VertexBlend {
  public:
   VertexBlend(const Surface& surface, std::span<const InstanceSheets> instances, Index vertex)
-      : base_(surface.positions[vertex]), normal_(surface.normals[vertex]), sheets_(instances, vertex) {}
+      : base_(surface.positions[vertex]), sheets_(instances, vertex) {}
 
   Vec3f place(const BlendOptions& options) const {
     Vec3f free = unlimited(options);
@@ -29,14 +29,14 @@ class VertexBlend {
  private:
   Vec3f unlimited(const BlendOptions& options) const;
   Vec3f place(const SheetNode& node) const {
-    return displaced(base_, node.chart().e1[node.slot], normal_, node.displacement());
+    return displaced(base_, node.chart().e1[node.slot], node.chart().normal[node.slot], node.displacement());
   }
   bool farther_out(const SheetNode& a, const SheetNode& b) const;
   SheetNode winner(Overlap overlap) const;
   Vec3d in_space(const SheetNode& node) const;
   Vec3d sum(const BlendOptions& options) const;
 
-  const Vec3f &base_, &normal_;
+  const Vec3f& base_;
   VertexSheets sheets_;
 };
 
@@ -61,7 +61,8 @@ SheetNode VertexBlend::winner(Overlap overlap) const {
 
 /// In doubles, so that floats cannot tell in which order sums were taken.
 Vec3d VertexBlend::in_space(const SheetNode& node) const {
-  const Vec3d n = normal_.cast<double>(), e1 = node.chart().e1[node.slot].cast<double>();
+  const Vec3d n = node.chart().normal[node.slot].cast<double>();
+  const Vec3d e1 = node.chart().e1[node.slot].cast<double>();
   return burin::in_space<Vec3d>(e1, n, node.displacement().cast<double>());
 }
 

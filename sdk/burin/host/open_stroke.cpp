@@ -20,6 +20,9 @@ const StrokeSettings& checked(const StrokeSettings& settings) {
   if (!(settings.pressure_width >= 0 && settings.pressure_width <= 1))
     throw ContractError(
         fmt::format("a stroke's pressure width must be from 0 to 1, not {}", settings.pressure_width));
+  if (!(settings.follow >= 0 && settings.follow <= 1))
+    throw ContractError(
+        fmt::format("how much a stroke follows must be from 0 to 1, not {}", settings.follow));
   if (!std::isfinite(strength)) throw ContractError("a stroke's strength is not finite");
   if (!(settings.dab_spacing == 0 || settings.dab_spacing >= least_dab_spacing))
     throw ContractError(fmt::format("the spacing of dabs must be 0, or at least {} radii, not {}",

@@ -37,6 +37,7 @@ StrokeSettings settings_of(const Recording& recording, std::size_t index, const 
   settings.clamp_to_radius = overrides.clamp_to_radius;
   settings.symmetry = overrides.symmetry;
   settings.dab_spacing = overrides.dab_spacing;
+  settings.follow = overrides.follow;
   settings.pressure_width = overrides.pressure_width;
   settings.join = overrides.join;
   settings.params = overrides.params;

@@ -19,8 +19,13 @@ DrivenStroke driven_stroke(const StrokeSettings& settings, const SymmetryInstanc
 }  // namespace
 
 InstanceCharters& Charters::operator[](std::size_t instance) {
-  while (charters_.size() <= instance) charters_.push_back({StrokeCharter(*surface_), nullptr});
+  while (charters_.size() <= instance) charters_.push_back({StrokeCharter(*surface_, &levels()), nullptr});
   return charters_[instance];
+}
+
+const SurfaceLevels& Charters::levels() {
+  if (!levels_) levels_.emplace(*surface_);
+  return *levels_;
 }
 
 LiveDabs& Charters::dabs(std::size_t instance) {
@@ -37,15 +42,22 @@ StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Cha
       width_(settings.pressure_width, settings.dynamics, driven_stroke(settings, image)),
       dynamics_(brush.descriptor(), brush.params(), settings.dynamics, driven_stroke(settings, image)),
       reads_(read_inputs(settings, brush.descriptor().inputs_read, has_twins)),
-      tracer_(surface, picker, settings.radius, width_) {
+      tracer_(begun(surface, picker, charters, settings, image), settings.radius, width_) {
+  nodes_.emplace(live(), reads_);
+}
+
+/// Begins the stroke's chart; returns where its curve is to run.
+CurveGround StrokeInstance::begun(const Surface& surface, const Picker& picker, Charters& charters,
+                                  const StrokeSettings& settings, const SymmetryInstance& image) {
   if (settings.dab_spacing > 0) {
     dabs_ = &charters.dabs(image.index);
     dabs_->begin(settings.radius, settings.dab_spacing * settings.radius);
-  } else {
-    charter_ = &charters[image.index].stroke;
-    charter_->begin({.radius = settings.radius, .cap = settings.cap, .join = settings.join});
+    return {surface, picker};
   }
-  nodes_.emplace(live(), reads_);
+  charter_ = &charters[image.index].stroke;
+  charter_->begin(
+      {.radius = settings.radius, .cap = settings.cap, .join = settings.join, .follow = settings.follow});
+  return {surface, picker, charter_->base()};
 }
 
 ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs,

@@ -29,11 +29,13 @@ class Charters {
   Charters(const Surface& surface, const Picker& picker) : surface_(&surface), picker_(&picker) {}
 
   InstanceCharters& operator[](std::size_t instance);
+  const SurfaceLevels& levels();
   LiveDabs& dabs(std::size_t instance);
 
  private:
   const Surface* surface_;
   const Picker* picker_;
+  std::optional<SurfaceLevels> levels_;
   std::deque<InstanceCharters> charters_;
 };
 
@@ -75,6 +77,8 @@ class StrokeInstance {
   NodeSource source(const Paint& paint) const;
 
  private:
+  CurveGround begun(const Surface& surface, const Picker& picker, Charters& charters,
+                    const StrokeSettings& settings, const SymmetryInstance& image);
   ReadInputs read_inputs(const StrokeSettings& settings, std::uint64_t inputs, bool has_twins) const;
   std::span<const float> dab_t() const { return dabs_ ? dabs_->along() : std::span<const float>{}; }
   void chart(std::size_t unchanged, EventCost& cost);

@@ -62,7 +62,7 @@ void CurveTracer::retrace_closed() {
     trace_segment(segment);
   }
   const double end = curve_.points.back().t;
-  append(knots_[0].at, curve_.points[0].tangent.cast<double>(), seam_time, knots_[0].pen);
+  append({knots_[0].at, knots_[0].normal}, curve_.points[0].tangent.cast<double>(), seam_time, knots_[0].pen);
   curve_.closing_length = curve_.points.back().t - end;
   const double speed = curve_.points.back().speed;
   curve_.points.pop_back();

@@ -1,7 +1,6 @@
 // Surface curves: samples joined by centripetal Catmull-Rom splines [Barry and Goldman 1988; Yuksel et al.
-// 2011], brought onto the surface by closest points.
+// 2011], brought onto the ground by closest points.
 #include <burin/stroke/surface_curve.h>
-#include <burin/surface/normals.h>
 #include <burin/surface/unit_tangent.h>
 
 #include <algorithm>
@@ -9,12 +8,6 @@
 
 namespace burin {
 namespace {
-
-float half_mean_edge(const Surface& surface, const SurfacePoint& at) {
-  const auto& c = at.corners;
-  const Vec3f &a = surface.positions[c[0]], &b = surface.positions[c[1]], &d = surface.positions[c[2]];
-  return ((b - a).norm() + (d - b).norm() + (a - d).norm()) / 6;
-}
 
 /// One segment of the spline in Hermite form over [0, 1].
 struct HermiteSegment {
@@ -85,31 +78,35 @@ double faded_speed(const CurvePoint& from, double length, double seconds) {
 
 }  // namespace
 
-CurveTracer::CurveTracer(const Surface& surface, const Picker& picker, double radius, StrokeWidth width)
-    : surface_(&surface),
-      picker_(&picker),
+CurveTracer::CurveTracer(const CurveGround& ground, double radius, StrokeWidth width)
+    : ground_(ground),
       radius_(radius),
       width_(std::move(width)),
-      min_spacing_(std::max(radius / 1000, surface.scale * 1e-5)),
+      min_spacing_(std::max(radius / 1000, ground.scale() * 1e-5)),
       max_spacing_(std::max(radius / 8, min_spacing_)) {}
 
 bool CurveTracer::connects(const SurfacePoint& point) const {
-  return knots_.empty() || connects(knots_.back().at.position, point.position);
+  return knots_.empty() || connects(knots_.back().at, ground_.place(point).at);
 }
 
-bool CurveTracer::connects(const Vec3f& from, const Vec3f& to) const {
-  const Vec3f chord = to - from;
+bool CurveTracer::connects(const SurfacePoint& from, const SurfacePoint& to) const {
+  const Vec3f chord = to.position - from.position;
   const float reach = chord.norm() / 4;
   if (reach == 0) return true;
-  return std::ranges::all_of(std::array{0.25F, 0.5F, 0.75F},
-                             [&](float s) { return picker_->closest(from + s * chord, reach).has_value(); });
+  SurfacePoint near = from;
+  return std::ranges::all_of(std::array{0.25F, 0.5F, 0.75F}, [&](float s) {
+    const auto place = ground_.closest(from.position + s * chord, reach, near);
+    if (place) near = place->at;
+    return place.has_value();
+  });
 }
 
 void CurveTracer::add(const SurfacePoint& point, double time, const Pen& pen) {
   const double since_begin = knots_.empty() ? 0 : time - first_time_;
   if (knots_.empty()) first_time_ = time;
-  const Knot knot{point, since_begin, pen};
-  if (!knots_.empty() && knots_.back().at.position == point.position) {
+  const CurveGround::Place place = ground_.place(point);
+  const Knot knot{place.at, place.normal, since_begin, pen};
+  if (!knots_.empty() && knots_.back().at.position == place.at.position) {
     knots_.back() = knot;
   } else {
     knots_.push_back(knot);
@@ -121,7 +118,7 @@ void CurveTracer::retrace_tail() {
   curve_.points.resize(final_points_);
   const std::size_t last = knots_.size() - 1;
   const std::size_t kept = final_points_;
-  if (last == 0) append(knots_[0].at, Vec3d::Zero(), knots_[0].time, knots_[0].pen);
+  if (last == 0) append({knots_[0].at, knots_[0].normal}, Vec3d::Zero(), knots_[0].time, knots_[0].pen);
   for (std::size_t segment = final_segments_; segment < last; ++segment) {
     trace_segment(segment);
     if (segment + 2 <= last) {
@@ -154,18 +151,19 @@ void CurveTracer::trace_segment(std::size_t k) {
   const PenSpline pens = pen_spline(k);
   const double chord = (spline.to - spline.from).norm();
 
-  if (k == 0) append(from.at, spline.velocity(0), from.time, from.pen);
+  if (k == 0) append({from.at, from.normal}, spline.velocity(0), from.time, from.pen);
   double s = 0;
   for (;;) {
     const double speed = std::max(spline.velocity(s).norm(), chord / 4);
     const double step = spacing(curve_.points.back().at) / speed;
     s += step;
     if (s > 1 - step / 2) break;
-    const auto at = picker_->closest(spline.position(s).cast<float>(), static_cast<float>(chord));
+    const auto at =
+        ground_.closest(spline.position(s).cast<float>(), static_cast<float>(chord), curve_.points.back().at);
     if (at) append(*at, spline.velocity(s), pens.time(s), pens.pen(s));
   }
   if (k + 1 == knots_.size()) return;
-  append(to.at, spline.velocity(1), to.time, to.pen);
+  append({to.at, to.normal}, spline.velocity(1), to.time, to.pen);
   knots_[k + 1].point = curve_.points.size() - 1;
 }
 
@@ -177,7 +175,7 @@ const CurveTracer::Knot* CurveTracer::neighbour(std::size_t knot, std::size_t st
 }
 
 double CurveTracer::spacing(const SurfacePoint& at) const {
-  return std::clamp<double>(half_mean_edge(*surface_, at), min_spacing_, max_spacing_);
+  return std::clamp<double>(ground_.point_spacing(at), min_spacing_, max_spacing_);
 }
 
 /// Time does not go on from the last knot of a closed curve to the first, the pen does.
@@ -196,8 +194,9 @@ PenSpline CurveTracer::pen_spline(std::size_t k) const {
           {intervals, first.pen, from.pen, to.pen, last.pen}};
 }
 
-void CurveTracer::append(const SurfacePoint& at, const Vec3d& direction, double time, const Pen& pen) {
-  const Vec3f normal = normal_at(*surface_, at);
+void CurveTracer::append(const CurveGround::Place& place, const Vec3d& direction, double time,
+                         const Pen& pen) {
+  const auto& [at, normal] = place;
   const Vec3f tangent = unit_tangent(direction.cast<float>(), normal);
   CurvePoint point{.at = at, .normal = normal, .tangent = tangent, .time = time, .pen = pen};
   if (!curve_.points.empty()) {

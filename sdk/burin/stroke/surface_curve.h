@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/stroke/curve_ground.h>
 #include <burin/stroke/dynamics.h>
 #include <burin/stroke/pen_spline.h>
 #include <burin/stroke/recording.h>
@@ -63,14 +64,16 @@ enum class Closure {
 /// Turns the samples of one stroke into its surface curve as they arrive. Between two samples the curve
 /// follows the centripetal Catmull-Rom spline of the samples, brought onto the surface by closest points;
 /// time and pen follow monotone cubics, which stay between the samples' values. The curve depends on the
-/// surface, the samples so far and the radius only, not on when it was asked for: the part up to the last
-/// sample but one is final, the rest is replaced by the next add(). Surface and picker must outlive the
-/// tracer. One thread.
+/// ground, the samples so far and the radius only, not on when it was asked for: the part up to the last
+/// sample but one is final, the rest is replaced by the next add(). Samples are places on the surface. One
+/// thread.
 class CurveTracer {
  public:
   /// `radius`: of the stroke, object units. Points are half an edge apart, but at least radius / 1000 and
   /// at most radius / 8.
-  CurveTracer(const Surface& surface, const Picker& picker, double radius, StrokeWidth width = {});
+  CurveTracer(const CurveGround& ground, double radius, StrokeWidth width = {});
+  CurveTracer(const Surface& surface, const Picker& picker, double radius, StrokeWidth width = {})
+      : CurveTracer(CurveGround(surface, picker), radius, std::move(width)) {}
 
   /// Whether a point can follow the samples so far: no point of the chord to it is farther from the
   /// surface than a quarter of the chord. Not so where the pen jumps over a silhouette or a gap.
@@ -99,7 +102,8 @@ class CurveTracer {
 
  private:
   struct Knot {
-    SurfacePoint at;
+    SurfacePoint at;  ///< on the ground
+    Vec3f normal = Vec3f::Zero();
     double time = 0;  ///< since the first sample
     Pen pen;
     std::size_t point = 0;  ///< of curve_, where it goes through the knot
@@ -115,16 +119,15 @@ class CurveTracer {
   void retrace_tail();
   void trace_segment(std::size_t knot);
   const Knot* neighbour(std::size_t knot, std::size_t steps, bool forward) const;
-  bool connects(const Vec3f& from, const Vec3f& to) const;
+  bool connects(const SurfacePoint& from, const SurfacePoint& to) const;
   double spacing(const SurfacePoint& at) const;
 
   PenSpline pen_spline(std::size_t knot) const;
-  void append(const SurfacePoint& at, const Vec3d& direction, double time, const Pen& pen);
+  void append(const CurveGround::Place& place, const Vec3d& direction, double time, const Pen& pen);
   void set_widths(std::size_t from_point);
   void set_speed_around(double at_seam, double seam_time);
 
-  const Surface* surface_;
-  const Picker* picker_;
+  CurveGround ground_;
   double radius_;
   StrokeWidth width_;
   double min_spacing_, max_spacing_;

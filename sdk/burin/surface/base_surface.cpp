@@ -117,9 +117,13 @@ void BaseSurface::prepare(std::span<const Index> nodes) {
   const std::vector<Index> fitted_over = around(nodes, ring_);
   const std::vector<Index> smoothed_over = around(fitted_over, reach_);
   bring_to(Stage::averaged, smoothed_over, [this](Index node) { means_[node] = mean_of(node); });
-  bring_to(Stage::smoothed, fitted_over,
-           [this](Index node) { low_passed_[node] = low_passed(node); });
+  bring_to(Stage::smoothed, fitted_over, [this](Index node) { low_passed_[node] = low_passed(node); });
   bring_to(Stage::fitted, nodes, [this](Index node) { make_patch(node); });
+}
+
+void BaseSurface::prepare_around(Index node) {
+  const std::vector<Index> nodes = around(std::array{node}, spacing());
+  prepare(nodes);
 }
 
 /// Makes of these nodes those that are not at the stage yet, each of which was at the one before.
@@ -198,8 +202,8 @@ BaseSurface::LowPassed BaseSurface::low_passed(Index node) const {
   const auto seen = [&](Index other) { return static_cast<double>(means_[other].area.dot(normal)); };
   QuadraticFit<1> fit(reach_);
   const double whole = reach_ * reach_;
-  for (const Index other : nearby.find(neighbours(), node,
-                                       [&](Index n) { return squared(n) <= whole && seen(n) > 0; }))
+  for (const Index other :
+       nearby.find(neighbours(), node, [&](Index n) { return squared(n) <= whole && seen(n) > 0; }))
     add_height(fit, local(origin, axis_x, axis_y, normal, means_[other].position), std::max(seen(other), 0.));
   return {origin + static_cast<float>(fit.solve()[0]) * normal, normal};
 }
@@ -217,11 +221,15 @@ BasePatch BaseSurface::patch_of(Index node) const {
   for (int round = 0;; ++round) {
     const Vec3f axis_x = normal.unitOrthogonal(), axis_y = normal.cross(axis_x);
     QuadraticFit<1> fit(ring_);
-    for (const Index other : ring) 
+    for (const Index other : ring)
       add_height(fit, local(origin, axis_x, axis_y, normal, low_passed_[other].position), 1);
     const Eigen::Matrix<double, 6, 1> z = fit.solve();
     if (round == 2)
-      return {origin, normal, axis_x, static_cast<float>(z[3]), static_cast<float>(z[4]),
+      return {origin,
+              normal,
+              axis_x,
+              static_cast<float>(z[3]),
+              static_cast<float>(z[4]),
               static_cast<float>(z[5])};
     normal = (normal - static_cast<float>(z[1]) * axis_x - static_cast<float>(z[2]) * axis_y).normalized();
   }
@@ -238,7 +246,7 @@ Index BaseSurface::nearest(Index near, const Vec3f& point) {
   for (;;) {
     std::vector<Index> candidates{near};
     for (const Index neighbour : neighbours()[near]) candidates.push_back(neighbour);
-    prepare(candidates);
+    for (const Index candidate : candidates) require(candidate);
     const Index best = *std::ranges::min_element(candidates, {}, [&](Index node) {
       const bool same = patches_[node].normal.dot(patches_[near].normal) > 0;
       return same ? (patches_[node].position - point).squaredNorm() : std::numeric_limits<float>::infinity();
@@ -262,11 +270,11 @@ BasePoint BaseSurface::project(Index near, const Vec3f& point) {
     two_rings.push_back(one);
     for (const Index two : neighbours()[one]) two_rings.push_back(two);
   }
-  prepare(two_rings);
   std::ranges::sort(two_rings);
   two_rings.erase(std::unique(two_rings.begin(), two_rings.end()), two_rings.end());
   Vec3d position = Vec3d::Zero(), normal = Vec3d::Zero();
   double weights = 0;
+  for (const Index other : two_rings) require(other);
   for (const Index other : two_rings) {
     const BasePatch& patch = patches_[other];
     const double weight = patch.normal.dot(own.normal) > same_side ? bump_weight(squared(other)) : 0;

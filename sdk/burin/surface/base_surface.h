@@ -20,9 +20,7 @@ struct BasePatch {
   float height(const Vec2f& at) const {
     return (xx * at.x() * at.x() + yy * at.y() * at.y()) / 2 + xy * at.x() * at.y();
   }
-  Vec2f slope(const Vec2f& at) const {
-    return {xx * at.x() + xy * at.y(), xy * at.x() + yy * at.y()};
-  }
+  Vec2f slope(const Vec2f& at) const { return {xx * at.x() + xy * at.y(), xy * at.x() + yy * at.y()}; }
   float gauss_curvature() const { return xx * yy - xy * xy; }
 
   /// The foot of a point on the paraboloid, to second order in its distance from the node.
@@ -46,8 +44,7 @@ struct BasePoint {
 class BaseSurface {
  public:
   /// Both must outlive the object.
-  BaseSurface(const Surface& surface, const SurfaceLevels& levels)
-      : surface_(&surface), levels_(&levels) {}
+  BaseSurface(const Surface& surface, const SurfaceLevels& levels) : surface_(&surface), levels_(&levels) {}
 
   /// Edges that a brush's radius has at least: on a coarser level, and on the surface's own vertices.
   static constexpr double fewest_edges = 10.5, fewest_own_edges = 5;
@@ -59,6 +56,11 @@ class BaseSurface {
 
   /// Makes these nodes.
   void prepare(std::span<const Index> nodes);
+
+  /// Makes this node, and some around it while at it, if it has not been made.
+  void require(Index node) {
+    if (stages_[node] != Stage::fitted) prepare_around(node);
+  }
 
   Index node_count() const { return neighbours().rows(); }
   double spacing() const { return levels_->spacing(level_); }
@@ -72,6 +74,12 @@ class BaseSurface {
   template <class Visit>
   void for_each_vertex(Index node, const Visit& visit) const {
     levels_->for_each_vertex(level_, node, visit);
+  }
+
+  Index vertex_count_of(Index node) const {
+    Index count = 0;
+    for_each_vertex(node, [&](Index) { ++count; });
+    return count;
   }
 
   /// The place on the base surface nearest to a point, found from a node near it: the mean over the
@@ -94,6 +102,7 @@ class BaseSurface {
 
   const Csr& neighbours() const { return levels_->neighbours(level_); }
   std::vector<Index> around(std::span<const Index> nodes, double reach);
+  void prepare_around(Index node);
   template <class Make>
   void bring_to(Stage stage, std::span<const Index> nodes, const Make& make);
   const Vec3f& vertex_of(Index node) const { return surface_->positions[levels_->vertex(level_, node)]; }
@@ -107,11 +116,11 @@ class BaseSurface {
   const SurfaceLevels* levels_;
   std::size_t level_ = 0;
   double reach_ = 0, ring_ = 0;
-  std::vector<Stage> stages_;       ///< [node]
-  std::vector<bool> around_;        ///< [node] all false between calls of around()
-  std::vector<Mean> means_;         ///< [node] from stage averaged on
+  std::vector<Stage> stages_;          ///< [node]
+  std::vector<bool> around_;           ///< [node] all false between calls of around()
+  std::vector<Mean> means_;            ///< [node] from stage averaged on
   std::vector<LowPassed> low_passed_;  ///< [node] from stage smoothed on
-  std::vector<BasePatch> patches_;  ///< [node] from stage fitted on
+  std::vector<BasePatch> patches_;     ///< [node] from stage fitted on
   Surface nodes_;
 };
 

@@ -7,21 +7,21 @@
 
 namespace burin {
 
-/// A level coarser than the surface: clusters of vertices, each of which is a vertex of this level. Clusters are connected
-/// on the surface, and their vertices lie within about half a spacing of the middle along the surface: none
-/// reaches across a gap, or to the other side of a plate.
+/// A level coarser than the surface: clusters of vertices, each of which is a vertex of this level. Clusters
+/// are connected on the surface, and their vertices lie within about half a spacing of the middle along the
+/// surface: none reaches across a gap, or to the other side of a plate.
 struct SurfaceLevel {
   /// Length of the edges of a lattice of equilateral triangles with as many vertices an area, object units.
   double spacing = 0;
   UnsetVector<Index> cluster_of;  ///< [vertex of the level below]
   Csr members;                    ///< [cluster] vertices of the level below, ascending
   Csr neighbours;                 ///< [cluster] those with neighbouring members, ascending
-
 };
 
-/// The levels of a surface: level 0 are its vertices, each further one has clusters of about twice the spacing
-/// of the one below; the first of 1.7 edges. They follow from the surface as it is when they are made; moved
-/// vertices stay in their clusters. Made on all threads; the result does not depend on their number.
+/// The levels of a surface: level 0 are its vertices, each further one has clusters of about twice the
+/// spacing of the one below; the first of 1.7 edges. They follow from the surface as it is when they are
+/// made; moved vertices stay in their clusters. Made on all threads; the result does not depend on their
+/// number.
 class SurfaceLevels {
  public:
   /// The surface must outlive the object. One without triangles has level 0 only, of no spacing.
@@ -49,8 +49,7 @@ class SurfaceLevels {
   template <class Visit>
   void for_each_vertex(std::size_t level, Index cluster, const Visit& visit) const {
     if (level == 0) return visit(cluster);
-    for (const Index member : coarser_[level - 1].members[cluster])
-      for_each_vertex(level - 1, member, visit);
+    for (const Index member : coarser_[level - 1].members[cluster]) for_each_vertex(level - 1, member, visit);
   }
 
  private:

@@ -1,0 +1,47 @@
+#pragma once
+#include <burin/chart/front.h>
+#include <burin/chart/joined_legs.h>
+#include <burin/chart/live_chart.h>
+#include <burin/chart/stroke_chart.h>
+
+#include <cstddef>
+
+namespace burin {
+
+/// Stroke charts on one ground: the front for strokes that are drawn in one piece, legs put together for
+/// others.
+class GroundCharter {
+ public:
+  /// The ground's surface must outlive the object.
+  explicit GroundCharter(const ChartGround& ground)
+      : ground_(ground), front_(ground), legs_(ground.surface()), live_(ground.vertex_count()) {}
+
+  /// Of the options, `follow` has been dealt with.
+  void begin(const ChartOptions& options);
+
+  /// The chart of the curve, bit for bit as a fresh one.
+  Chart update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t parts);
+
+  /// The same at the cost of what changes.
+  const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged);
+
+  const LiveChart& live() const { return live_; }
+  std::uint64_t settled() const { return front_.settled(); }
+  std::uint64_t pushes() const { return front_.pushes(); }
+
+ private:
+  bool in_one_piece(const SurfaceCurve& curve) const;
+  Chart plain(const SurfaceCurve& curve);
+  Chart joined(const SurfaceCurve& curve);
+
+  ChartGround ground_;
+  ChartOptions options_;
+  Front front_;
+  JoinedLegs legs_;
+  LiveChart live_;
+};
+
+/// Parts of a front that are worth a thread of their own.
+std::size_t parts_for(const SurfaceCurve& curve, double radius);
+
+}  // namespace burin

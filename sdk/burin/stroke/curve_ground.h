@@ -1,0 +1,41 @@
+#pragma once
+#include <burin/surface/base_surface.h>
+#include <burin/surface/picker.h>
+
+#include <optional>
+
+namespace burin {
+
+/// Where the curves of strokes run: on a surface itself, or on its base surface at the brush's scale. There
+/// a point's corners are the nearest node, three times. Looked at, not owned.
+class CurveGround {
+ public:
+  /// `base`: null: on the surface itself.
+  CurveGround(const Surface& surface, const Picker& picker, BaseSurface* base = nullptr)
+      : surface_(&surface), picker_(&picker), base_(base) {}
+
+  struct Place {
+    SurfacePoint at;
+    Vec3f normal;  ///< unit
+  };
+
+  /// Where a point of the surface is on the ground.
+  Place place(const SurfacePoint& at) const;
+
+  /// The ground nearest to a point not farther than `reach` from it, found from a place near by.
+  std::optional<Place> closest(const Vec3f& point, float reach, const SurfacePoint& near) const;
+
+  /// How far apart points of a curve are here: half an edge, object units.
+  double point_spacing(const SurfacePoint& at) const;
+
+  double scale() const { return surface_->scale; }
+
+ private:
+  Place on_base(Index near, const Vec3f& point) const;
+
+  const Surface* surface_;
+  const Picker* picker_;
+  BaseSurface* base_;
+};
+
+}  // namespace burin
