@@ -72,13 +72,13 @@ class Bead : public Brush {
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float half_width = std::min(width_ * radius[i], static_cast<float>(period / 2));
       const float from_middle = form_ == rod ? in.stroke.beyond(t[i]) : from_bead(in.stroke, t[i], period);
-      const float x = std::hypot(from_middle, d[i]) / half_width;
+      const float x = math::hypot(from_middle, d[i]) / half_width;
       if (x >= 1) continue;
       const float angle = 0.5f * std::numbers::pi_v<float> * x;  // from the top of the half circle
-      const float spread = x > 1e-3f ? std::sin(angle) / x - 1 : 0.5f * std::numbers::pi_v<float> - 1;
+      const float spread = x > 1e-3f ? math::sin(angle) / x - 1 : 0.5f * std::numbers::pi_v<float> - 1;
       along[i] = spread * from_middle;
       across[i] = spread * d[i];
-      up[i] = heights[i] * half_width * std::cos(angle);
+      up[i] = heights[i] * half_width * math::cos(angle);
     }
   }
 

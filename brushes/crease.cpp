@@ -78,7 +78,7 @@ class Crease : public Brush {
     const FloatsOut along = out.along(), across = out.across(), up = out.up();
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float x = in.stroke.distance(t[i], d[i]) / radius[i], inside = std::max(1 - x, 0.0f);
-      const float valley = std::pow(inside, exponents[i]);
+      const float valley = math::pow(inside, exponents[i]);
       const float side = 16 * x * x * inside * inside;  // 1 half way to the rim, level at either end
       const float ends = end_factor(in.stroke, t[i], radius[i], taper_);
       const float pull = pinches[i] * inside * inside * ends;  // never beyond the middle

@@ -118,10 +118,10 @@ class PatternedLine : public Brush {
   /// To a period of a sine curve, to first order; beyond its ends to them.
   static float wave(Place p, float length, float amplitude) {
     const float beyond = std::abs(p.x) - length / 2;
-    if (beyond > 0) return std::hypot(beyond, p.y);
+    if (beyond > 0) return math::hypot(beyond, p.y);
     const float k = 2 * std::numbers::pi_v<float> / length;
-    const float slope = amplitude * k * std::cos(k * p.x);
-    return std::abs(p.y - amplitude * std::sin(k * p.x)) / std::hypot(1.0f, slope);
+    const float slope = amplitude * k * math::cos(k * p.x);
+    return std::abs(p.y - amplitude * math::sin(k * p.x)) / math::hypot(1.0f, slope);
   }
 
   /// A ring in the middle and halves of the links, seen from their sides, that join it to its neighbours.

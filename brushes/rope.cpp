@@ -96,9 +96,9 @@ class Rope : public Brush {
     float highest = 0;
     for (int strand = 0; strand < strands_; ++strand) {
       const float angle = 2 * std::numbers::pi_v<float> * (turns + share * static_cast<float>(strand));
-      const float lift = orbit * (plaited_ ? 0.5f * std::sin(2 * angle) : std::cos(angle));
-      const float slope = 2 * std::numbers::pi_v<float> * orbit * steepness * std::cos(angle);
-      const float distance = std::abs(y - orbit * std::sin(angle)) / std::sqrt(1 + slope * slope);
+      const float lift = orbit * (plaited_ ? 0.5f * math::sin(2 * angle) : math::cos(angle));
+      const float slope = 2 * std::numbers::pi_v<float> * orbit * steepness * math::cos(angle);
+      const float distance = std::abs(y - orbit * math::sin(angle)) / std::sqrt(1 + slope * slope);
       highest = std::max(highest, lift + thickness * strand_profile(distance / thickness));
     }
     return std::min(highest, 3 * (1 - std::abs(y)));

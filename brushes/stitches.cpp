@@ -82,7 +82,7 @@ class Stitches : public Brush {
       const Tile tile = tile_at(in.stroke, t[i], d[i], radius[i]);
       if (!tile.whole) continue;
       const float x = std::min(in.stroke.distance(t[i], d[i]) / radius[i], 1.0f);
-      const float between = 0.5f - 0.5f * std::cos(2 * std::numbers::pi_v<float> * tile.u / tile.length);
+      const float between = 0.5f - 0.5f * math::cos(2 * std::numbers::pi_v<float> * tile.u / tile.length);
       const float cloth = puckers[i] * radius[i] * (1 - x * x) * (1 - x * x) * between;
       // Holes, 1.4 half threads wide, stay within their tile.
       const float thickest = std::min(0.085f * tile.length, 0.21f * tile.width);
@@ -124,11 +124,11 @@ class Stitches : public Brush {
     for (const Segment& s : stitch_) {
       const float u = tile.u - s.u0 * tile.length, v = tile.v - s.v0 * tile.width;
       const float way_u = (s.u1 - s.u0) * tile.length, way_v = (s.v1 - s.v0) * tile.width;
-      const float way = std::hypot(way_u, way_v);
+      const float way = math::hypot(way_u, way_v);
       const float along = std::clamp((u * way_u + v * way_v) / way, 0.0f, way),
                   to_hole = std::min(along, way - along);
-      const float beside = std::hypot(u - along * way_u / way, v - along * way_v / way);
-      const float hole = std::min(std::hypot(u, v), std::hypot(u - way_u, v - way_v));
+      const float beside = math::hypot(u - along * way_u / way, v - along * way_v / way);
+      const float hole = std::min(math::hypot(u, v), math::hypot(u - way_u, v - way_v));
       holes = std::max(holes, 1 - smooth_step(hole / (1.4f * r)));
       const float sunk = 1.6f * r * (1 - smooth_step(to_hole / (2.5f * r)));
       const float over = s.crosses_over ? r * smooth_step(2 - std::abs(along - way / 2) / (1.5f * r)) : 0;

@@ -74,4 +74,9 @@ if(BURIN_TESTS)
 
   burin_dependency(apt xz-utils why "tests unpack the compressed meshes of ../shared/data")
   find_program(XZ_PROGRAM xz REQUIRED)
+
+  burin_dependency(apt qemu-user why "tests run the command as other x86-64 processors would")
+  if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
+    find_program(QEMU_PROGRAM qemu-x86_64 REQUIRED)
+  endif()
 endif()

@@ -11,7 +11,7 @@ set(BURIN_BRUSHES_FOLDER lib/burin/brushes)
 # Library and headers of the SDK folder whose CMakeLists.txt is being read.
 function(burin_install_library name)
   set(component runtime)
-  if(name MATCHES "^(abi|plugin)$")
+  if(name MATCHES "^(abi|math|plugin)$")
     set(component plugin)
   endif()
   install(TARGETS burin_${name} EXPORT burin_${component} ARCHIVE COMPONENT ${component})

@@ -1,3 +1,5 @@
+#include <burin/math/elementary.h>
+
 #include "ewer_cage.h"
 
 #include <algorithm>
@@ -48,18 +50,18 @@ constexpr std::array handle{
 };
 
 Vec3f on_circle(double radius, double angle, double height) {
-  return Vec3d(radius * std::cos(angle), height, -radius * std::sin(angle)).cast<float>();
+  return Vec3d(radius * math::cos(angle), height, -radius * math::sin(angle)).cast<float>();
 }
 
 /// Weight of the lip at an angle from its middle.
-double bell(double angle, double width) { return std::exp(-angle * angle / (width * width)); }
+double bell(double angle, double width) { return math::exp(-angle * angle / (width * width)); }
 
 Vec3f profile_position(int ring, int segment) {
   const double angle = 2 * pi * segment / segments;
   const double from_lip = std::min(angle, 2 * pi - angle);
   auto [radius, height, crease] = profile[static_cast<std::size_t>(ring)];
   if (ring >= first_neck_ring) {
-    const double rise = std::pow(std::clamp((height - .75) / (1.08 - .75), 0., 1.), 2);
+    const double rise = math::pow(std::clamp((height - .75) / (1.08 - .75), 0., 1.), 2);
     radius += rise * (.20 * bell(from_lip, .42) - .045 * bell(from_lip - .95, .35));
     height += rise * .07 * bell(from_lip, .5);
   }
@@ -167,10 +169,11 @@ class CageBuilder {
 
   Loop handle_loop(const HandleRing& ring) {
     const double angle = ring.tangent * pi / 180;
-    const Vec3d outwards(std::sin(angle), -std::cos(angle), 0);
+    const Vec3d outwards(math::sin(angle), -math::cos(angle), 0);
     Loop loop{};
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const double length = std::hypot(around[i].first, around[i].second);
+      const double length =
+          math::hypot(static_cast<double>(around[i].first), static_cast<double>(around[i].second));
       const Vec3d offset =
           around[i].first * ring.thickness * outwards + around[i].second * ring.width * Vec3d::UnitZ();
       loop[i] = add_vertex((Vec3d(ring.x, ring.y, 0) + offset / length).cast<float>());

@@ -1,3 +1,5 @@
+#include <burin/math/elementary.h>
+
 #include "pen_motion.h"
 
 #include <Eigen/Geometry>
@@ -26,7 +28,7 @@ class Waver {
   double operator()(double time) const {
     double sum = 0;
     for (std::size_t i = 0; i < hertz_.size(); ++i)
-      sum += std::sin(2 * std::numbers::pi * hertz_[i] * time + phases_[i]);
+      sum += math::sin(2 * std::numbers::pi * hertz_[i] * time + phases_[i]);
     return sum / 3;
   }
 
@@ -56,8 +58,8 @@ std::vector<double> speeds(const std::vector<Vec3d>& points, const PenStyle& sty
   const double rest = style.speed / 20;
   std::vector<double> speed(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    speed[i] =
-        style.speed * std::min(1., std::pow(std::max(curvature(points, i) * style.bend_radius, 1.), -1. / 3));
+    speed[i] = style.speed *
+               std::min(1., math::pow(std::max(curvature(points, i) * style.bend_radius, 1.), -1. / 3));
   speed.front() = speed.back() = rest;
   const auto limit = [&](std::size_t from, std::size_t to) {
     const double way = (points[to] - points[from]).norm();

@@ -1,6 +1,7 @@
 #include "sample_strokes.h"
 
 #include <burin/base/error.h>
+#include <burin/math/elementary.h>
 #include <burin/stroke/stroke_file.h>
 #include <burin/surface/picker.h>
 
@@ -32,7 +33,7 @@ float rounded(float value) { return static_cast<float>(rounded(static_cast<doubl
 
 /// Where the ewer's body is at an angle around its axis and a height.
 Vec3d on_body(const Picker& picker, double angle, double height) {
-  const Vec3f outwards(static_cast<float>(std::cos(angle)), 0, static_cast<float>(-std::sin(angle)));
+  const Vec3f outwards(static_cast<float>(math::cos(angle)), 0, static_cast<float>(-math::sin(angle)));
   const auto hit = picker.pick({Vec3f(0, static_cast<float>(height), 0), outwards});
   if (!hit) throw Error("the sample surface has a hole");
   return hit->position.cast<double>();
@@ -44,18 +45,18 @@ Vec3d on_body(const Picker& picker, double angle, double height) {
 std::pair<double, double> meander_at(double u) {
   const double angle = pi + .55 + u * (4 * pi - 1.55);
   const double down = smoothstep((angle - (3 * pi - .95)) / .95);
-  const double upper = .27 + .045 * std::cos(5 * angle), lower = -.50 + .045 * std::cos(5 * angle);
+  const double upper = .27 + .045 * math::cos(5 * angle), lower = -.50 + .045 * math::cos(5 * angle);
   return {angle, upper + down * (lower - upper)};
 }
 
 std::pair<double, double> scale_band_at(double u) {
   const double angle = pi + .40 + u * (2 * pi - 1.50);
-  return {angle, -.12 + .03 * std::cos(2 * angle)};
+  return {angle, -.12 + .03 * math::cos(2 * angle)};
 }
 
 /// An S on its side, on the belly between lip and handle.
 std::pair<double, double> wave_at(double u) {
-  return {1.5 * pi + 1.4 * (u - .5), -.1 + .12 * std::sin(2 * pi * (u - .5))};
+  return {1.5 * pi + 1.4 * (u - .5), -.1 + .12 * math::sin(2 * pi * (u - .5))};
 }
 
 /// Cornu's spiral: curls one way at its start and the other way at its end. In its own units, about -1..1.
@@ -65,7 +66,7 @@ Vec3d scroll_at(double u) {
   Vec3d sum = Vec3d::Zero();
   for (int i = 0; i < slices; ++i) {
     const double s = (i + .5) * slice;
-    sum += Vec3d(std::cos(pi / 2 * s * s), std::sin(pi / 2 * s * s), 0) * slice;
+    sum += Vec3d(math::cos(pi / 2 * s * s), math::sin(pi / 2 * s * s), 0) * slice;
   }
   return sum;
 }

@@ -1,3 +1,5 @@
+#include <burin/math/elementary.h>
+
 #include "scales_stamp.h"
 
 #include <algorithm>
@@ -22,10 +24,10 @@ constexpr double scale_radius = .64;
 /// edge, arched across, with a rounded rim and a low keel.
 double scale_height(double u, double v) {
   const double along = u / scale_radius, across = v / scale_radius;
-  const double rho = std::hypot(along, across);
+  const double rho = math::hypot(along, across);
   if (rho >= 1) return 0;
-  const double rim = std::sqrt(1 - std::pow(rho, 8));
-  const double keel = .10 * std::exp(-std::pow(across / .09, 2)) * (1 - rho);
+  const double rim = std::sqrt(1 - math::pow(rho, 8));
+  const double keel = .10 * math::exp(-across * across / (.09 * .09)) * (1 - rho);
   return (.55 + .40 * along - .22 * across * across + keel) * rim;
 }
 

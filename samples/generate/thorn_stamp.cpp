@@ -1,3 +1,5 @@
+#include <burin/math/elementary.h>
+
 #include "thorn_stamp.h"
 
 #include <algorithm>
@@ -21,20 +23,20 @@ constexpr double bend_angle = 2.45;  // of the thorn's axis, from upright at its
 
 /// Radius of the thorn at s, from 0 at its foot to 1 at its tip: flared, then slender, at last round.
 double thickness(double s) {
-  const double flare = std::pow(1 - s, 5);
-  return (.30 * (1 - .75 * s) * (1 - flare) + foot * flare) * std::sqrt(1 - std::pow(s, 6));
+  const double flare = math::pow(1 - s, 5);
+  return (.30 * (1 - .75 * s) * (1 - flare) + foot * flare) * std::sqrt(1 - math::pow(s, 6));
 }
 
 /// Where the disc's place (x, y) goes: circles around its middle become rings around the axis, a circle in
 /// the plane y = 0 through the origin.
 std::array<double, 3> on_thorn(double x, double y) {
-  const double rho = std::hypot(x, y);
+  const double rho = math::hypot(x, y);
   if (rho >= foot) return {x, y, 0};
   const double s = 1 - rho / foot, angle = bend_angle * s * s * (1.5 - .5 * s);
   const double right = rho > 0 ? x / rho : 0, up = rho > 0 ? y / rho : 0, radius = thickness(s);
   const double from_axis = bend_radius - radius * right;  // distance from the bend's centre
-  const double lift = .35 * std::sin(s * std::numbers::pi / 2);
-  return {bend_radius - from_axis * std::cos(angle), radius * up, from_axis * std::sin(angle) + lift};
+  const double lift = .35 * math::sin(s * std::numbers::pi / 2);
+  return {bend_radius - from_axis * math::cos(angle), radius * up, from_axis * math::sin(angle) + lift};
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include <burin/plugin/plugin.h>
 
-#include <cmath>
-
 using namespace burin::plugin;
 
 class Ripple : public Brush {
@@ -24,7 +22,7 @@ class Ripple : public Brush {
     const FloatsOut up = out.up();
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float rim = smooth_step(1 - in.stroke.distance(t[i], d[i]) / radius[i]);
-      up[i] = heights[i] * radius[i] * rim * std::sin(6.2831853f * t[i] / (waves[i] * radius[i]));
+      up[i] = heights[i] * radius[i] * rim * math::sin(6.2831853f * t[i] / (waves[i] * radius[i]));
     }
   }
 };

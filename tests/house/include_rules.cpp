@@ -20,8 +20,9 @@ using Names = std::set<std::string>;
 /// folder may include what that folder includes.
 const std::map<std::string, Names> may_include = {
     {"abi", {}},
-    {"plugin", {"abi"}},
-    {"base", {}},
+    {"math", {}},
+    {"plugin", {"abi", "math"}},
+    {"base", {"math"}},
     {"surface", {"base"}},
     {"subdiv", {"surface"}},
     {"stroke", {"surface"}},
@@ -32,9 +33,9 @@ const std::map<std::string, Names> may_include = {
     {"refine", {"chart"}},
     {"volume", {"chart"}},
     {"host",
-     {"abi", "plugin", "base", "surface", "subdiv", "stroke", "chart", "stamp", "deform", "feature", "refine",
-      "volume"}},
-    {"brushes", {"abi", "plugin"}},
+     {"abi", "math", "plugin", "base", "surface", "subdiv", "stroke", "chart", "stamp", "deform", "feature",
+      "refine", "volume"}},
+    {"brushes", {"abi", "math", "plugin"}},
     {"host_stub", {"host"}},
 };
 

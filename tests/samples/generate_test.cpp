@@ -7,6 +7,8 @@
 #include <map>
 #include <string>
 
+#include "support/process.h"
+#include "support/processors.h"
 #include "support/shared_data.h"
 
 namespace burin {
@@ -58,6 +60,18 @@ TEST(Generator, WritesTheCommittedTexels) {
     ++compared;
   }
   EXPECT_EQ(compared, 5);
+}
+
+/// Files of text and texels alike: the same program writes them, so their headers agree too.
+TEST(Generator, WritesTheSameFilesOnEveryProcessor) {
+  for (const test::Processor& processor : test::processors()) {
+    test::TemporaryFolder folder;
+    const auto run = test::run_process(processor.command({BURIN_SAMPLE_GENERATOR, folder.path().string()}),
+                                       processor.environment);
+    ASSERT_EQ(run.exit_code, 0) << processor.name << ": " << run.err;
+    for (const auto& [name, path] : sample_files(generated()))
+      EXPECT_TRUE(read_file(path) == read_file(folder.path() / name)) << processor.name << ": " << name;
+  }
 }
 
 TEST(Generator, KeepsTheSamplesSmall) {

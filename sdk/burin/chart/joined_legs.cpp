@@ -1,5 +1,6 @@
 #include <burin/chart/curve_parts.h>
 #include <burin/chart/joined_legs.h>
+#include <burin/math/elementary.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ void JoinedLegs::find_corners(const SurfaceCurve& curve) {
     if (!curve.closed && (bend.begin <= 0 || bend.end >= curve.length())) continue;
     const Vec3d from = point_at(curve, bend.begin).at.position.cast<double>();
     const double chord = (point_at(curve, bend.end).at.position.cast<double>() - from).norm();
-    const double way = std::min(chord / 2 / std::cos(bounded_half(bend.turn)), options_.radius);
+    const double way = std::min(chord / 2 / math::cos(bounded_half(bend.turn)), options_.radius);
     cuts_.push_back(bend);
     corners_.push_back({bend.begin + way, bend.end - way, bend.middle, bend.turn, span(curve, bend)});
   }
@@ -51,7 +52,7 @@ void JoinedLegs::find_corners(const SurfaceCurve& curve) {
 /// Enough for |grad t| within 1/2 and 2 at right angles, but not into another bend's half nor beyond an end.
 double JoinedLegs::span(const SurfaceCurve& curve, const Bend& bend) const {
   const double length = curve.length();
-  double span = 4 * options_.radius * std::tan(bounded_half(bend.turn));
+  double span = 4 * options_.radius * math::tan(bounded_half(bend.turn));
   span = curve.closed ? std::min(span, length / 2) : std::min({span, bend.middle, length - bend.middle});
   for (const Bend& other : bends_.all()) {
     double gap = std::abs(other.middle - bend.middle);

@@ -2,6 +2,7 @@
 // d turn / 2 on either side of the bisector on the outside, on a circle around the corner, and ends at the
 // bisector d tan(turn / 2) before the corner on the inside.
 #include <burin/chart/joins.h>
+#include <burin/math/elementary.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +23,11 @@ double way_beyond(const Corner& corner, bool first_leg, double t) {
 double bounded_half(double turn) { return std::min(std::abs(turn) / 2, 1.2); }
 
 double miter_reach(double turn, double radius) {
-  return std::abs(turn) < sharpest_miter ? radius * std::tan(std::abs(turn) / 2) : 0;
+  return std::abs(turn) < sharpest_miter ? radius * math::tan(std::abs(turn) / 2) : 0;
 }
 
 bool on_own_side(const Corner& corner, bool first_leg, const ChartFrame& frame) {
-  const double d = static_cast<double>(frame.d), tangent = std::tan(bounded_half(corner.turn));
+  const double d = static_cast<double>(frame.d), tangent = math::tan(bounded_half(corner.turn));
   const double bisector = d * corner.turn > 0 ? -std::abs(d) * tangent : std::abs(d) * tangent;
   return way_beyond(corner, first_leg, frame.t) <= bisector;
 }
@@ -39,18 +40,18 @@ ChartFrame smoothed(const Corner& corner, bool first_leg, const ChartFrame& fram
   ChartFrame joined = frame;
   double to_bisector = 0, all = 0;
   if (inside) {
-    const double cut = d * std::tan(bounded_half(corner.turn));
+    const double cut = d * math::tan(bounded_half(corner.turn));
     to_bisector = std::max(-way - cut, 0.);
     all = std::max(corner.span - cut, 0.);
   } else {
-    const double distance = way > 0 ? std::hypot(way, d) : d, phi = way > 0 ? std::atan2(way, d) : 0;
+    const double distance = way > 0 ? math::hypot(way, d) : d, phi = way > 0 ? math::atan2(way, d) : 0;
     to_bisector = distance * (half - phi) - std::min(way, 0.);
     all = corner.span + distance * half;
     joined.d = std::copysign(static_cast<float>(distance), frame.d);
     // Lines of constant distance turn around the corner.
     const double turned = std::copysign(phi, corner.turn) * (first_leg ? 1 : -1);
-    joined.e1 = static_cast<float>(std::cos(turned)) * frame.e1 +
-                static_cast<float>(std::sin(turned)) * normal.cross(frame.e1);
+    joined.e1 = static_cast<float>(math::cos(turned)) * frame.e1 +
+                static_cast<float>(math::sin(turned)) * normal.cross(frame.e1);
   }
   // Where the span begins t is that of the leg.
   const double leg =
@@ -66,7 +67,7 @@ double smoothed_t(const StrokeBends& bends, const Bend& bend, double span, doubl
   const bool inside = d * bend.turn > 0;
   const auto along = [&](double u) {
     const double phi = std::abs(bends.turn(bend.middle, bend.middle + u));
-    const double longer = inside ? -std::abs(d) * std::tan(bounded_half(2 * phi)) : std::abs(d) * phi;
+    const double longer = inside ? -std::abs(d) * math::tan(bounded_half(2 * phi)) : std::abs(d) * phi;
     return std::max(std::abs(u) + longer, 0.);
   };
   const double all = along(std::copysign(span, way));

@@ -1,5 +1,6 @@
 #include <burin/chart/curve_parts.h>
 #include <burin/chart/stroke_samples.h>
+#include <burin/math/elementary.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ constexpr double samples_a_radius = 8, disc_over_width = 1.25;
 double widening(const Extensions& extensions, double t, double length, double radius) {
   double widest = 1;
   for (const auto& [reach, way] : {std::pair(extensions.begin, t), std::pair(extensions.end, length - t)}) {
-    const double corner = std::hypot(radius, reach);
+    const double corner = math::hypot(radius, reach);
     if (reach > 0 && way < corner) widest = std::max(widest, corner / radius);
   }
   return widest;

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/deform/blend.h>
+#include <burin/math/elementary.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +60,7 @@ class VertexSheets {
   static double nearness(const SheetNode& node, double radius) {
     const Chart& chart = node.chart();
     const double reach = node.of->half_width.empty() ? radius : node.of->half_width[node.slot];
-    const double distance = std::hypot(along(node), double{chart.d[node.slot]});
+    const double distance = math::hypot(along(node), double{chart.d[node.slot]});
     const double inside = std::max(1 - distance / reach, 0.0);
     return inside * inside + 1e-12;
   }

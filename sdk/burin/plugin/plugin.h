@@ -9,6 +9,7 @@
 #include <burin/plugin/ink.h>
 #include <burin/plugin/lettering.h>
 #include <burin/plugin/log.h>
+#include <burin/plugin/math.h>
 #include <burin/plugin/noise.h>
 #include <burin/plugin/params.h>
 #include <burin/plugin/random.h>

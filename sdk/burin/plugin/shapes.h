@@ -1,4 +1,6 @@
 #pragma once
+#include <burin/math/elementary.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,11 +24,11 @@ inline float outline(float distance, float thickness) {
   return std::abs(distance + thickness / 2) - thickness / 2;
 }
 
-inline float circle(Place p, float radius) { return std::hypot(p.x, p.y) - radius; }
+inline float circle(Place p, float radius) { return math::hypot(p.x, p.y) - radius; }
 
 /// A rectangle that the place lies beyond by so much along x and y, negative inside.
 inline float rectangle(float x, float y) {
-  return std::hypot(std::max(x, 0.0f), std::max(y, 0.0f)) + std::min(std::max(x, y), 0.0f);
+  return math::hypot(std::max(x, 0.0f), std::max(y, 0.0f)) + std::min(std::max(x, y), 0.0f);
 }
 
 /// The rectangle |x| <= half_x, |y| <= half_y.
@@ -41,16 +43,16 @@ inline float bar(Place p, float length, float half_y) {
 
 /// All that is at most `radius` away from the points |x| <= half_x of the x axis.
 inline float capsule(Place p, float half_x, float radius) {
-  return std::hypot(std::max(std::abs(p.x) - half_x, 0.0f), p.y) - radius;
+  return math::hypot(std::max(std::abs(p.x) - half_x, 0.0f), p.y) - radius;
 }
 
 /// The rhombus with its corners on the axes, at +-half_x and +-half_y.
 inline float diamond(Place p, float half_x, float half_y) {
   const float x = std::abs(p.x), y = std::abs(p.y);
-  const float side = std::hypot(half_x, half_y);
+  const float side = math::hypot(half_x, half_y);
   // Along the side from the corner on the y axis, as a share of it.
   const float along = std::clamp((x * half_x - (y - half_y) * half_y) / (side * side), 0.0f, 1.0f);
-  const float distance = std::hypot(x - along * half_x, y - (1 - along) * half_y);
+  const float distance = math::hypot(x - along * half_x, y - (1 - along) * half_y);
   return x * half_y + y * half_x < half_x * half_y ? -distance : distance;
 }
 
@@ -59,8 +61,8 @@ inline float triangle(Place p, float length, float half_y) {
   const float y = std::abs(p.y);
   const float along =
       std::clamp((p.x * length - (y - half_y) * half_y) / (length * length + half_y * half_y), 0.0f, 1.0f);
-  const float to_side = std::hypot(p.x - along * length, y - (1 - along) * half_y);
-  const float to_base = std::hypot(p.x, std::max(y - half_y, 0.0f));
+  const float to_side = math::hypot(p.x - along * length, y - (1 - along) * half_y);
+  const float to_base = math::hypot(p.x, std::max(y - half_y, 0.0f));
   const bool inside = p.x > 0 && p.x * half_y + y * length < length * half_y;
   const float distance = std::min(to_side, to_base);
   return inside ? -distance : distance;

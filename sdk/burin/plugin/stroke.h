@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/abi/stroke.h>
+#include <burin/math/elementary.h>
 #include <burin/plugin/complete.h>
 
 #include <algorithm>
@@ -53,7 +54,7 @@ class Stroke {
   /// Distance to the stroke of the place (t, d): |d| beside it, round its ends within caps.
   float distance(float t, float d) const {
     const float along = beyond(t);
-    return along != 0 ? std::hypot(along, d) : std::abs(d);
+    return along != 0 ? math::hypot(along, d) : std::abs(d);
   }
 
   /// Arc length of t along the drawn line: a dab continues the pattern of the line that it is a dab of.

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/math/elementary.h>
 #include <burin/plugin/cell.h>
 #include <burin/plugin/random.h>
 #include <burin/plugin/stamps.h>
@@ -104,8 +105,8 @@ class Tiling {
     const double row = layout_.single_row ? 0 : std::floor(y);
     tile.row = static_cast<std::int64_t>(row);
     choose(tile);
-    tile.cosine = std::cos(angle);
-    tile.sine = std::sin(angle);
+    tile.cosine = math::cos(angle);
+    tile.sine = math::sin(angle);
     const Frame frame{tile, tile_length_, width};
     const Vector middle{(x - 0.5) * pitch_, (0.5 - (y - row)) * width};
     const Vector place = frame.in_stamp(middle);

@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/math/elementary.h>
 #include <burin/stroke/camera.h>
 
 #include <Eigen/Geometry>
@@ -73,7 +74,7 @@ Camera framing_camera(const Vec3d& box_min, const Vec3d& box_max, const Vec3d& d
 
   const Eigen::Matrix3d axes = eye_axes(direction, up);
   const Eigen::Matrix<double, 3, 8> corners = box_corners(axes, half);
-  const double tan_y = std::tan(field_of_view / 2);
+  const double tan_y = math::tan(field_of_view / 2);
   const double tan_x = tan_y * width / height;
   const double reach = half.norm() > 0 ? half.norm() : 1;
 

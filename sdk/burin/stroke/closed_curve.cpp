@@ -1,4 +1,5 @@
 // Strokes that go around: when the pen came back, and the periodic spline through its samples.
+#include <burin/math/elementary.h>
 #include <burin/stroke/surface_curve.h>
 
 #include <algorithm>
@@ -72,8 +73,9 @@ void CurveTracer::retrace_closed() {
 
 /// The pen did not rest before the first sample but came around: its fading mean goes on over the seam.
 void CurveTracer::set_speed_around(double at_seam, double seam_time) {
-  const double at_first = at_seam / -std::expm1(-seam_time / speed_fading_time);
-  for (CurvePoint& point : curve_.points) point.speed += at_first * std::exp(-point.time / speed_fading_time);
+  const double at_first = at_seam / -math::expm1(-seam_time / speed_fading_time);
+  for (CurvePoint& point : curve_.points)
+    point.speed += at_first * math::exp(-point.time / speed_fading_time);
 }
 
 }  // namespace burin

@@ -1,4 +1,5 @@
 #include <burin/base/hash.h>
+#include <burin/math/elementary.h>
 #include <burin/stroke/dynamics.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ bool is_there(PenSource source, const PenFields& fields) {
 }
 
 /// Where the upper end of a pen of unit height lies over its tip.
-Vec2d lean(const Pen& pen) { return {std::tan(double{pen.tilt_x}), std::tan(double{pen.tilt_y})}; }
+Vec2d lean(const Pen& pen) { return {math::tan(double{pen.tilt_x}), math::tan(double{pen.tilt_y})}; }
 
 /// Straight lines between knots x0 y0 x1 y1 ..., constant beyond them.
 double piecewise_linear(std::span<const double> knots, double x) {
@@ -109,9 +110,9 @@ double TargetDynamics::source_value(PenSource source, const PenAt& at, double lo
     case PenSource::pressure:
       return at.pen.pressure;
     case PenSource::tilt:
-      return std::atan(lean(at.pen).norm());
+      return math::atan(lean(at.pen).norm());
     case PenSource::tilt_direction:
-      return std::atan2(lean(at.pen).y(), lean(at.pen).x());
+      return math::atan2(lean(at.pen).y(), lean(at.pen).x());
     case PenSource::direction:
       return travel_direction(to_hand_ * at.tangent, to_hand_ * at.normal);
     case PenSource::speed:
@@ -157,7 +158,7 @@ double travel_direction(const Vec3f& tangent, const Vec3f& normal) {
   Vec3d axis = Vec3d::UnitX() - up.x() * up;
   constexpr double sine = 1e-3;
   if (axis.squaredNorm() < sine * sine) axis = Vec3d::UnitY() - up.y() * up;
-  return std::atan2(up.dot(axis.cross(along)), axis.dot(along));
+  return math::atan2(up.dot(axis.cross(along)), axis.dot(along));
 }
 
 StrokeWidth::StrokeWidth(double pressure_width, std::span<const Dynamic> dynamics, const DrivenStroke& stroke)

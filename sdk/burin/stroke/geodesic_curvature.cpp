@@ -1,3 +1,4 @@
+#include <burin/math/elementary.h>
 #include <burin/stroke/geodesic_curvature.h>
 #include <burin/surface/parallel_transport.h>
 
@@ -20,7 +21,7 @@ constexpr int points_beyond_bend = 2;
 double turn_between(const CurvePoint& a, const CurvePoint& b) {
   const Vec3f carried = transport(a.tangent, a.normal, b.normal);
   const double sine = b.normal.cross(carried).dot(b.tangent);
-  return std::atan2(sine, static_cast<double>(carried.dot(b.tangent)));
+  return math::atan2(sine, static_cast<double>(carried.dot(b.tangent)));
 }
 
 /// Least-squares polynomial through values over places around 0, in units of the reach.

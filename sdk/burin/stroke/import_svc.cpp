@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/math/elementary.h>
 #include <burin/stroke/import.h>
 #include <burin/stroke/number_lines.h>
 #include <burin/stroke/pen_events.h>
@@ -16,9 +17,10 @@ constexpr double tenth_of_degree = std::numbers::pi / 1800;
 
 /// Tablets give where the pen's upper end points: clockwise from the tablet's top, and above its plane.
 void set_tilt(Pen& pen, double azimuth, double altitude) {
-  const double right = std::cos(altitude) * std::sin(azimuth), down = -std::cos(altitude) * std::cos(azimuth);
-  pen.tilt_x = static_cast<float>(std::atan2(right, std::sin(altitude)));
-  pen.tilt_y = static_cast<float>(std::atan2(down, std::sin(altitude)));
+  const double right = math::cos(altitude) * math::sin(azimuth),
+               down = -math::cos(altitude) * math::cos(azimuth);
+  pen.tilt_x = static_cast<float>(math::atan2(right, math::sin(altitude)));
+  pen.tilt_y = static_cast<float>(math::atan2(down, math::sin(altitude)));
 }
 
 PenEvent parse_event(std::string_view line) {

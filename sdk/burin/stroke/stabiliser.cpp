@@ -1,3 +1,4 @@
+#include <burin/math/elementary.h>
 #include <burin/stroke/stabiliser.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ Vec3d pulled(const Vec3d& brush, const Vec3d& from, const Vec3d& to, double leng
   const Vec3d across = string - string.dot(way) * way;
   const double side = across.norm();
   if (side == 0) return to - length * way;
-  const double tan_half = side / (length + string.dot(way)) * std::exp(-(distance - loose) / length);
+  const double tan_half = side / (length + string.dot(way)) * math::exp(-(distance - loose) / length);
   const double cosine = (1 - tan_half * tan_half) / (1 + tan_half * tan_half);
   const double sine = 2 * tan_half / (1 + tan_half * tan_half);
   return to - length * (cosine * way + sine / side * across);
@@ -37,8 +38,8 @@ Vec3d pulled(const Vec3d& brush, const Vec3d& from, const Vec3d& to, double leng
 /// x0 to x1.
 struct Response {
   Response(double seconds, double time_constant)
-      : past(std::exp(-seconds / time_constant)),
-        ramp(seconds > 0 ? -std::expm1(-seconds / time_constant) * time_constant / seconds : 1) {}
+      : past(math::exp(-seconds / time_constant)),
+        ramp(seconds > 0 ? -math::expm1(-seconds / time_constant) * time_constant / seconds : 1) {}
 
   template <class Value>
   Value operator()(const Value& before, const Value& from, const Value& to) const {

@@ -1,5 +1,6 @@
 // Surface curves: samples joined by centripetal Catmull-Rom splines [Barry and Goldman 1988; Yuksel et al.
 // 2011], brought onto the ground by closest points.
+#include <burin/math/elementary.h>
 #include <burin/stroke/surface_curve.h>
 #include <burin/surface/unit_tangent.h>
 
@@ -71,7 +72,7 @@ PenAt pen_of(const CurvePoint& point) {
 
 /// CurvePoint::speed after a step from this point.
 double faded_speed(const CurvePoint& from, double length, double seconds) {
-  const double faded = -std::expm1(-seconds / speed_fading_time);
+  const double faded = -math::expm1(-seconds / speed_fading_time);
   const double weight = seconds > 0 ? faded / seconds : 1 / speed_fading_time;
   return from.speed * (1 - faded) + length * weight;
 }

@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/math/elementary.h>
 #include <burin/stroke/symmetry.h>
 #include <fmt/format.h>
 
@@ -14,7 +15,12 @@ constexpr std::size_t most_instances = 1024;
 Eigen::Matrix3d rotation(const Symmetry& symmetry, int step) {
   if (step == 0) return Eigen::Matrix3d::Identity();
   const double angle = 2 * std::numbers::pi * step / symmetry.radial;
-  return Eigen::AngleAxisd(angle, Vec3d::Unit(symmetry.axis)).toRotationMatrix();
+  const int from = (symmetry.axis + 1) % 3, to = (symmetry.axis + 2) % 3;
+  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
+  turned(from, from) = turned(to, to) = math::cos(angle);
+  turned(to, from) = math::sin(angle);
+  turned(from, to) = -turned(to, from);
+  return turned;
 }
 
 /// The mirrorings that the bits of a number choose among those there are.

@@ -40,7 +40,8 @@ float fitted_determinant(const Surface& surface, Index vertex) {
     squares += rows.transpose() * rows / squared;
     right += rows.transpose() * Eigen::Vector2d(bend.dot(e1), bend.dot(e2)) / squared;
   }
-  if (!(std::abs(squares.determinant()) > 1e-9 * std::pow(squares.trace(), 3))) return 0;
+  const double size = squares.trace();
+  if (!(std::abs(squares.determinant()) > 1e-9 * size * size * size)) return 0;
   const Eigen::Vector3d map = squares.ldlt().solve(right);
   return static_cast<float>(map[0] * map[2] - map[1] * map[1]);
 }

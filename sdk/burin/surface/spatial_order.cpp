@@ -60,7 +60,7 @@ class Grid {
     const Eigen::AlignedBox3f box = bounding_box(points);
     corner_ = box.min().cast<double>();
     const double width = (box.max().cast<double>() - corner_).maxCoeff();
-    cells_per_unit_ = width > 0 ? (std::exp2(bits) - 1) / width : 0;
+    cells_per_unit_ = width > 0 ? (std::ldexp(1, bits) - 1) / width : 0;
   }
 
   /// Of up to `lanes` points.

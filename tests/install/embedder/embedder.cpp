@@ -4,6 +4,8 @@
 #include <exception>
 #include <iostream>
 
+static_assert(EIGEN_FAST_MATH == 0, "the package must tell embedders how Burin's headers are compiled");
+
 int main(int, char** argv) try {
   burin::BrushLibrary library;
   library.load_folder(argv[1]);

@@ -1,0 +1,10 @@
+#pragma once
+#include <burin/math/elementary.h>
+
+namespace burin::plugin {
+
+/// math::sin() and others. A brush that uses them instead of those of <cmath> gives the same bits on every
+/// processor.
+namespace math = burin::math;
+
+}  // namespace burin::plugin
