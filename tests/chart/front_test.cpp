@@ -42,7 +42,8 @@ TEST(Front, GivesTheSameBitsInSeveralParts) {
   std::mt19937 random(seed);
   const Surface surface = make_surface(test::shuffled(test::sphere(5, 0.3, 1), 2));
   const Picker picker(surface);
-  Front whole(surface), cut(surface);
+  const ChartGround ground(surface);
+  Front whole(ground), cut(ground);
   std::size_t nodes = 0, sheets = 0;
   for (int i = 0; i < 60; ++i) {
     const double radius = 0.1 + 0.1 * (i % 3);
@@ -69,7 +70,8 @@ TEST(Front, GrowsToTheSameBitsInSeveralParts) {
   std::mt19937 random(9);
   const Surface surface = make_surface(test::sphere(5, 0.3, 3));
   const Picker picker(surface);
-  Front fresh(surface), growing(surface);
+  const ChartGround ground(surface);
+  Front fresh(ground), growing(ground);
   constexpr double radius = 0.15;
   growing.restart(radius, 2);
   const std::vector<Vec3d> samples = random_samples(random);

@@ -47,7 +47,7 @@ TEST(LiveChart, AgreesWithAMapOfNodesThroughRandomEvents) {
         altered.insert(vertex);
       }
       expected[slot] = {vertex, t};
-      live.set(slot, vertex, frame(t));
+      live.set(slot, vertex, frame(t), Vec3f::UnitZ());
     }
     EXPECT_EQ(std::set<Index>(live.altered().begin(), live.altered().end()), altered);
     EXPECT_EQ(live.altered().size(), altered.size()) << "each once";
@@ -76,8 +76,8 @@ TEST(LiveChart, AgreesWithAMapOfNodesThroughRandomEvents) {
 TEST(LiveChart, TellsAllThatLeavesWhenEverythingIsAssigned) {
   LiveChart live(10);
   live.begin_event(1, false, everywhere);
-  live.set(0, 4, frame(1));
-  live.set(1, 5, frame(1));
+  live.set(0, 4, frame(1), Vec3f::UnitZ());
+  live.set(1, 5, frame(1), Vec3f::UnitZ());
   Chart chart;
   chart.vertex = {5, 6};
   chart.sheet = {0, 0};

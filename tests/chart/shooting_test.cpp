@@ -49,7 +49,7 @@ struct ChartErrors {
 class Shooting : public testing::TestWithParam<Height (*)(double, double)> {
  protected:
   /// An S-shaped stroke that turns both ways across a triangulation with edges of about this length.
-  ChartErrors errors(double edge, int order) const {
+  ChartErrors errors(double edge, const ChartOptions& options) const {
     const PlaneCurve curve{[](double s) { return Vec2d(-0.8 + 1.6 * s, 0.25 * std::sin(3.5 * s - 1)); },
                            [](double s) { return Vec2d(1.6, 0.875 * std::cos(3.5 * s - 1)); }};
     const test::ShootingOracle oracle(GetParam(), curve);
@@ -67,8 +67,12 @@ class Shooting : public testing::TestWithParam<Height (*)(double, double)> {
     const Picker picker(surface);
     std::vector<Vec3d> samples;
     for (int i = 0; i < 200; ++i) samples.push_back(oracle.place(i / 199.));
-    const Chart chart = StrokeCharter(surface).chart(test::traced(surface, picker, radius, samples),
-                                                     {.radius = radius, .order = order});
+    const SurfaceLevels levels(surface);
+    StrokeCharter charter(surface, &levels);
+    charter.begin(options);
+    EXPECT_EQ(charter.base() != nullptr, options.follow < 1);
+    const CurveGround ground(surface, picker, charter.base());
+    const Chart chart = charter.draw(test::traced(ground, picker, radius, samples)).sorted();
     return compare(surface, chart, oracle);
   }
 
@@ -96,7 +100,7 @@ class Shooting : public testing::TestWithParam<Height (*)(double, double)> {
 };
 
 TEST_P(Shooting, SecondOrderIsWithinItsBounds) {
-  const ChartErrors second = errors(radius / 20, 2);
+  const ChartErrors second = errors(radius / 20, {.radius = radius});
   EXPECT_LE(second.d.mean(), 0.002);
   EXPECT_LE(second.d.p99(), 0.01);
   EXPECT_LE(second.t.mean(), 0.02);
@@ -105,8 +109,20 @@ TEST_P(Shooting, SecondOrderIsWithinItsBounds) {
   RecordProperty("t_mean", std::to_string(second.t.mean()));
 }
 
+// At the brush's own scale: a chart of the base surface, carried to the vertices.
+TEST_P(Shooting, ChartsOfTheBaseSurfaceAreWithinTheirBounds) {
+  for (const int edges : {20, 40}) {
+    const ChartErrors carried = errors(radius / edges, {.radius = radius, .follow = 0});
+    EXPECT_LE(carried.d.mean(), 0.005) << edges << " edges a radius";
+    EXPECT_LE(carried.d.p99(), 0.035) << edges << " edges a radius";
+    EXPECT_LE(carried.t.mean(), 0.03) << edges << " edges a radius";
+    EXPECT_LE(carried.t.p99(), 0.12) << edges << " edges a radius";
+  }
+}
+
 TEST_P(Shooting, SecondOrderIsFarBetterThanFirst) {
-  const ChartErrors first = errors(radius / 20, 1), second = errors(radius / 20, 2);
+  const ChartErrors first = errors(radius / 20, {.radius = radius, .order = 1}),
+                    second = errors(radius / 20, {.radius = radius});
   EXPECT_LE(second.d.mean(), first.d.mean() / 20);
   EXPECT_LE(second.t.mean(), first.t.mean() / 10);
   EXPECT_LE(second.d.sorted.back(), first.d.sorted.back());
@@ -114,9 +130,9 @@ TEST_P(Shooting, SecondOrderIsFarBetterThanFirst) {
 }
 
 TEST_P(Shooting, HalvingTheEdgeHalvesTheMeanErrors) {
-  ChartErrors coarse = errors(radius / 8, 2);
+  ChartErrors coarse = errors(radius / 8, {.radius = radius});
   for (const int edges : {16, 32, 64}) {
-    const ChartErrors fine = errors(radius / edges, 2);
+    const ChartErrors fine = errors(radius / edges, {.radius = radius});
     EXPECT_LE(fine.d.mean(), coarse.d.mean() / 2) << edges << " edges a radius";
     EXPECT_LE(fine.t.mean(), coarse.t.mean() / 2) << edges << " edges a radius";
     coarse = fine;

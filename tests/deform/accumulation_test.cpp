@@ -26,7 +26,8 @@ Chart visits(const Surface& surface, int count) {
                  .d = 0,
                  .e1 = unit_tangent(Vec3f(1, 0.2f, 0.1f), surface.normals[vertex]),
                  .curvature = 0,
-                 .stretch = 1});
+                 .stretch = 1},
+                surface.normals[vertex]);
   return chart;
 }
 
@@ -154,8 +155,8 @@ TEST(Accumulation, FollowsANeighbourThatLostItsNode) {
     return ChartFrame{.t = t, .d = 0, .e1 = Vec3f::UnitX(), .curvature = 0, .stretch = 1};
   };
   live.begin_event(apart, false, 0);
-  live.set(0, neighbour, node(0));
-  live.set(1, vertex, node(apart));
+  live.set(0, neighbour, node(0), surface.normals[neighbour]);
+  live.set(1, vertex, node(apart), surface.normals[vertex]);
   NodeOutputs outputs;
   outputs.resize(2, false);
   EvaluatedInstance instance{{surface, nodes, 1}, brush.context, 1, outputs};

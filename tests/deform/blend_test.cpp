@@ -36,6 +36,7 @@ class BlendTest : public ::testing::Test {
       chart.t.push_back(static_cast<double>(chart.t.size()));
       chart.d.push_back(0.5f);
       chart.stretch.push_back(1);
+      chart.normal.push_back(surface_.normals[vertex]);
       chart.e1.emplace_back(std::cos(sheet.angle), std::sin(sheet.angle), 0.0f);
       outputs.displacement.push_back(sheet.displacement);
     }
@@ -159,7 +160,8 @@ class InstancesTest : public ::testing::Test {
       NodeOutputs& outputs = outputs_.emplace_back();
       for (Index i = 0; i < nodes.size(); ++i) {
         chart.set(i, vertex, i,
-                  {.t = nodes[i].t, .d = nodes[i].d, .e1 = Vec3f::UnitX(), .curvature = 0, .stretch = 1});
+                  {.t = nodes[i].t, .d = nodes[i].d, .e1 = Vec3f::UnitX(), .curvature = 0, .stretch = 1},
+                  surface_.normals[vertex]);
         outputs.displacement.push_back(nodes[i].displacement);
         outputs.tint.push_back(nodes[i].tint);
       }

@@ -51,8 +51,8 @@ TEST(StrokeNodes, AreStaleWhereADynamicValueIsOther) {
   const auto stale_after = [&](const SurfaceCurve& curve) {
     constexpr double nowhere = std::numeric_limits<double>::infinity();
     live.begin_event(10, false, nowhere);
-    live.set(3, 3, {.t = 0.25, .d = 0, .e1 = Vec3f::UnitX()});
-    live.set(4, 4, {.t = 0.75, .d = 0, .e1 = Vec3f::UnitX()});
+    live.set(3, 3, {.t = 0.25, .d = 0, .e1 = Vec3f::UnitX()}, Vec3f::UnitZ());
+    live.set(4, 4, {.t = 0.75, .d = 0, .e1 = Vec3f::UnitX()}, Vec3f::UnitZ());
     return nodes.follow(curve, nowhere).stale;
   };
   SurfaceCurve curve = test::straight_curve();

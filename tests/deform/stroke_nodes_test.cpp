@@ -79,13 +79,13 @@ class StrokeNodesEvents : public ::testing::Test {
 TEST_F(StrokeNodesEvents, AreStaleWhenNewOrOther) {
   StrokeNodes nodes(live_, reading(BURIN_INPUT_T));
   begin();
-  for (Index vertex = 1; vertex < 6; ++vertex) live_.set(vertex, vertex, frame(1));
+  for (Index vertex = 1; vertex < 6; ++vertex) live_.set(vertex, vertex, frame(1), Vec3f::UnitZ());
   EXPECT_EQ(set(nodes.follow(test::straight_curve(), nowhere).stale), (std::set<Index>{1, 2, 3, 4, 5}));
   begin();
-  live_.set(0, 0, frame(1));
-  live_.set(1, 1, frame(1));
-  live_.set(2, 2, frame(1 + 1e-15));
-  live_.set(3, 3, frame(1, 0.1f));
+  live_.set(0, 0, frame(1), Vec3f::UnitZ());
+  live_.set(1, 1, frame(1), Vec3f::UnitZ());
+  live_.set(2, 2, frame(1 + 1e-15), Vec3f::UnitZ());
+  live_.set(3, 3, frame(1, 0.1f), Vec3f::UnitZ());
   live_.remove(4);
   const StrokeChanges changes = nodes.follow(test::straight_curve(), nowhere);
   EXPECT_EQ(set(changes.stale), (std::set<Index>{0, 2, 3}));
@@ -96,8 +96,8 @@ TEST_F(StrokeNodesEvents, AreStaleWhereThePenIsOther) {
   StrokeNodes nodes(live_, reading(BURIN_INPUT_PRESSURE));
   const auto computed_again = [&](const SurfaceCurve& curve) {
     begin();
-    live_.set(3, 3, frame(0.25));
-    live_.set(4, 4, frame(0.75));
+    live_.set(3, 3, frame(0.25), Vec3f::UnitZ());
+    live_.set(4, 4, frame(0.75), Vec3f::UnitZ());
     return set(nodes.follow(curve, nowhere).stale);
   };
   SurfaceCurve curve = test::straight_curve();
@@ -110,13 +110,13 @@ TEST_F(StrokeNodesEvents, AreStaleWhereThePenIsOther) {
 TEST_F(StrokeNodesEvents, AreStaleInTheEndZone) {
   StrokeNodes nodes(live_, reading(BURIN_INPUT_T));
   begin();
-  for (Index vertex = 0; vertex < 8; ++vertex) live_.set(vertex, vertex, frame(vertex));
+  for (Index vertex = 0; vertex < 8; ++vertex) live_.set(vertex, vertex, frame(vertex), Vec3f::UnitZ());
   nodes.follow(test::straight_curve(), nowhere);
   begin(5);
-  for (Index vertex = 5; vertex < 8; ++vertex) live_.set(vertex, vertex, frame(vertex));
+  for (Index vertex = 5; vertex < 8; ++vertex) live_.set(vertex, vertex, frame(vertex), Vec3f::UnitZ());
   EXPECT_EQ(set(nodes.follow(test::straight_curve(), 6).stale), (std::set<Index>{6, 7}));
   begin(5);
-  for (Index vertex = 5; vertex < 8; ++vertex) live_.set(vertex, vertex, frame(vertex));
+  for (Index vertex = 5; vertex < 8; ++vertex) live_.set(vertex, vertex, frame(vertex), Vec3f::UnitZ());
   EXPECT_EQ(set(nodes.follow(test::straight_curve(), 3).stale), (std::set<Index>{3, 4, 5, 6, 7}))
       << "before what was computed too";
   EXPECT_EQ(set(nodes.in_zone(7).stale), (std::set<Index>{7}));
@@ -127,11 +127,11 @@ TEST_F(StrokeNodesEvents, AreStaleForWhoReadsSheetsWhenOneAppears) {
     live_.clear();
     StrokeNodes nodes(live_, reading(inputs));
     begin();
-    live_.set(3, 3, frame(5));
-    live_.set(4, 4, frame(5));
+    live_.set(3, 3, frame(5), Vec3f::UnitZ());
+    live_.set(4, 4, frame(5), Vec3f::UnitZ());
     nodes.follow(test::straight_curve(), nowhere);
     begin();
-    live_.set(9, 3, frame(1));
+    live_.set(9, 3, frame(1), Vec3f::UnitZ());
     const StrokeChanges changes = nodes.follow(test::straight_curve(), nowhere);
     EXPECT_EQ(set(changes.vertices), (std::set<Index>{3}));
     return set(changes.stale);

@@ -106,7 +106,7 @@ TEST_F(StrokePassesTest, FollowChangesAsFarAsTheyReach) {
     std::vector<Index> added;
     for (Index i = 0; i < chart_.size(); ++i) {
       if (chart_.t[i] < to - 0.1f || chart_.t[i] >= to) continue;
-      live.set(static_cast<Index>(live.nodes().size()), chart_.vertex[i], chart_.frame(i));
+      live.set(static_cast<Index>(live.nodes().size()), chart_.vertex[i], chart_.frame(i), chart_.normal[i]);
       added.push_back(chart_.vertex[i]);
     }
     outputs.resize(live.nodes().size(), false);

@@ -12,6 +12,7 @@ inline void expect_same(const Chart& a, const Chart& b) {
   EXPECT_EQ(a.t, b.t);
   EXPECT_EQ(a.d, b.d);
   EXPECT_EQ(a.e1, b.e1);
+  EXPECT_EQ(a.normal, b.normal);
   EXPECT_EQ(a.length, b.length);
   EXPECT_EQ(a.closed, b.closed);
 }

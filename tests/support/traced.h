@@ -16,9 +16,9 @@ inline std::vector<Vec3d> sampled(int count, const std::function<Vec3d(double)>&
 }
 
 /// The surface curve of samples near the surface, 1/240 s apart.
-inline SurfaceCurve traced(const Surface& surface, const Picker& picker, double radius,
+inline SurfaceCurve traced(const CurveGround& ground, const Picker& picker, double radius,
                            const std::vector<Vec3d>& samples) {
-  CurveTracer tracer(surface, picker, radius);
+  CurveTracer tracer(ground, radius);
   double time = 0;
   for (const Vec3d& sample : samples) {
     const auto at = picker.closest(sample.cast<float>(), static_cast<float>(radius));
@@ -26,6 +26,11 @@ inline SurfaceCurve traced(const Surface& surface, const Picker& picker, double 
     time += 1. / 240;
   }
   return tracer.curve();
+}
+
+inline SurfaceCurve traced(const Surface& surface, const Picker& picker, double radius,
+                           const std::vector<Vec3d>& samples) {
+  return traced(CurveGround(surface, picker), picker, radius, samples);
 }
 
 }  // namespace burin::test

@@ -15,14 +15,13 @@ float value(const std::array<float, 6>& terms, const Vec2f& at) {
 }
 
 Vec2f slope(const std::array<float, 6>& terms, const Vec2f& at) {
-  return {terms[1] + terms[3] * at.x() + terms[4] * at.y(),
-          terms[2] + terms[4] * at.x() + terms[5] * at.y()};
+  return {terms[1] + terms[3] * at.x() + terms[4] * at.y(), terms[2] + terms[4] * at.x() + terms[5] * at.y()};
 }
 
 }  // namespace
 
-CoordinatePatch::CoordinatePatch(const BasePatch& patch, const ChartFrame& frame, std::span<const Told> around,
-                                 double reach)
+CoordinatePatch::CoordinatePatch(const BasePatch& patch, const ChartFrame& frame,
+                                 std::span<const Told> around, double reach)
     : t_(frame.t), d_(frame.d), e1_(frame.e1) {
   // What the frame tells is fitted apart, so that only what differs from it is left to the places around.
   const Vec3f axis_y = patch.axis_y(), e2 = patch.normal.cross(frame.e1);

@@ -101,8 +101,8 @@ Chart GroundCharter::joined(const SurfaceCurve& curve) {
     for (PlacedNode& node : nodes) node.frame.t = wrapped_t(node.frame.t, curve.length());
   std::ranges::sort(nodes, {}, [](const PlacedNode& node) { return std::pair(node.vertex, node.frame.t); });
   Chart chart = chart_of(curve, nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) set(chart, 0, i, nodes[i].vertex, nodes[i].frame,
-        ground_.surface().normals[nodes[i].vertex]);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    set(chart, 0, i, nodes[i].vertex, nodes[i].frame, ground_.surface().normals[nodes[i].vertex]);
   return chart;
 }
 
