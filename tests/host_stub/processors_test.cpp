@@ -14,8 +14,11 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// "begin" and the samples of a wavy stroke around the unit sphere from longitude 0, at a height above the
-/// equator. Pressure and tilt change along it; it bends sharply half way.
+/// Of the ball that samples/suites/icosahedron.obj becomes.
+constexpr double ball_radius = 0.704;
+
+/// "begin" and the samples of a stroke across the front of the ball, begun at a height above its equator.
+/// Pressure and tilt change along it; it bends sharply half way.
 std::string wavy_stroke(const std::string& settings, double height) {
   std::string text = fmt::format(
       "{{\"begin\":{{\"radius\":0.3,{}}},"
@@ -23,8 +26,8 @@ std::string wavy_stroke(const std::string& settings, double height) {
       settings);
   for (int i = 0; i < 10; ++i) {
     const double u = i / 9.0, x = 2 * u - 1, y = height + (i < 5 ? 0.9 * u : 0.9 * (1 - u));
-    const double size = std::sqrt(x * x + y * y + 0.4);
-    text += fmt::format("[{},{},{},{},{},{},{}]\n", 0.013 * i, x / size, y / size, std::sqrt(0.4) / size,
+    const double scale = ball_radius / std::sqrt(x * x + y * y + 0.4);
+    text += fmt::format("[{},{},{},{},{},{},{}]\n", 0.013 * i, x * scale, y * scale, std::sqrt(0.4) * scale,
                         0.3 + 0.6 * u * u, 0.7 - u, 0.2 + 0.5 * u);
   }
   return text + "{\"end\":true}\n";
@@ -70,7 +73,7 @@ std::string screen_stroke() {
       "\"viewport\":[640,480]}}\n"
       "{\"begin\":{\"brush\":\"org.burin.groove\",\"radius\":0.3},\"fields\":[\"time\",\"x\",\"y\"]}\n";
   for (int i = 0; i < 8; ++i)
-    text += fmt::format("[{},{},{}]\n", 0.013 * i, 230.3 + 23.7 * i, 200.1 + 11 * i - i * i);
+    text += fmt::format("[{},{},{}]\n", 0.013 * i, 270.3 + 17.7 * i, 225.1 + 9 * i - i * i);
   return text + "{\"end\":true}\n";
 }
 
@@ -78,7 +81,7 @@ struct Result {
   std::string hash, mesh;
 };
 
-/// What a replay on a sphere of 5,120 triangles makes.
+/// What a replay on the ball of 5,120 triangles makes.
 Result replayed(const test::Processor& processor, const test::CommandFolder& folder, Words more) {
   const std::string mesh = folder.path("result.ply");
   Words words{BURIN_COMMAND, "replay", "--mesh", BURIN_SAMPLES "/suites/icosahedron.obj", "--subdivide", "4",
