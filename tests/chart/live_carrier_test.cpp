@@ -18,17 +18,16 @@ namespace {
 
 constexpr double radius = 1;
 
-/// A surface over the rectangle |x| <= 3.5, |y| <= 2 with an egg crate of wavelength 0.35, and what strokes on
-/// its base surface need.
+/// A surface over the rectangle |x| <= 3.5, |y| <= 2 with an egg crate of wavelength 0.35, and what strokes
+/// on its base surface need.
 struct Bumpy {
   explicit Bumpy(double amplitude)
       : surface(make_surface(test::shuffled(
-            test::patch(
-                {.u_min = -3.5, .u_max = 3.5, .v_min = -2, .v_max = 2, .cells_u = 140, .cells_v = 80},
-                [=](double x, double y) {
-                  const double k = 2 * std::numbers::pi / 0.35;
-                  return Vec3d(x, y, amplitude * std::sin(k * x) * std::sin(k * y));
-                }),
+            test::patch({.u_min = -3.5, .u_max = 3.5, .v_min = -2, .v_max = 2, .cells_u = 140, .cells_v = 80},
+                        [=](double x, double y) {
+                          const double k = 2 * std::numbers::pi / 0.35;
+                          return Vec3d(x, y, amplitude * std::sin(k * x) * std::sin(k * y));
+                        }),
             3))),
         picker(surface),
         levels(surface),
@@ -78,14 +77,16 @@ TEST(LiveCarrier, GivesBumpyGroundTheCoordinatesOfThePlaneBelow) {
     std::size_t found = 0;
     for (const auto& [vertex, coordinates] : by_source(bumpy.surface, chart)) {
       const auto at = exact.find(vertex);
-      const bool is_near_end = coordinates.first < radius / 3 || coordinates.first > chart.length - radius / 3;
+      const bool is_near_end =
+          coordinates.first < radius / 3 || coordinates.first > chart.length - radius / 3;
       if (at == exact.end() || is_near_end) continue;
       squares += std::pow(coordinates.first - at->second.first, 2) +
                  std::pow(coordinates.second - at->second.second, 2);
       ++found;
     }
     EXPECT_GT(found, 2000U) << "bumps of " << amplitude;
-    EXPECT_NEAR(static_cast<double>(chart.size()), static_cast<double>(exact.size()), 0.01 * static_cast<double>(exact.size()));
+    EXPECT_NEAR(static_cast<double>(chart.size()), static_cast<double>(exact.size()),
+                0.01 * static_cast<double>(exact.size()));
     EXPECT_LT(std::sqrt(squares / static_cast<double>(found)), 0.01 * radius) << "bumps of " << amplitude;
     for (std::size_t i = 0; i < chart.size(); ++i)
       ASSERT_GT(chart.normal[i].z(), 0.995F) << "bumps of " << amplitude;
@@ -98,8 +99,8 @@ TEST(LiveCarrier, GrowsBitForBitIntoTheFreshChart) {
   CurveTracer tracer(CurveGround(bumpy.surface, bumpy.picker, bumpy.charter.base()), radius);
   for (int i = 0; i < 60; ++i) {
     const float s = static_cast<float>(i) / 59;
-    const auto at = bumpy.picker.pick(
-        {.origin = {-1.5F + 3 * s, 0.8F * std::sin(4 * s), 5}, .direction = {0, 0, -1}});
+    const auto at =
+        bumpy.picker.pick({.origin = {-1.5F + 3 * s, 0.8F * std::sin(4 * s), 5}, .direction = {0, 0, -1}});
     ASSERT_TRUE(at.has_value());
     const std::size_t unchanged = tracer.final_points();
     tracer.add(*at, i / 240., {});

@@ -84,7 +84,9 @@ TEST(LiveChart, TellsAllThatLeavesWhenEverythingIsAssigned) {
   chart.t = {1, 2};
   chart.d = {0, 0};
   chart.e1 = {Vec3f::UnitX(), Vec3f::UnitX()};
+  chart.normal = {Vec3f::UnitZ(), Vec3f::UnitZ()};
   chart.stretch = {1, 1};
+  chart.curvature = {0, 0};
   chart.length = 7;
   chart.closed = true;
   live.assign(chart);

@@ -36,6 +36,7 @@ class BlendTest : public ::testing::Test {
       chart.t.push_back(static_cast<double>(chart.t.size()));
       chart.d.push_back(0.5f);
       chart.stretch.push_back(1);
+      chart.curvature.push_back(0);
       chart.normal.push_back(surface_.normals[vertex]);
       chart.e1.emplace_back(std::cos(sheet.angle), std::sin(sheet.angle), 0.0f);
       outputs.displacement.push_back(sheet.displacement);

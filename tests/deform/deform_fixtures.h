@@ -37,6 +37,7 @@ inline Chart straight_chart(const Surface& surface, float length, float radius) 
     chart.vertex.push_back(vertex);
     chart.sheet.push_back(0);
     chart.stretch.push_back(1);
+    chart.curvature.push_back(0);
     chart.normal.push_back(surface.normals[vertex]);
     chart.t.push_back(position.x());
     chart.d.push_back(d);

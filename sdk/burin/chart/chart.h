@@ -15,20 +15,22 @@ namespace burin {
 struct Chart {
   std::vector<Index> vertex;         ///< of the surface, ascending; once for each of its sheets
   std::vector<std::uint32_t> sheet;  ///< 0, 1, ... at each vertex, in the order of t
-  std::vector<double> t;       ///< arc length along the stroke, object units; beyond [0, length] in round
-                               ///< caps, in [0, length) of a closed stroke
-  std::vector<float> d;        ///< signed geodesic distance to the stroke, object units, |d| <= radius
-  std::vector<Vec3f> e1;       ///< unit, at right angles to the normal, along the stroke
-  std::vector<Vec3f> normal;   ///< unit, of the surface; of a stroke on the base surface, of that
-  std::vector<float> stretch;  ///< J = |dP/dt|, 1 on the stroke; 1 everywhere in charts of first order
-  double length = 0;           ///< of the stroke, object units
-  bool closed = false;         ///< t goes around
+  std::vector<double> t;         ///< arc length along the stroke, object units; beyond [0, length] in round
+                                 ///< caps, in [0, length) of a closed stroke
+  std::vector<float> d;          ///< signed geodesic distance to the stroke, object units, |d| <= radius
+  std::vector<Vec3f> e1;         ///< unit, at right angles to the normal, along the stroke
+  std::vector<Vec3f> normal;     ///< unit, of the surface; of a stroke on the base surface, of that
+  std::vector<float> stretch;    ///< J = |dP/dt|, 1 on the stroke; 1 everywhere in charts of first order
+  std::vector<float> curvature;  ///< k: geodesic curvature of the line of constant d, 1 / length
+  double length = 0;             ///< of the stroke, object units
+  bool closed = false;           ///< t goes around
 
   std::size_t size() const { return vertex.size(); }
 
-  /// Of a node; its curvature is not kept.
+  /// Of a node.
   ChartFrame frame(std::size_t node) const {
-    return {.t = t[node], .d = d[node], .e1 = e1[node], .curvature = 0, .stretch = stretch[node]};
+    return {
+        .t = t[node], .d = d[node], .e1 = e1[node], .curvature = curvature[node], .stretch = stretch[node]};
   }
 
   void set(std::size_t node, Index of_vertex, std::uint32_t of_sheet, const ChartFrame& frame,
@@ -40,6 +42,7 @@ struct Chart {
     e1[node] = frame.e1;
     normal[node] = unit_normal;
     stretch[node] = frame.stretch;
+    curvature[node] = frame.curvature;
   }
 
   void resize(std::size_t nodes) {
@@ -50,6 +53,7 @@ struct Chart {
     e1.resize(nodes);
     normal.resize(nodes);
     stretch.resize(nodes);
+    curvature.resize(nodes);
   }
 };
 

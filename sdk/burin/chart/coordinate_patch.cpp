@@ -1,5 +1,4 @@
 #include <burin/chart/coordinate_patch.h>
-#include <burin/surface/quadratic_fit.h>
 #include <burin/surface/unit_tangent.h>
 
 #include <algorithm>
@@ -20,30 +19,19 @@ Vec2f slope(const std::array<float, 6>& terms, const Vec2f& at) {
 
 }  // namespace
 
-CoordinatePatch::CoordinatePatch(const BasePatch& patch, const ChartFrame& frame,
-                                 std::span<const Told> around, double reach)
+CoordinatePatch::CoordinatePatch(const BasePatch& patch, const ChartFrame& frame)
     : t_(frame.t), d_(frame.d), e1_(frame.e1) {
-  // What the frame tells is fitted apart, so that only what differs from it is left to the places around.
-  const Vec3f axis_y = patch.axis_y(), e2 = patch.normal.cross(frame.e1);
-  const Vec2f t_slope = Vec2f(frame.e1.dot(patch.axis_x), frame.e1.dot(axis_y)) / frame.stretch;
-  const Vec2f d_slope(e2.dot(patch.axis_x), e2.dot(axis_y));
-  QuadraticFit<2> fit(reach);
-  for (const Told& told : around) {
-    const Vec2f at = patch.foot(told.position);
-    fit.add(at,
-            {told.t - t_ - static_cast<double>(t_slope.dot(at)),
-             static_cast<double>(told.d - d_ - d_slope.dot(at))},
-            1);
-  }
-  const QuadraticFit<2>::Terms terms = fit.solve();
-  for (std::size_t i = 0; i < 6; ++i) {
-    t_terms_[i] = static_cast<float>(terms(static_cast<Eigen::Index>(i), 0));
-    d_terms_[i] = static_cast<float>(terms(static_cast<Eigen::Index>(i), 1));
-  }
-  t_terms_[1] += t_slope.x();
-  t_terms_[2] += t_slope.y();
-  d_terms_[1] += d_slope.x();
-  d_terms_[2] += d_slope.y();
+  const Vec3f e2 = patch.normal.cross(frame.e1);
+  const Vec2f u(frame.e1.dot(patch.axis_x), frame.e1.dot(patch.axis_y()));
+  const Vec2f v(e2.dot(patch.axis_x), e2.dot(patch.axis_y()));
+  const float k = frame.curvature, j = 1 / frame.stretch, bend = k * j;
+  t_terms_ = {0,
+              j * u.x(),
+              j * u.y(),
+              2 * bend * u.x() * v.x(),
+              bend * (u.x() * v.y() + u.y() * v.x()),
+              2 * bend * u.y() * v.y()};
+  d_terms_ = {0, v.x(), v.y(), -k * u.x() * u.x(), -k * u.x() * u.y(), -k * u.y() * u.y()};
 }
 
 ChartFrame CoordinatePatch::frame_at(const BasePatch& patch, const Vec2f& at) const {

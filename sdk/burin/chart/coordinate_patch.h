@@ -3,24 +3,15 @@
 #include <burin/surface/base_surface.h>
 
 #include <array>
-#include <span>
 
 namespace burin {
 
-/// t and d around a node of a base surface's chart: quadratics over the node's BasePatch.
+/// t and d around a node of a base surface's chart, from its frame: the quadratics over the node's BasePatch
+/// that agree to second order with the Fermi coordinates of the stroke, where J hardly varies along it. A
+/// step of u along e1 and v along e2 adds u / J (1 + k v) to t and v - k u^2 / 2 to d.
 class CoordinatePatch {
  public:
-  /// What a node of the chart says of the place where it stands.
-  struct Told {
-    Vec3f position;  ///< object units
-    double t;
-    float d;
-  };
-
-  /// The least-squares quadratics through what the nodes around tell, each counting less the farther away it
-  /// is, up to `reach`, object units. Too few of them leave what the frame of the node itself says.
-  CoordinatePatch(const BasePatch& patch, const ChartFrame& frame, std::span<const Told> around,
-                  double reach);
+  CoordinatePatch(const BasePatch& patch, const ChartFrame& frame);
 
   /// At a place of the patch. Curvature is not told.
   ChartFrame frame_at(const BasePatch& patch, const Vec2f& at) const;

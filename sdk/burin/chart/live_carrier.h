@@ -21,13 +21,13 @@ struct CarriedStroke {
 };
 
 /// Carries a growing chart of a base surface over to the vertices of the surface: each has the coordinates of
-/// its foot on the base surface, by quadratics through those of the nodes near by (CoordinatePatch). Only
-/// what depends on changed nodes is carried again. On all threads.
+/// its foot on the base surface, one step of second order from the node of its cluster (CoordinatePatch).
+/// Only what belongs to nodes that were computed is carried again. On all threads.
 class LiveCarrier {
  public:
   /// Base and surface must outlive the object.
   LiveCarrier(const BaseSurface& base, const Surface& surface, const CarriedStroke& stroke)
-      : base_(&base), surface_(&surface), stroke_(stroke), dirty_in_(base.node_count()) {}
+      : base_(&base), surface_(&surface), stroke_(stroke) {}
 
   /// The curve as the base chart needs it: as much wider everywhere as the margin is. Valid until the next
   /// call.
@@ -44,7 +44,6 @@ class LiveCarrier {
     ChartFrame frame;
     Vec3f normal;
   };
-  void find_dirty(const LiveChart& nodes);
   void carry(const LiveChart& nodes, Index slot, const SurfaceCurve& curve, std::vector<Carried>& out) const;
   bool within(const ChartFrame& frame, const SurfaceCurve& curve) const;
   void place(Index slot, Index cluster_size, std::span<const Carried> carried, LiveChart& vertices);
@@ -54,10 +53,7 @@ class LiveCarrier {
   const Surface* surface_;
   CarriedStroke stroke_;
   SurfaceCurve widened_;
-  std::vector<std::uint32_t> dirty_in_;  ///< [base vertex] event
-  std::uint32_t event_ = 0;
-  std::vector<Index> dirty_;  ///< slots of the base chart that are to be carried again
-  bool uniform_ = true;       ///< the stroke's width is 1 all along
+  bool uniform_ = true;  ///< the stroke's width is 1 all along
   /// [slot of the base chart] where its cluster's slots begin, and how many there are.
   struct Range {
     Index begin = 0, size = 0;

@@ -64,10 +64,6 @@ Vec3f local(const Vec3f& origin, const Vec3f& axis_x, const Vec3f& axis_y, const
   return {way.dot(axis_x), way.dot(axis_y), way.dot(normal)};
 }
 
-void add_height(QuadraticFit<1>& fit, const Vec3f& at, double weight) {
-  fit.add({at.x(), at.y()}, Eigen::Matrix<double, 1, 1>(at.z()), weight);
-}
-
 }  // namespace
 
 Vec2f BasePatch::foot(const Vec3f& point) const {
@@ -200,11 +196,11 @@ BaseSurface::LowPassed BaseSurface::low_passed(Index node) const {
   if (!(sum.squaredNorm() > 0)) return {origin, Vec3f::Zero()};
   const Vec3f normal = sum.normalized(), axis_x = normal.unitOrthogonal(), axis_y = normal.cross(axis_x);
   const auto seen = [&](Index other) { return static_cast<double>(means_[other].area.dot(normal)); };
-  QuadraticFit<1> fit(reach_);
+  QuadraticFit fit(reach_);
   const double whole = reach_ * reach_;
   for (const Index other :
        nearby.find(neighbours(), node, [&](Index n) { return squared(n) <= whole && seen(n) > 0; }))
-    add_height(fit, local(origin, axis_x, axis_y, normal, means_[other].position), std::max(seen(other), 0.));
+    fit.add(local(origin, axis_x, axis_y, normal, means_[other].position), std::max(seen(other), 0.));
   return {origin + static_cast<float>(fit.solve()[0]) * normal, normal};
 }
 
@@ -220,10 +216,10 @@ BasePatch BaseSurface::patch_of(Index node) const {
   if (normal.isZero(0)) normal = Vec3f::UnitZ();
   for (int round = 0;; ++round) {
     const Vec3f axis_x = normal.unitOrthogonal(), axis_y = normal.cross(axis_x);
-    QuadraticFit<1> fit(ring_);
+    QuadraticFit fit(ring_);
     for (const Index other : ring)
-      add_height(fit, local(origin, axis_x, axis_y, normal, low_passed_[other].position), 1);
-    const Eigen::Matrix<double, 6, 1> z = fit.solve();
+      fit.add(local(origin, axis_x, axis_y, normal, low_passed_[other].position), 1);
+    const QuadraticFit::Terms z = fit.solve();
     if (round == 2)
       return {origin,
               normal,
