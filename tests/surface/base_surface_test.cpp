@@ -99,6 +99,28 @@ TEST(BaseSurface, DoesNotDependOnTheOrderInWhichNodesAreMade) {
   }
 }
 
+// Kept nodes and new ones are those of a base surface that is made afresh.
+TEST(BaseSurface, FollowsVerticesThatMove) {
+  Based on(test::shuffled(test::sphere(6, 0.2, 5), 9), 0.2);
+  on.base.prepare(all_nodes(on.base));
+  std::vector<Index> moved;
+  for (Index vertex = 0; vertex < on.surface.vertex_count(); ++vertex)
+    if (on.surface.positions[vertex].x() > 0.95F) moved.push_back(vertex);
+  ASSERT_GT(moved.size(), 100U);
+  for (const Index vertex : moved) on.surface.positions[vertex] *= 1.1F;
+  on.base.forget(moved, 0.1);
+  on.base.prepare(all_nodes(on.base));
+  BaseSurface fresh(on.surface, on.levels);
+  ASSERT_TRUE(fresh.set_radius(0.2));
+  fresh.prepare(all_nodes(fresh));
+  std::size_t changed = 0;
+  for (const Index node : all_nodes(fresh)) {
+    ASSERT_TRUE(same_bits(on.base.patch(node), fresh.patch(node))) << "node " << node;
+    changed += fresh.patch(node).position.norm() > 1.01F;
+  }
+  EXPECT_GT(changed, 10U);
+}
+
 /// Both sides of a plate of this thickness, a slab without its narrow sides but one.
 TriangleMesh plate(double thickness) {
   const double length = 2, around = 2 * length + thickness;

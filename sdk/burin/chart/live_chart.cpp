@@ -43,8 +43,11 @@ void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame, const Vec
   computed_.push_back(slot);
   const bool same = taken_[slot] && nodes_.t[slot] == frame.t && nodes_.d[slot] == frame.d &&
                     nodes_.e1[slot] == frame.e1 && nodes_.stretch[slot] == frame.stretch &&
-                    nodes_.curvature[slot] == frame.curvature && nodes_.normal[slot] == normal;
-  if (same) return;
+                    nodes_.normal[slot] == normal;
+  if (same) {
+    nodes_.curvature[slot] = frame.curvature;  // which no brush reads
+    return;
+  }
   if (taken_[slot]) unlink(slot);
   nodes_.set(slot, vertex, 0, frame, normal);
   taken_[slot] = true;

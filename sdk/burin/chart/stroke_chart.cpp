@@ -24,6 +24,7 @@ struct StrokeCharter::Stroke {
   GroundCharter own;
   std::optional<BaseSurface> base;
   std::optional<GroundCharter> of_base;
+  Index of_base_nodes = 0;             ///< for which it was made: levels differ in that
   std::optional<LiveCarrier> carried;  ///< of strokes on the base surface
   LiveChart live;                      ///< the same
 };
@@ -34,7 +35,8 @@ void StrokeCharter::Stroke::begin(const ChartOptions& with) {
   carried.reset();
   const double scale = with.radius * (1 - with.follow);
   if (!base || !(scale > 0) || !base->set_radius(scale)) return;
-  of_base.emplace(ChartGround(*base));
+  if (of_base_nodes != base->node_count()) of_base.emplace(ChartGround(*base));
+  of_base_nodes = base->node_count();
   ChartOptions wider = with;
   wider.radius += carrying_margin * base->spacing();
   wider.cap = Cap::round;
@@ -73,6 +75,9 @@ const LiveChart& StrokeCharter::draw(const SurfaceCurve& curve, std::size_t unch
 }
 
 BaseSurface* StrokeCharter::base() { return stroke_->on_base() ? &*stroke_->base : nullptr; }
+void StrokeCharter::moved(std::span<const Index> vertices, double distance) {
+  if (stroke_->base) stroke_->base->forget(vertices, distance);
+}
 const LiveChart& StrokeCharter::live() const {
   return stroke_->on_base() ? stroke_->live : stroke_->own.live();
 }

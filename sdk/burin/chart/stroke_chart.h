@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 namespace burin {
 
@@ -55,6 +56,9 @@ class StrokeCharter {
   /// The base surface that the stroke which was begun last runs on; its curves must be curves of it. Null:
   /// the surface itself.
   BaseSurface* base();
+
+  /// Follows the surface after these vertices moved between strokes, by at most `distance`, object units.
+  void moved(std::span<const Index> vertices, double distance);
 
   /// As extend(), at the cost of what changes only. Valid until the next call of any function.
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged = 0);

@@ -7,6 +7,7 @@
 #include <burin/host/session.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -30,6 +31,7 @@ struct Session::Impl {
   void set_paint(Paint given);
   std::span<const Index> finish(Closure closure);
   std::span<const Index> apply(const VertexMoves& moves);
+  void commit(std::span<const Index> displaced);
   void drop();
 
   /// Runs `body`; when it throws, the open stroke is gone as if it had never begun.
@@ -109,12 +111,21 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
   clock.lap(Stage::move);
   const std::vector<Index> displaced = shown.take_displaced(surface);
   journal.record(displaced, surface.positions, paint.commit());
-  shown.commit(surface, displaced);
-  picker.update(displaced);
+  commit(displaced);
   last_curve = stroke->curve();
   stroke.reset();
   clock.lap(Stage::record);
   return changed;
+}
+
+/// Makes the surface what is shown, and lets all that looks at it follow.
+void Session::Impl::commit(std::span<const Index> displaced) {
+  float farthest = 0;
+  for (const Index vertex : displaced)
+    farthest = std::max(farthest, (shown.positions()[vertex] - surface.positions[vertex]).squaredNorm());
+  shown.commit(surface, displaced);
+  picker.update(displaced);
+  charters.moved(displaced, std::sqrt(static_cast<double>(farthest)));
 }
 
 void Session::Impl::drop() {
@@ -211,9 +222,8 @@ bool Session::undo() {
     impl_->shown.move(impl_->surface, step->vertices, step->positions);
     impl_->cost.moved = step->vertices.size();
     clock.lap(Stage::move);
-    impl_->shown.commit(impl_->surface, step->vertices);
+    impl_->commit(step->vertices);
     impl_->paint.restore(step->paint);
-    impl_->picker.update(step->vertices);
     clock.lap(Stage::record);
     return true;
   });

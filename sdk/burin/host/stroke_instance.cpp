@@ -28,6 +28,10 @@ const SurfaceLevels& Charters::levels() {
   return *levels_;
 }
 
+void Charters::moved(std::span<const Index> vertices, double distance) {
+  for (InstanceCharters& charters : charters_) charters.stroke.moved(vertices, distance);
+}
+
 LiveDabs& Charters::dabs(std::size_t instance) {
   std::unique_ptr<LiveDabs>& dabs = (*this)[instance].dabs;
   if (!dabs) dabs = std::make_unique<LiveDabs>(*surface_, *picker_);

@@ -30,6 +30,9 @@ class Charters {
 
   InstanceCharters& operator[](std::size_t instance);
   const SurfaceLevels& levels();
+
+  /// Follows the surface after these vertices moved, by at most `distance`.
+  void moved(std::span<const Index> vertices, double distance);
   LiveDabs& dabs(std::size_t instance);
 
  private:

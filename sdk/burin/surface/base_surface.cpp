@@ -4,6 +4,7 @@
 // wavelength of 0.35 radii comes through with 0.4 % of its slope. Clusters count by their area as seen along
 // the normal, which is what an integral over (x, y) asks for however steep the relief is.
 #include <burin/base/parallel.h>
+#include <burin/base/sort_unique.h>
 #include <burin/surface/base_surface.h>
 #include <burin/surface/quadratic_fit.h>
 #include <burin/surface/triangle_shape.h>
@@ -87,10 +88,13 @@ bool BaseSurface::set_radius(double radius) {
   const auto coarse_enough = [&](std::size_t level) {
     return levels_->spacing(level) * (level == 0 ? fewest_own_edges : fewest_edges) <= radius;
   };
-  level_ = levels_->size() - 1;
-  while (level_ > 0 && !coarse_enough(level_)) --level_;
-  if (!coarse_enough(level_)) return false;
-  reach_ = reach_over_radius * radius;
+  std::size_t level = levels_->size() - 1;
+  while (level > 0 && !coarse_enough(level)) --level;
+  if (!coarse_enough(level)) return false;
+  const double reach = reach_over_radius * radius;
+  if (!stages_.empty() && level == level_ && reach == reach_) return true;
+  level_ = level;
+  reach_ = reach;
   ring_ = ring_over_spacing * spacing();
   const Index count = node_count();
   stages_.assign(count, Stage::nothing);
@@ -106,6 +110,23 @@ bool BaseSurface::set_radius(double radius) {
   std::iota(nodes_.source_vertex.begin(), nodes_.source_vertex.end(), Index{0});
   nodes_.scale = surface_->scale;
   return true;
+}
+
+/// Vertices of a run are near each other, so that little is forgotten in vain.
+void BaseSurface::forget(std::span<const Index> moved_vertices, double distance) {
+  if (stages_.empty()) return;
+  std::vector<Index> nodes;
+  for (const Index vertex : moved_vertices) {
+    nodes.push_back(node_of(vertex));
+    // Areas of triangles beside it belong to its neighbours too.
+    for (const Index neighbour : surface_->neighbours[vertex]) nodes.push_back(node_of(neighbour));
+  }
+  sort_unique(nodes);
+  constexpr std::size_t nodes_a_run = 64;
+  for (std::size_t begin = 0; begin < nodes.size(); begin += nodes_a_run) {
+    const auto run = std::span(nodes).subspan(begin, std::min(nodes_a_run, nodes.size() - begin));
+    for (const Index node : around(run, reach_ + ring_ + distance)) stages_[node] = Stage::nothing;
+  }
 }
 
 void BaseSurface::prepare(std::span<const Index> nodes) {
@@ -189,17 +210,20 @@ BaseSurface::LowPassed BaseSurface::low_passed(Index node) const {
     return static_cast<double>((means_[other].position - origin).squaredNorm());
   };
   Nearby nearby;
+  const double whole = reach_ * reach_;
+  std::span<const Index> found =
+      nearby.find(neighbours(), node, [&](Index n) { return squared(n) <= whole; });
   Vec3f sum = Vec3f::Zero();
-  const double half = reach_ * reach_ / 4;
-  for (const Index other : nearby.find(neighbours(), node, [&](Index n) { return squared(n) <= half; }))
-    sum += means_[other].area;
+  for (const Index other : found)
+    if (4 * squared(other) <= whole) sum += means_[other].area;
   if (!(sum.squaredNorm() > 0)) return {origin, Vec3f::Zero()};
   const Vec3f normal = sum.normalized(), axis_x = normal.unitOrthogonal(), axis_y = normal.cross(axis_x);
   const auto seen = [&](Index other) { return static_cast<double>(means_[other].area.dot(normal)); };
+  // Where a sheet turns away, what is connected beyond it is another one.
+  if (std::ranges::any_of(found, [&](Index other) { return seen(other) <= 0; }))
+    found = nearby.find(neighbours(), node, [&](Index n) { return squared(n) <= whole && seen(n) > 0; });
   QuadraticFit fit(reach_);
-  const double whole = reach_ * reach_;
-  for (const Index other :
-       nearby.find(neighbours(), node, [&](Index n) { return squared(n) <= whole && seen(n) > 0; }))
+  for (const Index other : found)
     fit.add(local(origin, axis_x, axis_y, normal, means_[other].position), std::max(seen(other), 0.));
   return {origin + static_cast<float>(fit.solve()[0]) * normal, normal};
 }
@@ -266,8 +290,7 @@ BasePoint BaseSurface::project(Index near, const Vec3f& point) {
     two_rings.push_back(one);
     for (const Index two : neighbours()[one]) two_rings.push_back(two);
   }
-  std::ranges::sort(two_rings);
-  two_rings.erase(std::unique(two_rings.begin(), two_rings.end()), two_rings.end());
+  sort_unique(two_rings);
   Vec3d position = Vec3d::Zero(), normal = Vec3d::Zero();
   double weights = 0;
   for (const Index other : two_rings) require(other);

@@ -50,9 +50,12 @@ class BaseSurface {
   static constexpr double fewest_edges = 10.5, fewest_own_edges = 5;
 
   /// Goes over to brushes of this radius, object units, on the coarsest level that has edges enough in it.
-  /// Nothing is made yet. False where not even the surface has: it is coarse itself against the brush, and
-  /// the object is not to be used.
+  /// Nodes made for the same radius stay. False where not even the surface has: it is coarse itself against
+  /// the brush, and the object is not to be used.
   bool set_radius(double radius);
+
+  /// Forgets the nodes that vertices have to do with which moved, by at most `distance`, object units.
+  void forget(std::span<const Index> moved_vertices, double distance);
 
   /// Makes these nodes.
   void prepare(std::span<const Index> nodes);
