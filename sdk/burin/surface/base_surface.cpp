@@ -1,8 +1,8 @@
 // Base surfaces by moving least squares over clusters [Lancaster and Salkauskas 1981]. The height over the
 // plane across the mean normal is a weighted least-squares quadratic in (x, y), whose value at the node keeps
-// heights of third degree and nearly removes waves shorter than half of the reach: a plane's egg crate with a
-// wavelength of 0.35 radii comes through with 0.4 % of its slope. Clusters count by their area as seen along
-// the normal, which is what an integral over (x, y) asks for however steep the relief is.
+// heights of third degree and nearly removes waves shorter than the reach; twice, since a second time removes
+// as much of what came through and adds as little to the loss of longer waves. Clusters count by their area
+// as seen along the normal, which is what an integral over (x, y) asks for however steep the relief is.
 #include <burin/base/parallel.h>
 #include <burin/base/sort_unique.h>
 #include <burin/surface/base_surface.h>
@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t nodes_a_block = 64;
 
 /// Over which heights are fitted, in radii, and over which paraboloids are, and are blended, in spacings.
-constexpr double reach_over_radius = 0.65, ring_over_spacing = 2.5, blend_over_spacing = 1.6;
+constexpr double reach_over_radius = 0.55, ring_over_spacing = 2.5, blend_over_spacing = 1.6;
 
 /// Normals of the base surface that differ by more (cosine) do not belong to one patch.
 constexpr float same_side = 0.2F;
@@ -100,6 +100,7 @@ bool BaseSurface::set_radius(double radius) {
   stages_.assign(count, Stage::nothing);
   around_.assign(count, false);
   means_.resize(count);
+  once_.resize(count);
   low_passed_.resize(count);
   patches_.resize(count);
   nodes_.positions.resize(count);
@@ -125,16 +126,22 @@ void BaseSurface::forget(std::span<const Index> moved_vertices, double distance)
   constexpr std::size_t nodes_a_run = 64;
   for (std::size_t begin = 0; begin < nodes.size(); begin += nodes_a_run) {
     const auto run = std::span(nodes).subspan(begin, std::min(nodes_a_run, nodes.size() - begin));
-    for (const Index node : around(run, reach_ + ring_ + distance)) stages_[node] = Stage::nothing;
+    for (const Index node : around(run, 2 * reach_ + ring_ + distance)) stages_[node] = Stage::nothing;
   }
 }
 
 void BaseSurface::prepare(std::span<const Index> nodes) {
   if (std::ranges::all_of(nodes, [&](Index node) { return stages_[node] == Stage::fitted; })) return;
   const std::vector<Index> fitted_over = around(nodes, ring_);
-  const std::vector<Index> smoothed_over = around(fitted_over, reach_);
+  const std::vector<Index> again_over = around(fitted_over, reach_);
+  const std::vector<Index> smoothed_over = around(again_over, reach_);
   bring_to(Stage::averaged, smoothed_over, [this](Index node) { means_[node] = mean_of(node); });
-  bring_to(Stage::smoothed, fitted_over, [this](Index node) { low_passed_[node] = low_passed(node); });
+  bring_to(Stage::smoothed, again_over, [this](Index node) {
+    once_[node] = low_passed(node, [this](Index at) -> const Vec3f& { return means_[at].position; });
+  });
+  bring_to(Stage::smoothed_again, fitted_over, [this](Index node) {
+    low_passed_[node] = low_passed(node, [this](Index at) -> const Vec3f& { return once_[at].position; });
+  });
   bring_to(Stage::fitted, nodes, [this](Index node) { make_patch(node); });
 }
 
@@ -204,10 +211,12 @@ BaseSurface::Mean BaseSurface::mean_of(Index node) const {
   return {(weights > 0 ? Vec3d(position / weights) : Vec3d(plain / count)).cast<float>(), area.cast<float>()};
 }
 
-BaseSurface::LowPassed BaseSurface::low_passed(Index node) const {
-  const Vec3f& origin = means_[node].position;
+/// place(other): where another node stands before.
+template <class Place>
+BaseSurface::LowPassed BaseSurface::low_passed(Index node, const Place& place) const {
+  const Vec3f& origin = place(node);
   const auto squared = [&](Index other) {
-    return static_cast<double>((means_[other].position - origin).squaredNorm());
+    return static_cast<double>((place(other) - origin).squaredNorm());
   };
   Nearby nearby;
   const double whole = reach_ * reach_;
@@ -224,7 +233,7 @@ BaseSurface::LowPassed BaseSurface::low_passed(Index node) const {
     found = nearby.find(neighbours(), node, [&](Index n) { return squared(n) <= whole && seen(n) > 0; });
   QuadraticFit fit(reach_);
   for (const Index other : found)
-    fit.add(local(origin, axis_x, axis_y, normal, means_[other].position), std::max(seen(other), 0.));
+    fit.add(local(origin, axis_x, axis_y, normal, place(other)), std::max(seen(other), 0.));
   return {origin + static_cast<float>(fit.solve()[0]) * normal, normal};
 }
 

@@ -36,8 +36,8 @@ struct BasePoint {
 };
 
 /// A surface as brushes of one radius feel it. Relief that is narrow against the radius is gone, curvature
-/// wider than the brush is there: at each cluster of a coarser level stands a node, on the paraboloid that
-/// fits the clusters within 0.65 radii best.
+/// wider than the brush is there: at each cluster of a coarser level stands a node, brought twice onto the
+/// paraboloid that fits the clusters within 0.55 radii best.
 ///
 /// Nodes are made when they are asked for; which ones, in what order and on how many threads makes no
 /// difference to any of them. One thread at a time, all threads inside.
@@ -90,7 +90,7 @@ class BaseSurface {
   BasePoint project(Index near, const Vec3f& point);
 
  private:
-  enum class Stage : std::uint8_t { nothing, averaged, smoothed, fitted };
+  enum class Stage : std::uint8_t { nothing, averaged, smoothed, smoothed_again, fitted };
 
   /// Of a cluster.
   struct Mean {
@@ -110,7 +110,8 @@ class BaseSurface {
   void bring_to(Stage stage, std::span<const Index> nodes, const Make& make);
   const Vec3f& vertex_of(Index node) const { return surface_->positions[levels_->vertex(level_, node)]; }
   Mean mean_of(Index node) const;
-  LowPassed low_passed(Index node) const;
+  template <class Place>
+  LowPassed low_passed(Index node, const Place& place) const;
   BasePatch patch_of(Index node) const;
   void make_patch(Index node);
   Index nearest(Index near, const Vec3f& point);
@@ -122,7 +123,8 @@ class BaseSurface {
   std::vector<Stage> stages_;          ///< [node]
   std::vector<bool> around_;           ///< [node] all false between calls of around()
   std::vector<Mean> means_;            ///< [node] from stage averaged on
-  std::vector<LowPassed> low_passed_;  ///< [node] from stage smoothed on
+  std::vector<LowPassed> once_;        ///< [node] from stage smoothed on
+  std::vector<LowPassed> low_passed_;  ///< [node] twice, from stage smoothed_again on
   std::vector<BasePatch> patches_;     ///< [node] from stage fitted on
   Surface nodes_;
 };
