@@ -42,7 +42,9 @@ inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& cur
   const BrushStroke stroke(*brush, *entry.descriptor, context, params.abi());
   LiveChart chart(base.vertex_count());
   StrokeNodes nodes(chart, {radius, entry.descriptor->inputs_read, varying, &dynamics});
-  chart.assign(StrokeCharter(base).chart(curve, {radius, settings.cap}));
+  const SurfaceLevels levels(base);
+  chart.assign(StrokeCharter(base, &levels)
+                   .chart(curve, {.radius = radius, .cap = settings.cap, .follow = settings.follow}));
   const std::vector<Index> vertices = nodes.follow(curve, 0).vertices;
   const FootLine foot(curve, radius);
   const NodeSource source{

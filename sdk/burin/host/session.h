@@ -33,7 +33,7 @@ struct StrokeSettings {
   /// 0..1: how much of the surface's relief the stroke feels. 1: every bump. Less: what is wider than about a
   /// third of (1 - follow) radii; displacement goes along the normals of that smoother surface and adds to
   /// the relief. Dabs feel every bump.
-  double follow = 1;
+  double follow = 0;
   double pressure_width = 0;  ///< 0..1, share of the width that the pen's pressure decides
   ParamSettings params;       ///< what differs from the brush's defaults
   /// What of the pen varies radius, strength and parameters; "radius" acts besides the pressure width.

@@ -123,7 +123,7 @@ void BaseSurface::forget(std::span<const Index> moved_vertices, double distance)
     for (const Index neighbour : surface_->neighbours[vertex]) nodes.push_back(node_of(neighbour));
   }
   sort_unique(nodes);
-  constexpr std::size_t nodes_a_run = 64;
+  constexpr std::size_t nodes_a_run = 1024;
   for (std::size_t begin = 0; begin < nodes.size(); begin += nodes_a_run) {
     const auto run = std::span(nodes).subspan(begin, std::min(nodes_a_run, nodes.size() - begin));
     for (const Index node : around(run, 2 * reach_ + ring_ + distance)) stages_[node] = Stage::nothing;
