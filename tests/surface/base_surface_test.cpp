@@ -32,7 +32,6 @@ struct Based {
 TEST(BaseSurface, OfASphereIsTheSphere) {
   for (const double radius : {0.12, 0.2, 0.4}) {
     Based on(test::shuffled(test::sphere(6, 0.2, 5), 9), radius);
-    on.base.prepare(all_nodes(on.base));
     for (const Index node : all_nodes(on.base)) {
       const BasePatch& patch = on.base.patch(node);
       ASSERT_NEAR(patch.position.norm(), 1, 0.003 * radius * radius);
@@ -71,7 +70,6 @@ TriangleMesh bumpy(double amplitude) {
 TEST(BaseSurface, HasNoneOfTheReliefThatIsNarrowAgainstTheBrush) {
   for (const double amplitude : {0.01, 0.05, 0.12}) {
     Based on(bumpy(amplitude), 1);
-    on.base.prepare(all_nodes(on.base));
     double squares = 0, count = 0;
     for (const Index node : all_nodes(on.base)) {
       const BasePatch& patch = on.base.patch(node);
@@ -89,10 +87,10 @@ bool same_bits(const BasePatch& a, const BasePatch& b) { return std::memcmp(&a, 
 // Nodes made one by one from the far end, in one go, and on one thread.
 TEST(BaseSurface, DoesNotDependOnTheOrderInWhichNodesAreMade) {
   Based at_once(bumpy(0.05), 1), one_by_one(bumpy(0.05), 1), one_thread(bumpy(0.05), 1);
-  at_once.base.prepare(all_nodes(at_once.base));
-  for (Index node = one_by_one.base.node_count(); node-- > 0;) one_by_one.base.prepare(std::vector{node});
+  at_once.base.prepare(0, Vec3f::Zero(), 100);
+  for (Index node = one_by_one.base.node_count(); node-- > 0;) one_by_one.base.patch(node);
   const ThreadLimit limit(1);
-  one_thread.base.prepare(all_nodes(one_thread.base));
+  one_thread.base.prepare(0, Vec3f::Zero(), 100);
   for (const Index node : all_nodes(at_once.base)) {
     ASSERT_TRUE(same_bits(at_once.base.patch(node), one_by_one.base.patch(node)));
     ASSERT_TRUE(same_bits(at_once.base.patch(node), one_thread.base.patch(node)));
@@ -102,17 +100,17 @@ TEST(BaseSurface, DoesNotDependOnTheOrderInWhichNodesAreMade) {
 // Kept nodes and new ones are those of a base surface that is made afresh.
 TEST(BaseSurface, FollowsVerticesThatMove) {
   Based on(test::shuffled(test::sphere(6, 0.2, 5), 9), 0.2);
-  on.base.prepare(all_nodes(on.base));
+  on.base.prepare(0, Vec3f::Zero(), 2);
   std::vector<Index> moved;
   for (Index vertex = 0; vertex < on.surface.vertex_count(); ++vertex)
     if (on.surface.positions[vertex].x() > 0.95F) moved.push_back(vertex);
   ASSERT_GT(moved.size(), 100U);
   for (const Index vertex : moved) on.surface.positions[vertex] *= 1.1F;
+  on.levels.moved(moved);
   on.base.forget(moved, 0.1);
-  on.base.prepare(all_nodes(on.base));
+  const SurfaceLevels levels_now(on.surface);
   BaseSurface fresh(on.surface, on.levels);
   ASSERT_TRUE(fresh.set_radius(0.2));
-  fresh.prepare(all_nodes(fresh));
   std::size_t changed = 0;
   for (const Index node : all_nodes(fresh)) {
     ASSERT_TRUE(same_bits(on.base.patch(node), fresh.patch(node))) << "node " << node;
@@ -135,7 +133,6 @@ TriangleMesh plate(double thickness) {
 // A brush wider than the plate is thick feels the side that it is on.
 TEST(BaseSurface, KeepsTheSidesOfAPlateApart) {
   Based on(plate(0.1), 0.6);
-  on.base.prepare(all_nodes(on.base));
   for (const Index node : all_nodes(on.base)) {
     const Vec3f& position = on.base.patch(node).position;
     if (position.x() < 0.5F) continue;  // near the rim that joins them

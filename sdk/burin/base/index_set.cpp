@@ -1,20 +1,11 @@
 #include <burin/base/index_set.h>
 
-#include <algorithm>
 #include <bit>
 
 namespace burin {
 
 IndexSet::IndexSet(Index count)
     : bits_(count / 64 + 1), summary_(count / 4096 + 1), lowest_(summary_.size()) {}
-
-void IndexSet::insert(Index index) {
-  const std::size_t word = index / 64, group = index / 4096;
-  bits_[word] |= std::uint64_t{1} << index % 64;
-  summary_[group] |= std::uint64_t{1} << word % 64;
-  lowest_ = std::min(lowest_, group);
-  highest_ = std::max(highest_, group);
-}
 
 void IndexSet::drain(std::vector<Index>& indices) {
   indices.clear();

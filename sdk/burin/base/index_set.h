@@ -14,7 +14,13 @@ class IndexSet {
  public:
   explicit IndexSet(Index count);
 
-  void insert(Index index);
+  void insert(Index index) {
+    const std::size_t word = index / 64, group = index / 4096;
+    bits_[word] |= std::uint64_t{1} << index % 64;
+    summary_[group] |= std::uint64_t{1} << word % 64;
+    if (group < lowest_) lowest_ = group;
+    if (group > highest_) highest_ = group;
+  }
 
   /// Moves the set's indices to `indices`, ascending, and leaves the set empty.
   void drain(std::vector<Index>& indices);

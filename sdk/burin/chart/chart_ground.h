@@ -1,31 +1,45 @@
 #pragma once
 #include <burin/surface/base_surface.h>
 
+#include <span>
+
 namespace burin {
+
+/// What a front reads of a place that it spreads over.
+struct GroundPlace {
+  Vec3f position;
+  Vec3f normal;  ///< unit
+  float gauss_curvature = 0;
+};
 
 /// What a front spreads over: the vertices of a surface, or the nodes of a base surface, which are made when
 /// the front comes by. Looked at, not owned.
 class ChartGround {
  public:
-  explicit ChartGround(const Surface& surface) : surface_(&surface) {}
-  explicit ChartGround(BaseSurface& base) : surface_(&base.nodes()), base_(&base) {}
+  explicit ChartGround(const Surface& surface)
+      : surface_(&surface), neighbours_(&surface.neighbours), scale_(surface.scale) {}
+  explicit ChartGround(BaseSurface& base)
+      : base_(&base), neighbours_(&base.neighbours()), scale_(base.scale()) {}
 
-  Index vertex_count() const { return surface_->vertex_count(); }
-  double scale() const { return surface_->scale; }
-  std::span<const Index> neighbours(Index vertex) const { return surface_->neighbours[vertex]; }
+  Index vertex_count() const { return neighbours_->rows(); }
+  double scale() const { return scale_; }  ///< of the surface, see there
+  std::span<const Index> neighbours(Index vertex) const { return (*neighbours_)[vertex]; }
 
-  /// Place, normal and curvature of a vertex may be read after this.
-  void require(Index vertex) const {
-    if (base_) base_->require(vertex);
+  GroundPlace operator[](Index vertex) const {
+    if (!base_)
+      return {surface_->positions[vertex], surface_->normals[vertex], surface_->gauss_curvature[vertex]};
+    const BasePatch& patch = base_->patch(vertex);
+    return {patch.position, patch.normal, patch.gauss_curvature()};
   }
-  const Surface& surface() const { return *surface_; }
 
   /// Whether several threads may ask at once.
   bool concurrent() const { return !base_; }
 
  private:
-  const Surface* surface_;
+  const Surface* surface_ = nullptr;
   BaseSurface* base_ = nullptr;
+  const Csr* neighbours_;
+  double scale_;
 };
 
 }  // namespace burin

@@ -41,13 +41,12 @@ Index ChartNodes::find_or_add(Index vertex, Index sample, Index head) {
 
 Index ChartNodes::add(Index vertex, Index sample, Index head) {
   if (head == no_index && own_.holds(vertex)) head = add_block(vertex);
-  ground_->require(vertex);
-  const Surface& surface = ground_->surface();
-  if (!samples_->disc_holds(sample, surface.positions[vertex], surface.normals[vertex])) return no_index;
+  const GroundPlace place = (*ground_)[vertex];
+  if (!samples_->disc_holds(sample, place.position, place.normal)) return no_index;
   Index node = head;
   while (node != no_index && nodes_[node].run_length > 0) node = nodes_[node].next;
   if (node == no_index) node = add_loose(vertex);
-  begin_run(nodes_[node], sample);
+  begin_run(nodes_[node], place, sample);
   return node;
 }
 
@@ -77,16 +76,14 @@ void ChartNodes::set_vertex(FrontNode& node, Index vertex) const {
   node.run_begins = node.run_ends = true;
 }
 
-/// Reads of the vertex what fronts ask for.
-void ChartNodes::place(FrontNode& node) const {
-  const Surface& surface = ground_->surface();
-  node.position = surface.positions[node.vertex()];
-  node.normal = surface.normals[node.vertex()];
-  node.gauss = surface.gauss_curvature[node.vertex()];
+void ChartNodes::put(FrontNode& node, const GroundPlace& place) {
+  node.position = place.position;
+  node.normal = place.normal;
+  node.gauss = place.gauss_curvature;
 }
 
-void ChartNodes::begin_run(FrontNode& node, Index sample) const {
-  place(node);
+void ChartNodes::begin_run(FrontNode& node, const GroundPlace& place, Index sample) const {
+  put(node, place);
   node.run_begin = sample;
   node.run_length = 1;
   node.run_begins = node.run_ends = false;

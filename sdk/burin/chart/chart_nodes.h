@@ -55,7 +55,7 @@ class ChartNodes {
   /// A node of a vertex that is not own, without a run. Moves all in memory.
   Index add_foreign(Index vertex) {
     const Index node = add_loose(vertex);
-    place(nodes_[node]);
+    put(nodes_[node], (*ground_)[vertex]);
     return node;
   }
 
@@ -88,8 +88,8 @@ class ChartNodes {
   Index add_block(Index vertex);
   Index add_loose(Index vertex);
   void set_vertex(FrontNode& node, Index vertex) const;
-  void place(FrontNode& node) const;
-  void begin_run(FrontNode& node, Index sample) const;
+  static void put(FrontNode& node, const GroundPlace& place);
+  void begin_run(FrontNode& node, const GroundPlace& place, Index sample) const;
   void forget_changed(FrontNode& node) const;
   bool extends_to(FrontNode& node, Index sample) const;
   bool extends_forward(FrontNode& node, Index sample) const;

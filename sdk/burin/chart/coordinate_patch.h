@@ -1,6 +1,7 @@
 #pragma once
-#include <burin/chart/chart.h>
-#include <burin/surface/base_surface.h>
+#include <burin/base/vector.h>
+#include <burin/chart/chart_frame.h>
+#include <burin/surface/base_patch.h>
 
 #include <array>
 
@@ -11,16 +12,42 @@ namespace burin {
 /// step of u along e1 and v along e2 adds u / J (1 + k v) to t and v - k u^2 / 2 to d.
 class CoordinatePatch {
  public:
+  /// Points are taken several at a time.
+  static constexpr int lanes = 8;
+  using Lanes = Eigen::Array<float, lanes, 1>;
+  struct Vectors {
+    Lanes x, y, z;
+    Vec3f operator[](int lane) const { return {x[lane], y[lane], z[lane]}; }
+  };
+
+  /// The frames at the feet of points on the patch.
+  struct Frames {
+    Lanes t;  ///< beyond the node's
+    Lanes d, stretch;
+    Vectors e1, normal;
+    Lanes certain;  ///< 1, or 0 where lines of the stroke meet and e1 is to be the node's own
+
+    /// Of one point. Curvature is not told.
+    ChartFrame frame(int lane, const ChartFrame& node) const;
+  };
+
   CoordinatePatch(const BasePatch& patch, const ChartFrame& frame);
 
-  /// At a place of the patch. Curvature is not told.
-  ChartFrame frame_at(const BasePatch& patch, const Vec2f& at) const;
+  Frames at(const Vectors& points) const;
 
  private:
-  double t_;  ///< of the node
-  float d_;
-  Vec3f e1_;
-  std::array<float, 6> t_terms_{}, d_terms_{};  ///< value, x, y, xx / 2, xy, yy / 2; beyond t_ and d_
+  using Local = BasePatch::Local<Lanes>;
+  struct Quadratic {
+    float x, y, xx, xy, yy;  ///< first and second derivatives
+    Lanes value(const Local& at) const;
+    Local slope(const Local& at) const;
+  };
+  Vectors in_space(const Lanes& x, const Lanes& y, const Lanes& z) const;
+
+  BasePatch patch_;
+  Vec3f axis_y_;
+  float d_;  ///< of the node
+  Quadratic t_terms_, d_terms_;
 };
 
 }  // namespace burin

@@ -108,8 +108,8 @@ NearestFoot nearest_from(const SurfaceCurve& curve, const Foot& start, const Vec
   return {foot, last_segment};
 }
 
-ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const GeodesicCurvature& curvature,
-                      Foot foot, Index vertex) {
+ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve, const GeodesicCurvature& curvature,
+                      Foot foot) {
   const std::size_t next = curve.next(foot.segment);
   const CurvePoint &a = curve.points[foot.segment], &b = curve.points[next];
   const bool begin = at_begin(curve, foot), end = at_end(curve, foot);
@@ -117,15 +117,15 @@ ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const G
   bool at_corner = false;
   if (!begin && !end) {
     const Arc arc(a, b, normal);
-    foot.s = arc.foot(surface.positions[vertex], foot.s);
+    foot.s = arc.foot(vertex.position, foot.s);
     foot.position = arc.position(foot.s);
-    at_corner = arc.is_sharp() && (surface.positions[vertex] - foot.position).norm() > arc.length();
+    at_corner = arc.is_sharp() && (vertex.position - foot.position).norm() > arc.length();
   }
   const Vec3f along = (1 - foot.s) * a.tangent + foot.s * b.tangent;
   const Vec3f flat = along - normal.dot(along) * normal;
   const Vec3f tangent = flat.squaredNorm() > 0 ? Vec3f(flat.normalized()) : a.tangent;
   const auto [step, e1] =
-      step_along_edge(foot.position, normal, tangent, surface.positions[vertex], surface.normals[vertex]);
+      step_along_edge(foot.position, normal, tangent, vertex.position, vertex.normal);
 
   const bool beyond = (begin && step.x() < 0) || (end && step.x() > 0);
   ChartFrame frame;
@@ -136,7 +136,7 @@ ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const G
 
   // Around the outside of a corner lines of constant d are circles, along which t stands still.
   if (at_corner && frame.d != 0 && std::abs(step.x()) > widest_miss * step.norm()) {
-    const Vec3f e2 = surface.normals[vertex].cross(e1);
+    const Vec3f e2 = vertex.normal.cross(e1);
     frame.e1 = (step.y() * e1 - step.x() * e2) / frame.d;
     frame.curvature = -1 / frame.d;
     frame.stretch = stretch_around_corners;
@@ -145,7 +145,7 @@ ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const G
   // Beyond its ends the stroke goes on as a geodesic.
   const float k = beyond ? 0 : (1 - foot.s) * curvature[foot.segment] + foot.s * curvature[next];
   const float d = frame.d;
-  const float gauss = surface.gauss_curvature[vertex];
+  const float gauss = vertex.gauss_curvature;
   // On the inside of a bend whose centre is nearer than the seed the coordinates fold, and count as straight.
   if (k * d < 0.5F) {
     frame.curvature = k / (1 - k * d) + gauss * d;

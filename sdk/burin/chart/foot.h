@@ -2,7 +2,7 @@
 #include <burin/chart/chart_frame.h>
 #include <burin/stroke/geodesic_curvature.h>
 #include <burin/stroke/surface_curve.h>
-#include <burin/surface/surface.h>
+#include <burin/chart/chart_ground.h>
 
 #include <cstddef>
 
@@ -31,7 +31,7 @@ struct NearestFoot {
 NearestFoot nearest_from(const SurfaceCurve& curve, const Foot& start, const Vec3f& x);
 
 /// The frame at a vertex, from its foot. Curvature and stretch to second order in the distance.
-ChartFrame frame_from(const Surface& surface, const SurfaceCurve& curve, const GeodesicCurvature& curvature,
-                      Foot foot, Index vertex);
+ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve, const GeodesicCurvature& curvature,
+                      Foot foot);
 
 }  // namespace burin

@@ -46,24 +46,26 @@ void GroundCharter::begin(const ChartOptions& options) {
     throw ContractError("a stroke's radius must be a finite number above 0");
   options_ = options;
   front_.restart(options_.radius, options_.order);
+  legs_.begin(options);
   live_.clear();
 }
 
-bool GroundCharter::in_one_piece(const SurfaceCurve& curve) const {
+bool GroundCharter::in_one_piece(const SurfaceCurve& curve) {
   if (options_.radius == 0) throw ContractError("there is no stroke chart to extend");
   if (curve.points.empty()) throw ContractError("a stroke chart needs a curve of at least one point");
-  return options_.join == Join::round && !curve.closed;
+  in_legs_ = options_.join != Join::round || curve.closed;
+  return !in_legs_;
 }
 
 Chart GroundCharter::update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t parts) {
-  if (!in_one_piece(curve)) return joined(curve);
+  if (!in_one_piece(curve)) return joined(curve, unchanged);
   front_.update(curve, unchanged, parts);
   return plain(curve);
 }
 
 const LiveChart& GroundCharter::draw(const SurfaceCurve& curve, std::size_t unchanged) {
   if (!in_one_piece(curve)) {
-    live_.assign(joined(curve));
+    live_.assign(joined(curve, unchanged));
     return live_;
   }
   front_.update(curve, unchanged, parts_for(curve, options_.radius));
@@ -94,15 +96,16 @@ Chart GroundCharter::plain(const SurfaceCurve& curve) {
   return chart;
 }
 
-Chart GroundCharter::joined(const SurfaceCurve& curve) {
+Chart GroundCharter::joined(const SurfaceCurve& curve, std::size_t unchanged) {
   std::vector<PlacedNode> nodes;
-  legs_.place(curve, options_, front_, nodes);
+  const double unchanged_t = unchanged > 0 ? curve.points[unchanged - 1].t : -1;
+  legs_.place(curve, unchanged_t, front_, nodes);
   if (curve.closed)
     for (PlacedNode& node : nodes) node.frame.t = wrapped_t(node.frame.t, curve.length());
   std::ranges::sort(nodes, {}, [](const PlacedNode& node) { return std::pair(node.vertex, node.frame.t); });
   Chart chart = chart_of(curve, nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    set(chart, 0, i, nodes[i].vertex, nodes[i].frame, ground_.surface().normals[nodes[i].vertex]);
+    set(chart, 0, i, nodes[i].vertex, nodes[i].frame, ground_[nodes[i].vertex].normal);
   return chart;
 }
 

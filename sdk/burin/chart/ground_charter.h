@@ -14,7 +14,7 @@ class GroundCharter {
  public:
   /// The ground's surface must outlive the object.
   explicit GroundCharter(const ChartGround& ground)
-      : ground_(ground), front_(ground), legs_(ground.surface()), live_(ground.vertex_count()) {}
+      : ground_(ground), front_(ground), legs_(ground), live_(ground.vertex_count()) {}
 
   /// Of the options, `follow` has been dealt with.
   void begin(const ChartOptions& options);
@@ -26,19 +26,20 @@ class GroundCharter {
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged);
 
   const LiveChart& live() const { return live_; }
-  std::uint64_t settled() const { return front_.settled(); }
-  std::uint64_t pushes() const { return front_.pushes(); }
+  std::uint64_t settled() const { return in_legs_ ? legs_.settled() : front_.settled(); }
+  std::uint64_t pushes() const { return in_legs_ ? legs_.pushes() : front_.pushes(); }
 
  private:
-  bool in_one_piece(const SurfaceCurve& curve) const;
+  bool in_one_piece(const SurfaceCurve& curve);
   Chart plain(const SurfaceCurve& curve);
-  Chart joined(const SurfaceCurve& curve);
+  Chart joined(const SurfaceCurve& curve, std::size_t unchanged);
 
   ChartGround ground_;
   ChartOptions options_;
   Front front_;
   JoinedLegs legs_;
   LiveChart live_;
+  bool in_legs_ = false;  ///< the last chart was put together from legs
 };
 
 /// Parts of a front that are worth a thread of their own.

@@ -14,14 +14,24 @@ constexpr double corner_length = 0.5;
 
 }  // namespace
 
-void JoinedLegs::place(const SurfaceCurve& curve, const ChartOptions& options, Front& front,
-                       std::vector<PlacedNode>& nodes) {
+void JoinedLegs::begin(const ChartOptions& options) {
   options_ = options;
+  charted_.clear();
+  front_leg_.reset();
+}
+
+void JoinedLegs::place(const SurfaceCurve& curve, double unchanged_t, Front& front,
+                       std::vector<PlacedNode>& nodes) {
   cuts_.clear();
   corners_.clear();
-  if (options.join != Join::round) find_corners(curve);
+  if (options_.join != Join::round) find_corners(curve);
   const std::vector<Leg> legs = legs_of(curve);
-  for (std::size_t leg = 0; leg < legs.size(); ++leg) place_leg(curve, legs, leg, front, nodes);
+  charted_.resize(legs.size());
+  settled_ = pushes_ = 0;
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+    if (curve.closed || !as_charted(leg, legs[leg], unchanged_t)) chart(curve, leg, legs[leg], front);
+    nodes.insert(nodes.end(), charted_[leg].nodes.begin(), charted_[leg].nodes.end());
+  }
   if (options_.join != Join::overlap) put_together(nodes, curve.closed);
   if (options_.join == Join::smooth) smooth_long_bends(curve, nodes);
   // Joins move coordinates: some now lie beyond the stroke.
@@ -63,12 +73,26 @@ double JoinedLegs::span(const SurfaceCurve& curve, const Bend& bend) const {
 }
 
 std::vector<JoinedLegs::Leg> JoinedLegs::legs_of(const SurfaceCurve& curve) const {
-  if (cuts_.empty()) return {{0, curve.length()}};
   std::vector<Leg> legs;
-  if (!curve.closed) legs.push_back({0, cuts_.front().begin});
-  for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) legs.push_back({cuts_[i].end, cuts_[i + 1].begin});
-  legs.push_back({cuts_.back().end, curve.closed ? cuts_.front().begin + curve.length() : curve.length()});
+  const auto add = [&](double begin, double end) {
+    const std::size_t leg = legs.size();
+    const Corner *before = corner_before(leg, curve.closed), *after = corner_after(leg, curve.closed);
+    legs.push_back({begin, std::max(begin, end), {reach(before), reach(after)}, before != nullptr,
+                    after != nullptr});
+  };
+  if (cuts_.empty()) {
+    add(0, curve.length());
+    return legs;
+  }
+  if (!curve.closed) add(0, cuts_.front().begin);
+  for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) add(cuts_[i].end, cuts_[i + 1].begin);
+  add(cuts_.back().end, curve.closed ? cuts_.front().begin + curve.length() : curve.length());
   return legs;
+}
+
+double JoinedLegs::reach(const Corner* corner) const {
+  if (!corner || options_.join != Join::miter) return 0;
+  return 1.1 * miter_reach(corner->turn, options_.radius) + corner_length * options_.radius;
 }
 
 const Corner* JoinedLegs::corner_after(std::size_t leg, bool closed) const {
@@ -81,26 +105,31 @@ const Corner* JoinedLegs::corner_before(std::size_t leg, bool closed) const {
   return leg > 0 ? &corners_[leg - 1] : nullptr;
 }
 
-void JoinedLegs::place_leg(const SurfaceCurve& curve, const std::vector<Leg>& legs, std::size_t leg,
-                           Front& front, std::vector<PlacedNode>& nodes) const {
-  const auto [begin, end] = legs[leg];
+bool JoinedLegs::as_charted(std::size_t leg, const Leg& now, double unchanged_t) const {
+  return charted_[leg].leg == now && now.end < unchanged_t;
+}
+
+/// The last leg of a stroke that grows goes on with the front where that stands.
+void JoinedLegs::chart(const SurfaceCurve& curve, std::size_t leg, const Leg& now, Front& front) {
   const bool whole = cuts_.empty();
-  const SurfaceCurve part = whole ? curve : part_of(curve, begin, std::max(begin, end));
-  const Corner *before = corner_before(leg, curve.closed), *after = corner_after(leg, curve.closed);
-  const auto reach = [&](const Corner* corner) {
-    if (!corner || options_.join != Join::miter) return 0.;
-    return 1.1 * miter_reach(corner->turn, options_.radius) + corner_length * options_.radius;
-  };
-  front.restart(options_.radius, options_.order, {reach(before), reach(after)});
+  const SurfaceCurve part = whole ? curve : part_of(curve, now.begin, now.end);
+  const bool goes_on = front_leg_ && !curve.closed && front_leg_->begin == now.begin &&
+                       front_leg_->reach == now.reach;
+  if (!goes_on) front.restart(options_.radius, options_.order, now.reach);
   front.update(part);
+  settled_ += front.settled();
+  pushes_ += front.pushes();
+  front_leg_ = now;
+  charted_[leg] = {now, {}};
   const std::vector<std::vector<const FrontNode*>> inside = front.inside();
   for (const FrontNode* node : inside[0]) {
     ChartFrame frame = node->frame;
-    const bool inner_end = options_.join != Join::overlap && (frame.t < 0 ? before : after) != nullptr;
+    const bool inner_end =
+        options_.join != Join::overlap && (frame.t < 0 ? now.corner_before : now.corner_after);
     if (options_.cap == Cap::butt && beyond_end(frame.t, part) && !inner_end) continue;
     const double half_width = front.half_width(frame.t);
-    frame.t += whole ? 0 : begin;
-    nodes.push_back({node->vertex(), static_cast<Index>(leg), frame, half_width});
+    frame.t += whole ? 0 : now.begin;
+    charted_[leg].nodes.push_back({node->vertex(), static_cast<Index>(leg), frame, half_width});
   }
 }
 
@@ -131,7 +160,7 @@ void JoinedLegs::put_together(std::vector<PlacedNode>& nodes, bool closed) const
       const Corner *before = corner_before(node.leg, closed), *after = corner_after(node.leg, closed);
       if (!keeps(node, first, last, after, true) || !keeps(node, first, last, before, false)) continue;
       if (options_.join == Join::smooth) {
-        const Vec3f& normal = surface_->normals[node.vertex];
+        const Vec3f normal = ground_[node.vertex].normal;
         if (after) node.frame = smoothed(*after, true, node.frame, normal);
         if (before) node.frame = smoothed(*before, false, node.frame, normal);
       }

@@ -4,6 +4,9 @@
 #include <burin/chart/joins.h>
 #include <burin/chart/stroke_chart.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -25,33 +28,50 @@ inline bool beyond_end(double t, const SurfaceCurve& curve) {
 /// together.
 class JoinedLegs {
  public:
-  /// The surface must outlive the object.
-  explicit JoinedLegs(const Surface& surface) : surface_(&surface) {}
+  explicit JoinedLegs(const ChartGround& ground) : ground_(ground) {}
 
-  /// Appends the nodes of the stroke (with round joins: in one piece), by means of the front, which starts
-  /// afresh. The t of a closed stroke are not brought to [0, length).
-  void place(const SurfaceCurve& curve, const ChartOptions& options, Front& front,
-             std::vector<PlacedNode>& nodes);
+  /// Forgets the legs of the stroke before.
+  void begin(const ChartOptions& options);
+
+  /// Appends the nodes of the stroke (with round joins: in one piece), by means of the front, which serves
+  /// nobody else meanwhile. Only legs that differ from those of the last call are charted; the curve is as it
+  /// was then up to its arc length `unchanged_t`. The t of a closed stroke are not brought to [0, length).
+  void place(const SurfaceCurve& curve, double unchanged_t, Front& front, std::vector<PlacedNode>& nodes);
+
+  /// Nodes settled and queue entries pushed in the last call of place().
+  std::uint64_t settled() const { return settled_; }
+  std::uint64_t pushes() const { return pushes_; }
 
  private:
   struct Leg {
-    double begin, end;  ///< arc lengths on the stroke
+    double begin = 0, end = 0;  ///< arc lengths on the stroke
+    Extensions reach;           ///< beyond them, to the outer ends of mitered corners
+    bool corner_before = false, corner_after = false;
+    bool operator==(const Leg&) const = default;
+  };
+  struct ChartedLeg {
+    Leg leg;
+    std::vector<PlacedNode> nodes;
   };
   void find_corners(const SurfaceCurve& curve);
+  double reach(const Corner* corner) const;
   std::vector<Leg> legs_of(const SurfaceCurve& curve) const;
-  void place_leg(const SurfaceCurve& curve, const std::vector<Leg>& legs, std::size_t leg, Front& front,
-                 std::vector<PlacedNode>& nodes) const;
+  bool as_charted(std::size_t leg, const Leg& now, double unchanged_t) const;
+  void chart(const SurfaceCurve& curve, std::size_t leg, const Leg& now, Front& front);
   void put_together(std::vector<PlacedNode>& nodes, bool closed) const;
   const Corner* corner_after(std::size_t leg, bool closed) const;
   const Corner* corner_before(std::size_t leg, bool closed) const;
   void smooth_long_bends(const SurfaceCurve& curve, std::vector<PlacedNode>& nodes) const;
   double span(const SurfaceCurve& curve, const Bend& bend) const;
 
-  const Surface* surface_;
+  ChartGround ground_;
   ChartOptions options_;
   StrokeBends bends_;
   std::vector<Bend> cuts_;       ///< the bends that the stroke is cut at
   std::vector<Corner> corners_;  ///< [i] of cuts_[i]
+  std::vector<ChartedLeg> charted_;
+  std::uint64_t settled_ = 0, pushes_ = 0;
+  std::optional<Leg> front_leg_;  ///< whose chart the front has
 };
 
 }  // namespace burin

@@ -5,6 +5,7 @@
 #include <burin/chart/live_carrier.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace burin {
@@ -27,45 +28,135 @@ const SurfaceCurve& LiveCarrier::widened(const SurfaceCurve& curve) {
 }
 
 void LiveCarrier::update(const LiveChart& nodes, const SurfaceCurve& curve, LiveChart& vertices) {
-  // Coordinates of vertices differ from those of their nodes by less than a few spacings.
-  vertices.begin_event(nodes.nodes().length, nodes.nodes().closed,
-                       nodes.computed_from() + 4 * base_->spacing());
   uniform_ = same_width(curve);
+  const double from = unchanged_up_to(nodes);
+  length_ = nodes.nodes().length;
+  vertices.begin_event(length_, nodes.nodes().closed, from);
   ranges_.resize(std::max(ranges_.size(), nodes.nodes().size()));
   for (const Index slot : nodes.removed())
     if (nodes.vacant(slot)) vacate(slot, vertices);
-  const std::span<const Index> slots = nodes.computed();
-  constexpr std::size_t slots_a_block = 32;
-  std::vector<std::vector<Carried>> carried((slots.size() + slots_a_block - 1) / slots_a_block);
-  std::vector<std::size_t> ends(slots.size());
-  parallel_blocks(slots.size(), slots_a_block, [&](std::size_t begin, std::size_t end) {
-    std::vector<Carried>& out = carried[begin / slots_a_block];
-    for (std::size_t i = begin; i < end; ++i) {
-      carry(nodes, slots[i], curve, out);
-      ends[i] = out.size();
-    }
+  find_stale(nodes, from);
+  make_room(nodes, vertices);
+  constexpr std::size_t slots_a_block = 16;
+  std::vector<Carried> carried((stale_.size() + slots_a_block - 1) / slots_a_block);
+  parallel_blocks(stale_.size(), slots_a_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      carry(nodes, stale_[i], curve, vertices, carried[begin / slots_a_block]);
   });
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    const std::vector<Carried>& block = carried[i / slots_a_block];
-    const std::size_t begin = i % slots_a_block == 0 ? 0 : ends[i - 1];
-    place(slots[i], base_->vertex_count_of(nodes.nodes().vertex[slots[i]]),
-          std::span(block).subspan(begin, ends[i] - begin), vertices);
+  for (const Carried& block : carried) {
+    vertices.note_written(block.written);
+    for (const Index slot : block.gone) vertices.remove(slot);
+    for (const auto& [slot, vertex, frame, normal] : block.others) vertices.set(slot, vertex, frame, normal);
   }
+  list_near_end(from);
 }
 
-void LiveCarrier::carry(const LiveChart& nodes, Index slot, const SurfaceCurve& curve,
-                        std::vector<Carried>& out) const {
+/// Vertices of a lower t than this are in the stroke or not as before, where their coordinates are.
+double LiveCarrier::unchanged_up_to(const LiveChart& nodes) const {
+  if (nodes.nodes().closed) return nowhere;
+  const double ends = std::min(length_, nodes.nodes().length);
+  return uniform_ ? ends : std::min(ends, nodes.computed_from());
+}
+
+void LiveCarrier::find_stale(const LiveChart& nodes, double from) {
+  stale_.clear();
+  is_stale_.resize(ranges_.size());
+  const auto add = [&](Index slot) {
+    if (is_stale_[slot] || nodes.vacant(slot)) return;
+    is_stale_[slot] = 1;
+    stale_.push_back(slot);
+  };
+  for (const Index slot : nodes.computed())
+    if (nodes.changed(slot)) add(slot);
+  if (from < near_end_from_) {
+    for (Index slot = 0; slot < ranges_.size(); ++slot)
+      if (ranges_[slot].last_t >= from) add(slot);
+  } else {
+    for (const Index slot : near_end_)
+      if (ranges_[slot].last_t >= from) add(slot);
+  }
+  for (const Index slot : stale_) is_stale_[slot] = 0;
+}
+
+/// A stroke's length may go back a little from one event to the next.
+void LiveCarrier::list_near_end(double from) {
+  const bool afresh = from < near_end_from_;
+  near_end_from_ = from - stroke_.radius;
+  const auto ends_before = [&](Index slot) {
+    ranges_[slot].near_end = ranges_[slot].last_t >= near_end_from_;
+    return !ranges_[slot].near_end;
+  };
+  if (afresh) {
+    near_end_.clear();
+    for (Index slot = 0; slot < ranges_.size(); ++slot)
+      if (!ends_before(slot)) near_end_.push_back(slot);
+    return;
+  }
+  std::erase_if(near_end_, ends_before);
+  for (const Index slot : stale_)
+    if (!ranges_[slot].near_end && !ends_before(slot)) near_end_.push_back(slot);
+}
+
+/// A slot of the base chart keeps as many slots as its cluster has vertices.
+void LiveCarrier::make_room(const LiveChart& nodes, LiveChart& vertices) {
+  for (const Index slot : stale_) {
+    Range& range = ranges_[slot];
+    const Index node = nodes.nodes().vertex[slot];
+    if (range.node == node) continue;
+    vacate(slot, vertices);
+    range.node = node;
+    Index size = 0;
+    base_->for_each_vertex(node, [&](Index) { ++size; });
+    if (size <= range.size) continue;
+    range.begin = slots_;
+    range.size = size;
+    slots_ += size;
+  }
+  vertices.reserve(slots_);
+}
+
+/// Carries the vertices of one node over.
+void LiveCarrier::carry(const LiveChart& nodes, Index slot, const SurfaceCurve& curve, LiveChart& vertices,
+                        Carried& carried) {
   const Index node = nodes.nodes().vertex[slot];
-  const BasePatch& patch = base_->patch(node);
-  const CoordinatePatch coordinates(patch, nodes.nodes().frame(slot));
-  Index place = 0;
-  base_->for_each_vertex(node, [&](Index vertex) {
-    const Vec2f at = patch.foot(surface_->positions[vertex]);
-    ChartFrame frame = coordinates.frame_at(patch, at);
-    if (nodes.nodes().closed) frame.t = wrapped_t(frame.t, nodes.nodes().length);
-    if (within(frame, curve)) out.push_back({place, vertex, frame, patch.normal_at(at)});
-    ++place;
+  const ChartFrame of_node = nodes.nodes().frame(slot);
+  const BasePatch patch = base_->patch(node);
+  const CoordinatePatch coordinates(patch, of_node);
+  Range& range = ranges_[slot];
+  Index next = range.begin;
+  range.last_t = nowhere;
+  std::array<Index, CoordinatePatch::lanes> vertex{};
+  CoordinatePatch::Vectors points;
+  int waiting = 0;
+  const auto place = [&] {
+    const CoordinatePatch::Frames frames = coordinates.at(points);
+    for (int lane = 0; lane < waiting; ++lane, ++next) {
+      ChartFrame frame = frames.frame(lane, of_node);
+      if (nodes.nodes().closed) frame.t = wrapped_t(frame.t, nodes.nodes().length);
+      range.last_t = std::max(range.last_t, frame.t);
+      if (!within(frame, curve)) {
+        if (!vertices.vacant(next)) carried.gone.push_back(next);
+      } else if (const Vec3f normal = frames.normal[lane]; vertices.write(next, vertex[lane], frame, normal)) {
+        carried.written.push_back(next);
+      } else {
+        carried.others.push_back({next, vertex[lane], frame, normal});
+      }
+    }
+    waiting = 0;
+  };
+  base_->for_each_vertex(node, [&](Index of_cluster) {
+    const Vec3f& position = surface_->positions[of_cluster];
+    vertex[waiting] = of_cluster;
+    points.x[waiting] = position.x();
+    points.y[waiting] = position.y();
+    points.z[waiting] = position.z();
+    if (++waiting == CoordinatePatch::lanes) place();
   });
+  for (int lane = waiting; lane < CoordinatePatch::lanes; ++lane)
+    points.x[lane] = points.y[lane] = points.z[lane] = 0;
+  place();
+  for (; next < range.begin + range.size; ++next)
+    if (!vertices.vacant(next)) carried.gone.push_back(next);
 }
 
 bool LiveCarrier::within(const ChartFrame& frame, const SurfaceCurve& curve) const {
@@ -77,28 +168,9 @@ bool LiveCarrier::within(const ChartFrame& frame, const SurfaceCurve& curve) con
   return beyond * beyond + d * d <= half_width * half_width;
 }
 
-/// Gives the cluster's vertices their slots, of which it keeps as many as it has vertices.
-void LiveCarrier::place(Index slot, Index cluster_size, std::span<const Carried> carried,
-                        LiveChart& vertices) {
-  Range& range = ranges_[slot];
-  if (range.size < cluster_size) {
-    vacate(slot, vertices);
-    range = {slots_, cluster_size};
-    slots_ += cluster_size;
-  }
-  auto next = carried.begin();
-  for (Index i = 0; i < range.size; ++i) {
-    if (next != carried.end() && next->place == i) {
-      vertices.set(range.begin + i, next->vertex, next->frame, next->normal);
-      ++next;
-    } else {
-      vertices.remove(range.begin + i);
-    }
-  }
-}
-
 void LiveCarrier::vacate(Index slot, LiveChart& vertices) {
   for (Index i = 0; i < ranges_[slot].size; ++i) vertices.remove(ranges_[slot].begin + i);
+  ranges_[slot].last_t = nowhere;
 }
 
 }  // namespace burin

@@ -5,6 +5,7 @@
 #include <burin/surface/base_surface.h>
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,11 +23,12 @@ struct CarriedStroke {
 
 /// Carries a growing chart of a base surface over to the vertices of the surface: each has the coordinates of
 /// its foot on the base surface, one step of second order from the node of its cluster (CoordinatePatch).
-/// Only what belongs to nodes that were computed is carried again. On all threads.
+/// Only what belongs to nodes that changed is carried again, and what the stroke's end decides on. On all
+/// threads.
 class LiveCarrier {
  public:
   /// Base and surface must outlive the object.
-  LiveCarrier(const BaseSurface& base, const Surface& surface, const CarriedStroke& stroke)
+  LiveCarrier(BaseSurface& base, const Surface& surface, const CarriedStroke& stroke)
       : base_(&base), surface_(&surface), stroke_(stroke) {}
 
   /// The curve as the base chart needs it: as much wider everywhere as the margin is. Valid until the next
@@ -37,29 +39,48 @@ class LiveCarrier {
   void update(const LiveChart& nodes, const SurfaceCurve& curve, LiveChart& vertices);
 
  private:
-  /// Vertices of one node that lie within the stroke.
-  struct Carried {
-    Index place;  ///< of the vertex among those of its cluster
-    Index vertex;
-    ChartFrame frame;
-    Vec3f normal;
+  /// The vertices' slots that the cluster of a slot of the base chart has.
+  struct Range {
+    Index node = no_index;  ///< the cluster
+    Index begin = 0, size = 0;
+    double last_t = nowhere;  ///< the highest of the vertices' when they were last carried
+    bool near_end = false;    ///< listed in near_end_
   };
-  void carry(const LiveChart& nodes, Index slot, const SurfaceCurve& curve, std::vector<Carried>& out) const;
+
+  /// What a few clusters' vertices became.
+  struct Carried {
+    struct Node {
+      Index slot, vertex;
+      ChartFrame frame;
+      Vec3f normal;
+    };
+    std::vector<Index> written;  ///< slots, in place
+    std::vector<Index> gone;     ///< slots of vertices outside the stroke
+    std::vector<Node> others;
+  };
+  static constexpr double nowhere = -std::numeric_limits<double>::infinity();
+
+  double unchanged_up_to(const LiveChart& nodes) const;
+  void find_stale(const LiveChart& nodes, double from);
+  void list_near_end(double from);
+  void make_room(const LiveChart& nodes, LiveChart& vertices);
+  void carry(const LiveChart& nodes, Index slot, const SurfaceCurve& curve, LiveChart& vertices,
+             Carried& carried);
   bool within(const ChartFrame& frame, const SurfaceCurve& curve) const;
-  void place(Index slot, Index cluster_size, std::span<const Carried> carried, LiveChart& vertices);
   void vacate(Index slot, LiveChart& vertices);
 
-  const BaseSurface* base_;
+  BaseSurface* base_;
   const Surface* surface_;
   CarriedStroke stroke_;
   SurfaceCurve widened_;
   bool uniform_ = true;  ///< the stroke's width is 1 all along
-  /// [slot of the base chart] where its cluster's slots begin, and how many there are.
-  struct Range {
-    Index begin = 0, size = 0;
-  };
-  std::vector<Range> ranges_;
-  Index slots_ = 0;  ///< of the vertices' chart, so far
+  double length_ = 0;    ///< of the stroke, at the last event
+  std::vector<Range> ranges_;           ///< [slot of the base chart]
+  Index slots_ = 0;                     ///< of the vertices' chart, so far
+  std::vector<Index> stale_;            ///< slots of the base chart to be carried
+  std::vector<std::uint8_t> is_stale_;  ///< [slot of the base chart] all 0 between events
+  std::vector<Index> near_end_;         ///< all slots of the base chart with a last_t from near_end_from_ on
+  double near_end_from_ = 0;
 };
 
 }  // namespace burin

@@ -1,6 +1,7 @@
 #include <burin/chart/live_chart.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -20,6 +21,7 @@ std::uint32_t LiveChart::sheet_count(Index vertex) const {
 void LiveChart::clear() {
   nodes_ = {};
   taken_.clear();
+  place_of_.clear();
   next_.clear();
   changed_in_.clear();
   places_.clear();
@@ -39,33 +41,70 @@ void LiveChart::begin_event(double length, bool closed, double computed_from) {
 }
 
 void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal) {
-  if (slot >= nodes_.size()) grow_to(slot + 1);
+  if (slot >= nodes_.size()) reserve(slot + 1);
+  if (write(slot, vertex, frame, normal)) return note_written(std::array{slot});
   computed_.push_back(slot);
-  const bool same = taken_[slot] && nodes_.t[slot] == frame.t && nodes_.d[slot] == frame.d &&
-                    nodes_.e1[slot] == frame.e1 && nodes_.stretch[slot] == frame.stretch &&
-                    nodes_.normal[slot] == normal;
-  if (same) {
+  if (taken_[slot] && same(slot, frame, normal)) {
     nodes_.curvature[slot] = frame.curvature;  // which no brush reads
     return;
   }
   if (taken_[slot]) unlink(slot);
   nodes_.set(slot, vertex, 0, frame, normal);
-  taken_[slot] = true;
+  taken_[slot] = 1;
   changed_in_[slot] = event_;
   link(slot);
+}
+
+bool LiveChart::same(Index slot, const ChartFrame& frame, const Vec3f& normal) const {
+  return nodes_.t[slot] == frame.t && nodes_.d[slot] == frame.d && nodes_.e1[slot] == frame.e1 &&
+         nodes_.stretch[slot] == frame.stretch && nodes_.normal[slot] == normal;
+}
+
+bool LiveChart::write(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal) {
+  if (!taken_[slot] || first_[place_of_[slot]] != slot || next_[slot] != no_index) return false;
+  if (!same(slot, frame, normal)) changed_in_[slot] = event_;
+  nodes_.set(slot, vertex, 0, frame, normal);
+  return true;
+}
+
+void LiveChart::note_written(std::span<const Index> slots) {
+  computed_.insert(computed_.end(), slots.begin(), slots.end());
+  for (const Index slot : slots)
+    if (changed_in_[slot] == event_) alter(place_of_[slot]);
 }
 
 void LiveChart::remove(Index slot) {
   if (slot >= nodes_.size() || !taken_[slot]) return;
   unlink(slot);
-  taken_[slot] = false;
+  taken_[slot] = 0;
   removed_.push_back(slot);
 }
 
 void LiveChart::assign(const Chart& chart) {
   begin_event(chart.length, chart.closed, -std::numeric_limits<double>::infinity());
-  for (Index slot = 0; slot < nodes_.size(); ++slot) remove(slot);
-  for (Index i = 0; i < chart.size(); ++i) set(i, chart.vertex[i], chart.frame(i), chart.normal[i]);
+  const std::vector<Index> slots = kept_slots(chart);
+  std::vector<std::uint8_t> kept(nodes_.size());
+  for (const Index slot : slots)
+    if (slot != no_index) kept[slot] = 1;
+  for (Index slot = 0; slot < kept.size(); ++slot)
+    if (!kept[slot]) remove(slot);
+  Index vacant = 0;
+  for (Index i = 0; i < chart.size(); ++i) {
+    while (vacant < taken_.size() && taken_[vacant]) ++vacant;
+    set(slots[i] == no_index ? vacant : slots[i], chart.vertex[i], chart.frame(i), chart.normal[i]);
+  }
+}
+
+/// The slots that nodes of a chart find taken by their vertices' nodes, in the order of t; no_index: none.
+std::vector<Index> LiveChart::kept_slots(const Chart& chart) const {
+  std::vector<Index> slots(chart.size());
+  Index next = no_index;
+  for (std::size_t i = 0; i < chart.size(); ++i) {
+    if (chart.sheet[i] == 0) next = first(chart.vertex[i]);
+    slots[i] = next;
+    if (next != no_index) next = next_[next];
+  }
+  return slots;
 }
 
 Chart LiveChart::sorted() const {
@@ -84,9 +123,11 @@ Chart LiveChart::sorted() const {
   return chart;
 }
 
-void LiveChart::grow_to(Index slots) {
+void LiveChart::reserve(Index slots) {
+  if (slots <= nodes_.size()) return;
   nodes_.resize(slots);
   taken_.resize(slots);
+  place_of_.resize(slots);
   next_.resize(slots);
   changed_in_.resize(slots);
 }
@@ -100,6 +141,7 @@ void LiveChart::link(Index slot) {
     first_.push_back(no_index);
     altered_in_.push_back(0);
   }
+  place_of_[slot] = place;
   alter(place);
   std::uint32_t sheet = 0;
   Index* from = &first_[place];
@@ -109,7 +151,7 @@ void LiveChart::link(Index slot) {
 }
 
 void LiveChart::unlink(Index slot) {
-  const Index place = places_.find(nodes_.vertex[slot]);
+  const Index place = place_of_[slot];
   alter(place);
   Index* from = &first_[place];
   while (*from != slot) from = &next_[*from];

@@ -34,12 +34,14 @@ class LiveChart {
 
   /// Vertices that have a node that changed, or lost one, in the last event; each once.
   std::span<const Index> altered() const { return altered_; }
+  bool is_altered(Index place) const { return altered_in_[place] == event_; }
 
   /// All nodes whose t is this or more were computed by the last event.
   double computed_from() const { return computed_from_; }
 
   /// The vertices of the chart are numbered in the order in which they came; this one's number.
   Index place(Index vertex) const { return places_.find(vertex); }
+  Index place_of(Index slot) const { return place_of_[slot]; }  ///< the number of its vertex
   Index place_count() const { return places_.size(); }
   Index vertex_at(Index place) const { return places_.vertex(place); }
 
@@ -56,17 +58,28 @@ class LiveChart {
   void set(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal);
   void remove(Index slot);
 
-  /// An event that changes everything: slot i is node i of this chart.
+  /// Makes room for so many slots.
+  void reserve(Index slots);
+
+  /// As set(), where nothing but the slot itself is touched: where it has the vertex's only node. False where
+  /// not. Slots below those reserved, and different ones on several threads at once; note_written() has to
+  /// follow.
+  bool write(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal);
+  void note_written(std::span<const Index> slots);
+
+  /// An event that may change everything: becomes this chart.
   void assign(const Chart& chart);
 
  private:
-  void grow_to(Index slots);
+  std::vector<Index> kept_slots(const Chart& chart) const;
+  bool same(Index slot, const ChartFrame& frame, const Vec3f& normal) const;
   void link(Index slot);
   void unlink(Index slot);
   void alter(Index place);
 
   Chart nodes_;
-  std::vector<bool> taken_;
+  std::vector<std::uint8_t> taken_;        ///< [slot]
+  std::vector<Index> place_of_;            ///< [slot] of its vertex
   std::vector<Index> next_;
   std::vector<std::uint32_t> changed_in_;  ///< [slot] event
   VertexNodes places_;

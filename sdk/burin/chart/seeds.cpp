@@ -85,8 +85,7 @@ void Seeds::gather_around(const SurfacePoint& at) {
 }
 
 void Seeds::offer(const SeededCurve& on, std::size_t segment, Index vertex, ChartNodes& nodes) {
-  ground_->require(vertex);
-  const Foot foot = foot_on(on.curve, segment, ground_->surface().positions[vertex]);
+  const Foot foot = foot_on(on.curve, segment, (*ground_)[vertex].position);
   const Index node = nodes.at(vertex, on.samples.at(arc_length_at(on.curve, foot)));
   if (node == no_index) return;
   Index& seed = nodes[node].seed;
@@ -111,7 +110,7 @@ void Seeds::renew(const SeededCurve& on, Index index, ChartNodes& nodes) {
       if (offers_[i].foot.distance <= best->distance) best = &offers_[i].foot;
     const FrontNode& node = nodes[entry.node];
     const auto [foot, last_segment] = nearest_from(on.curve, *best, node.position);
-    seed = {foot.distance, frame_from(ground_->surface(), on.curve, on.curvature, foot, node.vertex())};
+    seed = {foot.distance, frame_from((*ground_)[node.vertex()], on.curve, on.curvature, foot)};
     depend(index, last_segment);
   }
   if (seed == entry.seed) return;

@@ -15,6 +15,7 @@ struct StrokeCharter::Stroke {
   }
 
   void begin(const ChartOptions& with);
+  void prepare(const SurfaceCurve& curve, std::size_t unchanged);
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged);
   bool on_base() const { return carried.has_value(); }
   GroundCharter& charter() { return on_base() ? *of_base : own; }
@@ -45,8 +46,22 @@ void StrokeCharter::Stroke::begin(const ChartOptions& with) {
   carried.emplace(*base, surface, CarriedStroke{with.radius, wider.radius, with.cap});
 }
 
+/// Has the nodes made on all threads that the front is going to ask for one by one.
+void StrokeCharter::Stroke::prepare(const SurfaceCurve& curve, std::size_t unchanged) {
+  const Vec3f* last = nullptr;
+  for (std::size_t i = std::min(unchanged, curve.points.size() - 1); i < curve.points.size(); ++i) {
+    const CurvePoint& point = curve.points[i];
+    const auto apart = static_cast<float>(base->spacing());
+    if (last && (point.at.position - *last).norm() < apart) continue;
+    last = &point.at.position;
+    base->prepare(point.at.corners[0], *last,
+                  options.radius * static_cast<double>(point.width) + 2 * carrying_margin * base->spacing());
+  }
+}
+
 const LiveChart& StrokeCharter::Stroke::draw(const SurfaceCurve& curve, std::size_t unchanged) {
   if (!on_base()) return own.draw(curve, unchanged);
+  if (!curve.points.empty()) prepare(curve, unchanged);
   carried->update(of_base->draw(carried->widened(curve), unchanged), curve, live);
   return live;
 }

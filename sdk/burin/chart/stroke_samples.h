@@ -11,6 +11,7 @@ namespace burin {
 /// How far the stroke's full width goes on straight beyond its ends, object units; 0: it ends in a round cap.
 struct Extensions {
   double begin = 0, end = 0;
+  bool operator==(const Extensions&) const = default;
 };
 
 /// Evenly spaced points of a stroke by which its visits to a vertex are told apart: discs of 1.25 times the

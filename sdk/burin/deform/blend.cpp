@@ -79,10 +79,11 @@ Vec3d VertexBlend::sum(const BlendOptions& options) const {
 
 Vec3f VertexBlend::unlimited(const BlendOptions& options) const {
   if (sheets_.count() == 0) return base_;
+  if (sheets_.count() == 1) return place(sheets_.first());
   std::size_t instances = 0;
   sheets_.for_each_latest([&](const SheetNode&) { ++instances; });
   const bool summed = is_sum(options.overlap) || (options.overlap == Overlap::latest && instances > 1);
-  if (sheets_.count() == 1 || !summed) return place(winner(options.overlap));
+  if (!summed) return place(winner(options.overlap));
   const Vec3d total = sum(options);
   if (total.isZero(0)) return base_;
   return (base_.cast<double>() + total).cast<float>();

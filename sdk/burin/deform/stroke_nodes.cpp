@@ -28,22 +28,28 @@ StrokeChanges StrokeNodes::follow(const SurfaceCurve& curve, double end_zone, do
   ++event_;
   collect(same_pen_up_to);
   compare_pens(curve);
+  altered_listed_ = true;
+  changes_.vertices.assign(chart_->altered().begin(), chart_->altered().end());
+  stale_in_.resize(chart().size());
   for (std::size_t i = 0; i < asked_.size(); ++i)
     if (chart_->changed(asked_[i]) || differs_[i] || chart().t[asked_[i]] >= end_zone) add_stale(asked_[i]);
   add_zone(end_zone, chart_->computed_from());
-  const bool counts_sheets = reads_.inputs & (BURIN_INPUT_SHEET | BURIN_INPUT_VISIT_COUNT);
-  for (const Index vertex : chart_->altered()) {
-    add_vertex(vertex);
-    for (Index slot = chart_->first(vertex); slot != no_index && counts_sheets; slot = chart_->next(slot))
-      add_stale(slot);
-  }
+  if (reads_.inputs & (BURIN_INPUT_SHEET | BURIN_INPUT_VISIT_COUNT)) add_other_sheets();
   return finished();
 }
 
 StrokeChanges StrokeNodes::in_zone(double end_zone) {
   ++event_;
+  altered_listed_ = false;
+  stale_in_.resize(chart().size());
   add_zone(end_zone, std::numeric_limits<double>::infinity());
   return finished();
+}
+
+/// Whose number of sheets may be another one.
+void StrokeNodes::add_other_sheets() {
+  for (const Index vertex : chart_->altered())
+    for (Index slot = chart_->first(vertex); slot != no_index; slot = chart_->next(slot)) add_stale(slot);
 }
 
 /// What was computed, and what lies before it where the pen may be another one all the same: samples on top
@@ -86,19 +92,20 @@ void StrokeNodes::compare_pens(const SurfaceCurve& curve) {
 }
 
 void StrokeNodes::add_stale(Index slot) {
-  if (slot >= stale_in_.size()) stale_in_.resize(chart().size());
   if (stale_in_[slot] == event_) return;
   stale_in_[slot] = event_;
   changes_.stale.push_back(slot);
-  add_vertex(chart().vertex[slot]);
+  add_vertex(slot);
 }
 
-void StrokeNodes::add_vertex(Index vertex) {
-  const Index place = chart_->place(vertex);
+void StrokeNodes::add_vertex(Index slot) {
+  if (altered_listed_ && chart_->changed(slot)) return;
+  const Index place = chart_->place_of(slot);
+  if (altered_listed_ && chart_->is_altered(place)) return;
   if (place >= vertex_in_.size()) vertex_in_.resize(chart_->place_count());
   if (vertex_in_[place] == event_) return;
   vertex_in_[place] = event_;
-  changes_.vertices.push_back(vertex);
+  changes_.vertices.push_back(chart().vertex[slot]);
 }
 
 /// Nodes from the begin of the end zone on, below a t.

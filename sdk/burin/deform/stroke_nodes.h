@@ -64,7 +64,8 @@ class StrokeNodes {
   void collect(double same_pen_up_to);
   void compare_pens(const SurfaceCurve& curve);
   void add_stale(Index slot);
-  void add_vertex(Index vertex);
+  void add_vertex(Index slot);
+  void add_other_sheets();
   void add_zone(double end_zone, double up_to);
   StrokeChanges finished();
 
@@ -75,6 +76,7 @@ class StrokeNodes {
   NodeDynamics dynamics_;
 
   StrokeChanges changes_;
+  bool altered_listed_ = false;  ///< changes_ has the vertices that the chart's last event altered
   std::uint32_t event_ = 0;
   std::vector<std::uint32_t> stale_in_, vertex_in_;  ///< [slot], [place of the chart]: event
   std::vector<Index> asked_;                         ///< slots whose pen, half width or dynamics may differ

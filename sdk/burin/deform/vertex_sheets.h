@@ -23,10 +23,15 @@ class VertexSheets {
  public:
   VertexSheets(std::span<const InstanceSheets> instances, Index vertex)
       : instances_(instances), vertex_(vertex) {
-    for_each([this](const SheetNode&) { ++count_; });
+    for_each([this](const SheetNode& node) {
+      if (count_++ == 0) first_ = node;
+    });
   }
 
   std::size_t count() const { return count_; }
+
+  /// Of at least one.
+  const SheetNode& first() const { return first_; }
 
   /// Instance by instance, by rising t.
   template <class Visit>
@@ -76,6 +81,7 @@ class VertexSheets {
   std::span<const InstanceSheets> instances_;
   Index vertex_;
   std::size_t count_ = 0;
+  SheetNode first_{};
 };
 
 }  // namespace burin

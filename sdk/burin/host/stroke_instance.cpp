@@ -19,16 +19,12 @@ DrivenStroke driven_stroke(const StrokeSettings& settings, const SymmetryInstanc
 }  // namespace
 
 InstanceCharters& Charters::operator[](std::size_t instance) {
-  while (charters_.size() <= instance) charters_.push_back({StrokeCharter(*surface_, &levels()), nullptr});
+  while (charters_.size() <= instance) charters_.push_back({StrokeCharter(*surface_, &levels_), nullptr});
   return charters_[instance];
 }
 
-const SurfaceLevels& Charters::levels() {
-  if (!levels_) levels_.emplace(*surface_);
-  return *levels_;
-}
-
 void Charters::moved(std::span<const Index> vertices, double distance) {
+  levels_.moved(vertices);
   for (InstanceCharters& charters : charters_) charters.stroke.moved(vertices, distance);
 }
 

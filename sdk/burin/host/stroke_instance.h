@@ -23,13 +23,13 @@ struct InstanceCharters {
   std::unique_ptr<LiveDabs> dabs;  ///< once a stroke of dabs was drawn
 };
 
-/// Charters of a surface, made when a stroke first needs them.
+/// Charters of a surface, made when a stroke first needs them, and the levels that they share.
 class Charters {
  public:
-  Charters(const Surface& surface, const Picker& picker) : surface_(&surface), picker_(&picker) {}
+  Charters(const Surface& surface, const Picker& picker)
+      : surface_(&surface), picker_(&picker), levels_(surface) {}
 
   InstanceCharters& operator[](std::size_t instance);
-  const SurfaceLevels& levels();
 
   /// Follows the surface after these vertices moved, by at most `distance`.
   void moved(std::span<const Index> vertices, double distance);
@@ -38,7 +38,7 @@ class Charters {
  private:
   const Surface* surface_;
   const Picker* picker_;
-  std::optional<SurfaceLevels> levels_;
+  SurfaceLevels levels_;
   std::deque<InstanceCharters> charters_;
 };
 

@@ -10,31 +10,13 @@ namespace {
 
 constexpr std::size_t vertices_a_block = 2048;
 
-/// Below this sine of its corner a triangle's direction is rounding noise of its float corners.
-constexpr double least_sine = 1e-6;
-
-/// The corner's share of the normal: the cross product of its two edges over the squares of their lengths.
-/// In doubles products of any finite floats stay in range.
-Vec3d weighted_normal(const Vec3d& edge, const Vec3d& next_edge) {
-  const Vec3d cross = edge.cross(next_edge);
-  const double squares = edge.squaredNorm() * next_edge.squaredNorm();
-  if (!(cross.squaredNorm() > least_sine * least_sine * squares)) return Vec3d::Zero();
-  return cross / squares;
-}
-
 }  // namespace
 
-void NormalSum::add(const Vec3d& edge, const Vec3d& next_edge) {
-  const Vec3d share = weighted_normal(edge, next_edge);
-  sum_ += share;
-  weights_ += share.norm();
-}
-
 Vec3d NormalSum::unit() const {
-  const double length = sum_.norm();
+  const double squared = sum_.squaredNorm();
   // Sheets that face each other cancel up to rounding: no side is the outside there.
-  if (!(length > 1e-6 * weights_)) return Vec3d::UnitZ();
-  return sum_ / length;
+  if (!(squared > 1e-12 * squared_weights_)) return Vec3d::UnitZ();
+  return sum_ / std::sqrt(squared);
 }
 
 Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex) {

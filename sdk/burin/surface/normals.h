@@ -13,15 +13,27 @@ namespace burin {
 /// for nothing.
 class NormalSum {
  public:
-  /// A corner, by its edges from the vertex to the next and to the previous vertex of the face.
-  void add(const Vec3d& edge, const Vec3d& next_edge);
+  /// A corner, by its edges from the vertex to the next and to the previous vertex of the face. Its share is
+  /// the cross product of the two over the squares of their lengths; in doubles products of any finite floats
+  /// stay in range.
+  void add(const Vec3d& edge, const Vec3d& next_edge) {
+    const Vec3d cross = edge.cross(next_edge);
+    const double squares = edge.squaredNorm() * next_edge.squaredNorm(), area = cross.squaredNorm();
+    if (!(area > least_sine * least_sine * squares)) return;
+    const double weight = 1 / squares;
+    sum_ += weight * cross;
+    squared_weights_ += weight * weight * area;
+  }
 
   /// (0, 0, 1) where nothing is left.
   Vec3d unit() const;
 
  private:
+  /// Below this sine of its corner a triangle's direction is rounding noise of its float corners.
+  static constexpr double least_sine = 1e-6;
+
   Vec3d sum_ = Vec3d::Zero();
-  double weights_ = 0;
+  double squared_weights_ = 0;  ///< the sum of the shares' squared lengths
 };
 
 /// Unit normal at a vertex of a surface whose vertices stand at `positions`: the NormalSum of its triangles.

@@ -20,26 +20,29 @@ class QuadraticFit {
   using Terms = Eigen::Matrix<double, 6, 1>;  ///< z, z_x, z_y, z_xx, z_xy, z_yy at (0, 0)
 
   /// `reach`: in units of x and y.
-  explicit QuadraticFit(double reach) : inverse_(1 / reach) {}
+  explicit QuadraticFit(double reach) : inverse_(1 / reach) {
+    moments_.fill(Lanes::Zero());
+    right_.fill(Lanes::Zero());
+  }
 
   /// A place (x, y, z).
   void add(const Vec3f& at, double weight) {
-    const double x = static_cast<double>(at.x()) * inverse_, y = static_cast<double>(at.y()) * inverse_;
-    const double xx = x * x, xy = x * y, yy = y * y, w = weight * bump_weight(xx + yy);
-    const double wx = w * x, wy = w * y, wxx = w * xx, wxy = w * xy, wyy = w * yy;
-    const double z = static_cast<double>(at.z());
-    const std::array<double, 15> moments = {w,        wx,       wy,       wxx,      wxy,
-                                            wyy,      wxx * x,  wxx * y,  wyy * x,  wyy * y,
-                                            wxx * xx, wxx * xy, wxx * yy, wyy * xy, wyy * yy};
-    for (std::size_t i = 0; i < moments.size(); ++i) moments_[i] += moments[i];
-    for (std::size_t i = 0; i < right_.size(); ++i) right_[i] += moments[i] * z;
+    x_[waiting_] = static_cast<double>(at.x()) * inverse_;
+    y_[waiting_] = static_cast<double>(at.y()) * inverse_;
+    z_[waiting_] = static_cast<double>(at.z());
+    weight_[waiting_] = weight;
+    if (++waiting_ == lanes) sum();
   }
 
   /// What the places do not tell is 0.
-  Terms solve() const {
-    if (!(moments_[0] > 0)) return Terms::Zero();
+  Terms solve() {
+    for (; waiting_ > 0; sum())
+      for (; waiting_ < lanes; ++waiting_) x_[waiting_] = y_[waiting_] = z_[waiting_] = weight_[waiting_] = 0;
+    if (!(total(moments_[0]) > 0)) return Terms::Zero();
+    std::array<double, 15> sums{};
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = total(moments_[i]);
     // In 1, x, y, x^2, x y, y^2.
-    const auto& [w, x, y, xx, xy, yy, xxx, xxy, xyy, yyy, xxxx, xxxy, xxyy, xyyy, yyyy] = moments_;
+    const auto& [w, x, y, xx, xy, yy, xxx, xxy, xyy, yyy, xxxx, xxxy, xxyy, xyyy, yyyy] = sums;
     Eigen::Matrix<double, 6, 6> squares;
     squares << w, x, y, xx, xy, yy,      //
         x, xx, xy, xxx, xxy, xyy,        //
@@ -49,16 +52,46 @@ class QuadraticFit {
         yy, xyy, yyy, xxyy, xyyy, yyyy;
     constexpr double damping = 2e-7;
     squares.diagonal().tail<5>().array() += damping * w;
-    const Terms terms = squares.ldlt().solve(Terms(right_.data()));
+    Terms right;
+    for (Eigen::Index i = 0; i < 6; ++i) right[i] = total(right_[static_cast<std::size_t>(i)]);
+    const Terms terms = squares.llt().solve(right);
     const double first = inverse_, second = inverse_ * inverse_;
     return {terms[0],          first * terms[1],     first * terms[2], 2 * second * terms[3],
             second * terms[4], 2 * second * terms[5]};
   }
 
  private:
+  static constexpr int lanes = 4;
+  using Lanes = Eigen::Array<double, lanes, 1>;
+
+  static double total(const Lanes& sums) { return (sums[0] + sums[2]) + (sums[1] + sums[3]); }
+
+  void sum() {
+    waiting_ = 0;
+    const Lanes xx = x_ * x_, xy = x_ * y_, yy = y_ * y_, inside = (1 - (xx + yy)).max(0.);
+    const Lanes w = weight_ * inside * inside * inside;
+    const Lanes wx = w * x_, wy = w * y_, wxx = w * xx, wxy = w * xy, wyy = w * yy;
+    const std::array<const Lanes*, 6> first = {&w, &wx, &wy, &wxx, &wxy, &wyy};
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      moments_[i] += *first[i];
+      right_[i] += *first[i] * z_;
+    }
+    moments_[6] += wxx * x_;
+    moments_[7] += wxx * y_;
+    moments_[8] += wyy * x_;
+    moments_[9] += wyy * y_;
+    moments_[10] += wxx * xx;
+    moments_[11] += wxx * xy;
+    moments_[12] += wxx * yy;
+    moments_[13] += wyy * xy;
+    moments_[14] += wyy * yy;
+  }
+
   double inverse_;  ///< of the reach
-  std::array<double, 15> moments_{};
-  std::array<double, 6> right_{};
+  int waiting_ = 0;
+  Lanes x_, y_, z_, weight_;  ///< of places that wait until there is one for each lane
+  std::array<Lanes, 15> moments_;
+  std::array<Lanes, 6> right_;
 };
 
 }  // namespace burin

@@ -3,19 +3,22 @@
 // nearer to another middle: a Poisson disc sampling with its Voronoi cells, by bounded runs of Dijkstra's
 // algorithm. Ranges of consecutive vertices are clustered side by side; no cluster crosses their borders.
 #include <burin/base/counting_sort.h>
+#include <burin/base/sort_unique.h>
 #include <burin/surface/collect_rows.h>
 #include <burin/surface/surface_levels.h>
+#include <burin/surface/triangle_shape.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <span>
 
 namespace burin {
 namespace {
 
-constexpr Index vertices_a_range = 32768, rows_a_block = 4096;
+constexpr Index vertices_a_range = 32768, rows_a_block = 4096, clusters_a_block = 256;
 
 /// Levels with fewer clusters are of no use to any stroke.
 constexpr Index fewest_clusters = 64;
@@ -137,6 +140,28 @@ double area_of(const Surface& surface) {
 /// Edge of the lattice of equilateral triangles with so many vertices on an area: each has two triangles.
 double lattice_edge(double area, Index vertices) { return std::sqrt(2 * area / (std::sqrt(3.) * vertices)); }
 
+/// A vertex has a third of each triangle around it.
+ClusterMean mean_of_vertex(const Surface& surface, Index vertex) {
+  const Vec3f& at = surface.positions[vertex];
+  Vec3d doubled = Vec3d::Zero();
+  for (const Index index : surface.incident[vertex]) {
+    const Triangle& triangle = surface.triangles[index];
+    const std::size_t corner = corner_of(triangle, vertex);
+    doubled += (surface.positions[triangle[(corner + 1) % 3]] - at)
+                   .cross(surface.positions[triangle[(corner + 2) % 3]] - at)
+                   .cast<double>();
+  }
+  return {at, (doubled / 6).cast<float>()};
+}
+
+/// These, ascending, without repetition, and those that neighbour them.
+std::vector<Index> with_neighbours(const Csr& neighbours, std::span<const Index> rows) {
+  std::vector<Index> all(rows.begin(), rows.end());
+  for (const Index row : rows) all.insert(all.end(), neighbours[row].begin(), neighbours[row].end());
+  sort_unique(all);
+  return all;
+}
+
 }  // namespace
 
 SurfaceLevels::SurfaceLevels(const Surface& surface) : surface_(&surface) {
@@ -157,6 +182,59 @@ SurfaceLevels::SurfaceLevels(const Surface& surface) : surface_(&surface) {
     for (const Index vertex : vertices) positions.push_back(graph.positions[vertex]);
     middles = std::move(positions);
     coarser_.push_back(std::move(level));
+    if (coarser_.size() < first_with_means) continue;
+    std::vector<Index> all(clusters);
+    std::iota(all.begin(), all.end(), Index{0});
+    coarser_.back().means.resize(clusters);
+    update_means(coarser_.size(), all);
+  }
+}
+
+ClusterMean SurfaceLevels::mean(std::size_t level, Index cluster) const {
+  if (level == 0) return mean_of_vertex(*surface_, cluster);
+  return level < first_with_means ? mean_of_members(level, cluster) : coarser_[level - 1].means[cluster];
+}
+
+ClusterMean SurfaceLevels::mean_of_members(std::size_t level, Index cluster) const {
+  Vec3d weighted = Vec3d::Zero(), plain = Vec3d::Zero(), area = Vec3d::Zero();
+  double weights = 0;
+  for (const Index member : members(level, cluster)) {
+    const ClusterMean of_member = mean(level - 1, member);
+    const Vec3d position = of_member.position.cast<double>();
+    const auto weight = static_cast<double>(of_member.area.norm());
+    weighted += weight * position;
+    weights += weight;
+    plain += position;
+    area += of_member.area.cast<double>();
+  }
+  const auto count = static_cast<double>(members(level, cluster).size());
+  const Vec3d position = weights > 0 ? Vec3d(weighted / weights) : Vec3d(plain / count);
+  return {position.cast<float>(), area.cast<float>()};
+}
+
+void SurfaceLevels::update_means(std::size_t level, std::span<const Index> clusters) {
+  std::vector<ClusterMean>& means = coarser_[level - 1].means;
+  parallel_blocks(clusters.size(), clusters_a_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) means[clusters[i]] = mean_of_members(level, clusters[i]);
+  });
+}
+
+/// Areas of triangles beside a vertex belong to its neighbours too.
+void SurfaceLevels::moved(std::span<const Index> vertices) {
+  std::size_t level = first_with_means;
+  if (level >= size()) return;
+  std::vector<Index> clusters;
+  for (const Index vertex : vertices) {
+    const Index of_vertex = cluster(level, vertex);
+    if (clusters.empty() || clusters.back() != of_vertex) clusters.push_back(of_vertex);
+  }
+  sort_unique(clusters);
+  clusters = with_neighbours(neighbours(level), clusters);
+  for (;; ++level) {
+    update_means(level, clusters);
+    if (level + 1 == size()) return;
+    for (Index& cluster : clusters) cluster = parent(level, cluster);
+    sort_unique(clusters);
   }
 }
 

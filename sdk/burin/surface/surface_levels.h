@@ -7,6 +7,12 @@
 
 namespace burin {
 
+/// The middle of a cluster of vertices.
+struct ClusterMean {
+  Vec3f position;  ///< of its vertices, weighted by area, object units
+  Vec3f area;      ///< vector: the sum over its share of the triangles, object units^2
+};
+
 /// A level coarser than the surface: clusters of vertices, each of which is a vertex of this level. Clusters
 /// are connected on the surface, and their vertices lie within about half a spacing of the middle along the
 /// surface: none reaches across a gap, or to the other side of a plate.
@@ -16,12 +22,13 @@ struct SurfaceLevel {
   UnsetVector<Index> cluster_of;  ///< [vertex of the level below]
   Csr members;                    ///< [cluster] vertices of the level below, ascending
   Csr neighbours;                 ///< [cluster] those with neighbouring members, ascending
+  std::vector<ClusterMean> means;  ///< [cluster] from the second level on
 };
 
 /// The levels of a surface: level 0 are its vertices, each further one has clusters of about twice the
-/// spacing of the one below; the first of 1.7 edges. They follow from the surface as it is when they are
-/// made; moved vertices stay in their clusters. Made on all threads; the result does not depend on their
-/// number.
+/// spacing of the one below; the first of 1.7 edges. Clusters follow from the surface as it is when they are
+/// made; moved vertices stay in them, and move their means. Made on all threads; the result does not depend
+/// on their number.
 class SurfaceLevels {
  public:
   /// The surface must outlive the object. One without triangles has level 0 only, of no spacing.
@@ -31,13 +38,25 @@ class SurfaceLevels {
   const Csr& neighbours(std::size_t level) const {
     return level == 0 ? surface_->neighbours : coarser_[level - 1].neighbours;
   }
+  std::span<const Index> members(std::size_t level, Index cluster) const {
+    return coarser_[level - 1].members[cluster];
+  }
   double spacing(std::size_t level) const { return level == 0 ? edge_ : coarser_[level - 1].spacing; }
 
   /// The cluster of a vertex of the surface.
   Index cluster(std::size_t level, Index vertex) const {
-    for (std::size_t i = 0; i < level; ++i) vertex = coarser_[i].cluster_of[vertex];
+    for (std::size_t i = 0; i < level; ++i) vertex = parent(i, vertex);
     return vertex;
   }
+
+  /// The cluster of the next level that one belongs to.
+  Index parent(std::size_t level, Index cluster) const { return coarser_[level].cluster_of[cluster]; }
+
+  /// The mean of a cluster's vertices where they are.
+  ClusterMean mean(std::size_t level, Index cluster) const;
+
+  /// Follows the surface after these vertices moved.
+  void moved(std::span<const Index> vertices);
 
   /// A vertex of the surface in the cluster.
   Index vertex(std::size_t level, Index cluster) const {
@@ -53,6 +72,12 @@ class SurfaceLevels {
   }
 
  private:
+  /// The first whose means are kept. Those of the ones below are of a few vertices.
+  static constexpr std::size_t first_with_means = 2;
+
+  ClusterMean mean_of_members(std::size_t level, Index cluster) const;
+  void update_means(std::size_t level, std::span<const Index> clusters);
+
   const Surface* surface_;
   double edge_ = 0;
   std::vector<SurfaceLevel> coarser_;

@@ -1,0 +1,85 @@
+#pragma once
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+
+namespace burin {
+
+/// Values of indices 0 .. count - 1 that are made when somebody first asks for them, and kept. Each must
+/// follow from its index alone. Takes the memory of values near those that were made.
+///
+/// get() may be called on several threads at once; where two ask for the same value at the same time, both
+/// make it, and one of the two is kept.
+template <class T>
+class OnDemand {
+ public:
+  static_assert(std::is_trivially_destructible_v<T>);
+  OnDemand() = default;
+  OnDemand(const OnDemand&) = delete;
+  OnDemand& operator=(const OnDemand&) = delete;
+  ~OnDemand() { restart(0); }
+
+  /// Forgets all values.
+  void restart(std::size_t count) {
+    for (std::size_t page = 0; page < page_count_; ++page) delete pages_[page].load();
+    page_count_ = (count + page_size - 1) / page_size;
+    pages_ = std::make_unique<std::atomic<Page*>[]>(page_count_);
+  }
+
+  /// make(): the value.
+  template <class Make>
+  T get(std::size_t index, const Make& make) {
+    Page& page = page_of(index / page_size);
+    const std::size_t place = index % page_size;
+    std::atomic<State>& state = page.states[place];
+    if (state.load(std::memory_order_acquire) == State::made) return page.values[place];
+    const T value = make();
+    State nothing = State::nothing;
+    if (state.compare_exchange_strong(nothing, State::being_kept, std::memory_order_acquire)) {
+      page.values[place] = value;
+      state.store(State::made, std::memory_order_release);
+    }
+    return value;
+  }
+
+  bool made(std::size_t index) const {
+    const Page* page = pages_[index / page_size].load(std::memory_order_acquire);
+    return page && page->states[index % page_size].load(std::memory_order_acquire) == State::made;
+  }
+
+  /// Forgets the values for which `stale(value)` holds. On one thread.
+  template <class Stale>
+  void forget_if(const Stale& stale) {
+    for (std::size_t number = 0; number < page_count_; ++number) {
+      Page* const page = pages_[number].load();
+      for (std::size_t place = 0; page && place < page_size; ++place)
+        if (page->states[place].load() == State::made && stale(page->values[place]))
+          page->states[place].store(State::nothing);
+    }
+  }
+
+ private:
+  static constexpr std::size_t page_size = 256;
+  enum class State : std::uint8_t { nothing, being_kept, made };
+  struct Page {
+    std::array<std::atomic<State>, page_size> states{};
+    std::array<T, page_size> values;
+  };
+
+  Page& page_of(std::size_t number) {
+    Page* page = pages_[number].load(std::memory_order_acquire);
+    if (page) return *page;
+    auto fresh = std::make_unique<Page>();
+    if (pages_[number].compare_exchange_strong(page, fresh.get(), std::memory_order_acq_rel))
+      return *fresh.release();
+    return *page;
+  }
+
+  std::size_t page_count_ = 0;
+  std::unique_ptr<std::atomic<Page*>[]> pages_;
+};
+
+}  // namespace burin

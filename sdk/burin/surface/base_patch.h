@@ -1,0 +1,49 @@
+#pragma once
+#include <burin/base/vector.h>
+
+namespace burin {
+
+/// The base surface around one of its nodes: a paraboloid over the tangent plane there. (x, y) are along
+/// axis_x and axis_y = normal x axis_x, object units. Numbers are floats or arrays of them, lane by lane.
+struct BasePatch {
+  Vec3f position, normal, axis_x;
+  float xx = 0, xy = 0, yy = 0;  ///< second derivatives of the height, 1 / length
+
+  template <class Number>
+  struct Local {
+    Number x, y;
+  };
+
+  Vec3f axis_y() const { return normal.cross(axis_x); }
+  float gauss_curvature() const { return xx * yy - xy * xy; }
+
+  template <class Number>
+  Number height(const Local<Number>& at) const {
+    return (xx * at.x * at.x + yy * at.y * at.y) / 2 + xy * at.x * at.y;
+  }
+
+  /// Of the height along both axes.
+  template <class Number>
+  Local<Number> slope(const Local<Number>& at) const {
+    return {xx * at.x + xy * at.y, xy * at.x + yy * at.y};
+  }
+
+  /// The foot of a point `above` the tangent plane, over `below`, on the paraboloid; to second order in its
+  /// distance from the node.
+  template <class Number>
+  Local<Number> foot(const Local<Number>& below, const Number& above) const {
+    Local<Number> at = below;
+    for (int i = 0; i < 2; ++i) {
+      const Local<Number> tilt = slope(at);
+      const Number left = above - height(at);
+      at = {below.x + left * tilt.x, below.y + left * tilt.y};
+    }
+    return at;
+  }
+
+  Local<float> foot(const Vec3f& point) const;
+  Vec3f place(const Local<float>& at) const;
+  Vec3f normal_at(const Local<float>& at) const;
+};
+
+}  // namespace burin

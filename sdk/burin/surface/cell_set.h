@@ -1,0 +1,50 @@
+#pragma once
+#include <burin/base/vector.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_set>
+
+namespace burin {
+
+/// The surroundings of points, in cubic cells.
+class CellSet {
+ public:
+  /// Holds what is within `distance` of an added point, and some more, all within 1.8 times that.
+  explicit CellSet(double distance) : cells_a_unit_(cells_a_distance / distance) {}
+
+  void add(const Vec3f& point) {
+    const Cell cell = cell_of(point);
+    if (!taken_.insert(key(cell)).second) return;
+    for (int x = -cells_a_distance; x <= cells_a_distance; ++x)
+      for (int y = -cells_a_distance; y <= cells_a_distance; ++y)
+        for (int z = -cells_a_distance; z <= cells_a_distance; ++z)
+          near_.insert(key({cell[0] + x, cell[1] + y, cell[2] + z}));
+  }
+
+  bool holds(const Vec3f& point) const { return near_.contains(key(cell_of(point))); }
+
+ private:
+  static constexpr int cells_a_distance = 2;
+  using Cell = std::array<std::int64_t, 3>;
+
+  Cell cell_of(const Vec3f& point) const {
+    Cell cell{};
+    for (int i = 0; i < 3; ++i)
+      cell[static_cast<std::size_t>(i)] =
+          static_cast<std::int64_t>(std::floor(static_cast<double>(point[i]) * cells_a_unit_));
+    return cell;
+  }
+  /// One of many cells that are 2^21 apart, which matters little: it holds more then.
+  static std::uint64_t key(const Cell& cell) {
+    std::uint64_t key = 0;
+    for (const std::int64_t i : cell) key = key << 21U | (static_cast<std::uint64_t>(i) & 0x1fffffU);
+    return key;
+  }
+
+  double cells_a_unit_;
+  std::unordered_set<std::uint64_t> taken_, near_;
+};
+
+}  // namespace burin
