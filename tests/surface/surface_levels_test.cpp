@@ -29,7 +29,7 @@ TEST(SurfaceLevels, PutEachVertexIntoOneCluster) {
     std::vector<Index> seen;
     const auto clusters = clusters_of(levels, level);
     for (Index cluster = 0; cluster < clusters.size(); ++cluster) {
-      EXPECT_EQ(levels.cluster(level, levels.vertex(level, cluster)), cluster);
+      EXPECT_EQ(levels.cluster(level, levels.first_member(level, cluster, 0)), cluster);
       for (const Index vertex : clusters[cluster]) {
         EXPECT_EQ(levels.cluster(level, vertex), cluster);
         seen.push_back(vertex);

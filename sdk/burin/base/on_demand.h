@@ -9,10 +9,10 @@
 namespace burin {
 
 /// Values of indices 0 .. count - 1 that are made when somebody first asks for them, and kept. Each must
-/// follow from its index alone. Takes the memory of values near those that were made.
+/// follow from its index alone. Takes the memory of those that were made and of some beside them.
 ///
-/// get() may be called on several threads at once; where two ask for the same value at the same time, both
-/// make it, and one of the two is kept.
+/// find() and put() may be called on several threads at once. Where two make the same value at the same time,
+/// one of the two is kept.
 template <class T>
 class OnDemand {
  public:
@@ -29,25 +29,22 @@ class OnDemand {
     pages_ = std::make_unique<std::atomic<Page*>[]>(page_count_);
   }
 
-  /// make(): the value.
-  template <class Make>
-  T get(std::size_t index, const Make& make) {
-    Page& page = page_of(index / page_size);
+  /// The value, or null where nobody has put it.
+  const T* find(std::size_t index) const {
+    const Page* page = pages_[index / page_size].load(std::memory_order_acquire);
     const std::size_t place = index % page_size;
-    std::atomic<State>& state = page.states[place];
-    if (state.load(std::memory_order_acquire) == State::made) return page.values[place];
-    const T value = make();
-    State nothing = State::nothing;
-    if (state.compare_exchange_strong(nothing, State::being_kept, std::memory_order_acquire)) {
-      page.values[place] = value;
-      state.store(State::made, std::memory_order_release);
-    }
-    return value;
+    if (!page || page->states[place].load(std::memory_order_acquire) != State::made) return nullptr;
+    return &page->values[place];
   }
 
-  bool made(std::size_t index) const {
-    const Page* page = pages_[index / page_size].load(std::memory_order_acquire);
-    return page && page->states[index % page_size].load(std::memory_order_acquire) == State::made;
+  void put(std::size_t index, const T& value) {
+    Page& page = page_of(index / page_size);
+    const std::size_t place = index % page_size;
+    State nothing = State::nothing;
+    if (!page.states[place].compare_exchange_strong(nothing, State::being_kept, std::memory_order_acquire))
+      return;
+    page.values[place] = value;
+    page.states[place].store(State::made, std::memory_order_release);
   }
 
   /// Forgets the values for which `stale(value)` holds. On one thread.

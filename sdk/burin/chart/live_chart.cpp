@@ -44,10 +44,7 @@ void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame, const Vec
   if (slot >= nodes_.size()) reserve(slot + 1);
   if (write(slot, vertex, frame, normal)) return note_written(std::array{slot});
   computed_.push_back(slot);
-  if (taken_[slot] && same(slot, frame, normal)) {
-    nodes_.curvature[slot] = frame.curvature;  // which no brush reads
-    return;
-  }
+  if (taken_[slot] && same(slot, frame, normal)) return;
   if (taken_[slot]) unlink(slot);
   nodes_.set(slot, vertex, 0, frame, normal);
   taken_[slot] = 1;
@@ -57,7 +54,8 @@ void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame, const Vec
 
 bool LiveChart::same(Index slot, const ChartFrame& frame, const Vec3f& normal) const {
   return nodes_.t[slot] == frame.t && nodes_.d[slot] == frame.d && nodes_.e1[slot] == frame.e1 &&
-         nodes_.stretch[slot] == frame.stretch && nodes_.normal[slot] == normal;
+         nodes_.stretch[slot] == frame.stretch && nodes_.curvature[slot] == frame.curvature &&
+         nodes_.normal[slot] == normal;
 }
 
 bool LiveChart::write(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal) {

@@ -21,8 +21,6 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t nodes_a_block = 32;
-
 /// Over which heights are fitted, in radii, and over which paraboloids are, and are blended, in spacings.
 constexpr double reach_over_radius = 0.55, ring_over_spacing = 2.5, blend_over_spacing = 1.6;
 
@@ -57,6 +55,7 @@ bool BaseSurface::set_radius(double radius) {
   level_ = level;
   const bool has_coarser = level + 1 < levels_->size() && levels_->spacing(level) * fewest_edges <= radius;
   coarse_level_ = has_coarser ? level + 1 : level;
+  group_level_ = std::min(coarse_level_ + 1, levels_->size() - 1);
   reach_ = reach;
   ring_ = ring_over_spacing * spacing();
   means_.restart(node_count());
@@ -69,7 +68,7 @@ bool BaseSurface::set_radius(double radius) {
 void BaseSurface::forget(std::span<const Index> moved_vertices, double distance) {
   if (reach_ == 0) return;
   // What is smoothed lies within about half a reach of where it was.
-  CellSet near(2.5 * reach_ + ring_ + 4 * spacing() + distance);
+  CellSet near(2.5 * reach_ + ring_ + 3 * levels_->spacing(group_level_) + distance);
   for (const Index vertex : moved_vertices) near.add(surface_->positions[vertex]);
   const auto stale = [&](const auto& at) { return near.holds(at.position); };
   means_.forget_if(stale);
@@ -78,107 +77,164 @@ void BaseSurface::forget(std::span<const Index> moved_vertices, double distance)
   patches_.forget_if(stale);
 }
 
+/// Stage by stage, so that no thread has to make what another is making already.
 void BaseSurface::prepare(Index near, const Vec3f& point, double distance) {
-  ConnectedNodes connected;
-  const auto within = [&](Index node) {
-    return squared_distance(vertex_of(node), point) <= distance * distance;
+  const Index group = levels_->ancestor(level_, near, group_level_);
+  const auto stage = [&](double reach, std::size_t level, const auto& known, const auto& make) {
+    std::vector<Index> missing;  // a member of each group
+    for (const Index one : groups_within(group, point, distance + reach)) {
+      const Index member = levels_->first_member(group_level_, one, level);
+      if (!known.find(member)) missing.push_back(member);
+    }
+    parallel_blocks(missing.size(), 1, [&](std::size_t i, std::size_t) { make(missing[i]); });
   };
-  std::vector<Index> missing;
-  for (const Index node : connected.find(neighbours(), std::array{near}, within))
-    if (!patches_.made(node)) missing.push_back(node);
-  std::ranges::sort(missing);
-  parallel_blocks(missing.size(), nodes_a_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) patch(missing[i]);
+  stage(reach_ + ring_, coarse_level_, once_, [this](Index cluster) { once(cluster); });
+  stage(ring_, level_, twice_, [this](Index node) { twice(node); });
+  stage(0, level_, patches_, [this](Index node) { patch(node); });
+}
+
+/// Groups with a vertex within about `distance` of the point.
+std::vector<Index> BaseSurface::groups_within(Index start, const Vec3f& point, double distance) const {
+  // Vertices of a group lie within this many spacings of any one of them, and seldom farther.
+  constexpr double extent = 1.3;
+  const double about = distance + extent * levels_->spacing(group_level_);
+  ConnectedNodes connected;
+  const std::span<const Index> found =
+      connected.find(levels_->neighbours(group_level_), std::array{start}, [&](Index group) {
+        const Vec3f& vertex = surface_->positions[levels_->first_member(group_level_, group, 0)];
+        return squared_distance(vertex, point) <= about * about;
+      });
+  return {found.begin(), found.end()};
+}
+
+BaseSurface::Sample BaseSurface::mean(Index node) {
+  if (const Sample* known = means_.find(node)) return *known;
+  const ClusterMean mean = levels_->mean(level_, node);
+  const Sample sample{mean.position, mean.area};
+  means_.put(node, sample);
+  return sample;
+}
+
+BaseSurface::Sample BaseSurface::once(Index cluster) {
+  if (const Sample* known = once_.find(cluster)) return *known;
+  return make_group(
+      once_, cluster, {coarse_level_, level_, reach_},
+      [this](Index member) {
+        const ClusterMean mean = levels_->mean(coarse_level_, member);
+        return Sample{mean.position, mean.area};
+      },
+      [this](Index node) { return mean(node); },
+      [this](const Sample& origin, std::span<const Sample> samples) {
+        const Sample at = smoothed(origin.position, samples);
+        return Sample{at.position, std::max(origin.up.dot(at.up), 0.F) * at.up};
+      });
+}
+
+/// From where the coarse cluster's tangent plane has the node.
+BaseSurface::Sample BaseSurface::twice(Index node) {
+  if (const Sample* known = twice_.find(node)) return *known;
+  return make_group(
+      twice_, node, {level_, coarse_level_, reach_},
+      [this](Index member) {
+        const Sample before = mean(member), beside = once(levels_->ancestor(level_, member, coarse_level_));
+        const Vec3f normal = beside.up.stableNormalized();
+        return Sample{before.position - (before.position - beside.position).dot(normal) * normal, before.up};
+      },
+      [this](Index cluster) { return once(cluster); },
+      [this](const Sample& origin, std::span<const Sample> samples) {
+        return smoothed(origin.position, samples);
+      });
+}
+
+BasePatch BaseSurface::patch(Index node) {
+  if (const BasePatch* known = patches_.find(node)) return *known;
+  return make_group(
+      patches_, node, {level_, level_, ring_}, [this](Index member) { return twice(member); },
+      [this](Index member) { return twice(member); },
+      [this](const Sample& origin, std::span<const Sample> samples) { return fitted(origin, samples); });
+}
+
+/// Makes the values of all members of the wanted one's group, which have most of their samples in common.
+template <class Value, class OriginOf, class SampleOf, class Make>
+Value BaseSurface::make_group(OnDemand<Value>& values, Index wanted, const Making& making,
+                              const OriginOf& origin_of, const SampleOf& sample_of, const Make& make) {
+  const Index group = levels_->ancestor(making.level, wanted, group_level_);
+  std::vector<Index> members;
+  std::vector<Sample> origins;
+  levels_->for_each_member(group_level_, group, making.level, [&](Index member) {
+    members.push_back(member);
+    origins.push_back(origin_of(member));
   });
+  const std::vector<Sample> samples = samples_around(group, origins, making, sample_of);
+  Value of_wanted{};
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Value value = make(origins[i], samples);
+    if (members[i] == wanted) of_wanted = value;
+    values.put(members[i], value);
+  }
+  return of_wanted;
 }
 
-ClusterMean BaseSurface::mean(Index node) {
-  return means_.get(node, [&] { return levels_->mean(level_, node); });
-}
-
-BaseSurface::Smoothed BaseSurface::once(Index cluster) {
-  return once_.get(cluster, [&] {
-    const std::array own{cluster};
-    const bool coarser = coarse_level_ > level_;
-    return smoothed(levels_->mean(coarse_level_, cluster).position, neighbours(),
-                    coarser ? levels_->members(coarse_level_, cluster) : std::span<const Index>(own),
-                    [this](Index node) {
-                      const ClusterMean of_node = mean(node);
-                      return Sample{of_node.position, of_node.area};
-                    });
-  });
-}
-
-BaseSurface::Smoothed BaseSurface::twice(Index node) {
-  return twice_.get(node, [&] {
-    const std::array start{coarse_level_ > level_ ? levels_->parent(level_, node) : node};
-    const Smoothed beside = once(start[0]);
-    const Vec3f position = mean(node).position;
-    return smoothed(position - (position - beside.position).dot(beside.normal) * beside.normal,
-                    levels_->neighbours(coarse_level_), start, [this](Index cluster) {
-                      return Sample{once(cluster).position, levels_->mean(coarse_level_, cluster).area};
-                    });
-  });
-}
-
-/// A point near the samples brought onto the paraboloid that fits those around it best which are connected
-/// with `starts`.
+/// Those that are connected within a ball which holds what is within reach of any origin.
 template <class SampleOf>
-BaseSurface::Smoothed BaseSurface::smoothed(const Vec3f& origin, const Csr& neighbours,
-                                            std::span<const Index> starts,
-                                            const SampleOf& sample_of) const {
-  ConnectedNodes connected;
+std::vector<BaseSurface::Sample> BaseSurface::samples_around(Index group, std::span<const Sample> origins,
+                                                             const Making& making,
+                                                             const SampleOf& sample_of) const {
+  Eigen::AlignedBox3f box;
+  for (const Sample& origin : origins) box.extend(origin.position);
+  const Vec3f middle = box.center();
+  double extent = 0;
+  for (const Sample& origin : origins)
+    extent = std::max(extent, squared_distance(origin.position, middle));
+  const double about = making.reach + std::sqrt(extent);
+  std::vector<Index> starts;
   std::vector<Sample> samples;
-  const auto gather = [&](const auto& counts) {
-    samples.clear();
-    for (const Index start : starts) samples.push_back(sample_of(start));
-    connected.find(neighbours, starts, [&](Index node) {
-      const Sample sample = sample_of(node);
-      const bool near = squared_distance(sample.position, origin) <= reach_ * reach_ && counts(sample);
-      if (near) samples.push_back(sample);
-      return near;
-    });
-  };
-  gather([](const Sample&) { return true; });
+  levels_->for_each_member(group_level_, group, making.sample_level, [&](Index member) {
+    starts.push_back(member);
+    samples.push_back(sample_of(member));
+  });
+  ConnectedNodes connected;
+  connected.find(levels_->neighbours(making.sample_level), starts, [&](Index node) {
+    const Sample sample = sample_of(node);
+    const bool near = squared_distance(sample.position, middle) <= about * about;
+    if (near) samples.push_back(sample);
+    return near;
+  });
+  return samples;
+}
+
+/// A point brought onto the paraboloid that fits the samples around it best, and its normal: zero where their
+/// area cancels out.
+BaseSurface::Sample BaseSurface::smoothed(const Vec3f& origin, std::span<const Sample> samples) const {
+  const double whole = reach_ * reach_;
   Vec3f area = Vec3f::Zero();
   for (const Sample& sample : samples)
-    if (4 * squared_distance(sample.position, origin) <= reach_ * reach_) area += sample.area;
+    if (4 * squared_distance(sample.position, origin) <= whole) area += sample.up;
   if (!(area.squaredNorm() > 0)) return {origin, Vec3f::Zero()};
   const Vec3f normal = area.normalized(), axis_x = normal.unitOrthogonal(), axis_y = normal.cross(axis_x);
-  const auto faces_it = [&](const Sample& sample) { return sample.area.dot(normal) > 0; };
-  // Where a sheet turns away, what is connected beyond it is another one.
-  if (!std::ranges::all_of(samples, faces_it)) gather(faces_it);
   QuadraticFit fit(reach_);
-  for (const Sample& sample : samples)
-    fit.add(local(origin, axis_x, axis_y, normal, sample.position),
-            std::max(static_cast<double>(sample.area.dot(normal)), 0.));
+  for (const Sample& sample : samples) {
+    // Where a sheet turns away, what is connected beyond it is another one.
+    const float seen = sample.up.dot(normal);
+    if (seen > 0 && squared_distance(sample.position, origin) <= whole)
+      fit.add(local(origin, axis_x, axis_y, normal, sample.position), static_cast<double>(seen));
+  }
   const QuadraticFit::Terms height = fit.solve();
   return {origin + static_cast<float>(height[0]) * normal, tilted(normal, axis_x, axis_y, height)};
 }
 
-BasePatch BaseSurface::patch(Index node) {
-  return patches_.get(node, [&] { return make_patch(node); });
-}
-
-BasePatch BaseSurface::make_patch(Index node) {
-  const Smoothed own = twice(node);
-  ConnectedNodes connected;
-  std::vector<Vec3f> ring{own.position};
-  connected.find(neighbours(), std::array{node}, [&](Index other) {
-    const Smoothed at = twice(other);
-    const bool near = squared_distance(at.position, own.position) <= ring_ * ring_ &&
-                      at.normal.dot(own.normal) > same_side;
-    if (near) ring.push_back(at.position);
-    return near;
-  });
-  Vec3f normal = own.normal.isZero(0) ? Vec3f::UnitZ() : own.normal;
+BasePatch BaseSurface::fitted(const Sample& origin, std::span<const Sample> samples) const {
+  Vec3f normal = origin.up.isZero(0) ? Vec3f::UnitZ() : origin.up;
   for (int round = 0;; ++round) {
     const Vec3f axis_x = normal.unitOrthogonal(), axis_y = normal.cross(axis_x);
     QuadraticFit fit(ring_);
-    for (const Vec3f& position : ring) fit.add(local(own.position, axis_x, axis_y, normal, position), 1);
+    for (const Sample& sample : samples)
+      if (squared_distance(sample.position, origin.position) <= ring_ * ring_ &&
+          sample.up.dot(origin.up) > same_side)
+        fit.add(local(origin.position, axis_x, axis_y, normal, sample.position), 1);
     const QuadraticFit::Terms height = fit.solve();
     if (round == 1)
-      return {own.position,
+      return {origin.position,
               normal,
               axis_x,
               static_cast<float>(height[3]),

@@ -20,7 +20,7 @@ struct BasePoint {
 /// wider than the brush is there: at each cluster of a coarser level stands a node, brought twice onto the
 /// paraboloid that fits the clusters within 0.55 radii best.
 ///
-/// Nodes are made when they are asked for, by any thread; which ones and in what order makes no difference to
+/// Nodes are made, a few neighbours at a time, when they are asked for, by any thread; which ones and in what order makes no difference to
 /// any of them. Only set_radius() and forget() must be alone.
 class BaseSurface {
  public:
@@ -39,7 +39,8 @@ class BaseSurface {
   /// the levels followed.
   void forget(std::span<const Index> moved_vertices, double distance);
 
-  /// Makes the nodes within `distance` of the point, of those connected with `near` within, on all threads.
+  /// Makes the nodes within about `distance` of the point, of those connected with `near` there, on all
+  /// threads.
   void prepare(Index near, const Vec3f& point, double distance);
 
   Index node_count() const { return neighbours().rows(); }
@@ -59,35 +60,40 @@ class BaseSurface {
   BasePoint project(Index near, const Vec3f& point);
 
  private:
-  /// A cluster brought onto a smooth surface.
-  struct Smoothed {
-    Vec3f position;
-    Vec3f normal;  ///< unit; zero where the area around cancels out
-  };
-
-  /// A cluster as a fit counts it: where it stands, and its area vector.
+  /// A place with a vector along the normal there: the area vector of a cluster, or of unit length.
   struct Sample {
-    Vec3f position, area;
+    Vec3f position, up;
   };
 
-  const Vec3f& vertex_of(Index node) const { return surface_->positions[levels_->vertex(level_, node)]; }
-  ClusterMean mean(Index node);
-  Smoothed once(Index cluster);
-  Smoothed twice(Index node);
+  std::vector<Index> groups_within(Index start, const Vec3f& point, double distance) const;
+  Sample mean(Index node);
+  Sample once(Index cluster);
+  Sample twice(Index node);
+  Sample smoothed(const Vec3f& origin, std::span<const Sample> samples) const;
+  BasePatch fitted(const Sample& origin, std::span<const Sample> samples) const;
+
+  /// What values are made of: from the samples of a level within `reach` of their origins.
+  struct Making {
+    std::size_t level, sample_level;
+    double reach;
+  };
+  template <class Value, class OriginOf, class SampleOf, class Make>
+  Value make_group(OnDemand<Value>& values, Index wanted, const Making& making, const OriginOf& origin_of,
+                   const SampleOf& sample_of, const Make& make);
   template <class SampleOf>
-  Smoothed smoothed(const Vec3f& origin, const Csr& neighbours, std::span<const Index> starts,
-                    const SampleOf& sample_of) const;
-  BasePatch make_patch(Index node);
+  std::vector<Sample> samples_around(Index group, std::span<const Sample> origins, const Making& making,
+                                     const SampleOf& sample_of) const;
   Index nearest(Index near, const Vec3f& point);
 
   const Surface* surface_;
   const SurfaceLevels* levels_;
   std::size_t level_ = 0;         ///< of the nodes
-  std::size_t coarse_level_ = 0;  ///< of the clusters that are smoothed once: the next, where that is fine enough
+  std::size_t coarse_level_ = 0;  ///< of the clusters smoothed once: the next, where that is fine enough
+  std::size_t group_level_ = 0;   ///< clusters of the next again, whose nodes are made together
   double reach_ = 0, ring_ = 0;
-  OnDemand<ClusterMean> means_;  ///< [node]
-  OnDemand<Smoothed> once_;      ///< [cluster of the coarse level]
-  OnDemand<Smoothed> twice_;     ///< [node]
+  OnDemand<Sample> means_;       ///< [node]
+  OnDemand<Sample> once_;        ///< [cluster of the coarse level] where it comes to stand
+  OnDemand<Sample> twice_;       ///< [node] where that comes to stand, with the normal
   OnDemand<BasePatch> patches_;  ///< [node]
 };
 

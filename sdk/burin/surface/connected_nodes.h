@@ -30,7 +30,7 @@ class ConnectedNodes {
   }
 
  private:
-  static constexpr std::size_t table_size = 2048, most = table_size / 2;
+  static constexpr std::size_t table_size = 4096, most = table_size / 2;
 
   /// False where it is known already.
   bool insert(Index node) {

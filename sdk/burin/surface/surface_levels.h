@@ -44,13 +44,16 @@ class SurfaceLevels {
   double spacing(std::size_t level) const { return level == 0 ? edge_ : coarser_[level - 1].spacing; }
 
   /// The cluster of a vertex of the surface.
-  Index cluster(std::size_t level, Index vertex) const {
-    for (std::size_t i = 0; i < level; ++i) vertex = parent(i, vertex);
-    return vertex;
-  }
+  Index cluster(std::size_t level, Index vertex) const { return ancestor(0, vertex, level); }
 
   /// The cluster of the next level that one belongs to.
   Index parent(std::size_t level, Index cluster) const { return coarser_[level].cluster_of[cluster]; }
+
+  /// The cluster of a coarser level, or the same, that one belongs to.
+  Index ancestor(std::size_t level, Index cluster, std::size_t coarser) const {
+    for (; level < coarser; ++level) cluster = parent(level, cluster);
+    return cluster;
+  }
 
   /// The mean of a cluster's vertices where they are.
   ClusterMean mean(std::size_t level, Index cluster) const;
@@ -58,17 +61,23 @@ class SurfaceLevels {
   /// Follows the surface after these vertices moved.
   void moved(std::span<const Index> vertices);
 
-  /// A vertex of the surface in the cluster.
-  Index vertex(std::size_t level, Index cluster) const {
-    for (; level > 0; --level) cluster = coarser_[level - 1].members[cluster][0];
+  /// Of the clusters of a finer level, or the same, that make up one.
+  Index first_member(std::size_t level, Index cluster, std::size_t finer) const {
+    for (; level > finer; --level) cluster = coarser_[level - 1].members[cluster][0];
     return cluster;
   }
 
   /// Calls visit(vertex) for the vertices of the surface that make up a cluster.
   template <class Visit>
   void for_each_vertex(std::size_t level, Index cluster, const Visit& visit) const {
-    if (level == 0) return visit(cluster);
-    for (const Index member : coarser_[level - 1].members[cluster]) for_each_vertex(level - 1, member, visit);
+    for_each_member(level, cluster, 0, visit);
+  }
+
+  /// Calls visit(member) for the clusters of a finer level, or the same, that make up one.
+  template <class Visit>
+  void for_each_member(std::size_t level, Index cluster, std::size_t finer, const Visit& visit) const {
+    if (level == finer) return visit(cluster);
+    for (const Index member : members(level, cluster)) for_each_member(level - 1, member, finer, visit);
   }
 
  private:
