@@ -48,7 +48,6 @@ void LiveCarrier::update(const LiveChart& nodes, const SurfaceCurve& curve, Live
     for (const Index slot : block.gone) vertices.remove(slot);
     for (const auto& [slot, vertex, frame, normal] : block.others) vertices.set(slot, vertex, frame, normal);
   }
-  list_near_end(from);
 }
 
 /// Vertices of a lower t than this are in the stroke or not as before, where their coordinates are.
@@ -68,33 +67,11 @@ void LiveCarrier::find_stale(const LiveChart& nodes, double from) {
   };
   for (const Index slot : nodes.computed())
     if (nodes.changed(slot)) add(slot);
-  if (from < near_end_from_) {
-    for (Index slot = 0; slot < ranges_.size(); ++slot)
-      if (ranges_[slot].last_t >= from) add(slot);
-  } else {
-    for (const Index slot : near_end_)
-      if (ranges_[slot].last_t >= from) add(slot);
-  }
+  const auto last_t = [this](Index slot) { return ranges_[slot].last_t; };
+  for (const Index slot : near_end_.find(from, carried_, static_cast<Index>(ranges_.size()), last_t))
+    if (last_t(slot) >= from) add(slot);
+  carried_ = stale_;
   for (const Index slot : stale_) is_stale_[slot] = 0;
-}
-
-/// A stroke's length may go back a little from one event to the next.
-void LiveCarrier::list_near_end(double from) {
-  const bool afresh = from < near_end_from_;
-  near_end_from_ = from - stroke_.radius;
-  const auto ends_before = [&](Index slot) {
-    ranges_[slot].near_end = ranges_[slot].last_t >= near_end_from_;
-    return !ranges_[slot].near_end;
-  };
-  if (afresh) {
-    near_end_.clear();
-    for (Index slot = 0; slot < ranges_.size(); ++slot)
-      if (!ends_before(slot)) near_end_.push_back(slot);
-    return;
-  }
-  std::erase_if(near_end_, ends_before);
-  for (const Index slot : stale_)
-    if (!ranges_[slot].near_end && !ends_before(slot)) near_end_.push_back(slot);
 }
 
 /// A slot of the base chart keeps as many slots as its cluster has vertices.

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/rising_tail.h>
 #include <burin/chart/live_chart.h>
 #include <burin/chart/stroke_chart.h>
 #include <burin/stroke/surface_curve.h>
@@ -29,7 +30,7 @@ class LiveCarrier {
  public:
   /// Base and surface must outlive the object.
   LiveCarrier(BaseSurface& base, const Surface& surface, const CarriedStroke& stroke)
-      : base_(&base), surface_(&surface), stroke_(stroke) {}
+      : base_(&base), surface_(&surface), stroke_(stroke), near_end_(stroke.radius) {}
 
   /// The curve as the base chart needs it: as much wider everywhere as the margin is. Valid until the next
   /// call.
@@ -44,7 +45,6 @@ class LiveCarrier {
     Index node = no_index;  ///< the cluster
     Index begin = 0, size = 0;
     double last_t = nowhere;  ///< the highest of the vertices' when they were last carried
-    bool near_end = false;    ///< listed in near_end_
   };
 
   /// What a few clusters' vertices became.
@@ -62,7 +62,6 @@ class LiveCarrier {
 
   double unchanged_up_to(const LiveChart& nodes) const;
   void find_stale(const LiveChart& nodes, double from);
-  void list_near_end(double from);
   void make_room(const LiveChart& nodes, LiveChart& vertices);
   void carry(const LiveChart& nodes, Index slot, const SurfaceCurve& curve, LiveChart& vertices,
              Carried& carried);
@@ -79,8 +78,8 @@ class LiveCarrier {
   Index slots_ = 0;                     ///< of the vertices' chart, so far
   std::vector<Index> stale_;            ///< slots of the base chart to be carried
   std::vector<std::uint8_t> is_stale_;  ///< [slot of the base chart] all 0 between events
-  std::vector<Index> near_end_;         ///< all slots of the base chart with a last_t from near_end_from_ on
-  double near_end_from_ = 0;
+  std::vector<Index> carried_;          ///< those of the last event
+  RisingTail near_end_;                 ///< slots of the base chart by last_t
 };
 
 }  // namespace burin

@@ -110,11 +110,14 @@ void StrokeNodes::add_vertex(Index slot) {
 
 /// Nodes from the begin of the end zone on, below a t.
 void StrokeNodes::add_zone(double end_zone, double up_to) {
-  if (!(end_zone < up_to)) return;
-  for (Index slot = 0; slot < chart().size(); ++slot) {
-    const double t = chart().t[slot];
-    if (t >= end_zone && t < up_to && !chart_->vacant(slot)) add_stale(slot);
-  }
+  const auto count = static_cast<Index>(chart().size());
+  for (const Index slot : zone_.find(end_zone, chart_->computed(), count, [this](Index s) { return t_of(s); }))
+    if (t_of(slot) >= end_zone && t_of(slot) < up_to) add_stale(slot);
+}
+
+/// Of a node; neither more nor less than any number where the slot is vacant.
+double StrokeNodes::t_of(Index slot) const {
+  return chart_->vacant(slot) ? std::numeric_limits<double>::quiet_NaN() : chart().t[slot];
 }
 
 StrokeChanges StrokeNodes::finished() { return std::exchange(changes_, {}); }

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/rising_tail.h>
 #include <burin/chart/live_chart.h>
 #include <burin/deform/node_dynamics.h>
 #include <burin/stroke/surface_curve.h>
@@ -41,7 +42,7 @@ class StrokeNodes {
  public:
   /// The chart, which must outlive the object, is empty yet.
   StrokeNodes(const LiveChart& chart, const ReadInputs& reads)
-      : chart_(&chart), reads_(reads), dynamics_(reads.dynamics) {}
+      : chart_(&chart), reads_(reads), dynamics_(reads.dynamics), zone_(reads.radius) {}
 
   /// Follows the last event of the chart, of this curve. Nodes are stale that are new, whose inputs differ in
   /// any bit, or whose t is at least `end_zone`: there the brush may look at the stroke's length. Up to the t
@@ -67,6 +68,7 @@ class StrokeNodes {
   void add_vertex(Index slot);
   void add_other_sheets();
   void add_zone(double end_zone, double up_to);
+  double t_of(Index slot) const;
   StrokeChanges finished();
 
   const LiveChart* chart_;
@@ -75,6 +77,7 @@ class StrokeNodes {
   std::vector<NodePen> pen_;
   NodeDynamics dynamics_;
 
+  RisingTail zone_;
   StrokeChanges changes_;
   bool altered_listed_ = false;  ///< changes_ has the vertices that the chart's last event altered
   std::uint32_t event_ = 0;
