@@ -30,7 +30,7 @@ class LiveCarrier {
  public:
   /// Base and surface must outlive the object.
   LiveCarrier(BaseSurface& base, const Surface& surface, const CarriedStroke& stroke)
-      : base_(&base), surface_(&surface), stroke_(stroke), near_end_(stroke.radius) {}
+      : base_(&base), surface_(&surface), stroke_(stroke), near_end_(stroke.radius / 8) {}
 
   /// The curve as the base chart needs it: as much wider everywhere as the margin is. Valid until the next
   /// call.

@@ -42,7 +42,7 @@ class StrokeNodes {
  public:
   /// The chart, which must outlive the object, is empty yet.
   StrokeNodes(const LiveChart& chart, const ReadInputs& reads)
-      : chart_(&chart), reads_(reads), dynamics_(reads.dynamics), zone_(reads.radius) {}
+      : chart_(&chart), reads_(reads), dynamics_(reads.dynamics), zone_(reads.radius / 8) {}
 
   /// Follows the last event of the chart, of this curve. Nodes are stale that are new, whose inputs differ in
   /// any bit, or whose t is at least `end_zone`: there the brush may look at the stroke's length. Up to the t
