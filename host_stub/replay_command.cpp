@@ -3,8 +3,10 @@
 #include <burin/surface/mesh_file.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "bake_option.h"
 #include "brush_folder.h"

@@ -2,8 +2,10 @@
 #include <burin/base/file.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "bench/against.h"
 #include "bench/baseline.h"

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include <nlohmann/json.hpp>
 #include "bench/plot.h"
 #include "bench/report_figures.h"
 #include "bench/scaling.h"
