@@ -1,8 +1,11 @@
 # Every third-party package Burin uses: named here once, with why. `./dev` installs the Debian
 # packages that the `apt` words name; CMake finds them through the lines that follow each.
 #
-#   burin_dependency(apt PACKAGE... why "...")
+#   burin_dependency(apt PACKAGE... why "...")        of the SDK, the brushes and the command
+#   burin_test_dependency(apt PACKAGE... why "...")   of tests and benchmarks besides
 function(burin_dependency)
+endfunction()
+function(burin_test_dependency)
 endfunction()
 
 include(${CMAKE_CURRENT_LIST_DIR}/BurinFindLibrary.cmake)
@@ -56,26 +59,26 @@ find_package(Freetype REQUIRED)
 burin_dependency(apt libharfbuzz-dev why "choice and places of letters in a line: ligatures, kerning")
 burin_find_library(HarfBuzz::harfbuzz harfbuzz/hb.h harfbuzz)
 
+burin_dependency(apt fonts-dejavu-core why "the text brush sets text in it unless told another font")
+
 burin_dependency(apt libcli11-dev why "command line of burin")
 find_package(CLI11 REQUIRED)
 
 if(BURIN_TESTS)
-  burin_dependency(apt libgtest-dev why "tests")
+  burin_test_dependency(apt libgtest-dev why "tests")
   find_package(GTest REQUIRED)
 
   # Tests only: its licence (GPL) keeps it out of everything that is installed.
-  burin_dependency(apt libcgal-dev why "exact geodesic distances, which tests measure charts against")
+  burin_test_dependency(apt libcgal-dev why "exact geodesic distances, which tests measure charts against")
   find_package(CGAL 5.5 REQUIRED)
 
-  burin_dependency(apt libbenchmark-dev why "benchmarks of single kernels")
+  burin_test_dependency(apt libbenchmark-dev why "benchmarks of single kernels")
   find_package(benchmark 1.7 REQUIRED)
 
-  burin_dependency(apt fonts-dejavu-core why "tests set text in a font that is known")
-
-  burin_dependency(apt xz-utils why "tests unpack the compressed meshes of ../shared/data")
+  burin_test_dependency(apt xz-utils why "tests unpack the compressed meshes of ../shared/data")
   find_program(XZ_PROGRAM xz REQUIRED)
 
-  burin_dependency(apt qemu-user why "tests run the command as other x86-64 processors would")
+  burin_test_dependency(apt qemu-user why "tests run the command as other x86-64 processors would")
   if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
     find_program(QEMU_PROGRAM qemu-x86_64 REQUIRED)
   endif()

@@ -18,6 +18,39 @@ if(BURIN_SANITIZE)
   endif()
 endif()
 
+# Headers of others that most sources have, parsed once for all libraries and once for all tests. Not with a
+# compiler launcher: a cache as ccache could not keep what is compiled with them, and such builds show which
+# sources do not name all headers that they use.
+# burin_precompile(NAME HEADER...): what targets of the same options take with burin_use_precompiled(TARGET NAME).
+function(burin_precompile name)
+  if(CMAKE_CXX_COMPILER_LAUNCHER)
+    return()
+  endif()
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${name}.cpp CONTENT "")
+  add_library(${name} OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/${name}.cpp)
+  target_compile_definitions(${name} PRIVATE $<TARGET_PROPERTY:burin_base,INTERFACE_COMPILE_DEFINITIONS>)
+  target_link_libraries(${name} PRIVATE Eigen3::Eigen TBB::tbb burin_build_flags)
+  target_precompile_headers(${name} PRIVATE ${ARGN})
+endfunction()
+function(burin_use_precompiled target name)
+  if(TARGET ${name})
+    target_precompile_headers(${target} REUSE_FROM ${name})
+  endif()
+endfunction()
+set(burin_common_headers
+  <Eigen/Core> <Eigen/Geometry> <oneapi/tbb/parallel_for.h> <oneapi/tbb/parallel_sort.h> <algorithm> <array> <cmath>
+  <filesystem> <fstream> <functional> <map> <memory> <optional> <span> <string> <vector>)
+burin_precompile(burin_library_headers ${burin_common_headers})
+if(BURIN_TESTS)
+  burin_precompile(burin_test_headers ${burin_common_headers} <gtest/gtest.h> <iostream> <random> <set>)
+  if(TARGET burin_test_headers)
+    target_link_libraries(burin_test_headers PRIVATE GTest::gtest)
+    # As the sources of programs, not of libraries.
+    set_target_properties(burin_test_headers PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+    target_compile_options(burin_test_headers PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIE})
+  endif()
+endif()
+
 # burin_interface_library(NAME LINK...): a folder of headers.
 function(burin_interface_library name)
   add_library(burin_${name} INTERFACE)
@@ -39,6 +72,7 @@ function(burin_library name)
   target_include_directories(burin_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/sdk> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(burin_${name} PUBLIC cxx_std_20)
+  burin_use_precompiled(burin_${name} burin_library_headers)
   target_link_libraries(burin_${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:burin_build_flags>)
   burin_install_library(${name})
 endfunction()
@@ -53,13 +87,19 @@ function(burin_brush_plugin name)
   burin_install_brush(burin_brush_${name})
 endfunction()
 
-# burin_test(NAME LINK ... [LABELS ...]): the folder's *_test.cpp as one GoogleTest program NAME_test, one
-# CTest entry a test.
+# burin_test(NAME LINK ... [LABELS ...] [COST n]): the folder's *_test.cpp as one GoogleTest program NAME_test,
+# one CTest entry a test. CTest starts tests of higher cost (0 unless given) first: long ones belong there, so
+# that none is left to run alone.
 function(burin_test folder)
-  cmake_parse_arguments(ARG "" "" "LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "COST" "LINK;LABELS" ${ARGN})
+  if(NOT ARG_COST)
+    set(ARG_COST 0)
+  endif()
   set(name ${folder}_test)
   file(GLOB sources CONFIGURE_DEPENDS *_test.cpp)
   add_executable(${name} ${sources})
+  burin_use_precompiled(${name} burin_test_headers)
   target_link_libraries(${name} PRIVATE ${ARG_LINK} burin_test_support GTest::gtest_main burin_build_flags)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 LABELS "${ARG_LABELS};${folder}")
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES
+    TIMEOUT 300 COST ${ARG_COST} LABELS "${ARG_LABELS};${folder}")
 endfunction()

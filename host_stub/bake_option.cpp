@@ -3,7 +3,9 @@
 #include <burin/base/error.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "output_file.h"
 

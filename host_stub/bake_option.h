@@ -1,9 +1,9 @@
 #pragma once
 #include <burin/deform/bake.h>
 
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "cli_fwd.h"
 #include "console.h"
 
 namespace burin {

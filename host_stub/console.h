@@ -1,7 +1,7 @@
 #pragma once
 #include <burin/base/progress.h>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 

@@ -1,5 +1,7 @@
 #include "figures.h"
 
+#include <nlohmann/json.hpp>
+
 namespace burin {
 
 Percentiles in_milliseconds(const Percentiles& seconds) {

@@ -4,7 +4,9 @@
 #include <burin/stroke/stroke_file.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "command.h"
 #include "mesh_input.h"

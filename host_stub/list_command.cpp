@@ -1,8 +1,10 @@
 #include <burin/host/brush_library.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "brush_folder.h"
 #include "command.h"

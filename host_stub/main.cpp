@@ -1,6 +1,7 @@
 #include <burin/base/error.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "command.h"

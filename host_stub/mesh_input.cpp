@@ -4,7 +4,9 @@
 #include <burin/surface/mesh_file.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "name_file.h"
 #include "painted.h"

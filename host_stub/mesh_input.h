@@ -3,10 +3,10 @@
 #include <burin/subdiv/refine.h>
 #include <burin/surface/surface.h>
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
+#include "cli_fwd.h"
 #include "console.h"
 
 namespace burin {

@@ -2,6 +2,7 @@
 
 #include <burin/stroke/recording_faults.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -5,11 +5,12 @@
 #include <burin/stroke/stabiliser.h>
 #include <burin/stroke/surface_curve.h>
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "cli_fwd.h"
 
 namespace burin {
 

@@ -3,8 +3,10 @@
 #include <burin/surface/mesh_file.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "bake_option.h"
 #include "brush_folder.h"
@@ -75,13 +77,6 @@ void warn_of_lost_paint(const Session& session, const ReplayMesh& mesh) {
 }
 
 /// Of the first recording in screen space.
-std::optional<Camera> recorded_camera(const std::vector<Recording>& recordings) {
-  for (const Recording& recording : recordings) {
-    if (recording.space == StrokeSpace::screen) return recording.camera;
-  }
-  return std::nullopt;
-}
-
 void check_mesh_path(const std::string& path) {
   check_output_path(path);
   if (!path.empty() && std::filesystem::path(path).extension() != ".ply")
@@ -157,7 +152,7 @@ void run(ReplayOptions& options) {
     json["bake"] = write_map(options.bake, mesh.before(), mesh.result(session).positions);
   }
   if (draws(options)) {
-    const Camera camera = replay_view(session, witness, recorded_camera(recordings), options.view);
+    const Camera camera = replay_view(session.surface(), witness.extent(), recordings, options.view);
     write_pictures(options, session, mesh, witness, camera, summary, json);
   }
   fmt::print("{}\n", options.json ? json_text(json) : mesh.text() + "\n" + summary_text(summary));

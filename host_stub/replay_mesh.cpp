@@ -4,6 +4,8 @@
 #include <burin/deform/bake.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "name_file.h"
 #include "source_order.h"
 

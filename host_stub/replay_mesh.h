@@ -3,6 +3,7 @@
 #include <burin/subdiv/sculpt_levels.h>
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 

@@ -16,24 +16,36 @@ double widest_in(const Chart& chart) {
   return widest;
 }
 
+std::optional<Camera> recorded_camera(const std::vector<Recording>& recordings) {
+  for (const Recording& recording : recordings) {
+    if (recording.space == StrokeSpace::screen) return recording.camera;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+void StrokeExtent::piece_ended(const Session& session) {
+  widest_ = std::max(widest_, widest_in(session.chart()));
+  curves_.push_back(session.curve());
+}
 
 void StrokeWitness::piece_ended(const Session& session) {
   if (!checkerboard_) checkerboard_.emplace(session.surface());
   const double widest = widest_in(session.chart());
   if (widest > 0) checkerboard_->add(session.chart(), widest);
-  widest_ = std::max(widest_, widest);
-  curves_.push_back(session.curve());
+  extent_.piece_ended(session);
 }
 
 Vec3f StrokeWitness::colour(const SurfacePoint& point) const {
   return checkerboard_ ? (*checkerboard_)(point) : clay(point);
 }
 
-Camera replay_view(const Session& session, const StrokeWitness& witness,
-                   const std::optional<Camera>& recorded, const ViewOptions& options) {
+Camera replay_view(const Surface& surface, const StrokeExtent& extent,
+                   const std::vector<Recording>& recordings, const ViewOptions& options) {
+  const std::optional<Camera> recorded = recorded_camera(recordings);
   if (recorded && !options.direction) return fit_into(*recorded, options.width);
-  return stroke_view(session.surface(), witness.curves(), witness.widest(), options);
+  return stroke_view(surface, extent.curves(), extent.widest(), options);
 }
 
 ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const Camera& camera,
@@ -45,8 +57,8 @@ ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const
   const Albedo checkers = [&](const SurfacePoint& point) { return witness.colour(point); };
   pictures.chart = render(session.surface(), session.picker(), camera, checkers, progress);
   // Later strokes run where earlier ones had moved the surface, perhaps below what the picture shows.
-  for (const SurfaceCurve& curve : witness.curves()) {
-    draw_curve(pictures.chart, camera, session.picker(), curve, witness.widest());
+  for (const SurfaceCurve& curve : witness.extent().curves()) {
+    draw_curve(pictures.chart, camera, session.picker(), curve, witness.extent().widest());
   }
   return pictures;
 }

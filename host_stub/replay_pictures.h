@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/host/session.h>
 #include <burin/stamp/picture.h>
+#include <burin/stroke/recording.h>
 
 #include <optional>
 #include <vector>
@@ -10,8 +11,8 @@
 
 namespace burin {
 
-/// Remembers what strokes drew, for pictures of it.
-class StrokeWitness {
+/// Where strokes went and how far they reached: what a camera must know to look at them.
+class StrokeExtent {
  public:
   /// Takes note of the session's last stroke.
   void piece_ended(const Session& session);
@@ -19,13 +20,25 @@ class StrokeWitness {
   const std::vector<SurfaceCurve>& curves() const { return curves_; }
   double widest() const { return widest_; }  ///< largest |d| of all charts, object units
 
+ private:
+  std::vector<SurfaceCurve> curves_;
+  double widest_ = 0;
+};
+
+/// Remembers what strokes drew, for pictures of it.
+class StrokeWitness {
+ public:
+  /// Takes note of the session's last stroke.
+  void piece_ended(const Session& session);
+
+  const StrokeExtent& extent() const { return extent_; }
+
   /// Linear RGB; clay everywhere when nothing was drawn.
   Vec3f colour(const SurfacePoint& point) const;
 
  private:
-  std::vector<SurfaceCurve> curves_;
+  StrokeExtent extent_;
   std::optional<Checkerboard> checkerboard_;
-  double widest_ = 0;
 };
 
 struct ReplayPictures {
@@ -33,10 +46,10 @@ struct ReplayPictures {
   Picture chart;  ///< the strokes' (t, d) and curves on the surface before
 };
 
-/// How to look at what a session drew: as the recording did if it has a camera and the options name no
-/// direction, else at the strokes from above.
-Camera replay_view(const Session& session, const StrokeWitness& witness,
-                   const std::optional<Camera>& recorded, const ViewOptions& options);
+/// How to look at what was drawn on a surface: as the first recording on a screen did unless the options name
+/// a direction, else at the strokes from above.
+Camera replay_view(const Surface& surface, const StrokeExtent& extent,
+                   const std::vector<Recording>& recordings, const ViewOptions& options);
 
 /// Draws the session's surface without its strokes, which are undone for it, and their charts; not the
 /// result.

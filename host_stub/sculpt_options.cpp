@@ -1,5 +1,6 @@
 #include "sculpt_options.h"
 
+#include <CLI/CLI.hpp>
 #include <optional>
 
 #include "options.h"

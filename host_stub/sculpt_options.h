@@ -1,7 +1,7 @@
 #pragma once
 #include <burin/host/replay.h>
 
-#include <CLI/CLI.hpp>
+#include "cli_fwd.h"
 
 namespace burin {
 

@@ -2,7 +2,9 @@
 #include <burin/stamp/stamp_file.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "command.h"
 #include "console.h"

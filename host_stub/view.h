@@ -3,9 +3,10 @@
 #include <burin/stroke/surface_curve.h>
 #include <burin/surface/surface.h>
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <span>
+
+#include "cli_fwd.h"
 
 namespace burin {
 

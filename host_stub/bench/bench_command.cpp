@@ -2,8 +2,10 @@
 #include <burin/base/file.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "bench/against.h"
 #include "bench/baseline.h"
@@ -25,7 +27,7 @@ struct BenchOptions {
   std::string suite;
   std::vector<std::string> cases, history;
   std::optional<std::size_t> repeat;
-  std::string report, baseline, write_baseline;
+  std::string report, picture, baseline, write_baseline;
   AgainstOptions against;
   bool json = false;
 };
@@ -45,20 +47,28 @@ Suite chosen_suite(const BenchOptions& options) {
   return suite;
 }
 
+/// Where the pictures of a report are; nothing without a report.
+std::filesystem::path picture_folder(const BenchOptions& options) {
+  return options.report.empty() ? std::filesystem::path()
+                                : std::filesystem::path(options.report) / "pictures";
+}
+
 SuiteResult run_here(const Suite& suite, const BenchOptions& options) {
   BrushLibrary brushes(log_on_console);
   brushes.load_search_path(own_brush_folder());
   const BenchCase& one = suite.cases[0];
   ProgressBar bar;
   const std::size_t repeat = options.repeat.value_or(one.repeat);
-  return {suite.name, {run_case(suite.path, one, repeat, brushes, bar.progress())}};
+  const std::filesystem::path picture = options.picture.empty() ? picture_file(picture_folder(options), 1)
+                                                                : std::filesystem::path(options.picture);
+  return {suite.name, {run_case(suite.path, one, repeat, picture, brushes, bar.progress())}};
 }
 
 /// A case that was asked for alone runs in this process: so run_case_in_process asks.
 SuiteResult measure(const Suite& suite, const BenchOptions& options) {
   if (options.cases.size() == 1) return run_here(suite, options);
   ProgressBar bar;
-  return run_suite(suite, options.repeat, bar.progress());
+  return run_suite(suite, options.repeat, picture_folder(options), bar.progress());
 }
 
 void print(const SuiteResult& result, bool json) {
@@ -116,6 +126,8 @@ void run_against(BenchOptions options) {
 void run(const BenchOptions& options) {
   if (options.suite.empty() && (options.history.empty() || options.report.empty()))
     throw CLI::ValidationError("bench", "takes a suite, or --history with --report");
+  if (!options.picture.empty() && options.cases.size() != 1)
+    throw CLI::ValidationError("--picture", "is of one --case");
   check_report_folder(options.report);
   check_output_path(options.write_baseline);
   if (options.against.other.empty())
@@ -150,6 +162,11 @@ void add_bench(CLI::App& app) {
   CLI::Option* report =
       command.add_option("--report", options->report, "folder for index.html and result.json")
           ->type_name("FOLDER");
+  CLI::Option* picture =
+      command
+          .add_option("--picture", options->picture, "picture to draw of the case's result, with one --case")
+          ->type_name("FILE.png")
+          ->needs(suite);
   CLI::Option* history =
       command.add_option("--history", options->history, "earlier results, oldest first, for the report")
           ->type_name("RESULT.json")
@@ -160,7 +177,7 @@ void add_bench(CLI::App& app) {
                              ->type_name("BURIN")
                              ->check(CLI::ExistingFile)
                              ->needs(suite);
-  for (CLI::Option* other : {baseline, write, report, history}) against->excludes(other);
+  for (CLI::Option* other : {baseline, write, report, picture, history}) against->excludes(other);
   command.add_option("--rounds", options->against.rounds, "runs of each build")
       ->check(CLI::Range(std::size_t{2}, std::size_t{1000}))
       ->capture_default_str()

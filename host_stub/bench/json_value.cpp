@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace burin {
 
@@ -68,6 +69,11 @@ std::map<std::string, JsonValue> JsonValue::members() const {
     members.emplace(name, JsonValue(file_, value, place_of(name)));
   return members;
 }
+
+bool JsonValue::is_text() const { return json_->is_string(); }
+bool JsonValue::is_array() const { return json_->is_array(); }
+bool JsonValue::is_boolean() const { return json_->is_boolean(); }
+bool JsonValue::boolean() const { return json_->get<bool>(); }
 
 std::string JsonValue::text() const {
   if (!json_->is_string()) reject("must be a text");

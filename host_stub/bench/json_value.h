@@ -34,11 +34,11 @@ class JsonValue {
   std::vector<JsonValue> items() const;
   std::map<std::string, JsonValue> members() const;
 
-  bool is_text() const { return json_->is_string(); }
-  bool is_array() const { return json_->is_array(); }
-  bool is_boolean() const { return json_->is_boolean(); }
+  bool is_text() const;
+  bool is_array() const;
+  bool is_boolean() const;
 
-  bool boolean() const { return json_->get<bool>(); }
+  bool boolean() const;
   std::string text() const;
   double number() const;    ///< finite
   double positive() const;  ///< finite, > 0

@@ -1,9 +1,12 @@
 #include "bench/report.h"
 
+#include <burin/base/file.h>
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "base64.h"
 #include "bench/plot.h"
 #include "bench/report_figures.h"
 #include "bench/scaling.h"
@@ -27,7 +30,7 @@ th{color:var(--soft);font-weight:500}th:first-child,td:first-child{text-align:le
 td:last-child{font-family:ui-monospace,monospace}
 .plots{display:grid;grid-template-columns:repeat(auto-fill,minmax(21em,1fr));gap:1em}
 figure{margin:0;background:var(--card);border:1px solid var(--grid);border-radius:6px;padding:.8em}
-figcaption{font-weight:600;font-size:13px}svg{width:100%;height:auto;display:block}
+figcaption{font-weight:600;font-size:13px}img,svg{width:100%;height:auto;display:block}
 svg text{font:11px system-ui,sans-serif;fill:var(--soft)}
 .grid{stroke:var(--grid)}.line{fill:none;stroke-width:2;stroke-linejoin:round}
 .dashes{stroke:var(--soft);stroke-dasharray:4 4}.dot{stroke:var(--card);stroke-width:2}
@@ -74,6 +77,19 @@ std::string section(const char* title, const char* explanation, const std::strin
   return fmt::format("<h2>{}</h2><p>{}</p>\n{}", title, explanation, body);
 }
 
+std::string picture_section(const SuiteResult& result) {
+  std::string figures;
+  for (const CaseResult& one : result.cases) {
+    if (one.picture.empty()) continue;
+    figures += fmt::format(
+        "<figure><figcaption>{0}</figcaption><img alt='{0}' src='data:image/png;base64,{1}'></figure>\n",
+        escaped(one.name), base64(read_file(one.picture)));
+  }
+  if (figures.empty()) return "";
+  return section("Results", "The surface with the strokes of each case.",
+                 "<div class='plots'>\n" + figures + "</div>\n");
+}
+
 std::string scaling_section(const SuiteResult& result) {
   std::string figures;
   for (const Scaling& scaling : scalings(result)) figures += scaling_figure(scaling);
@@ -103,7 +119,7 @@ std::string page(const std::vector<NamedResult>& results) {
              "<meta name='viewport' content='width=device-width'><title>burin bench: {0}</title>\n"
              "<style>{1}{2}</style>\n<h1>burin bench: {0}</h1>\n<p>An event is one sample of the pen.</p>\n",
              escaped(last.suite), style, colour_rules()) +
-         table(last) +
+         table(last) + picture_section(last) +
          section("Latency of events",
                  "How many of a case's events take at most so long; p50, p95, p99 marked.",
                  latency_figures(last)) +

@@ -32,6 +32,7 @@ struct CaseResult {
   double vertices_per_second = 0;      ///< moved or with a new normal
   double nodes_per_second = 0;         ///< chart nodes computed, by time in the chart
   CaseMemory memory;
+  std::filesystem::path picture;  ///< PNG file of what the strokes made; empty: none. Not part of the JSON
 
   double counter(const std::string& of) const { return static_cast<double>(counters.at(of)); }
 };

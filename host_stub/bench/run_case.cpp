@@ -10,7 +10,11 @@
 #include "bench/straight_stroke.h"
 #include "bench/suite_params.h"
 #include "name_file.h"
+#include "painted.h"
 #include "platform.h"
+#include "render.h"
+#include "replay_pictures.h"
+#include "report_folder.h"
 #include "stroke_input.h"
 
 namespace burin {
@@ -97,11 +101,12 @@ class CaseRunner {
                                                  *bench_case.straight, *overrides_.radius));
   }
 
-  CaseResult run(std::size_t repeat);
+  CaseResult run(std::size_t repeat, const std::filesystem::path& picture);
 
  private:
   void load(const BrushLibrary& brushes);
   Drawn draw();
+  void draw_picture(const std::filesystem::path& file);
   void take_back();
   void take(const Drawn& drawn, std::size_t number);
   CaseResult finish();
@@ -111,6 +116,7 @@ class CaseRunner {
   const Progress& progress_;
   std::optional<Session> session_;
   std::vector<Recording> recordings_;
+  StrokeExtent extent_;  ///< of the last repeat
   Calls events_, ends_, undos_;
   CaseResult result_;
 };
@@ -128,14 +134,30 @@ void CaseRunner::load(const BrushLibrary& brushes) {
 
 Drawn CaseRunner::draw() {
   Drawn drawn;
+  extent_ = {};
   ReplayObserver observer{progress_, {}};
-  observer.piece_ended = [&](const Session& session) { drawn.counters["region"] += session.chart().size(); };
+  observer.piece_ended = [&](const Session& session) {
+    drawn.counters["region"] += session.chart().size();
+    extent_.piece_ended(session);
+  };
   for (std::size_t i = 0; i < recordings_.size(); ++i) {
     const auto draw_one = [&] { add(replay(*session_, recordings_[i], overrides_, observer), drawn); };
     case_.straight ? draw_one() : naming_file(case_.strokes[i], draw_one);
   }
   if (drawn.ends.seconds.empty()) throw Error("no stroke meets the surface");
   return drawn;
+}
+
+void CaseRunner::draw_picture(const std::filesystem::path& file) {
+  ViewOptions options;
+  options.width = 480;
+  options.height = 360;
+  const Surface& surface = session_->surface();
+  const Camera camera = replay_view(surface, extent_, recordings_, options);
+  const Picture picture = render(surface, session_->picker(), camera, painted(session_->paint()), progress_);
+  make_report_folder(file.parent_path().string());
+  write_png(file, picture);
+  result_.picture = file;
 }
 
 void CaseRunner::take_back() {
@@ -158,11 +180,13 @@ void CaseRunner::take(const Drawn& drawn, std::size_t number) {
   result_.stroke_seconds.push_back(drawn.seconds);
 }
 
-CaseResult CaseRunner::run(std::size_t repeat) {
+CaseResult CaseRunner::run(std::size_t repeat, const std::filesystem::path& picture) {
   const std::size_t memory_ready = resident_memory();
   for (std::size_t number = 0; number < repeat; ++number) {
     take(draw(), number);
     if (number == 0) result_.memory.strokes = growth(memory_ready, resident_memory());
+    result_.memory.peak = peak_memory();
+    if (number + 1 == repeat && !picture.empty()) draw_picture(picture);
     take_back();
   }
   return finish();
@@ -177,7 +201,6 @@ CaseResult CaseRunner::finish() {
   result_.end = call_figures(ends_);
   result_.undo = call_figures(undos_);
   result_.distribution = distribution(events_.seconds);
-  result_.memory.peak = peak_memory();
   const auto repeats = static_cast<double>(result_.stroke_seconds.size());
   result_.vertices_per_second = rate(repeats * result_.counter("changed"), sum(result_.stroke_seconds));
   result_.nodes_per_second =
@@ -188,10 +211,11 @@ CaseResult CaseRunner::finish() {
 }  // namespace
 
 CaseResult run_case(const std::string& path, const BenchCase& bench_case, std::size_t repeat,
-                    const BrushLibrary& brushes, const Progress& progress) {
+                    const std::filesystem::path& picture, const BrushLibrary& brushes,
+                    const Progress& progress) {
   return naming_file(path, [&] {
     try {
-      return CaseRunner(path, bench_case, brushes, progress).run(repeat);
+      return CaseRunner(path, bench_case, brushes, progress).run(repeat, picture);
     } catch (const FileError&) {
       throw;
     } catch (const Error& error) {

@@ -34,9 +34,11 @@ std::string complaint(std::string text) {
 }  // namespace
 
 CaseResult run_case_in_process(const std::filesystem::path& burin, const Suite& suite,
-                               const std::string& case_name, std::optional<std::size_t> repeat) {
+                               const std::string& case_name, std::optional<std::size_t> repeat,
+                               const std::filesystem::path& picture) {
   std::vector<std::string> command = {burin.string(), "bench", suite.path, "--case", case_name, "--json"};
   if (repeat) command.insert(command.end(), {"--repeat", std::to_string(*repeat)});
+  if (!picture.empty()) command.insert(command.end(), {"--picture", picture.string()});
   const ProgramResult result = run_program(command);
   if (result.exit_code != 0) fail(result, burin, case_name);
   std::fputs(result.err.c_str(), stderr);
@@ -44,15 +46,22 @@ CaseResult run_case_in_process(const std::filesystem::path& burin, const Suite& 
   SuiteResult read = read_result(file);
   if (read.cases.size() != 1 || read.cases[0].name != case_name)
     file.reject(fmt::format("did not run case '{}'", case_name));
+  read.cases[0].picture = picture;
   return std::move(read.cases[0]);
 }
 
-SuiteResult run_suite(const Suite& suite, std::optional<std::size_t> repeat, const Progress& progress) {
+std::filesystem::path picture_file(const std::filesystem::path& folder, std::size_t number) {
+  return folder.empty() ? folder : folder / fmt::format("{}.png", number);
+}
+
+SuiteResult run_suite(const Suite& suite, std::optional<std::size_t> repeat,
+                      const std::filesystem::path& pictures, const Progress& progress) {
   SuiteResult result{suite.name, {}};
   for (const BenchCase& one : suite.cases) {
     report(progress, one.name,
            static_cast<double>(result.cases.size()) / static_cast<double>(suite.cases.size()));
-    result.cases.push_back(run_case_in_process(executable_file(), suite, one.name, repeat));
+    const std::filesystem::path picture = picture_file(pictures, result.cases.size() + 1);
+    result.cases.push_back(run_case_in_process(executable_file(), suite, one.name, repeat, picture));
   }
   return result;
 }

@@ -269,7 +269,8 @@ TEST(ReplayCommand, GivesTheSameBitsOnOneAndTwoProcessors) {
 TEST(ReplayCommand, WritesAReportWithPictures) {
   const Engraving engraving;
   const std::string folder = engraving.folder.path("new/report");
-  const json result = burin_json(engraving.command({"--report", folder}));
+  const json result =
+      burin_json(engraving.command({"--report", folder, "--width", "300", "--height", "225"}));
   const json reported = json::parse(read_file(folder + "/report.json"));
   EXPECT_EQ(reported, result);
   const Picture before = read_png(folder + "/before.png"), after = read_png(folder + "/after.png"),

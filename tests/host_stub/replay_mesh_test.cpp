@@ -72,7 +72,7 @@ TEST(SculptLevelOption, PicturesTheFinestLevel) {
   const Ball ball;
   const auto report = [&](const std::string& name, std::vector<std::string> options) {
     const std::string folder = ball.folder.path(name);
-    options.insert(options.end(), {"--report", folder});
+    options.insert(options.end(), {"--report", folder, "--width", "200", "--height", "150"});
     burin_output(ball.command(options));
     return folder;
   };

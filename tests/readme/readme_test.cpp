@@ -42,10 +42,12 @@ class Checkout {
   TemporaryFolder folder_;
 };
 
-/// The same commands on surfaces small enough for a test.
+/// The same commands on surfaces and in pictures small enough for a test.
 std::string at_test_size(const std::string& script) {
-  static const std::regex size("--(target-triangles|subdivide) [0-9]+");
-  return std::regex_replace(script, size, "--subdivide 3");
+  static const std::regex size("--(target-triangles|subdivide) [0-9]+"),
+      picture("burin (replay|chart|render) ");
+  return std::regex_replace(std::regex_replace(script, size, "--subdivide 3"), picture,
+                            "burin $1 --width 200 --height 150 ");
 }
 
 /// Files and folders that a script's options name as outputs.

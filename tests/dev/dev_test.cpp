@@ -1,0 +1,113 @@
+#include <burin/base/file.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "support/process.h"
+#include "support/shared_data.h"
+
+namespace burin::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source_folder = BURIN_SOURCE_FOLDER;
+
+/// A checkout whose `./dev` meets programs that only note how they are called.
+class NotingMachine {
+ public:
+  /// `installed`: a pattern of the shell, the packages that are there.
+  explicit NotingMachine(const std::string& installed) {
+    fs::create_directories(folder_.path() / "cmake");
+    fs::copy(source_folder / "dev", folder_.path() / "dev");
+    fs::copy(source_folder / "cmake/Dependencies.cmake", folder_.path() / "cmake/Dependencies.cmake");
+    write("programs/dpkg-query", "case \"$4\" in " + installed + ") echo 'install ok installed' ;; esac");
+    write("programs/sudo", "exec \"$@\"");
+    for (const char* name :
+         {"programs/apt-get", "programs/cmake", "programs/ctest", "build/release/bin/burin"})
+      write(name, "echo \"${0##*/} $*\" >>'" + calls() + "'");
+  }
+
+  /// The calls that the command of `./dev` makes, a line each.
+  std::string calls_of(const std::string& command) const {
+    fs::remove(calls());
+    const std::string path = "PATH=" + (folder_.path() / "programs").string() + ":/usr/bin:/bin";
+    run_process({"/usr/bin/env", path, "bash", folder_.path() / "dev", command});
+    return read_file(calls());
+  }
+
+ private:
+  std::string calls() const { return folder_.path() / "calls"; }
+
+  void write(const fs::path& name, const std::string& script) const {
+    const fs::path path = folder_.path() / name;
+    fs::create_directories(path.parent_path());
+    write_file_whole(path, [&](std::ostream& out) { out << "#!/bin/sh\n" << script << "\n"; });
+    fs::permissions(path, fs::perms::owner_all);
+  }
+
+  TemporaryFolder folder_;
+};
+
+/// The first of the lines that begins so, or nothing.
+std::string line_with(const std::string& start, const std::string& lines) {
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with(start)) return line;
+  return "";
+}
+
+std::set<std::string> words_of(const std::string& line) {
+  std::istringstream in(line);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+const char* const of_the_command[] = {"g++", "cmake", "ninja-build", "libeigen3-dev", "fonts-dejavu-core"};
+const char* const of_the_tests[] = {"libgtest-dev", "libcgal-dev", "libbenchmark-dev", "xz-utils",
+                                    "qemu-user"};
+
+TEST(Dev, DemoOnABareMachineBuildsAndInstallsWhatItNeeds) {
+  const std::string calls = NotingMachine("none").calls_of("demo");
+  const auto installed = words_of(line_with("apt-get install", calls));
+  for (const char* package : of_the_command) EXPECT_TRUE(installed.contains(package)) << package;
+  for (const char* package : of_the_tests) EXPECT_FALSE(installed.contains(package)) << package;
+  EXPECT_TRUE(words_of(line_with("cmake --preset", calls)).contains("-DBURIN_TESTS=OFF")) << calls;
+  EXPECT_TRUE(line_with("cmake --build", calls).ends_with(" --target burin")) << calls;
+  EXPECT_NE(line_with("burin replay", calls), "") << calls;
+}
+
+TEST(Dev, TestInstallsAndBuildsAll) {
+  const std::string calls = NotingMachine("none").calls_of("test");
+  const auto installed = words_of(line_with("apt-get install", calls));
+  for (const char* package : of_the_command) EXPECT_TRUE(installed.contains(package)) << package;
+  for (const char* package : of_the_tests) EXPECT_TRUE(installed.contains(package)) << package;
+  EXPECT_TRUE(words_of(line_with("cmake --preset", calls)).contains("-DBURIN_TESTS=ON")) << calls;
+  EXPECT_FALSE(words_of(line_with("cmake --build", calls)).contains("--target")) << calls;
+  EXPECT_NE(line_with("ctest --preset release", calls), "") << calls;
+}
+
+TEST(Dev, DemoLeavesTheTestsInTheBuildTreeOfADeveloper) {
+  const std::string calls = NotingMachine("*").calls_of("demo");
+  EXPECT_EQ(line_with("apt-get", calls), "") << calls;
+  EXPECT_TRUE(words_of(line_with("cmake --preset", calls)).contains("-DBURIN_TESTS=ON")) << calls;
+  EXPECT_TRUE(line_with("cmake --build", calls).ends_with(" --target burin")) << calls;
+}
+
+TEST(Dev, TheCommandIsBuiltFromNothingBelowTests) {
+  const ProcessResult inputs = run_process({BURIN_NINJA, "-C", BURIN_BUILD_FOLDER, "-t", "inputs", "burin"});
+  ASSERT_EQ(inputs.exit_code, 0) << inputs.err;
+  std::istringstream in(inputs.out);
+  std::size_t sources = 0;
+  const std::string root = source_folder.string() + "/";
+  for (std::string line; std::getline(in, line);) {
+    EXPECT_FALSE(line.starts_with("tests/") || line.starts_with(root + "tests/")) << line;
+    EXPECT_FALSE(line.starts_with(root + "samples/")) << line;
+    sources += line.starts_with(root) && line.ends_with(".cpp");
+  }
+  EXPECT_GT(sources, 150u) << "sources of the SDK, the brushes and the command";
+}
+
+}  // namespace
+}  // namespace burin::test
