@@ -3,13 +3,11 @@
 #include <burin/chart/stroke_chart.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "chart/shooting_errors.h"
 #include "support/shapes.h"
-#include "support/shooting.h"
 #include "support/traced.h"
 
 namespace burin {
@@ -17,43 +15,14 @@ namespace {
 
 constexpr double radius = 0.3;
 
+using test::ChartErrors;
 using test::Height;
-using test::PlaneCurve;
-
-Height egg_crate(double x, double y) {
-  const double a = 0.12, p = 3, q = 2.5, sx = std::sin(p * x), cx = std::cos(p * x);
-  const double sy = std::sin(q * y + 0.4), cy = std::cos(q * y + 0.4);
-  return {a * sx * sy,          a * p * cx * sy,     a * q * sx * cy,
-          -a * p * p * sx * sy, a * p * q * cx * cy, -a * q * q * sx * sy};
-}
-
-Height hill_on_saddle(double x, double y) {
-  const double e = 0.3 * std::exp(-3 * (x * x + y * y));
-  return {0.3 * (x * x - y * y) + e,    0.6 * x - 6 * x * e, -0.6 * y - 6 * y * e,
-          0.6 - 6 * e + 36 * x * x * e, 36 * x * y * e,      -0.6 - 6 * e + 36 * y * y * e};
-}
-
-/// Errors of one coordinate, percent of the radius.
-struct Errors {
-  std::vector<double> sorted;
-
-  double mean() const {
-    return std::accumulate(sorted.begin(), sorted.end(), 0.) / static_cast<double>(sorted.size());
-  }
-  double p99() const { return sorted[sorted.size() * 99 / 100]; }
-};
-
-struct ChartErrors {
-  Errors t, d;
-};
 
 class Shooting : public testing::TestWithParam<Height (*)(double, double)> {
  protected:
-  /// An S-shaped stroke that turns both ways across a triangulation with edges of about this length.
+  /// A stroke across a triangulation with edges of about this length.
   ChartErrors errors(double edge, const ChartOptions& options) const {
-    const PlaneCurve curve{[](double s) { return Vec2d(-0.8 + 1.6 * s, 0.25 * std::sin(3.5 * s - 1)); },
-                           [](double s) { return Vec2d(1.6, 0.875 * std::cos(3.5 * s - 1)); }};
-    const test::ShootingOracle oracle(GetParam(), curve);
+    const test::ShootingOracle oracle(GetParam(), test::s_curve());
     const int cells = static_cast<int>(std::lround(2.6 / edge));
     const Surface surface = make_surface(
         test::shuffled(test::patch({.u_min = -1.3,
@@ -74,29 +43,10 @@ class Shooting : public testing::TestWithParam<Height (*)(double, double)> {
     EXPECT_EQ(charter.base() != nullptr, options.follow < 1);
     const CurveGround ground(surface, picker, charter.base());
     const Chart chart = charter.draw(test::traced(ground, picker, radius, samples)).sorted();
-    return compare(surface, chart, oracle);
-  }
-
- private:
-  static ChartErrors compare(const Surface& surface, const Chart& chart, const test::ShootingOracle& oracle) {
-    ChartErrors errors;
-    const std::size_t stride = std::max<std::size_t>(1, chart.size() / 2000);
-    std::size_t unsolved = 0;
-    for (std::size_t i = 0; i < chart.size(); i += stride) {
-      const Vec3f& x = surface.positions[chart.vertex[i]];
-      const auto exact = oracle.solve({x.x(), x.y()}, {chart.t[i], chart.d[i]});
-      if (!exact) {
-        ++unsolved;
-      } else if (exact->t > radius / 3 && exact->t < oracle.length() - radius / 3) {
-        errors.t.sorted.push_back(100 / radius * std::abs(chart.t[i] - exact->t));
-        errors.d.sorted.push_back(100 / radius * std::abs(static_cast<double>(chart.d[i]) - exact->d));
-      }
-    }
-    EXPECT_EQ(unsolved, 0U);
-    EXPECT_GT(errors.t.sorted.size(), 500U);
-    std::ranges::sort(errors.t.sorted);
-    std::ranges::sort(errors.d.sorted);
-    return errors;
+    return test::errors_of(chart, oracle, radius, [&](Index vertex) {
+      const Vec3f& x = surface.positions[vertex];
+      return Vec2d(x.x(), x.y());
+    });
   }
 };
 
@@ -140,7 +90,8 @@ TEST_P(Shooting, HalvingTheEdgeHalvesTheMeanErrors) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Surfaces, Shooting, testing::Values(&egg_crate, &hill_on_saddle));
+INSTANTIATE_TEST_SUITE_P(Surfaces, Shooting,
+                         testing::Values(&test::shallow_egg_crate, &test::hill_on_saddle));
 
 }  // namespace
 }  // namespace burin

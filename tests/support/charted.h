@@ -1,0 +1,42 @@
+#pragma once
+#include <burin/chart/stroke_chart.h>
+#include <burin/stroke/surface_curve.h>
+#include <burin/surface/picker.h>
+#include <burin/surface/surface.h>
+#include <burin/surface/surface_levels.h>
+
+#include <utility>
+#include <vector>
+
+#include "support/traced.h"
+
+namespace burin::test {
+
+/// A surface and what strokes at the brush's own scale need of it.
+struct Charted {
+  explicit Charted(TriangleMesh mesh)
+      : surface(make_surface(std::move(mesh))), picker(surface), levels(surface), charter(surface, &levels) {}
+
+  /// The curve of samples near the surface, and its chart.
+  Chart chart(const ChartOptions& options, const std::vector<Vec3d>& samples) {
+    charter.begin(options);
+    curve = traced(CurveGround(surface, picker, charter.base()), picker, options.radius, samples);
+    return charter.draw(curve).sorted();
+  }
+
+  /// The same of places that rays meet.
+  Chart chart(const ChartOptions& options, const std::vector<Ray>& pens) {
+    std::vector<Vec3d> samples;
+    for (const Ray& pen : pens)
+      if (const auto at = picker.pick(pen)) samples.push_back(at->position.cast<double>());
+    return chart(options, samples);
+  }
+
+  Surface surface;
+  Picker picker;
+  SurfaceLevels levels;
+  StrokeCharter charter;
+  SurfaceCurve curve;  ///< of the last chart
+};
+
+}  // namespace burin::test
