@@ -11,7 +11,7 @@ namespace burin {
 /// The surroundings of points, in cubic cells.
 class CellSet {
  public:
-  /// Holds what is within `distance` of an added point, and some more, all within 1.8 times that.
+  /// Holds what is within `distance` of an added point, and some more, all within 2.6 times that.
   explicit CellSet(double distance) : cells_a_unit_(cells_a_distance / distance) {}
 
   void add(const Vec3f& point) {

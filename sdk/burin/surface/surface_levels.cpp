@@ -128,17 +128,23 @@ void connect(const Graph& graph, Index clusters, SurfaceLevel& level) {
   });
 }
 
-double area_of(const Surface& surface) {
-  double doubled = 0;
-  for (const auto& [a, b, c] : surface.triangles) {
-    const Vec3f& at = surface.positions[a];
-    doubled += static_cast<double>((surface.positions[b] - at).cross(surface.positions[c] - at).norm());
+/// Length of the edges where the surface is fine: a tenth of its vertices have shorter ones on average. By
+/// that, and not by all vertices and the whole area, levels are fine enough wherever a brush may draw.
+/// Vertices without edges do not count; 0: there are no others.
+double fine_edge(const Surface& surface) {
+  constexpr Index most_vertices = 65536;
+  std::vector<float> lengths;
+  for (Index vertex = 0; vertex < surface.vertex_count(); vertex += surface.vertex_count() / most_vertices + 1) {
+    float sum = 0;
+    for (const Index neighbour : surface.neighbours[vertex])
+      sum += (surface.positions[neighbour] - surface.positions[vertex]).norm();
+    if (sum > 0) lengths.push_back(sum / static_cast<float>(surface.neighbours[vertex].size()));
   }
-  return doubled / 2;
+  if (lengths.empty()) return 0;
+  const auto tenth = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 10);
+  std::nth_element(lengths.begin(), tenth, lengths.end());
+  return static_cast<double>(*tenth);
 }
-
-/// Edge of the lattice of equilateral triangles with so many vertices on an area: each has two triangles.
-double lattice_edge(double area, Index vertices) { return std::sqrt(2 * area / (std::sqrt(3.) * vertices)); }
 
 /// A vertex has a third of each triangle around it.
 ClusterMean mean_of_vertex(const Surface& surface, Index vertex) {
@@ -165,9 +171,9 @@ std::vector<Index> with_neighbours(const Csr& neighbours, std::span<const Index>
 }  // namespace
 
 SurfaceLevels::SurfaceLevels(const Surface& surface) : surface_(&surface) {
-  const double area = area_of(surface);
-  if (!(area > 0)) return;
-  edge_ = lattice_edge(area, surface.vertex_count());
+  if (surface.is_point_set()) return;
+  edge_ = fine_edge(surface);
+  if (!(edge_ > 0)) return;
   std::vector<Vec3f> middles;  // of the last level
   for (double spacing = first_spacing_over_edge * edge_;; spacing *= spacing_over_spacing) {
     const Graph graph = coarser_.empty() ? Graph{surface.positions, surface.neighbours}
@@ -177,7 +183,7 @@ SurfaceLevels::SurfaceLevels(const Surface& surface) : surface_(&surface) {
     const auto clusters = static_cast<Index>(vertices.size());
     if (clusters < fewest_clusters || clusters == graph.positions.size()) return;
     connect(graph, clusters, level);
-    level.spacing = lattice_edge(area, clusters);
+    level.spacing = spacing;
     std::vector<Vec3f> positions;
     for (const Index vertex : vertices) positions.push_back(graph.positions[vertex]);
     middles = std::move(positions);
