@@ -57,7 +57,8 @@ CurveGround StrokeInstance::begun(const Surface& surface, const Picker& picker, 
   charter_ = &charters[image.index].stroke;
   charter_->begin(
       {.radius = settings.radius, .cap = settings.cap, .join = settings.join, .follow = settings.follow});
-  return {surface, picker, charter_->base()};
+  base_ = charter_->base();
+  return {surface, picker, base_};
 }
 
 ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs,
@@ -113,7 +114,8 @@ NodeSource StrokeInstance::source(const Paint& paint) const {
           .places = nullptr,
           .symmetry = image_.index,
           .mirrored = image_.mirrored,
-          .dab_t = dab_t()};
+          .dab_t = dab_t(),
+          .base = base_};
 }
 
 void StrokeInstance::chart(std::size_t unchanged, EventCost& cost) {

@@ -94,7 +94,8 @@ class StrokeInstance {
   ParamDynamics dynamics_;
   ReadInputs reads_;
   StrokeCharter* charter_ = nullptr;
-  LiveDabs* dabs_ = nullptr;  ///< instead of the charter, in strokes of dabs
+  BaseSurface* base_ = nullptr;  ///< that the stroke runs on, instead of the surface itself
+  LiveDabs* dabs_ = nullptr;     ///< instead of the charter, in strokes of dabs
   CurveTracer tracer_;
   std::optional<SurfaceCurve> closed_curve_;  ///< once the stroke is finished as a closed one
   std::optional<FootLine> foot_;
