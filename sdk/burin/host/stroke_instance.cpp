@@ -70,7 +70,7 @@ ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint
   return {settings.radius, inputs, varying & asked, &dynamics_};
 }
 
-void StrokeInstance::trace(const SurfacePoint& at, double time, const Pen& pen) {
+void StrokeInstance::trace(const CurveGround::Place& at, double time, const Pen& pen) {
   tracer_.add(at, time, pen);
   traced_ = true;
 }
