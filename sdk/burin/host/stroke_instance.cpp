@@ -51,8 +51,9 @@ CurveGround StrokeInstance::begun(const Surface& surface, const Picker& picker, 
                                   const StrokeSettings& settings, const SymmetryInstance& image) {
   if (settings.dab_spacing > 0) {
     dabs_ = &charters.dabs(image.index);
-    dabs_->begin(settings.radius, settings.dab_spacing * settings.radius);
-    return {surface, picker};
+    base_ = charters[image.index].stroke.base_for(settings.radius, settings.follow);
+    dabs_->begin(settings.radius, settings.dab_spacing * settings.radius, base_);
+    return {surface, picker, base_};
   }
   charter_ = &charters[image.index].stroke;
   charter_->begin(
