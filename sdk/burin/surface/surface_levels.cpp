@@ -12,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <span>
 
@@ -128,7 +129,25 @@ void connect(const Graph& graph, Index clusters, SurfaceLevel& level) {
   });
 }
 
+/// The share that a point of a point set has of the disc of its neighbours and itself. Where n points lie
+/// evenly in a disc of radius R, the mean square of their distances from the middle is R^2 / 2.
+double area_of_point(const Surface& surface, Index point) {
+  double squares = 0, count = 1;
+  for (const Index neighbour : surface.neighbours[point]) {
+    squares += static_cast<double>((surface.positions[neighbour] - surface.positions[point]).squaredNorm());
+    ++count;
+  }
+  return 2 * std::numbers::pi * squares / (count * count);
+}
+
+double area_of_points(const Surface& surface) {
+  double area = 0;
+  for (Index point = 0; point < surface.vertex_count(); ++point) area += area_of_point(surface, point);
+  return area;
+}
+
 double area_of(const Surface& surface) {
+  if (surface.is_point_set()) return area_of_points(surface);
   double doubled = 0;
   for (const auto& [a, b, c] : surface.triangles) {
     const Vec3f& at = surface.positions[a];
@@ -143,6 +162,8 @@ double lattice_edge(double area, Index vertices) { return std::sqrt(2 * area / (
 /// A vertex has a third of each triangle around it.
 ClusterMean mean_of_vertex(const Surface& surface, Index vertex) {
   const Vec3f& at = surface.positions[vertex];
+  if (surface.is_point_set())
+    return {at, static_cast<float>(area_of_point(surface, vertex)) * surface.normals[vertex]};
   Vec3d doubled = Vec3d::Zero();
   for (const Index index : surface.incident[vertex]) {
     const Triangle& triangle = surface.triangles[index];
