@@ -1,4 +1,5 @@
-// org.burin.flatten: moves points straight to the plane that the stroke around their foot lies in.
+// org.burin.flatten: moves points, with all relief on them, straight to the plane that the stroke around
+// their foot lies in.
 
 #include <burin/plugin/plugin.h>
 
@@ -17,7 +18,7 @@ class Flatten : public Brush {
       .version = "1.0.0",
       .help = "Levels what is above and below the stroke.",
       .features = {"procedural"},
-      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_POSITION |
+      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_FINE_POSITION |
                 BURIN_INPUT_NORMAL | BURIN_INPUT_E1 | BURIN_INPUT_FOOT,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
   };
@@ -51,7 +52,7 @@ class Flatten : public Brush {
 
   void evaluate(const Batch& in, const Outputs& out) const override {
     const Floats t = in.t(), d = in.d(), radius = in.radius(), amounts = in.params[amount];
-    const Vectors position = in.position(), foot = in.foot(), plane_normal = in.foot_normal();
+    const Vectors position = in.fine_position(), foot = in.foot(), plane_normal = in.foot_normal();
     const FloatsOut along = out.along(), across = out.across(), up = out.up();
     const Frames frames(in);
     for (std::size_t i = 0; i < in.size(); ++i) {

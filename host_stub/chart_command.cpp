@@ -34,6 +34,7 @@ struct ChartCommandOptions {
   int order = 2;
   std::optional<Closure> closure;
   double pressure_width = 0;
+  std::optional<double> follow;
   MeshOptions mesh;
   ViewOptions view;
   bool json = false;
@@ -107,7 +108,7 @@ Picture draw_chart(const Surface& surface, const Picker& picker, const SurfaceCu
   checkerboard.add(chart, radius);
   ProgressBar bar;
   Picture picture = render(surface, picker, camera, checkerboard, bar.progress());
-  draw_curve(picture, camera, picker, curve, 0);
+  draw_curve(picture, camera, picker, curve, radius);  // bumps do not hide what runs below them
   return picture;
 }
 
@@ -143,10 +144,18 @@ void run(const ChartCommandOptions& options) {
     throw FileError(options.mesh.path, "holds points without faces, which --png cannot draw");
   }
   const Picker picker(loaded.surface);
+  const ChartOptions how{.radius = radius,
+                         .cap = options.cap,
+                         .order = options.order,
+                         .join = options.join,
+                         .follow = options.follow.value_or(stroke.follow.value_or(0))};
+  const SurfaceLevels levels(loaded.surface);
+  StrokeCharter charter(loaded.surface, &levels);
+  charter.begin(how);
+  const CurveGround ground(loaded.surface, picker, charter.base());
   const SurfaceCurve curve =
-      chosen_curve(options, trace_stroke(loaded.surface, picker, recording, stroke, trace), trace.closure);
-  const Chart chart =
-      StrokeCharter(loaded.surface).chart(curve, {radius, options.cap, options.order, options.join});
+      chosen_curve(options, trace_stroke(ground, recording, stroke, trace), trace.closure);
+  const Chart chart = charter.chart(curve, how);
   if (!options.png.empty()) {
     const bool recorded_view = recording.space == StrokeSpace::screen && !options.view.direction;
     const Camera camera = recorded_view ? fit_into(*recording.camera, options.view.width)
@@ -186,6 +195,7 @@ void add_chart(CLI::App& app) {
       ->check(CLI::IsMember({1, 2}))
       ->capture_default_str();
   add_stroke_options(command, options->closure, options->pressure_width, options->join);
+  add_follow_option(command, options->follow);
   command.add_option("--csv", options->csv, "table to write")->type_name("FILE");
   command.add_option("--png", options->png, "picture to write: a checkerboard of (t, d)")->type_name("FILE");
   command.add_flag("--json", options->json, "write JSON to the standard output");

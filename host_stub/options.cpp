@@ -83,6 +83,18 @@ Stabilising parse_stabilising(const std::string& text) {
   return {kind == "string" ? Stabilising::Kind::string : Stabilising::Kind::exponential, *amount};
 }
 
+/// Accepts numbers from 0 to 1.
+const CLI::Validator& share() {
+  static const CLI::Validator validator(
+      [](std::string& text) {
+        const auto number = parse_number(text);
+        return number && *number >= 0 && *number <= 1 ? std::string()
+                                                      : "must be a number from 0 to 1, not " + text;
+      },
+      "0..1");
+  return validator;
+}
+
 }  // namespace
 
 const CLI::Validator& positive_number() {
@@ -127,13 +139,22 @@ void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, doub
   command
       .add_option("--pressure-width", pressure_width,
                   "how much of the width the pen's pressure decides: 0, nothing, to 1")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(share())
       ->capture_default_str();
   command
       .add_option_function<std::string>(
           "--join", [&join](const std::string& name) { join = join_names().at(name); },
           "where strokes bend sharper than their radius: round (the default), smooth, miter or overlap")
       ->check(CLI::IsMember({"round", "smooth", "miter", "overlap"}));
+}
+
+void add_follow_option(CLI::App& command, std::optional<double>& follow) {
+  command
+      .add_option(
+          "--follow", follow,
+          "how much of the relief strokes feel: 0, what is wider than the brush, to 1, every bump; as\n"
+          "recorded, or 0, unless given")
+      ->check(share());
 }
 
 void add_input_options(CLI::App& command, std::vector<Dynamic>& dynamics, Stabilising& stabilising) {

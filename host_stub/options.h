@@ -34,6 +34,9 @@ void add_input_options(CLI::App& command, std::vector<Dynamic>& dynamics, Stabil
 void add_stroke_options(CLI::App& command, std::optional<Closure>& closure, double& pressure_width,
                         Join& join);
 
+/// Adds --follow.
+void add_follow_option(CLI::App& command, std::optional<double>& follow);
+
 /// The value of "NAME=VALUE": true and false, a number, numbers between commas, else text; always text where
 /// `is_text` says so of the NAME. Throws CLI::ValidationError without a NAME.
 ParamSettings parse_param_settings(const std::vector<std::string>& texts,

@@ -175,12 +175,7 @@ void add_replay(CLI::App& app) {
       ->check(finite_number());
   add_sculpt_options(command, overrides);
   add_stroke_options(command, overrides.closure, overrides.pressure_width, overrides.join);
-  command
-      .add_option(
-          "--follow", overrides.follow,
-          "0..1, how much of the relief the stroke feels: 1: every bump; 0: what is wider than the brush")
-      ->check(CLI::Range(0., 1.))
-      ->capture_default_str();
+  add_follow_option(command, overrides.follow);
   add_input_options(command, overrides.dynamics, overrides.stabilising);
   command
       .add_option("--show-every", overrides.show_every,

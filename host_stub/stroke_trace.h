@@ -13,10 +13,9 @@ struct TraceOptions {
   StrokeWidth width;
 };
 
-/// The curves of a stroke of `recording` on the surface as it is: one for each piece between the places
+/// The curves of a stroke of `recording` on the ground as it is: one for each piece between the places
 /// where the pen leaves the surface or jumps over a gap, as replay() draws them.
-std::vector<SurfaceCurve> trace_stroke(const Surface& surface, const Picker& picker,
-                                       const Recording& recording, const RecordedStroke& stroke,
-                                       const TraceOptions& options);
+std::vector<SurfaceCurve> trace_stroke(const CurveGround& ground, const Recording& recording,
+                                       const RecordedStroke& stroke, const TraceOptions& options);
 
 }  // namespace burin

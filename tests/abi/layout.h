@@ -94,7 +94,7 @@
   MEMBER(burin_stroke_context, radius_max, 48) \
   MEMBER(burin_stroke_context, object_scale, 56) \
   MEMBER(burin_stroke_context, dab_t, 64) \
-  STRUCT(burin_batch, 704) \
+  STRUCT(burin_batch, 816) \
   MEMBER(burin_batch, struct_size, 0) \
   MEMBER(burin_batch, count, 4) \
   MEMBER(burin_batch, params, 8) \
@@ -124,6 +124,9 @@
   MEMBER(burin_batch, time, 592) \
   MEMBER(burin_batch, foot, 608) \
   MEMBER(burin_batch, foot_normal, 656) \
+  MEMBER(burin_batch, fine_position, 704) \
+  MEMBER(burin_batch, fine_normal, 752) \
+  MEMBER(burin_batch, fine_mean_curvature, 800) \
   STRUCT(burin_outputs, 136) \
   MEMBER(burin_outputs, struct_size, 0) \
   MEMBER(burin_outputs, count, 4) \

@@ -77,6 +77,47 @@ TEST_F(LiveDabsTest, GrowToWhatAllAtOnceGives) {
   EXPECT_LT(growing.settled(), content(growing).size() / 4) << "the last event computes the last dabs only";
 }
 
+// On a cylinder, whose base surface is the cylinder: unrolled, it is a plane.
+TEST(LiveDabsOnBase, AreNormalCoordinatesOfAllVerticesAround) {
+  constexpr double wide = 0.4;
+  const Surface surface = make_surface(test::shuffled(test::cylinder(1, 1.5, 0.02, 0.3, 3), 4));
+  const Picker picker(surface);
+  const SurfaceLevels levels(surface);
+  BaseSurface base(surface, levels);
+  ASSERT_TRUE(base.set_radius(wide));
+  CurveTracer tracer(CurveGround(surface, picker, &base), wide);
+  for (int i = 0; i <= 40; ++i) {
+    const double angle = 0.03 * i;
+    const auto at = picker.closest(Vec3d(std::cos(angle), std::sin(angle), 0.1).cast<float>(), 0.1F);
+    ASSERT_TRUE(at);
+    tracer.add(*at, i, {});
+  }
+  LiveDabs dabs(surface, picker);
+  dabs.begin(wide, 2 * wide, &base);
+  const LiveChart& live = dabs.draw(tracer.curve());
+  std::map<double, std::size_t> nodes_of;
+  double worst = 0;
+  for (Index slot = 0; slot < live.nodes().size(); ++slot) {
+    const Vec3d place = surface.positions[live.nodes().vertex[slot]].cast<double>();
+    const double t = live.nodes().t[slot];
+    ++nodes_of[t];
+    // The curve goes round anticlockwise, seen from +z, which is on its left.
+    const double along = std::atan2(place.y(), place.x()) - t, across = place.z() - 0.1;
+    worst = std::max({worst, std::abs(static_cast<double>(dabs.along()[slot]) - along),
+                      std::abs(static_cast<double>(live.nodes().d[slot]) - across)});
+    const Vec3d normal(place.x(), place.y(), 0), e1(-place.y(), place.x(), 0);
+    EXPECT_GT(live.nodes().normal[slot].cast<double>().dot(normal.normalized()), 1 - 1e-4);
+    EXPECT_GT(live.nodes().e1[slot].cast<double>().dot(e1.normalized()), 1 - 1e-3);
+  }
+  EXPECT_LT(worst, 2e-3 * wide);
+  ASSERT_EQ(nodes_of.size(), 2U);
+  std::size_t around = 0;  // vertices within the first dab
+  for (const Vec3f& place : surface.positions)
+    around += std::hypot(std::atan2(place.y(), place.x()), place.z() - 0.1F) < static_cast<float>(wide);
+  EXPECT_NEAR(static_cast<double>(nodes_of.at(0)), static_cast<double>(around),
+              0.01 * static_cast<double>(around));
+}
+
 TEST_F(LiveDabsTest, GoAroundAClosedCurveInAWholeNumber) {
   for (int i = 0; i < 60; ++i) add(0.4 * std::cos(0.105 * i), 0.4 * std::sin(0.105 * i));
   const auto closed = tracer_.closed_curve(Closure::closed);

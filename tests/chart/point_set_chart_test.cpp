@@ -3,8 +3,11 @@
 #include <burin/chart/stroke_chart.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <numbers>
+#include <random>
 
 #include "support/chart_error.h"
 #include "support/point_shapes.h"
@@ -98,6 +101,73 @@ TEST(PointSetChart, DoesNotDependOnTheOrderOfTheInput) {
   EXPECT_EQ(a.t, b.t);
   EXPECT_EQ(a.d, b.d);
   EXPECT_EQ(a.e1, b.e1);
+}
+
+constexpr double relief_radius = 0.4;
+
+/// Points of a rectangle with an egg crate on it, heights in shares of the radius, its wavelength 0.35 radii.
+/// Points and normals are sampled with noise of a tenth of their distance and of 6 degrees where there are
+/// bumps.
+PointSet bumpy_points(double height) {
+  const double k = 2 * std::numbers::pi / (0.35 * relief_radius), a = height * relief_radius;
+  PointSet points = test::plane_points(1.3, relief_radius / 20, 5);
+  std::mt19937 random(8);
+  std::normal_distribution<double> noise(0, height > 0 ? 0.1 : 0);
+  for (std::size_t i = 0; i < points.positions.size(); ++i) {
+    const Vec3d at = points.positions[i].cast<double>();
+    const double sx = std::sin(k * at.x()), sy = std::sin(k * at.y());
+    const double cx = std::cos(k * at.x()), cy = std::cos(k * at.y());
+    points.positions[i].z() = static_cast<float>(a * sx * sy + noise(random) * relief_radius / 20);
+    const Vec3d normal = Vec3d(-a * k * cx * sy, -a * k * sx * cy, 1).normalized();
+    points.normals[i] = (normal + Vec3d(noise(random), noise(random), noise(random))).cast<float>();
+  }
+  return points;
+}
+
+/// What a groove of depth 1 would add to each point, by its number.
+std::vector<Vec3d> groove_along(const Surface& surface, const Chart& chart) {
+  std::vector<Vec3d> moves(surface.vertex_count(), Vec3d::Zero());
+  for (std::size_t i = 0; i < chart.size(); ++i) {
+    const double beyond = std::max({-chart.t[i], chart.t[i] - chart.length, 0.});
+    const double x = std::hypot(beyond, static_cast<double>(chart.d[i])) / relief_radius;
+    moves[surface.source_vertex[chart.vertex[i]]] = -std::pow(1 - x * x, 2) * chart.normal[i].cast<double>();
+  }
+  return moves;
+}
+
+std::vector<Vec3d> groove_on(double height) {
+  const Surface surface = make_point_surface(bumpy_points(height));
+  const Picker picker(surface);
+  const SurfaceLevels levels(surface);
+  StrokeCharter charter(surface, &levels);
+  const ChartOptions options{.radius = relief_radius, .follow = 0};
+  charter.begin(options);
+  EXPECT_TRUE(charter.base());
+  const CurveGround ground(surface, picker, charter.base());
+  CurveTracer tracer(ground, relief_radius);
+  for (int i = 0; i <= 100; ++i) {
+    const float x = -0.7F + 0.014F * static_cast<float>(i);
+    const auto at = ground.closest(Vec3f(x, 0.1F * std::sin(3 * x), 0), 0.3F);
+    EXPECT_TRUE(at && tracer.connects(*at));
+    if (at) tracer.add(*at, i, {});
+  }
+  return groove_along(surface, charter.chart(tracer.curve(), options));
+}
+
+// Root mean square over the points that either stroke moves, in percent of the depth.
+TEST(PointSetChart, AddsToReliefWhatItAddsToTheBarePlane) {
+  const std::vector<Vec3d> expected = groove_on(0);
+  for (const auto& [height, percent] : {std::pair(0.01, 0.5), {0.05, 1.}, {0.12, 2.}, {0.25, 5.}}) {
+    const std::vector<Vec3d> moves = groove_on(height);
+    double squares = 0, count = 0;
+    for (std::size_t v = 0; v < moves.size(); ++v) {
+      if (moves[v].isZero(0) && expected[v].isZero(0)) continue;
+      squares += (moves[v] - expected[v]).squaredNorm();
+      ++count;
+    }
+    ASSERT_GT(count, 3000);
+    EXPECT_LT(100 * std::sqrt(squares / count), percent) << "bumps of " << height;
+  }
 }
 
 TEST(PointSetChart, ChartsDabsToo) {

@@ -1,14 +1,18 @@
 #include "deform_fixtures.h"
 
 #include <burin/deform/batch.h>
+#include <burin/deform/displacement.h>
 #include <burin/deform/offered.h>
 #include <burin/surface/surroundings.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <numeric>
+
+#include "support/shapes.h"
 
 namespace burin {
 namespace {
@@ -273,6 +277,50 @@ TEST_F(BatchTest, TellsThePlaneOfTheFoot) {
   EXPECT_NE(at(batch.foot.x, 0), at(batch.foot.x, batch.count - 1));
 }
 
+/// A sheet of 6 radii with an egg crate on it that is narrow against the radius, and its base surface.
+struct Bumpy {
+  Bumpy()
+      : surface(make_surface(test::patch(
+            {.u_min = 0, .u_max = 6, .v_min = -2.5, .v_max = 3.5, .cells_u = 120, .cells_v = 120},
+            [](double x, double y) { return Vec3d(x, y, 0.05 * std::sin(18 * x) * std::sin(18 * y)); }))),
+        levels(surface),
+        base(surface, levels) {
+    EXPECT_TRUE(base.set_radius(1));
+  }
+  Surface surface;
+  SurfaceLevels levels;
+  BaseSurface base;
+};
+
+TEST_F(BatchTest, TellsOfTheBaseSurfaceAndOfTheFineOne) {
+  Bumpy bumpy;
+  test::DrawnNodes nodes(bumpy.surface, test::straight_chart(bumpy.surface, 4, 1));
+  listed_.clear();
+  for (Index slot = 0; slot < nodes.live.nodes().size() && listed_.size() < 900; ++slot)
+    if (bumpy.surface.positions[nodes.live.nodes().vertex[slot]].x() > 2) listed_.push_back(slot);
+  ASSERT_GT(listed_.size(), 600U);
+  const std::vector<Vec3f> moved(listed_.size(), Vec3f(0.25F, 0, 0));
+  const burin_batch& batch =
+      fill_from({.surface = bumpy.surface, .nodes = nodes.nodes, .radius = 1, .base = &bumpy.base},
+                offered_inputs & ~BURIN_INPUT_FOOT, 0, moved);
+  float highest = 0, most_bent = 0;
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    const Index v = nodes.live.nodes().vertex[listed_[i]];
+    const Vec3f fine = bumpy.surface.positions[v];
+    const Vec3f there = displaced(fine, Vec3f::UnitX(), bumpy.surface.normals[v], moved[i]);
+    ASSERT_EQ(at(batch.fine_position, i), there);
+    ASSERT_EQ(at(batch.fine_normal, i), bumpy.surface.normals[v]);
+    ASSERT_EQ(at(batch.fine_mean_curvature, i), mean_curvature(bumpy.surface, v));
+    ASSERT_NEAR(at(batch.position, i).z(), 0, 0.003);
+    ASSERT_NEAR(at(batch.position, i).x(), fine.x() + 0.25F, 0.003);
+    ASSERT_NEAR(at(batch.mean_curvature, i), 0, 0.05);
+    highest = std::max(highest, std::abs(fine.z()));
+    most_bent = std::max(most_bent, std::abs(at(batch.fine_mean_curvature, i)));
+  }
+  EXPECT_GT(highest, 0.045F);
+  EXPECT_GT(most_bent, 5);
+}
+
 TEST_F(BatchTest, ShowsAMirrorImageTheOtherWayRound) {
   NodeSource mirrored = source();
   mirrored.mirrored = true;
@@ -305,16 +353,20 @@ TEST_F(BatchTest, TellsTWithinTheDab) {
 
 TEST_F(BatchTest, StandsOnWhatTheStrokeMadeBefore) {
   CurrentBase current;
-  const CurrentBase::Place place{{1, 2, 3}, Vec3f::UnitX(), Vec3f::UnitZ(), {4, 5, 6}};
+  const CurrentBase::Place place{{1, 2, 3}, Vec3f::UnitX(), Vec3f::UnitZ(),
+                                 {7, 8, 9}, Vec3f::UnitY(), {4, 5, 6}};
   current.set(listed_[7], place);
   NodeSource standing = source();
   standing.current = &current;
-  const burin_batch& batch = fill_from(standing, BURIN_INPUT_POSITION | BURIN_INPUT_NORMAL | BURIN_INPUT_E1 |
-                                                     BURIN_INPUT_LAPLACIAN | BURIN_INPUT_DISPLACEMENT);
+  const burin_batch& batch =
+      fill_from(standing, BURIN_INPUT_POSITION | BURIN_INPUT_NORMAL | BURIN_INPUT_E1 | BURIN_INPUT_LAPLACIAN |
+                              BURIN_INPUT_DISPLACEMENT | BURIN_INPUT_FINE_POSITION | BURIN_INPUT_FINE_NORMAL);
   EXPECT_EQ(at(batch.position, 7), place.position);
   EXPECT_EQ(at(batch.normal, 7), place.normal);
   EXPECT_EQ(at(batch.e1, 7), place.e1);
   EXPECT_EQ(at(batch.laplacian, 7), place.laplacian);
+  EXPECT_EQ(at(batch.fine_position, 7), place.fine_position);
+  EXPECT_EQ(at(batch.fine_normal, 7), place.fine_normal);
   EXPECT_EQ(at(batch.displacement, 7), Vec3f(0, 0, 0)) << "from where it stands";
   EXPECT_EQ(at(batch.position, 8), surface_.positions[vertex(8)]);
   EXPECT_EQ(at(batch.normal, 8), surface_.normals[vertex(8)]);

@@ -9,6 +9,9 @@ TEST(Offered, NamesInputsByTheirBits) {
   EXPECT_EQ(input_names(BURIN_INPUT_LAPLACIAN | BURIN_INPUT_MASK), "laplacian, mask");
   EXPECT_EQ(input_names(BURIN_INPUT_SYMMETRY), "symmetry");
   EXPECT_EQ(input_names(BURIN_INPUT_TIME), "time");
+  EXPECT_EQ(
+      input_names(BURIN_INPUT_FINE_POSITION | BURIN_INPUT_FINE_NORMAL | BURIN_INPUT_FINE_MEAN_CURVATURE),
+      "fine position, fine normal, fine mean curvature");
   EXPECT_EQ(input_names(UINT64_C(1) << 40), "number 40");
 }
 

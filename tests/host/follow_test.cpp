@@ -24,10 +24,16 @@ Session bumpy_session(test::Relief bumps, double height) {
       test::brushes());
 }
 
-/// What a stroke with a pen seen from above adds to each vertex.
-std::vector<Vec3d> added(Session& session, const std::string& brush) {
+/// A brush that moves places by about a quarter of the radius.
+StrokeSettings settings_of(const std::string& brush) {
   StrokeSettings settings = test::settings(brush, radius);
-  settings.params = {{brush == "org.burin.groove" ? "depth" : "height", 0.25}};
+  if (brush == "org.burin.groove") settings.params = {{"depth", 0.25}};
+  if (brush == "org.burin.bead") settings.params = {{"height", 0.25}};
+  return settings;
+}
+
+/// What a stroke with a pen seen from above adds to each vertex.
+std::vector<Vec3d> added(Session& session, const StrokeSettings& settings) {
   test::Pens pens;
   for (int i = 0; i < 150; ++i) {
     const float x = -1 + 2 * static_cast<float>(i) / 149;
@@ -39,24 +45,153 @@ std::vector<Vec3d> added(Session& session, const std::string& brush) {
 using Case = std::tuple<const char*, test::Relief>;
 class Follow : public testing::TestWithParam<Case> {};
 
-// Root mean square over the vertices that either stroke moves, in percent of the depth.
-TEST_P(Follow, AddsToReliefWhatItAddsToTheBarePlane) {
-  const auto& [brush, bumps] = GetParam();
+// Root mean square over the vertices that either stroke moves, at least so many, in percent of the depth.
+void expect_same_over_bumps(const StrokeSettings& settings, test::Relief bumps, std::size_t fewest_moved) {
   Session bare = bumpy_session(bumps, 0);
-  const std::vector<Vec3d> expected = added(bare, brush);
+  const std::vector<Vec3d> expected = added(bare, settings);
   for (const auto& [height, percent] : {std::pair(0.01, 0.5), {0.05, 1.}, {0.12, 2.}, {0.25, 5.}}) {
     Session bumpy = bumpy_session(bumps, height);
-    const std::vector<Vec3d> moves = added(bumpy, brush);
-    const test::MoveError error = test::move_error(moves, expected);
-    ASSERT_GT(error.moved, 3000U);
+    const test::MoveError error = test::move_error(added(bumpy, settings), expected);
+    ASSERT_GT(error.moved, fewest_moved);
     EXPECT_LT(100 / depth * error.rms, percent) << "bumps of " << height;
     EXPECT_LT(error.farthest, 2 * depth) << "bumps of " << height;
   }
 }
 
+TEST_P(Follow, AddsToReliefWhatItAddsToTheBarePlane) {
+  const auto& [brush, bumps] = GetParam();
+  expect_same_over_bumps(settings_of(brush), bumps, 3000);
+}
+
+// Dabs that overlap, the farther out or in the better: so that it makes no step which of them a vertex at a
+// rim belongs to. And the same each going on from what those before made.
+TEST_P(Follow, AddsToReliefWithDabsWhatTheyAddToTheBarePlane) {
+  const auto& [brush, bumps] = GetParam();
+  StrokeSettings settings = settings_of(brush);
+  settings.dab_spacing = 0.7;
+  settings.overlap = std::string(brush) == "org.burin.groove" ? Overlap::min : Overlap::max;
+  expect_same_over_bumps(settings, bumps, 2500);
+  settings.strength = 0.3;
+  settings.accumulate = Accumulate::from_current;
+  expect_same_over_bumps(settings, bumps, 2500);
+}
+
 INSTANTIATE_TEST_SUITE_P(Brushes, Follow,
                          testing::Combine(testing::Values("org.burin.groove", "org.burin.bead"),
                                           testing::Values(&test::egg_crate, &test::band_noise)));
+
+/// Root mean square heights of what lies at most half a radius from the middle of a stroke,
+/// before and after it, in shares of the bumps' height.
+struct Heights {
+  double before, after;
+};
+
+Heights heights_under(const std::string& brush, const ParamSettings& params, double bumps) {
+  Session session = bumpy_session(test::egg_crate, bumps);
+  const std::vector<Vec3f> before(session.positions().begin(), session.positions().end());
+  StrokeSettings settings = test::settings(brush, radius);
+  settings.params = params;
+  session.begin_stroke(settings);
+  for (int i = 0; i < 100; ++i)
+    session.add_sample(Ray{.origin = {-1 + 0.02F * static_cast<float>(i), 0, 5}, .direction = {0, 0, -1}},
+                       i / 240., {}, Show::later);
+  session.end_stroke();
+  Heights squares{0, 0};
+  double count = 0;
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    if (std::abs(before[v].x()) > 0.6F || std::abs(before[v].y()) > 0.4 * radius) continue;
+    squares.before += std::pow(before[v].z(), 2);
+    squares.after += std::pow(session.positions()[v].z(), 2);
+    ++count;
+  }
+  const double unit = bumps * radius;
+  return {std::sqrt(squares.before / count) / unit, std::sqrt(squares.after / count) / unit};
+}
+
+// An egg crate has a root mean square of half its height.
+TEST(FollowedRelief, IsWhatFlattenLevels) {
+  for (const double bumps : {0.01, 0.05, 0.12}) {
+    const Heights heights = heights_under("org.burin.flatten", {{"fade", 0.01}}, bumps);
+    EXPECT_NEAR(heights.before, 0.5, 0.02);
+    EXPECT_LT(heights.after, 0.02) << "bumps of " << bumps;
+  }
+}
+
+// In freedom and along normals: bumps of seven edges shrink to a tenth in 40 passes.
+TEST(FollowedRelief, IsWhatSmoothSmooths) {
+  for (const char* motion : {"free", "normal"}) {
+    for (const double bumps : {0.01, 0.05, 0.12}) {
+      const Heights heights = heights_under(
+          "org.burin.smooth",
+          {{"passes", 40.}, {"amount", 1.}, {"fade", 0.2}, {"motion", std::string(motion)}}, bumps);
+      EXPECT_NEAR(heights.before, 0.5, 0.02);
+      EXPECT_LT(heights.after, 0.05) << motion << ", bumps of " << bumps;
+    }
+  }
+}
+
+// Of brushes that move places somewhere: they are told places of the base surface.
+TEST(FollowedRelief, StaysOnWhatIsMovedToAPlane) {
+  for (const double bumps : {0.05, 0.12}) {
+    Session session = bumpy_session(test::egg_crate, bumps);
+    const std::vector<Vec3f> before(session.positions().begin(), session.positions().end());
+    StrokeSettings settings = test::settings("org.burin.test.raise-to", radius);
+    session.begin_stroke(settings);
+    for (int i = 0; i < 50; ++i)
+      session.add_sample(Ray{.origin = {-1 + 0.04F * static_cast<float>(i), 0, 5}, .direction = {0, 0, -1}},
+                         i / 240., {}, Show::later);
+    session.end_stroke();
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < before.size(); ++v) {
+      if (std::abs(before[v].x()) > 0.8F || std::abs(before[v].y()) > 0.8 * radius) continue;
+      ASSERT_NEAR(session.positions()[v].z() - before[v].z(), 0.1, 0.1 * bumps * radius);
+      ++count;
+    }
+    EXPECT_GT(count, 2000U);
+  }
+}
+
+/// Pens that point at places of a wave in the plane from one direction.
+test::Pens pens_from(const Vec3f& direction) {
+  test::Pens pens;
+  for (int i = 0; i <= 120; ++i) {
+    const float x = -1 + static_cast<float>(i) / 60;
+    pens.push_back({Vec3f(x, 0.45F + 0.15F * std::sin(3 * x), 0) - 5 * direction, direction});
+  }
+  return pens;
+}
+
+// Bumps seen at an angle hide places behind them and shift where rays meet the surface, by their height and
+// more.
+TEST(FollowedRelief, LeavesThePenOnItsWayFromWhereverItIsSeen) {
+  const StrokeSettings groove = test::settings("org.burin.groove", radius);
+  for (const Vec3f& view : {Vec3f(0, 0, -1), Vec3f(0, 0.7F, -0.7F), Vec3f(0.75F, 0.3F, -0.6F)}) {
+    Session bare = bumpy_session(test::egg_crate, 0);
+    test::added(bare, groove, pens_from(view));
+    for (const double bumps : {0.05, 0.12}) {
+      Session bumpy = bumpy_session(test::egg_crate, bumps);
+      test::added(bumpy, groove, pens_from(view));
+      EXPECT_NEAR(bumpy.curve().length() / bare.curve().length(), 1, 1e-3) << "bumps of " << bumps;
+      for (const CurvePoint& point : bumpy.curve().points) {
+        const Vec3f& at = point.at.position;
+        ASSERT_NEAR(at.z(), 0, 0.05 * bumps * radius);
+        ASSERT_NEAR(at.y(), 0.45F + 0.15F * std::sin(3 * at.x()), 0.1 * bumps * radius);
+      }
+    }
+  }
+}
+
+// The egg crate is no mirror image of itself, what is added to it is one.
+TEST(FollowedRelief, LeavesImagesOnTheirWayToo) {
+  StrokeSettings groove = test::settings("org.burin.groove", radius);
+  groove.symmetry.mirror_y = true;
+  const test::Pens pens = pens_from({0, 0, -1});
+  Session bare = bumpy_session(test::egg_crate, 0), bumpy = bumpy_session(test::egg_crate, 0.12);
+  const std::vector<Vec3d> expected = test::added(bare, groove, pens);
+  const test::MoveError error = test::move_error(test::added(bumpy, groove, pens), expected);
+  ASSERT_GT(error.moved, 5000U);
+  EXPECT_LT(100 / depth * error.rms, 2);
+}
 
 TEST(Follow, RefusesSharesBeyondOne) {
   Session session = test::plane_session();

@@ -43,12 +43,15 @@ inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& cur
   LiveChart chart(base.vertex_count());
   StrokeNodes nodes(chart, {radius, entry.descriptor->inputs_read, varying, &dynamics});
   const SurfaceLevels levels(base);
-  chart.assign(StrokeCharter(base, &levels)
-                   .chart(curve, {.radius = radius, .cap = settings.cap, .follow = settings.follow}));
+  StrokeCharter charter(base, &levels);
+  chart.assign(charter.chart(curve, {.radius = radius, .cap = settings.cap, .follow = settings.follow}));
   const std::vector<Index> vertices = nodes.follow(curve, 0).vertices;
   const FootLine foot(curve, radius);
-  const NodeSource source{
-      .surface = base, .nodes = nodes, .radius = static_cast<float>(radius), .foot = &foot};
+  const NodeSource source{.surface = base,
+                          .nodes = nodes,
+                          .radius = static_cast<float>(radius),
+                          .foot = &foot,
+                          .base = charter.base()};
   NodeOutputs outputs;
   outputs.resize(chart.nodes().size(), paints(*entry.descriptor));
   EvaluatedInstance instance{source, context, static_cast<float>(settings.strength), outputs};

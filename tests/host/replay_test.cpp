@@ -175,6 +175,32 @@ TEST(Replay, TakesOverridesFirst) {
   EXPECT_EQ(result.hash, drawn.result_hash());
 }
 
+TEST(Replay, FollowsReliefAsRecordedOrTold) {
+  Recording recording;
+  recording.strokes = {stroke_of(test::wave_on_sphere())};
+  const auto replayed = [&](std::optional<double> told) {
+    Session session = test::sphere_session();
+    StrokeOverrides overrides;
+    overrides.follow = told;
+    return replay(session, recording, overrides).hash;
+  };
+  const auto drawn = [](double follow) {
+    Session session = test::sphere_session();
+    StrokeSettings by_hand = settings("org.burin.groove", 0.2);
+    by_hand.fields = {.time = true, .pressure = true};
+    by_hand.follow = follow;
+    test::draw(session, by_hand, test::wave_on_sphere());
+    return session.result_hash();
+  };
+  recording.strokes[0].radius = 0.2;
+  EXPECT_NE(drawn(0), drawn(1));
+  EXPECT_EQ(replayed({}), drawn(0));
+  EXPECT_EQ(replayed(0.5), drawn(0.5));
+  recording.strokes[0].follow = 1;
+  EXPECT_EQ(replayed({}), drawn(1));
+  EXPECT_EQ(replayed(0), drawn(0));
+}
+
 TEST(Replay, LeavesTheParametersOfAnotherBrushBehind) {
   Recording recording;
   recording.strokes = {stroke_of(test::wave())};

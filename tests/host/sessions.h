@@ -21,7 +21,8 @@ inline const BrushLibrary& brushes() {
   static const auto library = [] {
     auto loaded = std::make_unique<BrushLibrary>();
     loaded->load_folder(brushes_folder);
-    loaded->load(test_brushes_folder / "every_input.burin");
+    for (const char* brush : {"every_input.burin", "raise_to.burin"})
+      loaded->load(test_brushes_folder / brush);
     loaded->load(test_plugins_folder / "nan_brush.burin");
     loaded->load(test_plugins_folder / "error_brush.burin");
     loaded->load(test_plugins_folder / "greedy_brush.burin");

@@ -53,6 +53,7 @@ void fill(const CommandFolder& folder) {
   folder.write("back.stroke", stroke.substr(0, stroke.find("[0.05")) + "[0.01,0,0,1]\n[0.06,0,0,1]\n");
   folder.write("unknown_brush.stroke",
                equator_stroke(-0.5, 0.5, 21, "\"brush\":\"org.none\",\"radius\":0.3"));
+  folder.write("bad_follow.stroke", equator_stroke(-0.5, 0.5, 21, good + ",\"follow\":1.5"));
   folder.write("no_brush.stroke", equator_stroke(-0.5, 0.5, 21, "\"radius\":0.3"));
   folder.write("no_radius.stroke", equator_stroke(-0.5, 0.5, 21, "\"brush\":\"org.burin.groove\""));
   folder.write("bad_param.stroke", equator_stroke(-0.5, 0.5, 21, good + ",\"params\":{\"depth\":\"deep\"}"));
@@ -156,6 +157,7 @@ std::vector<BadInput> strokes() {
           {"no_brush", draw("@no_brush.stroke"), "@no_brush.stroke"},
           {"no_radius", draw("@no_radius.stroke"), "@no_radius.stroke"},
           {"unknown_recorded_source", draw("@bad_source.stroke"), "@bad_source.stroke:2"},
+          {"recorded_follow_beyond_one", draw("@bad_follow.stroke"), "@bad_follow.stroke:2"},
           {"recorded_dynamic_of_a_constant", draw("@bad_target.stroke"), "@bad_target.stroke: stroke 1"},
           {"recorded_param_of_wrong_type", draw("@bad_param.stroke"), "@bad_param.stroke"}};
 }
@@ -172,6 +174,9 @@ std::vector<BadInput> settings() {
           {"negative_radius", draw({"--radius", "-1"}), "--radius"},
           {"radius_nan", draw({"--radius", "nan"}), "--radius"},
           {"strength_infinite", draw({"--strength", "inf"}), "--strength"},
+          {"follow_beyond_one", draw({"--follow", "1.5"}), "--follow"},
+          {"follow_nan", draw({"--follow", "nan"}), "--follow"},
+          {"pressure_width_nan", draw({"--pressure-width", "nan"}), "--pressure-width"},
           {"dynamic_of_nothing", draw({"--dynamic", "dept=pressure:0,0,1,1"}), "'dept'"},
           {"dynamic_of_a_constant", draw({"--dynamic", "taper=pressure:0,0,1,1"}), "'taper'"},
           {"dynamic_of_a_choice", draw({"--dynamic", "profile=pressure:0,0,1,1"}), "'profile'"},

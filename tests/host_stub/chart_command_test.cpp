@@ -236,6 +236,32 @@ TEST(ChartCommand, ChartsToTheOrderAskedFor) {
   EXPECT_NE(burin({"chart", equator.stroke, "--mesh", equator.mesh_path, "--order", "3"}).exit_code, 0);
 }
 
+// Bumps of a fifth of an edge of the equator's sphere are narrow against the brush.
+TEST(ChartCommand, FollowsReliefAsRecordedOrTold) {
+  Equator equator;
+  equator.mesh = shuffled(sphere(6, 0.2, 7), 8);
+  for (Vec3f& at : equator.mesh.positions)
+    at *= 1 + 0.008F * std::sin(80 * at.x()) * std::sin(80 * at.y()) * std::sin(80 * at.z());
+  equator.mesh_path = equator.folder.write("bumpy.obj", obj_text(equator.mesh));
+  const auto worst_d = [&](const std::vector<std::string>& options) {
+    double worst = 0;
+    for (const Row& row : equator.chart(options)) {
+      if (row.t < 0 || row.t > 1.2) continue;
+      const Vec3d p = equator.mesh.positions[row.vertex].cast<double>().normalized();
+      worst = std::max(worst, std::abs(row.d - std::asin(p.y())));
+    }
+    return worst;
+  };
+  const double own_scale = worst_d({}), every_bump = worst_d({"--follow", "1"});
+  EXPECT_LT(own_scale, 0.002);
+  EXPECT_GT(every_bump, 5 * own_scale);
+  EXPECT_EQ(worst_d({"--follow", "0"}), own_scale);
+  equator.stroke =
+      equator.folder.write("b.stroke", equator_stroke(-0.6, 0.6, 61, "\"radius\":0.2,\"follow\":1"));
+  EXPECT_EQ(worst_d({}), every_bump);
+  EXPECT_EQ(worst_d({"--follow", "0"}), own_scale);
+}
+
 TEST(ChartCommand, JoinsBendsAsTold) {
   const CommandFolder folder;
   const TriangleMesh plane = test::plane(1, 0.02, 1);

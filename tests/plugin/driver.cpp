@@ -255,6 +255,7 @@ Answer StrokeDriver::evaluate(const Nodes& nodes) {
   if (read & BURIN_INPUT_DISPLACEMENT) batch.displacement = vectors(nodes.displacement);
   if (read & BURIN_INPUT_FOOT) batch.foot = vectors(nodes.foot);
   if (read & BURIN_INPUT_FOOT) batch.foot_normal = vectors(nodes.foot_normal);
+  if (read & BURIN_INPUT_FINE_POSITION) batch.fine_position = vectors(nodes.fine_position);
 
   burin_outputs outputs{};
   outputs.struct_size = sizeof outputs;

@@ -104,7 +104,8 @@ struct Nodes {
   float radius = 1;  ///< of all nodes, unless `radii` has one for each
   std::vector<float> radii{};
   float footprint_t = 0.01f, footprint_d = 0.01f;
-  std::vector<Vector> position{}, normal{}, e1{}, laplacian{}, displacement{}, foot{}, foot_normal{};
+  std::vector<Vector> position{}, normal{}, e1{}, laplacian{}, displacement{}, foot{}, foot_normal{},
+      fine_position{};
 };
 
 /// What a call answered.

@@ -29,8 +29,9 @@ class Flatten : public test::StockBrush {
       nodes.normal.push_back(normal());
       nodes.e1.push_back(e1());
       const Vector on_plane{plane_.y, -plane_.x, 0};
-      nodes.position.push_back({3 * r + r * (on_plane.x + height_ * plane_.x),
-                                2 * r + r * (on_plane.y + height_ * plane_.y), r + r * height_ * plane_.z});
+      nodes.fine_position.push_back({3 * r + r * (on_plane.x + height_ * plane_.x),
+                                     2 * r + r * (on_plane.y + height_ * plane_.y),
+                                     r + r * height_ * plane_.z});
     }
   }
 
@@ -39,7 +40,7 @@ class Flatten : public test::StockBrush {
 
   /// Where the first node is in space, after it was displaced.
   Vector place_after(const Nodes& nodes, const Vector& moved) const {
-    const Vector &p = nodes.position[0], n = normal(), x = e1();
+    const Vector &p = nodes.fine_position[0], n = normal(), x = e1();
     const Vector y{n.y * x.z - n.z * x.y, n.z * x.x - n.x * x.z, n.x * x.y - n.y * x.x};
     return {p.x + moved.x * x.x + moved.y * y.x + moved.z * n.x,
             p.y + moved.x * x.y + moved.y * y.y + moved.z * n.y,
@@ -61,7 +62,7 @@ TEST_F(Flatten, ReachesThePlaneOnTheShortestWay) {
       height_ = height;
       Nodes nodes{{5}, {0.1f}};
       add_inputs(nodes);
-      const Vector &before = nodes.position[0], after = place_after(nodes, at(5, 0.1f));
+      const Vector &before = nodes.fine_position[0], after = place_after(nodes, at(5, 0.1f));
       EXPECT_NEAR(height_of(before, nodes), height, 1e-6f);
       EXPECT_NEAR(height_of(after, nodes), 0, 1e-6f);
       EXPECT_NEAR(std::hypot(after.x - before.x, after.y - before.y, after.z - before.z), std::abs(height),

@@ -18,8 +18,8 @@ inline bool same_bits(const Sample& a, const Sample& b) {
 }
 
 inline bool same_bits(const RecordedStroke& a, const RecordedStroke& b) {
-  if (a.brush != b.brush || a.radius != b.radius || a.strength != b.strength || a.closed != b.closed ||
-      a.params != b.params || a.dynamics != b.dynamics || a.fields != b.fields ||
+  if (a.brush != b.brush || a.radius != b.radius || a.strength != b.strength || a.follow != b.follow ||
+      a.closed != b.closed || a.params != b.params || a.dynamics != b.dynamics || a.fields != b.fields ||
       a.samples.size() != b.samples.size())
     return false;
   for (std::size_t i = 0; i < a.samples.size(); ++i)

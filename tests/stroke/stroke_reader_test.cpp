@@ -29,7 +29,7 @@ std::string screen_header(const std::string& view, const std::string& projection
 }
 
 const std::string rich_begin =
-    R"({"begin": {"brush": "org.burin.scales", "radius": 0.05, "strength": 0.5, "closed": true, )"
+    R"({"begin": {"brush": "org.burin.scales", "radius": 0.05, "strength": 0.5, "follow": 0.25, "closed": true, )"
     R"("params": {"tile": "r\u00f6ck.exr", "depth": 2, "flip": true, "curve": [0, 0.5, 1, 1]}, "later": null, )"
     R"("dynamics": [{"target": "depth", "source": "t", "curve": [0, 0.5, 1, 2], "later": 1}]}, )"
     R"("fields": ["pressure","tilt_y","time","z","y","x","tilt_x","twist","wheel"]})";
@@ -83,6 +83,7 @@ TEST_F(ReadStrokes, ReadsEverySettingAndFieldsInAnyOrder) {
   EXPECT_EQ(stroke.brush, "org.burin.scales");
   EXPECT_EQ(stroke.radius, 0.05);
   EXPECT_EQ(stroke.strength, 0.5);
+  EXPECT_EQ(stroke.follow, 0.25);
   EXPECT_TRUE(stroke.closed);
   EXPECT_EQ(stroke.params, (ParamSettings{{"tile", "r\u00f6ck.exr"},
                                           {"depth", 2.0},
@@ -106,6 +107,7 @@ TEST_F(ReadStrokes, LeavesOpenWhatTheFileLeavesOpen) {
   const RecordedStroke& stroke = recording.strokes.at(0);
   EXPECT_FALSE(stroke.brush || stroke.radius || stroke.closed);
   EXPECT_EQ(stroke.strength, 1);
+  EXPECT_FALSE(stroke.follow);
   EXPECT_EQ(stroke.fields, PenFields{});
   EXPECT_EQ(stroke.samples.at(0).pen.pressure, 1);
   EXPECT_EQ(stroke.samples.at(0).time, 0);
@@ -214,6 +216,9 @@ TEST_F(ReadStrokes, RejectsBadSettings) {
   EXPECT_EQ(begin_complaint(R"({"radius": -0.1})"), "2: radius must be positive");
   EXPECT_EQ(begin_complaint(R"({"radius": null})"), "2: radius must be a number");
   EXPECT_EQ(begin_complaint(R"({"strength": "1"})"), "2: strength must be a number");
+  EXPECT_EQ(begin_complaint(R"({"follow": "all"})"), "2: follow must be a number");
+  EXPECT_EQ(begin_complaint(R"({"follow": 1.01})"), "2: follow must lie in 0..1");
+  EXPECT_EQ(begin_complaint(R"({"follow": -0.5})"), "2: follow must lie in 0..1");
   EXPECT_EQ(begin_complaint(R"({"closed": 1})"), "2: closed must be true or false");
   EXPECT_EQ(begin_complaint(R"({"params": []})"), "2: params must be an object");
   EXPECT_EQ(begin_complaint(R"({"params": {"depth": null}})"),

@@ -57,6 +57,7 @@ Recording any_recording(std::mt19937_64& random) {
   stroke.brush = "org.burin.\"röck\"\n";
   stroke.radius = 0.1;
   stroke.strength = -1 / 3.0;
+  stroke.follow = 0.1;
   stroke.closed = true;
   stroke.params = {{"a", true}, {"b", 1 / 7.0}, {"c", "\\x"}, {"d", std::vector<double>{1, 1e-320, -0.5}}};
   stroke.dynamics = {{"radius", PenSource::tilt_direction, {-1 / 3.0, 1e-320, 0, 2}},

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "support/shapes.h"
+#include "support/point_shapes.h"
 
 namespace burin {
 namespace {
@@ -39,6 +39,15 @@ TEST(SurfaceLevels, PutEachVertexIntoOneCluster) {
     ASSERT_EQ(seen.size(), surface.vertex_count());
     EXPECT_EQ(std::ranges::adjacent_find(seen), seen.end());
   }
+}
+
+// A point set has levels of about the spacing of the mesh that its points are the vertices of.
+TEST(SurfaceLevels, OfPointsAreAsWideAsThoseOfTheirTriangles) {
+  const Surface points = make_point_surface(test::sphere_points(6, 4)), mesh = ball();
+  const SurfaceLevels of_points(points), of_mesh(mesh);
+  ASSERT_EQ(of_points.size(), of_mesh.size());
+  for (std::size_t level = 0; level < of_points.size(); ++level)
+    EXPECT_NEAR(of_points.spacing(level) / of_mesh.spacing(level), 1, 0.2) << "level " << level;
 }
 
 TEST(SurfaceLevels, DoubleTheSpacing) {

@@ -5,6 +5,11 @@
  * travel. At every node stands a right-handed frame (e1, e2, n): e1 along the stroke, n the outward
  * normal, e2 = n x e1 in the direction of growing d. Beyond an end, in a round cap, t and d continue the
  * frame of that end: the distance to the stroke is hypot(t, d) before it and hypot(t - length, d) after.
+ *
+ * Chart, frames and displacement belong to the base surface: the surface as it was before the stroke, and as
+ * smooth as the stroke feels it. Relief that is narrow against the radius is left out of it, as far as the
+ * stroke does not follow it; displacement along the frames of the base adds to such relief. The fine surface
+ * has all of it: the vertices as they are. Of a stroke that follows every bump both are the same.
  */
 #ifndef BURIN_ABI_STROKE_H
 #define BURIN_ABI_STROKE_H
@@ -39,6 +44,9 @@ extern "C" {
 #define BURIN_INPUT_SPEED (UINT64_C(1) << 20)
 #define BURIN_INPUT_TIME (UINT64_C(1) << 21)
 #define BURIN_INPUT_FOOT (UINT64_C(1) << 22)
+#define BURIN_INPUT_FINE_POSITION (UINT64_C(1) << 23)
+#define BURIN_INPUT_FINE_NORMAL (UINT64_C(1) << 24)
+#define BURIN_INPUT_FINE_MEAN_CURVATURE (UINT64_C(1) << 25)
 
 /* Outputs a brush may write; bits of burin_brush_descriptor.outputs_written. */
 #define BURIN_OUTPUT_DISPLACEMENT (UINT64_C(1) << 0)
@@ -86,7 +94,7 @@ typedef struct burin_batch {
   burin_vectors normal;        /* base surface, unit, outward */
   burin_vectors e1;            /* unit, tangent to the base surface; e2 = normal x e1 */
   burin_floats mean_curvature; /* base surface, 1/length, positive where convex seen from outside */
-  burin_vectors laplacian;     /* umbrella: mean of the neighbours minus the node, current surface */
+  burin_vectors laplacian;     /* umbrella: mean of the neighbours minus the node, current fine surface */
   burin_vectors displacement;  /* by the passes before: x along e1, y along e2, z along the normal */
   burin_floats mask;           /* 0 = protected .. 1 = free */
   burin_colours colour;        /* the surface's so far */
@@ -101,6 +109,9 @@ typedef struct burin_batch {
   burin_floats time;           /* at t: seconds since the stroke began; neutral 0 */
   burin_vectors foot;          /* at t: mean place of the stroke's points within one radius either side */
   burin_vectors foot_normal; /* the same of their normals, unit: with foot a plane that the stroke lies in */
+  burin_vectors fine_position; /* fine surface; from the second pass on, as the pass before displaced it */
+  burin_vectors fine_normal;   /* fine surface, unit, outward */
+  burin_floats fine_mean_curvature; /* fine surface, 1/length, positive where convex seen from outside */
 } burin_batch;
 
 /* Filled with zero (colour: the colour so far; mask: the mask so far) before evaluate is called. An

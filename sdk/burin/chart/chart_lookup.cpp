@@ -1,7 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/chart/chart_lookup.h>
 #include <burin/chart/closed_length.h>
-#include <burin/surface/normals.h>
 #include <burin/surface/unit_tangent.h>
 
 #include <algorithm>
@@ -119,7 +118,7 @@ ChartPlace ChartLookup::place(const SurfacePoint& at, const std::array<Index, 3>
   const auto heaviest = static_cast<std::size_t>(std::ranges::max_element(at.weights) - at.weights.begin());
   const Index main = nodes[heaviest];
   ChartPlace place{.at = at, .nodes = nodes, .sheet = chart_->sheet[main], .stretch = 0};
-  Vec3f e1 = Vec3f::Zero();
+  Vec3f e1 = Vec3f::Zero(), normal = Vec3f::Zero();
   double beyond = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Index node = nodes[i];
@@ -128,10 +127,12 @@ ChartPlace ChartLookup::place(const SurfacePoint& at, const std::array<Index, 3>
     beyond += static_cast<double>(weight) * (t_beside(*chart_, chart_->t[main], node) - chart_->t[main]);
     place.d += static_cast<double>(weight) * static_cast<double>(chart_->d[node]);
     e1 += weight * chart_->e1[node];
+    normal += weight * chart_->normal[node];
     place.stretch += weight * chart_->stretch[node];
   }
   place.t = wrapped(*chart_, chart_->t[main] + beyond);
-  place.normal = normal_at(*surface_, at);
+  const float length = normal.norm();
+  place.normal = length > 1e-6F ? Vec3f(normal / length) : chart_->normal[main];
   place.e1 = unit_tangent(e1, place.normal);
   return place;
 }

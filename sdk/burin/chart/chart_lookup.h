@@ -20,7 +20,7 @@ struct ChartPlace {
   double t = 0;                  ///< object units, in [0, length) of a closed stroke
   double d = 0;                  ///< object units
   Vec3f e1 = Vec3f::Zero();      ///< unit tangent along the stroke
-  Vec3f normal = Vec3f::Zero();  ///< unit, outward
+  Vec3f normal = Vec3f::Zero();  ///< unit, outward; of the base surface where the stroke runs on it
   float stretch = 1;             ///< J = |dP/dt|
 
   Vec3f e2() const { return normal.cross(e1); }  ///< to the left of the stroke, where d grows

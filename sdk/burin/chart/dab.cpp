@@ -7,7 +7,6 @@
 #include <burin/chart/frame_step.h>
 #include <burin/chart/normal_coordinates.h>
 #include <burin/chart/vertex_nodes.h>
-#include <burin/surface/normals.h>
 #include <burin/surface/unit_tangent.h>
 
 #include <algorithm>
@@ -28,6 +27,7 @@ struct Node {
   Index parent = no_index;  ///< node through which g was reached
   State state = State::open;
   bool seeded = false;  ///< has its frame from the centre itself
+  GroundPlace place;
   DabFrame frame;
 };
 
@@ -40,9 +40,10 @@ struct Entry {
 }  // namespace
 
 struct DabCharter::Dab {
-  explicit Dab(const Surface& s) : surface(&s), index(s.vertex_count()) {}
+  explicit Dab(const ChartGround& g) : ground(g), index(g.vertex_count()) {}
 
-  void restart(const SurfacePoint& at, const Vec3f& direction, const DabOptions& with);
+  void restart(const SurfacePoint& at, const Vec3f& normal_there, const Vec3f& direction,
+               const DabOptions& with);
   void seed(Index vertex);
   void propagate();
   void settle(Index node);
@@ -50,12 +51,13 @@ struct DabCharter::Dab {
   void predict(Index from, Index node);
   void lead_on(Index node);
   void reach(Index node, float g, Index parent);
-  Vec3f aligned_e1(Index vertex) const;
+  Vec3f aligned_e1(const Vec3f& normal_there) const;
+  Vec3f normal_at(const SurfacePoint& point) const;
   bool within(const Node& node) const;
   Index node_of(Index vertex);
   DabChart collect() const;
 
-  const Surface* surface;
+  ChartGround ground;
   DabOptions options;
   Vec3f centre, normal, e1;  ///< of the dab
   VertexNodes index;
@@ -64,35 +66,44 @@ struct DabCharter::Dab {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
 };
 
-void DabCharter::Dab::restart(const SurfacePoint& at, const Vec3f& direction, const DabOptions& with) {
+void DabCharter::Dab::restart(const SurfacePoint& at, const Vec3f& normal_there, const Vec3f& direction,
+                              const DabOptions& with) {
   index.clear();
   nodes.clear();
   queue = {};
   options = with;
   centre = at.position;
-  normal = normal_at(*surface, at);
+  normal = normal_there;
   e1 = unit_tangent(direction, normal);
   for (const Index corner : at.corners) {
     seed(corner);
-    for (const Index vertex : surface->neighbours[corner]) seed(vertex);
+    for (const Index vertex : ground.neighbours(corner)) seed(vertex);
   }
+}
+
+/// The normals of the corners interpolated, unit.
+Vec3f DabCharter::Dab::normal_at(const SurfacePoint& point) const {
+  Vec3f sum = Vec3f::Zero();
+  for (std::size_t i = 0; i < 3; ++i) sum += point.weights[i] * ground[point.corners[i]].normal;
+  const float length = sum.norm();
+  return length > 1e-6F ? Vec3f(sum / length) : ground[point.corners[0]].normal;
 }
 
 /// A vertex beside the centre, reached by one straight step.
 void DabCharter::Dab::seed(Index vertex) {
   const Index node = node_of(vertex);
   if (nodes[node].seeded) return;
-  const Vec3f& x = surface->positions[vertex];
-  const auto [step, carried] = step_along_edge(centre, normal, e1, x, surface->normals[vertex]);
+  const GroundPlace& x = nodes[node].place;
+  const auto [step, carried] = step_along_edge(centre, normal, e1, x.position, x.normal);
   nodes[node].seeded = true;
   nodes[node].frame = {step, carried};
-  reach(node, (x - centre).norm(), no_index);
+  reach(node, (x.position - centre).norm(), no_index);
 }
 
 Index DabCharter::Dab::node_of(Index vertex) {
   const Index found = index.find(vertex);
   if (found != no_index) return found;
-  nodes.emplace_back();
+  nodes.emplace_back().place = ground[vertex];
   return index.insert(vertex);
 }
 
@@ -115,44 +126,42 @@ void DabCharter::Dab::settle(Index node) {
 }
 
 DabFrame DabCharter::Dab::frame_from_neighbours(Index node) {
-  const Index vertex = index.vertex(node);
   predictions.clear();
   if (options.method == DabMethod::dem) {
     predict(nodes[node].parent, node);
   } else {
-    for (const Index neighbour : surface->neighbours[vertex]) {
+    for (const Index neighbour : ground.neighbours(index.vertex(node))) {
       const Index found = index.find(neighbour);
       if (found != no_index && nodes[found].state == Node::State::inside) predict(found, node);
     }
   }
   const float epsilon = 4 * std::numeric_limits<float>::epsilon() * static_cast<float>(options.radius);
-  DabFrame frame = upwind_mean(predictions, surface->normals[vertex], epsilon);
-  if (options.method != DabMethod::frame_propagation) frame.e1 = aligned_e1(vertex);
+  const Vec3f& normal_there = nodes[node].place.normal;
+  DabFrame frame = upwind_mean(predictions, normal_there, epsilon);
+  if (options.method != DabMethod::frame_propagation) frame.e1 = aligned_e1(normal_there);
   return frame;
 }
 
 void DabCharter::Dab::predict(Index from, Index node) {
-  const Index q = index.vertex(from), x = index.vertex(node);
+  const GroundPlace &q = nodes[from].place, &x = nodes[node].place;
   const DabFrame& known = nodes[from].frame;
-  const auto [step, carried] = step_along_edge(surface->positions[q], surface->normals[q], known.e1,
-                                               surface->positions[x], surface->normals[x]);
-  const float length = (surface->positions[x] - surface->positions[q]).norm();
-  predictions.push_back({q, nodes[from].g + length, length, {known.at + step, carried}});
+  const auto [step, carried] = step_along_edge(q.position, q.normal, known.e1, x.position, x.normal);
+  const float length = (x.position - q.position).norm();
+  predictions.push_back({index.vertex(from), nodes[from].g + length, length, {known.at + step, carried}});
 }
 
 /// The link to the distant centre that frame propagation does without: its e1 after the minimal rotation of
-/// its normal to that of the vertex. Steps counted in this e1 are steps after the rotation R(q, p).
-Vec3f DabCharter::Dab::aligned_e1(Index vertex) const {
-  return unit_tangent(transport(e1, normal, surface->normals[vertex]), surface->normals[vertex]);
+/// its normal to that of a vertex. Steps counted in this e1 are steps after the rotation R(q, p).
+Vec3f DabCharter::Dab::aligned_e1(const Vec3f& normal_there) const {
+  return unit_tangent(transport(e1, normal, normal_there), normal_there);
 }
 
 void DabCharter::Dab::lead_on(Index node) {
-  const Index vertex = index.vertex(node);
-  for (const Index neighbour : surface->neighbours[vertex]) {
+  for (const Index neighbour : ground.neighbours(index.vertex(node))) {
     const Index found = node_of(neighbour);
     if (nodes[found].state != Node::State::open) continue;
     const float g = nodes[node].g;
-    const float edge = (surface->positions[neighbour] - surface->positions[vertex]).norm();
+    const float edge = (nodes[found].place.position - nodes[node].place.position).norm();
     // Edges too short to tell in floats still lead downwind.
     reach(found, std::max(g + edge, std::nextafter(g, unreached)), node);
   }
@@ -184,27 +193,40 @@ DabChart DabCharter::Dab::collect() const {
     chart.u.push_back(frame.at.x());
     chart.v.push_back(frame.at.y());
     chart.e1.push_back(frame.e1);
+    chart.normal.push_back(nodes[node].place.normal);
   }
   return chart;
 }
 
-DabCharter::DabCharter(const Surface& surface) : dab_(std::make_unique<Dab>(surface)) {}
+DabCharter::DabCharter(const ChartGround& ground) : dab_(std::make_unique<Dab>(ground)) {}
 DabCharter::~DabCharter() = default;
 DabCharter::DabCharter(DabCharter&&) noexcept = default;
 DabCharter& DabCharter::operator=(DabCharter&&) noexcept = default;
 
 DabChart DabCharter::chart(const SurfacePoint& centre, const Vec3f& e1, const DabOptions& options) {
+  check(centre, e1, options);
+  dab_->restart(centre, dab_->normal_at(centre), e1, options);
+  dab_->propagate();
+  return dab_->collect();
+}
+
+DabChart DabCharter::chart(const SurfacePoint& centre, const Vec3f& normal, const Vec3f& e1,
+                           const DabOptions& options) {
+  check(centre, e1, options);
+  dab_->restart(centre, normal, e1, options);
+  dab_->propagate();
+  return dab_->collect();
+}
+
+void DabCharter::check(const SurfacePoint& centre, const Vec3f& e1, const DabOptions& options) const {
   if (!std::isfinite(options.radius) || options.radius <= 0) {
     throw ContractError("a dab's radius must be a finite number above 0");
   }
   if (!e1.allFinite() || e1.isZero(0)) throw ContractError("a dab's direction must be finite and not zero");
-  const auto on_surface = [this](Index corner) { return corner < dab_->surface->vertex_count(); };
+  const auto on_surface = [this](Index corner) { return corner < dab_->ground.vertex_count(); };
   if (!std::ranges::all_of(centre.corners, on_surface) || !centre.position.allFinite()) {
     throw ContractError("a dab's centre must lie on the surface");
   }
-  dab_->restart(centre, e1, options);
-  dab_->propagate();
-  return dab_->collect();
 }
 
 }  // namespace burin

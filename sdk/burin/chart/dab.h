@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/base/vector.h>
+#include <burin/chart/chart_ground.h>
 #include <burin/surface/surface.h>
 #include <burin/surface/surface_point.h>
 
@@ -35,16 +36,18 @@ struct DabChart {
   std::vector<Index> vertex;  ///< of the surface, ascending
   std::vector<float> u, v;    ///< object units, u^2 + v^2 <= radius^2
   std::vector<Vec3f> e1;      ///< the frame that the method puts at the vertex; unit, tangent
+  std::vector<Vec3f> normal;  ///< unit, of the ground that the dab lies on
 
   std::size_t size() const { return vertex.size(); }
 };
 
-/// Computes dabs on one surface. Holds scratch memory of four bytes a vertex, so keep one as long as the
-/// surface; a dab costs in proportion to its own region only. The surface must outlive it. One thread at a
-/// time.
+/// Computes dabs on one surface, or over the nodes of a base surface as its vertices. Holds scratch memory of
+/// four bytes a vertex, so keep one as long as the surface; a dab costs in proportion to its own region only.
+/// The surface must outlive it. One thread at a time.
 class DabCharter {
  public:
-  explicit DabCharter(const Surface& surface);
+  explicit DabCharter(const Surface& surface) : DabCharter(ChartGround(surface)) {}
+  explicit DabCharter(const ChartGround& ground);
   ~DabCharter();
   DabCharter(DabCharter&&) noexcept;
   DabCharter& operator=(DabCharter&&) noexcept;
@@ -55,7 +58,13 @@ class DabCharter {
   /// that is not finite or zero, a centre that is not on the surface.
   DabChart chart(const SurfacePoint& centre, const Vec3f& e1, const DabOptions& options);
 
+  /// The same with the unit normal at the centre, where interpolation would not find it: a point of a base
+  /// surface lies beside the node that is its corner.
+  DabChart chart(const SurfacePoint& centre, const Vec3f& normal, const Vec3f& e1, const DabOptions& options);
+
  private:
+  void check(const SurfacePoint& centre, const Vec3f& e1, const DabOptions& options) const;
+
   struct Dab;
   std::unique_ptr<Dab> dab_;
 };

@@ -1,4 +1,6 @@
 #include <burin/chart/curve_parts.h>
+#include <burin/chart/dab_carrier.h>
+#include <burin/chart/live_carrier.h>
 #include <burin/chart/live_dabs.h>
 
 #include <algorithm>
@@ -26,7 +28,7 @@ std::size_t dab_count(const SurfaceCurve& curve, double spacing) {
 LiveDabs::LiveDabs(const Surface& surface, const Picker& picker)
     : surface_(&surface), picker_(&picker), charter_(surface), live_(surface.vertex_count()) {}
 
-void LiveDabs::begin(double radius, double spacing) {
+void LiveDabs::begin(double radius, double spacing, BaseSurface* base) {
   radius_ = radius;
   spacing_ = spacing;
   live_.clear();
@@ -34,6 +36,8 @@ void LiveDabs::begin(double radius, double spacing) {
   dabs_.clear();
   vacant_.clear();
   closed_ = false;
+  base_ = base;
+  if (base_) of_base_.emplace(ChartGround(*base_));
 }
 
 const LiveChart& LiveDabs::draw(const SurfaceCurve& curve, std::size_t unchanged) {
@@ -59,19 +63,28 @@ void LiveDabs::take_back_from(double t) {
   }
 }
 
-/// A dab whose middle is nowhere near the surface, which does not happen on a curve of it, would stay empty.
+/// Where its middle is nowhere near the surface, which does not happen on a curve of it, a dab stays empty.
+DabChart LiveDabs::chart(const CurvePoint& middle) {
+  const double radius = radius_ * middle.width;
+  const auto centre = CurveGround(*surface_, *picker_, base_)
+                          .closest(middle.at.position, static_cast<float>(radius), middle.at);
+  if (!centre) return {};
+  if (!base_) return charter_.chart(centre->at, centre->normal, middle.tangent, {.radius = radius});
+  const double wider = radius + carrying_margin * base_->spacing();
+  base_->prepare(centre->at.corners[0], centre->at.position, wider + carrying_margin * base_->spacing());
+  const DabChart nodes = of_base_->chart(centre->at, centre->normal, middle.tangent, {.radius = wider});
+  return carried_dab(*base_, *surface_, nodes, radius);
+}
+
 void LiveDabs::put(const CurvePoint& middle) {
   Dab& dab = dabs_.emplace_back(Dab{middle.t, {}});
-  const double radius = radius_ * middle.width;
-  const auto centre = picker_->closest(middle.at.position, static_cast<float>(radius));
-  if (!centre) return;
-  const DabChart chart = charter_.chart(*centre, middle.tangent, {.radius = radius});
+  const DabChart chart = this->chart(middle);
   for (std::size_t i = 0; i < chart.size(); ++i) {
     const Index slot = vacant_slot();
     dab.slots.push_back(slot);
     live_.set(slot, chart.vertex[i],
               {.t = middle.t, .d = chart.v[i], .e1 = chart.e1[i], .curvature = 0, .stretch = 1},
-              surface_->normals[chart.vertex[i]]);
+              chart.normal[i]);
     along_.resize(std::max<std::size_t>(along_.size(), slot + 1));
     along_[slot] = chart.u[i];
   }

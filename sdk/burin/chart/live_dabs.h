@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,8 +19,10 @@ class LiveDabs {
   LiveDabs(const Surface& surface, const Picker& picker);
 
   /// Begins a stroke without dabs. `radius`: of dabs where the curve's width is 1, `spacing`: of their
-  /// middles along the curve; object units, > 0.
-  void begin(double radius, double spacing);
+  /// middles along the curve; object units, > 0. `base`: of the surface, as brushes of the radius feel it:
+  /// dabs are charted on it and carried to the vertices, and the curve must run on it. Null: on the surface
+  /// itself.
+  void begin(double radius, double spacing, BaseSurface* base = nullptr);
 
   /// Puts dabs at 0, spacing, 2 spacing, ... along the curve; a closed one has a whole number of them, as
   /// near to the spacing as that goes. The first `unchanged` points are known to be those of the curve
@@ -42,11 +45,14 @@ class LiveDabs {
   };
   void take_back_from(double t);
   void put(const CurvePoint& middle);
+  DabChart chart(const CurvePoint& middle);
   Index vacant_slot();
 
   const Surface* surface_;
   const Picker* picker_;
   DabCharter charter_;
+  BaseSurface* base_ = nullptr;
+  std::optional<DabCharter> of_base_;  ///< made for each stroke: levels differ in the number of nodes
   double radius_ = 0, spacing_ = 0;
   LiveChart live_;
   std::vector<float> along_;

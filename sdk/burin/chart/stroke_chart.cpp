@@ -15,6 +15,7 @@ struct StrokeCharter::Stroke {
   }
 
   void begin(const ChartOptions& with);
+  BaseSurface* base_for(double radius, double follow);
   void prepare(const SurfaceCurve& curve, std::size_t unchanged);
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged);
   bool on_base() const { return carried.has_value(); }
@@ -33,9 +34,7 @@ struct StrokeCharter::Stroke {
 void StrokeCharter::Stroke::begin(const ChartOptions& with) {
   options = with;
   own.begin(with);
-  carried.reset();
-  const double scale = with.radius * (1 - with.follow);
-  if (!base || !(scale > 0) || !base->set_radius(scale)) return;
+  if (!base_for(with.radius, with.follow)) return;
   if (of_base_nodes != base->node_count()) of_base.emplace(ChartGround(*base));
   of_base_nodes = base->node_count();
   ChartOptions wider = with;
@@ -44,6 +43,12 @@ void StrokeCharter::Stroke::begin(const ChartOptions& with) {
   of_base->begin(wider);
   live.clear();
   carried.emplace(*base, surface, CarriedStroke{with.radius, wider.radius, with.cap});
+}
+
+BaseSurface* StrokeCharter::Stroke::base_for(double radius, double follow) {
+  carried.reset();
+  const double scale = radius * (1 - follow);
+  return base && scale > 0 && base->set_radius(scale) ? &*base : nullptr;
 }
 
 /// Has the nodes made on all threads that the front is going to ask for one by one.
@@ -90,6 +95,9 @@ const LiveChart& StrokeCharter::draw(const SurfaceCurve& curve, std::size_t unch
 }
 
 BaseSurface* StrokeCharter::base() { return stroke_->on_base() ? &*stroke_->base : nullptr; }
+BaseSurface* StrokeCharter::base_for(double radius, double follow) {
+  return stroke_->base_for(radius, follow);
+}
 void StrokeCharter::moved(std::span<const Index> vertices, double distance) {
   if (stroke_->base) stroke_->base->forget(vertices, distance);
 }

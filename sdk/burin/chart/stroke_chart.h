@@ -57,6 +57,10 @@ class StrokeCharter {
   /// the surface itself.
   BaseSurface* base();
 
+  /// The base surface for something else of this radius and `follow` than a stroke; null: the surface itself.
+  /// Any stroke is over with it.
+  BaseSurface* base_for(double radius, double follow);
+
   /// Follows the surface after these vertices moved between strokes, by at most `distance`, object units.
   void moved(std::span<const Index> vertices, double distance);
 

@@ -97,25 +97,32 @@ std::vector<Accumulation::Due> Accumulation::due_nodes(const LiveChart& chart,
   return due;
 }
 
-/// Where a vertex stands for a node: after all visits before the node's.
-Vec3f Accumulation::left_at(const LiveChart& chart, const NodeOutputs& outputs, Index vertex,
-                            Index slot) const {
-  Vec3f place = surface_->positions[vertex];
+/// Where a vertex, at this place before the stroke, stands for a node: after all visits before the node's.
+Vec3f Accumulation::left_at(Vec3f place, const EvaluatedInstance& instance, const LiveChart& chart,
+                            Index vertex, Index slot) const {
+  const std::vector<Vec3f>& displacement = instance.outputs.displacement;
   for (Index other = chart.first(vertex); other != no_index; other = chart.next(other))
     if (earlier(chart.nodes(), other, slot))
-      place += in_space(chart.nodes().e1[other], chart.nodes().normal[other], outputs.displacement[other]);
+      place += in_space(chart.nodes().e1[other], chart.nodes().normal[other], displacement[other]);
   return place;
 }
 
-CurrentBase::Place Accumulation::place_of(const LiveChart& chart, const NodeOutputs& outputs,
+/// What visits made is as wide as the brush: it belongs to the base surface of those that come after.
+CurrentBase::Place Accumulation::place_of(const EvaluatedInstance& instance, const LiveChart& chart,
                                           Index slot) const {
   const Index vertex = chart.nodes().vertex[slot];
-  const auto at = [&](Index v) { return left_at(chart, outputs, v, slot); };
+  const auto fine = [&](Index v) { return left_at(surface_->positions[v], instance, chart, v, slot); };
+  const auto base = [&](Index v) { return left_at(instance.source.base_place(v), instance, chart, v, slot); };
+  const auto normal = [&](const auto& place) {
+    return vertex_normal(surface_->triangles, surface_->incident, vertex, place);
+  };
   CurrentBase::Place place;
-  place.position = at(vertex);
-  place.normal = vertex_normal(surface_->triangles, surface_->incident, vertex, at);
+  place.fine_position = fine(vertex);
+  place.fine_normal = normal(fine);
+  place.laplacian = umbrella(*surface_, vertex, fine);
+  place.position = instance.source.base ? base(vertex) : place.fine_position;
+  place.normal = instance.source.base ? normal(base) : place.fine_normal;
   place.e1 = unit_tangent(chart.nodes().e1[slot], place.normal);
-  place.laplacian = umbrella(*surface_, vertex, at);
   return place;
 }
 
@@ -125,7 +132,7 @@ void Accumulation::evaluate(Evaluator& evaluator, EvaluatedInstance& instance, c
   for (const Index slot : slots) {
     bool stands_on_others = false;
     for_each_earlier(chart, slot, [&](Index) { stands_on_others = true; });
-    if (stands_on_others) current.set(slot, place_of(chart, instance.outputs, slot));
+    if (stands_on_others) current.set(slot, place_of(instance, chart, slot));
   }
   NodeSource source = instance.source;
   source.current = &current;

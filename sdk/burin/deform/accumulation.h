@@ -37,8 +37,9 @@ class Accumulation {
   template <class Visit>
   void for_each_earlier(const LiveChart& chart, Index slot, const Visit& visit) const;
   bool earlier(const Chart& nodes, Index a, Index b) const;
-  CurrentBase::Place place_of(const LiveChart& chart, const NodeOutputs& outputs, Index slot) const;
-  Vec3f left_at(const LiveChart& chart, const NodeOutputs& outputs, Index vertex, Index slot) const;
+  CurrentBase::Place place_of(const EvaluatedInstance& instance, const LiveChart& chart, Index slot) const;
+  Vec3f left_at(Vec3f place, const EvaluatedInstance& instance, const LiveChart& chart, Index vertex,
+                Index slot) const;
   void evaluate(Evaluator& evaluator, EvaluatedInstance& instance, const LiveChart& chart,
                 std::span<const Index> slots) const;
 

@@ -9,8 +9,8 @@ namespace {
 // along, across, up; mask, four of colour
 constexpr std::size_t output_columns = 8;
 // t, d, radius, stretch, two of footprint; position, normal, e1; curvature, laplacian; displacement; mask,
-// four of colour; foot and its normal; six of the pen
-constexpr std::size_t input_columns = 39;
+// four of colour; foot and its normal; six of the pen; fine position, normal and curvature
+constexpr std::size_t input_columns = 46;
 
 /// Within 0..1; what is not finite stays so, to be found out.
 float in_range(float value) { return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : value; }
@@ -37,6 +37,7 @@ void Batch::fill(const NodeSource& source, std::uint64_t inputs, std::uint64_t o
   fill_chart(inputs, nodes);
   fill_radius(inputs, nodes);
   fill_place(inputs, nodes, displacement);
+  fill_fine(inputs, nodes, displacement);
   fill_surroundings(inputs, nodes);
   fill_paint(inputs, nodes);
   fill_foot(inputs, nodes);

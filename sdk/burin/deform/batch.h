@@ -6,6 +6,7 @@
 #include <burin/deform/pass_places.h>
 #include <burin/deform/stroke_nodes.h>
 #include <burin/stroke/foot_line.h>
+#include <burin/surface/base_place.h>
 #include <burin/surface/surface.h>
 
 #include <cstddef>
@@ -27,6 +28,12 @@ struct NodeSource {
   std::uint32_t symmetry = 0;            ///< instance
   bool mirrored = false;              ///< BURIN_STROKE_MIRRORED: the brush sees d and e2 the other way round
   std::span<const float> dab_t = {};  ///< [slot] t within the node's dab, instead of the chart's; or empty
+  BaseSurface* base = nullptr;        ///< that the stroke runs on; null: the surface itself
+
+  /// Where a vertex stands on the base surface.
+  Vec3f base_place(Index vertex) const {
+    return base ? base_position(*base, surface, vertex) : surface.positions[vertex];
+  }
 
   const Paint& painted() const {
     static const Paint bare;
@@ -66,6 +73,7 @@ class Batch {
   void fill_chart(std::uint64_t inputs, std::span<const Index> nodes);
   void fill_radius(std::uint64_t inputs, std::span<const Index> nodes);
   void fill_place(std::uint64_t inputs, std::span<const Index> nodes, std::span<const Vec3f> displacement);
+  void fill_fine(std::uint64_t inputs, std::span<const Index> nodes, std::span<const Vec3f> displacement);
   void fill_surroundings(std::uint64_t inputs, std::span<const Index> nodes);
   void fill_paint(std::uint64_t inputs, std::span<const Index> nodes);
   void fill_foot(std::uint64_t inputs, std::span<const Index> nodes);
@@ -77,6 +85,8 @@ class Batch {
     return source_->current ? source_->current->find(node) : nullptr;
   }
   Vec3f in_brush_frame(const Vec3f& components) const;
+  Vec3f after_pass_before(const Vec3f& place, Index node, std::span<const Vec3f> displacement,
+                          std::size_t i) const;
   Index vertex(Index node) const { return source_->nodes.chart().vertex[node]; }
 
   const NodeSource* source_ = nullptr;  ///< of the fill that is going on, or the last

@@ -69,13 +69,10 @@ void Batch::fill_radius(std::uint64_t inputs, std::span<const Index> nodes) {
 void Batch::fill_place(std::uint64_t inputs, std::span<const Index> nodes,
                        std::span<const Vec3f> displacement) {
   const Chart& chart = source_->nodes.chart();
-  const Surface& surface = source_->surface;
   if (inputs & BURIN_INPUT_POSITION) {
     batch_.position = vectors(nodes.size(), [&](std::size_t i) -> Vec3f {
       if (const CurrentBase::Place* place = current(nodes[i])) return place->position;
-      const Vec3f& base = surface.positions[vertex(nodes[i])];
-      if (displacement.empty()) return base;
-      return displaced(base, chart.e1[nodes[i]], chart.normal[nodes[i]], displacement[i]);
+      return after_pass_before(source_->base_place(vertex(nodes[i])), nodes[i], displacement, i);
     });
   }
   if (inputs & BURIN_INPUT_NORMAL)
@@ -88,6 +85,32 @@ void Batch::fill_place(std::uint64_t inputs, std::span<const Index> nodes,
       displacement.empty()
           ? burin_vectors{uniform(zero), uniform(zero), uniform(zero)}
           : vectors(nodes.size(), [&](std::size_t i) { return in_brush_frame(displacement[i]); });
+}
+
+void Batch::fill_fine(std::uint64_t inputs, std::span<const Index> nodes,
+                      std::span<const Vec3f> displacement) {
+  const Surface& surface = source_->surface;
+  if (inputs & BURIN_INPUT_FINE_POSITION)
+    batch_.fine_position = vectors(nodes.size(), [&](std::size_t i) -> Vec3f {
+      if (const CurrentBase::Place* place = current(nodes[i])) return place->fine_position;
+      return after_pass_before(surface.positions[vertex(nodes[i])], nodes[i], displacement, i);
+    });
+  if (inputs & BURIN_INPUT_FINE_NORMAL)
+    batch_.fine_normal = vectors(nodes.size(), [&](std::size_t i) {
+      const CurrentBase::Place* place = current(nodes[i]);
+      return place ? place->fine_normal : surface.normals[vertex(nodes[i])];
+    });
+  if (inputs & BURIN_INPUT_FINE_MEAN_CURVATURE)
+    batch_.fine_mean_curvature =
+        numbers(nodes, [&](Index node) { return mean_curvature(surface, vertex(node)); });
+}
+
+/// A place of nodes[i] as the pass before displaced it; there is none before the first.
+Vec3f Batch::after_pass_before(const Vec3f& place, Index node, std::span<const Vec3f> displacement,
+                               std::size_t i) const {
+  if (displacement.empty()) return place;
+  const Chart& chart = source_->nodes.chart();
+  return displaced(place, chart.e1[node], chart.normal[node], displacement[i]);
 }
 
 /// Of components along (e1, e2, n).
@@ -109,7 +132,10 @@ void Batch::fill_surroundings(std::uint64_t inputs, std::span<const Index> nodes
     });
   }
   if (inputs & BURIN_INPUT_MEAN_CURVATURE)
-    batch_.mean_curvature = numbers(nodes, [&](Index node) { return mean_curvature(surface, vertex(node)); });
+    batch_.mean_curvature = numbers(nodes, [&](Index node) {
+      return source_->base ? base_mean_curvature(*source_->base, surface, vertex(node))
+                           : mean_curvature(surface, vertex(node));
+    });
   if (!(inputs & BURIN_INPUT_LAPLACIAN)) return;
   const PassPlaces* places = source_->places;
   batch_.laplacian = vectors(nodes.size(), [&](std::size_t i) -> Vec3f {

@@ -5,12 +5,13 @@
 
 namespace burin {
 
-/// Where nodes stand that do not stand on the base surface.
+/// Where nodes stand that do not stand on the base surface: on what the stroke made of it before.
 class CurrentBase {
  public:
   struct Place {
-    Vec3f position, normal, e1;  ///< object space; frame right-handed and orthonormal
-    Vec3f laplacian;             ///< of the surface as it is there
+    Vec3f position, normal, e1;        ///< object space; frame right-handed and orthonormal
+    Vec3f fine_position, fine_normal;  ///< the same of the fine surface
+    Vec3f laplacian;                   ///< of the fine surface as it is there
   };
 
   void set(Index slot, const Place& place) { places_[slot] = place; }

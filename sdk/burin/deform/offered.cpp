@@ -9,11 +9,32 @@
 namespace burin {
 namespace {
 
-constexpr std::array<std::string_view, 23> known_inputs = {
-    "t",      "d",     "radius",         "stretch",   "footprint",    "position",
-    "normal", "e1",    "mean curvature", "laplacian", "displacement", "mask",
-    "colour", "sheet", "visit count",    "node id",   "symmetry",     "pressure",
-    "tilt",   "twist", "speed",          "time",      "foot"};
+constexpr std::array<std::string_view, 26> known_inputs = {"t",
+                                                           "d",
+                                                           "radius",
+                                                           "stretch",
+                                                           "footprint",
+                                                           "position",
+                                                           "normal",
+                                                           "e1",
+                                                           "mean curvature",
+                                                           "laplacian",
+                                                           "displacement",
+                                                           "mask",
+                                                           "colour",
+                                                           "sheet",
+                                                           "visit count",
+                                                           "node id",
+                                                           "symmetry",
+                                                           "pressure",
+                                                           "tilt",
+                                                           "twist",
+                                                           "speed",
+                                                           "time",
+                                                           "foot",
+                                                           "fine position",
+                                                           "fine normal",
+                                                           "fine mean curvature"};
 
 constexpr std::array<std::string_view, 3> known_outputs = {"displacement", "mask", "colour"};
 

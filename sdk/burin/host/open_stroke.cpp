@@ -46,7 +46,6 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, Charters& c
                        const burin_brush& brush, const burin_brush_descriptor& descriptor,
                        const StrokeSettings& settings)
     : surface_(&surface),
-      picker_(&picker),
       settings_(checked(settings)),
       params_(descriptor, settings.params),
       narrowest_(StrokeWidth(settings.pressure_width, settings.dynamics,
@@ -86,15 +85,16 @@ BlendOptions OpenStroke::blend_options() const {
   return options;
 }
 
-void OpenStroke::trace(const SurfacePoint& at, double time, const Pen& pen) {
+void OpenStroke::trace(const CurveGround::Place& at, double time, const Pen& pen) {
   if (!std::isfinite(time) || time < last_time_)
     throw ContractError(fmt::format("time goes from {} to {}", last_time_, time));
   last_time_ = time;
   instances_.front().trace(at, time, pen);
   for (std::size_t i = 1; i < instances_.size(); ++i) {
-    const Vec3d place = instances_[i].image()(at.position.cast<double>());
-    const auto image = picker_->closest(place.cast<float>(), static_cast<float>(settings_.radius));
-    if (image && instances_[i].connects(*image)) instances_[i].trace(*image, time, pen);
+    StrokeInstance& instance = instances_[i];
+    const Vec3f position = instance.image()(at.at.position.cast<double>()).cast<float>();
+    const auto image = instance.ground().closest(position, static_cast<float>(settings_.radius));
+    if (image && instance.connects(*image)) instance.trace(*image, time, pen);
   }
 }
 

@@ -46,11 +46,14 @@ class OpenStroke {
   const burin_brush_descriptor& brush() const { return brush_stroke_.descriptor(); }
 
   /// Whether the stroke so far can go on at this place.
-  bool connects(const SurfacePoint& at) const { return drawn_by_hand().connects(at); }
+  bool connects(const CurveGround::Place& at) const { return drawn_by_hand().connects(at); }
+
+  /// Where the stroke as drawn by hand runs.
+  const CurveGround& ground() const { return drawn_by_hand().ground(); }
 
   /// Leads the curve on to `at`, and those of the images to theirs. An image that meets no surface, or only
   /// across a gap, stays where it is.
-  void trace(const SurfacePoint& at, double time, const Pen& pen);
+  void trace(const CurveGround::Place& at, double time, const Pen& pen);
 
   /// Draws what was traced since the last time. Vertices that leave the chart go back to their base.
   VertexMoves draw(const StrokeTools& tools);
@@ -72,7 +75,6 @@ class OpenStroke {
   VertexMoves blend(std::vector<Index> vertices, const StrokeTools& tools) const;
 
   const Surface* surface_;
-  const Picker* picker_;
   StrokeSettings settings_;
   ParamSnapshot params_;
   double narrowest_;  ///< width that the stroke may have, a share of its radius

@@ -37,7 +37,7 @@ StrokeSettings settings_of(const Recording& recording, std::size_t index, const 
   settings.clamp_to_radius = overrides.clamp_to_radius;
   settings.symmetry = overrides.symmetry;
   settings.dab_spacing = overrides.dab_spacing;
-  settings.follow = overrides.follow;
+  settings.follow = overrides.follow.value_or(stroke.follow.value_or(settings.follow));
   settings.pressure_width = overrides.pressure_width;
   settings.join = overrides.join;
   settings.params = overrides.params;

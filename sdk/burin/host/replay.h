@@ -24,7 +24,7 @@ struct StrokeOverrides {
   Symmetry symmetry;
   double dab_spacing = 0;          ///< as in StrokeSettings
   std::optional<Closure> closure;  ///< instead of what the recording marks
-  double follow = 0;               ///< as in StrokeSettings
+  std::optional<double> follow;    ///< as in StrokeSettings
   double pressure_width = 0;       ///< as in StrokeSettings
   std::size_t show_every = 1;      ///< samples shown: every so many; 0: the whole stroke at its end
   Join join = Join::round;

@@ -26,7 +26,7 @@ struct Session::Impl {
 
   const burin_brush& brush(const BrushEntry& entry);
   OpenStroke& open_stroke();
-  StrokeEvent draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen, Show show,
+  StrokeEvent draw(const std::optional<CurveGround::Place>& at, double time, const Pen& pen, Show show,
                    StageClock& clock);
   void set_paint(Paint given);
   std::span<const Index> finish(Closure closure);
@@ -75,8 +75,8 @@ OpenStroke& Session::Impl::open_stroke() {
   return *stroke;
 }
 
-StrokeEvent Session::Impl::draw(const std::optional<SurfacePoint>& at, double time, const Pen& pen, Show show,
-                                StageClock& clock) {
+StrokeEvent Session::Impl::draw(const std::optional<CurveGround::Place>& at, double time, const Pen& pen,
+                                Show show, StageClock& clock) {
   clock.lap(Stage::pick);
   if (!at) return {StrokeEvent::Outcome::off_surface, {}};
   if (!stroke->connects(*at)) return {StrokeEvent::Outcome::disconnected, {}};
@@ -185,17 +185,18 @@ void Session::begin_stroke(const StrokeSettings& settings) {
 
 StrokeEvent Session::add_sample(const Ray& ray, double time, const Pen& pen, Show show) {
   return impl_->guarded([&] {
-    impl_->open_stroke();
+    const CurveGround& ground = impl_->open_stroke().ground();
     StageClock clock(impl_->cost);
-    return impl_->draw(impl_->picker.pick(ray), time, pen, show, clock);
+    return impl_->draw(ground.pick(ray), time, pen, show, clock);
   });
 }
 
 StrokeEvent Session::add_sample(const Vec3d& position, double time, const Pen& pen, Show show) {
   return impl_->guarded([&] {
-    const auto reach = static_cast<float>(impl_->open_stroke().radius());
+    const OpenStroke& stroke = impl_->open_stroke();
     StageClock clock(impl_->cost);
-    return impl_->draw(impl_->picker.closest(position.cast<float>(), reach), time, pen, show, clock);
+    const auto reach = static_cast<float>(stroke.radius());
+    return impl_->draw(stroke.ground().closest(position.cast<float>(), reach), time, pen, show, clock);
   });
 }
 

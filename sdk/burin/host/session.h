@@ -32,7 +32,7 @@ struct StrokeSettings {
   Accumulate accumulate = Accumulate::from_base;  ///< from_current: sheets add up, whatever `overlap` says
   /// 0..1: how much of the surface's relief the stroke feels. 1: every bump. Less: what is wider than about a
   /// third of (1 - follow) radii; displacement goes along the normals of that smoother surface and adds to
-  /// the relief. Dabs feel every bump.
+  /// the relief.
   double follow = 0;
   double pressure_width = 0;  ///< 0..1, share of the width that the pen's pressure decides
   ParamSettings params;       ///< what differs from the brush's defaults

@@ -51,13 +51,15 @@ CurveGround StrokeInstance::begun(const Surface& surface, const Picker& picker, 
                                   const StrokeSettings& settings, const SymmetryInstance& image) {
   if (settings.dab_spacing > 0) {
     dabs_ = &charters.dabs(image.index);
-    dabs_->begin(settings.radius, settings.dab_spacing * settings.radius);
-    return {surface, picker};
+    base_ = charters[image.index].stroke.base_for(settings.radius, settings.follow);
+    dabs_->begin(settings.radius, settings.dab_spacing * settings.radius, base_);
+    return {surface, picker, base_};
   }
   charter_ = &charters[image.index].stroke;
   charter_->begin(
       {.radius = settings.radius, .cap = settings.cap, .join = settings.join, .follow = settings.follow});
-  return {surface, picker, charter_->base()};
+  base_ = charter_->base();
+  return {surface, picker, base_};
 }
 
 ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs,
@@ -69,7 +71,7 @@ ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint
   return {settings.radius, inputs, varying & asked, &dynamics_};
 }
 
-void StrokeInstance::trace(const SurfacePoint& at, double time, const Pen& pen) {
+void StrokeInstance::trace(const CurveGround::Place& at, double time, const Pen& pen) {
   tracer_.add(at, time, pen);
   traced_ = true;
 }
@@ -113,7 +115,8 @@ NodeSource StrokeInstance::source(const Paint& paint) const {
           .places = nullptr,
           .symmetry = image_.index,
           .mirrored = image_.mirrored,
-          .dab_t = dab_t()};
+          .dab_t = dab_t(),
+          .base = base_};
 }
 
 void StrokeInstance::chart(std::size_t unchanged, EventCost& cost) {

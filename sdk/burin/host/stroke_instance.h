@@ -62,10 +62,12 @@ class StrokeInstance {
   InstanceSheets sheets() const { return {&live(), &outputs_, nodes_->half_width(), dab_t()}; }
 
   /// Whether the stroke so far can go on at this place.
-  bool connects(const SurfacePoint& at) const { return empty() || tracer_.connects(at); }
+  bool connects(const CurveGround::Place& at) const { return empty() || tracer_.connects(at); }
+
+  const CurveGround& ground() const { return tracer_.ground(); }
 
   /// Leads the curve on to `at`.
-  void trace(const SurfacePoint& at, double time, const Pen& pen);
+  void trace(const CurveGround::Place& at, double time, const Pen& pen);
 
   /// Charts what was traced since the last time, and says what is stale. `end_influence`: of the brush.
   StrokeChanges draw(double end_influence, EventCost& cost);
@@ -94,7 +96,8 @@ class StrokeInstance {
   ParamDynamics dynamics_;
   ReadInputs reads_;
   StrokeCharter* charter_ = nullptr;
-  LiveDabs* dabs_ = nullptr;  ///< instead of the charter, in strokes of dabs
+  BaseSurface* base_ = nullptr;  ///< that the stroke runs on, instead of the surface itself
+  LiveDabs* dabs_ = nullptr;     ///< instead of the charter, in strokes of dabs
   CurveTracer tracer_;
   std::optional<SurfaceCurve> closed_curve_;  ///< once the stroke is finished as a closed one
   std::optional<FootLine> foot_;

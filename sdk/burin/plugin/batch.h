@@ -61,6 +61,14 @@ class Batch {
   Vectors foot() const { return vectors(batch_.foot, BURIN_INPUT_FOOT, "foot"); }
   Vectors foot_normal() const { return vectors(batch_.foot_normal, BURIN_INPUT_FOOT, "foot"); }
 
+  Vectors fine_position() const {
+    return vectors(batch_.fine_position, BURIN_INPUT_FINE_POSITION, "fine position");
+  }
+  Vectors fine_normal() const { return vectors(batch_.fine_normal, BURIN_INPUT_FINE_NORMAL, "fine normal"); }
+  Floats fine_mean_curvature() const {
+    return floats(batch_.fine_mean_curvature, BURIN_INPUT_FINE_MEAN_CURVATURE, "fine mean curvature");
+  }
+
   Floats pressure() const { return pen(batch_.pressure, BURIN_INPUT_PRESSURE, "pressure", one_); }
   Floats tilt_x() const { return pen(batch_.tilt_x, BURIN_INPUT_TILT, "tilt", zero_); }
   Floats tilt_y() const { return pen(batch_.tilt_y, BURIN_INPUT_TILT, "tilt", zero_); }

@@ -1,11 +1,44 @@
 #include <burin/stroke/curve_ground.h>
 #include <burin/surface/normals.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace burin {
 
 CurveGround::Place CurveGround::place(const SurfacePoint& at) const {
   if (!base_) return {at, normal_at(*surface_, at)};
   return on_base(base_->node_of(at.corners[0]), at.position);
+}
+
+std::optional<CurveGround::Place> CurveGround::pick(const Ray& ray) const {
+  const std::optional<SurfacePoint> at = picker_->pick(ray);
+  if (!at) return {};
+  constexpr float flattest = 0.3F;  // sine of the angle between ray and base surface
+  const Vec3f direction = ray.direction.stableNormalized();
+  return settled(*at, [&](const Place& place) -> Vec3f {
+    const float slope = direction.dot(place.normal);
+    const float below = (place.at.position - at->position).dot(place.normal);
+    return at->position + below / std::copysign(std::max(std::abs(slope), flattest), slope) * direction;
+  });
+}
+
+std::optional<CurveGround::Place> CurveGround::closest(const Vec3f& position, float reach) const {
+  const std::optional<SurfacePoint> at = picker_->closest(position, reach);
+  if (!at) return {};
+  return settled(*at, [&](const Place& place) -> Vec3f {
+    return position - (position - place.at.position).dot(place.normal) * place.normal;
+  });
+}
+
+/// The foot of on_plane(place), where what is looked for meets the tangent plane of a place, is a better
+/// place: Newton's method, from the point's own foot. The surface itself needs none of it.
+template <class OnPlane>
+CurveGround::Place CurveGround::settled(const SurfacePoint& at, const OnPlane& on_plane) const {
+  constexpr int rounds = 3;
+  Place place = this->place(at);
+  for (int round = 0; base_ && round < rounds; ++round) place = on_base(place.at.corners[0], on_plane(place));
+  return place;
 }
 
 CurveGround::Place CurveGround::on_base(Index near, const Vec3f& point) const {

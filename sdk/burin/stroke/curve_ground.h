@@ -22,6 +22,15 @@ class CurveGround {
   /// Where a point of the surface is on the ground.
   Place place(const SurfacePoint& at) const;
 
+  /// Where a ray that meets the surface meets the ground, so that bumps do not shift what the pen points at,
+  /// from whatever side it is seen. Rays at less than 17 degrees to the base surface end before it, nearer to
+  /// where they meet the surface. Nothing where the ray misses.
+  std::optional<Place> pick(const Ray& ray) const;
+
+  /// The ground nearest to a position of which the surface is not farther than `reach`, so that bumps do not
+  /// draw it to their tops.
+  std::optional<Place> closest(const Vec3f& position, float reach) const;
+
   /// The ground nearest to a point not farther than `reach` from it, found from a place near by.
   std::optional<Place> closest(const Vec3f& point, float reach, const SurfacePoint& near) const;
 
@@ -32,6 +41,8 @@ class CurveGround {
 
  private:
   Place on_base(Index near, const Vec3f& point) const;
+  template <class OnPlane>
+  Place settled(const SurfacePoint& at, const OnPlane& on_plane) const;
 
   const Surface* surface_;
   const Picker* picker_;

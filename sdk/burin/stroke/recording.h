@@ -32,6 +32,7 @@ struct RecordedStroke {
   std::optional<std::string> brush;
   std::optional<double> radius;  ///< object units, > 0
   double strength = 1;
+  std::optional<double> follow;  ///< 0..1, how much of the relief it feels, see StrokeSettings
   bool closed = false;
   ParamSettings params;
   std::vector<Dynamic> dynamics;

@@ -46,6 +46,8 @@ std::string_view fault_of(const RecordedStroke& settings) {
   const auto radius = static_cast<float>(settings.radius.value_or(1));
   if (!(radius > 0 && std::isfinite(radius))) return "radius must be positive";
   if (!std::isfinite(static_cast<float>(settings.strength))) return "strength must be finite";
+  const double follow = settings.follow.value_or(0);
+  if (!(follow >= 0 && follow <= 1)) return "follow must lie in 0..1";
   for (const auto& [id, setting] : settings.params)
     if (!finite(setting)) return "params must be finite";
   for (const Dynamic& dynamic : settings.dynamics)

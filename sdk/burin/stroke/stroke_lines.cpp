@@ -105,6 +105,7 @@ RecordedStroke parse_settings(const Json& begin) {
   }
   if (begin.contains("radius")) stroke.radius = number(begin["radius"], "radius");
   if (begin.contains("strength")) stroke.strength = number(begin["strength"], "strength");
+  if (begin.contains("follow")) stroke.follow = number(begin["follow"], "follow");
   if (begin.contains("closed")) {
     if (!begin["closed"].is_boolean()) throw Error("closed must be true or false");
     stroke.closed = begin["closed"].get<bool>();

@@ -29,6 +29,7 @@ Json settings_json(const RecordedStroke& stroke) {
   if (stroke.brush) settings["brush"] = *stroke.brush;
   if (stroke.radius) settings["radius"] = *stroke.radius;
   settings["strength"] = stroke.strength;
+  if (stroke.follow) settings["follow"] = *stroke.follow;
   settings["closed"] = stroke.closed;
   settings["params"] = Json::object();
   for (const auto& [id, setting] : stroke.params)

@@ -86,8 +86,8 @@ CurveTracer::CurveTracer(const CurveGround& ground, double radius, StrokeWidth w
       min_spacing_(std::max(radius / 1000, ground.scale() * 1e-5)),
       max_spacing_(std::max(radius / 8, min_spacing_)) {}
 
-bool CurveTracer::connects(const SurfacePoint& point) const {
-  return knots_.empty() || connects(knots_.back().at, ground_.place(point).at);
+bool CurveTracer::connects(const CurveGround::Place& place) const {
+  return knots_.empty() || connects(knots_.back().at, place.at);
 }
 
 bool CurveTracer::connects(const SurfacePoint& from, const SurfacePoint& to) const {
@@ -102,10 +102,9 @@ bool CurveTracer::connects(const SurfacePoint& from, const SurfacePoint& to) con
   });
 }
 
-void CurveTracer::add(const SurfacePoint& point, double time, const Pen& pen) {
+void CurveTracer::add(const CurveGround::Place& place, double time, const Pen& pen) {
   const double since_begin = knots_.empty() ? 0 : time - first_time_;
   if (knots_.empty()) first_time_ = time;
-  const CurveGround::Place place = ground_.place(point);
   const Knot knot{place.at, place.normal, since_begin, pen};
   if (!knots_.empty() && knots_.back().at.position == place.at.position) {
     knots_.back() = knot;

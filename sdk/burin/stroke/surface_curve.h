@@ -65,8 +65,8 @@ enum class Closure {
 /// follows the centripetal Catmull-Rom spline of the samples, brought onto the surface by closest points;
 /// time and pen follow monotone cubics, which stay between the samples' values. The curve depends on the
 /// ground, the samples so far and the radius only, not on when it was asked for: the part up to the last
-/// sample but one is final, the rest is replaced by the next add(). Samples are places on the surface. One
-/// thread.
+/// sample but one is final, the rest is replaced by the next add(). Samples are places on the ground, or
+/// points of the surface. One thread.
 class CurveTracer {
  public:
   /// `radius`: of the stroke, object units. Points are half an edge apart, but at least radius / 1000 and
@@ -77,10 +77,14 @@ class CurveTracer {
 
   /// Whether a point can follow the samples so far: no point of the chord to it is farther from the
   /// surface than a quarter of the chord. Not so where the pen jumps over a silhouette or a gap.
-  bool connects(const SurfacePoint& point) const;
+  bool connects(const CurveGround::Place& place) const;
+  bool connects(const SurfacePoint& point) const { return connects(ground_.place(point)); }
 
   /// Appends a sample at this place. A sample at the place of the one before only updates time and pen.
-  void add(const SurfacePoint& point, double time, const Pen& pen);
+  void add(const CurveGround::Place& place, double time, const Pen& pen);
+  void add(const SurfacePoint& point, double time, const Pen& pen) { add(ground_.place(point), time, pen); }
+
+  const CurveGround& ground() const { return ground_; }
 
   const SurfaceCurve& curve() const { return curve_; }
 

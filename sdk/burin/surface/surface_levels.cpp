@@ -12,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <span>
 
@@ -128,27 +129,47 @@ void connect(const Graph& graph, Index clusters, SurfaceLevel& level) {
   });
 }
 
+/// The share that a point of a point set has of the disc of its neighbours and itself. Where n points lie
+/// evenly in a disc of radius R, the mean square of their distances from the middle is R^2 / 2.
+double area_of_point(const Surface& surface, Index point) {
+  double squares = 0, count = 1;
+  for (const Index neighbour : surface.neighbours[point]) {
+    squares += static_cast<double>((surface.positions[neighbour] - surface.positions[point]).squaredNorm());
+    ++count;
+  }
+  return 2 * std::numbers::pi * squares / (count * count);
+}
+
+/// Mean length of a vertex's edges; of a point, of those of a lattice of equilateral triangles that has its
+/// share of the area for each. 0: it has no neighbours.
+double edge_at(const Surface& surface, Index vertex) {
+  if (surface.is_point_set()) return std::sqrt(2 / std::sqrt(3.) * area_of_point(surface, vertex));
+  double sum = 0;
+  const std::span<const Index> neighbours = surface.neighbours[vertex];
+  for (const Index neighbour : neighbours)
+    sum += static_cast<double>((surface.positions[neighbour] - surface.positions[vertex]).norm());
+  return neighbours.empty() ? 0 : sum / static_cast<double>(neighbours.size());
+}
+
 /// Length of the edges where the surface is fine: a tenth of its vertices have shorter ones on average. By
 /// that, and not by all vertices and the whole area, levels are fine enough wherever a brush may draw.
 /// Vertices without edges do not count; 0: there are no others.
 double fine_edge(const Surface& surface) {
   constexpr Index most_vertices = 65536;
-  std::vector<float> lengths;
-  for (Index vertex = 0; vertex < surface.vertex_count(); vertex += surface.vertex_count() / most_vertices + 1) {
-    float sum = 0;
-    for (const Index neighbour : surface.neighbours[vertex])
-      sum += (surface.positions[neighbour] - surface.positions[vertex]).norm();
-    if (sum > 0) lengths.push_back(sum / static_cast<float>(surface.neighbours[vertex].size()));
-  }
+  std::vector<double> lengths;
+  for (Index vertex = 0; vertex < surface.vertex_count(); vertex += surface.vertex_count() / most_vertices + 1)
+    if (const double length = edge_at(surface, vertex); length > 0) lengths.push_back(length);
   if (lengths.empty()) return 0;
   const auto tenth = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 10);
   std::nth_element(lengths.begin(), tenth, lengths.end());
-  return static_cast<double>(*tenth);
+  return *tenth;
 }
 
 /// A vertex has a third of each triangle around it.
 ClusterMean mean_of_vertex(const Surface& surface, Index vertex) {
   const Vec3f& at = surface.positions[vertex];
+  if (surface.is_point_set())
+    return {at, static_cast<float>(area_of_point(surface, vertex)) * surface.normals[vertex]};
   Vec3d doubled = Vec3d::Zero();
   for (const Index index : surface.incident[vertex]) {
     const Triangle& triangle = surface.triangles[index];
@@ -171,7 +192,6 @@ std::vector<Index> with_neighbours(const Csr& neighbours, std::span<const Index>
 }  // namespace
 
 SurfaceLevels::SurfaceLevels(const Surface& surface) : surface_(&surface) {
-  if (surface.is_point_set()) return;
   edge_ = fine_edge(surface);
   if (!(edge_ > 0)) return;
   std::vector<Vec3f> middles;  // of the last level

@@ -20,9 +20,9 @@ struct SurfaceLevel {
   /// Length of the edges of a lattice of equilateral triangles with as many vertices an area where the surface
   /// is finer, object units. Where it is coarser clusters are its vertices.
   double spacing = 0;
-  UnsetVector<Index> cluster_of;  ///< [vertex of the level below]
-  Csr members;                    ///< [cluster] vertices of the level below, ascending
-  Csr neighbours;                 ///< [cluster] those with neighbouring members, ascending
+  UnsetVector<Index> cluster_of;   ///< [vertex of the level below]
+  Csr members;                     ///< [cluster] vertices of the level below, ascending
+  Csr neighbours;                  ///< [cluster] those with neighbouring members, ascending
   std::vector<ClusterMean> means;  ///< [cluster] from the second level on
 };
 
@@ -32,7 +32,8 @@ struct SurfaceLevel {
 /// on their number.
 class SurfaceLevels {
  public:
-  /// The surface must outlive the object. One without triangles has level 0 only, of no spacing.
+  /// The surface, which may be a point set, must outlive the object. One without area has level 0 only, of no
+  /// spacing.
   explicit SurfaceLevels(const Surface& surface);
 
   std::size_t size() const { return 1 + coarser_.size(); }
