@@ -24,8 +24,8 @@ TEST(CellSet, HoldsWhatIsWithinTheDistanceAndLittleMore) {
     const Vec3f at = place();
     const float distance = std::min((at - a).norm(), (at - b).norm());
     // Cells are half the distance wide, two more on each side: the corner is sqrt(3) * 1.5 distances away.
-    if (distance <= 0.8F) ASSERT_TRUE(near.holds(at));
-    if (distance > 2.6F * 0.8F) ASSERT_FALSE(near.holds(at));
+    ASSERT_TRUE(near.holds(at) || distance > 0.8F);
+    ASSERT_FALSE(near.holds(at) && distance > 2.6F * 0.8F);
     within += distance <= 0.8F;
     beyond += distance > 2.6F * 0.8F;
   }
