@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <random>
 
 #include "support/charted.h"
 #include "support/relief.h"
@@ -210,6 +211,60 @@ TEST(BaseMeshes, MayEndBesideTheStroke) {
                          [&](const Vec2d& foot) { return foot.norm() < arc_radius || kept(foot); }),
                   0.3, 3, "outer border, bumps");
   }
+}
+
+/// Lays a patch of fine cells |x| < 3, 0.5 < y < 4 into a wide one of ten times coarser cells; the middle
+/// row of either is shared.
+TriangleMesh fine_part_of_coarse_plane() {
+  TriangleMesh mesh = test::patch({.u_min = -3,
+                                   .u_max = 3,
+                                   .v_min = 0.5,
+                                   .v_max = 4,
+                                   .cells_u = 120,
+                                   .cells_v = 70,
+                                   .jitter_u = 0.2,
+                                   .jitter_v = 0.2},
+                                  [](double x, double y) { return Vec3d(x, y, 0); });
+  const TriangleMesh coarse =
+      without(test::patch({.u_min = -60,
+                           .u_max = 60,
+                           .v_min = -59.5,
+                           .v_max = 60.5,
+                           .cells_u = 240,
+                           .cells_v = 240,
+                           .jitter_u = 0,
+                           .jitter_v = 0},
+                          [](double x, double y) { return Vec3d(x, y, 0); }),
+              [](const Vec3f& at) { return std::abs(at.x()) < 2.9F && at.y() > 0.6F && at.y() < 3.9F; });
+  const auto offset = static_cast<Index>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), coarse.positions.begin(), coarse.positions.end());
+  for (const auto& [a, b, c] : coarse.triangles)
+    mesh.triangles.push_back({a + offset, b + offset, c + offset});
+  return test::shuffled(mesh, 3);
+}
+
+// Scans have points that no triangle uses.
+TEST(BaseMeshes, MayHaveLooseVertices) {
+  const TriangleMesh mesh = rectangle(0.05, 0.05);
+  TriangleMesh with_loose = mesh;
+  std::mt19937 random(7);
+  const auto share = [&] { return static_cast<float>(random()) / 4294967296.F; };
+  for (int i = 0; i < 8000; ++i)
+    with_loose.positions.emplace_back(-2.9F + 5.8F * share(), 0.6F + 3.3F * share(), 0.05F * share());
+  for (const double bumps : {0., 0.05}) {
+    const Errors without = errors(mesh, &test::egg_crate, bumps),
+                 with = errors(with_loose, &test::egg_crate, bumps);
+    EXPECT_NEAR(with.t_mean, without.t_mean, 0.02);
+    EXPECT_NEAR(with.d_mean, without.d_mean, 0.02);
+    EXPECT_NEAR(with.t_max, without.t_max, 0.2);
+    EXPECT_EQ(with.charted, without.charted);
+  }
+}
+
+// The brush has 20 edges where it draws, whatever the rest of the mesh has.
+TEST(BaseMeshes, AreFeltWhereTheBrushIs) {
+  expect_within(errors(fine_part_of_coarse_plane(), nullptr, 0), 0.03, 0.5, "bare");
+  expect_within(errors(fine_part_of_coarse_plane(), &test::egg_crate, 0.05), 0.3, 3, "bumps");
 }
 
 }  // namespace

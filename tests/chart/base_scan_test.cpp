@@ -110,12 +110,14 @@ TEST_P(BaseScan, IsChartedByTheDistancesOfTheLowPassedScan) {
   EXPECT_LE(own.p99, all.p99);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, BaseScan, testing::Values("nefertiti-lowres.obj"), [](const auto& scan) {
-  std::string name = scan.param;
-  name = name.substr(0, name.find('.'));
-  std::ranges::replace(name, '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Shared, BaseScan,
+                         testing::Values("stanford-bunny.obj", "nefertiti-lowres.obj", "dragon_vrip.ply"),
+                         [](const auto& scan) {
+                           std::string name = scan.param;
+                           name = name.substr(0, name.find('.'));
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace burin

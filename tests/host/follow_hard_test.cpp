@@ -1,10 +1,15 @@
-// Strokes at the brush's own scale on surfaces that come near themselves: nothing
+// Strokes at the brush's own scale on surfaces that come near themselves, and on scans with faults: nothing
 // beyond the stroke moves, and nothing farther than the brush says.
+#include <burin/surface/mesh_file.h>
+#include <burin/surface/triangulate.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "moves.h"
 #include "support/relief.h"
+#include "support/shared_data.h"
 
 namespace burin {
 namespace {
@@ -97,6 +102,110 @@ TEST(FollowHard, LeavesWhatItsPartTouchesAlone) {
   const test::MoveError error = test::move_error({moves.begin(), moves.begin() + vertices}, expected);
   EXPECT_LE(100 / depth * error.rms, 0.1);
 }
+
+// The pen jumps over a gap of three radii between two sheets in one plane, and goes on beyond it.
+TEST(FollowHard, BreaksAtAGap) {
+  TriangleMesh right = sheet(0, 0, true, 5);
+  for (Vec3f& at : right.positions) at.x() += static_cast<float>(2.4 + 3 * radius);
+  for (const double follow : {0., 1.}) {
+    Session session(make_surface(together(sheet(0, 0, true, 4), right)), test::brushes());
+    StrokeSettings settings = groove();
+    settings.follow = follow;
+    session.begin_stroke(settings);
+    const auto outcome = [&](float x, double time) {
+      return session.add_sample(Ray{{x, 0.1F, 5}, {0, 0, -1}}, time, {}, Show::later).outcome;
+    };
+    EXPECT_EQ(outcome(0.9F, 0), StrokeEvent::Outcome::drawn);
+    EXPECT_EQ(outcome(1.1F, 0.1), StrokeEvent::Outcome::drawn);
+    EXPECT_EQ(outcome(1.6F, 0.2), StrokeEvent::Outcome::off_surface);
+    EXPECT_EQ(outcome(2.3F, 0.3), StrokeEvent::Outcome::disconnected) << "follow " << follow;
+    session.end_stroke();
+  }
+}
+
+// Places as a recording has them that was made before the relief: their nearest places on the bumps lie to
+// the side, but on the surface at the brush's scale they are where they were.
+TEST(FollowHard, DoesNotShakeWhereThePensPlacesAreBesideTheRelief) {
+  const TriangleMesh bumpy = sheet(0, 0.05, true, 4);
+  Session with_rays(make_surface(bumpy), test::brushes()), with_places(make_surface(bumpy), test::brushes());
+  const std::vector<Vec3d> expected = test::added(with_rays, groove(), pens_above());
+  const std::vector<Vec3f> before(with_places.positions().begin(), with_places.positions().end());
+  with_places.begin_stroke(groove());
+  double time = 0;
+  for (const Ray& pen : pens_above()) {
+    const Vec3d place(pen.origin.x(), pen.origin.y(), 0);
+    EXPECT_EQ(with_places.add_sample(place, time, {}, Show::later).outcome, StrokeEvent::Outcome::drawn);
+    time += 1. / 240;
+  }
+  with_places.end_stroke();
+  std::vector<Vec3d> moves(before.size());
+  for (std::size_t v = 0; v < before.size(); ++v)
+    moves[with_places.surface().source_vertex[v]] = (with_places.positions()[v] - before[v]).cast<double>();
+  const test::MoveError error = test::move_error(moves, expected);
+  EXPECT_GT(error.moved, 3000U);
+  EXPECT_LE(100 / depth * error.rms, 1);
+  EXPECT_NEAR(with_places.curve().length(), with_rays.curve().length(), 0.005 * radius);
+}
+
+/// Strokes across scans with holes, wrong orientation, edges of three triangles, loose points.
+class FollowFaultyScans : public testing::TestWithParam<const char*> {};
+
+double farthest_from(const std::vector<Vec3f>& places, const Vec3f& at) {
+  float least = std::numeric_limits<float>::infinity();
+  for (const Vec3f& place : places) least = std::min(least, (place - at).squaredNorm());
+  return std::sqrt(static_cast<double>(least));
+}
+
+TEST_P(FollowFaultyScans, MovesNothingButTheStroke) {
+  BURIN_SHARED_DATA_OR_SKIP(file, std::string("meshes/") + GetParam());
+  const Surface surface = make_surface(triangulate(read_mesh(file)));
+  double edges = 0;
+  for (const auto& [a, b, c] : surface.triangles)
+    edges += static_cast<double>((surface.positions[b] - surface.positions[a]).norm());
+  const double r = 12 * edges / static_cast<double>(surface.triangles.size());
+  Vec3f middle = Vec3f::Zero();
+  for (const Vec3f& at : surface.positions) middle += at / static_cast<float>(surface.vertex_count());
+  Session session(Surface(surface), test::brushes());
+  std::size_t drawn = 0;
+  for (const Vec3f& axis : {Vec3f(0, 0, 1), Vec3f(1, 0, 0), Vec3f(0, -1, 0)}) {
+    const std::vector<Vec3f> before(session.positions().begin(), session.positions().end());
+    session.begin_stroke(groove(r));
+    std::vector<Vec3f> places;
+    for (int i = 0; i < 40; ++i) {
+      const auto along = static_cast<float>(surface.scale * (-0.3 + 0.6 * i / 39));
+      const Vec3f from =
+          middle + along * axis.unitOrthogonal() + static_cast<float>(2 * surface.scale) * axis;
+      const Ray ray{from, -axis};
+      const auto hit = session.picker().pick(ray);
+      if (session.add_sample(ray, i / 240., {}, Show::later).outcome != StrokeEvent::Outcome::drawn) continue;
+      places.push_back(hit->position);
+    }
+    session.end_stroke();
+    drawn += places.size();
+    if (places.empty()) continue;
+    const std::vector<CurvePoint>& curve = session.curve().points;
+    for (const CurvePoint& point : curve) places.push_back(point.at.position);
+    for (std::size_t v = 0; v < before.size(); ++v) {
+      const Vec3f& after = session.positions()[v];
+      ASSERT_TRUE(after.allFinite());
+      if (after == before[v]) continue;
+      EXPECT_LE((after - before[v]).norm(), 0.26 * r);
+      EXPECT_LE(farthest_from(places, before[v]), 1.3 * r);
+    }
+  }
+  EXPECT_GT(drawn, 10U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, FollowFaultyScans,
+                         testing::Values("nasty/dragon_vrip_res3.ply", "nasty/capsule.obj",
+                                         "nasty/moebius.obj", "stanford-bunny.obj"),
+                         [](const auto& scan) {
+                           std::string name = scan.param;
+                           name = name.substr(0, name.find('.'));
+                           std::ranges::replace_if(
+                               name, [](char c) { return c == '/' || c == '-'; }, '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace burin

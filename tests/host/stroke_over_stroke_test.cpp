@@ -101,6 +101,25 @@ TEST(StrokeOverStroke, KeepsNothingStaleBetweenFiftyStrokes) {
   }
 }
 
+// The same where ropes as high as the radius have folded the surface. Pieces may break off there.
+TEST(StrokeOverStroke, KeepsNothingStaleOfAFoldedSurface) {
+  const std::uint32_t seed = 5;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  Session kept = square(), forgetful = square();
+  for (int stroke = 0; stroke < 6; ++stroke) {
+    const test::Pens pens = random_pens(random);
+    touch_with_another_radius(forgetful, pens);
+    for (Session* session : {&kept, &forgetful}) {
+      session->begin_stroke(settings(stroke % 3 == 1 ? "org.burin.bead" : "org.burin.rope", radius));
+      for (std::size_t i = 0; i < pens.size(); ++i)
+        session->add_sample(pens[i], static_cast<double>(i) / 240, {}, Show::later);
+      session->end_stroke();
+    }
+    ASSERT_EQ(kept.result_hash(), forgetful.result_hash()) << "stroke " << stroke;
+  }
+}
+
 // A session that has sculpted for long charts as one that starts with the sculpted surface, but for what
 // other clusters of vertices make of it.
 TEST(StrokeOverStroke, ChartsAsAFreshSessionAfterFiftyStrokes) {
