@@ -103,6 +103,50 @@ TEST(FollowHard, LeavesWhatItsPartTouchesAlone) {
   EXPECT_LE(100 / depth * error.rms, 0.1);
 }
 
+// The pen jumps over a gap of three radii between two sheets in one plane, and goes on beyond it.
+TEST(FollowHard, BreaksAtAGap) {
+  TriangleMesh right = sheet(0, 0, true, 5);
+  for (Vec3f& at : right.positions) at.x() += static_cast<float>(2.4 + 3 * radius);
+  for (const double follow : {0., 1.}) {
+    Session session(make_surface(together(sheet(0, 0, true, 4), right)), test::brushes());
+    StrokeSettings settings = groove();
+    settings.follow = follow;
+    session.begin_stroke(settings);
+    const auto outcome = [&](float x, double time) {
+      return session.add_sample(Ray{{x, 0.1F, 5}, {0, 0, -1}}, time, {}, Show::later).outcome;
+    };
+    EXPECT_EQ(outcome(0.9F, 0), StrokeEvent::Outcome::drawn);
+    EXPECT_EQ(outcome(1.1F, 0.1), StrokeEvent::Outcome::drawn);
+    EXPECT_EQ(outcome(1.6F, 0.2), StrokeEvent::Outcome::off_surface);
+    EXPECT_EQ(outcome(2.3F, 0.3), StrokeEvent::Outcome::disconnected) << "follow " << follow;
+    session.end_stroke();
+  }
+}
+
+// Places as a recording has them that was made before the relief: their nearest places on the bumps lie to
+// the side, but on the surface at the brush's scale they are where they were.
+TEST(FollowHard, DoesNotShakeWhereThePensPlacesAreBesideTheRelief) {
+  const TriangleMesh bumpy = sheet(0, 0.05, true, 4);
+  Session with_rays(make_surface(bumpy), test::brushes()), with_places(make_surface(bumpy), test::brushes());
+  const std::vector<Vec3d> expected = test::added(with_rays, groove(), pens_above());
+  const std::vector<Vec3f> before(with_places.positions().begin(), with_places.positions().end());
+  with_places.begin_stroke(groove());
+  double time = 0;
+  for (const Ray& pen : pens_above()) {
+    const Vec3d place(pen.origin.x(), pen.origin.y(), 0);
+    EXPECT_EQ(with_places.add_sample(place, time, {}, Show::later).outcome, StrokeEvent::Outcome::drawn);
+    time += 1. / 240;
+  }
+  with_places.end_stroke();
+  std::vector<Vec3d> moves(before.size());
+  for (std::size_t v = 0; v < before.size(); ++v)
+    moves[with_places.surface().source_vertex[v]] = (with_places.positions()[v] - before[v]).cast<double>();
+  const test::MoveError error = test::move_error(moves, expected);
+  EXPECT_GT(error.moved, 3000U);
+  EXPECT_LE(100 / depth * error.rms, 1);
+  EXPECT_NEAR(with_places.curve().length(), with_rays.curve().length(), 0.005 * radius);
+}
+
 /// Strokes across scans with holes, wrong orientation, edges of three triangles, loose points.
 class FollowFaultyScans : public testing::TestWithParam<const char*> {};
 
