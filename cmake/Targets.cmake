@@ -99,6 +99,11 @@ function(burin_test folder)
   file(GLOB sources CONFIGURE_DEPENDS *_test.cpp)
   add_executable(${name} ${sources})
   burin_use_precompiled(${name} burin_test_headers)
+  if(TARGET burin_test_headers)
+    # GCC forgets that GoogleTest's macros are a system's when they come from precompiled headers, and warns of
+    # an `if` before them.
+    target_compile_options(${name} PRIVATE -Wno-dangling-else)
+  endif()
   target_link_libraries(${name} PRIVATE ${ARG_LINK} burin_test_support GTest::gtest_main burin_build_flags)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES
     TIMEOUT 300 COST ${ARG_COST} LABELS "${ARG_LABELS};${folder}")

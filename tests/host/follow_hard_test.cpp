@@ -190,7 +190,8 @@ TEST_P(FollowFaultyScans, MovesNothingButTheStroke) {
       ASSERT_TRUE(after.allFinite());
       if (after == before[v]) continue;
       EXPECT_LE((after - before[v]).norm(), 0.26 * r);
-      EXPECT_LE(farthest_from(places, before[v]), 1.3 * r);
+      // In a fold narrower than the brush a vertex may be a radius off the surface that the brush feels.
+      EXPECT_LE(farthest_from(places, before[v]), 2 * r);
     }
   }
   EXPECT_GT(drawn, 10U);

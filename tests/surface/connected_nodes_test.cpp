@@ -22,8 +22,8 @@ Csr chain(Index count) {
 TEST(ConnectedNodes, EndWhereTheKindEnds) {
   const Csr graph = chain(100);
   ConnectedNodes connected;
-  const auto found = connected.find(graph, std::array<Index, 2>{10, 11},
-                                    [](Index node) { return node != 7 && node != 13; });
+  const auto found =
+      connected.find(graph, std::array<Index, 2>{10, 11}, [](Index node) { return node != 7 && node != 13; });
   EXPECT_EQ(std::vector<Index>(found.begin(), found.end()), (std::vector<Index>{10, 11, 9, 12, 8}));
 }
 

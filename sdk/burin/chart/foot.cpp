@@ -108,8 +108,8 @@ NearestFoot nearest_from(const SurfaceCurve& curve, const Foot& start, const Vec
   return {foot, last_segment};
 }
 
-ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve, const GeodesicCurvature& curvature,
-                      Foot foot) {
+ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve,
+                      const GeodesicCurvature& curvature, Foot foot) {
   const std::size_t next = curve.next(foot.segment);
   const CurvePoint &a = curve.points[foot.segment], &b = curve.points[next];
   const bool begin = at_begin(curve, foot), end = at_end(curve, foot);
@@ -124,8 +124,7 @@ ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve, cons
   const Vec3f along = (1 - foot.s) * a.tangent + foot.s * b.tangent;
   const Vec3f flat = along - normal.dot(along) * normal;
   const Vec3f tangent = flat.squaredNorm() > 0 ? Vec3f(flat.normalized()) : a.tangent;
-  const auto [step, e1] =
-      step_along_edge(foot.position, normal, tangent, vertex.position, vertex.normal);
+  const auto [step, e1] = step_along_edge(foot.position, normal, tangent, vertex.position, vertex.normal);
 
   const bool beyond = (begin && step.x() < 0) || (end && step.x() > 0);
   ChartFrame frame;

@@ -1,8 +1,8 @@
 #pragma once
 #include <burin/chart/chart_frame.h>
+#include <burin/chart/chart_ground.h>
 #include <burin/stroke/geodesic_curvature.h>
 #include <burin/stroke/surface_curve.h>
-#include <burin/chart/chart_ground.h>
 
 #include <cstddef>
 
@@ -31,7 +31,7 @@ struct NearestFoot {
 NearestFoot nearest_from(const SurfaceCurve& curve, const Foot& start, const Vec3f& x);
 
 /// The frame at a vertex, from its foot. Curvature and stretch to second order in the distance.
-ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve, const GeodesicCurvature& curvature,
-                      Foot foot);
+ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve,
+                      const GeodesicCurvature& curvature, Foot foot);
 
 }  // namespace burin

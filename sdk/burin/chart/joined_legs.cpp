@@ -77,8 +77,8 @@ std::vector<JoinedLegs::Leg> JoinedLegs::legs_of(const SurfaceCurve& curve) cons
   const auto add = [&](double begin, double end) {
     const std::size_t leg = legs.size();
     const Corner *before = corner_before(leg, curve.closed), *after = corner_after(leg, curve.closed);
-    legs.push_back({begin, std::max(begin, end), {reach(before), reach(after)}, before != nullptr,
-                    after != nullptr});
+    legs.push_back(
+        {begin, std::max(begin, end), {reach(before), reach(after)}, before != nullptr, after != nullptr});
   };
   if (cuts_.empty()) {
     add(0, curve.length());
@@ -113,8 +113,8 @@ bool JoinedLegs::as_charted(std::size_t leg, const Leg& now, double unchanged_t)
 void JoinedLegs::chart(const SurfaceCurve& curve, std::size_t leg, const Leg& now, Front& front) {
   const bool whole = cuts_.empty();
   const SurfaceCurve part = whole ? curve : part_of(curve, now.begin, now.end);
-  const bool goes_on = front_leg_ && !curve.closed && front_leg_->begin == now.begin &&
-                       front_leg_->reach == now.reach;
+  const bool goes_on =
+      front_leg_ && !curve.closed && front_leg_->begin == now.begin && front_leg_->reach == now.reach;
   if (!goes_on) front.restart(options_.radius, options_.order, now.reach);
   front.update(part);
   settled_ += front.settled();

@@ -113,7 +113,8 @@ void LiveCarrier::carry(const LiveChart& nodes, Index slot, const SurfaceCurve& 
       range.last_t = std::max(range.last_t, frame.t);
       if (!within(frame, curve)) {
         if (!vertices.vacant(next)) carried.gone.push_back(next);
-      } else if (const Vec3f normal = frames.normal[lane]; vertices.write(next, vertex[lane], frame, normal)) {
+      } else if (const Vec3f normal = frames.normal[lane];
+                 vertices.write(next, vertex[lane], frame, normal)) {
         carried.written.push_back(next);
       } else {
         carried.others.push_back({next, vertex[lane], frame, normal});

@@ -72,8 +72,8 @@ class LiveCarrier {
   const Surface* surface_;
   CarriedStroke stroke_;
   SurfaceCurve widened_;
-  bool uniform_ = true;  ///< the stroke's width is 1 all along
-  double length_ = 0;    ///< of the stroke, at the last event
+  bool uniform_ = true;                 ///< the stroke's width is 1 all along
+  double length_ = 0;                   ///< of the stroke, at the last event
   std::vector<Range> ranges_;           ///< [slot of the base chart]
   Index slots_ = 0;                     ///< of the vertices' chart, so far
   std::vector<Index> stale_;            ///< slots of the base chart to be carried

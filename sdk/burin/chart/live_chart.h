@@ -78,8 +78,8 @@ class LiveChart {
   void alter(Index place);
 
   Chart nodes_;
-  std::vector<std::uint8_t> taken_;        ///< [slot]
-  std::vector<Index> place_of_;            ///< [slot] of its vertex
+  std::vector<std::uint8_t> taken_;  ///< [slot]
+  std::vector<Index> place_of_;      ///< [slot] of its vertex
   std::vector<Index> next_;
   std::vector<std::uint32_t> changed_in_;  ///< [slot] event
   VertexNodes places_;

@@ -111,7 +111,8 @@ void StrokeNodes::add_vertex(Index slot) {
 /// Nodes from the begin of the end zone on, below a t.
 void StrokeNodes::add_zone(double end_zone, double up_to) {
   const auto count = static_cast<Index>(chart().size());
-  for (const Index slot : zone_.find(end_zone, chart_->computed(), count, [this](Index s) { return t_of(s); }))
+  for (const Index slot :
+       zone_.find(end_zone, chart_->computed(), count, [this](Index s) { return t_of(s); }))
     if (t_of(slot) >= end_zone && t_of(slot) < up_to) add_stale(slot);
 }
 

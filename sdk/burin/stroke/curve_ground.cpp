@@ -32,12 +32,20 @@ std::optional<CurveGround::Place> CurveGround::closest(const Vec3f& position, fl
 }
 
 /// The foot of on_plane(place), where what is looked for meets the tangent plane of a place, is a better
-/// place: Newton's method, from the point's own foot. The surface itself needs none of it.
+/// place: Newton's method, from the point's own foot, which it is to stay near. The surface itself needs none
+/// of it.
 template <class OnPlane>
 CurveGround::Place CurveGround::settled(const SurfacePoint& at, const OnPlane& on_plane) const {
   constexpr int rounds = 3;
-  Place place = this->place(at);
-  for (int round = 0; base_ && round < rounds; ++round) place = on_base(place.at.corners[0], on_plane(place));
+  constexpr double farthest = 8;  // spacings
+  const Place foot = this->place(at);
+  if (!base_) return foot;
+  Place place = foot;
+  for (int round = 0; round < rounds; ++round) {
+    place = on_base(place.at.corners[0], on_plane(place));
+    const auto off = static_cast<double>((place.at.position - foot.at.position).norm());
+    if (!(off <= farthest * base_->spacing())) return foot;
+  }
   return place;
 }
 
@@ -61,7 +69,7 @@ std::optional<CurveGround::Place> CurveGround::closest(const Vec3f& point, float
   constexpr double slack = 0.1;
   const Place place = on_base(near.corners[0], point);
   const double distance = static_cast<double>((place.at.position - point).norm());
-  if (distance > static_cast<double>(reach) + slack * base_->spacing()) return {};
+  if (!(distance <= static_cast<double>(reach) + slack * base_->spacing())) return {};
   return place;
 }
 

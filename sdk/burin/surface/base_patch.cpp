@@ -9,6 +9,13 @@ BasePatch::Local<float> BasePatch::foot(const Vec3f& point) const {
   return foot(Local<float>{way.dot(axis_x), way.dot(axis_y())}, way.dot(normal));
 }
 
+BasePatch::Local<float> BasePatch::foot_within(const Vec3f& point, float extent) const {
+  const Local<float> at = foot(point);
+  const float distance = Vec2f(at.x, at.y).stableNorm();
+  if (distance <= extent) return at;
+  return {at.x / distance * extent, at.y / distance * extent};
+}
+
 Vec3f BasePatch::place(const Local<float>& at) const {
   return position + at.x * axis_x + at.y * axis_y() + height(at) * normal;
 }

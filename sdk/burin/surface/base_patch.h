@@ -41,7 +41,12 @@ struct BasePatch {
     return at;
   }
 
+  /// The same of a point in space.
   Local<float> foot(const Vec3f& point) const;
+
+  /// The foot, or where it lies beyond the distance `extent`, what of the paraboloid is there in its
+  /// direction.
+  Local<float> foot_within(const Vec3f& point, float extent) const;
   Vec3f place(const Local<float>& at) const;
   Vec3f normal_at(const Local<float>& at) const;
 };

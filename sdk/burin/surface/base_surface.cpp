@@ -36,7 +36,8 @@ Vec3f local(const Vec3f& origin, const Vec3f& axis_x, const Vec3f& axis_y, const
 double squared_distance(const Vec3f& a, const Vec3f& b) { return static_cast<double>((a - b).squaredNorm()); }
 
 /// The normal of a height over a plane that has these slopes.
-Vec3f tilted(const Vec3f& normal, const Vec3f& axis_x, const Vec3f& axis_y, const QuadraticFit::Terms& height) {
+Vec3f tilted(const Vec3f& normal, const Vec3f& axis_x, const Vec3f& axis_y,
+             const QuadraticFit::Terms& height) {
   return (normal - static_cast<float>(height[1]) * axis_x - static_cast<float>(height[2]) * axis_y)
       .normalized();
 }
@@ -184,8 +185,7 @@ std::vector<BaseSurface::Sample> BaseSurface::samples_around(Index group, std::s
   for (const Sample& origin : origins) box.extend(origin.position);
   const Vec3f middle = box.center();
   double extent = 0;
-  for (const Sample& origin : origins)
-    extent = std::max(extent, squared_distance(origin.position, middle));
+  for (const Sample& origin : origins) extent = std::max(extent, squared_distance(origin.position, middle));
   const double about = making.reach + std::sqrt(extent);
   std::vector<Index> starts;
   std::vector<Sample> samples;
@@ -262,7 +262,10 @@ Index BaseSurface::nearest(Index near, const Vec3f& point) {
 BasePoint BaseSurface::project(Index near, const Vec3f& point) {
   const Index node = nearest(near, point);
   const BasePatch own = patch(node);
-  const BasePatch::Local<float> foot = own.foot(point);
+  // Paraboloids go on where the surface ends.
+  constexpr double farthest = 2;  // spacings that a place may be from its node
+  const auto extent = static_cast<float>(farthest * spacing());
+  const BasePatch::Local<float> foot = own.foot_within(point, extent);
   const Vec3f middle = own.place(foot);
   const double reach = blend_over_spacing * spacing();
   std::vector<Index> two_rings{node};
@@ -278,7 +281,7 @@ BasePoint BaseSurface::project(Index near, const Vec3f& point) {
     if (!(at.normal.dot(own.normal) > same_side)) continue;
     const double weight = bump_weight(squared_distance(at.position, middle) / (reach * reach));
     if (!(weight > 0)) continue;
-    const BasePatch::Local<float> there = at.foot(point);
+    const BasePatch::Local<float> there = at.foot_within(point, extent);
     position += weight * at.place(there).cast<double>();
     normal += weight * at.normal_at(there).cast<double>();
     weights += weight;

@@ -20,8 +20,8 @@ struct BasePoint {
 /// wider than the brush is there: at each cluster of a coarser level stands a node, brought twice onto the
 /// paraboloid that fits the clusters within 0.55 radii best.
 ///
-/// Nodes are made, a few neighbours at a time, when they are asked for, by any thread; which ones and in what order makes no difference to
-/// any of them. Only set_radius() and forget() must be alone.
+/// Nodes are made, a few neighbours at a time, when they are asked for, by any thread; which ones and in what
+/// order makes no difference to any of them. Only set_radius() and forget() must be alone.
 class BaseSurface {
  public:
   /// Both must outlive the object.
@@ -56,7 +56,7 @@ class BaseSurface {
   }
 
   /// The place on the base surface nearest to a point, found from a node near it: the mean over the
-  /// paraboloids around, so that places vary smoothly.
+  /// paraboloids around, so that places vary smoothly. Within two spacings of a node, whatever the point.
   BasePoint project(Index near, const Vec3f& point);
 
  private:

@@ -140,24 +140,33 @@ double area_of_point(const Surface& surface, Index point) {
   return 2 * std::numbers::pi * squares / (count * count);
 }
 
-/// Mean length of a vertex's edges; of a point, of those of a lattice of equilateral triangles that has its
-/// share of the area for each. 0: it has no neighbours.
-double edge_at(const Surface& surface, Index vertex) {
-  if (surface.is_point_set()) return std::sqrt(2 / std::sqrt(3.) * area_of_point(surface, vertex));
-  double sum = 0;
-  const std::span<const Index> neighbours = surface.neighbours[vertex];
-  for (const Index neighbour : neighbours)
-    sum += static_cast<double>((surface.positions[neighbour] - surface.positions[vertex]).norm());
-  return neighbours.empty() ? 0 : sum / static_cast<double>(neighbours.size());
+/// A vertex has a third of each triangle around it.
+double area_of_vertex(const Surface& surface, Index vertex) {
+  double doubled = 0;
+  for (const Index index : surface.incident[vertex]) {
+    const auto& [a, b, c] = surface.triangles[index];
+    const Vec3f& at = surface.positions[a];
+    doubled += static_cast<double>((surface.positions[b] - at).cross(surface.positions[c] - at).norm());
+  }
+  return doubled / 6;
 }
 
-/// Length of the edges where the surface is fine: a tenth of its vertices have shorter ones on average. By
-/// that, and not by all vertices and the whole area, levels are fine enough wherever a brush may draw.
-/// Vertices without edges do not count; 0: there are no others.
+/// Length of the edges of a lattice of equilateral triangles that has this vertex's share of the area for
+/// each. 0: it has no neighbours.
+double edge_at(const Surface& surface, Index vertex) {
+  const double area =
+      surface.is_point_set() ? area_of_point(surface, vertex) : area_of_vertex(surface, vertex);
+  return std::sqrt(2 / std::sqrt(3.) * area);
+}
+
+/// Length of the edges where the surface is fine: a tenth of its vertices have shorter ones. By that, and not
+/// by all vertices and the whole area, levels are fine enough wherever a brush may draw. Vertices without
+/// edges do not count; 0: there are no others.
 double fine_edge(const Surface& surface) {
   constexpr Index most_vertices = 65536;
   std::vector<double> lengths;
-  for (Index vertex = 0; vertex < surface.vertex_count(); vertex += surface.vertex_count() / most_vertices + 1)
+  for (Index vertex = 0; vertex < surface.vertex_count();
+       vertex += surface.vertex_count() / most_vertices + 1)
     if (const double length = edge_at(surface, vertex); length > 0) lengths.push_back(length);
   if (lengths.empty()) return 0;
   const auto tenth = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 10);

@@ -17,8 +17,8 @@ struct ClusterMean {
 /// are connected on the surface, and their vertices lie within about half a spacing of the middle along the
 /// surface: none reaches across a gap, or to the other side of a plate.
 struct SurfaceLevel {
-  /// Length of the edges of a lattice of equilateral triangles with as many vertices an area where the surface
-  /// is finer, object units. Where it is coarser clusters are its vertices.
+  /// Length of the edges of a lattice of equilateral triangles with as many vertices an area where the
+  /// surface is finer, object units. Where it is coarser clusters are its vertices.
   double spacing = 0;
   UnsetVector<Index> cluster_of;   ///< [vertex of the level below]
   Csr members;                     ///< [cluster] vertices of the level below, ascending
