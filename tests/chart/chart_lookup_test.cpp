@@ -355,6 +355,7 @@ TEST(ChartLookup, PrefersPlacesThatTheChartDoesNotMirror) {
       chart.t.push_back(static_cast<double>(mirrored ? x.y() : x.x()));
       chart.d.push_back(mirrored ? x.x() : x.y());
       chart.e1.push_back(mirrored ? Vec3f::UnitY() : Vec3f::UnitX());
+      chart.normal.push_back(Vec3f::UnitZ());
       chart.stretch.push_back(1);
     }
     const auto place = ChartLookup(surface, chart).find(0.2, 0.3);

@@ -19,7 +19,7 @@ StrokeSettings dabs(StrokeSettings settings, double spacing) {
 
 StrokeSettings scales() {
   StrokeSettings scales = settings("org.burin.scales");
-  scales.params = {{"stamp", std::string(BURIN_SAMPLES) + "/stamps/scales.exr"}};
+  scales.params = {{"stamp", std::string(BURIN_SAMPLES "/stamps/scales.exr")}};
   return scales;
 }
 

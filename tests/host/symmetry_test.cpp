@@ -13,7 +13,7 @@ using test::SymmetricSession;
 
 StrokeSettings lopsided(Overlap overlap = Overlap::latest) {
   StrokeSettings scales = settings("org.burin.scales", 0.2);
-  scales.params = {{"stamp", std::string(BURIN_SAMPLES) + "/stamps/scales.exr"}, {"tile", 1.0}};
+  scales.params = {{"stamp", std::string(BURIN_SAMPLES "/stamps/scales.exr")}, {"tile", 1.0}};
   scales.overlap = overlap;
   return scales;
 }
@@ -34,7 +34,7 @@ TEST(Symmetry, MirrorsWhatALopsidedBrushDoes) {
 
 TEST(Symmetry, MirrorsWhatTheDirectionOfTravelDrives) {
   StrokeSettings mirrored = settings("org.burin.vdm-trail", 0.2);
-  mirrored.params = {{"stamp", std::string(BURIN_SAMPLES) + "/stamps/thorn.exr"}};
+  mirrored.params = {{"stamp", std::string(BURIN_SAMPLES "/stamps/thorn.exr")}};
   mirrored.dynamics = {{"angle", PenSource::direction, {-4, -4, 4, 4}},
                        {"radius", PenSource::direction, {-4, 0.4, 4, 1}}};
   mirrored.symmetry.mirror_x = true;

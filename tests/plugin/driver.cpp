@@ -126,7 +126,7 @@ burin_param_value default_value(const burin_param_info& info) {
 }  // namespace
 
 PluginModule::PluginModule(const std::string& name)
-    : path(std::string(BURIN_BIN_FOLDER) + "/" + name + ".burin"),
+    : path(std::string(BURIN_BIN_FOLDER "/") + name + ".burin"),
       handle_(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
   if (!handle_) throw std::runtime_error(dlerror());
   entry_ = static_cast<const burin_plugin_entry*>(dlsym(handle_, BURIN_PLUGIN_SYMBOL));
