@@ -37,10 +37,14 @@ struct Chart {
            const Vec3f& unit_normal) {
     vertex[node] = of_vertex;
     sheet[node] = of_sheet;
+    normal[node] = unit_normal;
+    set_frame(node, frame);
+  }
+
+  void set_frame(std::size_t node, const ChartFrame& frame) {
     t[node] = frame.t;
     d[node] = frame.d;
     e1[node] = frame.e1;
-    normal[node] = unit_normal;
     stretch[node] = frame.stretch;
     curvature[node] = frame.curvature;
   }

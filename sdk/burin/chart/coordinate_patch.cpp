@@ -3,16 +3,16 @@
 
 namespace burin {
 
-CoordinatePatch::Lanes CoordinatePatch::Quadratic::value(const Local& at) const {
+CoordinatePatch::Lanes CoordinatePatch::Quadratic::value(const Feet& at) const {
   return x * at.x + y * at.y + ((xx * at.x * at.x + yy * at.y * at.y) / 2 + xy * at.x * at.y);
 }
 
-CoordinatePatch::Local CoordinatePatch::Quadratic::slope(const Local& at) const {
+CoordinatePatch::Feet CoordinatePatch::Quadratic::slope(const Feet& at) const {
   return {x + xx * at.x + xy * at.y, y + xy * at.x + yy * at.y};
 }
 
 CoordinatePatch::CoordinatePatch(const BasePatch& patch, const ChartFrame& frame)
-    : patch_(patch), axis_y_(patch.axis_y()), d_(frame.d) {
+    : patch_(patch), axis_y_(patch.axis_y()), of_node_(frame) {
   const Vec3f e2 = patch.normal.cross(frame.e1);
   const Vec2f u(frame.e1.dot(patch.axis_x), frame.e1.dot(axis_y_));
   const Vec2f v(e2.dot(patch.axis_x), e2.dot(axis_y_));
@@ -22,48 +22,48 @@ CoordinatePatch::CoordinatePatch(const BasePatch& patch, const ChartFrame& frame
   d_terms_ = {v.x(), v.y(), -k * u.x() * u.x(), -k * u.x() * u.y(), -k * u.y() * u.y()};
 }
 
-CoordinatePatch::Vectors CoordinatePatch::in_space(const Lanes& x, const Lanes& y, const Lanes& z) const {
-  const auto component = [&](int i) -> Lanes {
-    return x * patch_.axis_x[i] + y * axis_y_[i] + z * patch_.normal[i];
-  };
-  return {component(0), component(1), component(2)};
+/// In space, of a vector along the patch's axes and its normal.
+CoordinatePatch::Lanes CoordinatePatch::component(int i, const Lanes& x, const Lanes& y,
+                                                  const Lanes& z) const {
+  return x * patch_.axis_x[i] + y * axis_y_[i] + z * patch_.normal[i];
 }
 
 /// All vectors but the results are along the patch's axes and its normal.
-CoordinatePatch::Frames CoordinatePatch::at(const Vectors& points) const {
-  const Lanes x = points.x - patch_.position.x(), y = points.y - patch_.position.y(),
-              z = points.z - patch_.position.z();
-  const auto along = [&](const Vec3f& axis) -> Lanes { return x * axis.x() + y * axis.y() + z * axis.z(); };
-  const Local foot = patch_.foot(Local{along(patch_.axis_x), along(axis_y_)}, along(patch_.normal));
-  const Local tilt = patch_.slope(foot);
+CoordinatePatch::Frames CoordinatePatch::at(const Feet& feet) const {
+  const Feet tilt = patch_.slope(feet);
   const Lanes nz = 1 / (1 + tilt.x * tilt.x + tilt.y * tilt.y).sqrt(), nx = -tilt.x * nz, ny = -tilt.y * nz;
 
   // The gradients along the surface, of squared length |slope|^2 - (normal . slope)^2.
-  const Local t = t_terms_.slope(foot), d = d_terms_.slope(foot);
+  const Feet t = t_terms_.slope(feet), d = d_terms_.slope(feet);
   const Lanes t_up = nx * t.x + ny * t.y, d_up = nx * d.x + ny * d.y;
   const Lanes across = (d.x * d.x + d.y * d.y - d_up * d_up).max(0.F).sqrt();
   // |grad d| is 1 but where lines of the stroke meet; there the node's own frame serves.
   constexpr float least = 0.5F;
   const Lanes scale = 1 / across.max(least);
   const Lanes gx = (d.x - d_up * nx) * scale, gy = (d.y - d_up * ny) * scale, gz = -d_up * nz * scale;
+  const Lanes ex = gy * nz - gz * ny, ey = gz * nx - gx * nz, ez = gx * ny - gy * nx;
 
   Frames frames;
-  frames.t = t_terms_.value(foot);
-  frames.d = d_ + d_terms_.value(foot);
+  frames.t = t_terms_.value(feet);
+  frames.d = of_node_.d + d_terms_.value(feet);
   const Lanes rate = (t.x * t.x + t.y * t.y - t_up * t_up).max(0.F).sqrt();
   frames.stretch = (1 / rate.max(least_stretch)).min(1 / least_stretch).max(least_stretch);
-  frames.e1 = in_space(gy * nz - gz * ny, gz * nx - gx * nz, gx * ny - gy * nx);
-  frames.normal = in_space(nx, ny, nz);
+  frames.e1_x = component(0, ex, ey, ez);
+  frames.e1_y = component(1, ex, ey, ez);
+  frames.e1_z = component(2, ex, ey, ez);
   frames.certain = (across > least).cast<float>();
   return frames;
 }
 
-ChartFrame CoordinatePatch::Frames::frame(int lane, const ChartFrame& node) const {
+ChartFrame CoordinatePatch::frame(const Frames& frames, const Feet& feet, int lane) const {
   ChartFrame frame;
-  frame.t = node.t + static_cast<double>(t[lane]);
-  frame.d = d[lane];
-  frame.e1 = certain[lane] > 0 ? e1[lane] : unit_tangent(node.e1, normal[lane]);
-  frame.stretch = stretch[lane];
+  frame.t = of_node_.t + static_cast<double>(frames.t[lane]);
+  frame.d = frames.d[lane];
+  frame.e1 = {frames.e1_x[lane], frames.e1_y[lane], frames.e1_z[lane]};
+  frame.stretch = frames.stretch[lane];
+  if (!(frames.certain[lane] > 0))
+    frame.e1 =
+        unit_tangent(of_node_.e1, patch_.normal_at(BasePatch::Local<float>{feet.x[lane], feet.y[lane]}));
   return frame;
 }
 

@@ -15,38 +15,36 @@ class CoordinatePatch {
   /// Points are taken several at a time.
   static constexpr int lanes = 8;
   using Lanes = Eigen::Array<float, lanes, 1>;
-  struct Vectors {
-    Lanes x, y, z;
-    Vec3f operator[](int lane) const { return {x[lane], y[lane], z[lane]}; }
-  };
 
-  /// The frames at the feet of points on the patch.
+  /// Places on the patch.
+  using Feet = BasePatch::Local<Lanes>;
+
+  /// The frames there.
   struct Frames {
     Lanes t;  ///< beyond the node's
     Lanes d, stretch;
-    Vectors e1, normal;
+    Lanes e1_x, e1_y, e1_z;
     Lanes certain;  ///< 1, or 0 where lines of the stroke meet and e1 is to be the node's own
-
-    /// Of one point. Curvature is not told.
-    ChartFrame frame(int lane, const ChartFrame& node) const;
   };
 
   CoordinatePatch(const BasePatch& patch, const ChartFrame& frame);
 
-  Frames at(const Vectors& points) const;
+  Frames at(const Feet& feet) const;
+
+  /// One of the frames at these feet. Curvature is not told.
+  ChartFrame frame(const Frames& frames, const Feet& feet, int lane) const;
 
  private:
-  using Local = BasePatch::Local<Lanes>;
   struct Quadratic {
     float x, y, xx, xy, yy;  ///< first and second derivatives
-    Lanes value(const Local& at) const;
-    Local slope(const Local& at) const;
+    Lanes value(const Feet& at) const;
+    Feet slope(const Feet& at) const;
   };
-  Vectors in_space(const Lanes& x, const Lanes& y, const Lanes& z) const;
+  Lanes component(int i, const Lanes& x, const Lanes& y, const Lanes& z) const;
 
   BasePatch patch_;
   Vec3f axis_y_;
-  float d_;  ///< of the node
+  ChartFrame of_node_;
   Quadratic t_terms_, d_terms_;
 };
 

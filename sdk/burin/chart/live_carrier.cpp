@@ -5,7 +5,6 @@
 #include <burin/chart/live_carrier.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace burin {
@@ -46,7 +45,7 @@ void LiveCarrier::update(const LiveChart& nodes, const SurfaceCurve& curve, Live
   for (const Carried& block : carried) {
     vertices.note_written(block.written);
     for (const Index slot : block.gone) vertices.remove(slot);
-    for (const auto& [slot, vertex, frame, normal] : block.others) vertices.set(slot, vertex, frame, normal);
+    for (const auto& [slot, frame, normal] : block.others) vertices.set(slot, vertex_[slot], frame, normal);
   }
 }
 
@@ -82,59 +81,58 @@ void LiveCarrier::make_room(const LiveChart& nodes, LiveChart& vertices) {
     if (range.node == node) continue;
     vacate(slot, vertices);
     range.node = node;
+    range.size = 0;
     Index size = 0;
     base_->for_each_vertex(node, [&](Index) { ++size; });
-    if (size <= range.size) continue;
-    range.begin = slots_;
-    range.size = size;
-    slots_ += size;
+    if (size <= range.room) continue;
+    range.begin = static_cast<Index>(vertex_.size());
+    range.room = size;
+    vertex_.resize(vertex_.size() + size);
+    foot_.resize(vertex_.size());
   }
-  vertices.reserve(slots_);
+  vertices.reserve(static_cast<Index>(vertex_.size()));
+}
+
+/// Vertices do not move while a stroke is drawn, so their feet stay.
+void LiveCarrier::find_feet(const BasePatch& patch, Range& range) {
+  base_->for_each_vertex(range.node, [&](Index vertex) {
+    const Index slot = range.begin + range.size++;
+    vertex_[slot] = vertex;
+    foot_[slot] = patch.foot(surface_->positions[vertex]);
+  });
 }
 
 /// Carries the vertices of one node over.
 void LiveCarrier::carry(const LiveChart& nodes, Index slot, const SurfaceCurve& curve, LiveChart& vertices,
                         Carried& carried) {
-  const Index node = nodes.nodes().vertex[slot];
-  const ChartFrame of_node = nodes.nodes().frame(slot);
-  const BasePatch patch = base_->patch(node);
-  const CoordinatePatch coordinates(patch, of_node);
   Range& range = ranges_[slot];
-  Index next = range.begin;
+  const BasePatch patch = base_->patch(range.node);
+  if (range.size == 0) find_feet(patch, range);
+  const CoordinatePatch coordinates(patch, nodes.nodes().frame(slot));
   range.last_t = nowhere;
-  std::array<Index, CoordinatePatch::lanes> vertex{};
-  CoordinatePatch::Vectors points;
-  int waiting = 0;
-  const auto place = [&] {
-    const CoordinatePatch::Frames frames = coordinates.at(points);
-    for (int lane = 0; lane < waiting; ++lane, ++next) {
-      ChartFrame frame = frames.frame(lane, of_node);
-      if (nodes.nodes().closed) frame.t = wrapped_t(frame.t, nodes.nodes().length);
-      range.last_t = std::max(range.last_t, frame.t);
-      if (!within(frame, curve)) {
-        if (!vertices.vacant(next)) carried.gone.push_back(next);
-      } else if (const Vec3f normal = frames.normal[lane];
-                 vertices.write(next, vertex[lane], frame, normal)) {
-        carried.written.push_back(next);
-      } else {
-        carried.others.push_back({next, vertex[lane], frame, normal});
-      }
+  const auto place = [&](Index at, ChartFrame frame) {
+    if (nodes.nodes().closed) frame.t = wrapped_t(frame.t, nodes.nodes().length);
+    range.last_t = std::max(range.last_t, frame.t);
+    if (!within(frame, curve)) {
+      if (!vertices.vacant(at)) carried.gone.push_back(at);
+    } else if (vertices.rewrite(at, frame)) {
+      carried.written.push_back(at);
+    } else {
+      carried.others.push_back({at, frame, patch.normal_at(foot_[at])});
     }
-    waiting = 0;
   };
-  base_->for_each_vertex(node, [&](Index of_cluster) {
-    const Vec3f& position = surface_->positions[of_cluster];
-    vertex[waiting] = of_cluster;
-    points.x[waiting] = position.x();
-    points.y[waiting] = position.y();
-    points.z[waiting] = position.z();
-    if (++waiting == CoordinatePatch::lanes) place();
-  });
-  for (int lane = waiting; lane < CoordinatePatch::lanes; ++lane)
-    points.x[lane] = points.y[lane] = points.z[lane] = 0;
-  place();
-  for (; next < range.begin + range.size; ++next)
-    if (!vertices.vacant(next)) carried.gone.push_back(next);
+  constexpr Index lanes = CoordinatePatch::lanes;
+  CoordinatePatch::Feet feet{CoordinatePatch::Lanes::Zero(), CoordinatePatch::Lanes::Zero()};
+  for (Index begin = range.begin, end = begin + range.size; begin < end; begin += lanes) {
+    const int count = static_cast<int>(std::min(lanes, end - begin));
+    for (int lane = 0; lane < count; ++lane) {
+      feet.x[lane] = foot_[begin + static_cast<Index>(lane)].x;
+      feet.y[lane] = foot_[begin + static_cast<Index>(lane)].y;
+    }
+    const CoordinatePatch::Frames frames = coordinates.at(feet);
+    for (int lane = 0; lane < count; ++lane)
+      place(begin + static_cast<Index>(lane), coordinates.frame(frames, feet, lane));
+  }
 }
 
 bool LiveCarrier::within(const ChartFrame& frame, const SurfaceCurve& curve) const {

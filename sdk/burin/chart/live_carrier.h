@@ -12,9 +12,9 @@
 
 namespace burin {
 
-/// How far, in spacings, the chart of a base surface must reach beyond the stroke, for the vertices at its
-/// rim to have nodes around them.
-inline constexpr double carrying_margin = 2.5;
+/// How far, in spacings, the chart of a base surface must reach beyond the stroke, for the clusters of all
+/// vertices at its rim to have nodes.
+inline constexpr double carrying_margin = 1.5;
 
 struct CarriedStroke {
   double radius;       ///< half width of the stroke at width 1, object units
@@ -42,15 +42,16 @@ class LiveCarrier {
  private:
   /// The vertices' slots that the cluster of a slot of the base chart has.
   struct Range {
-    Index node = no_index;  ///< the cluster
-    Index begin = 0, size = 0;
-    double last_t = nowhere;  ///< the highest of the vertices' when they were last carried
+    Index node = no_index;      ///< the cluster
+    Index begin = 0, room = 0;  ///< slots of vertices
+    Index size = 0;             ///< of them, as many as the cluster has; 0 until it has been carried
+    double last_t = nowhere;    ///< the highest of the vertices' when they were last carried
   };
 
   /// What a few clusters' vertices became.
   struct Carried {
     struct Node {
-      Index slot, vertex;
+      Index slot;
       ChartFrame frame;
       Vec3f normal;
     };
@@ -63,6 +64,7 @@ class LiveCarrier {
   double unchanged_up_to(const LiveChart& nodes) const;
   void find_stale(const LiveChart& nodes, double from);
   void make_room(const LiveChart& nodes, LiveChart& vertices);
+  void find_feet(const BasePatch& patch, Range& range);
   void carry(const LiveChart& nodes, Index slot, const SurfaceCurve& curve, LiveChart& vertices,
              Carried& carried);
   bool within(const ChartFrame& frame, const SurfaceCurve& curve) const;
@@ -72,14 +74,15 @@ class LiveCarrier {
   const Surface* surface_;
   CarriedStroke stroke_;
   SurfaceCurve widened_;
-  bool uniform_ = true;                 ///< the stroke's width is 1 all along
-  double length_ = 0;                   ///< of the stroke, at the last event
-  std::vector<Range> ranges_;           ///< [slot of the base chart]
-  Index slots_ = 0;                     ///< of the vertices' chart, so far
-  std::vector<Index> stale_;            ///< slots of the base chart to be carried
-  std::vector<std::uint8_t> is_stale_;  ///< [slot of the base chart] all 0 between events
-  std::vector<Index> carried_;          ///< those of the last event
-  RisingTail near_end_;                 ///< slots of the base chart by last_t
+  bool uniform_ = true;        ///< the stroke's width is 1 all along
+  double length_ = 0;          ///< of the stroke, at the last event
+  std::vector<Range> ranges_;  ///< [slot of the base chart]
+  std::vector<Index> vertex_;  ///< [slot of the vertices' chart] of the clusters, in the stroke or not
+  std::vector<BasePatch::Local<float>> foot_;  ///< [the same] on the patch of its cluster's node
+  std::vector<Index> stale_;                   ///< slots of the base chart to be carried
+  std::vector<std::uint8_t> is_stale_;         ///< [slot of the base chart] all 0 between events
+  std::vector<Index> carried_;                 ///< those of the last event
+  RisingTail near_end_;                        ///< slots of the base chart by last_t
 };
 
 }  // namespace burin

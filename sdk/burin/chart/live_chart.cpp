@@ -42,9 +42,10 @@ void LiveChart::begin_event(double length, bool closed, double computed_from) {
 
 void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal) {
   if (slot >= nodes_.size()) reserve(slot + 1);
-  if (write(slot, vertex, frame, normal)) return note_written(std::array{slot});
+  const bool same_normal = taken_[slot] && nodes_.normal[slot] == normal;
+  if (same_normal && rewrite(slot, frame)) return note_written(std::array{slot});
   computed_.push_back(slot);
-  if (taken_[slot] && same(slot, frame, normal)) return;
+  if (same_normal && nodes_.frame(slot) == frame) return;
   if (taken_[slot]) unlink(slot);
   nodes_.set(slot, vertex, 0, frame, normal);
   taken_[slot] = 1;
@@ -52,16 +53,11 @@ void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame, const Vec
   link(slot);
 }
 
-bool LiveChart::same(Index slot, const ChartFrame& frame, const Vec3f& normal) const {
-  return nodes_.t[slot] == frame.t && nodes_.d[slot] == frame.d && nodes_.e1[slot] == frame.e1 &&
-         nodes_.stretch[slot] == frame.stretch && nodes_.curvature[slot] == frame.curvature &&
-         nodes_.normal[slot] == normal;
-}
-
-bool LiveChart::write(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal) {
-  if (!taken_[slot] || first_[place_of_[slot]] != slot || next_[slot] != no_index) return false;
-  if (!same(slot, frame, normal)) changed_in_[slot] = event_;
-  nodes_.set(slot, vertex, 0, frame, normal);
+bool LiveChart::rewrite(Index slot, const ChartFrame& frame) {
+  if (!taken_[slot] || !alone(slot)) return false;
+  if (nodes_.frame(slot) == frame) return true;
+  changed_in_[slot] = event_;
+  nodes_.set_frame(slot, frame);
   return true;
 }
 

@@ -23,6 +23,8 @@ class LiveChart {
   Index first(Index vertex) const;
   Index next(Index slot) const { return next_[slot]; }
   std::uint32_t sheet_count(Index vertex) const;
+  /// Whether a slot has the only node of its vertex.
+  bool alone(Index slot) const { return first_[place_of_[slot]] == slot && next_[slot] == no_index; }
 
   /// Slots taken by nodes that the last event computed, and of these the ones that are new or other in any
   /// bit than before; each once.
@@ -61,10 +63,10 @@ class LiveChart {
   /// Makes room for so many slots.
   void reserve(Index slots);
 
-  /// As set(), where nothing but the slot itself is touched: where it has the vertex's only node. False where
-  /// not. Slots below those reserved, and different ones on several threads at once; note_written() has to
-  /// follow.
-  bool write(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal);
+  /// As set() with the vertex and normal that the node has, where it is its vertex's only one, so that
+  /// nothing but its slot is touched; false where it is not, or there is none. Slots below those reserved,
+  /// and different ones on several threads at once; note_written() has to follow.
+  bool rewrite(Index slot, const ChartFrame& frame);
   void note_written(std::span<const Index> slots);
 
   /// An event that may change everything: becomes this chart.
@@ -72,7 +74,6 @@ class LiveChart {
 
  private:
   std::vector<Index> kept_slots(const Chart& chart) const;
-  bool same(Index slot, const ChartFrame& frame, const Vec3f& normal) const;
   void link(Index slot);
   void unlink(Index slot);
   void alter(Index place);

@@ -1,6 +1,5 @@
 #include <burin/chart/curve_parts.h>
 #include <burin/chart/dab_carrier.h>
-#include <burin/chart/live_carrier.h>
 #include <burin/chart/live_dabs.h>
 
 #include <algorithm>
@@ -70,8 +69,8 @@ DabChart LiveDabs::chart(const CurvePoint& middle) {
                           .closest(middle.at.position, static_cast<float>(radius), middle.at);
   if (!centre) return {};
   if (!base_) return charter_.chart(centre->at, centre->normal, middle.tangent, {.radius = radius});
-  const double wider = radius + carrying_margin * base_->spacing();
-  base_->prepare(centre->at.corners[0], centre->at.position, wider + carrying_margin * base_->spacing());
+  const double wider = radius + dab_margin * base_->spacing();
+  base_->prepare(centre->at.corners[0], centre->at.position, wider + dab_margin * base_->spacing());
   const DabChart nodes = of_base_->chart(centre->at, centre->normal, middle.tangent, {.radius = wider});
   return carried_dab(*base_, *surface_, nodes, radius);
 }

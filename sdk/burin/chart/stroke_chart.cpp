@@ -28,7 +28,11 @@ struct StrokeCharter::Stroke {
   std::optional<GroundCharter> of_base;
   Index of_base_nodes = 0;             ///< for which it was made: levels differ in that
   std::optional<LiveCarrier> carried;  ///< of strokes on the base surface
-  LiveChart live;                      ///< the same
+  struct Prepared {
+    Vec3f around = Vec3f::Zero();
+    double distance = -1;
+  } prepared;      ///< where base nodes were last asked for
+  LiveChart live;  ///< the same
 };
 
 void StrokeCharter::Stroke::begin(const ChartOptions& with) {
@@ -42,6 +46,7 @@ void StrokeCharter::Stroke::begin(const ChartOptions& with) {
   wider.cap = Cap::round;
   of_base->begin(wider);
   live.clear();
+  prepared = {};
   carried.emplace(*base, surface, CarriedStroke{with.radius, wider.radius, with.cap});
 }
 
@@ -51,16 +56,17 @@ BaseSurface* StrokeCharter::Stroke::base_for(double radius, double follow) {
   return base && scale > 0 && base->set_radius(scale) ? &*base : nullptr;
 }
 
-/// Has the nodes made on all threads that the front is going to ask for one by one.
+/// Has the nodes made on all threads that the front is going to ask for one by one, and some beyond, so that
+/// it need not look for them at every point of the curve.
 void StrokeCharter::Stroke::prepare(const SurfaceCurve& curve, std::size_t unchanged) {
-  const Vec3f* last = nullptr;
+  const double around_front = (carrying_margin + 1) * base->spacing(), beyond = base->spacing();
   for (std::size_t i = std::min(unchanged, curve.points.size() - 1); i < curve.points.size(); ++i) {
     const CurvePoint& point = curve.points[i];
-    const auto apart = static_cast<float>(base->spacing());
-    if (last && (point.at.position - *last).norm() < apart) continue;
-    last = &point.at.position;
-    base->prepare(point.at.corners[0], *last,
-                  options.radius * static_cast<double>(point.width) + 2 * carrying_margin * base->spacing());
+    const double reach = options.radius * static_cast<double>(point.width) + around_front;
+    const auto way = static_cast<double>((point.at.position - prepared.around).norm());
+    if (way + reach <= prepared.distance) continue;
+    prepared = {point.at.position, reach + beyond};
+    base->prepare(point.at.corners[0], prepared.around, prepared.distance);
   }
 }
 

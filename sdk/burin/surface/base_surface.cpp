@@ -80,32 +80,42 @@ void BaseSurface::forget(std::span<const Index> moved_vertices, double distance)
 
 /// Stage by stage, so that no thread has to make what another is making already.
 void BaseSurface::prepare(Index near, const Vec3f& point, double distance) {
-  const Index group = levels_->ancestor(level_, near, group_level_);
-  const auto stage = [&](double reach, std::size_t level, const auto& known, const auto& make) {
+  // Members of a group lie within this share of a spacing of its mean, and seldom farther.
+  constexpr double extent = 0.75;
+  const double size = extent * levels_->spacing(group_level_);
+  const double of_patches = distance + size, of_twice = of_patches + ring_ + 2 * size,
+               of_once = of_twice + reach_ + 2 * size;
+  const std::vector<Group> groups =
+      groups_within(levels_->ancestor(level_, near, group_level_), point, of_once);
+  const auto stage = [&](double within, std::size_t level, const auto& known, const auto& make) {
     std::vector<Index> missing;  // a member of each group
-    for (const Index one : groups_within(group, point, distance + reach)) {
-      const Index member = levels_->first_member(group_level_, one, level);
+    for (const Group& group : groups) {
+      if (group.squared_distance > within * within) continue;
+      const Index member = levels_->first_member(group_level_, group.cluster, level);
       if (!known.find(member)) missing.push_back(member);
     }
     parallel_blocks(missing.size(), 1, [&](std::size_t i, std::size_t) { make(missing[i]); });
   };
-  stage(reach_ + ring_, coarse_level_, once_, [this](Index cluster) { once(cluster); });
-  stage(ring_, level_, twice_, [this](Index node) { twice(node); });
-  stage(0, level_, patches_, [this](Index node) { patch(node); });
+  stage(of_once, coarse_level_, once_, [this](Index cluster) { once(cluster); });
+  stage(of_twice, level_, twice_, [this](Index node) { twice(node); });
+  stage(of_patches, level_, patches_, [this](Index node) { patch(node); });
 }
 
-/// Groups with a vertex within about `distance` of the point.
-std::vector<Index> BaseSurface::groups_within(Index start, const Vec3f& point, double distance) const {
-  // Vertices of a group lie within this many spacings of any one of them, and seldom farther.
-  constexpr double extent = 1.3;
-  const double about = distance + extent * levels_->spacing(group_level_);
+/// Those with means so near to the point that are connected with the start.
+std::vector<BaseSurface::Group> BaseSurface::groups_within(Index start, const Vec3f& point,
+                                                           double distance) const {
+  const auto squared = [&](Index group) {
+    return squared_distance(levels_->mean(group_level_, group).position, point);
+  };
+  std::vector<Group> groups{{start, squared(start)}};
   ConnectedNodes connected;
-  const std::span<const Index> found =
-      connected.find(levels_->neighbours(group_level_), std::array{start}, [&](Index group) {
-        const Vec3f& vertex = surface_->positions[levels_->first_member(group_level_, group, 0)];
-        return squared_distance(vertex, point) <= about * about;
-      });
-  return {found.begin(), found.end()};
+  connected.find(levels_->neighbours(group_level_), std::array{start}, [&](Index group) {
+    const double away = squared(group);
+    const bool within = away <= distance * distance;
+    if (within) groups.push_back({group, away});
+    return within;
+  });
+  return groups;
 }
 
 BaseSurface::Sample BaseSurface::mean(Index node) {

@@ -65,7 +65,13 @@ class BaseSurface {
     Vec3f position, up;
   };
 
-  std::vector<Index> groups_within(Index start, const Vec3f& point, double distance) const;
+  /// Clusters of the group level, and how far off their means are.
+  struct Group {
+    Index cluster;
+    double squared_distance;
+  };
+
+  std::vector<Group> groups_within(Index start, const Vec3f& point, double distance) const;
   Sample mean(Index node);
   Sample once(Index cluster);
   Sample twice(Index node);
