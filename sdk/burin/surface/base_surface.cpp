@@ -24,6 +24,9 @@ namespace {
 /// Over which heights are fitted, in radii, and over which paraboloids are, and are blended, in spacings.
 constexpr double reach_over_radius = 0.55, ring_over_spacing = 2.5, blend_over_spacing = 1.6;
 
+/// Members of a cluster lie within this share of a spacing of its mean, and seldom farther.
+constexpr double cluster_extent = 0.75;
+
 /// Normals of the base surface that differ by more (cosine) do not belong to one patch.
 constexpr float same_side = 0.2F;
 
@@ -80,9 +83,7 @@ void BaseSurface::forget(std::span<const Index> moved_vertices, double distance)
 
 /// Stage by stage, so that no thread has to make what another is making already.
 void BaseSurface::prepare(Index near, const Vec3f& point, double distance) {
-  // Members of a group lie within this share of a spacing of its mean, and seldom farther.
-  constexpr double extent = 0.75;
-  const double size = extent * levels_->spacing(group_level_);
+  const double size = cluster_extent * levels_->spacing(group_level_);
   const double of_patches = distance + size, of_twice = of_patches + ring_ + 2 * size,
                of_once = of_twice + reach_ + 2 * size;
   const std::vector<Group> groups =
@@ -128,14 +129,14 @@ BaseSurface::Sample BaseSurface::mean(Index node) {
 
 BaseSurface::Sample BaseSurface::once(Index cluster) {
   if (const Sample* known = once_.find(cluster)) return *known;
-  return make_group(
+  return make_group<SurfaceSamples>(
       once_, cluster, {coarse_level_, level_, reach_},
       [this](Index member) {
         const ClusterMean mean = levels_->mean(coarse_level_, member);
         return Sample{mean.position, mean.area};
       },
       [this](Index node) { return mean(node); },
-      [this](const Sample& origin, std::span<const Sample> samples) {
+      [this](const Sample& origin, const SurfaceSamples& samples) {
         const Sample at = smoothed(origin.position, samples);
         return Sample{at.position, std::max(origin.up.dot(at.up), 0.F) * at.up};
       });
@@ -144,7 +145,7 @@ BaseSurface::Sample BaseSurface::once(Index cluster) {
 /// From where the coarse cluster's tangent plane has the node.
 BaseSurface::Sample BaseSurface::twice(Index node) {
   if (const Sample* known = twice_.find(node)) return *known;
-  return make_group(
+  return make_group<SurfaceSamples>(
       twice_, node, {level_, coarse_level_, reach_},
       [this](Index member) {
         const Sample before = mean(member), beside = once(levels_->ancestor(level_, member, coarse_level_));
@@ -152,21 +153,21 @@ BaseSurface::Sample BaseSurface::twice(Index node) {
         return Sample{before.position - (before.position - beside.position).dot(normal) * normal, before.up};
       },
       [this](Index cluster) { return once(cluster); },
-      [this](const Sample& origin, std::span<const Sample> samples) {
+      [this](const Sample& origin, const SurfaceSamples& samples) {
         return smoothed(origin.position, samples);
       });
 }
 
 BasePatch BaseSurface::patch(Index node) {
   if (const BasePatch* known = patches_.find(node)) return *known;
-  return make_group(
+  return make_group<std::vector<Sample>>(
       patches_, node, {level_, level_, ring_}, [this](Index member) { return twice(member); },
       [this](Index member) { return twice(member); },
       [this](const Sample& origin, std::span<const Sample> samples) { return fitted(origin, samples); });
 }
 
 /// Makes the values of all members of the wanted one's group, which have most of their samples in common.
-template <class Value, class OriginOf, class SampleOf, class Make>
+template <class Samples, class Value, class OriginOf, class SampleOf, class Make>
 Value BaseSurface::make_group(OnDemand<Value>& values, Index wanted, const Making& making,
                               const OriginOf& origin_of, const SampleOf& sample_of, const Make& make) {
   const Index group = levels_->ancestor(making.level, wanted, group_level_);
@@ -176,7 +177,7 @@ Value BaseSurface::make_group(OnDemand<Value>& values, Index wanted, const Makin
     members.push_back(member);
     origins.push_back(origin_of(member));
   });
-  const std::vector<Sample> samples = samples_around(group, origins, making, sample_of);
+  const Samples samples(samples_around(group, origins, making, sample_of));
   Value of_wanted{};
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Value value = make(origins[i], samples);
@@ -186,7 +187,7 @@ Value BaseSurface::make_group(OnDemand<Value>& values, Index wanted, const Makin
   return of_wanted;
 }
 
-/// Those that are connected within a ball which holds what is within reach of any origin.
+/// Those of clusters that are connected within a ball which holds what is within reach of any origin.
 template <class SampleOf>
 std::vector<BaseSurface::Sample> BaseSurface::samples_around(Index group, std::span<const Sample> origins,
                                                              const Making& making,
@@ -197,37 +198,48 @@ std::vector<BaseSurface::Sample> BaseSurface::samples_around(Index group, std::s
   double extent = 0;
   for (const Sample& origin : origins) extent = std::max(extent, squared_distance(origin.position, middle));
   const double about = making.reach + std::sqrt(extent);
+  // Going from cluster to cluster of the level above is going in strides.
+  const std::size_t level = std::min(making.sample_level + 1, group_level_);
+  const double farthest = about + cluster_extent * levels_->spacing(level);
   std::vector<Index> starts;
+  levels_->for_each_member(group_level_, group, level, [&](Index start) { starts.push_back(start); });
   std::vector<Sample> samples;
-  levels_->for_each_member(group_level_, group, making.sample_level, [&](Index member) {
-    starts.push_back(member);
-    samples.push_back(sample_of(member));
-  });
   ConnectedNodes connected;
-  connected.find(levels_->neighbours(making.sample_level), starts, [&](Index node) {
-    const Sample sample = sample_of(node);
-    const bool near = squared_distance(sample.position, middle) <= about * about;
-    if (near) samples.push_back(sample);
-    return near;
-  });
+  for (const Index cluster : connected.find(levels_->neighbours(level), starts, [&](Index one) {
+         return squared_distance(levels_->mean(level, one).position, middle) <= farthest * farthest;
+       })) {
+    levels_->for_each_member(level, cluster, making.sample_level, [&](Index member) {
+      const Sample sample = sample_of(member);
+      if (squared_distance(sample.position, middle) <= about * about) samples.push_back(sample);
+    });
+  }
   return samples;
 }
 
 /// A point brought onto the paraboloid that fits the samples around it best, and its normal: zero where their
 /// area cancels out.
-BaseSurface::Sample BaseSurface::smoothed(const Vec3f& origin, std::span<const Sample> samples) const {
-  const double whole = reach_ * reach_;
+BaseSurface::Sample BaseSurface::smoothed(const Vec3f& origin, const SurfaceSamples& samples) const {
+  using Lanes = SurfaceSamples::Lanes;
+  const auto whole = static_cast<float>(reach_ * reach_);
   Vec3f area = Vec3f::Zero();
-  for (const Sample& sample : samples)
-    if (4 * squared_distance(sample.position, origin) <= whole) area += sample.up;
+  for (const SurfaceSamples::Block& block : samples.blocks()) {
+    const Lanes counts = (4 * block.from(origin).squared_length() <= whole).cast<float>();
+    area += Vec3f((counts * block.up.x).sum(), (counts * block.up.y).sum(), (counts * block.up.z).sum());
+  }
   if (!(area.squaredNorm() > 0)) return {origin, Vec3f::Zero()};
   const Vec3f normal = area.normalized(), axis_x = normal.unitOrthogonal(), axis_y = normal.cross(axis_x);
   QuadraticFit fit(reach_);
-  for (const Sample& sample : samples) {
+  for (const SurfaceSamples::Block& block : samples.blocks()) {
+    const SurfaceSamples::Vectors way = block.from(origin);
     // Where a sheet turns away, what is connected beyond it is another one.
-    const float seen = sample.up.dot(normal);
-    if (seen > 0 && squared_distance(sample.position, origin) <= whole)
-      fit.add(local(origin, axis_x, axis_y, normal, sample.position), static_cast<double>(seen));
+    const Lanes seen = block.up.dot(normal).max(0.F) * (way.squared_length() <= whole).cast<float>();
+    if (!(seen.maxCoeff() > 0)) continue;
+    const Lanes x = way.dot(axis_x), y = way.dot(axis_y), z = way.dot(normal);
+    constexpr int half = QuadraticFit::lanes;
+    for (int lane = 0; lane < SurfaceSamples::lanes; lane += half) {
+      const auto part = [lane](const Lanes& all) { return all.segment<half>(lane).cast<double>().eval(); };
+      fit.add(part(x), part(y), part(z), part(seen));
+    }
   }
   const QuadraticFit::Terms height = fit.solve();
   return {origin + static_cast<float>(height[0]) * normal, tilted(normal, axis_x, axis_y, height)};
@@ -269,7 +281,15 @@ Index BaseSurface::nearest(Index near, const Vec3f& point) {
   }
 }
 
+/// Where one of these nodes is missing: whoever asks for a place is going to draw there.
+void BaseSurface::prepare_around(std::span<const Index> nodes) {
+  const double radius = reach_ / static_cast<double>(reach_over_radius);
+  for (const Index node : nodes)
+    if (!patches_.find(node)) prepare(node, mean(node).position, radius);
+}
+
 BasePoint BaseSurface::project(Index near, const Vec3f& point) {
+  prepare_around(std::array{near});
   const Index node = nearest(near, point);
   const BasePatch own = patch(node);
   // Paraboloids go on where the surface ends.
@@ -284,6 +304,7 @@ BasePoint BaseSurface::project(Index near, const Vec3f& point) {
     for (const Index two : neighbours()[one]) two_rings.push_back(two);
   }
   sort_unique(two_rings);
+  prepare_around(two_rings);
   Vec3d position = Vec3d::Zero(), normal = Vec3d::Zero();
   double weights = 0;
   for (const Index other : two_rings) {

@@ -3,6 +3,7 @@
 #include <burin/surface/base_patch.h>
 #include <burin/surface/surface.h>
 #include <burin/surface/surface_levels.h>
+#include <burin/surface/surface_samples.h>
 
 #include <cstddef>
 #include <span>
@@ -60,10 +61,7 @@ class BaseSurface {
   BasePoint project(Index near, const Vec3f& point);
 
  private:
-  /// A place with a vector along the normal there: the area vector of a cluster, or of unit length.
-  struct Sample {
-    Vec3f position, up;
-  };
+  using Sample = SurfaceSample;
 
   /// Clusters of the group level, and how far off their means are.
   struct Group {
@@ -75,7 +73,7 @@ class BaseSurface {
   Sample mean(Index node);
   Sample once(Index cluster);
   Sample twice(Index node);
-  Sample smoothed(const Vec3f& origin, std::span<const Sample> samples) const;
+  Sample smoothed(const Vec3f& origin, const SurfaceSamples& samples) const;
   BasePatch fitted(const Sample& origin, std::span<const Sample> samples) const;
 
   /// What values are made of: from the samples of a level within `reach` of their origins.
@@ -83,12 +81,13 @@ class BaseSurface {
     std::size_t level, sample_level;
     double reach;
   };
-  template <class Value, class OriginOf, class SampleOf, class Make>
+  template <class Samples, class Value, class OriginOf, class SampleOf, class Make>
   Value make_group(OnDemand<Value>& values, Index wanted, const Making& making, const OriginOf& origin_of,
                    const SampleOf& sample_of, const Make& make);
   template <class SampleOf>
   std::vector<Sample> samples_around(Index group, std::span<const Sample> origins, const Making& making,
                                      const SampleOf& sample_of) const;
+  void prepare_around(std::span<const Index> nodes);
   Index nearest(Index near, const Vec3f& point);
 
   const Surface* surface_;

@@ -25,18 +25,43 @@ class QuadraticFit {
     right_.fill(Lanes::Zero());
   }
 
+  static constexpr int lanes = 4;
+  using Lanes = Eigen::Array<double, lanes, 1>;
+
   /// A place (x, y, z).
   void add(const Vec3f& at, double weight) {
-    x_[waiting_] = static_cast<double>(at.x()) * inverse_;
-    y_[waiting_] = static_cast<double>(at.y()) * inverse_;
+    x_[waiting_] = static_cast<double>(at.x());
+    y_[waiting_] = static_cast<double>(at.y());
     z_[waiting_] = static_cast<double>(at.z());
     weight_[waiting_] = weight;
-    if (++waiting_ == lanes) sum();
+    if (++waiting_ == lanes) add_waiting();
+  }
+
+  /// As many places as there are lanes.
+  void add(const Lanes& at_x, const Lanes& at_y, const Lanes& z, const Lanes& weight) {
+    const Lanes x = at_x * inverse_, y = at_y * inverse_;
+    const Lanes xx = x * x, xy = x * y, yy = y * y, inside = (1 - (xx + yy)).max(0.);
+    const Lanes w = weight * inside * inside * inside;
+    const Lanes wx = w * x, wy = w * y, wxx = w * xx, wxy = w * xy, wyy = w * yy;
+    const std::array<const Lanes*, 6> first = {&w, &wx, &wy, &wxx, &wxy, &wyy};
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      moments_[i] += *first[i];
+      right_[i] += *first[i] * z;
+    }
+    moments_[6] += wxx * x;
+    moments_[7] += wxx * y;
+    moments_[8] += wyy * x;
+    moments_[9] += wyy * y;
+    moments_[10] += wxx * xx;
+    moments_[11] += wxx * xy;
+    moments_[12] += wxx * yy;
+    moments_[13] += wyy * xy;
+    moments_[14] += wyy * yy;
   }
 
   /// What the places do not tell is 0.
   Terms solve() {
-    for (; waiting_ > 0; sum())
+    for (; waiting_ > 0; add_waiting())
       for (; waiting_ < lanes; ++waiting_) x_[waiting_] = y_[waiting_] = z_[waiting_] = weight_[waiting_] = 0;
     if (!(total(moments_[0]) > 0)) return Terms::Zero();
     std::array<double, 15> sums{};
@@ -61,30 +86,11 @@ class QuadraticFit {
   }
 
  private:
-  static constexpr int lanes = 4;
-  using Lanes = Eigen::Array<double, lanes, 1>;
-
   static double total(const Lanes& sums) { return (sums[0] + sums[2]) + (sums[1] + sums[3]); }
 
-  void sum() {
+  void add_waiting() {
     waiting_ = 0;
-    const Lanes xx = x_ * x_, xy = x_ * y_, yy = y_ * y_, inside = (1 - (xx + yy)).max(0.);
-    const Lanes w = weight_ * inside * inside * inside;
-    const Lanes wx = w * x_, wy = w * y_, wxx = w * xx, wxy = w * xy, wyy = w * yy;
-    const std::array<const Lanes*, 6> first = {&w, &wx, &wy, &wxx, &wxy, &wyy};
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      moments_[i] += *first[i];
-      right_[i] += *first[i] * z_;
-    }
-    moments_[6] += wxx * x_;
-    moments_[7] += wxx * y_;
-    moments_[8] += wyy * x_;
-    moments_[9] += wyy * y_;
-    moments_[10] += wxx * xx;
-    moments_[11] += wxx * xy;
-    moments_[12] += wxx * yy;
-    moments_[13] += wyy * xy;
-    moments_[14] += wyy * yy;
+    add(x_, y_, z_, weight_);
   }
 
   double inverse_;  ///< of the reach
