@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// A place of a surface with a vector along the normal there: an area vector, object units^2, or of unit length.
+/// A place of a surface with a vector along the normal there: an area vector, object units^2, or of unit
+/// length.
 struct SurfaceSample {
   Vec3f position, up;
 };
