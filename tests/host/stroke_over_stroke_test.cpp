@@ -120,6 +120,47 @@ TEST(StrokeOverStroke, KeepsNothingStaleOfAFoldedSurface) {
   }
 }
 
+/// Draws as a pen does that goes on where it has fallen off an edge; returns in how many pieces.
+int drawn_in_pieces(Session& session, const StrokeSettings& with, const test::Pens& pens) {
+  int pieces = 0;
+  bool down = false;
+  session.begin_stroke(with);
+  for (std::size_t i = 0; i < pens.size(); ++i) {
+    const auto add = [&] { return session.add_sample(pens[i], static_cast<double>(i) / 240, {}).outcome; };
+    StrokeEvent::Outcome outcome = add();
+    if (outcome != StrokeEvent::Outcome::drawn && down) {
+      session.end_stroke();
+      session.begin_stroke(with);
+      outcome = add();
+      down = false;
+    }
+    if (outcome != StrokeEvent::Outcome::drawn) continue;
+    pieces += down ? 0 : 1;
+    down = true;
+  }
+  session.end_stroke();
+  return pieces;
+}
+
+// Beads that are as high as they are wide, over each other: neither do strokes break into ever more pieces,
+// each on top of the one before, nor do vertices fly off.
+TEST(StrokeOverStroke, PilesUpReliefAsHighAsTheBrush) {
+  const std::uint32_t seed = 7;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  Session session = square();
+  int pieces = 0;
+  constexpr int strokes = 12;
+  for (int stroke = 0; stroke < strokes; ++stroke)
+    pieces += drawn_in_pieces(session, settings("org.burin.bead", radius), random_pens(random));
+  EXPECT_LE(pieces, 18);
+  double highest = 0;
+  for (const Vec3f& at : session.positions())
+    highest = std::max(highest, static_cast<double>(std::abs(at.z())));
+  EXPECT_GE(highest, 0.8 * radius * strokes / 2);
+  EXPECT_LE(highest, 0.81 * radius * strokes);
+}
+
 // A session that has sculpted for long charts as one that starts with the sculpted surface, but for what
 // other clusters of vertices make of it.
 TEST(StrokeOverStroke, ChartsAsAFreshSessionAfterFiftyStrokes) {

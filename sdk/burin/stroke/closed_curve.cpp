@@ -36,7 +36,7 @@ std::optional<SurfaceCurve> CurveTracer::closed_curve(Closure closure) const {
     return {};
   CurveTracer loop = *this;
   loop.leave_out_overshoot();
-  if (loop.knots_.size() < 3 || !loop.connects(knots_[0].at)) return {};
+  if (loop.knots_.size() < 3 || !loop.connects(knots_[0].place)) return {};
   loop.retrace_closed();
   return std::move(loop.curve_);
 }
@@ -45,9 +45,9 @@ void CurveTracer::leave_out_overshoot() {
   const auto [point, distance] = return_to_first();
   if (distance <= radius_ / 2) std::erase_if(knots_, [=](const Knot& knot) { return knot.point > point; });
   const double mean = curve_.points[knots_.back().point].t / static_cast<double>(knots_.size());
-  const double on_top = std::max(mean / 2, spacing(knots_[0].at));
+  const double on_top = std::max(mean / 2, spacing(knots_[0].place.at));
   const auto from_first = [&](const Knot& knot) {
-    return (knot.at.position - knots_[0].at.position).cast<double>().norm();
+    return (knot.position() - knots_[0].position()).cast<double>().norm();
   };
   while (knots_.size() > 1 && from_first(knots_.back()) < on_top) knots_.pop_back();
 }
@@ -55,7 +55,7 @@ void CurveTracer::leave_out_overshoot() {
 void CurveTracer::retrace_closed() {
   const Knot& last = knots_.back();
   const double drawn = curve_.points[last.point].t;
-  const double gap = (knots_[0].at.position - last.at.position).cast<double>().norm();
+  const double gap = (knots_[0].position() - last.position()).cast<double>().norm();
   const double seam_time = drawn > 0 ? last.time * (1 + gap / drawn) : last.time;
   curve_ = {.points = {}, .closed = true};
   for (std::size_t segment = 0; segment < knots_.size(); ++segment) {
@@ -63,7 +63,7 @@ void CurveTracer::retrace_closed() {
     trace_segment(segment);
   }
   const double end = curve_.points.back().t;
-  append({knots_[0].at, knots_[0].normal}, curve_.points[0].tangent.cast<double>(), seam_time, knots_[0].pen);
+  append(knots_[0].place, curve_.points[0].tangent.cast<double>(), seam_time, knots_[0].pen);
   curve_.closing_length = curve_.points.back().t - end;
   const double speed = curve_.points.back().speed;
   curve_.points.pop_back();

@@ -2,13 +2,16 @@
 #include <burin/surface/normals.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace burin {
 
 CurveGround::Place CurveGround::place(const SurfacePoint& at) const {
-  if (!base_) return {at, normal_at(*surface_, at)};
-  return on_base(base_->node_of(at.corners[0]), at.position);
+  if (!base_) return {at, normal_at(*surface_, at), at};
+  Place place = on_base(base_->node_of(at.corners[0]), at.position);
+  place.on_surface = at;
+  return place;
 }
 
 std::optional<CurveGround::Place> CurveGround::pick(const Ray& ray) const {
@@ -46,7 +49,37 @@ CurveGround::Place CurveGround::settled(const SurfacePoint& at, const OnPlane& o
     const auto off = static_cast<double>((place.at.position - foot.at.position).norm());
     if (!(off <= farthest * base_->spacing())) return foot;
   }
+  place.on_surface = at;
   return place;
+}
+
+namespace {
+
+/// Whether the surface is nowhere farther from the chord than a quarter of it; is_near(point, reach) goes
+/// from one point of it to the next.
+template <class IsNear>
+bool runs_near(const Vec3f& from, const Vec3f& to, const IsNear& is_near) {
+  const Vec3f chord = to - from;
+  const float reach = chord.norm() / 4;
+  return reach == 0 || std::ranges::all_of(std::array{0.25F, 0.5F, 0.75F},
+                                           [&](float s) { return is_near(from + s * chord, reach); });
+}
+
+}  // namespace
+
+bool CurveGround::connects(const Place& from, const Place& to) const {
+  const auto is_near_surface = [this](const Vec3f& point, float reach) {
+    return picker_->closest(point, reach).has_value();
+  };
+  if (!base_) return runs_near(from.at.position, to.at.position, is_near_surface);
+  SurfacePoint near = from.at;
+  const auto is_near_base = [&](const Vec3f& point, float reach) {
+    const std::optional<Place> place = closest(point, reach, near);
+    if (place) near = place->at;
+    return place.has_value();
+  };
+  return runs_near(from.at.position, to.at.position, is_near_base) ||
+         runs_near(from.on_surface.position, to.on_surface.position, is_near_surface);
 }
 
 CurveGround::Place CurveGround::on_base(Index near, const Vec3f& point) const {
@@ -55,7 +88,7 @@ CurveGround::Place CurveGround::on_base(Index near, const Vec3f& point) const {
   at.corners.fill(found.node);
   at.weights = {1, 0, 0};
   at.position = found.position;
-  return {at, found.normal};
+  return {at, found.normal, {}};
 }
 
 std::optional<CurveGround::Place> CurveGround::closest(const Vec3f& point, float reach,

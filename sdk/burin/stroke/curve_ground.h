@@ -17,6 +17,7 @@ class CurveGround {
   struct Place {
     SurfacePoint at;
     Vec3f normal;  ///< unit
+    SurfacePoint on_surface;  ///< the point of the surface that it is the place of
   };
 
   /// Where a point of the surface is on the ground.
@@ -30,6 +31,11 @@ class CurveGround {
   /// The ground nearest to a position of which the surface is not farther than `reach`, so that bumps do not
   /// draw it to their tops.
   std::optional<Place> closest(const Vec3f& position, float reach) const;
+
+  /// Whether a pen may go from one place to the other without leaving the ground: no point of the chord is
+  /// farther than a quarter of it from the ground, or none of the chord between the surface's own points from
+  /// the surface, which tells where relief as wide as the brush makes the base surface ragged.
+  bool connects(const Place& from, const Place& to) const;
 
   /// The ground nearest to a point not farther than `reach` from it, found from a place near by.
   std::optional<Place> closest(const Vec3f& point, float reach, const SurfacePoint& near) const;

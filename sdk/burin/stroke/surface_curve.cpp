@@ -87,26 +87,14 @@ CurveTracer::CurveTracer(const CurveGround& ground, double radius, StrokeWidth w
       max_spacing_(std::max(radius / 8, min_spacing_)) {}
 
 bool CurveTracer::connects(const CurveGround::Place& place) const {
-  return knots_.empty() || connects(knots_.back().at, place.at);
-}
-
-bool CurveTracer::connects(const SurfacePoint& from, const SurfacePoint& to) const {
-  const Vec3f chord = to.position - from.position;
-  const float reach = chord.norm() / 4;
-  if (reach == 0) return true;
-  SurfacePoint near = from;
-  return std::ranges::all_of(std::array{0.25F, 0.5F, 0.75F}, [&](float s) {
-    const auto place = ground_.closest(from.position + s * chord, reach, near);
-    if (place) near = place->at;
-    return place.has_value();
-  });
+  return knots_.empty() || ground_.connects(knots_.back().place, place);
 }
 
 void CurveTracer::add(const CurveGround::Place& place, double time, const Pen& pen) {
   const double since_begin = knots_.empty() ? 0 : time - first_time_;
   if (knots_.empty()) first_time_ = time;
-  const Knot knot{place.at, place.normal, since_begin, pen};
-  if (!knots_.empty() && knots_.back().at.position == place.at.position) {
+  const Knot knot{place, since_begin, pen};
+  if (!knots_.empty() && knots_.back().position() == place.at.position) {
     knots_.back() = knot;
   } else {
     knots_.push_back(knot);
@@ -118,7 +106,7 @@ void CurveTracer::retrace_tail() {
   curve_.points.resize(final_points_);
   const std::size_t last = knots_.size() - 1;
   const std::size_t kept = final_points_;
-  if (last == 0) append({knots_[0].at, knots_[0].normal}, Vec3d::Zero(), knots_[0].time, knots_[0].pen);
+  if (last == 0) append(knots_[0].place, Vec3d::Zero(), knots_[0].time, knots_[0].pen);
   for (std::size_t segment = final_segments_; segment < last; ++segment) {
     trace_segment(segment);
     if (segment + 2 <= last) {
@@ -143,7 +131,7 @@ void CurveTracer::trace_segment(std::size_t k) {
   const Knot &from = knots_[k], &to = *neighbour(k, 1, true);
   const Knot *before = neighbour(k, 1, false), *after = neighbour(k, 2, true);
   const auto place = [](const Knot* knot) {
-    return knot ? Vec3d(knot->at.position.cast<double>()) : Vec3d(Vec3d::Zero());
+    return knot ? Vec3d(knot->position().cast<double>()) : Vec3d(Vec3d::Zero());
   };
   const Vec3d place_before = place(before), place_after = place(after);
   const HermiteSegment spline = spline_segment(before ? &place_before : nullptr, place(&from), place(&to),
@@ -151,7 +139,7 @@ void CurveTracer::trace_segment(std::size_t k) {
   const PenSpline pens = pen_spline(k);
   const double chord = (spline.to - spline.from).norm();
 
-  if (k == 0) append({from.at, from.normal}, spline.velocity(0), from.time, from.pen);
+  if (k == 0) append(from.place, spline.velocity(0), from.time, from.pen);
   double s = 0;
   for (;;) {
     const double speed = std::max(spline.velocity(s).norm(), chord / 4);
@@ -163,7 +151,7 @@ void CurveTracer::trace_segment(std::size_t k) {
     if (at) append(*at, spline.velocity(s), pens.time(s), pens.pen(s));
   }
   if (k + 1 == knots_.size()) return;
-  append({to.at, to.normal}, spline.velocity(1), to.time, to.pen);
+  append(to.place, spline.velocity(1), to.time, to.pen);
   knots_[k + 1].point = curve_.points.size() - 1;
 }
 
@@ -182,7 +170,7 @@ double CurveTracer::spacing(const SurfacePoint& at) const {
 PenSpline CurveTracer::pen_spline(std::size_t k) const {
   const Knot *before = neighbour(k, 1, false), *after = neighbour(k, 2, true);
   const auto interval = [](const Knot* a, const Knot* b) {
-    return a && b ? std::sqrt((b->at.position - a->at.position).cast<double>().norm()) : 0;
+    return a && b ? std::sqrt((b->position() - a->position()).cast<double>().norm()) : 0;
   };
   const Knot &from = knots_[k], &to = *neighbour(k, 1, true);
   const MonotoneCubic::Intervals intervals{interval(before, &from), interval(&from, &to),
@@ -196,9 +184,9 @@ PenSpline CurveTracer::pen_spline(std::size_t k) const {
 
 void CurveTracer::append(const CurveGround::Place& place, const Vec3d& direction, double time,
                          const Pen& pen) {
-  const auto& [at, normal] = place;
-  const Vec3f tangent = unit_tangent(direction.cast<float>(), normal);
-  CurvePoint point{.at = at, .normal = normal, .tangent = tangent, .time = time, .pen = pen};
+  const SurfacePoint& at = place.at;
+  const Vec3f tangent = unit_tangent(direction.cast<float>(), place.normal);
+  CurvePoint point{.at = at, .normal = place.normal, .tangent = tangent, .time = time, .pen = pen};
   if (!curve_.points.empty()) {
     const CurvePoint& before = curve_.points.back();
     const double length = arc_length(before, at.position, point.tangent);

@@ -75,8 +75,8 @@ class CurveTracer {
   CurveTracer(const Surface& surface, const Picker& picker, double radius, StrokeWidth width = {})
       : CurveTracer(CurveGround(surface, picker), radius, std::move(width)) {}
 
-  /// Whether a point can follow the samples so far: no point of the chord to it is farther from the
-  /// surface than a quarter of the chord. Not so where the pen jumps over a silhouette or a gap.
+  /// Whether a place can follow the samples so far, as CurveGround::connects() says. Not so where the pen
+  /// jumps over a silhouette or a gap.
   bool connects(const CurveGround::Place& place) const;
   bool connects(const SurfacePoint& point) const { return connects(ground_.place(point)); }
 
@@ -106,11 +106,11 @@ class CurveTracer {
 
  private:
   struct Knot {
-    SurfacePoint at;  ///< on the ground
-    Vec3f normal = Vec3f::Zero();
+    CurveGround::Place place;
     double time = 0;  ///< since the first sample
     Pen pen;
     std::size_t point = 0;  ///< of curve_, where it goes through the knot
+    const Vec3f& position() const { return place.at.position; }
   };
   /// Where the curve, in its last quarter, is nearest to the first knot.
   struct Return {
@@ -123,7 +123,6 @@ class CurveTracer {
   void retrace_tail();
   void trace_segment(std::size_t knot);
   const Knot* neighbour(std::size_t knot, std::size_t steps, bool forward) const;
-  bool connects(const SurfacePoint& from, const SurfacePoint& to) const;
   double spacing(const SurfacePoint& at) const;
 
   PenSpline pen_spline(std::size_t knot) const;

@@ -1,12 +1,22 @@
 #include <burin/surface/base_patch.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
 namespace burin {
 
 BasePatch::Local<float> BasePatch::foot(const Vec3f& point) const {
   const Vec3f way = point - position;
-  return foot(Local<float>{way.dot(axis_x), way.dot(axis_y())}, way.dot(normal));
+  const Local<float> below{way.dot(axis_x), way.dot(axis_y())};
+  const float above = way.dot(normal), farthest = 0.5F / std::sqrt(xx * xx + 2 * xy * xy + yy * yy);
+  Local<float> at = below;
+  for (int i = 0; i < 2; ++i) {
+    const Local<float> tilt = slope(at);
+    const float left = std::clamp(above - height(at), -farthest, farthest);
+    at = {below.x + left * tilt.x, below.y + left * tilt.y};
+  }
+  return at;
 }
 
 BasePatch::Local<float> BasePatch::foot_within(const Vec3f& point, float extent) const {

@@ -28,20 +28,10 @@ struct BasePatch {
     return {xx * at.x + xy * at.y, xy * at.x + yy * at.y};
   }
 
-  /// The foot of a point `above` the tangent plane, over `below`, on the paraboloid; to second order in its
-  /// distance from the node.
-  template <class Number>
-  Local<Number> foot(const Local<Number>& below, const Number& above) const {
-    Local<Number> at = below;
-    for (int i = 0; i < 2; ++i) {
-      const Local<Number> tilt = slope(at);
-      const Number left = above - height(at);
-      at = {below.x + left * tilt.x, below.y + left * tilt.y};
-    }
-    return at;
-  }
-
-  /// The same of a point in space.
+  /// The foot of a point on the paraboloid, to second order in its distance from the node. Points higher
+  /// over the paraboloid than half the least distance at which normals of it may meet count as that high:
+  /// farther up, on relief as high as the brush is wide, there is no foot nearby. So it is less than twice as
+  /// far from the node as the point is along the tangent plane.
   Local<float> foot(const Vec3f& point) const;
 
   /// The foot, or where it lies beyond the distance `extent`, what of the paraboloid is there in its
