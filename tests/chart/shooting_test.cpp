@@ -62,10 +62,10 @@ TEST_P(Shooting, SecondOrderIsWithinItsBounds) {
 
 // At the brush's own scale: a chart of the base surface, carried to the vertices.
 TEST_P(Shooting, ChartsOfTheBaseSurfaceAreWithinTheirBounds) {
-  for (const auto& [edges, d_p99] : {std::pair(20, 0.03), {40, 0.035}}) {
+  for (const int edges : {16, 20, 34, 40}) {
     const ChartErrors carried = errors(radius / edges, {.radius = radius, .follow = 0});
     EXPECT_LE(carried.d.mean(), 0.005) << edges << " edges a radius";
-    EXPECT_LE(carried.d.p99(), d_p99) << edges << " edges a radius";
+    EXPECT_LE(carried.d.p99(), 0.03) << edges << " edges a radius";
     EXPECT_LE(carried.t.mean(), 0.03) << edges << " edges a radius";
     EXPECT_LE(carried.t.p99(), 0.12) << edges << " edges a radius";
   }

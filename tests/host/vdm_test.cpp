@@ -119,8 +119,9 @@ TubeError tube_error(const Developable& surface, const std::filesystem::path& ma
   TubeError error;
   for (Index node = 0; node < session.chart().size(); ++node) {
     const double t = session.chart().t[node], y = std::abs(session.chart().d[node]) / stroke_radius;
-    // Not around the caps, nor where the sheet leaves the tube.
-    if (t < 0.05 || t > last || y > Tube::half_sheet) continue;
+    // Not around the caps, whose straight lines meet the bend's within five nodes of the base surface, nor
+    // where the sheet leaves the tube.
+    if (t < 0.07 || t > last || y > Tube::half_sheet) continue;
     const Vec3d at = base.positions[session.chart().vertex[node]].cast<double>();
     const Vec3d expected = on_tube(surface, surface.x(at), surface.y(at));
     const Vec3d found = session.positions()[session.chart().vertex[node]].cast<double>();

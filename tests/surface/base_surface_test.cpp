@@ -87,10 +87,10 @@ bool same_bits(const BasePatch& a, const BasePatch& b) { return std::memcmp(&a, 
 // Nodes made one by one from the far end, in one go, and on one thread.
 TEST(BaseSurface, DoesNotDependOnTheOrderInWhichNodesAreMade) {
   Based at_once(bumpy(0.05), 1), one_by_one(bumpy(0.05), 1), one_thread(bumpy(0.05), 1);
-  at_once.base.prepare(0, Vec3f::Zero(), 100);
+  at_once.base.prepare(std::array{BaseSurface::Ball{Vec3f::Zero(), 100, 0}});
   for (Index node = one_by_one.base.node_count(); node-- > 0;) one_by_one.base.patch(node);
   const ThreadLimit limit(1);
-  one_thread.base.prepare(0, Vec3f::Zero(), 100);
+  one_thread.base.prepare(std::array{BaseSurface::Ball{Vec3f::Zero(), 100, 0}});
   for (const Index node : all_nodes(at_once.base)) {
     ASSERT_TRUE(same_bits(at_once.base.patch(node), one_by_one.base.patch(node)));
     ASSERT_TRUE(same_bits(at_once.base.patch(node), one_thread.base.patch(node)));
@@ -100,7 +100,7 @@ TEST(BaseSurface, DoesNotDependOnTheOrderInWhichNodesAreMade) {
 // Kept nodes and new ones are those of a base surface that is made afresh.
 TEST(BaseSurface, FollowsVerticesThatMove) {
   Based on(test::shuffled(test::sphere(6, 0.2, 5), 9), 0.2);
-  on.base.prepare(0, Vec3f::Zero(), 2);
+  on.base.prepare(std::array{BaseSurface::Ball{Vec3f::Zero(), 2, 0}});
   std::vector<Index> moved;
   for (Index vertex = 0; vertex < on.surface.vertex_count(); ++vertex)
     if (on.surface.positions[vertex].x() > 0.95F) moved.push_back(vertex);

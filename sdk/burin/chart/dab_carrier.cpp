@@ -81,7 +81,7 @@ class DabPatch {
       const Vec3f carried = transport(chart.e1[other], there.normal, patch_.normal);
       const std::array values{chart.u[other], chart.v[other], carried.dot(e1_), carried.dot(e2_)};
       for (std::size_t k = 0; k < fits.size(); ++k)
-        fits[k].add({way.dot(patch_.axis_x), way.dot(patch_.axis_y()), values[k]}, 1);
+        fits[k].add({way.dot(patch_.axis_x), way.dot(patch_.axis_y()), values[k]});
     }
     for (std::size_t k = 0; k < fits.size(); ++k) terms_[k] = fits[k].solve();
   }

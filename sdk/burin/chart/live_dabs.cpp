@@ -70,7 +70,8 @@ DabChart LiveDabs::chart(const CurvePoint& middle) {
   if (!centre) return {};
   if (!base_) return charter_.chart(centre->at, centre->normal, middle.tangent, {.radius = radius});
   const double wider = radius + dab_margin * base_->spacing();
-  base_->prepare(centre->at.corners[0], centre->at.position, wider + dab_margin * base_->spacing());
+  base_->prepare(std::array{
+      BaseSurface::Ball{centre->at.position, wider + dab_margin * base_->spacing(), centre->at.corners[0]}});
   const DabChart nodes = of_base_->chart(centre->at, centre->normal, middle.tangent, {.radius = wider});
   return carried_dab(*base_, *surface_, nodes, radius);
 }

@@ -28,11 +28,8 @@ struct StrokeCharter::Stroke {
   std::optional<GroundCharter> of_base;
   Index of_base_nodes = 0;             ///< for which it was made: levels differ in that
   std::optional<LiveCarrier> carried;  ///< of strokes on the base surface
-  struct Prepared {
-    Vec3f around = Vec3f::Zero();
-    double distance = -1;
-  } prepared;      ///< where base nodes were last asked for
-  LiveChart live;  ///< the same
+  BaseSurface::Ball prepared{};        ///< where base nodes were last asked for
+  LiveChart live;                      ///< the same
 };
 
 void StrokeCharter::Stroke::begin(const ChartOptions& with) {
@@ -46,7 +43,7 @@ void StrokeCharter::Stroke::begin(const ChartOptions& with) {
   wider.cap = Cap::round;
   of_base->begin(wider);
   live.clear();
-  prepared = {};
+  prepared = {Vec3f::Zero(), -1, no_index};
   carried.emplace(*base, surface, CarriedStroke{with.radius, wider.radius, with.cap});
 }
 
@@ -59,15 +56,17 @@ BaseSurface* StrokeCharter::Stroke::base_for(double radius, double follow) {
 /// Has the nodes made on all threads that the front is going to ask for one by one, and some beyond, so that
 /// it need not look for them at every point of the curve.
 void StrokeCharter::Stroke::prepare(const SurfaceCurve& curve, std::size_t unchanged) {
-  const double around_front = (carrying_margin + 1) * base->spacing(), beyond = base->spacing();
+  const double around_front = (carrying_margin + 1) * base->spacing(), beyond = 2 * base->spacing();
+  std::vector<BaseSurface::Ball> balls;
   for (std::size_t i = std::min(unchanged, curve.points.size() - 1); i < curve.points.size(); ++i) {
     const CurvePoint& point = curve.points[i];
     const double reach = options.radius * static_cast<double>(point.width) + around_front;
-    const auto way = static_cast<double>((point.at.position - prepared.around).norm());
-    if (way + reach <= prepared.distance) continue;
-    prepared = {point.at.position, reach + beyond};
-    base->prepare(point.at.corners[0], prepared.around, prepared.distance);
+    const auto way = static_cast<double>((point.at.position - prepared.middle).norm());
+    if (way + reach <= prepared.radius) continue;
+    prepared = {point.at.position, reach + beyond, point.at.corners[0]};
+    balls.push_back(prepared);
   }
+  base->prepare(balls);
 }
 
 const LiveChart& StrokeCharter::Stroke::draw(const SurfaceCurve& curve, std::size_t unchanged) {

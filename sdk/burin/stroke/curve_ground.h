@@ -16,7 +16,7 @@ class CurveGround {
 
   struct Place {
     SurfacePoint at;
-    Vec3f normal;  ///< unit
+    Vec3f normal;             ///< unit
     SurfacePoint on_surface;  ///< the point of the surface that it is the place of
   };
 

@@ -14,34 +14,34 @@ inline double bump_weight(double squared_radius) {
 }
 
 /// The weighted least-squares quadratic z(x, y) through places around (0, 0), which count by bump_weight over
-/// the reach.
+/// the reach. Sums are of floats, as places are.
 class QuadraticFit {
  public:
   using Terms = Eigen::Matrix<double, 6, 1>;  ///< z, z_x, z_y, z_xx, z_xy, z_yy at (0, 0)
 
   /// `reach`: in units of x and y.
-  explicit QuadraticFit(double reach) : inverse_(1 / reach) {
+  explicit QuadraticFit(double reach) : inverse_(1 / reach), inverse_in_lanes_(static_cast<float>(inverse_)) {
     moments_.fill(Lanes::Zero());
     right_.fill(Lanes::Zero());
   }
 
-  static constexpr int lanes = 4;
-  using Lanes = Eigen::Array<double, lanes, 1>;
+  static constexpr int lanes = 8;
+  using Lanes = Eigen::Array<float, lanes, 1>;
 
   /// A place (x, y, z).
-  void add(const Vec3f& at, double weight) {
-    x_[waiting_] = static_cast<double>(at.x());
-    y_[waiting_] = static_cast<double>(at.y());
-    z_[waiting_] = static_cast<double>(at.z());
-    weight_[waiting_] = weight;
+  void add(const Vec3f& at) {
+    x_[waiting_] = at.x();
+    y_[waiting_] = at.y();
+    z_[waiting_] = at.z();
+    counts_[waiting_] = 1;
     if (++waiting_ == lanes) add_waiting();
   }
 
-  /// As many places as there are lanes.
-  void add(const Lanes& at_x, const Lanes& at_y, const Lanes& z, const Lanes& weight) {
-    const Lanes x = at_x * inverse_, y = at_y * inverse_;
-    const Lanes xx = x * x, xy = x * y, yy = y * y, inside = (1 - (xx + yy)).max(0.);
-    const Lanes w = weight * inside * inside * inside;
+  /// As many places as there are lanes, and how much each counts besides.
+  void add(const Lanes& at_x, const Lanes& at_y, const Lanes& z, const Lanes& counts) {
+    const Lanes x = at_x * inverse_in_lanes_, y = at_y * inverse_in_lanes_;
+    const Lanes xx = x * x, xy = x * y, yy = y * y, inside = (1 - (xx + yy)).max(0.F);
+    const Lanes w = counts * inside * inside * inside;
     const Lanes wx = w * x, wy = w * y, wxx = w * xx, wxy = w * xy, wyy = w * yy;
     const std::array<const Lanes*, 6> first = {&w, &wx, &wy, &wxx, &wxy, &wyy};
     for (std::size_t i = 0; i < first.size(); ++i) {
@@ -62,7 +62,7 @@ class QuadraticFit {
   /// What the places do not tell is 0.
   Terms solve() {
     for (; waiting_ > 0; add_waiting())
-      for (; waiting_ < lanes; ++waiting_) x_[waiting_] = y_[waiting_] = z_[waiting_] = weight_[waiting_] = 0;
+      for (; waiting_ < lanes; ++waiting_) x_[waiting_] = y_[waiting_] = z_[waiting_] = counts_[waiting_] = 0;
     if (!(total(moments_[0]) > 0)) return Terms::Zero();
     std::array<double, 15> sums{};
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = total(moments_[i]);
@@ -86,16 +86,20 @@ class QuadraticFit {
   }
 
  private:
-  static double total(const Lanes& sums) { return (sums[0] + sums[2]) + (sums[1] + sums[3]); }
+  static double total(const Lanes& sums) {
+    const Eigen::Array4f halves = sums.head<4>() + sums.tail<4>();
+    return static_cast<double>((halves[0] + halves[2]) + (halves[1] + halves[3]));
+  }
 
   void add_waiting() {
     waiting_ = 0;
-    add(x_, y_, z_, weight_);
+    add(x_, y_, z_, counts_);
   }
 
   double inverse_;  ///< of the reach
+  float inverse_in_lanes_;
   int waiting_ = 0;
-  Lanes x_, y_, z_, weight_;  ///< of places that wait until there is one for each lane
+  Lanes x_, y_, z_, counts_;  ///< of places that wait until there is one for each lane
   std::array<Lanes, 15> moments_;
   std::array<Lanes, 6> right_;
 };

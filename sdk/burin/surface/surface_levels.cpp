@@ -24,10 +24,9 @@ constexpr Index vertices_a_range = 32768, rows_a_block = 4096, clusters_a_block 
 /// Levels with fewer clusters are of no use to any stroke.
 constexpr Index fewest_clusters = 64;
 
-/// Middles farther apart than this share of a spacing leave about one cluster for the area of a spacing.
-constexpr double reach_over_spacing = 0.65;
-
-constexpr double first_spacing_over_edge = 1.7, spacing_over_spacing = 2;
+/// How far clusters reach from their middles, in typical edges of the level below: as far as the neighbours,
+/// which makes clusters of 4 to 5.
+constexpr double reach_over_edge = 1.22;
 
 /// Vertices joined by edges.
 struct Graph {
@@ -151,28 +150,33 @@ double area_of_vertex(const Surface& surface, Index vertex) {
   return doubled / 6;
 }
 
-/// Length of the edges of a lattice of equilateral triangles that has this vertex's share of the area for
-/// each. 0: it has no neighbours.
-double edge_at(const Surface& surface, Index vertex) {
-  const double area =
-      surface.is_point_set() ? area_of_point(surface, vertex) : area_of_vertex(surface, vertex);
-  return std::sqrt(2 / std::sqrt(3.) * area);
-}
+/// Length of the edges of a lattice of equilateral triangles that has this area for each vertex.
+double edge_of(double area) { return std::sqrt(2 / std::sqrt(3.) * area); }
 
-/// Length of the edges where the surface is fine: a tenth of its vertices have shorter ones. By that, and not
-/// by all vertices and the whole area, levels are fine enough wherever a brush may draw. Vertices without
-/// edges do not count; 0: there are no others.
-double fine_edge(const Surface& surface) {
+/// Lengths of the edges at some of the vertices of a level, spread over all. Vertices without area, 0, do not
+/// count.
+template <class AreaOf>
+std::vector<double> edges(Index vertices, const AreaOf& area_of) {
   constexpr Index most_vertices = 65536;
   std::vector<double> lengths;
-  for (Index vertex = 0; vertex < surface.vertex_count();
-       vertex += surface.vertex_count() / most_vertices + 1)
-    if (const double length = edge_at(surface, vertex); length > 0) lengths.push_back(length);
-  if (lengths.empty()) return 0;
-  const auto tenth = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 10);
-  std::nth_element(lengths.begin(), tenth, lengths.end());
-  return *tenth;
+  for (Index vertex = 0; vertex < vertices; vertex += vertices / most_vertices + 1)
+    if (const double area = area_of(vertex); area > 0) lengths.push_back(edge_of(area));
+  return lengths;
 }
+
+/// The length that this share of them is shorter than; 0: there are none.
+double quantile(std::vector<double> lengths, double share) {
+  if (lengths.empty()) return 0;
+  const auto place =
+      lengths.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(lengths.size()));
+  std::nth_element(lengths.begin(), place, lengths.end());
+  return *place;
+}
+
+constexpr double median = 0.5;
+
+/// Vertices may be dense in places: a tenth of them have shorter edges than a surface is said to have.
+constexpr double dense = 0.1;
 
 /// A vertex has a third of each triangle around it.
 ClusterMean mean_of_vertex(const Surface& surface, Index vertex) {
@@ -201,50 +205,108 @@ std::vector<Index> with_neighbours(const Csr& neighbours, std::span<const Index>
 }  // namespace
 
 SurfaceLevels::SurfaceLevels(const Surface& surface) : surface_(&surface) {
-  edge_ = fine_edge(surface);
-  if (!(edge_ > 0)) return;
+  std::vector<double> lengths = edges(surface.vertex_count(), [&](Index vertex) {
+    return surface.is_point_set() ? area_of_point(surface, vertex) : area_of_vertex(surface, vertex);
+  });
+  edge_ = quantile(lengths, dense);
   std::vector<Vec3f> middles;  // of the last level
-  for (double spacing = first_spacing_over_edge * edge_;; spacing *= spacing_over_spacing) {
+  while (!lengths.empty()) {
     const Graph graph = coarser_.empty() ? Graph{surface.positions, surface.neighbours}
                                          : Graph{middles, coarser_.back().neighbours};
     SurfaceLevel level;
-    const std::vector<Index> vertices = make_clusters(graph, reach_over_spacing * spacing, level);
+    const std::vector<Index> vertices =
+        make_clusters(graph, reach_over_edge * quantile(lengths, median), level);
     const auto clusters = static_cast<Index>(vertices.size());
     if (clusters < fewest_clusters || clusters == graph.positions.size()) return;
     connect(graph, clusters, level);
-    level.spacing = spacing;
     std::vector<Vec3f> positions;
     for (const Index vertex : vertices) positions.push_back(graph.positions[vertex]);
     middles = std::move(positions);
     coarser_.push_back(std::move(level));
-    if (coarser_.size() < first_with_means) continue;
     std::vector<Index> all(clusters);
     std::iota(all.begin(), all.end(), Index{0});
     coarser_.back().means.resize(clusters);
     update_means(coarser_.size(), all);
+    coarser_.back().spacing = spacing_of_last();
+    if (!(spacing(size() - 1) > spacing(size() - 2))) {
+      coarser_.pop_back();
+      return;
+    }
+    lengths = edges(clusters, [&](Index cluster) { return area_around(size() - 1, cluster); });
   }
+}
+
+/// Of clusters that are more than a vertex or two; 0: there are none.
+double SurfaceLevels::spacing_of_last() const {
+  constexpr std::size_t fewest_members = 3;
+  const std::size_t last = size() - 1;
+  return quantile(edges(neighbours(last).rows(),
+                        [&](Index cluster) {
+                          return members(last, cluster).size() < fewest_members ? 0
+                                                                                : area_around(last, cluster);
+                        }),
+                  median);
+}
+
+/// Of a cluster and its neighbours, on average: clusters beside each other are of different sizes.
+double SurfaceLevels::area_around(std::size_t level, Index cluster) const {
+  double sum = static_cast<double>(mean(level, cluster).area.norm());
+  for (const Index neighbour : neighbours(level)[cluster])
+    sum += static_cast<double>(mean(level, neighbour).area.norm());
+  return sum / static_cast<double>(neighbours(level)[cluster].size() + 1);
 }
 
 ClusterMean SurfaceLevels::mean(std::size_t level, Index cluster) const {
-  if (level == 0) return mean_of_vertex(*surface_, cluster);
-  return level < first_with_means ? mean_of_members(level, cluster) : coarser_[level - 1].means[cluster];
+  return level == 0 ? mean_of_vertex(*surface_, cluster) : coarser_[level - 1].means[cluster];
 }
 
-ClusterMean SurfaceLevels::mean_of_members(std::size_t level, Index cluster) const {
-  Vec3d weighted = Vec3d::Zero(), plain = Vec3d::Zero(), area = Vec3d::Zero();
-  double weights = 0;
-  for (const Index member : members(level, cluster)) {
-    const ClusterMean of_member = mean(level - 1, member);
-    const Vec3d position = of_member.position.cast<double>();
-    const auto weight = static_cast<double>(of_member.area.norm());
-    weighted += weight * position;
-    weights += weight;
-    plain += position;
-    area += of_member.area.cast<double>();
+namespace {
+
+/// Sums over members of a cluster, which count by their area.
+class MeanSums {
+ public:
+  /// Places are summed from here, so that few digits are lost.
+  explicit MeanSums(const Vec3f& origin) : origin_(origin) {}
+
+  void add(const ClusterMean& member) {
+    const Vec3d at = (member.position - origin_).cast<double>();
+    const auto weight = static_cast<double>(member.area.norm());
+    weights_ += weight;
+    weighted_ += weight * at;
+    squares_ += weight * at * at.transpose();
+    spreads_ += weight * static_cast<double>(member.spread);
+    plain_ += at;
+    area_ += member.area.cast<double>();
+    ++count_;
   }
-  const auto count = static_cast<double>(members(level, cluster).size());
-  const Vec3d position = weights > 0 ? Vec3d(weighted / weights) : Vec3d(plain / count);
-  return {position.cast<float>(), area.cast<float>()};
+
+  ClusterMean mean() const {
+    const Vec3d at = weights_ > 0 ? Vec3d(weighted_ / weights_) : Vec3d(plain_ / count_);
+    return {origin_ + at.cast<float>(), area_.cast<float>(),
+            weights_ > 0 ? static_cast<float>(spread_about(at)) : 0};
+  }
+
+ private:
+  /// Of the squared distances from there half of what is across the area: along one axis.
+  double spread_about(const Vec3d& at) const {
+    const Eigen::Matrix3d squares = squares_ / weights_ - at * at.transpose();
+    const Vec3d normal = area_.stableNormalized();
+    return spreads_ / weights_ + std::max(squares.trace() - normal.dot(squares * normal), 0.) / 2;
+  }
+
+  Vec3f origin_;
+  Vec3d weighted_ = Vec3d::Zero(), plain_ = Vec3d::Zero(), area_ = Vec3d::Zero();
+  Eigen::Matrix3d squares_ = Eigen::Matrix3d::Zero();
+  double weights_ = 0, spreads_ = 0, count_ = 0;
+};
+
+}  // namespace
+
+ClusterMean SurfaceLevels::mean_of_members(std::size_t level, Index cluster) const {
+  const std::span<const Index> of_cluster = members(level, cluster);
+  MeanSums sums(mean(level - 1, of_cluster[0]).position);
+  for (const Index member : of_cluster) sums.add(mean(level - 1, member));
+  return sums.mean();
 }
 
 void SurfaceLevels::update_means(std::size_t level, std::span<const Index> clusters) {
@@ -256,8 +318,8 @@ void SurfaceLevels::update_means(std::size_t level, std::span<const Index> clust
 
 /// Areas of triangles beside a vertex belong to its neighbours too.
 void SurfaceLevels::moved(std::span<const Index> vertices) {
-  std::size_t level = first_with_means;
-  if (level >= size()) return;
+  if (size() == 1) return;
+  std::size_t level = 1;
   std::vector<Index> clusters;
   for (const Index vertex : vertices) {
     const Index of_vertex = cluster(level, vertex);

@@ -11,23 +11,25 @@ namespace burin {
 struct ClusterMean {
   Vec3f position;  ///< of its vertices, weighted by area, object units
   Vec3f area;      ///< vector: the sum over its share of the triangles, object units^2
+  float spread =
+      0;  ///< mean square of its vertices' distances from that along one axis of its plane, units^2
 };
 
 /// A level coarser than the surface: clusters of vertices, each of which is a vertex of this level. Clusters
 /// are connected on the surface, and their vertices lie within about half a spacing of the middle along the
 /// surface: none reaches across a gap, or to the other side of a plate.
 struct SurfaceLevel {
-  /// Length of the edges of a lattice of equilateral triangles with as many vertices an area where the
-  /// surface is finer, object units. Where it is coarser clusters are its vertices.
+  /// Length of the edges of a lattice of equilateral triangles with as many clusters an area where they are
+  /// of several vertices, object units. Where the surface is coarser clusters are its vertices.
   double spacing = 0;
   UnsetVector<Index> cluster_of;   ///< [vertex of the level below]
   Csr members;                     ///< [cluster] vertices of the level below, ascending
   Csr neighbours;                  ///< [cluster] those with neighbouring members, ascending
-  std::vector<ClusterMean> means;  ///< [cluster] from the second level on
+  std::vector<ClusterMean> means;  ///< [cluster]
 };
 
 /// The levels of a surface: level 0 are its vertices, each further one has clusters of about twice the
-/// spacing of the one below; the first of 1.7 edges. Clusters follow from the surface as it is when they are
+/// spacing of the one below. Clusters follow from the surface as it is when they are
 /// made; moved vertices stay in them, and move their means. Made on all threads; the result does not depend
 /// on their number.
 class SurfaceLevels {
@@ -83,9 +85,8 @@ class SurfaceLevels {
   }
 
  private:
-  /// The first whose means are kept. Those of the ones below are of a few vertices.
-  static constexpr std::size_t first_with_means = 2;
-
+  double area_around(std::size_t level, Index cluster) const;
+  double spacing_of_last() const;
   ClusterMean mean_of_members(std::size_t level, Index cluster) const;
   void update_means(std::size_t level, std::span<const Index> clusters);
 

@@ -12,6 +12,7 @@ namespace burin {
 /// length.
 struct SurfaceSample {
   Vec3f position, up;
+  float spread = 0;  ///< ClusterMean::spread where the position is a cluster's mean
 };
 
 /// Samples side by side in lanes, the last ones filled up with some of no area.
@@ -26,6 +27,7 @@ class SurfaceSamples {
   };
   struct Block {
     Vectors position, up;
+    Lanes spread;
     Vectors from(const Vec3f& origin) const {
       return {position.x - origin.x(), position.y - origin.y(), position.z - origin.z()};
     }
@@ -40,6 +42,7 @@ class SurfaceSamples {
       const auto lane = static_cast<Eigen::Index>(i % lanes);
       set(block.position, lane, sample.position);
       set(block.up, lane, filled_up ? Vec3f::Zero() : sample.up);
+      block.spread[lane] = sample.spread;
     }
   }
 
