@@ -68,17 +68,16 @@ bool runs_near(const Vec3f& from, const Vec3f& to, const IsNear& is_near) {
 }  // namespace
 
 bool CurveGround::connects(const Place& from, const Place& to) const {
-  const auto is_near_surface = [this](const Vec3f& point, float reach) {
-    return picker_->closest(point, reach).has_value();
-  };
-  if (!base_) return runs_near(from.at.position, to.at.position, is_near_surface);
   SurfacePoint near = from.at;
   const auto is_near_base = [&](const Vec3f& point, float reach) {
     const std::optional<Place> place = closest(point, reach, near);
     if (place) near = place->at;
     return place.has_value();
   };
-  return runs_near(from.at.position, to.at.position, is_near_base) ||
+  const auto is_near_surface = [this](const Vec3f& point, float reach) {
+    return picker_->closest(point, reach).has_value();
+  };
+  return (base_ && runs_near(from.at.position, to.at.position, is_near_base)) ||
          runs_near(from.on_surface.position, to.on_surface.position, is_near_surface);
 }
 

@@ -17,7 +17,7 @@ class CurveGround {
   struct Place {
     SurfacePoint at;
     Vec3f normal;             ///< unit
-    SurfacePoint on_surface;  ///< the point of the surface that it is the place of
+    SurfacePoint on_surface;  ///< the point of the surface that it is the place of, where it is of one
   };
 
   /// Where a point of the surface is on the ground.

@@ -1,27 +1,9 @@
-#include <burin/base/sort_unique.h>
 #include <burin/surface/base_place.h>
-#include <burin/surface/quadratic_fit.h>
 
 #include <cmath>
-#include <vector>
 
 namespace burin {
 namespace {
-
-/// Over which paraboloids are blended, in spacings.
-constexpr double blend_over_spacing = 1.6;
-
-/// A node and those at most two steps from it, each once.
-std::vector<Index> two_rings(const BaseSurface& base, Index node) {
-  const Csr& neighbours = base.neighbours();
-  std::vector<Index> nodes{node};
-  for (const Index one : neighbours[node]) {
-    nodes.push_back(one);
-    nodes.insert(nodes.end(), neighbours[one].begin(), neighbours[one].end());
-  }
-  sort_unique(nodes);
-  return nodes;
-}
 
 /// Of the graph z = height(x, y) at a place over the tangent plane [do Carmo, Differential Geometry of Curves
 /// and Surfaces, section 3-3]; a graph that bends down is convex seen from outside.
@@ -44,13 +26,8 @@ float base_mean_curvature(BaseSurface& base, const Surface& surface, Index verte
   const BasePatch own = base.patch(node);
   const Vec3f& point = surface.positions[vertex];
   const Vec3f foot = own.place(own.foot(point));
-  const double reach = blend_over_spacing * base.spacing();
   double sum = 0, weights = 0;
-  for (const Index other : two_rings(base, node)) {
-    const BasePatch patch = base.patch(other);
-    const double squared = static_cast<double>((patch.position - foot).squaredNorm()) / (reach * reach);
-    const double weight = patch.normal.dot(own.normal) > 0 ? bump_weight(squared) : 0;
-    if (!(weight > 0)) continue;
+  for (const auto& [patch, weight] : base.around(node, foot)) {
     sum += weight * mean_curvature_at(patch, patch.foot(point));
     weights += weight;
   }

@@ -24,8 +24,8 @@ namespace {
 /// Over which heights are fitted, in radii, and over which paraboloids are, and are blended, in spacings.
 constexpr double reach_over_radius = 0.55, ring_over_spacing = 2.1, blend_over_spacing = 1.6;
 
-/// Over which paraboloids are blended, in edges, where nodes are far from each other.
-constexpr double blend_over_edge = 1.3;
+/// The latter two in edges, where nodes are far from each other.
+constexpr double ring_over_edge = 1.4, blend_over_edge = 1.3;
 
 /// Edges that the radius has at least on the level that is smoothed once, where it is coarser than the
 /// nodes'.
@@ -174,13 +174,14 @@ BaseSurface::Sample BaseSurface::twice(Index node) {
 
 BasePatch BaseSurface::patch(Index node) {
   if (const BasePatch* known = patches_.find(node)) return *known;
-  double reach = ring_;
+  const auto ring = [this](Index member) { return std::max(ring_, ring_over_edge * edge(member)); };
+  double widest = ring_;
   levels_->for_each_member(group_level_, levels_->ancestor(level_, node, group_level_), level_,
-                           [&](Index member) { reach = std::max(reach, ring(member)); });
+                           [&](Index member) { widest = std::max(widest, ring(member)); });
   return make_group(
-      patches_, node, {level_, level_, reach}, [this](Index member) { return twice(member); },
+      patches_, node, {level_, level_, widest}, [this](Index member) { return twice(member); },
       [this](Index member) { return twice(member); },
-      [this](const Sample& origin, Index member, const SurfaceSamples& samples) {
+      [&](const Sample& origin, Index member, const SurfaceSamples& samples) {
         return fitted(origin, ring(member), samples);
       });
 }
@@ -341,31 +342,42 @@ void BaseSurface::prepare_around(std::span<const Index> nodes) {
     if (!patches_.find(node)) prepare(std::array{Ball{levels_->mean(level_, node).position, radius, node}});
 }
 
+std::vector<Index> BaseSurface::two_rings(Index node) const {
+  std::vector<Index> nodes{node};
+  for (const Index one : neighbours()[node]) {
+    nodes.push_back(one);
+    nodes.insert(nodes.end(), neighbours()[one].begin(), neighbours()[one].end());
+  }
+  sort_unique(nodes);
+  return nodes;
+}
+
+std::vector<BaseSurface::Weighted> BaseSurface::around(Index node, const Vec3f& place) {
+  const double reach = std::max(blend_over_spacing * spacing(), blend_over_edge * edge(node));
+  const Vec3f normal = patch(node).normal;
+  std::vector<Weighted> weighted;
+  for (const Index other : two_rings(node)) {
+    const BasePatch at = patch(other);
+    if (!(at.normal.dot(normal) > same_side)) continue;
+    const double weight = bump_weight(squared_distance(at.position, place) / (reach * reach));
+    if (weight > 0) weighted.push_back({at, weight});
+  }
+  return weighted;
+}
+
 BasePoint BaseSurface::project(Index near, const Vec3f& point) {
   prepare_around(std::array{near});
   const Index node = nearest(near, point);
   const BasePatch own = patch(node);
   // Paraboloids go on where the surface ends.
-  constexpr double farthest = 2;  // spacings that a place may be from its node
-  const double apart = std::max(spacing(), edge(node));
-  const auto extent = static_cast<float>(farthest * apart);
+  constexpr double farthest = 2;  // spacings, or edges, that a place may be from its node
+  const auto extent = static_cast<float>(farthest * std::max(spacing(), edge(node)));
   const BasePatch::Local<float> foot = own.foot_within(point, extent);
   const Vec3f middle = own.place(foot);
-  const double reach = std::max(blend_over_spacing * spacing(), blend_over_edge * edge(node));
-  std::vector<Index> two_rings{node};
-  for (const Index one : neighbours()[node]) {
-    two_rings.push_back(one);
-    for (const Index two : neighbours()[one]) two_rings.push_back(two);
-  }
-  sort_unique(two_rings);
-  prepare_around(two_rings);
   Vec3d position = Vec3d::Zero(), normal = Vec3d::Zero();
   double weights = 0;
-  for (const Index other : two_rings) {
-    const BasePatch at = patch(other);
-    if (!(at.normal.dot(own.normal) > same_side)) continue;
-    const double weight = bump_weight(squared_distance(at.position, middle) / (reach * reach));
-    if (!(weight > 0)) continue;
+  prepare_around(two_rings(node));
+  for (const auto& [at, weight] : around(node, middle)) {
     const BasePatch::Local<float> there = at.foot_within(point, extent);
     position += weight * at.place(there).cast<double>();
     normal += weight * at.normal_at(there).cast<double>();

@@ -5,7 +5,6 @@
 #include <burin/surface/surface_levels.h>
 #include <burin/surface/surface_samples.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <span>
@@ -69,6 +68,16 @@ class BaseSurface {
   /// the point.
   BasePoint project(Index near, const Vec3f& point);
 
+  /// A paraboloid and how much it counts.
+  struct Weighted {
+    BasePatch patch;
+    double weight;  ///< above 0
+  };
+
+  /// Those that tell what the base surface is like at a place near to a node, so that it varies smoothly;
+  /// none where the place is far from all nodes.
+  std::vector<Weighted> around(Index node, const Vec3f& place);
+
  private:
   using Sample = SurfaceSample;
 
@@ -82,9 +91,9 @@ class BaseSurface {
   Sample twice(Index node);
   Vec3f normal_around(const Vec3f& origin, const SurfaceSamples& samples) const;
   Sample smoothed(const Sample& origin, const SurfaceSamples& samples) const;
+  std::vector<Index> two_rings(Index node) const;
   void note_width(double width);
   double edge(Index node);
-  double ring(Index node) { return std::max(ring_, ring_over_edge * edge(node)); }
   BasePatch fitted(const Sample& origin, double ring, const SurfaceSamples& samples) const;
 
   /// What values are made of: from the samples of a level within `reach` of their origins.
@@ -103,9 +112,6 @@ class BaseSurface {
 
   const Surface* surface_;
   const SurfaceLevels* levels_;
-  /// Over which paraboloids are fitted, in edges, where nodes are far from each other.
-  static constexpr double ring_over_edge = 1.4;
-
   std::size_t level_ = 0;         ///< of the nodes
   std::size_t coarse_level_ = 0;  ///< of the clusters smoothed once: the next, where that is fine enough
   std::size_t group_level_ = 0;   ///< of the clusters whose nodes are made together: the next but one

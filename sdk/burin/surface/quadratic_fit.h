@@ -20,7 +20,7 @@ class QuadraticFit {
   using Terms = Eigen::Matrix<double, 6, 1>;  ///< z, z_x, z_y, z_xx, z_xy, z_yy at (0, 0)
 
   /// `reach`: in units of x and y.
-  explicit QuadraticFit(double reach) : inverse_(1 / reach), inverse_in_lanes_(static_cast<float>(inverse_)) {
+  explicit QuadraticFit(double reach) : inverse_(1 / reach) {
     moments_.fill(Lanes::Zero());
     right_.fill(Lanes::Zero());
   }
@@ -39,7 +39,8 @@ class QuadraticFit {
 
   /// As many places as there are lanes, and how much each counts besides.
   void add(const Lanes& at_x, const Lanes& at_y, const Lanes& z, const Lanes& counts) {
-    const Lanes x = at_x * inverse_in_lanes_, y = at_y * inverse_in_lanes_;
+    const auto inverse = static_cast<float>(inverse_);
+    const Lanes x = at_x * inverse, y = at_y * inverse;
     const Lanes xx = x * x, xy = x * y, yy = y * y, inside = (1 - (xx + yy)).max(0.F);
     const Lanes w = counts * inside * inside * inside;
     const Lanes wx = w * x, wy = w * y, wxx = w * xx, wxy = w * xy, wyy = w * yy;
@@ -97,7 +98,6 @@ class QuadraticFit {
   }
 
   double inverse_;  ///< of the reach
-  float inverse_in_lanes_;
   int waiting_ = 0;
   Lanes x_, y_, z_, counts_;  ///< of places that wait until there is one for each lane
   std::array<Lanes, 15> moments_;

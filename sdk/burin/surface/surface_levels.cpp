@@ -153,15 +153,12 @@ double area_of_vertex(const Surface& surface, Index vertex) {
 /// Length of the edges of a lattice of equilateral triangles that has this area for each vertex.
 double edge_of(double area) { return std::sqrt(2 / std::sqrt(3.) * area); }
 
-/// Lengths of the edges at some of the vertices of a level, spread over all. Vertices without area, 0, do not
-/// count.
-template <class AreaOf>
-std::vector<double> edges(Index vertices, const AreaOf& area_of) {
+/// Calls visit(vertex, edge) for some of the vertices, spread over all. Vertices without area have no edges.
+template <class AreaOf, class Visit>
+void for_some_edges(Index vertices, const AreaOf& area_of, const Visit& visit) {
   constexpr Index most_vertices = 65536;
-  std::vector<double> lengths;
   for (Index vertex = 0; vertex < vertices; vertex += vertices / most_vertices + 1)
-    if (const double area = area_of(vertex); area > 0) lengths.push_back(edge_of(area));
-  return lengths;
+    if (const double area = area_of(vertex); area > 0) visit(vertex, edge_of(area));
 }
 
 /// The length that this share of them is shorter than; 0: there are none.
@@ -205,17 +202,21 @@ std::vector<Index> with_neighbours(const Csr& neighbours, std::span<const Index>
 }  // namespace
 
 SurfaceLevels::SurfaceLevels(const Surface& surface) : surface_(&surface) {
-  std::vector<double> lengths = edges(surface.vertex_count(), [&](Index vertex) {
-    return surface.is_point_set() ? area_of_point(surface, vertex) : area_of_vertex(surface, vertex);
-  });
-  edge_ = quantile(lengths, dense);
+  std::vector<double> edges;  // of the last level
+  for_some_edges(
+      surface.vertex_count(),
+      [&](Index vertex) {
+        return surface.is_point_set() ? area_of_point(surface, vertex) : area_of_vertex(surface, vertex);
+      },
+      [&](Index, double edge) { edges.push_back(edge); });
+  edge_ = quantile(edges, dense);
   std::vector<Vec3f> middles;  // of the last level
-  while (!lengths.empty()) {
+  while (!edges.empty()) {
     const Graph graph = coarser_.empty() ? Graph{surface.positions, surface.neighbours}
                                          : Graph{middles, coarser_.back().neighbours};
     SurfaceLevel level;
     const std::vector<Index> vertices =
-        make_clusters(graph, reach_over_edge * quantile(lengths, median), level);
+        make_clusters(graph, reach_over_edge * quantile(edges, median), level);
     const auto clusters = static_cast<Index>(vertices.size());
     if (clusters < fewest_clusters || clusters == graph.positions.size()) return;
     connect(graph, clusters, level);
@@ -227,25 +228,27 @@ SurfaceLevels::SurfaceLevels(const Surface& surface) : surface_(&surface) {
     std::iota(all.begin(), all.end(), Index{0});
     coarser_.back().means.resize(clusters);
     update_means(coarser_.size(), all);
-    coarser_.back().spacing = spacing_of_last();
+    edges = measure_last();
     if (!(spacing(size() - 1) > spacing(size() - 2))) {
       coarser_.pop_back();
       return;
     }
-    lengths = edges(clusters, [&](Index cluster) { return area_around(size() - 1, cluster); });
   }
 }
 
-/// Of clusters that are more than a vertex or two; 0: there are none.
-double SurfaceLevels::spacing_of_last() const {
-  constexpr std::size_t fewest_members = 3;
+/// Sets the spacing of the last level, 0 where no cluster is more than a vertex or two; returns its edges.
+std::vector<double> SurfaceLevels::measure_last() {
+  constexpr std::size_t several = 3;
   const std::size_t last = size() - 1;
-  return quantile(edges(neighbours(last).rows(),
-                        [&](Index cluster) {
-                          return members(last, cluster).size() < fewest_members ? 0
-                                                                                : area_around(last, cluster);
-                        }),
-                  median);
+  std::vector<double> edges, of_several;
+  for_some_edges(
+      neighbours(last).rows(), [&](Index cluster) { return area_around(last, cluster); },
+      [&](Index cluster, double edge) {
+        edges.push_back(edge);
+        if (members(last, cluster).size() >= several) of_several.push_back(edge);
+      });
+  coarser_.back().spacing = quantile(std::move(of_several), median);
+  return edges;
 }
 
 /// Of a cluster and its neighbours, on average: clusters beside each other are of different sizes.

@@ -9,10 +9,9 @@ namespace burin {
 
 /// The middle of a cluster of vertices.
 struct ClusterMean {
-  Vec3f position;  ///< of its vertices, weighted by area, object units
-  Vec3f area;      ///< vector: the sum over its share of the triangles, object units^2
-  float spread =
-      0;  ///< mean square of its vertices' distances from that along one axis of its plane, units^2
+  Vec3f position;    ///< of its vertices, weighted by area, object units
+  Vec3f area;        ///< vector: the sum over its share of the triangles, object units^2
+  float spread = 0;  ///< mean square of its vertices' distances along one axis of its plane, units^2
 };
 
 /// A level coarser than the surface: clusters of vertices, each of which is a vertex of this level. Clusters
@@ -29,9 +28,8 @@ struct SurfaceLevel {
 };
 
 /// The levels of a surface: level 0 are its vertices, each further one has clusters of about twice the
-/// spacing of the one below. Clusters follow from the surface as it is when they are
-/// made; moved vertices stay in them, and move their means. Made on all threads; the result does not depend
-/// on their number.
+/// spacing of the one below. Clusters follow from the surface as it is when they are made; moved vertices
+/// stay in them, and move their means. Made on all threads; the result does not depend on their number.
 class SurfaceLevels {
  public:
   /// The surface, which may be a point set, must outlive the object. One without area has level 0 only, of no
@@ -85,8 +83,8 @@ class SurfaceLevels {
   }
 
  private:
+  std::vector<double> measure_last();
   double area_around(std::size_t level, Index cluster) const;
-  double spacing_of_last() const;
   ClusterMean mean_of_members(std::size_t level, Index cluster) const;
   void update_means(std::size_t level, std::span<const Index> clusters);
 
