@@ -3,7 +3,7 @@
 // nearer to another middle: a Poisson disc sampling with its Voronoi cells, by bounded runs of Dijkstra's
 // algorithm. Ranges of consecutive vertices are clustered side by side; no cluster crosses their borders.
 #include <burin/base/counting_sort.h>
-#include <burin/base/sort_unique.h>
+#include <burin/base/index_set.h>
 #include <burin/surface/collect_rows.h>
 #include <burin/surface/surface_levels.h>
 #include <burin/surface/triangle_shape.h>
@@ -15,6 +15,7 @@
 #include <numbers>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -24,9 +25,10 @@ constexpr Index vertices_a_range = 32768, rows_a_block = 4096, clusters_a_block 
 /// Levels with fewer clusters are of no use to any stroke.
 constexpr Index fewest_clusters = 64;
 
-/// How far clusters reach from their middles, in typical edges of the level below: as far as the neighbours,
-/// which makes clusters of 4 to 5.
-constexpr double reach_over_edge = 1.22;
+/// How far clusters reach from their middles, in typical edges of the level below: at least as far as the
+/// neighbours, which makes clusters of 4 to 5. Where vertices are sparse in places farther, so that few
+/// clusters are a single vertex, but not so far that dense places miss a level.
+constexpr double least_reach_over_edge = 1.22, most_reach_over_edge = 1.7;
 
 /// Vertices joined by edges.
 struct Graph {
@@ -170,10 +172,13 @@ double quantile(std::vector<double> lengths, double share) {
   return *place;
 }
 
-constexpr double median = 0.5;
+/// Shares for quantile(): vertices may be dense or sparse in places.
+constexpr double dense = 0.1, median = 0.5, sparse = 0.9;
 
-/// Vertices may be dense in places: a tenth of them have shorter edges than a surface is said to have.
-constexpr double dense = 0.1;
+double reach_over(const std::vector<double>& edges) {
+  const double typical = quantile(edges, median);
+  return std::clamp(quantile(edges, sparse), least_reach_over_edge * typical, most_reach_over_edge * typical);
+}
 
 /// A vertex has a third of each triangle around it.
 ClusterMean mean_of_vertex(const Surface& surface, Index vertex) {
@@ -189,14 +194,6 @@ ClusterMean mean_of_vertex(const Surface& surface, Index vertex) {
                    .cast<double>();
   }
   return {at, (doubled / 6).cast<float>()};
-}
-
-/// These, ascending, without repetition, and those that neighbour them.
-std::vector<Index> with_neighbours(const Csr& neighbours, std::span<const Index> rows) {
-  std::vector<Index> all(rows.begin(), rows.end());
-  for (const Index row : rows) all.insert(all.end(), neighbours[row].begin(), neighbours[row].end());
-  sort_unique(all);
-  return all;
 }
 
 }  // namespace
@@ -215,8 +212,7 @@ SurfaceLevels::SurfaceLevels(const Surface& surface) : surface_(&surface) {
     const Graph graph = coarser_.empty() ? Graph{surface.positions, surface.neighbours}
                                          : Graph{middles, coarser_.back().neighbours};
     SurfaceLevel level;
-    const std::vector<Index> vertices =
-        make_clusters(graph, reach_over_edge * quantile(edges, median), level);
+    const std::vector<Index> vertices = make_clusters(graph, reach_over(edges), level);
     const auto clusters = static_cast<Index>(vertices.size());
     if (clusters < fewest_clusters || clusters == graph.positions.size()) return;
     connect(graph, clusters, level);
@@ -307,6 +303,7 @@ class MeanSums {
 
 ClusterMean SurfaceLevels::mean_of_members(std::size_t level, Index cluster) const {
   const std::span<const Index> of_cluster = members(level, cluster);
+  if (of_cluster.size() == 1) return mean(level - 1, of_cluster[0]);
   MeanSums sums(mean(level - 1, of_cluster[0]).position);
   for (const Index member : of_cluster) sums.add(mean(level - 1, member));
   return sums.mean();
@@ -322,19 +319,20 @@ void SurfaceLevels::update_means(std::size_t level, std::span<const Index> clust
 /// Areas of triangles beside a vertex belong to its neighbours too.
 void SurfaceLevels::moved(std::span<const Index> vertices) {
   if (size() == 1) return;
-  std::size_t level = 1;
-  std::vector<Index> clusters;
+  IndexSet stale(neighbours(1).rows());
+  Index last = no_index;
   for (const Index vertex : vertices) {
-    const Index of_vertex = cluster(level, vertex);
-    if (clusters.empty() || clusters.back() != of_vertex) clusters.push_back(of_vertex);
+    const Index of_vertex = cluster(1, vertex);
+    if (std::exchange(last, of_vertex) == of_vertex) continue;
+    stale.insert(of_vertex);
+    for (const Index neighbour : neighbours(1)[of_vertex]) stale.insert(neighbour);
   }
-  sort_unique(clusters);
-  clusters = with_neighbours(neighbours(level), clusters);
-  for (;; ++level) {
+  std::vector<Index> clusters;
+  for (std::size_t level = 1;; ++level) {
+    stale.drain(clusters);
     update_means(level, clusters);
     if (level + 1 == size()) return;
-    for (Index& cluster : clusters) cluster = parent(level, cluster);
-    sort_unique(clusters);
+    for (const Index cluster : clusters) stale.insert(parent(level, cluster));
   }
 }
 
