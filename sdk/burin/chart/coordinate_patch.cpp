@@ -1,5 +1,4 @@
 #include <burin/chart/coordinate_patch.h>
-#include <burin/surface/unit_tangent.h>
 
 namespace burin {
 
@@ -53,18 +52,6 @@ CoordinatePatch::Frames CoordinatePatch::at(const Feet& feet) const {
   frames.e1_z = component(2, ex, ey, ez);
   frames.certain = (across > least).cast<float>();
   return frames;
-}
-
-ChartFrame CoordinatePatch::frame(const Frames& frames, const Feet& feet, int lane) const {
-  ChartFrame frame;
-  frame.t = of_node_.t + static_cast<double>(frames.t[lane]);
-  frame.d = frames.d[lane];
-  frame.e1 = {frames.e1_x[lane], frames.e1_y[lane], frames.e1_z[lane]};
-  frame.stretch = frames.stretch[lane];
-  if (!(frames.certain[lane] > 0))
-    frame.e1 =
-        unit_tangent(of_node_.e1, patch_.normal_at(BasePatch::Local<float>{feet.x[lane], feet.y[lane]}));
-  return frame;
 }
 
 }  // namespace burin

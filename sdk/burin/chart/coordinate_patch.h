@@ -2,6 +2,7 @@
 #include <burin/base/vector.h>
 #include <burin/chart/chart_frame.h>
 #include <burin/surface/base_patch.h>
+#include <burin/surface/unit_tangent.h>
 
 #include <array>
 
@@ -47,5 +48,17 @@ class CoordinatePatch {
   ChartFrame of_node_;
   Quadratic t_terms_, d_terms_;
 };
+
+inline ChartFrame CoordinatePatch::frame(const Frames& frames, const Feet& feet, int lane) const {
+  ChartFrame frame;
+  frame.t = of_node_.t + static_cast<double>(frames.t[lane]);
+  frame.d = frames.d[lane];
+  frame.e1 = {frames.e1_x[lane], frames.e1_y[lane], frames.e1_z[lane]};
+  frame.stretch = frames.stretch[lane];
+  if (!(frames.certain[lane] > 0))
+    frame.e1 =
+        unit_tangent(of_node_.e1, patch_.normal_at(BasePatch::Local<float>{feet.x[lane], feet.y[lane]}));
+  return frame;
+}
 
 }  // namespace burin

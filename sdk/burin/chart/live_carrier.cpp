@@ -43,7 +43,7 @@ void LiveCarrier::update(const LiveChart& nodes, const SurfaceCurve& curve, Live
       carry(nodes, stale_[i], curve, vertices, carried[begin / slots_a_block]);
   });
   for (const Carried& block : carried) {
-    vertices.note_written(block.written);
+    vertices.note(block.rewritten);
     for (const Index slot : block.gone) vertices.remove(slot);
     for (const auto& [slot, frame, normal] : block.others) vertices.set(slot, vertex_[slot], frame, normal);
   }
@@ -115,9 +115,7 @@ void LiveCarrier::carry(const LiveChart& nodes, Index slot, const SurfaceCurve& 
     range.last_t = std::max(range.last_t, frame.t);
     if (!within(frame, curve)) {
       if (!vertices.vacant(at)) carried.gone.push_back(at);
-    } else if (vertices.rewrite(at, frame)) {
-      carried.written.push_back(at);
-    } else {
+    } else if (!vertices.rewrite(at, frame, carried.rewritten)) {
       carried.others.push_back({at, frame, patch.normal_at(foot_[at])});
     }
   };
@@ -136,8 +134,7 @@ void LiveCarrier::carry(const LiveChart& nodes, Index slot, const SurfaceCurve& 
 }
 
 bool LiveCarrier::within(const ChartFrame& frame, const SurfaceCurve& curve) const {
-  const double length = curve.length();
-  const double beyond = curve.closed ? 0 : std::max({-frame.t, frame.t - length, 0.});
+  const double beyond = curve.closed ? 0 : std::max(std::max(-frame.t, frame.t - length_), 0.);
   if (beyond > 0 && stroke_.cap == Cap::butt) return false;
   const double width = uniform_ ? 1 : static_cast<double>(point_at(curve, frame.t).width);
   const double half_width = stroke_.radius * width, d = static_cast<double>(frame.d);

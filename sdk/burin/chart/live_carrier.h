@@ -55,8 +55,8 @@ class LiveCarrier {
       ChartFrame frame;
       Vec3f normal;
     };
-    std::vector<Index> written;  ///< slots, in place
-    std::vector<Index> gone;     ///< slots of vertices outside the stroke
+    LiveChart::Rewritten rewritten;
+    std::vector<Index> gone;  ///< slots of vertices outside the stroke
     std::vector<Node> others;
   };
   static constexpr double nowhere = -std::numeric_limits<double>::infinity();

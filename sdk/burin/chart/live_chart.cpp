@@ -1,7 +1,6 @@
 #include <burin/chart/live_chart.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <utility>
 
@@ -20,7 +19,7 @@ std::uint32_t LiveChart::sheet_count(Index vertex) const {
 
 void LiveChart::clear() {
   nodes_ = {};
-  taken_.clear();
+  states_.clear();
   place_of_.clear();
   next_.clear();
   changed_in_.clear();
@@ -42,35 +41,37 @@ void LiveChart::begin_event(double length, bool closed, double computed_from) {
 
 void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal) {
   if (slot >= nodes_.size()) reserve(slot + 1);
-  const bool same_normal = taken_[slot] && nodes_.normal[slot] == normal;
-  if (same_normal && rewrite(slot, frame)) return note_written(std::array{slot});
   computed_.push_back(slot);
-  if (same_normal && nodes_.frame(slot) == frame) return;
-  if (taken_[slot]) unlink(slot);
-  nodes_.set(slot, vertex, 0, frame, normal);
-  taken_[slot] = 1;
+  if (!vacant(slot) && nodes_.normal[slot] == normal && nodes_.frame(slot) == frame) return;
   changed_in_[slot] = event_;
-  link(slot);
+  const bool in_place = alone(slot);
+  if (!vacant(slot) && !in_place) unlink(slot);
+  nodes_.set(slot, vertex, 0, frame, normal);
+  if (in_place)
+    alter(place_of_[slot]);
+  else
+    link(slot);
 }
 
-bool LiveChart::rewrite(Index slot, const ChartFrame& frame) {
-  if (!taken_[slot] || !alone(slot)) return false;
+bool LiveChart::rewrite(Index slot, const ChartFrame& frame, Rewritten& rewritten) {
+  if (!alone(slot)) return false;
+  rewritten.slots.push_back(slot);
   if (nodes_.frame(slot) == frame) return true;
-  changed_in_[slot] = event_;
   nodes_.set_frame(slot, frame);
+  changed_in_[slot] = event_;
+  std::uint32_t& altered_in = altered_in_[place_of_[slot]];
+  if (std::exchange(altered_in, event_) != event_) rewritten.vertices.push_back(nodes_.vertex[slot]);
   return true;
 }
 
-void LiveChart::note_written(std::span<const Index> slots) {
-  computed_.insert(computed_.end(), slots.begin(), slots.end());
-  for (const Index slot : slots)
-    if (changed_in_[slot] == event_) alter(place_of_[slot]);
+void LiveChart::note(const Rewritten& rewritten) {
+  computed_.insert(computed_.end(), rewritten.slots.begin(), rewritten.slots.end());
+  altered_.insert(altered_.end(), rewritten.vertices.begin(), rewritten.vertices.end());
 }
 
 void LiveChart::remove(Index slot) {
-  if (slot >= nodes_.size() || !taken_[slot]) return;
+  if (slot >= nodes_.size() || vacant(slot)) return;
   unlink(slot);
-  taken_[slot] = 0;
   removed_.push_back(slot);
 }
 
@@ -82,10 +83,10 @@ void LiveChart::assign(const Chart& chart) {
     if (slot != no_index) kept[slot] = 1;
   for (Index slot = 0; slot < kept.size(); ++slot)
     if (!kept[slot]) remove(slot);
-  Index vacant = 0;
+  Index free = 0;
   for (Index i = 0; i < chart.size(); ++i) {
-    while (vacant < taken_.size() && taken_[vacant]) ++vacant;
-    set(slots[i] == no_index ? vacant : slots[i], chart.vertex[i], chart.frame(i), chart.normal[i]);
+    while (free < states_.size() && !vacant(free)) ++free;
+    set(slots[i] == no_index ? free : slots[i], chart.vertex[i], chart.frame(i), chart.normal[i]);
   }
 }
 
@@ -104,7 +105,7 @@ std::vector<Index> LiveChart::kept_slots(const Chart& chart) const {
 Chart LiveChart::sorted() const {
   std::vector<Index> slots;
   for (Index slot = 0; slot < nodes_.size(); ++slot)
-    if (taken_[slot]) slots.push_back(slot);
+    if (!vacant(slot)) slots.push_back(slot);
   std::ranges::sort(slots, {},
                     [this](Index slot) { return std::pair(nodes_.vertex[slot], nodes_.sheet[slot]); });
   Chart chart;
@@ -120,7 +121,7 @@ Chart LiveChart::sorted() const {
 void LiveChart::reserve(Index slots) {
   if (slots <= nodes_.size()) return;
   nodes_.resize(slots);
-  taken_.resize(slots);
+  states_.resize(slots, SlotState::vacant);
   place_of_.resize(slots);
   next_.resize(slots);
   changed_in_.resize(slots);
@@ -142,6 +143,7 @@ void LiveChart::link(Index slot) {
   for (; *from != no_index && nodes_.t[*from] < nodes_.t[slot]; from = &next_[*from]) ++sheet;
   next_[slot] = std::exchange(*from, slot);
   for (Index later = slot; later != no_index; later = next_[later]) nodes_.sheet[later] = sheet++;
+  mark_alone(place);
 }
 
 void LiveChart::unlink(Index slot) {
@@ -151,6 +153,16 @@ void LiveChart::unlink(Index slot) {
   while (*from != slot) from = &next_[*from];
   *from = next_[slot];
   for (Index later = *from; later != no_index; later = next_[later]) --nodes_.sheet[later];
+  states_[slot] = SlotState::vacant;
+  mark_alone(place);
+}
+
+/// Tells the slots of a place whether they are alone there.
+void LiveChart::mark_alone(Index place) {
+  const Index first = first_[place];
+  const bool alone = first != no_index && next_[first] == no_index;
+  for (Index slot = first; slot != no_index; slot = next_[slot])
+    states_[slot] = alone ? SlotState::alone : SlotState::beside_others;
 }
 
 void LiveChart::alter(Index place) {

@@ -17,14 +17,14 @@ class LiveChart {
 
   /// The nodes, [slot], in no particular order. Vacant slots hold anything.
   const Chart& nodes() const { return nodes_; }
-  bool vacant(Index slot) const { return !taken_[slot]; }
+  bool vacant(Index slot) const { return states_[slot] == SlotState::vacant; }
 
   /// The slots of a vertex by rising t, linked; no_index at the end.
   Index first(Index vertex) const;
   Index next(Index slot) const { return next_[slot]; }
   std::uint32_t sheet_count(Index vertex) const;
   /// Whether a slot has the only node of its vertex.
-  bool alone(Index slot) const { return first_[place_of_[slot]] == slot && next_[slot] == no_index; }
+  bool alone(Index slot) const { return states_[slot] == SlotState::alone; }
 
   /// Slots taken by nodes that the last event computed, and of these the ones that are new or other in any
   /// bit than before; each once.
@@ -63,24 +63,33 @@ class LiveChart {
   /// Makes room for so many slots.
   void reserve(Index slots);
 
+  /// What rewrite() did.
+  struct Rewritten {
+    std::vector<Index> slots;     ///< all
+    std::vector<Index> vertices;  ///< of those that changed
+  };
+
   /// As set() with the vertex and normal that the node has, where it is its vertex's only one, so that
   /// nothing but its slot is touched; false where it is not, or there is none. Slots below those reserved,
-  /// and different ones on several threads at once; note_written() has to follow.
-  bool rewrite(Index slot, const ChartFrame& frame);
-  void note_written(std::span<const Index> slots);
+  /// and different ones on several threads at once; note() has to follow.
+  bool rewrite(Index slot, const ChartFrame& frame, Rewritten& rewritten);
+  void note(const Rewritten& rewritten);
 
   /// An event that may change everything: becomes this chart.
   void assign(const Chart& chart);
 
  private:
+  enum class SlotState : std::uint8_t { vacant, alone, beside_others };
+
   std::vector<Index> kept_slots(const Chart& chart) const;
   void link(Index slot);
   void unlink(Index slot);
   void alter(Index place);
+  void mark_alone(Index place);
 
   Chart nodes_;
-  std::vector<std::uint8_t> taken_;  ///< [slot]
-  std::vector<Index> place_of_;      ///< [slot] of its vertex
+  std::vector<SlotState> states_;  ///< [slot]
+  std::vector<Index> place_of_;    ///< [slot] of its vertex
   std::vector<Index> next_;
   std::vector<std::uint32_t> changed_in_;  ///< [slot] event
   VertexNodes places_;

@@ -112,8 +112,10 @@ void StrokeNodes::add_vertex(Index slot) {
 void StrokeNodes::add_zone(double end_zone, double up_to) {
   const auto count = static_cast<Index>(chart().size());
   for (const Index slot :
-       zone_.find(end_zone, chart_->computed(), count, [this](Index s) { return t_of(s); }))
-    if (t_of(slot) >= end_zone && t_of(slot) < up_to) add_stale(slot);
+       zone_.find(end_zone, chart_->computed(), count, [this](Index s) { return t_of(s); })) {
+    const double t = t_of(slot);
+    if (t >= end_zone && t < up_to) add_stale(slot);
+  }
 }
 
 /// Of a node; neither more nor less than any number where the slot is vacant.
