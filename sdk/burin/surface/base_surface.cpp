@@ -133,10 +133,11 @@ BaseSurface::Missing BaseSurface::missing_in(const Ball& ball) const {
 }
 
 BaseSurface::Sample BaseSurface::mean(Index node) {
-  if (const Sample* known = means_.find(node)) return *known;
+  const Sample* const known = level_ == 0 ? means_.find(node) : nullptr;
+  if (known) return *known;
   const ClusterMean mean = levels_->mean(level_, node);
   const Sample sample{mean.position, mean.area, mean.spread};
-  means_.put(node, sample);
+  if (level_ == 0) means_.put(node, sample);
   return sample;
 }
 
@@ -236,17 +237,15 @@ SurfaceSamples BaseSurface::samples_around(Index group, std::span<const Sample> 
   for (const Sample& origin : origins) extent = std::max(extent, squared_distance(origin.position, middle));
   note_width(std::sqrt(extent));
   const double about = making.reach + std::sqrt(extent);
-  // Going from cluster to cluster of the level above is going in strides.
-  const std::size_t level = std::min(making.sample_level + 1, group_level_);
-  const double farthest = about + cluster_extent * levels_->spacing(level);
-  std::vector<Index> starts;
-  levels_->for_each_member(group_level_, group, level, [&](Index start) { starts.push_back(start); });
+  // Going from group to group is going in strides.
+  const double farthest = about + cluster_extent * levels_->spacing(group_level_);
   std::vector<Sample> samples;
   ConnectedNodes connected;
-  for (const Index cluster : connected.find(levels_->neighbours(level), starts, [&](Index one) {
-         return squared_distance(levels_->mean(level, one).position, middle) <= farthest * farthest;
+  for (const Index other :
+       connected.find(levels_->neighbours(group_level_), std::array{group}, [&](Index one) {
+         return squared_distance(levels_->mean(group_level_, one).position, middle) <= farthest * farthest;
        })) {
-    levels_->for_each_member(level, cluster, making.sample_level, [&](Index member) {
+    levels_->for_each_member(group_level_, other, making.sample_level, [&](Index member) {
       const Sample sample = sample_of(member);
       if (squared_distance(sample.position, middle) <= about * about) samples.push_back(sample);
     });

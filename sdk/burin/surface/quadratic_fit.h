@@ -38,7 +38,7 @@ class QuadraticFit {
   }
 
   /// As many places as there are lanes, and how much each counts besides.
-  void add(const Lanes& at_x, const Lanes& at_y, const Lanes& z, const Lanes& counts) {
+  [[gnu::flatten]] void add(const Lanes& at_x, const Lanes& at_y, const Lanes& z, const Lanes& counts) {
     const auto inverse = static_cast<float>(inverse_);
     const Lanes x = at_x * inverse, y = at_y * inverse;
     const Lanes xx = x * x, xy = x * y, yy = y * y, inside = (1 - (xx + yy)).max(0.F);

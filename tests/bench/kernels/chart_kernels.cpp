@@ -17,17 +17,17 @@ const SphereStroke& stroke_of(const benchmark::State& state) {
   return sphere_stroke(static_cast<std::size_t>(state.range(0)));
 }
 
-void whole_chart(benchmark::State& state) {
-  const SphereStroke& stroke = stroke_of(state);
-  const ChartOptions options{.radius = stroke.radius, .order = static_cast<int>(state.range(1))};
-  const ThreadLimit limit(static_cast<std::size_t>(state.range(2)));
-  StrokeCharter charter(stroke.surface);
+/// Measures charts and Dijkstra's algorithm in turn.
+template <class Prepare>
+void measure_charts(benchmark::State& state, const SphereStroke& stroke, const SurfaceCurve& curve,
+                    StrokeCharter& charter, const ChartOptions& options, const Prepare& prepare) {
   BareDijkstra dijkstra(stroke.surface);
   std::vector<double> chart_seconds, dijkstra_seconds;
   double nodes = 0, vertices = 0;
   run_and_count(state, [&] {
+    prepare();
     Chart chart;
-    chart_seconds.push_back(seconds_of([&] { chart = charter.chart(stroke.curve, options); }));
+    chart_seconds.push_back(seconds_of([&] { chart = charter.chart(curve, options); }));
     nodes = static_cast<double>(chart.size());
     dijkstra_seconds.push_back(seconds_of([&] {
       vertices = static_cast<double>(dijkstra.run(stroke.curve, static_cast<float>(stroke.radius)).size());
@@ -44,10 +44,37 @@ void whole_chart(benchmark::State& state) {
   state.counters["chart/dijkstra"] = median(chart_seconds) / median(dijkstra_seconds);
   state.counters["node/dijkstra vertex"] = chart_each / dijkstra_each;
 }
+
+void whole_chart(benchmark::State& state) {
+  const SphereStroke& stroke = stroke_of(state);
+  const ThreadLimit limit(static_cast<std::size_t>(state.range(2)));
+  StrokeCharter charter(stroke.surface);
+  const ChartOptions options{.radius = stroke.radius, .order = static_cast<int>(state.range(1))};
+  measure_charts(state, stroke, stroke.curve, charter, options, [] {});
+}
 BENCHMARK(whole_chart)
     ->Name("chart")
     ->ArgNames({"nodes", "order", "threads"})
     ->ArgsProduct({region_sizes, {1, 2}, {1, 2}})
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// At the brush's own scale, the base nodes included.
+void base_chart(benchmark::State& state) {
+  const SphereStroke& stroke = stroke_of(state);
+  const ThreadLimit limit(static_cast<std::size_t>(state.range(1)));
+  const SurfaceLevels levels(stroke.surface);
+  StrokeCharter charter(stroke.surface, &levels);
+  const ChartOptions options{.radius = stroke.radius, .follow = 0};
+  charter.begin(options);
+  const SurfaceCurve curve = on_base(stroke, charter.base());
+  // Nodes are forgotten when the radius changes.
+  measure_charts(state, stroke, curve, charter, options,
+                 [&] { charter.begin({.radius = 2 * stroke.radius, .follow = 0}); });
+}
+BENCHMARK(base_chart)
+    ->ArgNames({"nodes", "threads"})
+    ->ArgsProduct({region_sizes, {1, 2}})
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 

@@ -9,6 +9,7 @@
 
 #include "support/gentle_stroke.h"
 #include "support/shapes.h"
+#include "support/traced.h"
 
 namespace burin::kernels {
 namespace {
@@ -52,6 +53,18 @@ const SphereStroke& sphere_stroke(std::size_t nodes) {
   const auto found = strokes.find(nodes);
   if (found != strokes.end()) return found->second;
   return strokes.emplace(nodes, make_stroke(nodes)).first->second;
+}
+
+SurfaceCurve on_base(const SphereStroke& stroke, BaseSurface* base) {
+  const Picker picker(stroke.surface);
+  std::vector<Vec3d> samples;
+  double next = 0;
+  for (const CurvePoint& point : stroke.curve.points) {
+    if (point.t < next) continue;
+    samples.push_back(point.at.position.cast<double>());
+    next = point.t + stroke.radius / 8;
+  }
+  return test::traced(CurveGround(stroke.surface, picker, base), picker, stroke.radius, samples);
 }
 
 }  // namespace burin::kernels

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/stroke/surface_curve.h>
+#include <burin/surface/base_surface.h>
 #include <burin/surface/surface.h>
 
 #include <cstddef>
@@ -16,5 +17,8 @@ struct SphereStroke {
 /// The stroke whose chart has about so many nodes, at most a million. The finer the surface the more nodes,
 /// so that strokes look alike; the sphere has 2.6 million vertices at most. Made once, then kept. One thread.
 const SphereStroke& sphere_stroke(std::size_t nodes);
+
+/// The same way on a base surface.
+SurfaceCurve on_base(const SphereStroke& stroke, BaseSurface* base);
 
 }  // namespace burin::kernels
