@@ -41,9 +41,6 @@ std::size_t parts_for(const SurfaceCurve& curve, double radius) {
 }
 
 void GroundCharter::begin(const ChartOptions& options) {
-  const auto radius = static_cast<float>(options.radius);
-  if (!std::isfinite(radius) || radius <= 0)
-    throw ContractError("a stroke's radius must be a finite number above 0");
   options_ = options;
   front_.restart(options_.radius, options_.order);
   legs_.begin(options);

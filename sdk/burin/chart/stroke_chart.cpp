@@ -1,16 +1,17 @@
 // Stroke charts [R. Schmidt, Stroke Parameterization, 2013], propagated over the vertices themselves or over
 // a base surface and carried from there.
+#include <burin/base/error.h>
 #include <burin/chart/ground_charter.h>
 #include <burin/chart/live_carrier.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace burin {
 
 struct StrokeCharter::Stroke {
-  Stroke(const Surface& s, const SurfaceLevels* levels)
-      : surface(s), own(ChartGround(s)), live(s.vertex_count()) {
+  Stroke(const Surface& s, const SurfaceLevels* levels) : surface(s), live(s.vertex_count()) {
     if (levels) base.emplace(s, *levels);
   }
 
@@ -19,11 +20,12 @@ struct StrokeCharter::Stroke {
   void prepare(const SurfaceCurve& curve, std::size_t unchanged);
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged);
   bool on_base() const { return carried.has_value(); }
-  GroundCharter& charter() { return on_base() ? *of_base : own; }
+  GroundCharter& own();
+  GroundCharter& charter() { return on_base() ? *of_base : own(); }
 
   const Surface& surface;
   ChartOptions options;
-  GroundCharter own;
+  std::optional<GroundCharter> of_surface;  ///< once a stroke runs on the surface itself
   std::optional<BaseSurface> base;
   std::optional<GroundCharter> of_base;
   Index of_base_nodes = 0;             ///< for which it was made: levels differ in that
@@ -32,10 +34,17 @@ struct StrokeCharter::Stroke {
   LiveChart live;                      ///< the same
 };
 
+GroundCharter& StrokeCharter::Stroke::own() {
+  if (!of_surface) of_surface.emplace(ChartGround(surface));
+  return *of_surface;
+}
+
 void StrokeCharter::Stroke::begin(const ChartOptions& with) {
+  const auto radius = static_cast<float>(with.radius);
+  if (!std::isfinite(radius) || radius <= 0)
+    throw ContractError("a stroke's radius must be a finite number above 0");
   options = with;
-  own.begin(with);
-  if (!base_for(with.radius, with.follow)) return;
+  if (!base_for(with.radius, with.follow)) return own().begin(with);
   if (of_base_nodes != base->node_count()) of_base.emplace(ChartGround(*base));
   of_base_nodes = base->node_count();
   ChartOptions wider = with;
@@ -70,7 +79,7 @@ void StrokeCharter::Stroke::prepare(const SurfaceCurve& curve, std::size_t uncha
 }
 
 const LiveChart& StrokeCharter::Stroke::draw(const SurfaceCurve& curve, std::size_t unchanged) {
-  if (!on_base()) return own.draw(curve, unchanged);
+  if (!on_base()) return own().draw(curve, unchanged);
   if (!curve.points.empty()) prepare(curve, unchanged);
   carried->update(of_base->draw(carried->widened(curve), unchanged), curve, live);
   return live;
@@ -85,12 +94,12 @@ StrokeCharter& StrokeCharter::operator=(StrokeCharter&&) noexcept = default;
 Chart StrokeCharter::chart(const SurfaceCurve& curve, const ChartOptions& options) {
   stroke_->begin(options);
   if (stroke_->on_base()) return stroke_->draw(curve, 0).sorted();
-  return stroke_->own.update(curve, 0, parts_for(curve, options.radius));
+  return stroke_->own().update(curve, 0, parts_for(curve, options.radius));
 }
 
 Chart StrokeCharter::extend(const SurfaceCurve& curve, std::size_t unchanged) {
   if (stroke_->on_base()) return stroke_->draw(curve, unchanged).sorted();
-  return stroke_->own.update(curve, unchanged, 1);
+  return stroke_->own().update(curve, unchanged, 1);
 }
 
 void StrokeCharter::begin(const ChartOptions& options) { stroke_->begin(options); }
@@ -107,7 +116,7 @@ void StrokeCharter::moved(std::span<const Index> vertices, double distance) {
   if (stroke_->base) stroke_->base->forget(vertices, distance);
 }
 const LiveChart& StrokeCharter::live() const {
-  return stroke_->on_base() ? stroke_->live : stroke_->own.live();
+  return stroke_->on_base() ? stroke_->live : stroke_->own().live();
 }
 std::uint64_t StrokeCharter::settled() const { return stroke_->charter().settled(); }
 std::uint64_t StrokeCharter::pushes() const { return stroke_->charter().pushes(); }
