@@ -190,5 +190,20 @@ TEST(PenAt, InterpolatesPressureTimeAndSpeed) {
   EXPECT_EQ(pen_at(tracer.curve(), 9).t, tracer.curve().length());
 }
 
+TEST(PenAt, TurnsTheBarrelTheShorterWay) {
+  Ground ground(test::plane(1, 0.3, 1));
+  CurveTracer tracer(ground.surface, ground.picker, 0.5);
+  constexpr float degree = std::numbers::pi_v<float> / 180;
+  const float degrees[] = {330, 350, 10, 30};
+  for (const int i : {0, 1, 2, 3}) {
+    const Vec3f place(-0.6F + 0.4F * static_cast<float>(i), 0, 0);
+    tracer.add(*ground.picker.closest(place, 1), i, {.twist = degrees[i] * degree});
+  }
+  for (double t = 0; t <= 1.2; t += 0.01) {
+    const double turned = 330 + 50 * t, twist = pen_at(tracer.curve(), t).pen.twist / degree;
+    EXPECT_NEAR(std::remainder(twist - turned, 360), 0, 0.01) << t;
+  }
+}
+
 }  // namespace
 }  // namespace burin

@@ -104,7 +104,7 @@ typedef struct burin_batch {
   burin_indices symmetry;      /* symmetry instance, 0 = drawn by hand */
   burin_floats pressure;       /* at t: 0..1; neutral 1 */
   burin_floats tilt_x, tilt_y; /* at t: radians from upright; neutral 0 */
-  burin_floats twist;          /* at t: radians; neutral 0 */
+  burin_floats twist;          /* at t: radians, 0..2 pi; neutral 0 */
   burin_floats speed;          /* at t: object units a second; neutral 0 */
   burin_floats time;           /* at t: seconds since the stroke began; neutral 0 */
   burin_vectors foot;          /* at t: mean place of the stroke's points within one radius either side */

@@ -2,6 +2,7 @@
 #include <burin/math/elementary.h>
 #include <burin/stroke/import.h>
 #include <burin/stroke/number_lines.h>
+#include <burin/stroke/pen_angles.h>
 #include <burin/stroke/pen_events.h>
 #include <burin/stroke/recording_faults.h>
 #include <fmt/format.h>
@@ -17,10 +18,8 @@ constexpr double tenth_of_degree = std::numbers::pi / 1800;
 
 /// Tablets give where the pen's upper end points: clockwise from the tablet's top, and above its plane.
 void set_tilt(Pen& pen, double azimuth, double altitude) {
-  const double right = math::cos(altitude) * math::sin(azimuth),
-               down = -math::cos(altitude) * math::cos(azimuth);
-  pen.tilt_x = static_cast<float>(math::atan2(right, math::sin(altitude)));
-  pen.tilt_y = static_cast<float>(math::atan2(down, math::sin(altitude)));
+  const double level = math::cos(altitude);
+  set_upper_end(pen, {level * math::sin(azimuth), -level * math::cos(azimuth), math::sin(altitude)});
 }
 
 PenEvent parse_event(std::string_view line) {
