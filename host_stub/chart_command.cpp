@@ -1,5 +1,6 @@
 #include <burin/base/file.h>
 #include <burin/chart/stroke_chart.h>
+#include <burin/stroke/sample_times.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -135,7 +136,8 @@ void print_result(const ChartCommandOptions& options, const LoadedSurface& loade
 void run(const ChartCommandOptions& options) {
   check_output_path(options.csv);
   check_output_path(options.png);
-  const Recording recording = read_whole_strokes(options.strokes);
+  Recording recording = read_whole_strokes(options.strokes);
+  mend_times(recording);
   const RecordedStroke& stroke = chosen_stroke(options, recording);
   const TraceOptions trace = trace_options(options, stroke);
   const double radius = trace.radius;

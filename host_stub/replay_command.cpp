@@ -68,6 +68,10 @@ void warn_of_left_out(const ReplaySummary& summary) {
         "closed strokes that stay open, as they leave the surface on the way or are too short: {}",
         result.left_open));
   }
+  if (result.standing_clocks > 0) {
+    warn(fmt::format("strokes whose time stamps are all equal, taken as without times: {}",
+                     result.standing_clocks));
+  }
   if (result.samples_drawn == 0) warn("no stroke meets the surface");
 }
 

@@ -79,6 +79,39 @@ TEST(Replay, IsWhatTheSessionDraws) {
   EXPECT_EQ(done, 1);
 }
 
+TEST(Replay, TellsTheSamplesOfAPacketApart) {
+  Recording even, packets;
+  even.strokes = packets.strokes = {stroke_of(test::wave(41))};
+  const double interval = even.strokes[0].samples[1].time - even.strokes[0].samples[0].time;
+  for (int i = 0; i < 41; ++i) {
+    even.strokes[0].samples[i].time = i * interval;
+    packets.strokes[0].samples[i].time = (i + 3) / 4 * 4 * interval;
+  }
+  StrokeOverrides fast;
+  fast.dynamics = {{"strength", PenSource::speed, {0, 0, 100, 1}}};
+  Session at_even = test::plane_session(), in_packets = test::plane_session();
+  replay(at_even, even, fast);
+  replay(in_packets, packets, fast);
+  double most = 0;
+  for (Index vertex = 0; vertex < at_even.surface().vertex_count(); ++vertex)
+    most = std::max<double>(most, (at_even.positions()[vertex] - in_packets.positions()[vertex]).norm());
+  EXPECT_LT(most, 1e-6);
+}
+
+TEST(Replay, TakesAStandingClockForNone) {
+  Recording standing, without;
+  standing.strokes = without.strokes = {stroke_of(test::wave())};
+  for (Sample& sample : standing.strokes[0].samples) sample.time = 7;
+  without.strokes[0].fields.time = false;
+  StrokeOverrides fast;
+  fast.dynamics = {{"strength", PenSource::speed, {0, 0, 100, 1}}};
+  Session neutral = test::plane_session(), session = test::plane_session();
+  EXPECT_EQ(replay(neutral, without, fast).standing_clocks, 0u);
+  const ReplayResult result = replay(session, standing, fast);
+  EXPECT_EQ(result.standing_clocks, 1u);
+  EXPECT_EQ(result.hash, neutral.result_hash());
+}
+
 TEST(Replay, IsTheSameHoweverManySamplesAreShown) {
   Recording recording;
   recording.strokes = {stroke_of(test::wave(40))};

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/host/replay.h>
+#include <burin/stroke/sample_times.h>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -57,8 +58,7 @@ std::vector<StrokeSettings> all_settings(const Recording& recording, const Strok
 }
 
 /// The recording as the stabiliser lets it through.
-Recording stabilised(const Recording& recording, const Stabilising& stabilising) {
-  Recording calm = recording;
+Recording stabilised(Recording calm, const Stabilising& stabilising) {
   for (std::size_t i = 0; i < calm.strokes.size(); ++i) {
     RecordedStroke& stroke = calm.strokes[i];
     if (stabilising.kind == Stabilising::Kind::exponential && !stroke.fields.time)
@@ -182,7 +182,9 @@ ReplayResult Replayer::finish() {
 
 ReplayResult replay(Session& session, const Recording& recorded, const StrokeOverrides& overrides,
                     const ReplayObserver& observer) {
-  const Recording recording = stabilised(recorded, overrides.stabilising);
+  Recording timed = recorded;
+  const std::size_t standing_clocks = mend_times(timed);
+  const Recording recording = stabilised(std::move(timed), overrides.stabilising);
   if (recording.space == StrokeSpace::screen && !recording.camera)
     throw ContractError("a recording in screen space without a camera");
   const std::vector<StrokeSettings> settings = all_settings(recording, overrides);
@@ -195,7 +197,9 @@ ReplayResult replay(Session& session, const Recording& recorded, const StrokeOve
       throw Error(fmt::format("stroke {}: {}", i + 1, error.what()));
     }
   }
-  return replayer.finish();
+  ReplayResult result = replayer.finish();
+  result.standing_clocks = standing_clocks;
+  return result;
 }
 
 }  // namespace burin

@@ -98,7 +98,9 @@ class Session {
   void begin_stroke(const StrokeSettings& settings);
 
   /// The next sample: where a ray meets the surface, or the closest place to a point that is at most one
-  /// radius away. Throws Error when the brush fails or returns a value that is not finite.
+  /// radius away. Times must not fall; samples that come several at a time and have one time stamp should be
+  /// given times of their own first, see spread_times(). Throws Error when the brush fails or returns a value
+  /// that is not finite.
   StrokeEvent add_sample(const Ray& ray, double time, const Pen& pen, Show show = Show::now);
   StrokeEvent add_sample(const Vec3d& position, double time, const Pen& pen, Show show = Show::now);
 
