@@ -17,7 +17,7 @@ constexpr float degree = static_cast<float>(std::numbers::pi / 180);
 
 TEST(ImportSvc, TakesEveryEventInContactOfARealRecording) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/bdalab_signal.svc");
-  const Recording recording = import_svc(path, test::import_camera(1280, 720));
+  const Recording recording = import_svc(path, test::import_camera(1280, 720)).recording;
   EXPECT_EQ(recording.strokes.size(), 5u);
   test::expect_fits(recording);
   std::ifstream in(path);
@@ -46,7 +46,7 @@ TEST(ImportSvc, TakesEveryEventInContactOfARealRecording) {
 
 TEST(ImportSvc, SurvivesAFile) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/bdalab_signal.svc");
-  test::expect_survives_a_file(import_svc(path, test::import_camera(1280, 720)));
+  test::expect_survives_a_file(import_svc(path, test::import_camera(1280, 720)).recording);
 }
 
 class SvcText : public test::ImportedText {

@@ -62,8 +62,9 @@ TEST(PenAngles, SurviveAPenThatLiesFlat) {
   EXPECT_NEAR(azimuth(tilted(100, 0)), 0, 1e-5) << "beyond 90 degrees";
   for (double towards = -170; towards <= 180; towards += 35) {
     EXPECT_NEAR(azimuth(leaning(towards, 0)), towards, 0.01);
-    EXPECT_LT(between(upper_end(leaning(towards, 0)), {std::cos(towards * degree), std::sin(towards * degree), 0}),
-              0.06);
+    EXPECT_LT(
+        between(upper_end(leaning(towards, 0)), {std::cos(towards * degree), std::sin(towards * degree), 0}),
+        0.06);
   }
 }
 

@@ -49,7 +49,7 @@ std::size_t parse_count(std::string_view line) {
 
 }  // namespace
 
-Recording import_svc(const std::filesystem::path& path, const Camera& camera) {
+Import import_svc(const std::filesystem::path& path, const Camera& camera) {
   std::size_t count = 0;
   std::vector<PenEvent> events;
   for_each_line(path, [&](std::string_view line, std::size_t number) {
@@ -60,9 +60,7 @@ Recording import_svc(const std::filesystem::path& path, const Camera& camera) {
   });
   if (events.size() != count)
     throw FileError(path.string(), "1", fmt::format("{} lines are told, {} follow", count, events.size()));
-  Recording recording = recording_of(events, {.time = true, .pressure = true, .tilt = true}, camera);
-  if (recording.strokes.empty()) throw FileError(path.string(), "holds no stroke");
-  return recording;
+  return import_of(path, events, {.time = true, .pressure = true, .tilt = true}, camera);
 }
 
 }  // namespace burin

@@ -42,7 +42,8 @@ double twist_near(double twist, double near) {
 }
 
 float within_turn(double twist) {
-  const auto within = static_cast<float>(twist >= 0 && twist < turn ? twist : twist - turn * std::floor(twist / turn));
+  const auto within =
+      static_cast<float>(twist >= 0 && twist < turn ? twist : twist - turn * std::floor(twist / turn));
   return double{within} < turn ? within : 0;
 }
 
