@@ -279,6 +279,15 @@ std::string failure_of(const StrokeSettings& bad) {
 TEST(Session, SurvivesBrushesThatMisbehave) {
   const std::string nan = failure_of(settings("org.burin.test.nan"));
   EXPECT_EQ(nan.find("org.burin.test.nan: returned a displacement that is not finite at t = "), 0u) << nan;
+  const std::string absurd = failure_of(settings("org.burin.test.absurd"));
+  EXPECT_EQ(
+      absurd.find("org.burin.test.absurd: returned a displacement of 150, more than 1000 radii at t = "), 0u)
+      << absurd;
+  EXPECT_NE(absurd.find(", d = "), std::string::npos) << absurd;
+  StrokeSettings farthest = settings("org.burin.test.absurd");
+  farthest.params = {{"radii", 3e38}};
+  EXPECT_EQ(failure_of(farthest).find("org.burin.test.absurd: returned a displacement of 4.5e+37, more than"),
+            0u);
   const std::string error = failure_of(settings("org.burin.test.error"));
   EXPECT_EQ(error.find("org.burin.test.error: the error brush never works at t = "), 0u) << error;
   const std::string thrown = failure_of(settings("org.burin.test.throwing"));

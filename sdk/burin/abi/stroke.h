@@ -123,7 +123,8 @@ typedef struct burin_batch {
 typedef struct burin_outputs {
   uint32_t struct_size;
   uint32_t count;             /* equals the batch's */
-  burin_floats_out along;     /* displacement from the base surface along e1, object units */
+  burin_floats_out along;     /* displacement from the base surface along e1, object units; all three
+                               * together at most 1000 radii long, or the stroke fails */
   burin_floats_out across;    /* the same along e2 */
   burin_floats_out up;        /* the same along the normal */
   burin_floats_out mask;      /* 0..1 */
