@@ -41,7 +41,8 @@ TEST(SpreadTimes, LeavesStampsThatDifferAsTheyAre) {
 }
 
 TEST(SpreadTimes, GivesTheSamplesOfPacketsTheirOwn) {
-  expect_near(spread({0, 4, 4, 4, 4, 8, 8, 8, 8, 12, 12, 12, 12}), {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+  expect_near(spread({0, 4, 4, 4, 4, 8, 8, 8, 8, 12, 12, 12, 12}),
+              {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
   expect_near(spread({3, 3, 3, 6, 6, 6}), {1, 2, 3, 4, 5, 6});
 }
 
@@ -53,10 +54,12 @@ TEST(SpreadTimes, NeverLetsTimesFallOrStand) {
   // Whole milliseconds of a pen sampled every 0.3 or 1.7 of them, and now and then not at all.
   for (const double step : {0.3, 1.7}) {
     std::vector<double> times;
-    for (int i = 0; i < 300; ++i) times.push_back(std::floor(step * i + (i > 100 ? 40 : 0) + (i > 200 ? 0.9 : 0)));
+    for (int i = 0; i < 300; ++i)
+      times.push_back(std::floor(step * i + (i > 100 ? 40 : 0) + (i > 200 ? 0.9 : 0)));
     const std::vector<double> own = spread(times);
     for (std::size_t i = 1; i < own.size(); ++i) EXPECT_GT(own[i], own[i - 1]) << step << " " << i;
-    for (std::size_t i = 0; i < own.size(); ++i) EXPECT_LE(std::abs(own[i] - times[i]), 1) << step << " " << i;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      EXPECT_LE(std::abs(own[i] - times[i]), 1) << step << " " << i;
   }
 }
 

@@ -99,10 +99,11 @@ void OpenStroke::trace(const CurveGround::Place& at, double time, const Pen& pen
 }
 
 VertexMoves OpenStroke::draw(const StrokeTools& tools) {
+  if (std::ranges::none_of(instances_, &StrokeInstance::has_news)) return {};
   std::vector<StrokeChanges> changes;
   for (StrokeInstance& instance : instances_)
-    changes.push_back(instance.empty() ? StrokeChanges{}
-                                       : instance.draw(brush_stroke_.plan().end_influence, tools.cost));
+    changes.push_back(instance.has_news() ? instance.draw(brush_stroke_.plan().end_influence, tools.cost)
+                                          : StrokeChanges{});
   tools.clock.lap(Stage::chart);
   return go_on(changes, 0, tools);
 }
