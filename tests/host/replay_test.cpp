@@ -4,6 +4,7 @@
 #include <burin/host/replay.h>
 
 #include <numbers>
+#include <set>
 
 namespace burin {
 namespace {
@@ -167,9 +168,32 @@ TEST(Replay, BreaksStrokesWhereThePenLeavesTheSurface) {
   EXPECT_GT(result.samples_off_surface, 30u);
   ASSERT_EQ(lengths.size(), 2u);
   EXPECT_NEAR(lengths[0], lengths[1], 0.02);
-  EXPECT_TRUE(session.undo());
-  EXPECT_TRUE(session.undo());
+  EXPECT_TRUE(session.undo()) << "all pieces at once";
   EXPECT_FALSE(session.undo());
+}
+
+/// A straight groove of depth 0.05 over the plane, of which some samples are raised off the surface.
+double deepest_without(const std::set<int>& raised, const StrokeOverrides& overrides = {}) {
+  std::vector<Sample> samples;
+  for (int i = 0; i < 81; ++i)
+    samples.push_back({0.01 * i, Vec3d(0.015 * i - 0.6, 0, raised.contains(i) ? 0.5 : 0), {}});
+  Recording recording;
+  recording.strokes = {stroke_of(samples)};
+  recording.strokes[0].params = {{"depth", 0.5}, {"taper", 0.0}};
+  Session session = test::plane_session();
+  EXPECT_EQ(replay(session, recording, overrides).pieces, raised.empty() ? 1u : 2u);
+  double deepest = 0;
+  for (const Vec3f& position : session.positions()) deepest = std::max(deepest, double{-position.z()});
+  return deepest;
+}
+
+TEST(Replay, StartsAllPiecesFromTheSurfaceBeforeTheStroke) {
+  EXPECT_NEAR(deepest_without({}), 0.05, 1e-4);
+  EXPECT_NEAR(deepest_without({40}), 0.05, 1e-4);
+  EXPECT_NEAR(deepest_without({39, 40, 41}), 0.05, 1e-4);
+  StrokeOverrides added;
+  added.overlap = Overlap::add;
+  EXPECT_GT(deepest_without({40}, added), 0.08) << "caps that overlap add up where sheets do";
 }
 
 TEST(Replay, BreaksStrokesAcrossAGap) {

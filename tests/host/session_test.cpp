@@ -337,6 +337,79 @@ TEST(Session, DropsTheStrokeOnCallsOutOfOrder) {
   }
 }
 
+/// Half of the wave, as a piece.
+std::vector<Sample> half_wave(bool second) {
+  const std::vector<Sample> all = test::wave();
+  const auto middle = all.begin() + 20;
+  return second ? std::vector<Sample>(middle, all.end()) : std::vector<Sample>(all.begin(), middle);
+}
+
+TEST(Session, DrawsPiecesOfOneStroke) {
+  for (const char* brush : {"org.burin.groove", "org.burin.smooth", "org.burin.test.every-input"}) {
+    Session session = test::plane_session(), first = test::plane_session(), second = test::plane_session();
+    const Snapshot before(session);
+    draw(first, settings(brush), half_wave(false));
+    draw(second, settings(brush), half_wave(true));
+    session.begin_stroke(settings(brush));
+    add(session, half_wave(false));
+    session.end_piece();
+    EXPECT_EQ(session.result_hash(), first.result_hash());
+    EXPECT_EQ(session.curve().length(), first.curve().length());
+    EXPECT_TRUE(session.end_piece().empty()) << "twice is once";
+    add(session, half_wave(true));
+    session.end_stroke();
+    EXPECT_EQ(session.curve().length(), second.curve().length());
+    const Chart& chart = second.chart();
+    std::vector<bool> of_second(session.surface().vertex_count());
+    for (const Index vertex : chart.vertex) of_second[vertex] = true;
+    for (Index v = 0; v < session.surface().vertex_count(); ++v)
+      ASSERT_EQ(session.positions()[v], (of_second[v] ? second : first).positions()[v]) << brush;
+    EXPECT_TRUE(session.undo());
+    EXPECT_TRUE(Snapshot(session) == before);
+    EXPECT_FALSE(session.undo());
+  }
+}
+
+TEST(Session, DropsAllPiecesOfACancelledStroke) {
+  Session session = test::plane_session();
+  const Snapshot before(session);
+  session.begin_stroke(settings("org.burin.groove"));
+  add(session, half_wave(false));
+  session.end_piece();
+  add(session, half_wave(true));
+  session.cancel_stroke();
+  EXPECT_TRUE(Snapshot(session) == before);
+  EXPECT_FALSE(session.undo());
+  EXPECT_EQ(error_of([&] { session.end_piece(); }), "no stroke is open");
+}
+
+TEST(Session, EndsAStrokeBetweenItsPieces) {
+  Session session = test::plane_session(), whole = test::plane_session();
+  draw(whole, settings("org.burin.groove"), half_wave(false));
+  session.begin_stroke(settings("org.burin.groove"));
+  session.end_piece();
+  add(session, half_wave(false));
+  session.end_piece();
+  EXPECT_TRUE(session.end_stroke().empty());
+  EXPECT_EQ(session.result_hash(), whole.result_hash());
+  EXPECT_TRUE(session.undo());
+}
+
+TEST(Session, SparesSamplesThatDoNotLeadOn) {
+  Session session = test::plane_session();
+  session.begin_stroke(settings("org.burin.groove"));
+  session.add_sample(Vec3d(0, 0, 0), 0, {});
+  EXPECT_GT(session.cost().settled, 0u);
+  for (int i = 1; i < 1000; ++i) {
+    const StrokeEvent event = session.add_sample(Vec3d(1e-7 * (i % 7), 1e-7 * (i % 3), 0), i, {});
+    EXPECT_EQ(event.outcome, StrokeEvent::Outcome::drawn);
+    EXPECT_TRUE(event.changed.empty());
+    EXPECT_EQ(session.cost().settled, 0u);
+  }
+  session.end_stroke();
+  EXPECT_EQ(session.curve().points.size(), 1u);
+}
+
 TEST(Session, RefusesAPointSet) {
   const PointSet points =
       test::points_of(test::plane(1, 0.1, 4), [](const Vec3f&) { return Vec3f::UnitZ(); });
