@@ -65,7 +65,8 @@ TEST_F(MisbehavingBrushes, AreErrorsWhenTheyEndTheProcess) {
   const ProcessResult result = replay("org.burin.test.exiting", {"--save-mesh", folder_.path("out.ply")});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.out, "");
-  EXPECT_EQ(own_lines(result.err), std::vector<std::string>{"burin: brush org.burin.test.exiting called exit()"});
+  EXPECT_EQ(own_lines(result.err),
+            std::vector<std::string>{"burin: brush org.burin.test.exiting called exit()"});
   EXPECT_FALSE(std::filesystem::exists(folder_.path("out.ply")));
 }
 
@@ -74,8 +75,10 @@ TEST_F(MisbehavingBrushes, AreErrorsWhenTheyDisplaceAbsurdly) {
   EXPECT_EQ(result.exit_code, 2);
   const std::vector<std::string> lines = own_lines(result.err);
   ASSERT_EQ(lines.size(), 1u) << result.err;
-  EXPECT_EQ(lines[0].find("burin: " + stroke_ + ": stroke 1: org.burin.test.absurd: returned a displacement of 200, "
-                          "more than 1000 radii at t = "), 0u)
+  EXPECT_EQ(lines[0].find("burin: " + stroke_ +
+                          ": stroke 1: org.burin.test.absurd: returned a displacement of 200, "
+                          "more than 1000 radii at t = "),
+            0u)
       << lines[0];
 }
 

@@ -47,7 +47,8 @@ void expect_exact(const std::vector<PenKnot>& samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     EXPECT_EQ(drawn.to(samples[i]), PenWay::Change::way) << i;
     ASSERT_EQ(drawn.knots.size(), i + 1);
-    for (std::size_t k = 0; k <= i; ++k) ASSERT_EQ(drawn.knots[k].position(), samples[k].position()) << i << " " << k;
+    for (std::size_t k = 0; k <= i; ++k)
+      ASSERT_EQ(drawn.knots[k].position(), samples[k].position()) << i << " " << k;
   }
 }
 
@@ -64,8 +65,10 @@ TEST(PenWay, TakesEverySampleOfAPenThatMoves) {
     expect_exact(sampled(80 * step, step, [](double t) { return Vec2d(std::cos(2 * t), std::sin(2 * t)); }));
   }
   // A loop smaller than the radius, and a spiral.
-  expect_exact(sampled(1, 0.01, [](double t) -> Vec2d { return 0.1 * Vec2d(std::cos(10 * t), std::sin(10 * t)); }));
-  expect_exact(sampled(2, 0.01, [](double t) -> Vec2d { return (0.1 + 0.2 * t) * Vec2d(std::cos(9 * t), std::sin(9 * t)); }));
+  expect_exact(
+      sampled(1, 0.01, [](double t) -> Vec2d { return 0.1 * Vec2d(std::cos(10 * t), std::sin(10 * t)); }));
+  expect_exact(sampled(
+      2, 0.01, [](double t) -> Vec2d { return (0.1 + 0.2 * t) * Vec2d(std::cos(9 * t), std::sin(9 * t)); }));
 }
 
 TEST(PenWay, TakesEverySampleAtCornersAndOfAWayBack) {
@@ -78,7 +81,8 @@ TEST(PenWay, TakesEverySampleAtCornersAndOfAWayBack) {
         return Vec2d(std::min(t, middle) + beyond * std::cos(angle), beyond * std::sin(angle));
       };
     };
-    for (const double degrees : {60., 91., 120., 150., 180.}) expect_exact(sampled(80 * step, step, turned(degrees)));
+    for (const double degrees : {60., 91., 120., 150., 180.})
+      expect_exact(sampled(80 * step, step, turned(degrees)));
   }
 }
 
@@ -96,7 +100,8 @@ TEST(PenWay, LeavesOutATrembleAtRest) {
   std::normal_distribution<double> offset(0, 0.007);
   const Drawn shaking = rested(500, [&](int) { return Vec2d(offset(random), offset(random)); });
   EXPECT_LT(shaking.length(), 1.2 + 0.15);
-  const Drawn circling = rested(500, [](int i) -> Vec2d { return 0.01 * Vec2d(std::sin(0.4 * i), 1 - std::cos(0.4 * i)); });
+  const Drawn circling =
+      rested(500, [](int i) -> Vec2d { return 0.01 * Vec2d(std::sin(0.4 * i), 1 - std::cos(0.4 * i)); });
   EXPECT_LT(circling.length(), 1.2 + 0.15);
   const Drawn wagging = rested(500, [](int i) { return Vec2d(0, 0.01 * std::sin(0.3 * i)); });
   EXPECT_LT(wagging.length(), 1.2 + 0.15);
