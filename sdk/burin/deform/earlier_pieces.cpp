@@ -40,7 +40,8 @@ void EarlierPieces::add(const PieceMoves& piece) {
   }
 }
 
-Vec3f EarlierPieces::place(const Left& earlier, Index vertex, std::uint32_t sheets, const Vec3f& later) const {
+Vec3f EarlierPieces::place(const Left& earlier, Index vertex, std::uint32_t sheets,
+                           const Vec3f& later) const {
   const Vec3f& base = surface_->positions[vertex];
   if (options_.overlap == Overlap::latest) return later;
   if (options_.overlap == Overlap::max || options_.overlap == Overlap::min) {
@@ -48,13 +49,15 @@ Vec3f EarlierPieces::place(const Left& earlier, Index vertex, std::uint32_t shee
     return (options_.overlap == Overlap::max ? farther_out > 0 : farther_out < 0) ? earlier.place : later;
   }
   const auto [of_earlier, of_later] = weights(options_.overlap, earlier.sheets, sheets);
-  const Vec3d moved = of_earlier * (earlier.place - base).cast<double>() + of_later * (later - base).cast<double>();
+  const Vec3d moved =
+      of_earlier * (earlier.place - base).cast<double>() + of_later * (later - base).cast<double>();
   const double distance = moved.norm();
   const double within = distance > options_.limit ? options_.limit / distance : 1;
   return (base.cast<double>() + within * moved).cast<float>();
 }
 
-Tint EarlierPieces::tint(const Left& earlier, const Tint& before, std::uint32_t sheets, const Tint& later) const {
+Tint EarlierPieces::tint(const Left& earlier, const Tint& before, std::uint32_t sheets,
+                         const Tint& later) const {
   switch (options_.overlap) {
     case Overlap::latest:
       return later;

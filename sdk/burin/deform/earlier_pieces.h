@@ -18,13 +18,14 @@ struct PieceMoves {
   std::span<Tint> tints;  ///< empty where the brush writes neither colours nor masks
 };
 
-/// What the finished pieces of a stroke did to the surface before it. A stroke falls into pieces where the pen
-/// leaves the surface. All start from that surface, and where they meet they are blended as sheets of one
+/// What the finished pieces of a stroke did to the surface before it. A stroke falls into pieces where the
+/// pen leaves the surface. All start from that surface, and where they meet they are blended as sheets of one
 /// stroke are; of `latest`, the piece drawn last holds. Costs what the pieces cover.
 class EarlierPieces {
  public:
   /// Surface and paint, as they were before the stroke, must outlive the object.
-  EarlierPieces(const Surface& surface, const BlendOptions& options) : surface_(&surface), options_(options) {}
+  EarlierPieces(const Surface& surface, const BlendOptions& options)
+      : surface_(&surface), options_(options) {}
 
   /// Makes of where a later piece would have vertices go where the stroke has them.
   void blend(const Paint& paint, const PieceMoves& piece) const;
