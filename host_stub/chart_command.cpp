@@ -1,5 +1,6 @@
 #include <burin/base/file.h>
 #include <burin/chart/stroke_chart.h>
+#include <burin/stroke/sample_times.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -116,26 +117,28 @@ void print_result(const ChartCommandOptions& options, const LoadedSurface& loade
                   const Chart& chart, double radius) {
   const Index sheets = chart.size() == 0 ? 0 : std::ranges::max(chart.sheet) + 1;
   if (options.json) {
-    fmt::print("{}\n", json_text({{"mesh", mesh_json(options.mesh, loaded)},
-                                  {"stroke", options.stroke},
-                                  {"radius", radius},
-                                  {"length", curve.length()},
-                                  {"closed", chart.closed},
-                                  {"vertices", std::ranges::count(chart.sheet, 0u)},
-                                  {"nodes", chart.size()},
-                                  {"sheets", sheets}}));
+    write_result(fmt::format("{}\n", json_text({{"mesh", mesh_json(options.mesh, loaded)},
+                                                {"stroke", options.stroke},
+                                                {"radius", radius},
+                                                {"length", curve.length()},
+                                                {"closed", chart.closed},
+                                                {"vertices", std::ranges::count(chart.sheet, 0u)},
+                                                {"nodes", chart.size()},
+                                                {"sheets", sheets}})));
   } else {
-    fmt::print("{}\nstroke {} of {}: length {:.6g}, radius {:.6g}, chart of {} vertices in {}\n",
-               mesh_text(options.mesh, loaded), options.stroke, options.strokes, curve.length(), radius,
-               std::ranges::count(chart.sheet, 0u),
-               sheets == 1 ? std::string("one sheet") : fmt::format("up to {} sheets", sheets));
+    write_result(
+        fmt::format("{}\nstroke {} of {}: length {:.6g}, radius {:.6g}, chart of {} vertices in {}\n",
+                    mesh_text(options.mesh, loaded), options.stroke, options.strokes, curve.length(), radius,
+                    std::ranges::count(chart.sheet, 0u),
+                    sheets == 1 ? std::string("one sheet") : fmt::format("up to {} sheets", sheets)));
   }
 }
 
 void run(const ChartCommandOptions& options) {
   check_output_path(options.csv);
   check_output_path(options.png);
-  const Recording recording = read_whole_strokes(options.strokes);
+  Recording recording = read_whole_strokes(options.strokes);
+  mend_times(recording);
   const RecordedStroke& stroke = chosen_stroke(options, recording);
   const TraceOptions trace = trace_options(options, stroke);
   const double radius = trace.radius;

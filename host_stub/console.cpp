@@ -1,5 +1,6 @@
 #include "console.h"
 
+#include <burin/abi/ext/log.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,9 +13,27 @@ namespace burin {
 
 std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
 
+namespace {
+
+/// Where results go once plugins have the standard output to themselves.
+std::FILE* results = nullptr;
+
+}  // namespace
+
+void keep_plugins_off_standard_output() {
+  if (!results) results = divert_standard_output();
+}
+
+void write_result(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), results ? results : stdout);
+}
+
+bool flush_results() { return std::fflush(results ? results : stdout) == 0; }
+
 void warn(std::string_view text) { std::fputs(fmt::format("burin: warning: {}\n", text).c_str(), stderr); }
 
-void log_on_console(int, std::string_view line) {
+void log_on_console(int severity, std::string_view line) {
+  if (severity == BURIN_LOG_WARNING) return warn(line);
   std::fputs(fmt::format("burin: {}\n", line).c_str(), stderr);
 }
 

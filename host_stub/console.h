@@ -13,10 +13,19 @@ using Json = nlohmann::ordered_json;
 /// The text of a result. Bytes that are no UTF-8, as file names may have them, are replaced.
 std::string json_text(const Json& json);
 
+/// Writes a result to the standard output. Everything but the help goes this way.
+void write_result(std::string_view text);
+
+/// Whether all results could be written.
+bool flush_results();
+
+/// From here on what anybody writes to the standard output goes to stderr, but for results.
+void keep_plugins_off_standard_output();
+
 /// "burin: warning: TEXT" on stderr.
 void warn(std::string_view text);
 
-/// What brushes have to say, as BrushLibrary takes it: "burin: LINE" on stderr.
+/// What brushes have to say, as BrushLibrary takes it: "burin: LINE" on stderr, or "burin: warning: LINE".
 void log_on_console(int severity, std::string_view line);
 
 /// Draws the progress of long work into one line of the terminal behind stderr, and nothing where stderr

@@ -31,18 +31,18 @@ std::string format_of(const ImportOptions& options) {
   return extension == ".json" ? "pointer" : extension == ".svc" ? "svc" : "mypaint";
 }
 
-Recording import_as(const std::string& format, const std::string& path, const Camera& camera) {
+Import import_as(const std::string& format, const std::string& path, const Camera& camera) {
   if (format == "pointer") return import_pointer_events(path, camera);
   return format == "svc" ? import_svc(path, camera) : import_mypaint_events(path, camera);
 }
 
-Recording read_recording(const ImportOptions& options, const Camera& camera) {
-  Recording recording = import_as(format_of(options), options.recording, camera);
-  for (RecordedStroke& stroke : recording.strokes) {
+Import read_recording(const ImportOptions& options, const Camera& camera) {
+  Import import = import_as(format_of(options), options.recording, camera);
+  for (RecordedStroke& stroke : import.recording.strokes) {
     if (!options.brush.empty()) stroke.brush = options.brush;
     stroke.radius = options.radius;
   }
-  return recording;
+  return import;
 }
 
 void write_strokes(const std::filesystem::path& path, const Recording& recording) {
@@ -54,21 +54,40 @@ void write_strokes(const std::filesystem::path& path, const Recording& recording
   }
 }
 
-void run(const ImportOptions& options) {
-  check_output_path(options.out);
-  const Camera camera = whole_view(load_surface_on_console(options.mesh).surface, options.view);
-  const Recording recording = read_recording(options, camera);
-  replace_file(options.out, [&](const std::filesystem::path& partial) { write_strokes(partial, recording); });
+void print_result(const ImportOptions& options, const Recording& recording, const ImportCounts& counts) {
   std::size_t samples = 0;
   for (const RecordedStroke& stroke : recording.strokes) samples += stroke.samples.size();
   if (options.json) {
-    fmt::print("{}\n", json_text({{"recording", options.recording},
-                                  {"out", options.out},
-                                  {"strokes", recording.strokes.size()},
-                                  {"samples", samples}}));
+    write_result(fmt::format("{}\n", json_text({{"recording", options.recording},
+                                                {"out", options.out},
+                                                {"strokes", recording.strokes.size()},
+                                                {"samples", samples},
+                                                {"events", counts.events},
+                                                {"events_lifted", counts.lifted},
+                                                {"times_raised", counts.times_raised},
+                                                {"pressures_dropped", counts.pressures_dropped}})));
   } else {
-    fmt::print("{}: {} strokes, {} samples\n", options.out, recording.strokes.size(), samples);
+    write_result(fmt::format("{}: {} strokes, {} samples of {} events; {} left out, the pen lifted\n",
+                             options.out, recording.strokes.size(), samples, counts.events, counts.lifted));
   }
+}
+
+void warn_of_changes(const ImportCounts& counts) {
+  if (counts.times_raised > 0)
+    warn(fmt::format("times that fell within a stroke, raised to the one before: {}", counts.times_raised));
+  if (counts.pressures_dropped > 0) {
+    warn(fmt::format("strokes whose pressure is 0 although the pen touches the tablet, taken as without: {}",
+                     counts.pressures_dropped));
+  }
+}
+
+void run(const ImportOptions& options) {
+  check_output_path(options.out);
+  const Camera camera = whole_view(load_surface_on_console(options.mesh).surface, options.view);
+  const auto [recording, counts] = read_recording(options, camera);
+  replace_file(options.out, [&](const std::filesystem::path& partial) { write_strokes(partial, recording); });
+  print_result(options, recording, counts);
+  warn_of_changes(counts);
 }
 
 }  // namespace

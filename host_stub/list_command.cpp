@@ -119,25 +119,26 @@ std::string range_text(const burin_param_info& param) {
 
 void print_brush(const BrushEntry& entry) {
   const burin_brush_descriptor& brush = *entry.descriptor;
-  fmt::print("{}  {} {}\n  {}\n", brush.id, brush.name, text_or_empty(brush.version), entry.module.string());
-  if (brush.help) fmt::print("  {}\n", brush.help);
+  write_result(fmt::format("{}  {} {}\n  {}\n", brush.id, brush.name, text_or_empty(brush.version),
+                           entry.module.string()));
+  if (brush.help) write_result(fmt::format("  {}\n", brush.help));
   for (std::uint32_t i = 0; i < brush.param_count; ++i) {
     const burin_param_info& param = *brush.params[i];
-    fmt::print("    {:<16} {:<7} {:<24} default {:<10} {}\n", param.id, type_name(param.type),
-               range_text(param), default_json(param).dump(), text_or_empty(param.help));
+    write_result(fmt::format("    {:<16} {:<7} {:<24} default {:<10} {}\n", param.id, type_name(param.type),
+                             range_text(param), default_json(param).dump(), text_or_empty(param.help)));
   }
 }
 
 void run(bool json) {
-  BrushLibrary library;
-  library.load_search_path(own_brush_folder());
+  BrushLibrary library(log_on_console);
+  load_brushes(library);
   if (!json) {
     for (const BrushEntry& entry : library.brushes()) print_brush(entry);
     return;
   }
   Json brushes = Json::array();
   for (const BrushEntry& entry : library.brushes()) brushes.push_back(brush_json(entry));
-  fmt::print("{}\n", json_text({{"brushes", brushes}}));
+  write_result(json_text({{"brushes", brushes}}) + "\n");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "command.h"
+#include "console.h"
 
 namespace {
 
@@ -18,7 +19,7 @@ int run(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) return fail(2, "a subcommand is required: burin --help lists them");
-    if (std::fflush(stdout) != 0) return fail(2, "standard output: writing failed");
+    if (!burin::flush_results()) return fail(2, "standard output: writing failed");
     return 0;
   } catch (const CLI::ParseError& error) {
     return error.get_exit_code() == 0 ? app.exit(error) : fail(2, error.what());

@@ -1,5 +1,6 @@
 #include "platform.h"
 
+#include <fcntl.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -57,5 +58,13 @@ double seconds_since_process_start() {
 }
 
 bool stderr_is_terminal() { return isatty(STDERR_FILENO) != 0; }
+
+std::FILE* divert_standard_output() {
+  std::fflush(stdout);
+  const int before = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+  std::FILE* results = before < 0 ? nullptr : fdopen(before, "w");
+  if (results) dup2(STDERR_FILENO, STDOUT_FILENO);
+  return results;
+}
 
 }  // namespace burin

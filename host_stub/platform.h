@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 
 namespace burin {
@@ -21,5 +22,9 @@ std::size_t resident_memory();
 double seconds_since_process_start();
 
 bool stderr_is_terminal();
+
+/// Lets the process's standard output go to stderr, and returns what leads to where it went before. Null
+/// where the system has no more files: it is as before then.
+std::FILE* divert_standard_output();
 
 }  // namespace burin

@@ -68,6 +68,10 @@ void warn_of_left_out(const ReplaySummary& summary) {
         "closed strokes that stay open, as they leave the surface on the way or are too short: {}",
         result.left_open));
   }
+  if (result.standing_clocks > 0) {
+    warn(fmt::format("strokes whose time stamps are all equal, taken as without times: {}",
+                     result.standing_clocks));
+  }
   if (result.samples_drawn == 0) warn("no stroke meets the surface");
 }
 
@@ -133,7 +137,7 @@ ParamSettings read_params(const ReplayOptions& options, const BrushLibrary& libr
 
 void run(ReplayOptions& options) {
   BrushLibrary library(log_on_console);
-  library.load_search_path(own_brush_folder());
+  load_brushes(library);
   check_options(options, library);
   options.overrides.params = read_params(options, library);
   const std::vector<Recording> recordings = read_recordings(options.strokes);
@@ -155,7 +159,8 @@ void run(ReplayOptions& options) {
     const Camera camera = replay_view(session.surface(), witness.extent(), recordings, options.view);
     write_pictures(options, session, mesh, witness, camera, summary, json);
   }
-  fmt::print("{}\n", options.json ? json_text(json) : mesh.text() + "\n" + summary_text(summary));
+  write_result(
+      fmt::format("{}\n", options.json ? json_text(json) : mesh.text() + "\n" + summary_text(summary)));
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ void add_result(ReplaySummary& summary, ReplayResult result) {
   ReplayResult& sum = summary.result;
   sum.strokes += result.strokes;
   sum.left_open += result.left_open;
+  sum.standing_clocks += result.standing_clocks;
   sum.pieces += result.pieces;
   sum.samples_drawn += result.samples_drawn;
   sum.samples_off_surface += result.samples_off_surface;

@@ -82,22 +82,25 @@ std::string verdict_text(SeamVerdict verdict) {
 }
 
 void print_text(const std::string& path, const StampImage& image, const StampFile& file, const Seam& seam) {
-  fmt::print("{}: {} x {}, {} channel{} of {} texels, {}{}{}{}\n", path, image.width, image.height,
-             image.channels, image.channels == 1 ? "" : "s", file.texel_type, file.format,
-             file.compression.empty() ? "" : ", compression " + file.compression,
-             file.tile_width ? fmt::format(", tiles of {} x {}", file.tile_width, file.tile_height) : "",
-             file.mip_levels > 1 ? fmt::format(", {} mip levels", file.mip_levels) : "");
+  write_result(
+      fmt::format("{}: {} x {}, {} channel{} of {} texels, {}{}{}{}\n", path, image.width, image.height,
+                  image.channels, image.channels == 1 ? "" : "s", file.texel_type, file.format,
+                  file.compression.empty() ? "" : ", compression " + file.compression,
+                  file.tile_width ? fmt::format(", tiles of {} x {}", file.tile_width, file.tile_height) : "",
+                  file.mip_levels > 1 ? fmt::format(", {} mip levels", file.mip_levels) : ""));
   if (is_cropped(image, file))
-    fmt::print("  data only in {} x {} texels from ({}, {}), 0 elsewhere\n", file.data_width,
-               file.data_height, file.data_x, file.data_y);
-  fmt::print("  range {}\n", channel_text(image, file));
-  fmt::print("  wrap {}, {}{}\n", wrap_name(image.wrap_u), wrap_name(image.wrap_v),
-             file.wrap_u == Wrap::unknown
-                 ? ""
-                 : fmt::format(" (in the file {}, {})", wrap_name(file.wrap_u), wrap_name(file.wrap_v)));
-  fmt::print("  seam {:.2f} / {:.2f} of the mean step (x / y), {:.2f} / {:.2f} of the steps beside it: {}\n",
-             seam.x.over_interior, seam.y.over_interior, seam.x.over_beside, seam.y.over_beside,
-             verdict_text(seam.verdict));
+    write_result(fmt::format("  data only in {} x {} texels from ({}, {}), 0 elsewhere\n", file.data_width,
+                             file.data_height, file.data_x, file.data_y));
+  write_result(fmt::format("  range {}\n", channel_text(image, file)));
+  write_result(fmt::format(
+      "  wrap {}, {}{}\n", wrap_name(image.wrap_u), wrap_name(image.wrap_v),
+      file.wrap_u == Wrap::unknown
+          ? ""
+          : fmt::format(" (in the file {}, {})", wrap_name(file.wrap_u), wrap_name(file.wrap_v))));
+  write_result(fmt::format(
+      "  seam {:.2f} / {:.2f} of the mean step (x / y), {:.2f} / {:.2f} of the steps beside it: {}\n",
+      seam.x.over_interior, seam.y.over_interior, seam.x.over_beside, seam.y.over_beside,
+      verdict_text(seam.verdict)));
 }
 
 void run(const StampCommandOptions& options) {
@@ -110,7 +113,7 @@ void run(const StampCommandOptions& options) {
     warn(fmt::format("{}: filled {} values that are not finite from their neighbours", options.path,
                      file.not_finite));
   if (options.json)
-    fmt::print("{}\n", json_text(stamp_json(options.path, image, file, seam)));
+    write_result(fmt::format("{}\n", json_text(stamp_json(options.path, image, file, seam))));
   else
     print_text(options.path, image, file, seam);
 }

@@ -55,7 +55,7 @@ std::filesystem::path picture_folder(const BenchOptions& options) {
 
 SuiteResult run_here(const Suite& suite, const BenchOptions& options) {
   BrushLibrary brushes(log_on_console);
-  brushes.load_search_path(own_brush_folder());
+  load_brushes(brushes);
   const BenchCase& one = suite.cases[0];
   ProgressBar bar;
   const std::size_t repeat = options.repeat.value_or(one.repeat);
@@ -74,12 +74,12 @@ SuiteResult measure(const Suite& suite, const BenchOptions& options) {
 void print(const SuiteResult& result, bool json) {
   const std::vector<Scaling> growth = scalings(result);
   if (!json) {
-    fmt::print("{}", result_text(result, growth));
+    write_result(result_text(result, growth));
     return;
   }
   Json all = result_json(result);
   all["scaling"] = scalings_json(growth);
-  fmt::print("{}\n", json_text(all));
+  write_result(json_text(all) + "\n");
 }
 
 std::vector<NamedResult> read_history(const std::vector<std::string>& files) {
@@ -117,9 +117,9 @@ void run_against(BenchOptions options) {
     return compare_builds(suite, options.against, bar.progress());
   }();
   if (options.json)
-    fmt::print("{}\n", json_text(against_json(suite, options.against, comparisons)));
+    write_result(json_text(against_json(suite, options.against, comparisons)) + "\n");
   else
-    fmt::print("{}", against_text(options.against, comparisons));
+    write_result(against_text(options.against, comparisons));
   check_comparisons(options.against, comparisons);
 }
 

@@ -147,15 +147,26 @@ TEST_F(EvaluateTest, PassesOnWhatABrushSaysOfItsFailure) {
   EXPECT_EQ(failure(brush).find("org.burin.test.function: no wood left at t = "), 0u) << failure(brush);
 }
 
+/// Moves everything up by this much.
+template <int distance>
+burin_status lift(const burin_stroke_context&, const burin_batch& batch, const burin_outputs& outputs,
+                  burin_text*) {
+  for (std::uint32_t i = 0; i < batch.count; ++i) outputs.up.data[i] = distance;
+  return BURIN_OK;
+}
+
 TEST_F(EvaluateTest, RefusesToLeaveTheRangeOfFloats) {
-  test::TestBrush brush(0,
-                        [](const burin_stroke_context&, const burin_batch& batch,
-                           const burin_outputs& outputs, burin_text*) -> burin_status {
-                          for (std::uint32_t i = 0; i < batch.count; ++i) outputs.up.data[i] = 3e38f;
-                          return BURIN_OK;
-                        });
-  EXPECT_EQ(evaluate(brush, all_)[0].z(), 3e38f);
-  EXPECT_THROW(evaluate(brush, all_, 10), ContractError);
+  test::TestBrush brush(0, lift<500>);
+  EXPECT_EQ(evaluate(brush, all_)[0].z(), 500);
+  EXPECT_THROW(evaluate(brush, all_, 1e36F), ContractError);
+}
+
+TEST_F(EvaluateTest, RefusesDisplacementsOfMoreThanAThousandRadii) {
+  test::TestBrush brush(0, lift<501>);
+  EXPECT_EQ(
+      failure(brush).find("org.burin.test.function: returned a displacement of 501, more than 1000 radii "
+                          "at t = "),
+      0u);
 }
 
 /// Paints what is black white, without coverage where t is above a half, and takes the mask away.

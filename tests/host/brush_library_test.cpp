@@ -1,6 +1,7 @@
 #include "sessions.h"
 #include "support/shared_data.h"
 
+#include <burin/abi/ext/log.h>
 #include <burin/host/brush_library.h>
 
 #include <fstream>
@@ -82,6 +83,34 @@ TEST(BrushLibrary, RefusesABrushThatReadsWhatIsNotOffered) {
   library.load(greedy);
   EXPECT_EQ(test::error_of([&] { library.create(library.brushes().at(0)); }),
             greedy.string() + ": brush org.burin.test.greedy reads what this host does not offer: number 40");
+}
+
+std::vector<std::string> warnings;
+
+TEST(BrushLibrary, WarnsOfBrokenModulesInAFolderUnlessTheirBrushesAreAskedFor) {
+  const test::TemporaryFolder folder;
+  const std::string broken = (folder.path() / "a_broken.burin").string(),
+                    copy = (folder.path() / "z_copy.burin").string();
+  std::ofstream(broken) << "This is a text and not a shared module, whatever its name says.\n";
+  for (const char* name : {"groove.burin", "scales.burin"})
+    fs::copy(test::brushes_folder / name, folder.path());
+  fs::copy(test::brushes_folder / "groove.burin", copy);
+  warnings.clear();
+  BrushLibrary library([](int severity, std::string_view line) {
+    warnings.push_back(std::to_string(severity) + " " + std::string(line));
+  });
+  library.load_folder(folder.path());
+  const std::string no_module = broken + ": invalid ELF header",
+                    twice = copy + ": brush org.burin.groove is already there, from " +
+                            (folder.path() / "groove.burin").string();
+  const std::string severity = std::to_string(BURIN_LOG_WARNING) + " ";
+  EXPECT_EQ(warnings, (std::vector<std::string>{severity + no_module, severity + twice}));
+  EXPECT_EQ(library.brushes().size(), 2u);
+  EXPECT_STREQ(library.find("org.burin.scales").descriptor->id, "org.burin.scales");
+  EXPECT_EQ(test::error_of([&] { library.find("org.burin.groove"); }), twice) << "which of the two?";
+  EXPECT_EQ(test::error_of([&] { library.find("org.burin.broken"); }),
+            "no brush 'org.burin.broken'; there are: org.burin.groove, org.burin.scales; not loaded: " +
+                no_module + "; not loaded: " + twice);
 }
 
 TEST(BrushLibrary, SearchesTheEnvironmentFirst) {

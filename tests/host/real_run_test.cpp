@@ -29,7 +29,7 @@ TEST(RealRun, DisplacesNothingOutsideTheChartsOfARecordedPen) {
   BURIN_SHARED_DATA_OR_SKIP(pen_file, "strokes/painting30sec.dat");
   BURIN_SHARED_DATA_OR_SKIP(stamp_file, "stamps/Rock035_height_1024_half_zip.exr");
   const PolygonMesh cage = read_mesh(cage_file);
-  const Recording recording = import_mypaint_events(pen_file, camera_on(cage));
+  const Recording recording = import_mypaint_events(pen_file, camera_on(cage)).recording;
   Session session(refined_to(cage, 3'000'000), test::brushes());
   const std::vector<Vec3f> base(session.positions().begin(), session.positions().end());
   ASSERT_GE(session.surface().triangles.size(), 3'000'000u);

@@ -4,6 +4,7 @@
 #include <burin/host/replay.h>
 
 #include <numbers>
+#include <set>
 
 namespace burin {
 namespace {
@@ -79,6 +80,39 @@ TEST(Replay, IsWhatTheSessionDraws) {
   EXPECT_EQ(done, 1);
 }
 
+TEST(Replay, TellsTheSamplesOfAPacketApart) {
+  Recording even, packets;
+  even.strokes = packets.strokes = {stroke_of(test::wave(41))};
+  const double interval = even.strokes[0].samples[1].time - even.strokes[0].samples[0].time;
+  for (int i = 0; i < 41; ++i) {
+    even.strokes[0].samples[i].time = i * interval;
+    packets.strokes[0].samples[i].time = (i + 3) / 4 * 4 * interval;
+  }
+  StrokeOverrides fast;
+  fast.dynamics = {{"strength", PenSource::speed, {0, 0, 100, 1}}};
+  Session at_even = test::plane_session(), in_packets = test::plane_session();
+  replay(at_even, even, fast);
+  replay(in_packets, packets, fast);
+  double most = 0;
+  for (Index vertex = 0; vertex < at_even.surface().vertex_count(); ++vertex)
+    most = std::max<double>(most, (at_even.positions()[vertex] - in_packets.positions()[vertex]).norm());
+  EXPECT_LT(most, 1e-6);
+}
+
+TEST(Replay, TakesAStandingClockForNone) {
+  Recording standing, without;
+  standing.strokes = without.strokes = {stroke_of(test::wave())};
+  for (Sample& sample : standing.strokes[0].samples) sample.time = 7;
+  without.strokes[0].fields.time = false;
+  StrokeOverrides fast;
+  fast.dynamics = {{"strength", PenSource::speed, {0, 0, 100, 1}}};
+  Session neutral = test::plane_session(), session = test::plane_session();
+  EXPECT_EQ(replay(neutral, without, fast).standing_clocks, 0u);
+  const ReplayResult result = replay(session, standing, fast);
+  EXPECT_EQ(result.standing_clocks, 1u);
+  EXPECT_EQ(result.hash, neutral.result_hash());
+}
+
 TEST(Replay, IsTheSameHoweverManySamplesAreShown) {
   Recording recording;
   recording.strokes = {stroke_of(test::wave(40))};
@@ -134,9 +168,32 @@ TEST(Replay, BreaksStrokesWhereThePenLeavesTheSurface) {
   EXPECT_GT(result.samples_off_surface, 30u);
   ASSERT_EQ(lengths.size(), 2u);
   EXPECT_NEAR(lengths[0], lengths[1], 0.02);
-  EXPECT_TRUE(session.undo());
-  EXPECT_TRUE(session.undo());
+  EXPECT_TRUE(session.undo()) << "all pieces at once";
   EXPECT_FALSE(session.undo());
+}
+
+/// A straight groove of depth 0.05 over the plane, of which some samples are raised off the surface.
+double deepest_without(const std::set<int>& raised, const StrokeOverrides& overrides = {}) {
+  std::vector<Sample> samples;
+  for (int i = 0; i < 81; ++i)
+    samples.push_back({0.01 * i, Vec3d(0.015 * i - 0.6, 0, raised.contains(i) ? 0.5 : 0), {}});
+  Recording recording;
+  recording.strokes = {stroke_of(samples)};
+  recording.strokes[0].params = {{"depth", 0.5}, {"taper", 0.0}};
+  Session session = test::plane_session();
+  EXPECT_EQ(replay(session, recording, overrides).pieces, raised.empty() ? 1u : 2u);
+  double deepest = 0;
+  for (const Vec3f& position : session.positions()) deepest = std::max(deepest, double{-position.z()});
+  return deepest;
+}
+
+TEST(Replay, StartsAllPiecesFromTheSurfaceBeforeTheStroke) {
+  EXPECT_NEAR(deepest_without({}), 0.05, 1e-4);
+  EXPECT_NEAR(deepest_without({40}), 0.05, 1e-4);
+  EXPECT_NEAR(deepest_without({39, 40, 41}), 0.05, 1e-4);
+  StrokeOverrides added;
+  added.overlap = Overlap::add;
+  EXPECT_GT(deepest_without({40}, added), 0.08) << "caps that overlap add up where sheets do";
 }
 
 TEST(Replay, BreaksStrokesAcrossAGap) {

@@ -279,6 +279,15 @@ std::string failure_of(const StrokeSettings& bad) {
 TEST(Session, SurvivesBrushesThatMisbehave) {
   const std::string nan = failure_of(settings("org.burin.test.nan"));
   EXPECT_EQ(nan.find("org.burin.test.nan: returned a displacement that is not finite at t = "), 0u) << nan;
+  const std::string absurd = failure_of(settings("org.burin.test.absurd"));
+  EXPECT_EQ(
+      absurd.find("org.burin.test.absurd: returned a displacement of 150, more than 1000 radii at t = "), 0u)
+      << absurd;
+  EXPECT_NE(absurd.find(", d = "), std::string::npos) << absurd;
+  StrokeSettings farthest = settings("org.burin.test.absurd");
+  farthest.params = {{"radii", 3e38}};
+  EXPECT_EQ(failure_of(farthest).find("org.burin.test.absurd: returned a displacement of 4.5e+37, more than"),
+            0u);
   const std::string error = failure_of(settings("org.burin.test.error"));
   EXPECT_EQ(error.find("org.burin.test.error: the error brush never works at t = "), 0u) << error;
   const std::string thrown = failure_of(settings("org.burin.test.throwing"));
@@ -326,6 +335,79 @@ TEST(Session, DropsTheStrokeOnCallsOutOfOrder) {
     EXPECT_TRUE(Snapshot(session) == before);
     EXPECT_EQ(error_of([&] { session.end_stroke(); }), "no stroke is open");
   }
+}
+
+/// Half of the wave, as a piece.
+std::vector<Sample> half_wave(bool second) {
+  const std::vector<Sample> all = test::wave();
+  const auto middle = all.begin() + 20;
+  return second ? std::vector<Sample>(middle, all.end()) : std::vector<Sample>(all.begin(), middle);
+}
+
+TEST(Session, DrawsPiecesOfOneStroke) {
+  for (const char* brush : {"org.burin.groove", "org.burin.smooth", "org.burin.test.every-input"}) {
+    Session session = test::plane_session(), first = test::plane_session(), second = test::plane_session();
+    const Snapshot before(session);
+    draw(first, settings(brush), half_wave(false));
+    draw(second, settings(brush), half_wave(true));
+    session.begin_stroke(settings(brush));
+    add(session, half_wave(false));
+    session.end_piece();
+    EXPECT_EQ(session.result_hash(), first.result_hash());
+    EXPECT_EQ(session.curve().length(), first.curve().length());
+    EXPECT_TRUE(session.end_piece().empty()) << "twice is once";
+    add(session, half_wave(true));
+    session.end_stroke();
+    EXPECT_EQ(session.curve().length(), second.curve().length());
+    const Chart& chart = second.chart();
+    std::vector<bool> of_second(session.surface().vertex_count());
+    for (const Index vertex : chart.vertex) of_second[vertex] = true;
+    for (Index v = 0; v < session.surface().vertex_count(); ++v)
+      ASSERT_EQ(session.positions()[v], (of_second[v] ? second : first).positions()[v]) << brush;
+    EXPECT_TRUE(session.undo());
+    EXPECT_TRUE(Snapshot(session) == before);
+    EXPECT_FALSE(session.undo());
+  }
+}
+
+TEST(Session, DropsAllPiecesOfACancelledStroke) {
+  Session session = test::plane_session();
+  const Snapshot before(session);
+  session.begin_stroke(settings("org.burin.groove"));
+  add(session, half_wave(false));
+  session.end_piece();
+  add(session, half_wave(true));
+  session.cancel_stroke();
+  EXPECT_TRUE(Snapshot(session) == before);
+  EXPECT_FALSE(session.undo());
+  EXPECT_EQ(error_of([&] { session.end_piece(); }), "no stroke is open");
+}
+
+TEST(Session, EndsAStrokeBetweenItsPieces) {
+  Session session = test::plane_session(), whole = test::plane_session();
+  draw(whole, settings("org.burin.groove"), half_wave(false));
+  session.begin_stroke(settings("org.burin.groove"));
+  session.end_piece();
+  add(session, half_wave(false));
+  session.end_piece();
+  EXPECT_TRUE(session.end_stroke().empty());
+  EXPECT_EQ(session.result_hash(), whole.result_hash());
+  EXPECT_TRUE(session.undo());
+}
+
+TEST(Session, SparesSamplesThatDoNotLeadOn) {
+  Session session = test::plane_session();
+  session.begin_stroke(settings("org.burin.groove"));
+  session.add_sample(Vec3d(0, 0, 0), 0, {});
+  EXPECT_GT(session.cost().settled, 0u);
+  for (int i = 1; i < 1000; ++i) {
+    const StrokeEvent event = session.add_sample(Vec3d(1e-7 * (i % 7), 1e-7 * (i % 3), 0), i, {});
+    EXPECT_EQ(event.outcome, StrokeEvent::Outcome::drawn);
+    EXPECT_TRUE(event.changed.empty());
+    EXPECT_EQ(session.cost().settled, 0u);
+  }
+  session.end_stroke();
+  EXPECT_EQ(session.curve().points.size(), 1u);
 }
 
 TEST(Session, RefusesAPointSet) {

@@ -23,6 +23,7 @@ inline const BrushLibrary& brushes() {
     loaded->load_folder(brushes_folder);
     for (const char* brush : {"every_input.burin", "raise_to.burin"})
       loaded->load(test_brushes_folder / brush);
+    loaded->load(test_plugins_folder / "absurd_brush.burin");
     loaded->load(test_plugins_folder / "nan_brush.burin");
     loaded->load(test_plugins_folder / "error_brush.burin");
     loaded->load(test_plugins_folder / "greedy_brush.burin");

@@ -46,6 +46,10 @@ TEST(ImportCommand, GivesStrokesInFrontOfTheMesh) {
     samples += stroke.samples.size();
   }
   EXPECT_EQ(json["samples"], samples);
+  EXPECT_EQ(json["events"], 25);
+  EXPECT_EQ(json["events_lifted"], 3);
+  EXPECT_EQ(json["times_raised"], 0);
+  EXPECT_EQ(json["pressures_dropped"], 0);
   EXPECT_NEAR(recording.strokes[0].samples[0].position.x(), 40, 1e-3)
       << "a margin of a tenth of the viewport";
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.stroke.partial")));
@@ -62,6 +66,21 @@ TEST(ImportCommand, LeavesSettingsOpenUnlessGiven) {
   ASSERT_EQ(recording.strokes.size(), 2u);
   EXPECT_FALSE(recording.strokes[0].brush);
   EXPECT_FALSE(recording.strokes[0].radius);
+}
+
+TEST(ImportCommand, TellsWhatItLeavesOutAndChanges) {
+  const CommandFolder folder;
+  const std::string mesh = folder.write("cube.obj", cube_obj());
+  const std::string events = folder.write("a.json", R"({"x": [0,1,2,3], "y": [0,0,1,1], "time": [0,8,6,9],
+      "buttons": [1,1,1,0], "pressure": [0,0,0,0]})");
+  const std::string out = folder.path("a.stroke");
+  const ProcessResult result = burin({"import", events, "--mesh", mesh, "--out", out});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, out + ": 1 strokes, 3 samples of 4 events; 1 left out, the pen lifted\n");
+  EXPECT_EQ(result.err,
+            "burin: warning: times that fell within a stroke, raised to the one before: 1\n"
+            "burin: warning: strokes whose pressure is 0 although the pen touches the tablet, taken as "
+            "without: 1\n");
 }
 
 TEST(ImportCommand, ReadsPointerEventsByTheExtension) {

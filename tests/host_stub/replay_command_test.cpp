@@ -59,6 +59,17 @@ Triangle turned(Triangle triangle) {
   return triangle;
 }
 
+TEST(ReplayCommand, TellsOfClocksThatStand) {
+  Engraving engraving;
+  engraving.stroke = engraving.folder.write(
+      "b.stroke", std::string(R"({"burin_stroke":1,"space":"object"})") + "\n" + R"({"begin":{)" + groove +
+                      R"(},"fields":["time","x","y","z"]})" + "\n[3,0,0,1]\n[3,0.1,0,1]\n{\"end\":true}\n");
+  const ProcessResult result = burin(engraving.command({"--json"}));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err,
+            "burin: warning: strokes whose time stamps are all equal, taken as without times: 1\n");
+}
+
 TEST(ReplayCommand, BlendsOverlapsAsTold) {
   Engraving engraving;
   engraving.stroke = engraving.folder.write(

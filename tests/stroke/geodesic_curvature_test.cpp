@@ -89,6 +89,22 @@ TEST(GeodesicCurvature, OfStraightLegsEndsAtTheirCorner) {
   for (const float k : curvature_of(curve, 0.1)) EXPECT_NEAR(k, 0, 1e-4);
 }
 
+TEST(GeodesicCurvature, IsTheSameHoweverDenseThePointsLie) {
+  SurfaceCurve curve;
+  constexpr double radius = 0.5;
+  constexpr int count = 3000;
+  for (int i = 0; i < count; ++i) {
+    const double t = 1.5 * i / count, angle = t / radius;
+    CurvePoint point{};
+    point.normal = Vec3f::UnitZ();
+    point.tangent = Vec3d(-std::sin(angle), std::cos(angle), 0).cast<float>();
+    point.at.position = (radius * Vec3d(std::cos(angle), std::sin(angle), 0)).cast<float>();
+    point.t = t;
+    curve.points.push_back(point);
+  }
+  for (const float k : curvature_of(curve, 0.25)) EXPECT_NEAR(k, 1 / radius, 0.01);
+}
+
 TEST(GeodesicCurvature, OfAPointIsZero) {
   const Surface surface = make_surface(test::plane(1, 0.1, 2));
   const Picker picker(surface);

@@ -22,7 +22,7 @@ std::vector<Event> events_of(const std::filesystem::path& path) {
 
 TEST(ImportMypaintEvents, TakesEveryEventInContactOfARealRecording) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/painting30sec.dat");
-  const Recording recording = import_mypaint_events(path, test::import_camera(1280, 720));
+  const Recording recording = import_mypaint_events(path, test::import_camera(1280, 720)).recording;
   EXPECT_EQ(recording.space, StrokeSpace::screen);
   EXPECT_EQ(recording.strokes.size(), 30u);
   test::expect_fits(recording);
@@ -48,7 +48,7 @@ TEST(ImportMypaintEvents, TakesEveryEventInContactOfARealRecording) {
 
 TEST(ImportMypaintEvents, KeepsShapesAndDuplicates) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/painting30sec.dat");
-  const Recording recording = import_mypaint_events(path, test::import_camera(500, 900));
+  const Recording recording = import_mypaint_events(path, test::import_camera(500, 900)).recording;
   test::expect_fits(recording);
   std::size_t samples = 0;
   double length = 0;
@@ -64,7 +64,7 @@ TEST(ImportMypaintEvents, KeepsShapesAndDuplicates) {
 
 TEST(ImportMypaintEvents, SurvivesAFile) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/painting30sec.dat");
-  test::expect_survives_a_file(import_mypaint_events(path, test::import_camera(1280, 720)));
+  test::expect_survives_a_file(import_mypaint_events(path, test::import_camera(1280, 720)).recording);
 }
 
 class MypaintText : public test::ImportedText {
@@ -72,13 +72,20 @@ class MypaintText : public test::ImportedText {
   MypaintText() : ImportedText(import_mypaint_events, "a.dat") {}
 };
 
-TEST_F(MypaintText, LeavesOutStrokesWithoutExtentAndRaisesTimesThatFall) {
-  const Recording recording = import(
-      "0 5 5 1\n0 5 5 0\n"                 // one place
-      "1 7 7 1\r\n2 7 7 1\r\n2 0 0 0\r\n"  // twice the same place
+TEST_F(MypaintText, KeepsTapsAndRaisesTimesThatFall) {
+  const auto [recording, counts] = whole_import(
+      "0 5 0 1\n0 5 5 0\n"                 // one place
+      "1 7 0 1\r\n2 7 0 1\r\n2 0 0 0\r\n"  // twice the same place
       "3 0 0 .5\n2.5 10 0 1\n4 10 0 1");
-  ASSERT_EQ(recording.strokes.size(), 1u);
-  const std::vector<Sample>& samples = recording.strokes[0].samples;
+  EXPECT_EQ(counts.events, 8u);
+  EXPECT_EQ(counts.lifted, 2u);
+  EXPECT_EQ(counts.times_raised, 1u);
+  EXPECT_EQ(counts.pressures_dropped, 0u);
+  ASSERT_EQ(recording.strokes.size(), 3u);
+  EXPECT_EQ(recording.strokes[0].samples.size(), 1u);
+  EXPECT_EQ(recording.strokes[0].samples[0].position, Vec3d(50, 50, 0));
+  EXPECT_EQ(recording.strokes[1].samples.size(), 2u);
+  const std::vector<Sample>& samples = recording.strokes[2].samples;
   ASSERT_EQ(samples.size(), 3u);
   EXPECT_EQ(samples[0].position, Vec3d(10, 50, 0));
   EXPECT_EQ(samples[1].position, Vec3d(90, 50, 0));
@@ -89,6 +96,11 @@ TEST_F(MypaintText, LeavesOutStrokesWithoutExtentAndRaisesTimesThatFall) {
 TEST_F(MypaintText, KeepsFiniteWhatIsHardlyApart) {
   const Recording recording = import("0 0 0 1\n1 5e-324 0 1\n");
   for (const Sample& sample : recording.strokes.at(0).samples) EXPECT_TRUE(sample.position.allFinite());
+}
+
+TEST_F(MypaintText, PutsALoneTapIntoTheMiddle) {
+  const Recording recording = import("0 5 7 1\n");
+  EXPECT_EQ(recording.strokes.at(0).samples.at(0).position, Vec3d(50, 50, 0));
 }
 
 TEST_F(MypaintText, RejectsBadLines) {

@@ -12,7 +12,7 @@ namespace {
 
 TEST(ImportPointerEvents, TakesEveryEventInContactOfARealRecording) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/bdalab_html5_pointer_signal.json");
-  const Recording recording = import_pointer_events(path, test::import_camera(1280, 720));
+  const Recording recording = import_pointer_events(path, test::import_camera(1280, 720)).recording;
   EXPECT_EQ(recording.space, StrokeSpace::screen);
   ASSERT_EQ(recording.strokes.size(), 1u);
   const RecordedStroke& stroke = recording.strokes[0];
@@ -32,7 +32,7 @@ TEST(ImportPointerEvents, TakesEveryEventInContactOfARealRecording) {
 
 TEST(ImportPointerEvents, SurvivesAFile) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/bdalab_html5_pointer_signal.json");
-  test::expect_survives_a_file(import_pointer_events(path, test::import_camera(640, 480)));
+  test::expect_survives_a_file(import_pointer_events(path, test::import_camera(640, 480)).recording);
 }
 
 class PointerText : public test::ImportedText {
@@ -40,13 +40,51 @@ class PointerText : public test::ImportedText {
   PointerText() : ImportedText(import_pointer_events, "a.json") {}
 };
 
-TEST_F(PointerText, LiftsThePenWithoutButtonsOrPressure) {
-  const Recording recording = import(R"({"x": [0,1,2,3,4,5,6,7], "y": [0,0,0,0,0,0,0,0],
-      "time": [0,1,2,3,4,5,6,7], "buttons": [1,1,0,1,1,1,1,1], "pressure": [1,1,1,1,1,0,1,1]})");
+const std::string eight_events = R"({"x": [0,1,2,3,4,5,6,7], "y": [0,0,0,0,0,0,0,0],
+      "time": [0,1,2,3,4,5,6,7], )";
+
+TEST_F(PointerText, LiftsThePenByItsButtonsWhateverThePressure) {
+  const auto [recording, counts] =
+      whole_import(eight_events + R"("buttons": [1,1,0,1,1,1,1,1], "pressure": [1,1,1,1,1,0,1,1]})");
+  ASSERT_EQ(recording.strokes.size(), 2u);
+  EXPECT_EQ(recording.strokes[0].samples.size(), 2u);
+  ASSERT_EQ(recording.strokes[1].samples.size(), 5u);
+  EXPECT_EQ(recording.strokes[1].samples[0].time, 0.003);
+  EXPECT_EQ(recording.strokes[1].samples[2].pen.pressure, 0);
+  EXPECT_EQ(recording.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
+  EXPECT_EQ(counts.lifted, 1u);
+}
+
+TEST_F(PointerText, LiftsThePenByItsPressureWithoutButtons) {
+  const Recording recording = import(eight_events + R"("pressure": [1,1,0,1,1,0,1,1]})");
   ASSERT_EQ(recording.strokes.size(), 3u);
   for (const RecordedStroke& stroke : recording.strokes) EXPECT_EQ(stroke.samples.size(), 2u);
-  EXPECT_EQ(recording.strokes[1].samples[0].time, 0.003);
-  EXPECT_EQ(recording.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
+}
+
+TEST_F(PointerText, TakesAPressureThatIsAlways0ForNone) {
+  const auto [recording, counts] =
+      whole_import(eight_events + R"("buttons": [1,1,1,0,1,1,1,1], "pressure": [0,0,0,1,0,0,0,0]})");
+  ASSERT_EQ(recording.strokes.size(), 2u);
+  EXPECT_EQ(counts.pressures_dropped, 2u);
+  for (const RecordedStroke& stroke : recording.strokes) {
+    EXPECT_FALSE(stroke.fields.pressure);
+    for (const Sample& sample : stroke.samples) EXPECT_EQ(sample.pen.pressure, 1);
+  }
+}
+
+TEST_F(PointerText, GivesEachPointerItsStrokes) {
+  const auto [recording, counts] =
+      whole_import(eight_events + R"("buttons": [1,1,1,1,0,1,1,0], "pointerId": [4,9,4,9,4,9,4,9]})");
+  ASSERT_EQ(recording.strokes.size(), 3u);
+  const auto times = [&](std::size_t stroke) {
+    std::vector<double> milliseconds;
+    for (const Sample& sample : recording.strokes[stroke].samples) milliseconds.push_back(1000 * sample.time);
+    return milliseconds;
+  };
+  EXPECT_EQ(times(0), (std::vector<double>{0, 2}));
+  EXPECT_EQ(times(1), (std::vector<double>{1, 3, 5}));
+  EXPECT_EQ(times(2), (std::vector<double>{6})) << "the first pointer comes down again";
+  EXPECT_EQ(counts.lifted, 2u);
 }
 
 TEST_F(PointerText, TakesAMouseWithoutPressure) {

@@ -1,6 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/stroke/import.h>
+#include <burin/stroke/pen_angles.h>
 
 #include <array>
 #include <cmath>
@@ -16,7 +17,7 @@ constexpr float degree = static_cast<float>(std::numbers::pi / 180);
 
 TEST(ImportSvc, TakesEveryEventInContactOfARealRecording) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/bdalab_signal.svc");
-  const Recording recording = import_svc(path, test::import_camera(1280, 720));
+  const Recording recording = import_svc(path, test::import_camera(1280, 720)).recording;
   EXPECT_EQ(recording.strokes.size(), 5u);
   test::expect_fits(recording);
   std::ifstream in(path);
@@ -45,7 +46,7 @@ TEST(ImportSvc, TakesEveryEventInContactOfARealRecording) {
 
 TEST(ImportSvc, SurvivesAFile) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/bdalab_signal.svc");
-  test::expect_survives_a_file(import_svc(path, test::import_camera(1280, 720)));
+  test::expect_survives_a_file(import_svc(path, test::import_camera(1280, 720)).recording);
 }
 
 class SvcText : public test::ImportedText {
@@ -67,6 +68,16 @@ TEST_F(SvcText, TurnsTheTabletUprightAndAnglesIntoTilts) {
   EXPECT_NEAR(samples[2].pen.tilt_x, -45 * degree, 1e-6F);
   EXPECT_NEAR(samples[3].pen.tilt_y, 45 * degree, 1e-6F);
   EXPECT_NEAR(samples[4].pen.tilt_x, 0, 1e-6F);
+}
+
+TEST_F(SvcText, KnowsWhereAFlatPenPointsTo) {
+  for (const double azimuth : {0., 30., 90., 200., 270., 359.}) {
+    const std::string line = " 1 " + std::to_string(azimuth * 10) + " 0 1\n";
+    const Pen pen = import("2\n0 0 0" + line + "1 0 1" + line).strokes.at(0).samples.at(0).pen;
+    const Vec3d end = upper_end(pen);
+    EXPECT_NEAR(end.x(), std::sin(azimuth * std::numbers::pi / 180), 1e-4) << azimuth;
+    EXPECT_NEAR(end.y(), -std::cos(azimuth * std::numbers::pi / 180), 1e-4) << azimuth;
+  }
 }
 
 TEST_F(SvcText, RejectsBadLines) {

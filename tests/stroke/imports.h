@@ -1,7 +1,7 @@
 #pragma once
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/stroke/recording.h>
+#include <burin/stroke/import.h>
 #include <burin/stroke/stroke_file.h>
 #include <gtest/gtest.h>
 
@@ -52,13 +52,15 @@ inline void expect_survives_a_file(const Recording& recording) {
 /// Imports texts as if they were files of one format.
 class ImportedText : public ::testing::Test {
  protected:
-  using Import = Recording (*)(const std::filesystem::path& path, const Camera& camera);
-  ImportedText(Import import_file, const char* name) : import_(import_file), path_(folder_.path() / name) {}
+  using ImportFile = Import (*)(const std::filesystem::path& path, const Camera& camera);
+  ImportedText(ImportFile import_file, const char* name)
+      : import_(import_file), path_(folder_.path() / name) {}
 
-  Recording import(const std::string& text) {
+  Import whole_import(const std::string& text) {
     write_file_whole(path_, [&](std::ostream& out) { out << text; });
     return import_(path_, import_camera(100, 100));
   }
+  Recording import(const std::string& text) { return whole_import(text).recording; }
 
   /// What is wrong with a text, without the name of the file.
   std::string complaint(const std::string& text) {
@@ -71,7 +73,7 @@ class ImportedText : public ::testing::Test {
   }
 
   TemporaryFolder folder_;
-  const Import import_;
+  const ImportFile import_;
   const std::filesystem::path path_;
 };
 

@@ -137,5 +137,25 @@ TEST(Stabiliser, EndsWhereThePenEnded) {
   EXPECT_EQ(stabilised(std::span(slack).first(1), {Kind::string, 1}).size(), 1u) << "a dot stays one";
 }
 
+TEST(ExponentialMean, TurnsTheBarrelTheShorterWay) {
+  Stabiliser mean({Kind::exponential, 0.1});
+  constexpr float degree = std::numbers::pi_v<float> / 180;
+  for (int i = 0; i <= 40; ++i) {
+    const auto twist = static_cast<float>((340 + i) % 360);
+    const Sample calm = mean.add({0.01 * i, {0.1 * i, 0, 0}, {.twist = twist * degree}});
+    EXPECT_TRUE(calm.pen.twist >= 339.99F * degree || calm.pen.twist <= 20 * degree) << i;
+  }
+}
+
+TEST(ExponentialMean, KeepsAFlatPenFlat) {
+  Stabiliser mean({Kind::exponential, 0.1});
+  constexpr float flat = std::numbers::pi_v<float> / 2;
+  for (int i = 0; i < 5; ++i) {
+    const Pen calm = mean.add({0.01 * i, {0.1 * i, 0, 0}, {.tilt_x = flat}}).pen;
+    EXPECT_EQ(calm.tilt_x, flat);
+    EXPECT_EQ(calm.tilt_y, 0);
+  }
+}
+
 }  // namespace
 }  // namespace burin

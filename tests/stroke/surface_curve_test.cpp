@@ -103,6 +103,31 @@ TEST(CurveTracer, ConnectsAlongTheSurfaceButNotAcrossAGap) {
   EXPECT_FALSE(tracer.connects(*ground.picker.closest(Vec3f(0.2F, 0, -3), 1)));
 }
 
+TEST(CurveTracer, ConnectsThroughStepsBelowTheRoundingOfPlaces) {
+  const Ground ground(test::shuffled(test::plane(1, 0.05, 3), 5));
+  CurveTracer tracer(ground.surface, ground.picker, 0.2);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3f place(0.7F + 1e-7F * static_cast<float>(i), -0.61F, 0);
+    const SurfacePoint at = *ground.picker.closest(place, 1);
+    ASSERT_TRUE(tracer.connects(at)) << i;
+    tracer.add(at, i, {});
+  }
+  EXPECT_LT(tracer.curve().points.size(), 8u) << "a slow pen leaves no more points than a fast one";
+}
+
+TEST(CurveTracer, SaysWhatASampleChanged) {
+  const Ground ground(test::plane(1, 0.05, 3));
+  CurveTracer tracer(ground.surface, ground.picker, 0.2);
+  const auto add = [&](float x, float pressure) {
+    return tracer.add(*ground.picker.closest(Vec3f(x, 0, 0), 1), 0, {.pressure = pressure});
+  };
+  EXPECT_EQ(add(0, 1), PenWay::Change::way);
+  EXPECT_EQ(add(1e-6F, 1), PenWay::Change::none);
+  EXPECT_EQ(add(2e-6F, 0.5F), PenWay::Change::pen);
+  EXPECT_EQ(tracer.curve().points.back().pen.pressure, 0.5F);
+  EXPECT_EQ(add(0.1F, 0.5F), PenWay::Change::way);
+}
+
 TEST(CurveTracer, TakesTheWidthFromThePressure) {
   Ground ground(test::plane(1, 0.02, 1));
   CurveTracer tracer(ground.surface, ground.picker, 0.1, StrokeWidth(0.8, {}, {{.pressure = true}}));
@@ -188,6 +213,21 @@ TEST(PenAt, InterpolatesPressureTimeAndSpeed) {
   EXPECT_EQ(pen_at(tracer.curve(), -1).pen.pressure, 0);
   EXPECT_EQ(pen_at(tracer.curve(), 9).pen.pressure, 1);
   EXPECT_EQ(pen_at(tracer.curve(), 9).t, tracer.curve().length());
+}
+
+TEST(PenAt, TurnsTheBarrelTheShorterWay) {
+  Ground ground(test::plane(1, 0.3, 1));
+  CurveTracer tracer(ground.surface, ground.picker, 0.5);
+  constexpr float degree = std::numbers::pi_v<float> / 180;
+  const float degrees[] = {330, 350, 10, 30};
+  for (const int i : {0, 1, 2, 3}) {
+    const Vec3f place(-0.6F + 0.4F * static_cast<float>(i), 0, 0);
+    tracer.add(*ground.picker.closest(place, 1), i, {.twist = degrees[i] * degree});
+  }
+  for (double t = 0; t <= 1.2; t += 0.01) {
+    const double turned = 330 + 50 * t, twist = pen_at(tracer.curve(), t).pen.twist / degree;
+    EXPECT_NEAR(std::remainder(twist - turned, 360), 0, 0.01) << t;
+  }
 }
 
 }  // namespace

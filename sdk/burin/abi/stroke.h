@@ -104,7 +104,7 @@ typedef struct burin_batch {
   burin_indices symmetry;      /* symmetry instance, 0 = drawn by hand */
   burin_floats pressure;       /* at t: 0..1; neutral 1 */
   burin_floats tilt_x, tilt_y; /* at t: radians from upright; neutral 0 */
-  burin_floats twist;          /* at t: radians; neutral 0 */
+  burin_floats twist;          /* at t: radians, 0..2 pi; neutral 0 */
   burin_floats speed;          /* at t: object units a second; neutral 0 */
   burin_floats time;           /* at t: seconds since the stroke began; neutral 0 */
   burin_vectors foot;          /* at t: mean place of the stroke's points within one radius either side */
@@ -123,7 +123,8 @@ typedef struct burin_batch {
 typedef struct burin_outputs {
   uint32_t struct_size;
   uint32_t count;             /* equals the batch's */
-  burin_floats_out along;     /* displacement from the base surface along e1, object units */
+  burin_floats_out along;     /* displacement from the base surface along e1, object units; all three
+                               * together at most 1000 radii long, or the stroke fails */
   burin_floats_out across;    /* the same along e2 */
   burin_floats_out up;        /* the same along the normal */
   burin_floats_out mask;      /* 0..1 */

@@ -11,6 +11,7 @@ BrushStroke::BrushStroke(const burin_brush& brush, const burin_brush_descriptor&
       descriptor_(&descriptor),
       params_(&params),
       plan_{.struct_size = sizeof(burin_stroke_plan), .passes = 1, .end_influence = 0} {
+  const PluginCall call("brush", descriptor.id);
   ErrorText error;
   const burin_status status = brush.begin(&brush, &context, &params, &plan_, &stroke_, error.abi());
   if (status != BURIN_OK) throw Error(fmt::format("{}: {}", descriptor.id, error.line(status)));
@@ -21,6 +22,9 @@ BrushStroke::BrushStroke(const burin_brush& brush, const burin_brush_descriptor&
                                   plan_.passes, plan_.end_influence));
 }
 
-BrushStroke::~BrushStroke() { brush_->end(brush_, stroke_); }
+BrushStroke::~BrushStroke() {
+  const PluginCall call("brush", descriptor_->id);
+  brush_->end(brush_, stroke_);
+}
 
 }  // namespace burin

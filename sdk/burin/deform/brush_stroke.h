@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/abi/brush.h>
+#include <burin/deform/plugin_call.h>
 
 namespace burin {
 
@@ -20,6 +21,7 @@ class BrushStroke {
   /// Any thread, concurrent.
   burin_status evaluate(const burin_stroke_context& context, const burin_batch& batch,
                         const burin_outputs& outputs, burin_text* error) const {
+    const PluginCall call("brush", descriptor_->id);
     return brush_->evaluate(brush_, stroke_, &context, &batch, &outputs, error);
   }
 

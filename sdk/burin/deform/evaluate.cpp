@@ -2,10 +2,13 @@
 #include <burin/deform/error_text.h>
 #include <burin/deform/evaluate.h>
 #include <burin/deform/first_failure.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace burin {
@@ -44,6 +47,12 @@ struct Pass {
   FirstFailure& failure;
 };
 
+std::string displacement_fault(double distance) {
+  if (!std::isfinite(distance)) return "returned a displacement that is not finite";
+  return fmt::format("returned a displacement of {:.3g}, more than {} radii", distance,
+                     farthest_displacement);
+}
+
 /// Computes the elements [begin, end) of the pass.
 void evaluate_batch(const Pass& pass, Batch& batch, std::size_t begin, std::size_t end) {
   const std::span displacement = std::span(pass.outputs.displacement).subspan(begin, end - begin);
@@ -55,10 +64,11 @@ void evaluate_batch(const Pass& pass, Batch& batch, std::size_t begin, std::size
       pass.stroke.evaluate(pass.context, batch.inputs(), batch.outputs(), error.abi());
   if (status != BURIN_OK) return pass.failure.note(begin, error.line(status));
   const bool tints = !pass.outputs.tint.empty();
+  const double farthest = double{farthest_displacement} * pass.source.radius;
   for (std::size_t i = 0; i < displacement.size(); ++i) {
     displacement[i] = batch.displacement(i);
-    if (!displacement[i].allFinite())
-      return pass.failure.note(begin + i, "returned a displacement that is not finite");
+    if (const double distance = displacement[i].cast<double>().norm(); !(distance <= farthest))
+      return pass.failure.note(begin + i, displacement_fault(distance));
     if (!tints) continue;
     pass.outputs.tint[begin + i] = batch.tint(i);
     if (!pass.outputs.tint[begin + i].allFinite())

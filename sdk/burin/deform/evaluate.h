@@ -8,6 +8,9 @@
 
 namespace burin {
 
+/// A brush that displaces farther than this, in radii of the stroke, has failed.
+inline constexpr float farthest_displacement = 1000;
+
 /// What a brush does at nodes, [i] for nodes[i].
 struct NodeOutputs {
   std::vector<Vec3f> displacement;  ///< in the node's (e1, e2, n), object units
@@ -29,9 +32,9 @@ struct NodeOutputs {
 bool paints(const burin_brush_descriptor& brush);
 
 /// Evaluates brushes over nodes in batches on all threads. Keeps its buffers from call to call.
-/// One thread at a time. Functions throw ContractError naming brush and (t, d) when the brush fails or a
-/// number is not finite, for the lowest such batch or node of the earliest such pass. What they give for a
-/// node does not depend on which others are computed along.
+/// One thread at a time. Functions throw ContractError naming brush and (t, d) when the brush fails, a
+/// number is not finite or a displacement absurdly far, for the lowest such batch or node of the earliest
+/// such pass. What they give for a node does not depend on which others are computed along.
 class Evaluator {
  public:
   Evaluator();

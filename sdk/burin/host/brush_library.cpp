@@ -1,6 +1,8 @@
+#include <burin/abi/ext/log.h>
 #include <burin/base/error.h>
 #include <burin/deform/error_text.h>
 #include <burin/deform/offered.h>
+#include <burin/deform/plugin_call.h>
 #include <burin/host/brush_library.h>
 #include <burin/host/plugin_module.h>
 #include <burin/host/search_path.h>
@@ -12,12 +14,21 @@
 namespace burin {
 namespace fs = std::filesystem;
 
+/// A module of a folder that was not loaded.
+struct RefusedModule {
+  std::string why;                   ///< one line that names the module
+  std::vector<std::string> brushes;  ///< its ids, as far as it got to tell them
+};
+
 struct BrushLibrary::Impl {
   explicit Impl(Log log) : services(log) {}
+
+  void load(const fs::path& module, std::vector<std::string>& ids);
 
   HostServices services;
   std::vector<std::unique_ptr<PluginModule>> modules;
   std::vector<BrushEntry> brushes;
+  std::vector<RefusedModule> refused;
 };
 
 namespace {
@@ -45,27 +56,49 @@ bool is_whole(const burin_brush& brush) {
 
 }  // namespace
 
+void BrushDeleter::operator()(const burin_brush* brush) const {
+  const PluginCall call("brush", id);
+  brush->destroy(brush);
+}
+
 BrushLibrary::BrushLibrary(Log log) : impl_(std::make_unique<Impl>(log)) {}
 BrushLibrary::~BrushLibrary() = default;
 
-void BrushLibrary::load(const fs::path& module) {
+/// `ids`: of its brushes, also when it is refused for one of them.
+void BrushLibrary::Impl::load(const fs::path& module, std::vector<std::string>& ids) {
   std::error_code error;
   const auto same_file = [&](const auto& loaded) { return fs::equivalent(loaded->path(), module, error); };
-  if (std::any_of(impl_->modules.begin(), impl_->modules.end(), same_file)) return;
+  if (std::any_of(modules.begin(), modules.end(), same_file)) return;
+  const std::string name = module.string();
+  const PluginCall call("plugin", name.c_str());
   auto plugin = std::make_unique<PluginModule>(module);
-  std::vector<BrushEntry> brushes = impl_->brushes;
+  for (const burin_brush_descriptor* descriptor : plugin->brushes()) ids.emplace_back(descriptor->id);
+  std::vector<BrushEntry> all = brushes;
   for (const burin_brush_descriptor* descriptor : plugin->brushes()) {
-    if (const BrushEntry* other = find_entry(brushes, descriptor->id))
+    if (const BrushEntry* other = find_entry(all, descriptor->id))
       throw FileError(module.string(), fmt::format("brush {} is already there, from {}", descriptor->id,
                                                    other->module.string()));
-    brushes.push_back({descriptor, module});
+    all.push_back({descriptor, module});
   }
-  impl_->modules.push_back(std::move(plugin));
-  impl_->brushes = std::move(brushes);
+  modules.push_back(std::move(plugin));
+  brushes = std::move(all);
+}
+
+void BrushLibrary::load(const fs::path& module) {
+  std::vector<std::string> ids;
+  impl_->load(module, ids);
 }
 
 void BrushLibrary::load_folder(const fs::path& folder) {
-  for (const fs::path& file : plugin_files(folder)) load(file);
+  for (const fs::path& file : plugin_files(folder)) {
+    std::vector<std::string> ids;
+    try {
+      impl_->load(file, ids);
+    } catch (const Error& error) {
+      impl_->services.write_log(BURIN_LOG_WARNING, error.what());
+      impl_->refused.push_back({error.what(), std::move(ids)});
+    }
+  }
 }
 
 void BrushLibrary::load_search_path(const fs::path& own_folder) {
@@ -77,11 +110,14 @@ void BrushLibrary::load_search_path(const fs::path& own_folder) {
 const std::vector<BrushEntry>& BrushLibrary::brushes() const { return impl_->brushes; }
 
 const BrushEntry& BrushLibrary::find(std::string_view id) const {
+  for (const RefusedModule& module : impl_->refused)
+    if (std::ranges::find(module.brushes, id) != module.brushes.end()) throw Error(module.why);
   if (const BrushEntry* entry = find_entry(impl_->brushes, id)) return *entry;
-  std::string known;
+  std::string known, refused;
   for (const BrushEntry& entry : impl_->brushes)
     known += (known.empty() ? "" : ", ") + std::string(entry.descriptor->id);
-  throw Error(fmt::format("no brush '{}'; there are: {}", id, known.empty() ? "none" : known));
+  for (const RefusedModule& module : impl_->refused) refused += "; not loaded: " + module.why;
+  throw Error(fmt::format("no brush '{}'; there are: {}{}", id, known.empty() ? "none" : known, refused));
 }
 
 BrushPtr BrushLibrary::create(const BrushEntry& entry) const {
@@ -89,6 +125,7 @@ BrushPtr BrushLibrary::create(const BrushEntry& entry) const {
   const auto plugin = std::find_if(impl_->modules.begin(), impl_->modules.end(),
                                    [&](const auto& module) { return module->path() == entry.module; });
   const burin_brush_factory& factory = (*plugin)->factory();
+  const PluginCall call("brush", entry.descriptor->id);
   ErrorText error;
   const burin_brush* brush =
       factory.create(&factory, impl_->services.abi(), entry.descriptor->id, error.abi());
@@ -97,7 +134,7 @@ BrushPtr BrushLibrary::create(const BrushEntry& entry) const {
                             error.line(BURIN_ERROR)));
   if (!is_whole(*brush))
     throw FileError(entry.module.string(), fmt::format("brush {} is incomplete", entry.descriptor->id));
-  return BrushPtr(brush);
+  return BrushPtr(brush, {entry.descriptor->id});
 }
 
 }  // namespace burin

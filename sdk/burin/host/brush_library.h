@@ -16,7 +16,8 @@ struct BrushEntry {
 };
 
 struct BrushDeleter {
-  void operator()(const burin_brush* brush) const { brush->destroy(brush); }
+  const char* id = nullptr;
+  void operator()(const burin_brush* brush) const;
 };
 using BrushPtr = std::unique_ptr<const burin_brush, BrushDeleter>;
 
@@ -34,7 +35,8 @@ class BrushLibrary {
   /// unreadable, no symbol, another version, a descriptor that breaks the contract, a brush id already there.
   void load(const std::filesystem::path& module);
 
-  /// Loads all `*.burin` files of a folder, by name.
+  /// Loads all `*.burin` files of a folder, by name. One that load() would refuse is a warning to the log,
+  /// and an error only of who asks for its brushes.
   void load_folder(const std::filesystem::path& folder);
 
   /// Loads the folders of BURIN_PLUGIN_PATH (colon-separated; semicolons on Windows), then `own_folder`,
@@ -43,7 +45,8 @@ class BrushLibrary {
 
   const std::vector<BrushEntry>& brushes() const;
 
-  /// Throws Error naming the brushes there are when there is none of this id.
+  /// Throws Error naming the brushes there are when there is none of this id, and the modules that could not
+  /// be loaded; or when one of these offers this id, too.
   const BrushEntry& find(std::string_view id) const;
 
   /// A new instance; it must be gone before the library. Throws Error: creation failed, or the brush reads

@@ -46,18 +46,34 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, Charters& c
                        const burin_brush& brush, const burin_brush_descriptor& descriptor,
                        const StrokeSettings& settings)
     : surface_(&surface),
+      picker_(&picker),
+      charters_(&charters),
       settings_(checked(settings)),
       params_(descriptor, settings.params),
       narrowest_(StrokeWidth(settings.pressure_width, settings.dynamics,
                              {.fields = settings.fields, .radius = settings.radius, .seed = settings.seed})
                      .narrowest()),
       brush_stroke_(brush, descriptor, context(0, {}), params_.abi()),
+      images_(symmetry_instances(settings_.symmetry)),
+      earlier_(surface, blend_options()),
       last_time_(-std::numeric_limits<double>::infinity()) {
-  const std::vector<SymmetryInstance> images = symmetry_instances(settings_.symmetry);
-  for (const SymmetryInstance& image : images)
-    instances_.emplace_back(surface, picker, charters, settings_, image, brush_stroke_, images.size() > 1);
+  begin_instances();
+}
+
+void OpenStroke::begin_instances() {
+  for (const SymmetryInstance& image : images_)
+    instances_.emplace_back(*surface_, *picker_, *charters_, settings_, image, brush_stroke_,
+                            images_.size() > 1);
   if (settings_.accumulate == Accumulate::from_current) accumulate();
   if (passes_look_around()) look_around();
+}
+
+void OpenStroke::begin_piece() {
+  piece_kept_ = false;
+  passes_.reset();
+  accumulation_.reset();
+  instances_.clear();
+  begin_instances();
 }
 
 /// Passes that look at neighbours need what the one before left there.
@@ -71,7 +87,6 @@ void OpenStroke::accumulate() {
   if (brush_stroke_.plan().passes > 1)
     throw Error(fmt::format("{}: works in several passes, which start from the surface before the stroke",
                             brush().id));
-  settings_.overlap = Overlap::add;
   accumulation_.emplace(*surface_, brush_stroke_, settings_.dab_spacing > 0 ? 0 : settings_.radius);
 }
 
@@ -80,7 +95,8 @@ bool OpenStroke::passes_look_around() const {
 }
 
 BlendOptions OpenStroke::blend_options() const {
-  BlendOptions options{.overlap = settings_.overlap, .radius = settings_.radius};
+  const bool adds_up = settings_.accumulate == Accumulate::from_current;
+  BlendOptions options{.overlap = adds_up ? Overlap::add : settings_.overlap, .radius = settings_.radius};
   if (settings_.clamp_to_radius) options.limit = settings_.radius;
   return options;
 }
@@ -99,10 +115,11 @@ void OpenStroke::trace(const CurveGround::Place& at, double time, const Pen& pen
 }
 
 VertexMoves OpenStroke::draw(const StrokeTools& tools) {
+  if (std::ranges::none_of(instances_, &StrokeInstance::has_news)) return {};
   std::vector<StrokeChanges> changes;
   for (StrokeInstance& instance : instances_)
-    changes.push_back(instance.empty() ? StrokeChanges{}
-                                       : instance.draw(brush_stroke_.plan().end_influence, tools.cost));
+    changes.push_back(instance.has_news() ? instance.draw(brush_stroke_.plan().end_influence, tools.cost)
+                                          : StrokeChanges{});
   tools.clock.lap(Stage::chart);
   return go_on(changes, 0, tools);
 }
@@ -138,7 +155,7 @@ VertexMoves OpenStroke::go_on(const std::vector<StrokeChanges>& changes, std::ui
   std::vector<Index> vertices = all_vertices(changes);
   evaluate(changes, flags, tools, vertices);
   tools.clock.lap(Stage::evaluate);
-  VertexMoves moves = blend(std::move(vertices), tools);
+  VertexMoves moves = blend(std::move(vertices), tools.paint);
   tools.clock.lap(Stage::blend);
   return moves;
 }
@@ -175,7 +192,17 @@ void OpenStroke::evaluate(const std::vector<StrokeChanges>& changes, std::uint64
   }
 }
 
-VertexMoves OpenStroke::blend(std::vector<Index> vertices, const StrokeTools& tools) const {
+VertexMoves OpenStroke::blend(std::vector<Index> vertices, const Paint& paint) const {
+  VertexMoves moves = blend_piece(std::move(vertices), paint);
+  if (has_earlier_) {
+    const std::vector<std::uint32_t> sheets = sheet_counts(moves.vertices);
+    earlier_.blend(paint, {moves.vertices, sheets, moves.places, moves.tints});
+  }
+  return moves;
+}
+
+/// As if the piece were the whole stroke.
+VertexMoves OpenStroke::blend_piece(std::vector<Index> vertices, const Paint& paint) const {
   std::vector<InstanceSheets> sheets;
   for (const StrokeInstance& instance : instances_) sheets.push_back(instance.sheets());
   VertexMoves moves;
@@ -184,8 +211,27 @@ VertexMoves OpenStroke::blend(std::vector<Index> vertices, const StrokeTools& to
   blend_sheets(*surface_, sheets, moves.vertices, blend_options(), brush().id, moves.places);
   if (!paints(brush())) return moves;
   moves.tints.resize(moves.vertices.size());
-  blend_tints(tools.paint, sheets, moves.vertices, blend_options(), moves.tints);
+  blend_tints(paint, sheets, moves.vertices, blend_options(), moves.tints);
   return moves;
+}
+
+std::vector<std::uint32_t> OpenStroke::sheet_counts(std::span<const Index> vertices) const {
+  std::vector<std::uint32_t> counts(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    for (const StrokeInstance& instance : instances_) counts[i] += instance.live().sheet_count(vertices[i]);
+  return counts;
+}
+
+void OpenStroke::keep_piece(const Paint& paint) {
+  std::vector<Index> vertices;
+  for (const StrokeInstance& instance : instances_)
+    for (Index place = 0; place < instance.live().place_count(); ++place)
+      vertices.push_back(instance.live().vertex_at(place));
+  sort_unique(vertices);
+  VertexMoves moves = blend(std::move(vertices), paint);
+  const std::vector<std::uint32_t> sheets = sheet_counts(moves.vertices);
+  earlier_.add({moves.vertices, sheets, moves.places, moves.tints});
+  has_earlier_ = piece_kept_ = true;
 }
 
 }  // namespace burin

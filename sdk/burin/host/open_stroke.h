@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/deform/accumulation.h>
 #include <burin/deform/brush_stroke.h>
+#include <burin/deform/earlier_pieces.h>
 #include <burin/deform/evaluate.h>
 #include <burin/deform/stroke_passes.h>
 #include <burin/host/event_cost.h>
@@ -30,16 +31,18 @@ struct StrokeTools {
   StageClock& clock;
 };
 
-/// The stroke that a session is drawing, in all its symmetric images. Surface, picker, charters, brush and
-/// descriptor must outlive it, and the charters serve no other. Functions that throw leave nodes and moves
-/// unspoken for: the stroke is to be dropped.
+/// The stroke that a session is drawing, piece by piece and in all its symmetric images. Surface, picker,
+/// charters, brush and descriptor must outlive it, and the charters serve no other. Functions that throw
+/// leave nodes and moves unspoken for: the stroke is to be dropped.
 class OpenStroke {
  public:
   /// Begins a stroke of the brush. Throws Error as Session::begin_stroke.
   OpenStroke(const Surface& surface, const Picker& picker, Charters& charters, const burin_brush& brush,
              const burin_brush_descriptor& descriptor, const StrokeSettings& settings);
 
-  bool empty() const { return drawn_by_hand().empty(); }
+  /// Whether no piece of it has a sample.
+  bool empty() const { return !has_earlier_ && piece_empty(); }
+  bool piece_empty() const { return drawn_by_hand().empty(); }
   double radius() const { return settings_.radius; }
   const SurfaceCurve& curve() const { return drawn_by_hand().curve(); }
   const LiveChart& live() const { return drawn_by_hand().live(); }
@@ -58,12 +61,20 @@ class OpenStroke {
   /// Draws what was traced since the last time. Vertices that leave the chart go back to their base.
   VertexMoves draw(const StrokeTools& tools);
 
-  /// The last evaluation: what depends on the stroke's length, told that it is final; all of it when the
-  /// stroke closes.
+  /// The last evaluation of a piece that is not empty: what depends on its length, told that it is final; all
+  /// of it when the piece closes.
   VertexMoves finish(Closure closure, const StrokeTools& tools);
+
+  /// Keeps the piece, which is finished, as one of those before, until begin_piece().
+  void keep_piece(const Paint& paint);
+  bool piece_kept() const { return piece_kept_; }
+
+  /// Begins another, whose chart starts anew, from the surface before the stroke.
+  void begin_piece();
 
  private:
   const StrokeInstance& drawn_by_hand() const { return instances_.front(); }
+  void begin_instances();
   void accumulate();
   void look_around();
   bool passes_look_around() const;
@@ -72,16 +83,24 @@ class OpenStroke {
   VertexMoves go_on(const std::vector<StrokeChanges>& changes, std::uint64_t flags, const StrokeTools& tools);
   void evaluate(const std::vector<StrokeChanges>& changes, std::uint64_t flags, const StrokeTools& tools,
                 std::vector<Index>& vertices);
-  VertexMoves blend(std::vector<Index> vertices, const StrokeTools& tools) const;
+  VertexMoves blend(std::vector<Index> vertices, const Paint& paint) const;
+  VertexMoves blend_piece(std::vector<Index> vertices, const Paint& paint) const;
+  std::vector<std::uint32_t> sheet_counts(std::span<const Index> vertices) const;
 
   const Surface* surface_;
+  const Picker* picker_;
+  Charters* charters_;
   StrokeSettings settings_;
   ParamSnapshot params_;
   double narrowest_;  ///< width that the stroke may have, a share of its radius
   BrushStroke brush_stroke_;
+  std::vector<SymmetryInstance> images_;
   std::deque<StrokeInstance> instances_;
   std::optional<StrokePasses> passes_;        ///< of brushes whose passes look at neighbours
   std::optional<Accumulation> accumulation_;  ///< of strokes that go on from what they made themselves
+  EarlierPieces earlier_;
+  bool has_earlier_ = false;
+  bool piece_kept_ = false;  ///< and no other has begun
   double last_time_;
 };
 

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/host/replay.h>
+#include <burin/stroke/sample_times.h>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -57,8 +58,7 @@ std::vector<StrokeSettings> all_settings(const Recording& recording, const Strok
 }
 
 /// The recording as the stabiliser lets it through.
-Recording stabilised(const Recording& recording, const Stabilising& stabilising) {
-  Recording calm = recording;
+Recording stabilised(Recording calm, const Stabilising& stabilising) {
   for (std::size_t i = 0; i < calm.strokes.size(); ++i) {
     RecordedStroke& stroke = calm.strokes[i];
     if (stabilising.kind == Stabilising::Kind::exponential && !stroke.fields.time)
@@ -85,7 +85,8 @@ class Replayer {
   StrokeEvent hand_over(const Sample& sample, Show show);
   void spend(double seconds);
   void note(std::vector<double>& latencies, std::vector<EventCost>& costs);
-  void end_piece(Closure closure);
+  template <class EndPiece>
+  void end(const EndPiece& end_piece);
   void report_progress();
 
   Session& session_;
@@ -99,7 +100,8 @@ class Replayer {
   ReplayResult result_;
 };
 
-/// Of a stroke that breaks, only pieces that come back by themselves close.
+/// A stroke breaks into pieces where the pen leaves the surface. Of one that does, only pieces that come back
+/// by themselves close.
 void Replayer::draw(const RecordedStroke& stroke, const StrokeSettings& settings, Closure closure) {
   ++result_.strokes;
   const std::size_t pieces_before = result_.pieces;
@@ -108,15 +110,14 @@ void Replayer::draw(const RecordedStroke& stroke, const StrokeSettings& settings
   for (const Sample& sample : stroke.samples) {
     Outcome outcome = add(sample);
     if (outcome != Outcome::drawn && drawn_in_piece_ > 0) {
-      end_piece(of_a_piece);
-      session_.begin_stroke(settings);
+      end([&] { return session_.end_piece(of_a_piece); });
       if (outcome == Outcome::disconnected) outcome = add(sample);
     }
     if (outcome == Outcome::off_surface) ++result_.samples_off_surface;
     report_progress();
   }
   const bool whole = result_.pieces == pieces_before;
-  end_piece(whole ? closure : of_a_piece);
+  end([&] { return session_.end_stroke(whole ? closure : of_a_piece); });
   const bool drawn = result_.pieces > pieces_before;
   if (closure == Closure::closed && drawn && !(whole && session_.curve().closed)) ++result_.left_open;
 }
@@ -153,9 +154,11 @@ StrokeEvent Replayer::hand_over(const Sample& sample, Show show) {
   return session_.add_sample(ray, sample.time, sample.pen, show);
 }
 
-void Replayer::end_piece(Closure closure) {
+/// A piece, and perhaps the stroke with it.
+template <class EndPiece>
+void Replayer::end(const EndPiece& end_piece) {
   const auto start = std::chrono::steady_clock::now();
-  result_.vertices_changed += session_.end_stroke(closure).size();
+  result_.vertices_changed += end_piece().size();
   const double seconds = seconds_since(start);
   if (drawn_in_piece_ == 0) return;
   spend(seconds);
@@ -182,7 +185,9 @@ ReplayResult Replayer::finish() {
 
 ReplayResult replay(Session& session, const Recording& recorded, const StrokeOverrides& overrides,
                     const ReplayObserver& observer) {
-  const Recording recording = stabilised(recorded, overrides.stabilising);
+  Recording timed = recorded;
+  const std::size_t standing_clocks = mend_times(timed);
+  const Recording recording = stabilised(std::move(timed), overrides.stabilising);
   if (recording.space == StrokeSpace::screen && !recording.camera)
     throw ContractError("a recording in screen space without a camera");
   const std::vector<StrokeSettings> settings = all_settings(recording, overrides);
@@ -195,7 +200,9 @@ ReplayResult replay(Session& session, const Recording& recorded, const StrokeOve
       throw Error(fmt::format("stroke {}: {}", i + 1, error.what()));
     }
   }
-  return replayer.finish();
+  ReplayResult result = replayer.finish();
+  result.standing_clocks = standing_clocks;
+  return result;
 }
 
 }  // namespace burin

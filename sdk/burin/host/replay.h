@@ -44,6 +44,7 @@ struct ReplayResult {
   std::size_t strokes = 0;    ///< of the recording
   std::size_t left_open = 0;  ///< of these, those that were to be closed but broke or are too short
   std::size_t pieces = 0;     ///< what they were drawn as: a stroke breaks where the pen leaves the surface
+  std::size_t standing_clocks = 0;  ///< of these, those taken as without times, since all stamps are equal
   std::size_t samples_drawn = 0;
   std::size_t samples_off_surface = 0;
   std::uint64_t vertices_changed = 0;  ///< sum of StrokeEvent::changed over all samples and ends
@@ -56,8 +57,9 @@ struct ReplayResult {
   std::uint64_t hash = 0;  ///< Session::result_hash at the end
 };
 
-/// Draws all strokes of a recording. Throws Error naming the stroke's number, from 1, before anything is
-/// drawn, when a stroke has no brush or radius, or not the times that stabilising needs; else as Session.
+/// Draws all strokes of a recording, with its times as mend_times() leaves them. Throws Error naming the
+/// stroke's number, from 1, before anything is drawn, when a stroke has no brush or radius, or not the times
+/// that stabilising needs; else as Session.
 ReplayResult replay(Session& session, const Recording& recording, const StrokeOverrides& overrides = {},
                     const ReplayObserver& observer = {});
 

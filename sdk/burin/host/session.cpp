@@ -29,6 +29,8 @@ struct Session::Impl {
   StrokeEvent draw(const std::optional<CurveGround::Place>& at, double time, const Pen& pen, Show show,
                    StageClock& clock);
   void set_paint(Paint given);
+  OpenStroke& stroke_for_sample();
+  std::span<const Index> finish_piece(Closure closure);
   std::span<const Index> finish(Closure closure);
   std::span<const Index> apply(const VertexMoves& moves);
   void commit(std::span<const Index> displaced);
@@ -75,6 +77,14 @@ OpenStroke& Session::Impl::open_stroke() {
   return *stroke;
 }
 
+/// With a piece to which the sample may belong.
+OpenStroke& Session::Impl::stroke_for_sample() {
+  if (!open_stroke().piece_kept()) return *stroke;
+  stroke->begin_piece();
+  last_live = &stroke->live();
+  return *stroke;
+}
+
 StrokeEvent Session::Impl::draw(const std::optional<CurveGround::Place>& at, double time, const Pen& pen,
                                 Show show, StageClock& clock) {
   clock.lap(Stage::pick);
@@ -100,19 +110,28 @@ std::span<const Index> Session::Impl::apply(const VertexMoves& moves) {
   return changed;
 }
 
+/// Finishes the piece being drawn, unless it is empty or kept.
+std::span<const Index> Session::Impl::finish_piece(Closure closure) {
+  changed.clear();
+  if (stroke->piece_empty() || stroke->piece_kept()) return changed;
+  StageClock clock(cost);
+  const std::span<const Index> seen = apply(stroke->finish(closure, {evaluator, paint.base(), cost, clock}));
+  if (seen.data() != changed.data()) changed.assign(seen.begin(), seen.end());
+  last_curve = stroke->curve();
+  clock.lap(Stage::move);
+  return changed;
+}
+
 std::span<const Index> Session::Impl::finish(Closure closure) {
   if (open_stroke().empty()) {
     stroke.reset();
     return {};
   }
+  finish_piece(closure);
   StageClock clock(cost);
-  const std::span<const Index> seen = apply(stroke->finish(closure, {evaluator, paint.base(), cost, clock}));
-  if (seen.data() != changed.data()) changed.assign(seen.begin(), seen.end());
-  clock.lap(Stage::move);
   const std::vector<Index> displaced = shown.take_displaced(surface);
   journal.record(displaced, surface.positions, paint.commit());
   commit(displaced);
-  last_curve = stroke->curve();
   stroke.reset();
   clock.lap(Stage::record);
   return changed;
@@ -185,7 +204,7 @@ void Session::begin_stroke(const StrokeSettings& settings) {
 
 StrokeEvent Session::add_sample(const Ray& ray, double time, const Pen& pen, Show show) {
   return impl_->guarded([&] {
-    const CurveGround& ground = impl_->open_stroke().ground();
+    const CurveGround& ground = impl_->stroke_for_sample().ground();
     StageClock clock(impl_->cost);
     return impl_->draw(ground.pick(ray), time, pen, show, clock);
   });
@@ -193,10 +212,19 @@ StrokeEvent Session::add_sample(const Ray& ray, double time, const Pen& pen, Sho
 
 StrokeEvent Session::add_sample(const Vec3d& position, double time, const Pen& pen, Show show) {
   return impl_->guarded([&] {
-    const OpenStroke& stroke = impl_->open_stroke();
+    const OpenStroke& stroke = impl_->stroke_for_sample();
     StageClock clock(impl_->cost);
     const auto reach = static_cast<float>(stroke.radius());
     return impl_->draw(stroke.ground().closest(position.cast<float>(), reach), time, pen, show, clock);
+  });
+}
+
+std::span<const Index> Session::end_piece(Closure closure) {
+  return impl_->guarded([&] {
+    OpenStroke& stroke = impl_->open_stroke();
+    const std::span<const Index> seen = impl_->finish_piece(closure);
+    if (!stroke.piece_empty() && !stroke.piece_kept()) stroke.keep_piece(impl_->paint.base());
+    return seen;
   });
 }
 

@@ -98,9 +98,18 @@ class Session {
   void begin_stroke(const StrokeSettings& settings);
 
   /// The next sample: where a ray meets the surface, or the closest place to a point that is at most one
-  /// radius away. Throws Error when the brush fails or returns a value that is not finite.
+  /// radius away. Times must not fall; samples that come several at a time and have one time stamp should be
+  /// given times of their own first, see spread_times(). Throws Error when the brush fails or returns a value
+  /// that is not finite.
   StrokeEvent add_sample(const Ray& ray, double time, const Pen& pen, Show show = Show::now);
   StrokeEvent add_sample(const Vec3d& position, double time, const Pen& pen, Show show = Show::now);
+
+  /// Ends a piece of the open stroke, for a pen that left the surface or jumped over a gap: the next sample
+  /// begins another, with a curve and a chart of its own. All pieces start from the surface before the
+  /// stroke, and where they overlap StrokeSettings::overlap holds as for sheets; `latest` is the last piece.
+  /// They are undone together. Closes as end_stroke() does. Returns the vertices that the end changed, as
+  /// that.
+  std::span<const Index> end_piece(Closure closure = Closure::open);
 
   /// Ends the open stroke and makes it part of the surface. A stroke without a sample leaves no trace.
   /// While the pen is down strokes are open; here one may become closed, so that all of it changes:
@@ -111,7 +120,7 @@ class Session {
   /// Drops the open stroke, if there is one.
   void cancel_stroke();
 
-  /// The chart of the open stroke, or of the last one.
+  /// The chart of the open stroke, or of the last one; of its last piece.
   const Chart& chart() const;
   const SurfaceCurve& curve() const;
 

@@ -72,8 +72,9 @@ ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint
 }
 
 void StrokeInstance::trace(const CurveGround::Place& at, double time, const Pen& pen) {
-  tracer_.add(at, time, pen);
-  traced_ = true;
+  const PenWay::Change change = tracer_.add(at, time, pen);
+  const bool pen_matters = width_.varies() || reads_.varying != 0 || dynamics_.any();
+  traced_ |= change == PenWay::Change::way || (change == PenWay::Change::pen && pen_matters);
 }
 
 StrokeChanges StrokeInstance::draw(double end_influence, EventCost& cost) {

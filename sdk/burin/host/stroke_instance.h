@@ -69,6 +69,9 @@ class StrokeInstance {
   /// Leads the curve on to `at`.
   void trace(const CurveGround::Place& at, double time, const Pen& pen);
 
+  /// Whether something was traced since the last time that the brush can see.
+  bool has_news() const { return traced_; }
+
   /// Charts what was traced since the last time, and says what is stale. `end_influence`: of the brush.
   StrokeChanges draw(double end_influence, EventCost& cost);
 

@@ -43,17 +43,17 @@ std::optional<SurfaceCurve> CurveTracer::closed_curve(Closure closure) const {
 
 void CurveTracer::leave_out_overshoot() {
   const auto [point, distance] = return_to_first();
-  if (distance <= radius_ / 2) std::erase_if(knots_, [=](const Knot& knot) { return knot.point > point; });
+  if (distance <= radius_ / 2) std::erase_if(knots_, [=](const PenKnot& knot) { return knot.point > point; });
   const double mean = curve_.points[knots_.back().point].t / static_cast<double>(knots_.size());
   const double on_top = std::max(mean / 2, spacing(knots_[0].place.at));
-  const auto from_first = [&](const Knot& knot) {
+  const auto from_first = [&](const PenKnot& knot) {
     return (knot.position() - knots_[0].position()).cast<double>().norm();
   };
   while (knots_.size() > 1 && from_first(knots_.back()) < on_top) knots_.pop_back();
 }
 
 void CurveTracer::retrace_closed() {
-  const Knot& last = knots_.back();
+  const PenKnot& last = knots_.back();
   const double drawn = curve_.points[last.point].t;
   const double gap = (knots_[0].position() - last.position()).cast<double>().norm();
   const double seam_time = drawn > 0 ? last.time * (1 + gap / drawn) : last.time;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace burin {
 
@@ -58,10 +59,13 @@ namespace {
 /// Whether the surface is nowhere farther from the chord than a quarter of it; is_near(point, reach) goes
 /// from one point of it to the next.
 template <class IsNear>
-bool runs_near(const Vec3f& from, const Vec3f& to, const IsNear& is_near) {
+bool runs_near(const Vec3f& from, const Vec3f& to, double scale, const IsNear& is_near) {
   const Vec3f chord = to - from;
-  const float reach = chord.norm() / 4;
-  return reach == 0 || std::ranges::all_of(std::array{0.25F, 0.5F, 0.75F},
+  // Places are rounded, so that those of tiny steps need not lie within a share of the step.
+  const float rounding = 4 * std::numeric_limits<float>::epsilon() *
+                         std::max(from.cwiseAbs().maxCoeff(), static_cast<float>(scale));
+  const float reach = std::max(chord.norm() / 4, rounding);
+  return from == to || std::ranges::all_of(std::array{0.25F, 0.5F, 0.75F},
                                            [&](float s) { return is_near(from + s * chord, reach); });
 }
 
@@ -77,8 +81,8 @@ bool CurveGround::connects(const Place& from, const Place& to) const {
   const auto is_near_surface = [this](const Vec3f& point, float reach) {
     return picker_->closest(point, reach).has_value();
   };
-  return (base_ && runs_near(from.at.position, to.at.position, is_near_base)) ||
-         runs_near(from.on_surface.position, to.on_surface.position, is_near_surface);
+  return (base_ && runs_near(from.at.position, to.at.position, scale(), is_near_base)) ||
+         runs_near(from.on_surface.position, to.on_surface.position, scale(), is_near_surface);
 }
 
 CurveGround::Place CurveGround::on_base(Index near, const Vec3f& point) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace burin {
@@ -38,7 +39,12 @@ bool is_there(PenSource source, const PenFields& fields) {
 }
 
 /// Where the upper end of a pen of unit height lies over its tip.
-Vec2d lean(const Pen& pen) { return {math::tan(double{pen.tilt_x}), math::tan(double{pen.tilt_y})}; }
+Vec2d lean(const Pen& pen) {
+  // The tangent of a float beyond 90 degrees by rounding would point the other way.
+  constexpr double flat = std::numbers::pi / 2;
+  return {math::tan(std::clamp(double{pen.tilt_x}, -flat, flat)),
+          math::tan(std::clamp(double{pen.tilt_y}, -flat, flat))};
+}
 
 /// Straight lines between knots x0 y0 x1 y1 ..., constant beyond them.
 double piecewise_linear(std::span<const double> knots, double x) {

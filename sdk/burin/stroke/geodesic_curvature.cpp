@@ -17,6 +17,19 @@ constexpr double corner = 0.5;
 constexpr double bend = 0.7;
 constexpr int points_beyond_bend = 2;
 
+/// Twice as many points on a side of the window add nothing to the fit but the time that it takes.
+constexpr std::ptrdiff_t enough_points = 64;
+
+/// From point to point of those that count on one side of the window.
+std::size_t stride(const SurfaceCurve& curve, std::size_t point, double reach, bool forward) {
+  if (curve.closed) return 1;
+  const auto& points = curve.points;
+  const auto end =
+      std::ranges::upper_bound(points, points[point].t + (forward ? reach : -reach), {}, &CurvePoint::t);
+  const std::ptrdiff_t count = std::abs(end - points.begin() - static_cast<std::ptrdiff_t>(point));
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(count / enough_points, 1));
+}
+
 /// The angle by which the tangent turns from a to b, radians.
 double turn_between(const CurvePoint& a, const CurvePoint& b) {
   const Vec3f carried = transport(a.tangent, a.normal, b.normal);
@@ -84,16 +97,18 @@ float GeodesicCurvature::slope_at(const SurfaceCurve& curve, double window, std:
   fit.add(0, 0);
   double most_turned = 0;
   const auto walk = [&](bool forward) {
+    const std::size_t step = stride(curve, point, reach, forward);
     double place = 0, angle = 0;
     int beyond = 0;
     for (std::size_t i = point;;) {
       const bool wraps = forward ? i + 1 == points.size() : i == 0;
       if (wraps && !curve.closed) return;
-      const std::size_t next = forward ? curve.next(i) : wraps ? points.size() - 1 : i - 1;
-      const std::size_t segment = forward ? i : next;
-      const double turned =
-          segment + 1 < points.size() ? angles_[segment + 1] - angles_[segment] : closing_angle_;
-      const double extent = curve.segment_end(segment) - points[segment].t;
+      const std::size_t next = forward ? wraps ? 0 : std::min(i + step, points.size() - 1)
+                               : wraps ? points.size() - 1
+                                       : i - std::min(i, step);
+      const std::size_t from = forward ? i : next, to = forward ? next : i;
+      const double turned = wraps ? closing_angle_ : angles_[to] - angles_[from];
+      const double extent = (wraps ? length : points[to].t) - points[from].t;
       place += forward ? extent : -extent;
       angle += forward ? turned : -turned;
       if (std::abs(place) > reach || std::abs(turned) > corner || next == point) return;

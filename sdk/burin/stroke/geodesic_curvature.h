@@ -14,7 +14,8 @@ namespace burin {
 /// window biases it. Near the ends of an open curve the window shrinks with the distance to the end, to no
 /// less than half, and a parabola serves where it reaches over the end. No window reaches over a corner, a
 /// turn of more than half a radian between neighbouring points, nor much beyond 0.7 radians of turn, so that
-/// bends tighter than the window keep their curvature.
+/// bends tighter than the window keep their curvature. Where more than some hundred points lie on a side of
+/// it, only every so many count.
 class GeodesicCurvature {
  public:
   /// Follows a change of the curve from this point on (0: all of it). Returns the first point whose curvature

@@ -23,12 +23,10 @@ PenEvent parse_event(std::string_view line) {
 
 }  // namespace
 
-Recording import_mypaint_events(const std::filesystem::path& path, const Camera& camera) {
+Import import_mypaint_events(const std::filesystem::path& path, const Camera& camera) {
   std::vector<PenEvent> events;
   for_each_line(path, [&](std::string_view line, std::size_t) { events.push_back(parse_event(line)); });
-  Recording recording = recording_of(events, {.time = true, .pressure = true}, camera);
-  if (recording.strokes.empty()) throw FileError(path.string(), "holds no stroke");
-  return recording;
+  return import_of(path, events, {.time = true, .pressure = true}, camera);
 }
 
 }  // namespace burin

@@ -75,7 +75,7 @@ std::vector<PenEvent> PointerEvents::events() const {
   const std::vector<double> x = column("x"), y = column("y"), time = column("time");
   const std::vector<double> pressure = optional_column("pressure"), buttons = optional_column("buttons"),
                             tilt_x = optional_column("tiltX"), tilt_y = optional_column("tiltY"),
-                            twist = optional_column("twist");
+                            twist = optional_column("twist"), pointer = optional_column("pointerId");
   const auto radians = [](const std::vector<double>& degrees, std::size_t i) {
     return degrees.empty() ? 0 : static_cast<float>(degrees[i] * std::numbers::pi / 180);
   };
@@ -88,7 +88,8 @@ std::vector<PenEvent> PointerEvents::events() const {
     sample.pen.tilt_x = radians(tilt_x, i);
     sample.pen.tilt_y = radians(tilt_y, i);
     sample.pen.twist = radians(twist, i);
-    events[i].contact = sample.pen.pressure > 0 && (buttons.empty() || buttons[i] != 0);
+    events[i].contact = buttons.empty() ? sample.pen.pressure > 0 : buttons[i] != 0;
+    if (!pointer.empty()) events[i].pointer = pointer[i];
     if (const std::string_view fault = fault_of(sample); !fault.empty())
       reject(fmt::format("event {}", i), fault);
   }
@@ -97,11 +98,9 @@ std::vector<PenEvent> PointerEvents::events() const {
 
 }  // namespace
 
-Recording import_pointer_events(const std::filesystem::path& path, const Camera& camera) {
+Import import_pointer_events(const std::filesystem::path& path, const Camera& camera) {
   const PointerEvents file(path);
-  Recording recording = recording_of(file.events(), file.fields(), camera);
-  if (recording.strokes.empty()) throw FileError(path.string(), "holds no stroke");
-  return recording;
+  return import_of(path, file.events(), file.fields(), camera);
 }
 
 }  // namespace burin

@@ -2,6 +2,7 @@
 #include <burin/math/elementary.h>
 #include <burin/stroke/import.h>
 #include <burin/stroke/number_lines.h>
+#include <burin/stroke/pen_angles.h>
 #include <burin/stroke/pen_events.h>
 #include <burin/stroke/recording_faults.h>
 #include <fmt/format.h>
@@ -17,10 +18,8 @@ constexpr double tenth_of_degree = std::numbers::pi / 1800;
 
 /// Tablets give where the pen's upper end points: clockwise from the tablet's top, and above its plane.
 void set_tilt(Pen& pen, double azimuth, double altitude) {
-  const double right = math::cos(altitude) * math::sin(azimuth),
-               down = -math::cos(altitude) * math::cos(azimuth);
-  pen.tilt_x = static_cast<float>(math::atan2(right, math::sin(altitude)));
-  pen.tilt_y = static_cast<float>(math::atan2(down, math::sin(altitude)));
+  const double level = math::cos(altitude);
+  set_upper_end(pen, {level * math::sin(azimuth), -level * math::cos(azimuth), math::sin(altitude)});
 }
 
 PenEvent parse_event(std::string_view line) {
@@ -50,7 +49,7 @@ std::size_t parse_count(std::string_view line) {
 
 }  // namespace
 
-Recording import_svc(const std::filesystem::path& path, const Camera& camera) {
+Import import_svc(const std::filesystem::path& path, const Camera& camera) {
   std::size_t count = 0;
   std::vector<PenEvent> events;
   for_each_line(path, [&](std::string_view line, std::size_t number) {
@@ -61,9 +60,7 @@ Recording import_svc(const std::filesystem::path& path, const Camera& camera) {
   });
   if (events.size() != count)
     throw FileError(path.string(), "1", fmt::format("{} lines are told, {} follow", count, events.size()));
-  Recording recording = recording_of(events, {.time = true, .pressure = true, .tilt = true}, camera);
-  if (recording.strokes.empty()) throw FileError(path.string(), "holds no stroke");
-  return recording;
+  return import_of(path, events, {.time = true, .pressure = true, .tilt = true}, camera);
 }
 
 }  // namespace burin

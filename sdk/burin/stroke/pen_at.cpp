@@ -1,3 +1,4 @@
+#include <burin/stroke/pen_angles.h>
 #include <burin/stroke/surface_curve.h>
 
 #include <algorithm>
@@ -5,15 +6,9 @@
 namespace burin {
 namespace {
 
-Pen interpolate(const Pen& a, const Pen& b, float s) {
-  const auto mix = [s](float x, float y) { return x + s * (y - x); };
-  return {mix(a.pressure, b.pressure), mix(a.tilt_x, b.tilt_x), mix(a.tilt_y, b.tilt_y),
-          mix(a.twist, b.twist)};
-}
-
-PenAt pen_between(const CurvePoint& a, const CurvePoint& b, double s, double t, double time) {
+PenAt place_between(const CurvePoint& a, const CurvePoint& b, double s, double t, double time) {
   const auto share = static_cast<float>(s);
-  return {.pen = interpolate(a.pen, b.pen, share),
+  return {.pen = pen_between(a.pen, b.pen, share),
           .time = time,
           .speed = a.speed + s * (b.speed - a.speed),
           .width = a.width + share * (b.width - a.width),
@@ -27,8 +22,8 @@ PenAt pen_before_seam(const SurfaceCurve& curve, double t) {
   const CurvePoint &before = *(curve.points.end() - 2), &from = curve.points.back(), &to = curve.points[0];
   const double seconds = from.time - before.time, beyond = t - from.t;
   const double speed = seconds > 0 ? (from.t - before.t) / seconds : 0;
-  return pen_between(from, to, std::clamp(beyond / curve.closing_length, 0., 1.), t,
-                     from.time + (speed > 0 ? beyond / speed : 0));
+  return place_between(from, to, std::clamp(beyond / curve.closing_length, 0., 1.), t,
+                       from.time + (speed > 0 ? beyond / speed : 0));
 }
 
 }  // namespace
@@ -41,7 +36,7 @@ PenAt pen_at(const SurfaceCurve& curve, double t) {
   const auto from = to == points.begin() ? to : to - 1;
   const double length = to->t - from->t;
   const double s = length > 0 ? std::clamp((t - from->t) / length, 0., 1.) : 1;
-  return pen_between(*from, *to, s, from->t + s * length, from->time + s * (to->time - from->time));
+  return place_between(*from, *to, s, from->t + s * length, from->time + s * (to->time - from->time));
 }
 
 }  // namespace burin

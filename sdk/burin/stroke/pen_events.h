@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/stroke/recording.h>
+#include <burin/stroke/import.h>
 
 #include <vector>
 
@@ -9,10 +9,12 @@ namespace burin {
 struct PenEvent {
   Sample sample;
   bool contact = false;  ///< the pen touches the tablet
+  double pointer = 0;    ///< which of several
 };
 
-/// The strokes among the events, in the camera's viewport, as import.h describes them. Empty where no
-/// stroke has two distinct places.
-Recording recording_of(const std::vector<PenEvent>& events, const PenFields& fields, const Camera& camera);
+/// The strokes among the events, in the camera's viewport, as import.h describes them. Throws FileError
+/// where there is none.
+Import import_of(const std::filesystem::path& path, const std::vector<PenEvent>& events,
+                 const PenFields& fields, const Camera& camera);
 
 }  // namespace burin

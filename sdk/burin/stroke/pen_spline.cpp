@@ -1,3 +1,4 @@
+#include <burin/stroke/pen_angles.h>
 #include <burin/stroke/pen_spline.h>
 
 #include <algorithm>
@@ -20,6 +21,26 @@ double end_slope(double extent, double neighbour, double secant, double secant_n
   const double parabola = secant * (1 + share) - secant_neighbour * share;
   if (parabola * secant <= 0) return 0;
   return std::copysign(std::min(std::abs(parabola), 2 * std::abs(secant)), secant);
+}
+
+MonotoneCubic cubic(const MonotoneCubic::Intervals& intervals, const std::array<double, 4>& values) {
+  return {intervals, values[0], values[1], values[2], values[3]};
+}
+
+/// As they follow each other without a jump.
+std::array<double, 4> unwound_twists(const std::array<Pen, 4>& pens) {
+  const double from = pens[1].twist, to = twist_near(pens[2].twist, from);
+  return {twist_near(pens[0].twist, from), from, to, twist_near(pens[3].twist, to)};
+}
+
+std::array<MonotoneCubic, 3> upper_cubics(const MonotoneCubic::Intervals& intervals,
+                                          const std::array<Pen, 4>& pens) {
+  std::array<Vec3d, 4> ends;
+  std::ranges::transform(pens, ends.begin(), upper_end);
+  const auto along = [&](int axis) {
+    return cubic(intervals, {ends[0][axis], ends[1][axis], ends[2][axis], ends[3][axis]});
+  };
+  return {along(0), along(1), along(2)};
 }
 
 }  // namespace
@@ -52,14 +73,21 @@ double MonotoneCubic::at(double s) const {
 
 PenCubic::PenCubic(const MonotoneCubic::Intervals& intervals, const Pen& first, const Pen& from,
                    const Pen& to, const Pen& last)
-    : pressure_(intervals, first.pressure, from.pressure, to.pressure, last.pressure),
-      tilt_x_(intervals, first.tilt_x, from.tilt_x, to.tilt_x, last.tilt_x),
-      tilt_y_(intervals, first.tilt_y, from.tilt_y, to.tilt_y, last.tilt_y),
-      twist_(intervals, first.twist, from.twist, to.twist, last.twist) {}
+    : PenCubic(intervals, {first, from, to, last}) {}
+
+PenCubic::PenCubic(const MonotoneCubic::Intervals& intervals, const Pens& pens)
+    : from_(pens[1]),
+      tilts_(!same_tilt(pens[1], pens[2])),
+      pressure_(cubic(intervals, {pens[0].pressure, pens[1].pressure, pens[2].pressure, pens[3].pressure})),
+      twist_(cubic(intervals, unwound_twists(pens))),
+      upper_(upper_cubics(intervals, pens)) {}
 
 Pen PenCubic::at(double s) const {
-  const auto value = [s](const MonotoneCubic& cubic) { return static_cast<float>(cubic.at(s)); };
-  return {value(pressure_), value(tilt_x_), value(tilt_y_), value(twist_)};
+  Pen pen = from_;
+  pen.pressure = static_cast<float>(pressure_.at(s));
+  pen.twist = within_turn(twist_.at(s));
+  if (tilts_) set_upper_end(pen, {upper_[0].at(s), upper_[1].at(s), upper_[2].at(s)});
+  return pen;
 }
 
 }  // namespace burin

@@ -1,6 +1,8 @@
 #pragma once
 #include <burin/stroke/pen.h>
 
+#include <array>
+
 namespace burin {
 
 /// The monotone cubic between two samples of a value [Steffen, A simple method for monotonic interpolation in
@@ -23,7 +25,7 @@ class MonotoneCubic {
   double slope_from_, slope_to_;  ///< a unit of s
 };
 
-/// The same of the pen.
+/// The same of the pen. Its tilt is the direction of its upper end, and its twist goes the shorter way round.
 class PenCubic {
  public:
   PenCubic(const MonotoneCubic::Intervals& intervals, const Pen& first, const Pen& from, const Pen& to,
@@ -32,7 +34,13 @@ class PenCubic {
   Pen at(double s) const;
 
  private:
-  MonotoneCubic pressure_, tilt_x_, tilt_y_, twist_;
+  using Pens = std::array<Pen, 4>;
+  PenCubic(const MonotoneCubic::Intervals& intervals, const Pens& pens);
+
+  Pen from_;
+  bool tilts_;  ///< from one sample to the other
+  MonotoneCubic pressure_, twist_;
+  std::array<MonotoneCubic, 3> upper_;  ///< coordinates of the upper end
 };
 
 /// Time and pen between two samples of a stroke.

@@ -1,4 +1,5 @@
 #include <burin/math/elementary.h>
+#include <burin/stroke/pen_angles.h>
 #include <burin/stroke/stabiliser.h>
 
 #include <algorithm>
@@ -53,8 +54,13 @@ Pen lagging(const Response& response, const Pen& before, const Pen& from, const 
   const auto value = [&](float Pen::*field) {
     return static_cast<float>(response(double{before.*field}, double{from.*field}, double{to.*field}));
   };
-  return {std::clamp(value(&Pen::pressure), 0.F, 1.F), value(&Pen::tilt_x), value(&Pen::tilt_y),
-          value(&Pen::twist)};
+  Pen pen = to;
+  pen.pressure = std::clamp(value(&Pen::pressure), 0.F, 1.F);
+  const double from_twist = twist_near(from.twist, before.twist);
+  pen.twist = within_turn(response(double{before.twist}, from_twist, twist_near(to.twist, from_twist)));
+  if (!same_tilt(before, to) || !same_tilt(from, to))
+    set_upper_end(pen, response(upper_end(before), upper_end(from), upper_end(to)));
+  return pen;
 }
 
 }  // namespace

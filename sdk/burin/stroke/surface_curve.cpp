@@ -84,22 +84,18 @@ CurveTracer::CurveTracer(const CurveGround& ground, double radius, StrokeWidth w
       radius_(radius),
       width_(std::move(width)),
       min_spacing_(std::max(radius / 1000, ground.scale() * 1e-5)),
-      max_spacing_(std::max(radius / 8, min_spacing_)) {}
+      max_spacing_(std::max(radius / 8, min_spacing_)),
+      way_(radius, min_spacing_ / 2) {}
 
 bool CurveTracer::connects(const CurveGround::Place& place) const {
   return knots_.empty() || ground_.connects(knots_.back().place, place);
 }
 
-void CurveTracer::add(const CurveGround::Place& place, double time, const Pen& pen) {
-  const double since_begin = knots_.empty() ? 0 : time - first_time_;
+PenWay::Change CurveTracer::add(const CurveGround::Place& place, double time, const Pen& pen) {
   if (knots_.empty()) first_time_ = time;
-  const Knot knot{place, since_begin, pen};
-  if (!knots_.empty() && knots_.back().position() == place.at.position) {
-    knots_.back() = knot;
-  } else {
-    knots_.push_back(knot);
-  }
-  retrace_tail();
+  const PenWay::Change change = way_.add(knots_, {.place = place, .time = time - first_time_, .pen = pen});
+  if (change != PenWay::Change::none) retrace_tail();
+  return change;
 }
 
 void CurveTracer::retrace_tail() {
@@ -109,7 +105,7 @@ void CurveTracer::retrace_tail() {
   if (last == 0) append(knots_[0].place, Vec3d::Zero(), knots_[0].time, knots_[0].pen);
   for (std::size_t segment = final_segments_; segment < last; ++segment) {
     trace_segment(segment);
-    if (segment + 2 <= last) {
+    if (segment + 2 < way_.taken()) {
       final_points_ = curve_.points.size();
       final_segments_ = segment + 1;
     }
@@ -128,9 +124,9 @@ void CurveTracer::set_widths(std::size_t from_point) {
 
 /// Traces from a knot to the next; of a closed curve, from the last knot towards the first.
 void CurveTracer::trace_segment(std::size_t k) {
-  const Knot &from = knots_[k], &to = *neighbour(k, 1, true);
-  const Knot *before = neighbour(k, 1, false), *after = neighbour(k, 2, true);
-  const auto place = [](const Knot* knot) {
+  const PenKnot &from = knots_[k], &to = *neighbour(k, 1, true);
+  const PenKnot *before = neighbour(k, 1, false), *after = neighbour(k, 2, true);
+  const auto place = [](const PenKnot* knot) {
     return knot ? Vec3d(knot->position().cast<double>()) : Vec3d(Vec3d::Zero());
   };
   const Vec3d place_before = place(before), place_after = place(after);
@@ -156,7 +152,7 @@ void CurveTracer::trace_segment(std::size_t k) {
 }
 
 /// The knot so many steps after or before; none beyond the ends of an open curve.
-const CurveTracer::Knot* CurveTracer::neighbour(std::size_t knot, std::size_t steps, bool forward) const {
+const PenKnot* CurveTracer::neighbour(std::size_t knot, std::size_t steps, bool forward) const {
   const std::size_t count = knots_.size();
   if (!curve_.closed && (forward ? knot + steps >= count : knot < steps)) return nullptr;
   return &knots_[(forward ? knot + steps : knot + count - steps) % count];
@@ -168,16 +164,16 @@ double CurveTracer::spacing(const SurfacePoint& at) const {
 
 /// Time does not go on from the last knot of a closed curve to the first, the pen does.
 PenSpline CurveTracer::pen_spline(std::size_t k) const {
-  const Knot *before = neighbour(k, 1, false), *after = neighbour(k, 2, true);
-  const auto interval = [](const Knot* a, const Knot* b) {
+  const PenKnot *before = neighbour(k, 1, false), *after = neighbour(k, 2, true);
+  const auto interval = [](const PenKnot* a, const PenKnot* b) {
     return a && b ? std::sqrt((b->position() - a->position()).cast<double>().norm()) : 0;
   };
-  const Knot &from = knots_[k], &to = *neighbour(k, 1, true);
+  const PenKnot &from = knots_[k], &to = *neighbour(k, 1, true);
   const MonotoneCubic::Intervals intervals{interval(before, &from), interval(&from, &to),
                                            interval(&to, after)};
   const MonotoneCubic::Intervals in_order{k > 0 ? intervals.before : 0, intervals.within,
                                           k + 2 < knots_.size() ? intervals.after : 0};
-  const Knot &first = before ? *before : from, &last = after ? *after : to;
+  const PenKnot &first = before ? *before : from, &last = after ? *after : to;
   return {{in_order, first.time, from.time, to.time, last.time},
           {intervals, first.pen, from.pen, to.pen, last.pen}};
 }

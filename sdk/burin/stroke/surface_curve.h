@@ -2,6 +2,7 @@
 #include <burin/stroke/curve_ground.h>
 #include <burin/stroke/dynamics.h>
 #include <burin/stroke/pen_spline.h>
+#include <burin/stroke/pen_way.h>
 #include <burin/stroke/recording.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
@@ -63,10 +64,11 @@ enum class Closure {
 
 /// Turns the samples of one stroke into its surface curve as they arrive. Between two samples the curve
 /// follows the centripetal Catmull-Rom spline of the samples, brought onto the surface by closest points;
-/// time and pen follow monotone cubics, which stay between the samples' values. The curve depends on the
-/// ground, the samples so far and the radius only, not on when it was asked for: the part up to the last
-/// sample but one is final, the rest is replaced by the next add(). Samples are places on the ground, or
-/// points of the surface. One thread.
+/// time and pen follow monotone cubics, which stay between the samples' values. What a pen at rest trembles,
+/// or a slow one creeps, is left out as PenWay tells. The curve depends on the ground, the samples so far and
+/// the radius only, not on when it was asked for: the part up to the last sample but one that stays is final,
+/// the rest is replaced by the next add(). Samples are places on the ground, or points of the surface. One
+/// thread.
 class CurveTracer {
  public:
   /// `radius`: of the stroke, object units. Points are half an edge apart, but at least radius / 1000 and
@@ -80,9 +82,12 @@ class CurveTracer {
   bool connects(const CurveGround::Place& place) const;
   bool connects(const SurfacePoint& point) const { return connects(ground_.place(point)); }
 
-  /// Appends a sample at this place. A sample at the place of the one before only updates time and pen.
-  void add(const CurveGround::Place& place, double time, const Pen& pen);
-  void add(const SurfacePoint& point, double time, const Pen& pen) { add(ground_.place(point), time, pen); }
+  /// Appends a sample at this place, and says what that changed. A sample at the place of the one before only
+  /// updates time and pen.
+  PenWay::Change add(const CurveGround::Place& place, double time, const Pen& pen);
+  PenWay::Change add(const SurfacePoint& point, double time, const Pen& pen) {
+    return add(ground_.place(point), time, pen);
+  }
 
   const CurveGround& ground() const { return ground_; }
 
@@ -105,13 +110,6 @@ class CurveTracer {
   std::size_t final_points() const { return final_points_; }
 
  private:
-  struct Knot {
-    CurveGround::Place place;
-    double time = 0;  ///< since the first sample
-    Pen pen;
-    std::size_t point = 0;  ///< of curve_, where it goes through the knot
-    const Vec3f& position() const { return place.at.position; }
-  };
   /// Where the curve, in its last quarter, is nearest to the first knot.
   struct Return {
     std::size_t point;
@@ -122,7 +120,7 @@ class CurveTracer {
   void retrace_closed();
   void retrace_tail();
   void trace_segment(std::size_t knot);
-  const Knot* neighbour(std::size_t knot, std::size_t steps, bool forward) const;
+  const PenKnot* neighbour(std::size_t knot, std::size_t steps, bool forward) const;
   double spacing(const SurfacePoint& at) const;
 
   PenSpline pen_spline(std::size_t knot) const;
@@ -135,7 +133,8 @@ class CurveTracer {
   StrokeWidth width_;
   double min_spacing_, max_spacing_;
   double first_time_ = 0;
-  std::vector<Knot> knots_;
+  PenWay way_;
+  std::vector<PenKnot> knots_;
   SurfaceCurve curve_;
   std::size_t final_segments_ = 0;
   std::size_t final_points_ = 0;

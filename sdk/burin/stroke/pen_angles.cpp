@@ -1,0 +1,60 @@
+#include <burin/math/elementary.h>
+#include <burin/stroke/pen_angles.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace burin {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+/// Tilts that differ by less than a tenth of a radian are mixed one by one: that is the same direction to
+/// second order, and what lies between points of a curve is asked for at every node.
+bool close_tilts(const Pen& a, const Pen& b) {
+  constexpr float close = 0.1F;
+  return std::abs(a.tilt_x - b.tilt_x) < close && std::abs(a.tilt_y - b.tilt_y) < close;
+}
+
+}  // namespace
+
+Vec3d upper_end(const Pen& pen) {
+  constexpr double flat = std::numbers::pi / 2;
+  const double x = std::clamp(double{pen.tilt_x}, -flat, flat),
+               y = std::clamp(double{pen.tilt_y}, -flat, flat);
+  const double cos_x = math::cos(x), cos_y = math::cos(y);
+  return Vec3d(math::sin(x) * cos_y, cos_x * math::sin(y), cos_x * cos_y).stableNormalized();
+}
+
+void set_upper_end(Pen& pen, const Vec3d& direction) {
+  constexpr double least_slope = 0.05 / 360 * turn;
+  const double up = std::max(direction.z(), least_slope * direction.head<2>().norm());
+  pen.tilt_x = static_cast<float>(math::atan2(direction.x(), up));
+  pen.tilt_y = static_cast<float>(math::atan2(direction.y(), up));
+}
+
+bool same_tilt(const Pen& a, const Pen& b) { return a.tilt_x == b.tilt_x && a.tilt_y == b.tilt_y; }
+
+double twist_near(double twist, double near) {
+  const double off = twist - near;
+  return std::abs(off) <= turn / 2 ? twist : twist - turn * std::round(off / turn);
+}
+
+float within_turn(double twist) {
+  const auto within =
+      static_cast<float>(twist >= 0 && twist < turn ? twist : twist - turn * std::floor(twist / turn));
+  return double{within} < turn ? within : 0;
+}
+
+Pen pen_between(const Pen& a, const Pen& b, float share) {
+  const auto mix = [share](float x, float y) { return x + share * (y - x); };
+  Pen pen{.pressure = mix(a.pressure, b.pressure),
+          .tilt_x = mix(a.tilt_x, b.tilt_x),
+          .tilt_y = mix(a.tilt_y, b.tilt_y),
+          .twist = within_turn(a.twist + double{share} * (twist_near(b.twist, a.twist) - a.twist))};
+  if (!close_tilts(a, b)) set_upper_end(pen, upper_end(a) + double{share} * (upper_end(b) - upper_end(a)));
+  return pen;
+}
+
+}  // namespace burin

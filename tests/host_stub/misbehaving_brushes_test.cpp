@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "command.h"
+#include "support/shapes.h"
+
+namespace burin::test {
+namespace {
+
+/// Runs on a sphere that is drawn on with a brush which misbehaves.
+class MisbehavingBrushes : public ::testing::Test {
+ protected:
+  ProcessResult replay(const std::string& brush, const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> command = {BURIN_COMMAND, "replay",  stroke_, "--mesh",
+                                        mesh_,         "--brush", brush,   "--json"};
+    command.insert(command.end(), options.begin(), options.end());
+    return run_process(command, {std::string("BURIN_PLUGIN_PATH=") + BURIN_TEST_PLUGINS});
+  }
+
+  CommandFolder folder_;
+  std::string mesh_ = folder_.write("sphere.obj", obj_text(sphere(4, 0, 1)));
+  std::string stroke_ = folder_.write("a.stroke", equator_stroke(-0.6, 0.6, 21, "\"radius\":0.2"));
+};
+
+/// The lines of an output less the warnings of the modules that cannot be loaded.
+std::vector<std::string> own_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);)
+    if (!line.starts_with(std::string("burin: warning: ") + BURIN_TEST_PLUGINS)) lines.push_back(line);
+  return lines;
+}
+
+TEST_F(MisbehavingBrushes, LeaveTheOtherBrushesAlone) {
+  const ProcessResult result = replay("org.burin.groove");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_GT(nlohmann::json::parse(result.out)["events"], 0);
+  EXPECT_NE(result.err.find("wrong_major.burin: is made for version 999"), std::string::npos) << result.err;
+  EXPECT_EQ(own_lines(result.err), std::vector<std::string>{});
+}
+
+TEST_F(MisbehavingBrushes, AreNamedWhenTheyAreAskedFor) {
+  const ProcessResult result = replay("org.burin.test.wrong-major");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  const std::vector<std::string> lines = own_lines(result.err);
+  ASSERT_EQ(lines.size(), 1u) << result.err;
+  EXPECT_EQ(lines[0].find("burin: --brush: no brush 'org.burin.test.wrong-major'; there are: "), 0u);
+  EXPECT_NE(lines[0].find("wrong_major.burin: is made for version 999"), std::string::npos);
+}
+
+TEST_F(MisbehavingBrushes, PrintToTheStandardError) {
+  const ProcessResult result = replay("org.burin.test.printing");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_GT(nlohmann::json::parse(result.out)["events"], 0);
+  std::vector<std::string> lines = own_lines(result.err);
+  std::sort(lines.begin(), lines.end());
+  EXPECT_EQ(lines, (std::vector<std::string>{"by stdio", "by streams", "by the system"}));
+}
+
+TEST_F(MisbehavingBrushes, AreErrorsWhenTheyEndTheProcess) {
+  const ProcessResult result = replay("org.burin.test.exiting", {"--save-mesh", folder_.path("out.ply")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(own_lines(result.err),
+            std::vector<std::string>{"burin: brush org.burin.test.exiting called exit()"});
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("out.ply")));
+}
+
+TEST_F(MisbehavingBrushes, AreErrorsWhenTheyDisplaceAbsurdly) {
+  const ProcessResult result = replay("org.burin.test.absurd");
+  EXPECT_EQ(result.exit_code, 2);
+  const std::vector<std::string> lines = own_lines(result.err);
+  ASSERT_EQ(lines.size(), 1u) << result.err;
+  EXPECT_EQ(lines[0].find("burin: " + stroke_ +
+                          ": stroke 1: org.burin.test.absurd: returned a displacement of 200, "
+                          "more than 1000 radii at t = "),
+            0u)
+      << lines[0];
+}
+
+TEST(StandardOutput, TakesResultsThatCannotBeWrittenForErrors) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+  const ProcessResult result =
+      run_process({"sh", "-c", std::string(BURIN_COMMAND) + " list > /dev/full"}, {"BURIN_PLUGIN_PATH="});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err, "burin: standard output: writing failed\n");
+}
+
+}  // namespace
+}  // namespace burin::test
