@@ -16,7 +16,7 @@ class GroundCharter {
   explicit GroundCharter(const ChartGround& ground)
       : ground_(ground), front_(ground), legs_(ground), live_(ground.vertex_count()) {}
 
-  /// Of the options, `follow` has been dealt with.
+  /// Of the options, `follow` has been dealt with and the radius is a finite number above 0.
   void begin(const ChartOptions& options);
 
   /// The chart of the curve, bit for bit as a fresh one.

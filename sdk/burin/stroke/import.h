@@ -11,8 +11,8 @@ struct ImportCounts {
   std::size_t events = 0;        ///< in the file
   std::size_t lifted = 0;        ///< of these, left out since the pen did not touch the tablet
   std::size_t times_raised = 0;  ///< in strokes, since they fell
-  std::size_t pressures_dropped =
-      0;  ///< strokes without pressure since that of the file is 0 in contact, too
+  /// Strokes without pressure, since that of the file is 0 in contact, too.
+  std::size_t pressures_dropped = 0;
 };
 
 struct Import {
@@ -24,9 +24,9 @@ struct Import {
 // the camera's viewport: uniformly scaled so that the box of all strokes fits into the viewport less a
 // margin of 10 % on each side, and centred. Events with the pen lifted end a stroke; a tap is a stroke of one
 // place. Settings (brush, radius) stay open. Times are the recorder's, in seconds; one that falls within a
-// stroke is raised to the time before it. Throws FileError that names the
-// line or element: malformed input, values that are not finite, pressure outside 0..1, and a file without
-// strokes. Throws ContractError for a camera without a viewport or inverse.
+// stroke is raised to the time before it. Throws FileError that names the line or element: malformed input,
+// values that are not finite, pressure outside 0..1, and a file without strokes. Throws ContractError for a
+// camera without a viewport or inverse.
 
 /// libmypaint's event recordings: lines of `time x y pressure`; pressure 0 lifts the pen.
 Import import_mypaint_events(const std::filesystem::path& path, const Camera& camera);

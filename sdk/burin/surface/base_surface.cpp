@@ -133,11 +133,14 @@ BaseSurface::Missing BaseSurface::missing_in(const Ball& ball) const {
 }
 
 BaseSurface::Sample BaseSurface::mean(Index node) {
-  const Sample* const known = level_ == 0 ? means_.find(node) : nullptr;
-  if (known) return *known;
-  const ClusterMean mean = levels_->mean(level_, node);
-  const Sample sample{mean.position, mean.area, mean.spread};
-  if (level_ == 0) means_.put(node, sample);
+  const auto of_levels = [&] {
+    const ClusterMean mean = levels_->mean(level_, node);
+    return Sample{mean.position, mean.area, mean.spread};
+  };
+  if (level_ > 0) return of_levels();  // which keep them
+  if (const Sample* known = means_.find(node)) return *known;
+  const Sample sample = of_levels();
+  means_.put(node, sample);
   return sample;
 }
 

@@ -37,7 +37,8 @@ class QuadraticFit {
     if (++waiting_ == lanes) add_waiting();
   }
 
-  /// As many places as there are lanes, and how much each counts besides.
+  /// As many places as there are lanes, and how much each counts besides. Flattened: a call for each
+  /// expression of lanes costs more than what it computes.
   [[gnu::flatten]] void add(const Lanes& at_x, const Lanes& at_y, const Lanes& z, const Lanes& counts) {
     const auto inverse = static_cast<float>(inverse_);
     const Lanes x = at_x * inverse, y = at_y * inverse;
