@@ -117,14 +117,14 @@ void print_result(const ChartCommandOptions& options, const LoadedSurface& loade
                   const Chart& chart, double radius) {
   const Index sheets = chart.size() == 0 ? 0 : std::ranges::max(chart.sheet) + 1;
   if (options.json) {
-    write_result(fmt::format("{}\n", json_text({{"mesh", mesh_json(options.mesh, loaded)},
-                                                {"stroke", options.stroke},
-                                                {"radius", radius},
-                                                {"length", curve.length()},
-                                                {"closed", chart.closed},
-                                                {"vertices", std::ranges::count(chart.sheet, 0u)},
-                                                {"nodes", chart.size()},
-                                                {"sheets", sheets}})));
+    write_result(json_text({{"mesh", mesh_json(options.mesh, loaded)},
+                            {"stroke", options.stroke},
+                            {"radius", radius},
+                            {"length", curve.length()},
+                            {"closed", chart.closed},
+                            {"vertices", std::ranges::count(chart.sheet, 0u)},
+                            {"nodes", chart.size()},
+                            {"sheets", sheets}}));
   } else {
     write_result(
         fmt::format("{}\nstroke {} of {}: length {:.6g}, radius {:.6g}, chart of {} vertices in {}\n",

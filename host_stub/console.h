@@ -10,7 +10,7 @@ namespace burin {
 /// A result in the order in which it was put together.
 using Json = nlohmann::ordered_json;
 
-/// The text of a result. Bytes that are no UTF-8, as file names may have them, are replaced.
+/// The text of a result, with a line end. Bytes that are no UTF-8, as file names may have them, are replaced.
 std::string json_text(const Json& json);
 
 /// Writes a result to the standard output. Everything but the help goes this way.

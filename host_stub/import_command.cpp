@@ -58,14 +58,14 @@ void print_result(const ImportOptions& options, const Recording& recording, cons
   std::size_t samples = 0;
   for (const RecordedStroke& stroke : recording.strokes) samples += stroke.samples.size();
   if (options.json) {
-    write_result(fmt::format("{}\n", json_text({{"recording", options.recording},
-                                                {"out", options.out},
-                                                {"strokes", recording.strokes.size()},
-                                                {"samples", samples},
-                                                {"events", counts.events},
-                                                {"events_lifted", counts.lifted},
-                                                {"times_raised", counts.times_raised},
-                                                {"pressures_dropped", counts.pressures_dropped}})));
+    write_result(json_text({{"recording", options.recording},
+                            {"out", options.out},
+                            {"strokes", recording.strokes.size()},
+                            {"samples", samples},
+                            {"events", counts.events},
+                            {"events_lifted", counts.lifted},
+                            {"times_raised", counts.times_raised},
+                            {"pressures_dropped", counts.pressures_dropped}}));
   } else {
     write_result(fmt::format("{}: {} strokes, {} samples of {} events; {} left out, the pen lifted\n",
                              options.out, recording.strokes.size(), samples, counts.events, counts.lifted));

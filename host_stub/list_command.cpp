@@ -138,7 +138,7 @@ void run(bool json) {
   }
   Json brushes = Json::array();
   for (const BrushEntry& entry : library.brushes()) brushes.push_back(brush_json(entry));
-  write_result(json_text({{"brushes", brushes}}) + "\n");
+  write_result(json_text({{"brushes", brushes}}));
 }
 
 }  // namespace

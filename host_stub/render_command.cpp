@@ -29,8 +29,7 @@ void run(const RenderOptions& options) {
   write_png(options.png, render(loaded.surface, picker, whole_view(loaded.surface, options.view),
                                 painted(loaded.paint), bar.progress()));
   if (options.json) {
-    write_result(
-        fmt::format("{}\n", json_text({{"mesh", mesh_json(options.mesh, loaded)}, {"png", options.png}})));
+    write_result(json_text({{"mesh", mesh_json(options.mesh, loaded)}, {"png", options.png}}));
   } else {
     write_result(fmt::format("{}\n{}: {} x {} pixels\n", mesh_text(options.mesh, loaded), options.png,
                              options.view.width, options.view.height));

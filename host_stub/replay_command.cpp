@@ -159,8 +159,7 @@ void run(ReplayOptions& options) {
     const Camera camera = replay_view(session.surface(), witness.extent(), recordings, options.view);
     write_pictures(options, session, mesh, witness, camera, summary, json);
   }
-  write_result(
-      fmt::format("{}\n", options.json ? json_text(json) : mesh.text() + "\n" + summary_text(summary)));
+  write_result(options.json ? json_text(json) : mesh.text() + "\n" + summary_text(summary) + "\n");
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ void write_report(const std::string& folder, const ReplaySummary& summary, const
   write_png(root / "before.png", pictures.before);
   write_png(root / "after.png", pictures.after);
   write_png(root / "chart.png", pictures.chart);
-  write_text(root / "report.json", json_text(json) + "\n");
+  write_text(root / "report.json", json_text(json));
   write_text(root / "index.html", page(summary));
 }
 

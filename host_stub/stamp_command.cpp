@@ -113,7 +113,7 @@ void run(const StampCommandOptions& options) {
     warn(fmt::format("{}: filled {} values that are not finite from their neighbours", options.path,
                      file.not_finite));
   if (options.json)
-    write_result(fmt::format("{}\n", json_text(stamp_json(options.path, image, file, seam))));
+    write_result(json_text(stamp_json(options.path, image, file, seam)));
   else
     print_text(options.path, image, file, seam);
 }

@@ -79,7 +79,7 @@ void print(const SuiteResult& result, bool json) {
   }
   Json all = result_json(result);
   all["scaling"] = scalings_json(growth);
-  write_result(json_text(all) + "\n");
+  write_result(json_text(all));
 }
 
 std::vector<NamedResult> read_history(const std::vector<std::string>& files) {
@@ -101,8 +101,7 @@ void run_measurement(const BenchOptions& options) {
   if (!options.suite.empty()) {
     SuiteResult result = measure(chosen_suite(options), options);
     print(result, options.json);
-    if (!options.write_baseline.empty())
-      write_text(options.write_baseline, json_text(baseline_json(result)) + "\n");
+    if (!options.write_baseline.empty()) write_text(options.write_baseline, json_text(baseline_json(result)));
     results.push_back({"this run", std::move(result)});
   }
   if (!options.report.empty()) write_bench_report(options.report, results);
@@ -117,7 +116,7 @@ void run_against(BenchOptions options) {
     return compare_builds(suite, options.against, bar.progress());
   }();
   if (options.json)
-    write_result(json_text(against_json(suite, options.against, comparisons)) + "\n");
+    write_result(json_text(against_json(suite, options.against, comparisons)));
   else
     write_result(against_text(options.against, comparisons));
   check_comparisons(options.against, comparisons);

@@ -137,7 +137,7 @@ void write_bench_report(const std::string& folder, const std::vector<NamedResult
   const std::filesystem::path root = folder;
   Json json = result_json(results.back().result);
   json["scaling"] = scalings_json(scalings(results.back().result));
-  write_text(root / "result.json", json_text(json) + "\n");
+  write_text(root / "result.json", json_text(json));
   write_text(root / "index.html", page(results));
 }
 
