@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "chart_check.h"
 #include "checkerboard.h"
 #include "command.h"
 #include "curve_overlay.h"
@@ -36,6 +37,7 @@ struct ChartCommandOptions {
   std::optional<Closure> closure;
   double pressure_width = 0;
   std::optional<double> follow;
+  bool check = false;
   MeshOptions mesh;
   ViewOptions view;
   bool json = false;
@@ -113,24 +115,52 @@ Picture draw_chart(const Surface& surface, const Picker& picker, const SurfaceCu
   return picture;
 }
 
+Json check_json(const ChartCheck& check) {
+  Json json = {{"under_pen", check.under_pen}, {"holes", check.holes}, {"distances", nullptr}};
+  if (const auto& d = check.distances)
+    json["distances"] = {{"surface", d->sphere ? "sphere" : "plane"},
+                         {"mean_percent", 100 * d->mean},
+                         {"worst_percent", 100 * d->worst},
+                         {"off_by_2_percent", d->off_2},
+                         {"off_by_10_percent", d->off_10}};
+  return json;
+}
+
+std::string check_text(const ChartCheck& check) {
+  std::string text =
+      fmt::format("{} vertices under the pen, {} of them without a node\n", check.under_pen, check.holes);
+  if (const auto& d = check.distances)
+    text += fmt::format(
+        "distances on the {}: off by {:.3g} % of the radius in the mean, {:.3g} % at most, {} by over 2 %, "
+        "{} by "
+        "over 10 %\n",
+        d->sphere ? "sphere" : "plane", 100 * d->mean, 100 * d->worst, d->off_2, d->off_10);
+  return text;
+}
+
 void print_result(const ChartCommandOptions& options, const LoadedSurface& loaded, const SurfaceCurve& curve,
                   const Chart& chart, double radius) {
   const Index sheets = chart.size() == 0 ? 0 : std::ranges::max(chart.sheet) + 1;
+  std::optional<ChartCheck> check;
+  if (options.check) check = check_chart(loaded.surface, curve, chart, radius);
   if (options.json) {
-    write_result(json_text({{"mesh", mesh_json(options.mesh, loaded)},
-                            {"stroke", options.stroke},
-                            {"radius", radius},
-                            {"length", curve.length()},
-                            {"closed", chart.closed},
-                            {"vertices", std::ranges::count(chart.sheet, 0u)},
-                            {"nodes", chart.size()},
-                            {"sheets", sheets}}));
+    Json json = {{"mesh", mesh_json(options.mesh, loaded)},
+                 {"stroke", options.stroke},
+                 {"radius", radius},
+                 {"length", curve.length()},
+                 {"closed", chart.closed},
+                 {"vertices", std::ranges::count(chart.sheet, 0u)},
+                 {"nodes", chart.size()},
+                 {"sheets", sheets}};
+    if (check) json["check"] = check_json(*check);
+    write_result(json_text(json));
   } else {
     write_result(
         fmt::format("{}\nstroke {} of {}: length {:.6g}, radius {:.6g}, chart of {} vertices in {}\n",
                     mesh_text(options.mesh, loaded), options.stroke, options.strokes, curve.length(), radius,
                     std::ranges::count(chart.sheet, 0u),
-                    sheets == 1 ? std::string("one sheet") : fmt::format("up to {} sheets", sheets)));
+                    sheets == 1 ? std::string("one sheet") : fmt::format("up to {} sheets", sheets)) +
+        (check ? check_text(*check) : ""));
   }
 }
 
@@ -146,6 +176,8 @@ void run(const ChartCommandOptions& options) {
   if (loaded.surface.is_point_set() && !options.png.empty()) {
     throw FileError(options.mesh.path, "holds points without faces, which --png cannot draw");
   }
+  if (loaded.surface.is_point_set() && options.check)
+    throw FileError(options.mesh.path, "holds points without faces, which --check cannot measure");
   const Picker picker(loaded.surface);
   const ChartOptions how{.radius = radius,
                          .cap = options.cap,
@@ -201,8 +233,16 @@ void add_chart(CLI::App& app) {
   add_follow_option(command, options->follow);
   command.add_option("--csv", options->csv, "table to write")->type_name("FILE");
   command.add_option("--png", options->png, "picture to write: a checkerboard of (t, d)")->type_name("FILE");
+  command.add_flag(
+      "--check", options->check,
+      "tell how many vertices under the pen have no coordinates, and on planes and spheres how far "
+      "distances are off; for round ends and bends");
   command.add_flag("--json", options->json, "write JSON to the standard output");
-  command.callback([options] { run(*options); });
+  command.callback([options] {
+    if (options->check && (options->cap != Cap::round || options->join != Join::round))
+      throw CLI::ValidationError("--check", "needs round ends and bends: --cap round --join round");
+    run(*options);
+  });
 }
 
 }  // namespace burin::command

@@ -4,15 +4,12 @@
 #include <algorithm>
 
 namespace burin {
-namespace {
 
 std::size_t segment_at(const SurfaceCurve& curve, double t) {
   const auto after = std::ranges::upper_bound(curve.points, t, {}, &CurvePoint::t) - curve.points.begin();
   const auto point = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1)) - 1;
   return std::min(point, curve.segment_count() - 1);
 }
-
-}  // namespace
 
 CurvePoint point_at(const SurfaceCurve& curve, double along_curve) {
   const double t = curve.closed ? wrapped_t(along_curve, curve.length()) : along_curve;

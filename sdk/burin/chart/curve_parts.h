@@ -3,6 +3,9 @@
 
 namespace burin {
 
+/// The segment that holds the arc length t; beyond the ends the first or last.
+std::size_t segment_at(const SurfaceCurve& curve, double t);
+
 /// The point at an arc length, between the points around it. On a closed curve arc lengths go around.
 CurvePoint point_at(const SurfaceCurve& curve, double t);
 

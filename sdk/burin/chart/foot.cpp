@@ -35,9 +35,9 @@ class Arc {
     left_ = normal.cross(along_);
     const float begin = slope(a.tangent), end = slope(b.tangent);
     constexpr float steepest = 0.5F, sharp = 0.2F;
-    sharp_ = std::abs(end - begin) > sharp;
+    // Of tangents that both go backward the difference is no number.
+    sharp_ = !(std::abs(end - begin) <= sharp);
     if (std::max(std::abs(begin), std::abs(end)) > steepest) return;
-    overhang_ = 0.5F;
     begin_ = begin;
     end_ = end;
   }
@@ -50,12 +50,26 @@ class Arc {
 
   Vec3f position(float s) const { return from_ + s * length_ * along_ + offset(s) * left_; }
 
-  /// Where x projects onto the arc, from a first guess. Slightly beyond 0 and 1 where the joint's wedge is.
+  /// Where x projects onto the arc, from a first guess; 0..1.
   float foot(const Vec3f& x, float s) const {
     if (!(length_ > 0)) return s;
-    const float ahead = (x - from_).dot(along_), beside = (x - from_).dot(left_);
-    for (int i = 0; i < 2; ++i) s = (ahead + (beside - offset(s)) * slope_at(s)) / length_;
-    return std::clamp(s, -overhang_, 1 + overhang_);
+    const float ahead = (x - from_).dot(along_) / length_, beside = (x - from_).dot(left_) / length_;
+    const auto squared_distance = [&](float at) {
+      const float u = ahead - at, v = beside - offset(at) / length_;
+      return u * u + v * v;
+    };
+    for (int i = 0; i < 4; ++i) {
+      const float slope = slope_at(s), left = beside - offset(s) / length_;
+      // Newton's method, where the arc does not bend around x.
+      const float steepness = 1 + slope * slope - left * bend_at(s);
+      constexpr float least_steepness = 0.1F;
+      const float step = (ahead - s + left * slope) / std::max(steepness, least_steepness);
+      const float next = std::clamp(s + step, 0.F, 1.F);
+      // Farther off by more than rounding.
+      if (squared_distance(next) > 1.0001F * squared_distance(s)) break;
+      s = next;
+    }
+    return s;
   }
 
  private:
@@ -65,11 +79,11 @@ class Arc {
   }
   float offset(float s) const { return length_ * s * (1 - s) * (begin_ * (1 - s) - end_ * s); }
   float slope_at(float s) const { return begin_ * (1 - s) * (1 - 3 * s) - end_ * s * (2 - 3 * s); }
+  float bend_at(float s) const { return begin_ * (6 * s - 4) + end_ * (6 * s - 2); }
 
   Vec3f from_, along_ = Vec3f::Zero(), left_ = Vec3f::Zero();
   float length_ = 0, begin_ = 0, end_ = 0;  ///< slopes against the chord
   bool sharp_ = false;
-  float overhang_ = 0;  ///< how far the cubic may go on beyond its ends
 };
 
 }  // namespace
@@ -105,22 +119,56 @@ NearestFoot nearest_from(const SurfaceCurve& curve, const Foot& start, const Vec
     if (!passes_joint || next.distance > foot.distance + rounding) break;
     foot = next;
   }
-  return {foot, last_segment};
+  // The foot on the arcs beside the polyline may lie on the next one.
+  return {foot, std::max(last_segment, std::min(foot.segment + 1, count - 1))};
 }
+
+namespace {
+
+/// A foot on the arc between two points of the curve.
+struct ArcFoot {
+  Foot foot;
+  bool at_corner;  ///< the stroke turns sharply there, nearer to x than which no coordinates are its own
+};
+
+ArcFoot on_arc(const SurfaceCurve& curve, Foot foot, const Vec3f& x) {
+  const CurvePoint &a = curve.points[foot.segment], &b = curve.points[curve.next(foot.segment)];
+  const Arc arc(a, b, ((1 - foot.s) * a.normal + foot.s * b.normal).normalized());
+  foot.s = arc.foot(x, foot.s);
+  foot.position = arc.position(foot.s);
+  foot.distance = (x - foot.position).norm();
+  return {foot, arc.is_sharp() && foot.distance > arc.length()};
+}
+
+/// The foot on the arc of the segment or, where that ends in a joint, on the next one: the same from
+/// whichever of both it is looked for.
+ArcFoot on_arcs(const SurfaceCurve& curve, const Foot& start, const Vec3f& x) {
+  const ArcFoot own = on_arc(curve, start, x);
+  const std::size_t count = curve.segment_count();
+  const bool forward = own.foot.s == 1 && !at_end(curve, own.foot);
+  const bool backward = own.foot.s == 0 && !at_begin(curve, own.foot);
+  if (!forward && !backward) return own;
+  Foot joint{(own.foot.segment + (forward ? 1 : count - 1)) % count, forward ? 0.F : 1.F, own.foot.position,
+             own.foot.distance};
+  const ArcFoot other = on_arc(curve, joint, x);
+  if (other.foot.s != joint.s) return other;
+  return {own.foot, own.at_corner || other.at_corner};
+}
+
+}  // namespace
 
 ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve,
                       const GeodesicCurvature& curvature, Foot foot) {
-  const std::size_t next = curve.next(foot.segment);
-  const CurvePoint &a = curve.points[foot.segment], &b = curve.points[next];
   const bool begin = at_begin(curve, foot), end = at_end(curve, foot);
-  const Vec3f normal = ((1 - foot.s) * a.normal + foot.s * b.normal).normalized();
   bool at_corner = false;
   if (!begin && !end) {
-    const Arc arc(a, b, normal);
-    foot.s = arc.foot(vertex.position, foot.s);
-    foot.position = arc.position(foot.s);
-    at_corner = arc.is_sharp() && (vertex.position - foot.position).norm() > arc.length();
+    const ArcFoot on_arc = on_arcs(curve, foot, vertex.position);
+    foot = on_arc.foot;
+    at_corner = on_arc.at_corner;
   }
+  const std::size_t next = curve.next(foot.segment);
+  const CurvePoint &a = curve.points[foot.segment], &b = curve.points[next];
+  const Vec3f normal = ((1 - foot.s) * a.normal + foot.s * b.normal).normalized();
   const Vec3f along = (1 - foot.s) * a.tangent + foot.s * b.tangent;
   const Vec3f flat = along - normal.dot(along) * normal;
   const Vec3f tangent = flat.squaredNorm() > 0 ? Vec3f(flat.normalized()) : a.tangent;

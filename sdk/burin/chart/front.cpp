@@ -28,15 +28,16 @@ void Front::restart(double radius, int order, const Extensions& extensions) {
   stroke_.order = order;
   stroke_.extensions = extensions;
   stroke_.samples.clear();
-  points_.clear();
+  stroke_.path.clear();
+  stroke_.curve.points.clear();
 }
 
 void Front::update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t parts) {
   if (curve.closed || stroke_.samples.closed()) restart(stroke_.radius, stroke_.order, stroke_.extensions);
-  if (points_.empty()) cut(curve, ground_.concurrent() ? parts : 1);
-  const CurveChange change = replace_curve(curve, std::min(unchanged, points_.size()));
-  if (parts_.size() > 1) return advance_in_steps(curve, change);
-  parts_[0]->change(curve, change);
+  if (stroke_.curve.points.empty()) cut(curve, ground_.concurrent() ? parts : 1);
+  const CurveChange change = replace_curve(curve, std::min(unchanged, stroke_.curve.points.size()));
+  if (parts_.size() > 1) return advance_in_steps(change);
+  parts_[0]->change(change);
   parts_[0]->advance(unreached);
 }
 
@@ -59,19 +60,24 @@ void Front::cut(const SurfaceCurve& curve, std::size_t parts) {
 }
 
 CurveChange Front::replace_curve(const SurfaceCurve& curve, std::size_t unchanged) {
+  std::vector<CurvePoint>& points = stroke_.curve.points;
   const auto from = static_cast<std::ptrdiff_t>(unchanged);
-  const auto differ = std::mismatch(points_.begin() + from, points_.end(), curve.points.begin() + from,
+  const auto differ = std::mismatch(points.begin() + from, points.end(), curve.points.begin() + from,
                                     curve.points.end(), same_for_charts);
-  unchanged = static_cast<std::size_t>(differ.first - points_.begin());
-  points_.resize(unchanged);
-  points_.insert(points_.end(), differ.second, curve.points.end());
+  unchanged = static_cast<std::size_t>(differ.first - points.begin());
+  points.resize(unchanged);
+  points.insert(points.end(), differ.second, curve.points.end());
+  stroke_.curve.closed = curve.closed;
+  stroke_.curve.closing_length = curve.closing_length;
 
+  const double finest = finest_share * ground_.scale();
   const std::size_t bent = stroke_.curvature.update(curve, curvature_window * stroke_.radius, unchanged);
+  stroke_.path.update(curve, stroke_.curvature, stroke_.radius, finest, std::min(bent, unchanged));
   CurveChange change{};
-  change.first_sample = stroke_.samples.update(curve, stroke_.radius, finest_share * ground_.scale(),
-                                               stroke_.extensions, unchanged);
-  change.unchanged_t = change.first_sample > 0 ? stroke_.samples.t(change.first_sample - 1)
-                                               : -std::numeric_limits<double>::infinity();
+  change.first_sample = stroke_.samples.update(curve, stroke_.radius, finest, stroke_.extensions, unchanged);
+  change.unchanged_t = change.first_sample > 0 && unchanged > 0
+                           ? std::min(stroke_.samples.t(change.first_sample - 1), points[unchanged - 1].t)
+                           : -std::numeric_limits<double>::infinity();
   unchanged_t_ = change.unchanged_t;
   // The segment before a point ends there; the one before that may have been the stroke's last.
   change.first_segment = std::min(bent, unchanged) > 2 ? std::min(bent, unchanged) - 2 : 0;
@@ -82,21 +88,21 @@ CurveChange Front::replace_curve(const SurfaceCurve& curve, std::size_t unchange
 
 /// Each part has a thread. Between two steps all publish how far they are and what happened at their borders,
 /// on one of two boards in turn: while the one is read the other is written.
-void Front::advance_in_steps(const SurfaceCurve& curve, const CurveChange& change) {
+void Front::advance_in_steps(const CurveChange& change) {
   struct Bulletin {
     float least_g = unreached;
     std::vector<BorderNode> reports;
   };
   // Half an edge, as points of the curve are apart: farther, and much would be taken back for what a
   // neighbouring part has to say.
-  const double half_edge = curve.length() / static_cast<double>(curve.points.size());
+  const double half_edge = stroke_.curve.length() / static_cast<double>(stroke_.curve.points.size());
   const auto step = static_cast<float>(std::max(half_edge, stroke_.radius / 1024));
   std::array<std::vector<Bulletin>, 2> boards{std::vector<Bulletin>(parts_.size()),
                                               std::vector<Bulletin>(parts_.size())};
   StepBarrier barrier(parts_.size());
   side_by_side(parts_.size(), [&](std::size_t own) {
     FrontPart& part = *parts_[own];
-    part.change(curve, change);
+    part.change(change);
     for (std::size_t round = 0;; ++round) {
       std::vector<Bulletin>& board = boards[round % 2];
       const std::span<const BorderNode> reports = part.reports();

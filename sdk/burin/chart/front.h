@@ -16,8 +16,8 @@ namespace burin {
 /// Nodes are visits of the stroke to vertices. A node leads on to the nodes of the neighbouring vertices
 /// whose run holds the sample at its own t. Settled nodes within the stroke are inside and lead on.
 ///
-/// A front may be cut into parts by vertices, which advance side by side, one step of graph distance at a
-/// time, and tell each other between steps what happened at their borders.
+/// A front may be cut into parts by vertices, which advance side by side, one step of distance at a time, and
+/// tell each other between steps what happened at their borders.
 class Front {
  public:
   /// Over which the stroke's curvature is estimated, on either side, in shares of the radius.
@@ -50,6 +50,8 @@ class Front {
   /// Nodes of this t or more were computed by the last update().
   double unchanged_t() const { return unchanged_t_; }
 
+  const FrontStroke& stroke() const { return stroke_; }
+
   /// Half width of the stroke at the arc length t, object units.
   double half_width(double t) const { return stroke_.samples.half_width(t); }
 
@@ -60,13 +62,12 @@ class Front {
  private:
   void cut(const SurfaceCurve& curve, std::size_t parts);
   CurveChange replace_curve(const SurfaceCurve& curve, std::size_t unchanged);
-  void advance_in_steps(const SurfaceCurve& curve, const CurveChange& change);
+  void advance_in_steps(const CurveChange& change);
 
   ChartGround ground_;
   FrontStroke stroke_;
   double unchanged_t_ = 0;
-  std::vector<CurvePoint> points_;  ///< of the last curve
-  std::vector<Index> blocks_;       ///< see ChartNodes
+  std::vector<Index> blocks_;  ///< see ChartNodes
   std::vector<std::unique_ptr<FrontPart>> parts_;
 };
 

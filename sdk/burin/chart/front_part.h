@@ -2,6 +2,8 @@
 #include <burin/base/index_set.h>
 #include <burin/chart/bucket_queue.h>
 #include <burin/chart/chart_nodes.h>
+#include <burin/chart/front_stroke.h>
+#include <burin/chart/leader.h>
 #include <burin/chart/seeds.h>
 #include <burin/chart/upwind_frames.h>
 
@@ -13,19 +15,10 @@
 
 namespace burin {
 
-/// What all parts of a front share and read.
-struct FrontStroke {
-  double radius = 0;  ///< half width of the stroke at width 1, object units
-  int order = 2;
-  Extensions extensions;
-  StrokeSamples samples;
-  GeodesicCurvature curvature;
-};
-
 /// What a change of the curve leaves as it was.
 struct CurveChange {
   Index first_sample;         ///< the first that differs
-  double unchanged_t;         ///< nodes of a lower t keep their coordinates, unless something upwind changes
+  double unchanged_t;         ///< what depends on lower t only is as it was, unless something upwind changes
   std::size_t first_segment;  ///< the first whose seeds may differ
 };
 
@@ -44,10 +37,11 @@ struct BorderNode {
 /// The front on a range of vertices. Nodes of other vertices beside them are copies of what their own parts
 /// report.
 ///
-/// Each node x that the front reaches has the graph distance g from the seeds and is settled once every q
-/// that leads on to it with (g_q, q) < (g_x, x), in lexicographic order of g and vertex, is: the upwind ones.
-/// When a frame changes, the settled nodes downwind of it are computed again, or taken back and settled anew,
-/// so that frames are the same in whatever order the news comes.
+/// Each node x that the front reaches has the least distance g at which its seed or the frame of an upwind
+/// node places it, and is settled once every q that leads on to it with (g_q, q) < (g_x, x), in lexicographic
+/// order of g and vertex, is: the upwind ones. Nearer parts of the stroke so settle a node before farther
+/// ones come by. When a frame changes, the settled nodes downwind of it are computed again, or taken back and
+/// settled anew, so that frames are the same in whatever order the news comes.
 class FrontPart {
  public:
   /// `blocks` as ChartNodes takes it. All must outlive the object.
@@ -62,7 +56,7 @@ class FrontPart {
   void restart(VertexRange own);
 
   /// Follows a change of the curve. What follows from it waits for advance().
-  void change(const SurfaceCurve& curve, const CurveChange& change);
+  void change(const CurveChange& change);
 
   /// Takes in what another part reports, which has this number.
   void receive(std::size_t part, std::span<const BorderNode> reports);
@@ -100,21 +94,27 @@ class FrontPart {
   void report(Index node);
   void reach_waiting();
   void settle_gathered();
+  void settle_as_seed(Index node);
   void settle(Index node, ChartFrame frame);
   void settle_again(Index node, const ChartFrame& frame);
   void follow(const Seeds::Change& change);
+  /// Whether a seed gives a node of this g its frame. Its coordinates are exact, while those from elsewhere
+  /// may fall short of the truth by the doubt of the path, and often do by just that.
+  bool seed_holds(float distance, float g) const {
+    return distance <= g + 2 * static_cast<float>(stroke_->path.doubt());
+  }
   void make_stale(Index node);
-  void make_stale_downwind(Index node);
   void settle_or_gather_next();
   void gather(Index node);
   void leave_gathered(Index node);
   void find_upwind(Index node);
   bool within_stroke(Index node);
-  void list(Index node, Index sample);
+  void list(Index node);
+  float dependence(const Leader::Way& way) const;
   void lead_on(Index node);
   void reach(Index node, float g);
-  void reach_from(Index from, Index node);
-  void lead_to_settled(Index from, Index node);
+  void reach_from(Index from, const Leader& leader, Index node);
+  void lead_to_settled(Index from, const Leader& leader, Index node);
   static void add_arm(FrontNode& node, Index from);
   void touch(Index node);
   bool leads_to(const FrontNode& from, Index to) { return nodes_.holds(to, from.sample); }

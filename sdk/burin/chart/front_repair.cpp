@@ -1,21 +1,22 @@
-// What follows from a change: the settled nodes that have their graph distance from what changed are taken
-// back and settled again in the order of a fresh run, in the manner of dynamic shortest paths [Ramalingam and
-// Reps 1996]; those that only have a frame from there are computed again in place. Since a frame depends on
+// What follows from a change: the settled nodes that have their distance from what changed are taken back and
+// settled again in the order of a fresh run, in the manner of dynamic shortest paths [Ramalingam and Reps
+// 1996]; those that only have a frame from there are computed again in place. Since a frame depends on
 // upwind frames only, and whatever is downwind of a change has its turn after it, the repaired frames are
 // those of a fresh run.
 #include <burin/chart/front_part.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace burin {
 
-void FrontPart::change(const SurfaceCurve& curve, const CurveChange& change) {
+void FrontPart::change(const CurveChange& change) {
   for (const Index node : touched_) nodes_[node].touched = false;
   touched_.clear();
   settled_ = pushes_ = 0;
   nodes_.samples_changed(change.first_sample);
   take_back_from(change);
-  const SeededCurve on{curve, stroke_->curvature, stroke_->samples};
+  const SeededCurve on{stroke_->curve, stroke_->curvature, stroke_->samples};
   for (const Seeds::Change& seed : seeds_.update(on, change.first_segment, nodes_)) follow(seed);
   reach_waiting();
 }
@@ -26,27 +27,30 @@ void FrontPart::follow(const Seeds::Change& change) {
   const float g = node.g(), distance = seeds_[node.seed].distance;
   if (node.state == NodeState::open || distance < g || (change.distance_before <= g && distance > g))
     take_back(change.node);
-  else if (distance == g)
+  else if (seed_holds(distance, g) || seed_holds(change.distance_before, g))
     make_stale(change.node);
 }
 
-/// Takes back the settled nodes whose coordinates lie where the curve has changed.
+/// Takes back the settled nodes that depend on what has changed of the curve.
 void FrontPart::take_back_from(const CurveChange& change) {
-  const Index first = change.first_sample > 0 ? change.first_sample - 1 : 0;
+  const Index before_changed = change.first_sample > 0 ? change.first_sample - 1 : 0;
+  const Index first = std::min(before_changed, stroke_->samples.at(change.unchanged_t));
+  std::vector<Index> unchanged;
   for (Index sample = first; sample < of_sample_.size(); ++sample) {
     std::vector<Index> nodes = std::move(of_sample_[sample]);
     of_sample_[sample].clear();
     for (const Index node : nodes) {
       FrontNode& settled = nodes_[node];
-      if (!settled.listed || settled.sample != sample) continue;
+      if (!settled.listed || settled.listed_at != sample) continue;
       settled.listed = false;
-      if (settled.frame.t < change.unchanged_t)
-        list(node, sample);
+      if (static_cast<double>(settled.depends_to) < change.unchanged_t)
+        unchanged.push_back(node);
       else
         take_back(node);
     }
   }
   of_sample_.resize(stroke_->samples.size());
+  for (const Index node : unchanged) list(node);
 }
 
 /// Opens a node and the settled ones downwind of it, all of which then wait to be reached again.
@@ -71,6 +75,7 @@ void FrontPart::take_back_marked() {
     taken.state = NodeState::open;
     taken.set_g(unreached);
     taken.arm_count = 0;
+    taken.depends_to = -unreached;
     taken.stale = false;
     if (taken.gathered) leave_gathered(next);
     if (taken.border) border_.push_back(next);
@@ -80,10 +85,11 @@ void FrontPart::take_back_marked() {
 /// Marks the nodes that have their g from a node inside; those that it only has a say in are to be computed
 /// again.
 void FrontPart::mark_downwind(Index node) {
+  const Leader leader(nodes_[node], stroke_->path);
   for_each_around(node, [&](Index around) {
     const FrontNode &from = nodes_[node], &other = nodes_[around];
     if (other.waiting || !owns(other) || !is_upwind(from, other) || other.g() == unreached) return;
-    if (distance_through(from, other) <= other.g())
+    if (leader.to(other.position).g <= other.g())
       mark(around);
     else
       make_stale(around);
@@ -96,7 +102,8 @@ void FrontPart::reach_waiting() {
     if (nodes_[node].seed != no_index) reach(node, seeds_[nodes_[node].seed].distance);
     for_each_around(node, [&](Index around) {
       const FrontNode& from = nodes_[around];
-      if (from.state == NodeState::inside && leads_to(from, node)) reach_from(around, node);
+      if (from.state == NodeState::inside && leads_to(from, node))
+        reach_from(around, Leader(from, stroke_->path), node);
     });
   }
   waiting_.clear();
@@ -114,14 +121,6 @@ void FrontPart::make_stale(Index index) {
   ++pushes_;
 }
 
-/// Makes stale what depends on the frame of a node inside.
-void FrontPart::make_stale_downwind(Index index) {
-  for_each_around(index, [&](Index around) {
-    const FrontNode &node = nodes_[index], &other = nodes_[around];
-    if (owns(other) && is_upwind(node, other) && leads_to(node, around)) make_stale(around);
-  });
-}
-
 void FrontPart::leave_gathered(Index node) {
   nodes_[node].gathered = false;
   std::ranges::replace(gathered_, node, no_index);
@@ -132,17 +131,26 @@ void FrontPart::leave_gathered(Index node) {
 void FrontPart::settle_again(Index index, const ChartFrame& frame) {
   FrontNode& node = nodes_[index];
   node.stale = false;
+  list(index);
   if (frame == node.frame) return;
-  node.frame = frame;
+  const ChartFrame before = std::exchange(node.frame, frame);
   const NodeState state = stroke_->samples.at(frame.t) != node.sample ? NodeState::open
                           : within_stroke(index)                      ? NodeState::inside
                                                                       : NodeState::outside;
   if (state != node.state) {
+    // What has its distance from the node has it from the frame before.
+    node.frame = before;
     take_back(index);
     return reach_waiting();
   }
-  if (node.border) border_.push_back(index);
-  if (state == NodeState::inside) make_stale_downwind(index);
+  if (state == NodeState::outside) return;
+  node.frame = before;
+  mark_downwind(index);
+  nodes_[index].frame = frame;
+  take_back_marked();
+  lead_on(index);
+  take_back_marked();
+  reach_waiting();
 }
 
 }  // namespace burin

@@ -70,7 +70,7 @@ const LiveChart& GroundCharter::draw(const SurfaceCurve& curve, std::size_t unch
   front_.for_each_touched([&](Index slot, const FrontNode& node) {
     const bool cut_off = options_.cap == Cap::butt && beyond_end(node.frame.t, curve);
     if (node.state == NodeState::inside && !cut_off)
-      live_.set(slot, node.vertex(), node.frame, node.normal);
+      live_.set(slot, node.vertex(), node.frame, node.normal, node.contested);
     else
       live_.remove(slot);
   });

@@ -26,6 +26,9 @@ class GroundCharter {
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged);
 
   const LiveChart& live() const { return live_; }
+
+  /// The stroke of the last chart, if that is of one piece; else null.
+  const FrontStroke* stroke() const { return in_legs_ ? nullptr : &front_.stroke(); }
   std::uint64_t settled() const { return in_legs_ ? legs_.settled() : front_.settled(); }
   std::uint64_t pushes() const { return in_legs_ ? legs_.pushes() : front_.pushes(); }
 

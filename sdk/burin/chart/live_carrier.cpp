@@ -3,9 +3,11 @@
 #include <burin/chart/coordinate_patch.h>
 #include <burin/chart/curve_parts.h>
 #include <burin/chart/live_carrier.h>
+#include <burin/chart/mended_frame.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace burin {
 namespace {
@@ -26,21 +28,23 @@ const SurfaceCurve& LiveCarrier::widened(const SurfaceCurve& curve) {
   return widened_;
 }
 
-void LiveCarrier::update(const LiveChart& nodes, const SurfaceCurve& curve, LiveChart& vertices) {
+void LiveCarrier::update(const LiveChart& nodes, const FrontStroke* on_base, const SurfaceCurve& curve,
+                         LiveChart& vertices) {
   uniform_ = same_width(curve);
+  const std::span<const Index> affected = on_base ? contest_.update(nodes) : std::span<const Index>();
   const double from = unchanged_up_to(nodes);
   length_ = nodes.nodes().length;
   vertices.begin_event(length_, nodes.nodes().closed, from);
   ranges_.resize(std::max(ranges_.size(), nodes.nodes().size()));
   for (const Index slot : nodes.removed())
     if (nodes.vacant(slot)) vacate(slot, vertices);
-  find_stale(nodes, from);
+  find_stale(nodes, affected, from);
   make_room(nodes, vertices);
   constexpr std::size_t slots_a_block = 16;
   std::vector<Carried> carried((stale_.size() + slots_a_block - 1) / slots_a_block);
+  const Event event{nodes, on_base, curve, vertices};
   parallel_blocks(stale_.size(), slots_a_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      carry(nodes, stale_[i], curve, vertices, carried[begin / slots_a_block]);
+    for (std::size_t i = begin; i < end; ++i) carry(event, stale_[i], carried[begin / slots_a_block]);
   });
   for (const Carried& block : carried) {
     vertices.note(block.rewritten);
@@ -49,14 +53,15 @@ void LiveCarrier::update(const LiveChart& nodes, const SurfaceCurve& curve, Live
   }
 }
 
-/// Vertices of a lower t than this are in the stroke or not as before, where their coordinates are.
+/// Vertices of a lower t than this are in the stroke or not as before, where their coordinates are; those of
+/// contested clusters, where what these depend on is as before.
 double LiveCarrier::unchanged_up_to(const LiveChart& nodes) const {
   if (nodes.nodes().closed) return nowhere;
   const double ends = std::min(length_, nodes.nodes().length);
-  return uniform_ ? ends : std::min(ends, nodes.computed_from());
+  return uniform_ && !contest_.any() ? ends : std::min(ends, nodes.computed_from());
 }
 
-void LiveCarrier::find_stale(const LiveChart& nodes, double from) {
+void LiveCarrier::find_stale(const LiveChart& nodes, std::span<const Index> affected, double from) {
   stale_.clear();
   is_stale_.resize(ranges_.size());
   const auto add = [&](Index slot) {
@@ -66,6 +71,7 @@ void LiveCarrier::find_stale(const LiveChart& nodes, double from) {
   };
   for (const Index slot : nodes.computed())
     if (nodes.changed(slot)) add(slot);
+  for (const Index slot : affected) add(slot);
   const auto last_t = [this](Index slot) { return ranges_[slot].last_t; };
   for (const Index slot : near_end_.find(from, carried_, static_cast<Index>(ranges_.size()), last_t))
     if (last_t(slot) >= from) add(slot);
@@ -103,22 +109,14 @@ void LiveCarrier::find_feet(const BasePatch& patch, Range& range) {
 }
 
 /// Carries the vertices of one node over.
-void LiveCarrier::carry(const LiveChart& nodes, Index slot, const SurfaceCurve& curve, LiveChart& vertices,
-                        Carried& carried) {
+void LiveCarrier::carry(const Event& event, Index slot, Carried& carried) {
   Range& range = ranges_[slot];
   const BasePatch patch = base_->patch(range.node);
   if (range.size == 0) find_feet(patch, range);
-  const CoordinatePatch coordinates(patch, nodes.nodes().frame(slot));
   range.last_t = nowhere;
-  const auto place = [&](Index at, ChartFrame frame) {
-    if (nodes.nodes().closed) frame.t = wrapped_t(frame.t, nodes.nodes().length);
-    range.last_t = std::max(range.last_t, frame.t);
-    if (!within(frame, curve)) {
-      if (!vertices.vacant(at)) carried.gone.push_back(at);
-    } else if (!vertices.rewrite(at, frame, carried.rewritten)) {
-      carried.others.push_back({at, frame, patch.normal_at(foot_[at])});
-    }
-  };
+  if (event.on_base) contest_.find_rivals(event.nodes, slot, carried.rivals);
+  if (event.on_base && !carried.rivals.empty()) return carry_contested(event, slot, patch, carried);
+  const CoordinatePatch coordinates(patch, event.nodes.nodes().frame(slot));
   constexpr Index lanes = CoordinatePatch::lanes;
   CoordinatePatch::Feet feet{CoordinatePatch::Lanes::Zero(), CoordinatePatch::Lanes::Zero()};
   for (Index begin = range.begin, end = begin + range.size; begin < end; begin += lanes) {
@@ -128,8 +126,45 @@ void LiveCarrier::carry(const LiveChart& nodes, Index slot, const SurfaceCurve& 
       feet.y[lane] = foot_[begin + static_cast<Index>(lane)].y;
     }
     const CoordinatePatch::Frames frames = coordinates.at(feet);
-    for (int lane = 0; lane < count; ++lane)
-      place(begin + static_cast<Index>(lane), coordinates.frame(frames, feet, lane));
+    for (int lane = 0; lane < count; ++lane) {
+      ChartFrame frame = coordinates.frame(frames, feet, lane);
+      const Index at = begin + static_cast<Index>(lane);
+      if (event.nodes.nodes().closed) frame.t = wrapped_t(frame.t, event.nodes.nodes().length);
+      range.last_t = std::max(range.last_t, frame.t);
+      place(event, at, frame, patch, carried);
+    }
+  }
+}
+
+/// The same where the node's frame does not hold for all of its cluster.
+void LiveCarrier::carry_contested(const Event& event, Index slot, const BasePatch& patch, Carried& carried) {
+  Range& range = ranges_[slot];
+  const StrokePath& path = event.on_base->path;
+  for (Index at = range.begin; at < range.begin + range.size; ++at) {
+    const GroundPlace vertex{patch.place(foot_[at]), patch.normal_at(foot_[at]), patch.gauss_curvature()};
+    ChartFrame nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index rival : carried.rivals) {
+      const ChartFrame told = contest_.told_by(event.nodes, rival, vertex);
+      const double distance = path.distance(told.t, static_cast<double>(told.d), vertex.position);
+      range.last_t = std::max(range.last_t, told.t + stroke_.radius / 8);
+      if (distance >= least) continue;
+      least = distance;
+      nearest = told;
+    }
+    const MendedFrame mended = mended_frame(*event.on_base, vertex, nearest);
+    range.last_t = std::max(range.last_t, mended.depends_to);
+    place(event, at, mended.frame, patch, carried);
+  }
+}
+
+/// Puts the vertex of a slot where it is now.
+void LiveCarrier::place(const Event& event, Index at, const ChartFrame& frame, const BasePatch& patch,
+                        Carried& carried) {
+  if (!within(frame, event.curve)) {
+    if (!event.vertices.vacant(at)) carried.gone.push_back(at);
+  } else if (!event.vertices.rewrite(at, frame, carried.rewritten)) {
+    carried.others.push_back({at, frame, patch.normal_at(foot_[at])});
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/base/rising_tail.h>
+#include <burin/chart/cluster_contest.h>
 #include <burin/chart/live_chart.h>
 #include <burin/chart/stroke_chart.h>
 #include <burin/stroke/surface_curve.h>
@@ -30,14 +31,16 @@ class LiveCarrier {
  public:
   /// Base and surface must outlive the object.
   LiveCarrier(BaseSurface& base, const Surface& surface, const CarriedStroke& stroke)
-      : base_(&base), surface_(&surface), stroke_(stroke), near_end_(stroke.radius / 8) {}
+      : base_(&base), surface_(&surface), stroke_(stroke), contest_(base), near_end_(stroke.radius / 8) {}
 
   /// The curve as the base chart needs it: as much wider everywhere as the margin is. Valid until the next
   /// call.
   const SurfaceCurve& widened(const SurfaceCurve& curve);
 
-  /// Follows the last event of the base chart, of this curve, which is on the base surface.
-  void update(const LiveChart& nodes, const SurfaceCurve& curve, LiveChart& vertices);
+  /// Follows the last event of the base chart, of this curve, which is on the base surface. `on_base`: what
+  /// the chart's front knows of the stroke; null: the chart was put together from several.
+  void update(const LiveChart& nodes, const FrontStroke* on_base, const SurfaceCurve& curve,
+              LiveChart& vertices);
 
  private:
   /// The vertices' slots that the cluster of a slot of the base chart has.
@@ -58,15 +61,24 @@ class LiveCarrier {
     LiveChart::Rewritten rewritten;
     std::vector<Index> gone;  ///< slots of vertices outside the stroke
     std::vector<Node> others;
+    std::vector<Index> rivals;  ///< scratch
   };
   static constexpr double nowhere = -std::numeric_limits<double>::infinity();
 
   double unchanged_up_to(const LiveChart& nodes) const;
-  void find_stale(const LiveChart& nodes, double from);
+  void find_stale(const LiveChart& nodes, std::span<const Index> affected, double from);
   void make_room(const LiveChart& nodes, LiveChart& vertices);
   void find_feet(const BasePatch& patch, Range& range);
-  void carry(const LiveChart& nodes, Index slot, const SurfaceCurve& curve, LiveChart& vertices,
-             Carried& carried);
+  /// An event: the base chart, what its front knows of the stroke or null, the stroke, and the result.
+  struct Event {
+    const LiveChart& nodes;
+    const FrontStroke* on_base;
+    const SurfaceCurve& curve;
+    LiveChart& vertices;
+  };
+  void carry(const Event& event, Index slot, Carried& carried);
+  void carry_contested(const Event& event, Index slot, const BasePatch& patch, Carried& carried);
+  void place(const Event& event, Index at, const ChartFrame& frame, const BasePatch& patch, Carried& carried);
   bool within(const ChartFrame& frame, const SurfaceCurve& curve) const;
   void vacate(Index slot, LiveChart& vertices);
 
@@ -82,7 +94,8 @@ class LiveCarrier {
   std::vector<Index> stale_;                   ///< slots of the base chart to be carried
   std::vector<std::uint8_t> is_stale_;         ///< [slot of the base chart] all 0 between events
   std::vector<Index> carried_;                 ///< those of the last event
-  RisingTail near_end_;                        ///< slots of the base chart by last_t
+  ClusterContest contest_;
+  RisingTail near_end_;  ///< slots of the base chart by last_t
 };
 
 }  // namespace burin

@@ -23,6 +23,7 @@ void LiveChart::clear() {
   place_of_.clear();
   next_.clear();
   changed_in_.clear();
+  contested_.clear();
   places_.clear();
   first_.clear();
   altered_in_.clear();
@@ -39,10 +40,12 @@ void LiveChart::begin_event(double length, bool closed, double computed_from) {
   altered_.clear();
 }
 
-void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal) {
+void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal, bool contested) {
   if (slot >= nodes_.size()) reserve(slot + 1);
   computed_.push_back(slot);
-  if (!vacant(slot) && nodes_.normal[slot] == normal && nodes_.frame(slot) == frame) return;
+  const bool was_contested = std::exchange(contested_[slot], static_cast<std::uint8_t>(contested));
+  const bool same = nodes_.normal[slot] == normal && nodes_.frame(slot) == frame;
+  if (!vacant(slot) && same && was_contested == contested) return;
   changed_in_[slot] = event_;
   const bool in_place = alone(slot);
   if (!vacant(slot) && !in_place) unlink(slot);
@@ -125,6 +128,7 @@ void LiveChart::reserve(Index slots) {
   place_of_.resize(slots);
   next_.resize(slots);
   changed_in_.resize(slots);
+  contested_.resize(slots);
 }
 
 /// Sheets are few: a walk along those of the vertex finds the place, and counts the later ones anew.

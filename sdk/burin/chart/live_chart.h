@@ -31,6 +31,9 @@ class LiveChart {
   std::span<const Index> computed() const { return computed_; }
   bool changed(Index slot) const { return changed_in_[slot] == event_; }
 
+  /// Whether a node's frame does not go on to its surroundings; see UpwindFrames::contested().
+  bool contested(Index slot) const { return contested_[slot]; }
+
   /// Slots that the last event made vacant, though it may have taken them again.
   std::span<const Index> removed() const { return removed_; }
 
@@ -57,7 +60,7 @@ class LiveChart {
   void begin_event(double length, bool closed, double computed_from);
 
   /// Puts a node into a slot, which is vacant or has a node of this vertex.
-  void set(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal);
+  void set(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal, bool contested = false);
   void remove(Index slot);
 
   /// Makes room for so many slots.
@@ -92,6 +95,7 @@ class LiveChart {
   std::vector<Index> place_of_;    ///< [slot] of its vertex
   std::vector<Index> next_;
   std::vector<std::uint32_t> changed_in_;  ///< [slot] event
+  std::vector<std::uint8_t> contested_;    ///< [slot]
   VertexNodes places_;
   std::vector<Index> first_;               ///< [place] slot
   std::vector<std::uint32_t> altered_in_;  ///< [place] event

@@ -81,7 +81,8 @@ void StrokeCharter::Stroke::prepare(const SurfaceCurve& curve, std::size_t uncha
 const LiveChart& StrokeCharter::Stroke::draw(const SurfaceCurve& curve, std::size_t unchanged) {
   if (!on_base()) return own().draw(curve, unchanged);
   if (!curve.points.empty()) prepare(curve, unchanged);
-  carried->update(of_base->draw(carried->widened(curve), unchanged), curve, live);
+  const LiveChart& nodes = of_base->draw(carried->widened(curve), unchanged);
+  carried->update(nodes, of_base->stroke(), curve, live);
   return live;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/chart/front_node.h>
+#include <burin/chart/stroke_path.h>
 
 #include <Eigen/Core>
 #include <array>
@@ -14,18 +15,20 @@ namespace burin {
 ///
 /// Of the arms of a node those count that go with the one that places it nearest to the stroke: where fronts
 /// of different parts of the stroke meet, the mean of their coordinates would mean nothing. Arms agree that
-/// place x no farther apart than two edges.
+/// place x at about the same t, the same d, and with the same direction of the stroke.
 class UpwindFrames {
  public:
   static constexpr std::size_t capacity = 8;
 
   /// `epsilon`: far below the length of edges, object units. `order`: 1: Eq. 2 and 3 of the paper, weighted
   /// by 1 / (length + epsilon); curvature and stretch stay those of a straight stroke on a plane. 2: second
-  /// order in the length of the arms, on curved strokes and surfaces; near focal points, where no such frame
-  /// is, the first.
-  void set(float epsilon, int order) {
+  /// order in the length of the arms, on curved strokes and surfaces; near corners and focal points, where
+  /// lines of constant d turn from arm to arm, by circles. `path`: of the stroke; must outlive the object's
+  /// use.
+  void set(float epsilon, int order, const StrokePath& path) {
     epsilon_ = epsilon;
     order_ = order;
+    path_ = &path;
   }
 
   std::size_t size() const { return size_; }
@@ -40,6 +43,11 @@ class UpwindFrames {
 
   /// The frames of all nodes added since clear(), each with at least one arm. Valid until the next call.
   const std::array<ChartFrame, capacity>& compute();
+
+  /// Whether coordinates around the node of this number are others than its frame goes on to: frames of other
+  /// parts of the stroke meet it there, or lines of constant d turn within an edge. Valid as long as they
+  /// are.
+  bool contested(std::size_t node) const { return focal_[node] || left_out_[node]; }
 
  private:
   using Lanes = Eigen::Array<float, static_cast<int>(capacity), 1>;
@@ -58,26 +66,36 @@ class UpwindFrames {
     Lanes3 chord;       ///< from q to x
     Lanes t;            ///< relative to the node's origin
     Lanes d, curvature, stretch;
-    Lanes gauss;   ///< along the edge
-    Lanes counts;  ///< 1 or 0
+    Lanes gauss;         ///< along the edge
+    Lanes g, shortfall;  ///< see distance_along()
+    Lanes counts;        ///< 0..1
 
     Lanes length;    ///< |x - q|, object units
     Lanes u, v;      ///< the step from q to x in the basis (e1, e2) of q
     Lanes3 carried;  ///< e1 of q transported to x
     Lanes weight;
+    Lanes share_at_x;  ///< of the step over which x's k and J hold, not q's: half of it, but for steps past
+                       ///< an end
   };
 
   void fill_up();
   void walk(Arms& arms) const;
   void walk_exactly(Arms& arms, Eigen::Index lane) const;
+  void pass_ends();
+  void pass_end(double end, float outward);
+  void pass_end(Eigen::Index lane, float t_end, float outward);
   void keep_agreeing();
   void keep_agreeing(Eigen::Index lane);
+  void leave_out(std::size_t arm, Eigen::Index lane);
+  ChartFrame told_by(const Arms& arms, Eigen::Index lane) const;
   void weigh_second();
   void find_shapes();
   void find_tangents();
   void find_coordinates();
   void find_first_order();
+  void find_on_circles(Eigen::Index lane);
 
+  const StrokePath* path_ = nullptr;
   float epsilon_ = 0;
   int order_ = 2;
   std::size_t size_ = 0, most_arms_ = 0;
@@ -86,10 +104,13 @@ class UpwindFrames {
   Lanes3 position_, normal_;               ///< of the nodes
   Lanes gauss_;
   std::vector<Arms> arms_;
+  std::vector<ChartFrame> told_;  ///< [arm] by the arms of one node
 
   Lanes curvature_, stretch_, t_, d_;
   Lanes3 e1_;
-  std::array<bool, capacity> focal_{};  ///< near a focal point
+  std::array<bool, capacity> focal_{};     ///< near a corner or a focal point
+  std::array<bool, capacity> left_out_{};  ///< where arms do not agree
+  std::array<bool, capacity> at_end_{};    ///< where t passes an end of the stroke
   std::array<ChartFrame, capacity> frames_;
 };
 
