@@ -13,8 +13,10 @@
 namespace burin {
 namespace {
 
-constexpr Overlap all_modes[] = {Overlap::latest, Overlap::max, Overlap::min, Overlap::add, Overlap::average};
-constexpr Overlap without_order[] = {Overlap::max, Overlap::min, Overlap::add, Overlap::average};
+constexpr Overlap all_modes[] = {Overlap::latest, Overlap::max,     Overlap::min,
+                                 Overlap::add,    Overlap::average, Overlap::strongest};
+constexpr Overlap without_order[] = {Overlap::max, Overlap::min, Overlap::add, Overlap::average,
+                                     Overlap::strongest};
 
 /// One of a vertex's sheets: its e1 at this angle, and what it says.
 struct Sheet {
@@ -45,7 +47,7 @@ class BlendTest : public ::testing::Test {
     live.assign(chart);
     Vec3f place;
     const InstanceSheets sheets_of{&live, &outputs};
-    blend_sheets(surface_, {&sheets_of, 1}, {&vertex, 1}, {.overlap = overlap}, "some.brush", {&place, 1});
+    blend_sheets(surface_, {{&sheets_of, 1}}, {&vertex, 1}, {.overlap = overlap}, "some.brush", {&place, 1});
     return place;
   }
   Vec3f moved(const Sheet& sheet) const {
@@ -140,13 +142,13 @@ class InstancesTest : public ::testing::Test {
   Vec3f moved(const Instances& instances, const BlendOptions& options) {
     build(instances);
     Vec3f place;
-    blend_sheets(surface_, sheets_, {&vertex, 1}, options, "some.brush", {&place, 1});
+    blend_sheets(surface_, {sheets_}, {&vertex, 1}, options, "some.brush", {&place, 1});
     return place - surface_.positions[vertex];
   }
   Tint tinted(const Paint& paint, const Instances& instances, const BlendOptions& options) {
     build(instances);
     Tint tint;
-    blend_tints(paint, sheets_, {&vertex, 1}, options, {&tint, 1});
+    blend_tints(paint, {sheets_}, {&vertex, 1}, options, {&tint, 1});
     return tint;
   }
 
@@ -207,7 +209,7 @@ TEST_F(InstancesTest, KnowTheRimOfNarrowPartsAndOfDabs) {
   const float narrow = 0.2f, beside = 0.5f;
   const auto blended = [&] {
     Vec3f place;
-    blend_sheets(surface_, sheets_, {&vertex, 1}, options, "some.brush", {&place, 1});
+    blend_sheets(surface_, {sheets_}, {&vertex, 1}, options, "some.brush", {&place, 1});
     return Vec3f(place - surface_.positions[vertex]);
   };
   EXPECT_LT(blended().z(), 0.9f);

@@ -198,7 +198,7 @@ TEST_P(StockBrushes, StaysFiniteOnRandomStrokes) {
     settings.params.merge(random_params(descriptor(), engine));
     settings.pressure_width = 0.5 + around_zero(engine) / 2;
     settings.fields = {.time = true, .pressure = true};
-    settings.overlap = static_cast<Overlap>(engine() % 5);
+    settings.overlap = static_cast<Overlap>(engine() % 6);
     session.begin_stroke(settings);
     Vec3d way = Vec3d(around_zero(engine), around_zero(engine), around_zero(engine)).normalized();
     Vec3d turn = Vec3d(around_zero(engine), around_zero(engine), around_zero(engine)) * settings.radius;

@@ -36,12 +36,12 @@ LiveDabs& Charters::dabs(std::size_t instance) {
 
 StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Charters& charters,
                                const StrokeSettings& settings, const SymmetryInstance& image,
-                               const BrushStroke& brush, bool has_twins)
+                               const BrushStroke& brush)
     : surface_(&surface),
       image_(image),
       width_(settings.pressure_width, settings.dynamics, driven_stroke(settings, image)),
       dynamics_(brush.descriptor(), brush.params(), settings.dynamics, driven_stroke(settings, image)),
-      reads_(read_inputs(settings, brush.descriptor().inputs_read, has_twins)),
+      reads_(read_inputs(settings, brush.descriptor().inputs_read)),
       tracer_(begun(surface, picker, charters, settings, image), settings.radius, width_) {
   nodes_.emplace(live(), reads_);
 }
@@ -62,13 +62,11 @@ CurveGround StrokeInstance::begun(const Surface& surface, const Picker& picker, 
   return {surface, picker, base_};
 }
 
-ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs,
-                                       bool has_twins) const {
+ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const {
   std::uint64_t varying = pen_inputs_present(settings.fields);
   if (width_.varies()) varying |= BURIN_INPUT_RADIUS;
-  std::uint64_t asked = inputs;
-  if (has_twins) asked |= BURIN_INPUT_RADIUS;  // to blend them
-  return {settings.radius, inputs, varying & asked, &dynamics_};
+  // Sheets fade over a share of their half width.
+  return {settings.radius, inputs, varying & (inputs | BURIN_INPUT_RADIUS), &dynamics_};
 }
 
 void StrokeInstance::trace(const CurveGround::Place& at, double time, const Pen& pen) {

@@ -45,11 +45,9 @@ class Charters {
 /// One symmetric image of a stroke that is being drawn: its curve, its chart, and what the brush does there.
 class StrokeInstance {
  public:
-  /// `has_twins`: the stroke has other images, to be blended with. Throws Error for dynamics that the brush
-  /// does not take.
+  /// Throws Error for dynamics that the brush does not take.
   StrokeInstance(const Surface& surface, const Picker& picker, Charters& charters,
-                 const StrokeSettings& settings, const SymmetryInstance& image, const BrushStroke& brush,
-                 bool has_twins);
+                 const StrokeSettings& settings, const SymmetryInstance& image, const BrushStroke& brush);
   StrokeInstance(const StrokeInstance&) = delete;
   StrokeInstance& operator=(const StrokeInstance&) = delete;
 
@@ -87,7 +85,7 @@ class StrokeInstance {
  private:
   CurveGround begun(const Surface& surface, const Picker& picker, Charters& charters,
                     const StrokeSettings& settings, const SymmetryInstance& image);
-  ReadInputs read_inputs(const StrokeSettings& settings, std::uint64_t inputs, bool has_twins) const;
+  ReadInputs read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const;
   std::span<const float> dab_t() const { return dabs_ ? dabs_->along() : std::span<const float>{}; }
   void chart(std::size_t unchanged, EventCost& cost);
   double other_feet_from(double same_curve_up_to) const;

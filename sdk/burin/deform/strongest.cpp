@@ -1,0 +1,77 @@
+#include <burin/deform/strongest.h>
+#include <burin/math/elementary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace burin {
+namespace {
+
+using Vec2d = Eigen::Vector2d;
+
+double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Appends half of the hull of points that are sorted along an axis, without its last.
+template <class Points>
+void append_half(const Points& sorted, std::vector<Vec2d>& hull) {
+  const std::size_t first = hull.size();
+  for (const Vec2d& point : sorted) {
+    while (hull.size() >= first + 2 && cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0)
+      hull.pop_back();
+    hull.push_back(point);
+  }
+  hull.pop_back();
+}
+
+/// Of the convex hull of these points, counterclockwise.
+std::vector<Vec2d> hull_corners(std::vector<Vec2d> points) {
+  std::ranges::sort(points, [](const Vec2d& a, const Vec2d& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 2) return points;
+  std::vector<Vec2d> hull;
+  append_half(points, hull);
+  std::ranges::reverse(points);
+  append_half(points, hull);
+  return hull;
+}
+
+/// Every corner weighs as much as its exterior angle.
+Vec2d twice_steiner_point(const std::vector<Vec2d>& corners) {
+  Vec2d sum = Vec2d::Zero();
+  for (std::size_t i = 0; i < corners.size() && corners.size() > 1; ++i) {
+    const Vec2d here = corners[i];
+    const Vec2d before = here - corners[(i + corners.size() - 1) % corners.size()];
+    const Vec2d after = corners[(i + 1) % corners.size()] - here;
+    sum += std::abs(math::atan2(cross(before, after), before.dot(after))) / std::numbers::pi * here;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double strongest(std::span<const double> changes) {
+  double highest = 0, deepest = 0;
+  for (const double change : changes) {
+    highest = std::max(highest, change);
+    deepest = std::min(deepest, change);
+  }
+  return highest + deepest;
+}
+
+Vec3d strongest(std::span<const Vec3d> changes, const Vec3d& normal) {
+  const Vec3d x = normal.unitOrthogonal(), y = normal.cross(x);
+  std::vector<double> up;
+  std::vector<Vec2d> level = {Vec2d::Zero()};
+  for (const Vec3d& change : changes) {
+    up.push_back(change.dot(normal));
+    level.emplace_back(change.dot(x), change.dot(y));
+  }
+  const Vec2d sideways = twice_steiner_point(hull_corners(std::move(level)));
+  return strongest(up) * normal + sideways.x() * x + sideways.y() * y;
+}
+
+}  // namespace burin
