@@ -24,7 +24,7 @@ Sheet InstanceSheets::sheet(Index slot, double radius, std::uint32_t piece, std:
           .normal = nodes.normal[slot],
           .displacement = outputs->displacement[slot],
           .tint = outputs->tint.empty() ? Tint::Zero() : outputs->tint[slot],
-          .inside = std::max(1 - distance / reach, 0.0),
+          .inside = distance < reach ? 1 - distance / reach : 0,
           .t = nodes.t[slot],
           .piece = piece,
           .image = image};

@@ -64,14 +64,18 @@ double strongest(std::span<const double> changes) {
 
 Vec3d strongest(std::span<const Vec3d> changes, const Vec3d& normal) {
   const Vec3d x = normal.unitOrthogonal(), y = normal.cross(x);
+  double longest = 0;
   std::vector<double> up;
   std::vector<Vec2d> level = {Vec2d::Zero()};
   for (const Vec3d& change : changes) {
+    longest = std::max(longest, change.norm());
     up.push_back(change.dot(normal));
     level.emplace_back(change.dot(x), change.dot(y));
   }
   const Vec2d sideways = twice_steiner_point(hull_corners(std::move(level)));
-  return strongest(up) * normal + sideways.x() * x + sideways.y() * y;
+  const Vec3d together = strongest(up) * normal + sideways.x() * x + sideways.y() * y;
+  const double length = together.norm();
+  return length > longest ? Vec3d(longest / length * together) : together;
 }
 
 }  // namespace burin

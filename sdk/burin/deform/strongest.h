@@ -14,8 +14,8 @@ namespace burin {
 double strongest(std::span<const double> changes);
 
 /// Along the unit `normal` as numbers are. At right angles to it twice the Steiner point of the convex hull of
-/// all changes and of none, which is the same in two dimensions: it follows mirrorings and turns, and is at
-/// most 1.16 times as long as the longest change.
+/// all changes and of none, which is the same in two dimensions and follows mirrorings and turns. No longer
+/// than the longest change.
 Vec3d strongest(std::span<const Vec3d> changes, const Vec3d& normal);
 
 }  // namespace burin
