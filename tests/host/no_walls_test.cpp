@@ -48,12 +48,13 @@ struct DrawnStroke {
 
 std::vector<DrawnStroke> overlapping_strokes() {
   const Vec3d left(-0.6, 0, 0), right(0.6, 0, 0);
-  const auto loop = [](double s) { return Vec3d(0.5 * std::sin(s), 0.4 * std::cos(2 * s + 0.3), 0); };
+  // Nowhere do they bend more sharply than the radius.
+  const auto loop = [](double s) { return Vec3d(0.4 * std::sin(s) + 0.07 * s - 0.3, -0.4 * std::cos(s), 0); };
   const auto eight = [](double s) { return Vec3d(0.6 * std::sin(s), 0.35 * std::sin(2 * s), 0); };
   const auto spiral = [](double s) { return Vec3d((0.35 + 0.02 * s) * std::cos(s), (0.35 + 0.02 * s) * std::sin(s), 0); };
   Pieces hatching;
   for (const double y : {-0.3, -0.17, 0., 0.1, 0.3}) hatching.push_back(line({-0.5, y, 0}, {0.5, y + 0.1, 0}));
-  return {{"a loop that crosses itself", {round(loop, 0.6)}},
+  return {{"a loop that crosses itself", {round(loop, 1.3)}},
           {"a figure eight", {round(eight, 1)}},
           {"a spiral that is narrower than the stroke", {round(spiral, 2)}},
           {"a cross of two pieces", {line(left, right), line({0.1, -0.5, 0}, {-0.1, 0.5, 0})}},

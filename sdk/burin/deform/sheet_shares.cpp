@@ -9,7 +9,7 @@ namespace burin {
 namespace {
 
 /// Share of the half width over which sheets fade in.
-constexpr double feather = 0.5;
+constexpr double feather = 0.75;
 
 /// Of what weighs nothing, so that something counts where nothing else is.
 constexpr double least = 1e-12;

@@ -61,7 +61,8 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, Charters& c
 
 void OpenStroke::begin_instances() {
   for (const SymmetryInstance& image : images_)
-    instances_.emplace_back(*surface_, *picker_, *charters_, settings_, image, brush_stroke_);
+    instances_.emplace_back(*surface_, *picker_, *charters_, settings_, image, brush_stroke_,
+                            instances_.empty() ? nullptr : &instances_.front());
   if (settings_.accumulate == Accumulate::from_current) accumulate();
   if (passes_look_around()) look_around();
 }
@@ -117,8 +118,8 @@ VertexMoves OpenStroke::draw(const StrokeTools& tools) {
   if (std::ranges::none_of(instances_, &StrokeInstance::has_news)) return {};
   std::vector<StrokeChanges> changes;
   for (StrokeInstance& instance : instances_)
-    changes.push_back(instance.has_news() ? instance.draw(brush_stroke_.plan().end_influence, tools.cost)
-                                          : StrokeChanges{});
+    changes.push_back(instance.empty() ? StrokeChanges{}
+                                       : instance.draw(brush_stroke_.plan().end_influence, tools.cost));
   tools.clock.lap(Stage::chart);
   return go_on(changes, 0, tools);
 }
@@ -127,10 +128,12 @@ VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
   for (StrokeInstance& instance : instances_)
     if (!instance.empty()) instance.close(closure);
   tools.clock.lap(Stage::curve);
+  const bool news = std::ranges::any_of(instances_, &StrokeInstance::has_news);
   std::vector<StrokeChanges> changes;
   for (StrokeInstance& instance : instances_)
-    changes.push_back(instance.empty() ? StrokeChanges{}
-                                       : instance.finish(brush_stroke_.plan().end_influence, tools.cost));
+    changes.push_back(instance.empty()
+                          ? StrokeChanges{}
+                          : instance.finish(news, brush_stroke_.plan().end_influence, tools.cost));
   tools.clock.lap(Stage::chart);
   return go_on(changes, BURIN_STROKE_FINAL, tools);
 }
