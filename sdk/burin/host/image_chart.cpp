@@ -13,16 +13,26 @@ constexpr double near_enough = 1e-5;
 
 /// The vertex where the symmetry has the image of this one, seen from the same side.
 Index ImageChart::image_of(Index vertex) {
-  const Vec3f place = image_(surface_->positions[vertex].cast<double>()).cast<float>();
+  const Vec3f place = moved(surface_->positions[vertex]);
   const auto reach = static_cast<float>(near_enough * radius_);
   const auto at = picker_->closest(place, reach);
   if (!at) return no_index;
   const auto nearest = std::ranges::max_element(at->weights) - at->weights.begin();
   const Index found = at->corners[static_cast<std::size_t>(nearest)];
-  const Vec3f normal = (image_.linear * surface_->normals[vertex].cast<double>()).cast<float>();
+  const Vec3f normal = turned(surface_->normals[vertex]);
   const bool same = (surface_->positions[found] - place).norm() <= reach &&
                     surface_->normals[found].dot(normal) > 0.9f && taken_.insert(found).second;
   return same ? found : no_index;
+}
+
+SurfaceCurve ImageChart::image_of(const SurfaceCurve& original) const {
+  SurfaceCurve curve = original;
+  for (CurvePoint& point : curve.points) {
+    point.at.position = moved(point.at.position);
+    point.normal = turned(point.normal);
+    point.tangent = turned(point.tangent);
+  }
+  return curve;
 }
 
 void ImageChart::note(const LiveChart& original, Index place) {
@@ -46,7 +56,7 @@ bool ImageChart::has_images_of(const LiveChart& original) {
 
 ChartFrame ImageChart::reflected(const ChartFrame& frame) const {
   ChartFrame image = frame;
-  image.e1 = (image_.linear * frame.e1.cast<double>()).cast<float>();
+  image.e1 = turned(frame.e1);
   if (!image_.mirrored) return image;
   image.d = -frame.d;
   image.curvature = -frame.curvature;
@@ -81,8 +91,8 @@ void ImageChart::follow(const LiveChart& chart, Followed kind, const Place& plac
 void ImageChart::reflect(const LiveChart& original) {
   const Chart& nodes = original.nodes();
   follow(original, Followed::original, [&](Index slot) {
-    const Vec3f normal = (image_.linear * nodes.normal[slot].cast<double>()).cast<float>();
-    live_->set(slot, images_[original.place_of(slot)], reflected(nodes.frame(slot)), normal);
+    const Index vertex = images_[original.place_of(slot)];
+    live_->set(slot, vertex, reflected(nodes.frame(slot)), turned(nodes.normal[slot]));
   });
 }
 

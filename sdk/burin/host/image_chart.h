@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/chart/live_chart.h>
+#include <burin/stroke/surface_curve.h>
 #include <burin/stroke/symmetry.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
@@ -31,6 +32,9 @@ class ImageChart {
   /// Follows the last event of the image's own chart, or all of it after reflect(); own_is_behind() says so.
   void copy(const LiveChart& own);
 
+  /// The image of the original's curve: its points and normals.
+  SurfaceCurve image_of(const SurfaceCurve& original) const;
+
   /// Whether the image's own chart was not followed last, so that it has to be drawn from its begin.
   bool own_is_behind() const { return followed_ != Followed::own; }
   bool reflects() const { return followed_ == Followed::original; }
@@ -39,6 +43,10 @@ class ImageChart {
 
  private:
   enum class Followed { none, original, own };
+  Vec3f moved(const Vec3f& place) const { return image_(place.cast<double>()).cast<float>(); }
+  Vec3f turned(const Vec3f& direction) const {
+    return (image_.linear * direction.cast<double>()).cast<float>();
+  }
   Index image_of(Index vertex);
   void note(const LiveChart& original, Index place);
   ChartFrame reflected(const ChartFrame& frame) const;

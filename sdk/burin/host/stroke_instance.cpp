@@ -149,7 +149,9 @@ void StrokeInstance::chart(std::size_t unchanged, EventCost& cost) {
     chart_own(image_chart_->own_is_behind() ? 0 : unchanged, cost);
     image_chart_->copy(own_live());
   }
-  if (reads_foot()) foot_.emplace(curve(), reads_.radius);
+  if (!reads_foot()) return;
+  const bool reflects = image_chart_ && image_chart_->reflects();
+  foot_.emplace(reflects ? image_chart_->image_of(original_->curve()) : curve(), reads_.radius);
 }
 
 void StrokeInstance::chart_own(std::size_t unchanged, EventCost& cost) {
