@@ -236,8 +236,7 @@ TEST_F(InstancesTest, TakeAllSheetsInTheOtherModes) {
 TEST_F(InstancesTest, GoNoFartherThanTheLimit) {
   const ImageNode a{0.1, 0, {0, 3, 4}}, b{0.5, 0.2f, {0, 3, 4}};
   const BlendOptions options{.overlap = Overlap::add, .radius = 0.5, .limit = 2.5};
-  EXPECT_LT((moved({{a, b}}, options) - Vec3f(0, 1.5f, 2)).norm(), 1e-6f)
-      << "straight towards where it went";
+  EXPECT_LT((moved({{a, b}}, options) - Vec3f(0, 1.5f, 2)).norm(), 1e-6f) << "straight towards where it went";
   EXPECT_EQ(moved({{{0.1, 0, {0, 1.5f, 0}}}}, options), Vec3f(0, 1.5f, 0));
 }
 

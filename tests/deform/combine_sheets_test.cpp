@@ -56,7 +56,8 @@ TEST(SheetShares, AddUpToOneAndGiveAllToOneThatIsAlone) {
 }
 
 TEST(SheetShares, AreThoseOfTheLatestSheetUntilItFades) {
-  const std::vector<Sheet> sheets = {sheet_of(Vec3f::Zero(), 1, 0.1), sheet_of(Vec3f::Zero(), 0.9, 0.7), sheet_of(Vec3f::Zero(), 0.3, 0.9)};
+  const std::vector<Sheet> sheets = {sheet_of(Vec3f::Zero(), 1, 0.1), sheet_of(Vec3f::Zero(), 0.9, 0.7),
+                                     sheet_of(Vec3f::Zero(), 0.3, 0.9)};
   const Shares shares = latest_shares(sheets);
   const double weight = 0.4 * 0.4 * (3 - 0.8);
   EXPECT_NEAR(shares[2], weight, 1e-12);
@@ -99,9 +100,11 @@ TEST(CombinedSheets, HaveNoStepWhereSheetsChangeALittle) {
     const std::vector<Sheet> sheets = random_sheets(random, 2 + random() % 4);
     std::vector<Sheet> nudged = sheets;
     // Two that were at the same height now change places.
-    for (Sheet& sheet : nudged) sheet.displacement += 1e-5f * Vec3f(number(random), number(random), number(random));
+    for (Sheet& sheet : nudged)
+      sheet.displacement += 1e-5f * Vec3f(number(random), number(random), number(random));
     for (const auto& [name, overlap] : named_overlaps)
-      ASSERT_LT((combined_move(nudged, overlap, radius) - combined_move(sheets, overlap, radius)).norm(), 5e-3)
+      ASSERT_LT((combined_move(nudged, overlap, radius) - combined_move(sheets, overlap, radius)).norm(),
+                5e-3)
           << name;
   }
   // Of the same height, and sideways in opposite directions.
@@ -110,8 +113,10 @@ TEST(CombinedSheets, HaveNoStepWhereSheetsChangeALittle) {
     if (overlap == Overlap::latest) continue;
     Sheet higher = left;
     higher.displacement.z() += 1e-6f;
-    EXPECT_LT((combined_move({higher, right}, overlap, radius) - combined_move({left, right}, overlap, radius)).norm(),
-              1e-4)
+    EXPECT_LT(
+        (combined_move({higher, right}, overlap, radius) - combined_move({left, right}, overlap, radius))
+            .norm(),
+        1e-4)
         << name;
   }
 }

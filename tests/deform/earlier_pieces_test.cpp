@@ -46,7 +46,8 @@ class EarlierPiecesTest : public ::testing::Test {
 TEST_F(EarlierPiecesTest, StayAsTheyAreBitForBit) {
   const Vec3f displacement(0.1f, -0.3f, 0.7f);
   const InstanceSheets first = piece(displacement);
-  const Vec3f alone = displaced(surface_.positions[vertex], live_.nodes().e1[0], surface_.normals[vertex], displacement);
+  const Vec3f alone =
+      displaced(surface_.positions[vertex], live_.nodes().e1[0], surface_.normals[vertex], displacement);
   earlier_.add({&first, 1}, 0.5);
   EXPECT_EQ(earlier_.count(), 1u);
   EXPECT_EQ(earlier_.at(vertex).size(), 1u);

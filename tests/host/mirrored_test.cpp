@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "mirrored_hills.h"
 #include "stock_brush_uses.h"
 
 namespace burin {
@@ -14,27 +15,6 @@ namespace {
 using test::BrushUse;
 
 constexpr double radius = 0.2;
-
-/// A square with hills, 0.04 from vertex to vertex; hills and triangles are mirrored at x = 0.
-TriangleMesh mirrored_hills() {
-  constexpr int half = 18;
-  TriangleMesh mesh;
-  for (int row = -half; row <= half; ++row)
-    for (int column = -half; column <= half; ++column) {
-      const float x = 0.04f * static_cast<float>(column), y = 0.04f * static_cast<float>(row);
-      mesh.positions.emplace_back(x, y, 0.04f * std::cos(5 * x) * std::sin(4 * y + 1));
-    }
-  const auto number = [](int column, int row) { return static_cast<Index>(row * (2 * half + 1) + column); };
-  for (int row = 0; row < 2 * half; ++row)
-    for (int column = 0; column < 2 * half; ++column) {
-      const Index a = number(column, row), b = number(column + 1, row), c = number(column + 1, row + 1),
-                  d = number(column, row + 1);
-      const bool right = column >= half;
-      mesh.triangles.push_back(right ? Triangle{a, b, c} : Triangle{a, b, d});
-      mesh.triangles.push_back(right ? Triangle{a, c, d} : Triangle{b, c, d});
-    }
-  return mesh;
-}
 
 Vec3f mirrored(const Vec3f& place) { return {-place.x(), place.y(), place.z()}; }
 
@@ -58,7 +38,7 @@ const std::vector<Way> ways = {{"near the plane", way({0.08, -0.4, 0}, {0.12, 0.
 
 class Mirrored : public testing::TestWithParam<BrushUse> {
  protected:
-  Mirrored() : session_(make_surface(mirrored_hills()), test::brushes()) {
+  Mirrored() : session_(make_surface(test::mirrored_hills()), test::brushes()) {
     std::map<std::pair<long, long>, Index> at;
     const auto key = [](const Vec3f& place) {
       return std::pair(std::lround(100 * place.x()), std::lround(100 * place.y()));
@@ -110,7 +90,8 @@ class Mirrored : public testing::TestWithParam<BrushUse> {
   std::vector<Index> partner_;
 };
 
-INSTANTIATE_TEST_SUITE_P(StockBrushes, Mirrored, testing::ValuesIn(test::stock_brush_uses), test::name_of_use);
+INSTANTIATE_TEST_SUITE_P(StockBrushes, Mirrored, testing::ValuesIn(test::stock_brush_uses),
+                         test::name_of_use);
 
 TEST_P(Mirrored, WhateverOverlaps) {
   if (std::string_view(GetParam().id) == "org.burin.text") GTEST_SKIP() << "readable in mirrors";

@@ -1,4 +1,5 @@
-// Where a stroke overlaps itself what a brush does has no steps that it does not have along a straight stroke.
+// Where a stroke overlaps itself what a brush does has no steps that it does not have along a straight
+// stroke.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -51,9 +52,12 @@ std::vector<DrawnStroke> overlapping_strokes() {
   // Nowhere do they bend more sharply than the radius.
   const auto loop = [](double s) { return Vec3d(0.4 * std::sin(s) + 0.07 * s - 0.3, -0.4 * std::cos(s), 0); };
   const auto eight = [](double s) { return Vec3d(0.6 * std::sin(s), 0.35 * std::sin(2 * s), 0); };
-  const auto spiral = [](double s) { return Vec3d((0.35 + 0.02 * s) * std::cos(s), (0.35 + 0.02 * s) * std::sin(s), 0); };
+  const auto spiral = [](double s) {
+    return Vec3d((0.35 + 0.02 * s) * std::cos(s), (0.35 + 0.02 * s) * std::sin(s), 0);
+  };
   Pieces hatching;
-  for (const double y : {-0.3, -0.17, 0., 0.1, 0.3}) hatching.push_back(line({-0.5, y, 0}, {0.5, y + 0.1, 0}));
+  for (const double y : {-0.3, -0.17, 0., 0.1, 0.3})
+    hatching.push_back(line({-0.5, y, 0}, {0.5, y + 0.1, 0}));
   return {{"a loop that crosses itself", {round(loop, 1.3)}},
           {"a figure eight", {round(eight, 1)}},
           {"a spiral that is narrower than the stroke", {round(spiral, 2)}},
@@ -75,7 +79,8 @@ std::vector<DrawnStroke> simple_strokes(bool dabs) {
 /// Draws with one brush on the square.
 class Steps {
  public:
-  explicit Steps(const BrushUse& use) : use_(use), session_(make_surface(rippled_square()), test::brushes()) {}
+  explicit Steps(const BrushUse& use)
+      : use_(use), session_(make_surface(rippled_square()), test::brushes()) {}
 
   /// The largest difference of displacement between the ends of an edge that a stroke makes.
   double largest(const DrawnStroke& stroke, std::optional<Overlap> overlap = {}) {
@@ -90,7 +95,9 @@ class Steps {
       session_.end_piece();
     }
     double step = 0;
-    const auto moved = [&](Index v) { return Vec3f(session_.positions()[v] - session_.surface().positions[v]); };
+    const auto moved = [&](Index v) {
+      return Vec3f(session_.positions()[v] - session_.surface().positions[v]);
+    };
     for (Index vertex = 0; vertex < session_.surface().vertex_count(); ++vertex)
       for (const Index other : session_.surface().neighbours[vertex])
         step = std::max(step, static_cast<double>((moved(vertex) - moved(other)).norm()));

@@ -25,11 +25,11 @@ struct OverlapName {
 
 /// All of them by what people call them.
 inline constexpr std::array<OverlapName, 6> named_overlaps{{{"strongest", Overlap::strongest},
-                                                           {"latest", Overlap::latest},
-                                                           {"max", Overlap::max},
-                                                           {"min", Overlap::min},
-                                                           {"add", Overlap::add},
-                                                           {"average", Overlap::average}}};
+                                                            {"latest", Overlap::latest},
+                                                            {"max", Overlap::max},
+                                                            {"min", Overlap::min},
+                                                            {"add", Overlap::add},
+                                                            {"average", Overlap::average}}};
 
 std::string_view name_of(Overlap overlap);
 

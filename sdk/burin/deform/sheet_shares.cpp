@@ -65,7 +65,8 @@ Shares softly_stacked_shares(std::span<const Sheet> sheets, std::span<const doub
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     double share = weight(sheets[i]);
     for (std::size_t above = 0; above < sheets.size(); ++above)
-      if (above != i) share *= 1 - weight(sheets[above]) * smooth_step((1 + (keys[above] - keys[i]) / soft) / 2);
+      if (above != i)
+        share *= 1 - weight(sheets[above]) * smooth_step((1 + (keys[above] - keys[i]) / soft) / 2);
     shares.push_back(share);
   }
   bring_to_one(shares);
@@ -80,8 +81,8 @@ Shares latest_shares(std::span<const Sheet> sheets) {
   });
   Shares shares(sheets.size());
   for (auto first = order.begin(); first != order.end();) {
-    const auto last =
-        std::find_if(first, order.end(), [&](std::size_t i) { return sheets[i].image != sheets[*first].image; });
+    const auto last = std::find_if(first, order.end(),
+                                   [&](std::size_t i) { return sheets[i].image != sheets[*first].image; });
     const std::span<const std::size_t> of_image(first, last);
     stack(sheets, of_image, shares);
     double near = least;

@@ -7,8 +7,8 @@
 namespace burin {
 
 // How much each of a vertex's sheets counts, [sheet]; shares add up to 1. A sheet weighs nothing at its rim
-// and all from three quarters of its half width inside of it, so that a sheet that begins or ends changes nothing
-// where it does; and one that is alone has all the share, whatever it weighs.
+// and all from three quarters of its half width inside of it, so that a sheet that begins or ends changes
+// nothing where it does; and one that is alone has all the share, whatever it weighs.
 using Shares = std::vector<double>;
 
 /// By weight.

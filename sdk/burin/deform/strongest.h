@@ -13,9 +13,9 @@ namespace burin {
 /// The highest rise and the deepest cut together.
 double strongest(std::span<const double> changes);
 
-/// Along the unit `normal` as numbers are. At right angles to it twice the Steiner point of the convex hull of
-/// all changes and of none, which is the same in two dimensions and follows mirrorings and turns. No longer
-/// than the longest change.
+/// Along the unit `normal` as numbers are. At right angles to it twice the Steiner point of the convex hull
+/// of all changes and of none, which is the same in two dimensions and follows mirrorings and turns. No
+/// longer than the longest change.
 Vec3d strongest(std::span<const Vec3d> changes, const Vec3d& normal);
 
 }  // namespace burin

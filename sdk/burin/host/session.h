@@ -28,8 +28,8 @@ struct StrokeSettings {
   double radius = 0;    ///< object units, > 0
   double strength = 1;  ///< factor on the brush's displacement
   Cap cap = Cap::round;
-  Join join = Join::round;            ///< smooth, miter and overlap chart the stroke afresh with every sample
-  std::optional<Overlap> overlap;     ///< what holds where the stroke overlaps itself; none: as the brush says
+  Join join = Join::round;         ///< smooth, miter and overlap chart the stroke afresh with every sample
+  std::optional<Overlap> overlap;  ///< what holds where the stroke overlaps itself; none: as the brush says
   Accumulate accumulate = Accumulate::from_base;  ///< from_current: sheets add up, whatever `overlap` says
   /// 0..1: how much of the surface's relief the stroke feels. 1: every bump. Less: what is wider than about a
   /// third of (1 - follow) radii; displacement goes along the normals of that smoother surface and adds to

@@ -52,8 +52,7 @@ StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Cha
       reads_(read_inputs(settings, brush.descriptor().inputs_read)),
       original_(original),
       tracer_(begun(surface, picker, charters, settings, image), settings.radius, width_) {
-  if (original)
-    image_chart_.emplace(surface, picker, image, settings.radius, charters.image(image.index));
+  if (original) image_chart_.emplace(surface, picker, image, settings.radius, charters.image(image.index));
   nodes_.emplace(live(), reads_);
 }
 
