@@ -20,8 +20,9 @@ extern "C" {
 #endif
 
 /* What holds at a place that a stroke visits several times, crossing itself, coming back, as a row of dabs,
- * in pieces, or in its symmetric images: how what the brush does in each of these sheets becomes one. Sheets
- * fade in over the outer three quarters of their half width, so that nothing jumps where one begins. */
+ * in pieces, or in its symmetric images: how what the brush does in each of these sheets becomes one. But
+ * for strongest and add, which take all of every sheet, sheets fade in over the outer three quarters of their
+ * half width, so that nothing jumps where one begins. */
 typedef int32_t burin_overlap;
 enum {
   BURIN_OVERLAP_UNKNOWN = 0,   /* the brush does not say: as strongest */
