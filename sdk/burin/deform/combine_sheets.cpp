@@ -12,23 +12,37 @@ namespace {
 
 using Tint64 = Eigen::Matrix<double, 5, 1>;
 
+bool lies_before(const Sheet& a, const Sheet& b) {
+  for (const Eigen::Index axis : {2, 0, 1})
+    if (a.displacement[axis] != b.displacement[axis]) return a.displacement[axis] < b.displacement[axis];
+  for (const Eigen::Index axis : {0, 1, 2})
+    if (a.e1[axis] != b.e1[axis]) return a.e1[axis] < b.e1[axis];
+  for (Eigen::Index channel = 0; channel < a.tint.size(); ++channel)
+    if (a.tint[channel] != b.tint[channel]) return a.tint[channel] < b.tint[channel];
+  return a.inside < b.inside;
+}
+
 /// Any order that follows from what sheets hold: sums then have the same bits whichever came first.
-void sort_by_content(std::vector<Sheet>& sheets) {
-  const auto compare = [](const auto& a, const auto& b) {
-    return std::lexicographical_compare_three_way(a.begin(), a.end(), b.begin(), b.end());
-  };
-  std::ranges::stable_sort(sheets, [&](const Sheet& a, const Sheet& b) {
-    if (const auto order = compare(a.displacement, b.displacement); order != 0) return order < 0;
-    if (const auto order = compare(a.e1, b.e1); order != 0) return order < 0;
-    if (const auto order = compare(a.tint, b.tint); order != 0) return order < 0;
-    return a.inside < b.inside;
-  });
+void sort_by_content(std::vector<Sheet>& sheets) { std::ranges::stable_sort(sheets, lies_before); }
+
+bool have_one_normal(std::span<const Sheet> sheets) {
+  return std::ranges::all_of(sheets, [&](const Sheet& s) { return s.normal == sheets.front().normal; });
 }
 
 Vec3d mean_normal(std::span<const Sheet> sheets) {
+  const Vec3d first = sheets.front().normal.cast<double>();
+  if (have_one_normal(sheets)) return first.normalized();
   Vec3d sum = Vec3d::Zero();
   for (const Sheet& sheet : sheets) sum += sheet.normal.cast<double>();
-  return sum.isZero(0) ? sheets.front().normal.cast<double>() : Vec3d(sum.normalized());
+  return sum.isZero(0) ? first.normalized() : sum.normalized();
+}
+
+/// Whether moves are nowhere sideways but for rounding.
+bool all_along(const Vec3d& direction, const std::vector<Vec3d>& moves) {
+  return std::ranges::all_of(moves, [&](const Vec3d& move) {
+    const double along = move.dot(direction);
+    return (move - along * direction).squaredNorm() <= 1e-24 * along * along;
+  });
 }
 
 template <class Value>
@@ -58,6 +72,7 @@ Vec3d farthest_along(const Vec3d& direction, std::span<const Sheet> sheets, cons
   const Shares shares = stacked_shares(sheets, along);
   double farthest = 0;
   for (std::size_t i = 0; i < along.size(); ++i) farthest += shares[i] * along[i];
+  if (all_along(direction, moves)) return farthest * direction;
   const Vec3d sideways = weighed(moves, softly_stacked_shares(sheets, along, radius / 16));
   return sideways + (farthest - sideways.dot(direction)) * direction;
 }
@@ -86,7 +101,8 @@ Tint64 strongest_of_each(const std::vector<Tint64>& changes) {
 }  // namespace
 
 Vec3d combined_move(std::vector<Sheet> sheets, Overlap overlap, double radius) {
-  sort_by_content(sheets);
+  const bool sums = overlap != Overlap::strongest || !have_one_normal(sheets);
+  if (sums) sort_by_content(sheets);
   std::vector<Vec3d> moves;
   for (const Sheet& sheet : sheets) moves.push_back(sheet.moved());
   const Vec3d normal = mean_normal(sheets);

@@ -11,6 +11,9 @@ namespace {
 
 using Vec2d = Eigen::Vector2d;
 
+/// Share of a change that is nothing but the rounding of its frame.
+constexpr double rounding = 1e-12;
+
 double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Appends half of the hull of points that are sorted along an axis, without its last.
@@ -27,9 +30,8 @@ void append_half(const Points& sorted, std::vector<Vec2d>& hull) {
 
 /// Of the convex hull of these points, counterclockwise.
 std::vector<Vec2d> hull_corners(std::vector<Vec2d> points) {
-  std::ranges::sort(points, [](const Vec2d& a, const Vec2d& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  });
+  std::ranges::sort(
+      points, [](const Vec2d& a, const Vec2d& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 2) return points;
   std::vector<Vec2d> hull;
@@ -66,14 +68,21 @@ Vec3d strongest(std::span<const Vec3d> changes, const Vec3d& normal) {
   const Vec3d x = normal.unitOrthogonal(), y = normal.cross(x);
   double longest = 0;
   std::vector<double> up;
-  std::vector<Vec2d> level = {Vec2d::Zero()};
+  up.reserve(changes.size());
+  std::vector<Vec2d> level;
   for (const Vec3d& change : changes) {
-    longest = std::max(longest, change.norm());
+    const Vec2d sideways(change.dot(x), change.dot(y));
+    longest = std::max(longest, change.squaredNorm());
     up.push_back(change.dot(normal));
-    level.emplace_back(change.dot(x), change.dot(y));
+    if (sideways.squaredNorm() > rounding * rounding * change.squaredNorm()) level.push_back(sideways);
   }
-  const Vec2d sideways = twice_steiner_point(hull_corners(std::move(level)));
-  const Vec3d together = strongest(up) * normal + sideways.x() * x + sideways.y() * y;
+  longest = std::sqrt(longest);
+  Vec3d together = strongest(up) * normal;
+  if (!level.empty()) {
+    level.push_back(Vec2d::Zero());
+    const Vec2d sideways = twice_steiner_point(hull_corners(std::move(level)));
+    together += sideways.x() * x + sideways.y() * y;
+  }
   const double length = together.norm();
   return length > longest ? Vec3d(longest / length * together) : together;
 }
