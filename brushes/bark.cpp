@@ -20,6 +20,7 @@ class Bark : public Brush {
       .features = {"procedural"},
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_FOOTPRINT,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
+      .overlap = BURIN_OVERLAP_LATEST,
   };
   static constexpr FloatParam depth{
       .id = "depth",

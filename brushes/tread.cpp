@@ -20,6 +20,7 @@ class Tread : public Brush {
       .features = {"stamp"},
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_FOOTPRINT,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
+      .overlap = BURIN_OVERLAP_LATEST,
   };
   static constexpr FileParam stamp{
       .id = "stamp",

@@ -45,8 +45,9 @@ void add_sculpt_options(CLI::App& command, StrokeOverrides& overrides) {
       .add_option_function<std::string>(
           "--overlap",
           [&overrides](const std::string& name) { overrides.overlap = overlap_names().at(name); },
-          "where a stroke overlaps itself: latest (the default), max, min, add or average")
-      ->check(CLI::IsMember({"latest", "max", "min", "add", "average"}));
+          "where a stroke overlaps itself: strongest, latest, max, min, add or average; as its brush says\n"
+          "unless given")
+      ->check(CLI::IsMember({"strongest", "latest", "max", "min", "add", "average"}));
   command
       .add_option_function<std::string>(
           "--accumulate",

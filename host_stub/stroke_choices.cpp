@@ -15,11 +15,11 @@ const std::map<std::string, Join>& join_names() {
 }
 
 const std::map<std::string, Overlap>& overlap_names() {
-  static const std::map<std::string, Overlap> names = {{"latest", Overlap::latest},
-                                                       {"max", Overlap::max},
-                                                       {"min", Overlap::min},
-                                                       {"add", Overlap::add},
-                                                       {"average", Overlap::average}};
+  static const auto names = [] {
+    std::map<std::string, Overlap> all;
+    for (const auto& [name, overlap] : named_overlaps) all.emplace(name, overlap);
+    return all;
+  }();
   return names;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <burin/chart/joins.h>
-#include <burin/deform/blend.h>
+#include <burin/deform/overlap.h>
 #include <burin/stroke/surface_curve.h>
 
 #include <map>

@@ -46,7 +46,7 @@ std::vector<Vec3f> accumulated(const Surface& surface, const Chart& chart, test:
   EXPECT_EQ(reached.size(), chart.size());
   std::vector<Vec3f> places(vertices.size());
   const InstanceSheets sheets{&drawn.live, &outputs};
-  blend_sheets(surface, {&sheets, 1}, vertices, {.overlap = Overlap::add}, "some.brush", places);
+  blend_sheets(surface, {{&sheets, 1}}, vertices, {.overlap = Overlap::add}, "some.brush", places);
   return places;
 }
 

@@ -1,83 +1,72 @@
-#include "support/shapes.h"
+#include "deform_fixtures.h"
 
-#include <burin/deform/earlier_pieces.h>
+#include <burin/deform/blend.h>
+#include <burin/deform/displacement.h>
 #include <gtest/gtest.h>
 
-#include <array>
-#include <limits>
 #include <vector>
 
 namespace burin {
 namespace {
 
-/// One vertex of a level surface that pieces move up or down one after the other.
+/// Pieces that each have one node at the middle of a square, which they move up or down.
 class EarlierPiecesTest : public ::testing::Test {
  protected:
-  /// Where the vertex is after pieces with so many nodes there would have moved it this far, each by itself.
-  float height(Overlap overlap, const std::vector<std::pair<std::uint32_t, float>>& pieces,
-               double limit = std::numeric_limits<double>::infinity()) {
-    EarlierPieces earlier(surface_, {.overlap = overlap, .limit = limit});
+  EarlierPiecesTest() : live_(surface_.vertex_count()) {}
+
+  InstanceSheets piece(const Vec3f& displacement) {
+    Chart chart;
+    chart.length = 1;
+    chart.resize(1);
+    chart.set(0, vertex, 0, {.t = 0.5, .d = 0, .e1 = Vec3f(0.6f, 0.8f, 0), .curvature = 0, .stretch = 1},
+              surface_.normals[vertex]);
+    live_.assign(chart);
+    outputs_.displacement = {displacement};
+    return {&live_, &outputs_};
+  }
+
+  Vec3f blended(std::span<const InstanceSheets> now, Overlap overlap) {
     Vec3f place;
-    for (const auto& [sheets, up] : pieces) {
-      place = base() + Vec3f(0, 0, up);
-      const std::array<std::uint32_t, 1> counts{sheets};
-      const PieceMoves piece{vertex_, counts, {&place, 1}, {}};
-      earlier.blend({}, piece);
-      earlier.add(piece);
-    }
-    return place.z() - base().z();
+    blend_sheets(surface_, {now, &earlier_}, {&vertex, 1}, {.overlap = overlap, .radius = 0.5}, "some.brush",
+                 {&place, 1});
+    return place;
+  }
+  float height(const Vec3f& displacement, Overlap overlap) {
+    const InstanceSheets now = piece(displacement);
+    return blended({&now, 1}, overlap).z();
   }
 
-  Tint tint(Overlap overlap, const Tint& first, const Tint& second, const Paint& paint = {}) {
-    EarlierPieces earlier(surface_, {.overlap = overlap});
-    const std::array<std::uint32_t, 1> counts{1};
-    Tint now;
-    for (const Tint& written : {first, second}) {
-      now = written;
-      Vec3f place = base();
-      const PieceMoves piece{vertex_, counts, {&place, 1}, {&now, 1}};
-      earlier.blend(paint, piece);
-      earlier.add(piece);
-    }
-    return now;
-  }
-
-  const Vec3f& base() const { return surface_.positions[vertex_[0]]; }
-
-  Surface surface_ = make_surface(test::plane(1, 0.5, 1));
-  std::array<Index, 1> vertex_{7};
+  static constexpr Index vertex = 4;
+  Surface surface_ = test::square(3);
+  LiveChart live_;
+  NodeOutputs outputs_;
+  EarlierPieces earlier_;
 };
 
-TEST_F(EarlierPiecesTest, AreBlendedAsSheetsAre) {
-  EXPECT_FLOAT_EQ(height(Overlap::latest, {{1, -0.5F}, {1, -0.25F}}), -0.25F);
-  EXPECT_FLOAT_EQ(height(Overlap::max, {{1, -0.5F}, {1, -0.25F}}), -0.25F);
-  EXPECT_FLOAT_EQ(height(Overlap::min, {{1, -0.5F}, {1, -0.25F}}), -0.5F);
-  EXPECT_FLOAT_EQ(height(Overlap::max, {{1, 0.5F}, {1, 0.25F}, {1, 0.125F}}), 0.5F);
-  EXPECT_FLOAT_EQ(height(Overlap::add, {{1, -0.5F}, {2, -0.25F}, {1, 0.125F}}), -0.625F);
-  EXPECT_FLOAT_EQ(height(Overlap::average, {{1, -0.5F}, {2, -0.125F}, {1, 0.25F}}), -0.125F);
+TEST_F(EarlierPiecesTest, StayAsTheyAreBitForBit) {
+  const Vec3f displacement(0.1f, -0.3f, 0.7f);
+  const InstanceSheets first = piece(displacement);
+  const Vec3f alone =
+      displaced(surface_.positions[vertex], live_.nodes().e1[0], surface_.normals[vertex], displacement);
+  earlier_.add({&first, 1}, 0.5);
+  EXPECT_EQ(earlier_.count(), 1u);
+  EXPECT_EQ(earlier_.at(vertex).size(), 1u);
+  EXPECT_TRUE(earlier_.at(vertex + 1).empty());
+  for (const auto& [name, overlap] : named_overlaps) EXPECT_EQ(blended({}, overlap), alone) << name;
 }
 
-TEST_F(EarlierPiecesTest, StayWhereTheLaterPieceHasNoNode) {
-  for (const Overlap overlap : {Overlap::latest, Overlap::max, Overlap::min, Overlap::add, Overlap::average})
-    EXPECT_FLOAT_EQ(height(overlap, {{1, -0.5F}, {0, 0}}), -0.5F);
-}
-
-TEST_F(EarlierPiecesTest, KeepTheirSumWithinTheLimit) {
-  EXPECT_FLOAT_EQ(height(Overlap::add, {{1, -0.5F}, {1, -0.25F}}, 0.625), -0.625F);
-}
-
-TEST_F(EarlierPiecesTest, BlendTints) {
-  Tint red, green;
-  red << 0.5F, 0, 0, 0.5F, 0.25F;
-  green << 0, 0.75F, 0, 0.75F, 0.75F;
-  EXPECT_EQ(tint(Overlap::latest, red, green), green);
-  EXPECT_EQ(tint(Overlap::max, red, green), red.cwiseMax(green));
-  EXPECT_EQ(tint(Overlap::min, red, green), red.cwiseMin(green));
-  Tint sum, mean;
-  sum << 0.5F, 0.75F, 0, 1, 0;  // masks take off 0.75 and 0.25
-  mean << 0.25F, 0.375F, 0, 0.625F, 0.5F;
-  EXPECT_EQ(tint(Overlap::add, red, green), sum);
-  EXPECT_EQ(tint(Overlap::average, red, green), mean);
+TEST_F(EarlierPiecesTest, AreSheetsBesideThoseOfTheLaterPiece) {
+  for (const float up : {-0.5f, 0.125f}) {
+    const InstanceSheets now = piece({0, 0, up});
+    earlier_.add({&now, 1}, 0.5);
+  }
+  const Vec3f last(0, 0, -0.25f);
+  EXPECT_FLOAT_EQ(height(last, Overlap::latest), -0.25f);
+  EXPECT_FLOAT_EQ(height(last, Overlap::max), 0.125f);
+  EXPECT_FLOAT_EQ(height(last, Overlap::min), -0.5f);
+  EXPECT_FLOAT_EQ(height(last, Overlap::add), -0.625f);
+  EXPECT_FLOAT_EQ(height(last, Overlap::average), -0.625f / 3);
+  EXPECT_FLOAT_EQ(height(last, Overlap::strongest), -0.375f);
 }
 
 }  // namespace

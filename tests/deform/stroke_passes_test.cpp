@@ -83,7 +83,7 @@ TEST_F(StrokePassesTest, TakeTheExplicitStepsOfSmoothing) {
   EXPECT_EQ(vertices.size(), chart_.size());
   std::vector<Vec3f> places(vertices.size());
   const InstanceSheets sheets{&drawn.live, &outputs};
-  blend_sheets(surface_, {&sheets, 1}, vertices, {}, "some.brush", places);
+  blend_sheets(surface_, {{&sheets, 1}}, vertices, {}, "some.brush", places);
   const std::vector<Vec3f> expected = smoothed();
   float most = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {

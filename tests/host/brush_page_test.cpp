@@ -1,6 +1,7 @@
 // docs/brushes.md is what the brushes say of themselves.
 #include <burin/base/file.h>
 #include <burin/deform/offered.h>
+#include <burin/deform/overlap.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -79,6 +80,7 @@ std::string section(const BrushEntry& entry) {
   const burin_brush_descriptor& brush = *entry.descriptor;
   std::string text = fmt::format("\n## {0}\n\n![{0}](../samples/gallery/{1}.png)\n\n{2}\n\n", brush.name,
                                  entry.module.stem().string(), brush.help);
+  text += fmt::format("Where a stroke overlaps itself: `{}`.\n\n", name_of(overlap_of(brush)));
   text += fmt::format("| `{}` | values | default | |\n|---|---|---|---|\n", brush.id);
   for (std::uint32_t i = 0; i < brush.param_count; ++i) {
     const burin_param_info& param = *brush.params[i];
@@ -93,7 +95,9 @@ std::string page() {
       "# The stock brushes\n\n"
       "Each is one source in `brushes/`; `./dev gallery` draws the pictures. Lengths in radii are multiples "
       "of\n"
-      "half the width of the stroke.\n";
+      "half the width of the stroke. [overlap.md](overlap.md) tells what the brushes do where a stroke "
+      "overlaps\n"
+      "itself.\n";
   BrushLibrary library;
   library.load_folder(test::brushes_folder);
   for (const BrushEntry& brush : library.brushes()) text += section(brush);

@@ -77,6 +77,24 @@ TEST(Dabs, GrowToWhatIsDrawnAtOnce) {
   }
 }
 
+TEST(Dabs, AreAsDeepAsAStrokeTheSmootherTheCloser) {
+  double least_before = 0;
+  for (const double spacing : {1., 0.4, 0.1}) {
+    Session session(make_surface(grid()), test::brushes());
+    StrokeSettings groove = settings("org.burin.groove", 0.2);
+    draw(session, dabs(groove, spacing), straight_line());
+    double deepest = 0, least = 1;
+    for (const Vec3f& position : session.positions()) {
+      deepest = std::max(deepest, double{-position.z()});
+      if (position.y() == 0 && std::abs(position.x()) < 0.5f) least = std::min(least, double{-position.z()});
+    }
+    EXPECT_NEAR(deepest, 0.05, 1e-5) << spacing;
+    EXPECT_GT(least, least_before) << spacing;
+    least_before = least;
+  }
+  EXPECT_GT(least_before, 0.0495);
+}
+
 TEST(Dabs, ComputeOnlyTheLastOnesWithEverySample) {
   // Text looks at the length of strokes all along, but not of dabs.
   StrokeSettings text = dabs(settings("org.burin.text"), 0.5);

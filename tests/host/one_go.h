@@ -55,12 +55,13 @@ inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& cur
   NodeOutputs outputs;
   outputs.resize(chart.nodes().size(), paints(*entry.descriptor));
   EvaluatedInstance instance{source, context, static_cast<float>(settings.strength), outputs};
-  const BlendOptions blend{.overlap = settings.overlap, .radius = radius};
+  const BlendOptions blend{.overlap = settings.overlap.value_or(overlap_of(*entry.descriptor)),
+                           .radius = radius};
   Evaluator evaluator;
   StrokePasses(base, stroke, {&chart}, blend).update(evaluator, {&instance, 1}, vertices);
   std::vector<Vec3f> places(vertices.size()), positions = base.positions;
-  const InstanceSheets sheets{&chart, &outputs};
-  blend_sheets(base, {&sheets, 1}, vertices, blend, entry.descriptor->id, places);
+  const InstanceSheets sheets{&chart, &outputs, nodes.half_width()};
+  blend_sheets(base, {{&sheets, 1}}, vertices, blend, entry.descriptor->id, places);
   for (std::size_t i = 0; i < vertices.size(); ++i) positions[vertices[i]] = places[i];
   return positions;
 }

@@ -11,8 +11,10 @@ namespace {
 using test::add;
 using test::draw;
 
-constexpr Overlap all_modes[] = {Overlap::latest, Overlap::max, Overlap::min, Overlap::add, Overlap::average};
-constexpr Overlap without_order[] = {Overlap::max, Overlap::min, Overlap::add, Overlap::average};
+constexpr Overlap all_modes[] = {Overlap::latest, Overlap::max,     Overlap::min,
+                                 Overlap::add,    Overlap::average, Overlap::strongest};
+constexpr Overlap without_order[] = {Overlap::max, Overlap::min, Overlap::add, Overlap::average,
+                                     Overlap::strongest};
 
 std::vector<Sample> samples_at(const std::vector<Vec3d>& places) {
   std::vector<Sample> samples;
@@ -82,33 +84,49 @@ StrokeSettings ridge(double radius, Overlap overlap) {
   return ridge;
 }
 
-/// The heights that the lines of the star give a place, in the order in which they were drawn.
-std::vector<double> star_heights(const Vec3f& place, double radius) {
-  std::vector<double> heights;
+/// What a line of the star does to a place.
+struct LineSheet {
+  double height, weight;
+};
+
+/// In the order in which the lines were drawn.
+std::vector<LineSheet> star_sheets(const Vec3f& place, double radius) {
+  std::vector<LineSheet> sheets;
   for (int line = 0; line < 5; ++line) {
     const Vec3d along = direction(line * star_step);
     const double x = std::abs(along.x() * place.y() - along.y() * place.x()) / radius;
-    if (x <= 1) heights.push_back(radius * (1 - x * x) * (1 - x * x));
+    const double s = std::min((1 - x) / 0.75, 1.0);
+    if (x <= 1) sheets.push_back({radius * (1 - x * x) * (1 - x * x), s * s * (3 - 2 * s)});
   }
-  return heights;
+  return sheets;
 }
 
-double blended(const std::vector<double>& heights, Overlap overlap) {
-  if (heights.empty()) return 0;
-  double sum = 0;
-  for (const double height : heights) sum += height;
-  switch (overlap) {
-    case Overlap::max:
-      return std::ranges::max(heights);
-    case Overlap::min:
-      return std::ranges::min(heights);
-    case Overlap::add:
-      return sum;
-    case Overlap::average:
-      return sum / static_cast<double>(heights.size());
-    default:
-      return heights.back();
+/// Of sheets the first of which lies on top.
+double stacked(const std::vector<LineSheet>& sheets) {
+  double height = 0, covered = 0;
+  for (const LineSheet& sheet : sheets) {
+    height += (1 - covered) * sheet.weight * sheet.height;
+    covered += (1 - covered) * sheet.weight;
   }
+  return height / covered;
+}
+
+double blended(std::vector<LineSheet> sheets, Overlap overlap) {
+  if (sheets.empty()) return 0;
+  double sum = 0, weighed = 0, weights = 0, highest = 0;
+  for (const LineSheet& sheet : sheets) {
+    sum += sheet.height;
+    weighed += sheet.weight * sheet.height;
+    weights += sheet.weight;
+    highest = std::max(highest, sheet.height);
+  }
+  if (overlap == Overlap::add) return sum;
+  if (overlap == Overlap::average) return weighed / weights;
+  if (overlap == Overlap::strongest) return highest;
+  std::ranges::reverse(sheets);
+  if (overlap == Overlap::max) std::ranges::sort(sheets, std::ranges::greater{}, &LineSheet::height);
+  if (overlap == Overlap::min) std::ranges::sort(sheets, {}, &LineSheet::height);
+  return stacked(sheets);
 }
 
 /// Whether a place is at a rim of one of the star's lines, where a node may or may not be.
@@ -133,9 +151,9 @@ TEST(SelfOverlap, BlendsFiveSheetsByTheClosedForm) {
     for (Index vertex = 0; vertex < base.vertex_count(); ++vertex) {
       const Vec3f& place = base.positions[vertex];
       if (place.norm() > 0.4f || at_a_rim(place, radius)) continue;
-      const std::vector<double> heights = star_heights(place, radius);
-      ++seen[heights.size()];
-      worst = std::max(worst, std::abs(session.positions()[vertex].z() - blended(heights, overlap)));
+      const std::vector<LineSheet> sheets = star_sheets(place, radius);
+      ++seen[sheets.size()];
+      worst = std::max(worst, std::abs(session.positions()[vertex].z() - blended(sheets, overlap)));
     }
     EXPECT_LT(worst, 2e-5 * radius);
     for (std::size_t sheets = 0; sheets <= 5; ++sheets) EXPECT_GT(seen[sheets], 10) << sheets;

@@ -7,42 +7,11 @@
 #include <random>
 #include <set>
 
+#include "stock_brush_uses.h"
 #include "symmetric.h"
 
 namespace burin {
 namespace {
-
-struct BrushUse {
-  const char* id;
-  ParamSettings params;      ///< without which it cannot draw, or draws something else
-  const char* variant = "";  ///< letters that tell this use from others of the brush
-};
-
-// A brush that is missing here fails a test.
-const std::vector<BrushUse> uses = {
-    {"org.burin.arrow", {}},
-    {"org.burin.bark", {}},
-    {"org.burin.bead", {}},
-    {"org.burin.bead", {{"form", std::string("beads")}}, "Beads"},
-    {"org.burin.crease", {}},
-    {"org.burin.dashed-line", {}},
-    {"org.burin.flatten", {}},
-    {"org.burin.groove", {}},
-    {"org.burin.patterned-fill", {}},
-    {"org.burin.patterned-fill", {{"pattern", std::string("hexagons")}}, "Hexagons"},
-    {"org.burin.patterned-line", {}},
-    {"org.burin.patterned-line", {{"figure", std::string("chain")}}, "Chain"},
-    {"org.burin.pinch", {}},
-    {"org.burin.rope", {}},
-    {"org.burin.rope", {{"lay", std::string("plaited")}}, "Plaited"},
-    {"org.burin.scales", {{"stamp", std::string(BURIN_SAMPLES "/stamps/scales.exr")}}},
-    {"org.burin.smooth", {}},
-    {"org.burin.stitches", {}},
-    {"org.burin.stitches", {{"pattern", std::string("cross")}}, "Cross"},
-    {"org.burin.text", {}},
-    {"org.burin.tread", {{"stamp", std::string(BURIN_SAMPLES "/stamps/tread.exr")}}},
-    {"org.burin.vdm-trail", {{"stamp", std::string(BURIN_SAMPLES "/stamps/thorn.exr")}}},
-};
 
 /// A unit sphere with bumps, and with dents that are narrower than a stroke of radius 0.3.
 TriangleMesh bumpy(float dents = 0.02f) {
@@ -54,6 +23,9 @@ TriangleMesh bumpy(float dents = 0.02f) {
   }
   return mesh;
 }
+
+using test::BrushUse;
+using test::stock_brush_uses;
 
 class StockBrushes : public testing::TestWithParam<BrushUse> {
  protected:
@@ -76,17 +48,11 @@ class StockBrushes : public testing::TestWithParam<BrushUse> {
   }
 };
 
-std::string name_of(const testing::TestParamInfo<BrushUse>& use) {
-  std::string name = std::string(use.param.id).substr(std::string("org.burin.").size());
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name + use.param.variant;
-}
-
-INSTANTIATE_TEST_SUITE_P(All, StockBrushes, testing::ValuesIn(uses), name_of);
+INSTANTIATE_TEST_SUITE_P(All, StockBrushes, testing::ValuesIn(stock_brush_uses), test::name_of_use);
 
 TEST(StockBrushFolder, HoldsTheBrushesThatAreTested) {
   std::set<std::string> tested, there;
-  for (const BrushUse& use : uses) tested.insert(use.id);
+  for (const BrushUse& use : stock_brush_uses) tested.insert(use.id);
   for (const BrushEntry& brush : test::brushes().brushes())
     if (brush.module.parent_path() == test::brushes_folder) there.insert(brush.descriptor->id);
   EXPECT_EQ(tested, there);
@@ -198,7 +164,7 @@ TEST_P(StockBrushes, StaysFiniteOnRandomStrokes) {
     settings.params.merge(random_params(descriptor(), engine));
     settings.pressure_width = 0.5 + around_zero(engine) / 2;
     settings.fields = {.time = true, .pressure = true};
-    settings.overlap = static_cast<Overlap>(engine() % 5);
+    settings.overlap = static_cast<Overlap>(engine() % 6);
     session.begin_stroke(settings);
     Vec3d way = Vec3d(around_zero(engine), around_zero(engine), around_zero(engine)).normalized();
     Vec3d turn = Vec3d(around_zero(engine), around_zero(engine), around_zero(engine)) * settings.radius;

@@ -20,6 +20,8 @@ TEST(ListCommand, ListsTheStockBrushesWithTheirParameters) {
   ASSERT_FALSE(groove.is_null());
   EXPECT_NE(groove["version"], "");
   EXPECT_TRUE(std::filesystem::is_regular_file(groove["module"].get<std::string>()));
+  EXPECT_EQ(groove["overlap"], "strongest");
+  EXPECT_EQ(find(brushes, "org.burin.bark")["overlap"], "latest");
   const json depth = find(groove["params"], "depth");
   ASSERT_FALSE(depth.is_null());
   EXPECT_EQ(depth["type"], "float");
@@ -43,6 +45,7 @@ TEST(ListCommand, TellsOfTextParameters) {
 
 TEST(ListCommand, NamesEveryParameterInItsText) {
   const std::string text = burin_output({"list"});
+  EXPECT_NE(text.find("\n  overlap: strongest\n"), std::string::npos);
   for (const json& brush : burin_json({"list"})["brushes"]) {
     EXPECT_NE(text.find(brush["id"].get<std::string>()), std::string::npos);
     for (const json& param : brush["params"]) {

@@ -27,7 +27,7 @@ extern "C" {
 
 /* A plugin is refused when its major differs from the host's; the minor counts additions. */
 #define BURIN_ABI_MAJOR 1u
-#define BURIN_ABI_MINOR 0u
+#define BURIN_ABI_MINOR 1u
 
 #if defined(_WIN32)
 #define BURIN_CALL __cdecl

@@ -19,6 +19,21 @@
 extern "C" {
 #endif
 
+/* What holds at a place that a stroke visits several times, crossing itself, coming back, as a row of dabs,
+ * in pieces, or in its symmetric images: how what the brush does in each of these sheets becomes one. But
+ * for strongest and add, which take all of every sheet, sheets fade in over the outer three quarters of their
+ * half width, so that nothing jumps where one begins. */
+typedef int32_t burin_overlap;
+enum {
+  BURIN_OVERLAP_UNKNOWN = 0,   /* the brush does not say: as strongest */
+  BURIN_OVERLAP_STRONGEST = 1, /* the highest rise and the deepest cut; of colours and masks the most cover */
+  BURIN_OVERLAP_LATEST = 2,    /* the sheet drawn last lies on top: for patterns, which do not mix */
+  BURIN_OVERLAP_MAX = 3,       /* the sheet that moves the place farthest outward; the most of a colour */
+  BURIN_OVERLAP_MIN = 4,       /* the one that moves it farthest inward; the least */
+  BURIN_OVERLAP_ADD = 5,       /* the sum */
+  BURIN_OVERLAP_AVERAGE = 6    /* the mean */
+};
+
 /* Owned by the plugin; lives from init to deinit. Ids and texts are UTF-8. */
 typedef struct burin_brush_descriptor {
   uint32_t struct_size;
@@ -32,6 +47,8 @@ typedef struct burin_brush_descriptor {
   const burin_param_info* const* params; /* param_count pointers; their order is that of burin_params */
   uint64_t inputs_read;                  /* BURIN_INPUT_* */
   uint64_t outputs_written;              /* BURIN_OUTPUT_* */
+  burin_overlap overlap;                 /* since 1.1: default strongest; users may choose another */
+  uint32_t reserved;                     /* since 1.1: 0 */
 } burin_brush_descriptor;
 
 /* What a stroke needs of the host, told at begin() since it may follow from the parameters.

@@ -1,7 +1,5 @@
 #pragma once
-#include <burin/deform/blend.h>
-#include <burin/deform/paint.h>
-#include <burin/surface/surface.h>
+#include <burin/deform/sheet.h>
 
 #include <cstdint>
 #include <span>
@@ -10,41 +8,22 @@
 
 namespace burin {
 
-/// Where the vertices of a piece of a stroke go: [i] is for vertices[i].
-struct PieceMoves {
-  std::span<const Index> vertices;
-  std::span<const std::uint32_t> sheets;  ///< nodes of the piece; 0: none, the vertex is at its base
-  std::span<Vec3f> places;
-  std::span<Tint> tints;  ///< empty where the brush writes neither colours nor masks
-};
-
-/// What the finished pieces of a stroke did to the surface before it. A stroke falls into pieces where the
-/// pen leaves the surface. All start from that surface, and where they meet they are blended as sheets of one
-/// stroke are; of `latest`, the piece drawn last holds. Costs what the pieces cover.
+/// The sheets of the finished pieces of a stroke, which falls into pieces where the pen leaves the surface.
+/// All start from the surface before the stroke. Costs what the pieces cover.
 class EarlierPieces {
  public:
-  /// Surface and paint, as they were before the stroke, must outlive the object.
-  EarlierPieces(const Surface& surface, const BlendOptions& options)
-      : surface_(&surface), options_(options) {}
+  /// Adds a finished piece: the sheets of its instances. `radius`: of the stroke, object units.
+  void add(std::span<const InstanceSheets> instances, double radius);
 
-  /// Makes of where a later piece would have vertices go where the stroke has them.
-  void blend(const Paint& paint, const PieceMoves& piece) const;
+  /// How many there are.
+  std::uint32_t count() const { return count_; }
 
-  /// Adds a piece that is finished, blended with those before it.
-  void add(const PieceMoves& piece);
+  /// Piece by piece. Valid until the next is added.
+  std::span<const Sheet> at(Index vertex) const;
 
  private:
-  struct Left {
-    std::uint32_t sheets = 0;
-    Vec3f place = Vec3f::Zero();
-    Tint tint = Tint::Zero();
-  };
-  Vec3f place(const Left& earlier, Index vertex, std::uint32_t sheets, const Vec3f& later) const;
-  Tint tint(const Left& earlier, const Tint& before, std::uint32_t sheets, const Tint& later) const;
-
-  const Surface* surface_;
-  BlendOptions options_;
-  std::unordered_map<Index, Left> left_;
+  std::unordered_map<Index, std::vector<Sheet>> sheets_;
+  std::uint32_t count_ = 0;
 };
 
 }  // namespace burin

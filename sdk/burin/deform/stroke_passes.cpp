@@ -79,7 +79,7 @@ void StrokePasses::place(std::uint32_t pass, std::span<const EvaluatedInstance> 
     sheets.push_back({charts_[i], &left.outputs[i], source.nodes.half_width(), source.dab_t});
   }
   std::vector<Vec3f> places(vertices.size());
-  blend_sheets(*surface_, sheets, vertices, blend_, stroke_->descriptor().id, places);
+  blend_sheets(*surface_, {sheets}, vertices, blend_, stroke_->descriptor().id, places);
   for (std::size_t i = 0; i < vertices.size(); ++i) left.places.set(vertices[i], places[i]);
 }
 

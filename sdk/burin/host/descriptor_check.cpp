@@ -44,6 +44,13 @@ std::string texts_problem(const burin_brush_descriptor& descriptor) {
   return {};
 }
 
+std::string overlap_problem(const burin_brush_descriptor& descriptor) {
+  if (!BURIN_HAS(&descriptor, burin_brush_descriptor, overlap)) return {};
+  const burin_overlap overlap = descriptor.overlap;
+  if (overlap >= BURIN_OVERLAP_UNKNOWN && overlap <= BURIN_OVERLAP_AVERAGE) return {};
+  return fmt::format("overlap {} is none that there is", overlap);
+}
+
 }  // namespace
 
 std::string descriptor_problem(const burin_brush_descriptor& descriptor) {
@@ -52,6 +59,7 @@ std::string descriptor_problem(const burin_brush_descriptor& descriptor) {
   if (!is_brush_id(descriptor.id)) return "a brush's id is no reverse DNS name such as org.example.brush";
   std::string problem = texts_problem(descriptor);
   if (problem.empty()) problem = params_problem(descriptor);
+  if (problem.empty()) problem = overlap_problem(descriptor);
   return problem.empty() ? problem : fmt::format("brush {}: {}", descriptor.id, problem);
 }
 

@@ -55,7 +55,6 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, Charters& c
                      .narrowest()),
       brush_stroke_(brush, descriptor, context(0, {}), params_.abi()),
       images_(symmetry_instances(settings_.symmetry)),
-      earlier_(surface, blend_options()),
       last_time_(-std::numeric_limits<double>::infinity()) {
   begin_instances();
 }
@@ -63,7 +62,7 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, Charters& c
 void OpenStroke::begin_instances() {
   for (const SymmetryInstance& image : images_)
     instances_.emplace_back(*surface_, *picker_, *charters_, settings_, image, brush_stroke_,
-                            images_.size() > 1);
+                            instances_.empty() ? nullptr : &instances_.front());
   if (settings_.accumulate == Accumulate::from_current) accumulate();
   if (passes_look_around()) look_around();
 }
@@ -96,7 +95,8 @@ bool OpenStroke::passes_look_around() const {
 
 BlendOptions OpenStroke::blend_options() const {
   const bool adds_up = settings_.accumulate == Accumulate::from_current;
-  BlendOptions options{.overlap = adds_up ? Overlap::add : settings_.overlap, .radius = settings_.radius};
+  const Overlap chosen = settings_.overlap.value_or(overlap_of(brush()));
+  BlendOptions options{.overlap = adds_up ? Overlap::add : chosen, .radius = settings_.radius};
   if (settings_.clamp_to_radius) options.limit = settings_.radius;
   return options;
 }
@@ -118,8 +118,8 @@ VertexMoves OpenStroke::draw(const StrokeTools& tools) {
   if (std::ranges::none_of(instances_, &StrokeInstance::has_news)) return {};
   std::vector<StrokeChanges> changes;
   for (StrokeInstance& instance : instances_)
-    changes.push_back(instance.has_news() ? instance.draw(brush_stroke_.plan().end_influence, tools.cost)
-                                          : StrokeChanges{});
+    changes.push_back(instance.empty() ? StrokeChanges{}
+                                       : instance.draw(brush_stroke_.plan().end_influence, tools.cost));
   tools.clock.lap(Stage::chart);
   return go_on(changes, 0, tools);
 }
@@ -128,10 +128,12 @@ VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
   for (StrokeInstance& instance : instances_)
     if (!instance.empty()) instance.close(closure);
   tools.clock.lap(Stage::curve);
+  const bool news = std::ranges::any_of(instances_, &StrokeInstance::has_news);
   std::vector<StrokeChanges> changes;
   for (StrokeInstance& instance : instances_)
-    changes.push_back(instance.empty() ? StrokeChanges{}
-                                       : instance.finish(brush_stroke_.plan().end_influence, tools.cost));
+    changes.push_back(instance.empty()
+                          ? StrokeChanges{}
+                          : instance.finish(news, brush_stroke_.plan().end_influence, tools.cost));
   tools.clock.lap(Stage::chart);
   return go_on(changes, BURIN_STROKE_FINAL, tools);
 }
@@ -192,46 +194,28 @@ void OpenStroke::evaluate(const std::vector<StrokeChanges>& changes, std::uint64
   }
 }
 
-VertexMoves OpenStroke::blend(std::vector<Index> vertices, const Paint& paint) const {
-  VertexMoves moves = blend_piece(std::move(vertices), paint);
-  if (has_earlier_) {
-    const std::vector<std::uint32_t> sheets = sheet_counts(moves.vertices);
-    earlier_.blend(paint, {moves.vertices, sheets, moves.places, moves.tints});
-  }
-  return moves;
-}
-
-/// As if the piece were the whole stroke.
-VertexMoves OpenStroke::blend_piece(std::vector<Index> vertices, const Paint& paint) const {
+std::vector<InstanceSheets> OpenStroke::piece_sheets() const {
   std::vector<InstanceSheets> sheets;
   for (const StrokeInstance& instance : instances_) sheets.push_back(instance.sheets());
+  return sheets;
+}
+
+VertexMoves OpenStroke::blend(std::vector<Index> vertices, const Paint& paint) const {
+  const std::vector<InstanceSheets> piece = piece_sheets();
+  const StrokeSheets stroke{piece, &earlier_};
   VertexMoves moves;
   moves.vertices = std::move(vertices);
   moves.places.resize(moves.vertices.size());
-  blend_sheets(*surface_, sheets, moves.vertices, blend_options(), brush().id, moves.places);
+  blend_sheets(*surface_, stroke, moves.vertices, blend_options(), brush().id, moves.places);
   if (!paints(brush())) return moves;
   moves.tints.resize(moves.vertices.size());
-  blend_tints(paint, sheets, moves.vertices, blend_options(), moves.tints);
+  blend_tints(paint, stroke, moves.vertices, blend_options(), moves.tints);
   return moves;
 }
 
-std::vector<std::uint32_t> OpenStroke::sheet_counts(std::span<const Index> vertices) const {
-  std::vector<std::uint32_t> counts(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    for (const StrokeInstance& instance : instances_) counts[i] += instance.live().sheet_count(vertices[i]);
-  return counts;
-}
-
-void OpenStroke::keep_piece(const Paint& paint) {
-  std::vector<Index> vertices;
-  for (const StrokeInstance& instance : instances_)
-    for (Index place = 0; place < instance.live().place_count(); ++place)
-      vertices.push_back(instance.live().vertex_at(place));
-  sort_unique(vertices);
-  VertexMoves moves = blend(std::move(vertices), paint);
-  const std::vector<std::uint32_t> sheets = sheet_counts(moves.vertices);
-  earlier_.add({moves.vertices, sheets, moves.places, moves.tints});
-  has_earlier_ = piece_kept_ = true;
+void OpenStroke::keep_piece() {
+  earlier_.add(piece_sheets(), settings_.radius);
+  piece_kept_ = true;
 }
 
 }  // namespace burin

@@ -41,7 +41,7 @@ class OpenStroke {
              const burin_brush_descriptor& descriptor, const StrokeSettings& settings);
 
   /// Whether no piece of it has a sample.
-  bool empty() const { return !has_earlier_ && piece_empty(); }
+  bool empty() const { return earlier_.count() == 0 && piece_empty(); }
   bool piece_empty() const { return drawn_by_hand().empty(); }
   double radius() const { return settings_.radius; }
   const SurfaceCurve& curve() const { return drawn_by_hand().curve(); }
@@ -66,7 +66,7 @@ class OpenStroke {
   VertexMoves finish(Closure closure, const StrokeTools& tools);
 
   /// Keeps the piece, which is finished, as one of those before, until begin_piece().
-  void keep_piece(const Paint& paint);
+  void keep_piece();
   bool piece_kept() const { return piece_kept_; }
 
   /// Begins another, whose chart starts anew, from the surface before the stroke.
@@ -84,8 +84,7 @@ class OpenStroke {
   void evaluate(const std::vector<StrokeChanges>& changes, std::uint64_t flags, const StrokeTools& tools,
                 std::vector<Index>& vertices);
   VertexMoves blend(std::vector<Index> vertices, const Paint& paint) const;
-  VertexMoves blend_piece(std::vector<Index> vertices, const Paint& paint) const;
-  std::vector<std::uint32_t> sheet_counts(std::span<const Index> vertices) const;
+  std::vector<InstanceSheets> piece_sheets() const;
 
   const Surface* surface_;
   const Picker* picker_;
@@ -99,7 +98,6 @@ class OpenStroke {
   std::optional<StrokePasses> passes_;        ///< of brushes whose passes look at neighbours
   std::optional<Accumulation> accumulation_;  ///< of strokes that go on from what they made themselves
   EarlierPieces earlier_;
-  bool has_earlier_ = false;
   bool piece_kept_ = false;  ///< and no other has begun
   double last_time_;
 };

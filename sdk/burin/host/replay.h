@@ -18,7 +18,7 @@ struct StrokeOverrides {
   std::optional<std::string> brush;
   std::optional<double> radius;
   std::optional<double> strength;
-  Overlap overlap = Overlap::latest;
+  std::optional<Overlap> overlap;
   Accumulate accumulate = Accumulate::from_base;
   bool clamp_to_radius = false;  ///< as in StrokeSettings
   Symmetry symmetry;

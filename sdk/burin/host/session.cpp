@@ -223,7 +223,7 @@ std::span<const Index> Session::end_piece(Closure closure) {
   return impl_->guarded([&] {
     OpenStroke& stroke = impl_->open_stroke();
     const std::span<const Index> seen = impl_->finish_piece(closure);
-    if (!stroke.piece_empty() && !stroke.piece_kept()) stroke.keep_piece(impl_->paint.base());
+    if (!stroke.piece_empty() && !stroke.piece_kept()) stroke.keep_piece();
     return seen;
   });
 }

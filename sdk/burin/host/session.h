@@ -1,7 +1,7 @@
 #pragma once
 #include <burin/chart/stroke_chart.h>
 #include <burin/deform/accumulate.h>
-#include <burin/deform/blend.h>
+#include <burin/deform/overlap.h>
 #include <burin/deform/paint.h>
 #include <burin/host/brush_library.h>
 #include <burin/host/event_cost.h>
@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,8 +28,8 @@ struct StrokeSettings {
   double radius = 0;    ///< object units, > 0
   double strength = 1;  ///< factor on the brush's displacement
   Cap cap = Cap::round;
-  Join join = Join::round;            ///< smooth, miter and overlap chart the stroke afresh with every sample
-  Overlap overlap = Overlap::latest;  ///< what holds where the stroke overlaps itself
+  Join join = Join::round;         ///< smooth, miter and overlap chart the stroke afresh with every sample
+  std::optional<Overlap> overlap;  ///< what holds where the stroke overlaps itself; none: as the brush says
   Accumulate accumulate = Accumulate::from_base;  ///< from_current: sheets add up, whatever `overlap` says
   /// 0..1: how much of the surface's relief the stroke feels. 1: every bump. Less: what is wider than about a
   /// third of (1 - follow) radii; displacement goes along the normals of that smoother surface and adds to
@@ -106,7 +107,7 @@ class Session {
 
   /// Ends a piece of the open stroke, for a pen that left the surface or jumped over a gap: the next sample
   /// begins another, with a curve and a chart of its own. All pieces start from the surface before the
-  /// stroke, and where they overlap StrokeSettings::overlap holds as for sheets; `latest` is the last piece.
+  /// stroke, and where they overlap they are sheets of one stroke; those of later pieces are the later ones.
   /// They are undone together. Closes as end_stroke() does. Returns the vertices that the end changed, as
   /// that.
   std::span<const Index> end_piece(Closure closure = Closure::open);

@@ -1,6 +1,7 @@
 #include <burin/host/stroke_instance.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace burin {
@@ -19,7 +20,7 @@ DrivenStroke driven_stroke(const StrokeSettings& settings, const SymmetryInstanc
 }  // namespace
 
 InstanceCharters& Charters::operator[](std::size_t instance) {
-  while (charters_.size() <= instance) charters_.push_back({StrokeCharter(*surface_, &levels_), nullptr});
+  while (charters_.size() <= instance) charters_.push_back({StrokeCharter(*surface_, &levels_), {}, {}});
   return charters_[instance];
 }
 
@@ -34,15 +35,24 @@ LiveDabs& Charters::dabs(std::size_t instance) {
   return *dabs;
 }
 
+LiveChart& Charters::image(std::size_t instance) {
+  std::unique_ptr<LiveChart>& image = (*this)[instance].image;
+  if (!image) image = std::make_unique<LiveChart>(surface_->vertex_count());
+  image->clear();
+  return *image;
+}
+
 StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Charters& charters,
                                const StrokeSettings& settings, const SymmetryInstance& image,
-                               const BrushStroke& brush, bool has_twins)
+                               const BrushStroke& brush, const StrokeInstance* original)
     : surface_(&surface),
       image_(image),
       width_(settings.pressure_width, settings.dynamics, driven_stroke(settings, image)),
       dynamics_(brush.descriptor(), brush.params(), settings.dynamics, driven_stroke(settings, image)),
-      reads_(read_inputs(settings, brush.descriptor().inputs_read, has_twins)),
+      reads_(read_inputs(settings, brush.descriptor().inputs_read)),
+      original_(original),
       tracer_(begun(surface, picker, charters, settings, image), settings.radius, width_) {
+  if (original) image_chart_.emplace(surface, picker, image, settings.radius, charters.image(image.index));
   nodes_.emplace(live(), reads_);
 }
 
@@ -62,13 +72,11 @@ CurveGround StrokeInstance::begun(const Surface& surface, const Picker& picker, 
   return {surface, picker, base_};
 }
 
-ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs,
-                                       bool has_twins) const {
+ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const {
   std::uint64_t varying = pen_inputs_present(settings.fields);
   if (width_.varies()) varying |= BURIN_INPUT_RADIUS;
-  std::uint64_t asked = inputs;
-  if (has_twins) asked |= BURIN_INPUT_RADIUS;  // to blend them
-  return {settings.radius, inputs, varying & asked, &dynamics_};
+  // Sheets fade over a share of their half width.
+  return {settings.radius, inputs, varying & (inputs | BURIN_INPUT_RADIUS), &dynamics_};
 }
 
 void StrokeInstance::trace(const CurveGround::Place& at, double time, const Pen& pen) {
@@ -98,12 +106,12 @@ double StrokeInstance::other_feet_from(double same_curve_up_to) const {
   return from > 0 ? from : everywhere;
 }
 
-StrokeChanges StrokeInstance::finish(double end_influence, EventCost& cost) {
+StrokeChanges StrokeInstance::finish(bool news, double end_influence, EventCost& cost) {
   if (closed_curve_) {
     chart(0, cost);
     return nodes_->follow(curve(), everywhere);
   }
-  if (traced_) return draw(end_influence, cost);
+  if (news) return draw(end_influence, cost);
   return nodes_->in_zone(dabs_ ? nowhere : curve().length() - end_influence);
 }
 
@@ -120,7 +128,32 @@ NodeSource StrokeInstance::source(const Paint& paint) const {
           .base = base_};
 }
 
+std::span<const float> StrokeInstance::dab_t() const {
+  if (!dabs_) return {};
+  return image_chart_ && image_chart_->reflects() ? original_->dab_t() : dabs_->along();
+}
+
+/// Curves of images are traced on their own part of the surface, which may not be what the original's is.
+bool StrokeInstance::runs_like_original() const {
+  const SurfaceCurve &here = curve(), &there = original_->curve();
+  return here.closed == there.closed && std::abs(here.length() - there.length()) <= 1e-4 * reads_.radius;
+}
+
 void StrokeInstance::chart(std::size_t unchanged, EventCost& cost) {
+  if (!image_chart_) {
+    chart_own(unchanged, cost);
+  } else if (image_chart_->has_images_of(original_->live()) && runs_like_original()) {
+    image_chart_->reflect(original_->live());
+  } else {
+    chart_own(image_chart_->own_is_behind() ? 0 : unchanged, cost);
+    image_chart_->copy(own_live());
+  }
+  if (!reads_foot()) return;
+  const bool reflects = image_chart_ && image_chart_->reflects();
+  foot_.emplace(reflects ? image_chart_->image_of(original_->curve()) : curve(), reads_.radius);
+}
+
+void StrokeInstance::chart_own(std::size_t unchanged, EventCost& cost) {
   if (dabs_) {
     dabs_->draw(curve(), unchanged);
     cost.settled += dabs_->settled();
@@ -129,7 +162,6 @@ void StrokeInstance::chart(std::size_t unchanged, EventCost& cost) {
     cost.settled += charter_->settled();
     cost.pushes += charter_->pushes();
   }
-  if (reads_foot()) foot_.emplace(curve(), reads_.radius);
 }
 
 }  // namespace burin

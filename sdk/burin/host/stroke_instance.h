@@ -6,6 +6,7 @@
 #include <burin/deform/stroke_nodes.h>
 #include <burin/deform/stroke_passes.h>
 #include <burin/host/event_cost.h>
+#include <burin/host/image_chart.h>
 #include <burin/host/session.h>
 #include <burin/stroke/foot_line.h>
 #include <burin/stroke/symmetry.h>
@@ -20,7 +21,8 @@ namespace burin {
 /// What charts one instance of a stroke, kept from stroke to stroke.
 struct InstanceCharters {
   StrokeCharter stroke;
-  std::unique_ptr<LiveDabs> dabs;  ///< once a stroke of dabs was drawn
+  std::unique_ptr<LiveDabs> dabs;    ///< once a stroke of dabs was drawn
+  std::unique_ptr<LiveChart> image;  ///< once it was the image of another
 };
 
 /// Charters of a surface, made when a stroke first needs them, and the levels that they share.
@@ -35,6 +37,9 @@ class Charters {
   void moved(std::span<const Index> vertices, double distance);
   LiveDabs& dabs(std::size_t instance);
 
+  /// Where the chart of an image is to be; empty.
+  LiveChart& image(std::size_t instance);
+
  private:
   const Surface* surface_;
   const Picker* picker_;
@@ -45,18 +50,18 @@ class Charters {
 /// One symmetric image of a stroke that is being drawn: its curve, its chart, and what the brush does there.
 class StrokeInstance {
  public:
-  /// `has_twins`: the stroke has other images, to be blended with. Throws Error for dynamics that the brush
-  /// does not take.
+  /// `original`: the stroke as drawn by hand, which must outlive its images and be drawn and finished before
+  /// them each time; null: this is it. Throws Error for dynamics that the brush does not take.
   StrokeInstance(const Surface& surface, const Picker& picker, Charters& charters,
                  const StrokeSettings& settings, const SymmetryInstance& image, const BrushStroke& brush,
-                 bool has_twins);
+                 const StrokeInstance* original);
   StrokeInstance(const StrokeInstance&) = delete;
   StrokeInstance& operator=(const StrokeInstance&) = delete;
 
   const SymmetryInstance& image() const { return image_; }
   bool empty() const { return tracer_.curve().points.empty(); }
   const SurfaceCurve& curve() const { return closed_curve_ ? *closed_curve_ : tracer_.curve(); }
-  const LiveChart& live() const { return dabs_ ? dabs_->live() : charter_->live(); }
+  const LiveChart& live() const { return image_chart_ ? image_chart_->live() : own_live(); }
   NodeOutputs& outputs() { return outputs_; }
   /// What is to be blended. Valid until the next event.
   InstanceSheets sheets() const { return {&live(), &outputs_, nodes_->half_width(), dab_t()}; }
@@ -75,8 +80,9 @@ class StrokeInstance {
   /// Charts what was traced since the last time, and says what is stale. `end_influence`: of the brush.
   StrokeChanges draw(double end_influence, EventCost& cost);
 
-  /// Once the pen is up, after close(): draws what is left, or all of it where the stroke closed.
-  StrokeChanges finish(double end_influence, EventCost& cost);
+  /// Once the pen is up, after close(): draws what is left, or all of it where the stroke closed. `news`:
+  /// whether this or another image has some.
+  StrokeChanges finish(bool news, double end_influence, EventCost& cost);
 
   /// Decides whether the stroke closes.
   void close(Closure closure) { closed_curve_ = tracer_.closed_curve(closure); }
@@ -87,9 +93,12 @@ class StrokeInstance {
  private:
   CurveGround begun(const Surface& surface, const Picker& picker, Charters& charters,
                     const StrokeSettings& settings, const SymmetryInstance& image);
-  ReadInputs read_inputs(const StrokeSettings& settings, std::uint64_t inputs, bool has_twins) const;
-  std::span<const float> dab_t() const { return dabs_ ? dabs_->along() : std::span<const float>{}; }
+  ReadInputs read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const;
+  const LiveChart& own_live() const { return dabs_ ? dabs_->live() : charter_->live(); }
+  std::span<const float> dab_t() const;
+  bool runs_like_original() const;
   void chart(std::size_t unchanged, EventCost& cost);
+  void chart_own(std::size_t unchanged, EventCost& cost);
   double other_feet_from(double same_curve_up_to) const;
   bool reads_foot() const { return reads_.inputs & BURIN_INPUT_FOOT; }
 
@@ -101,6 +110,8 @@ class StrokeInstance {
   StrokeCharter* charter_ = nullptr;
   BaseSurface* base_ = nullptr;  ///< that the stroke runs on, instead of the surface itself
   LiveDabs* dabs_ = nullptr;     ///< instead of the charter, in strokes of dabs
+  const StrokeInstance* original_;
+  std::optional<ImageChart> image_chart_;  ///< of images of another
   CurveTracer tracer_;
   std::optional<SurfaceCurve> closed_curve_;  ///< once the stroke is finished as a closed one
   std::optional<FootLine> foot_;

@@ -21,6 +21,8 @@ struct BrushInfo {
   TextList features{};            ///< tags such as "procedural", "stamp"
   std::uint64_t inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS;
   std::uint64_t outputs = BURIN_OUTPUT_DISPLACEMENT;
+  /// What holds where a stroke overlaps itself, unless the user chooses another.
+  burin_overlap overlap = BURIN_OVERLAP_STRONGEST;
 };
 
 /// A stroke about to begin: what the constructor of a brush gets, and where it says what it needs.

@@ -35,6 +35,9 @@ struct Declaration {
                     checks::present(B::info.version),
                 "BrushInfo needs name, vendor and version");
 
+  static_assert(B::info.overlap >= BURIN_OVERLAP_STRONGEST && B::info.overlap <= BURIN_OVERLAP_AVERAGE,
+                "BrushInfo::overlap must be one of BURIN_OVERLAP_STRONGEST .. BURIN_OVERLAP_AVERAGE");
+
   static constexpr auto params = params_of<B>();
   static_assert(
       checks::params(params),
@@ -58,7 +61,9 @@ struct Declaration {
                                                      B::info.features.data(),
                                                      param_pointers.data(),
                                                      B::info.inputs,
-                                                     B::info.outputs};
+                                                     B::info.outputs,
+                                                     B::info.overlap,
+                                                     0};
 };
 
 /// A burin_brush that makes a B for every stroke.

@@ -1,0 +1,29 @@
+#include <burin/deform/overlap.h>
+
+#include <algorithm>
+
+namespace burin {
+
+std::string_view name_of(Overlap overlap) {
+  return std::ranges::find(named_overlaps, overlap, &OverlapName::overlap)->name;
+}
+
+Overlap overlap_of(const burin_brush_descriptor& brush) {
+  if (!BURIN_HAS(&brush, burin_brush_descriptor, overlap)) return Overlap::strongest;
+  switch (brush.overlap) {
+    case BURIN_OVERLAP_LATEST:
+      return Overlap::latest;
+    case BURIN_OVERLAP_MAX:
+      return Overlap::max;
+    case BURIN_OVERLAP_MIN:
+      return Overlap::min;
+    case BURIN_OVERLAP_ADD:
+      return Overlap::add;
+    case BURIN_OVERLAP_AVERAGE:
+      return Overlap::average;
+    default:
+      return Overlap::strongest;
+  }
+}
+
+}  // namespace burin

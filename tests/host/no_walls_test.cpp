@@ -1,0 +1,149 @@
+// Where a stroke overlaps itself what a brush does has no steps that it does not have along a straight
+// stroke.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "stock_brush_uses.h"
+
+namespace burin {
+namespace {
+
+using test::BrushUse;
+
+constexpr double radius = 0.2;
+
+/// The samples of each piece of a stroke.
+using Pieces = std::vector<std::vector<Vec3d>>;
+
+/// A square with ripples, narrow against the radius, for brushes that change what is there.
+TriangleMesh rippled_square() {
+  TriangleMesh mesh = test::plane(1, 0.025, 4);
+  for (Vec3f& p : mesh.positions) p.z() += 0.004f * std::sin(25 * p.x()) * std::sin(25 * p.y() + 1);
+  return mesh;
+}
+
+std::vector<Vec3d> line(const Vec3d& from, const Vec3d& to) {
+  std::vector<Vec3d> places;
+  for (int i = 0; i <= 40; ++i) places.push_back(from + i / 40. * (to - from));
+  return places;
+}
+
+/// One round of a closed way, of this parameter from 0 to 2 pi, and some of the next.
+std::vector<Vec3d> round(const std::function<Vec3d(double)>& way, double rounds) {
+  std::vector<Vec3d> places;
+  const int count = static_cast<int>(100 * rounds);
+  for (int i = 0; i <= count; ++i) places.push_back(way(2 * std::numbers::pi * i / 100));
+  return places;
+}
+
+struct DrawnStroke {
+  const char* name;
+  Pieces pieces;
+  double dab_spacing = 0;
+};
+
+std::vector<DrawnStroke> overlapping_strokes() {
+  const Vec3d left(-0.6, 0, 0), right(0.6, 0, 0);
+  // Nowhere do they bend more sharply than the radius.
+  const auto loop = [](double s) { return Vec3d(0.4 * std::sin(s) + 0.07 * s - 0.3, -0.4 * std::cos(s), 0); };
+  const auto eight = [](double s) { return Vec3d(0.6 * std::sin(s), 0.35 * std::sin(2 * s), 0); };
+  const auto spiral = [](double s) {
+    return Vec3d((0.35 + 0.02 * s) * std::cos(s), (0.35 + 0.02 * s) * std::sin(s), 0);
+  };
+  Pieces hatching;
+  for (const double y : {-0.3, -0.17, 0., 0.1, 0.3})
+    hatching.push_back(line({-0.5, y, 0}, {0.5, y + 0.1, 0}));
+  return {{"a loop that crosses itself", {round(loop, 1.3)}},
+          {"a figure eight", {round(eight, 1)}},
+          {"a spiral that is narrower than the stroke", {round(spiral, 2)}},
+          {"a cross of two pieces", {line(left, right), line({0.1, -0.5, 0}, {-0.1, 0.5, 0})}},
+          {"a line in two pieces", {line(left, {-0.02, 0, 0}), line({0.02, 0, 0}, right)}},
+          {"hatching", hatching},
+          {"dabs", {line(left, right)}, 0.4},
+          {"close dabs", {line(left, right)}, 0.1}};
+}
+
+/// What dabs are held against: a single one.
+std::vector<DrawnStroke> simple_strokes(bool dabs) {
+  if (dabs) return {{"one dab", {{Vec3d(0, 0, 0)}}, 1}, {"another", {{Vec3d(-0.3, 0.11, 0)}}, 1}};
+  return {{"a line", {line({-0.6, 0, 0}, {0.6, 0, 0})}},
+          {"another", {line({-0.1, -0.6, 0}, {0, 0.6, 0})}},
+          {"a slanting line", {line({-0.5, -0.4, 0}, {0.5, 0.5, 0})}}};
+}
+
+/// Draws with one brush on the square.
+class Steps {
+ public:
+  explicit Steps(const BrushUse& use)
+      : use_(use), session_(make_surface(rippled_square()), test::brushes()) {}
+
+  /// The largest difference of displacement between the ends of an edge that a stroke makes.
+  double largest(const DrawnStroke& stroke, std::optional<Overlap> overlap = {}) {
+    StrokeSettings settings = test::settings(use_.id, radius);
+    settings.params = use_.params;
+    settings.overlap = overlap;
+    settings.dab_spacing = stroke.dab_spacing;
+    session_.begin_stroke(settings);
+    double time = 0;
+    for (const std::vector<Vec3d>& piece : stroke.pieces) {
+      for (const Vec3d& place : piece) session_.add_sample(place, time += 0.01, {}, Show::later);
+      session_.end_piece();
+    }
+    double step = 0;
+    const auto moved = [&](Index v) {
+      return Vec3f(session_.positions()[v] - session_.surface().positions[v]);
+    };
+    for (Index vertex = 0; vertex < session_.surface().vertex_count(); ++vertex)
+      for (const Index other : session_.surface().neighbours[vertex])
+        step = std::max(step, static_cast<double>((moved(vertex) - moved(other)).norm()));
+    session_.cancel_stroke();
+    return step;
+  }
+
+  /// Of strokes that do not overlap themselves, or of dabs.
+  double of_simple(bool dabs) {
+    double step = 0;
+    for (const DrawnStroke& stroke : simple_strokes(dabs)) step = std::max(step, largest(stroke));
+    return step;
+  }
+
+ private:
+  BrushUse use_;
+  Session session_;
+};
+
+class NoWalls : public testing::TestWithParam<BrushUse> {};
+
+INSTANTIATE_TEST_SUITE_P(StockBrushes, NoWalls, testing::ValuesIn(test::stock_brush_uses), test::name_of_use);
+
+TEST_P(NoWalls, WhereAStrokeOverlapsItself) {
+  Steps steps(GetParam());
+  const double of_stroke = steps.of_simple(false), of_dab = steps.of_simple(true);
+  EXPECT_GT(of_stroke, 1e-4);
+  for (const DrawnStroke& stroke : overlapping_strokes()) {
+    const double once = stroke.dab_spacing > 0 ? of_dab : of_stroke, step = steps.largest(stroke);
+    std::cout << fmt::format("{:.2f} of {:.4f}: {}\n", step / once, once, stroke.name);
+    EXPECT_LE(step, 1.5 * once) << stroke.name;
+  }
+}
+
+// The groove's profile is smooth everywhere. A sum may be steeper.
+TEST(NoWallsOfAGroove, WhicheverWayItOverlaps) {
+  Steps steps({"org.burin.groove", {}});
+  for (const auto& [name, overlap] : named_overlaps) {
+    if (overlap == Overlap::add) continue;
+    for (const DrawnStroke& stroke : overlapping_strokes()) {
+      const double once = steps.of_simple(stroke.dab_spacing > 0), step = steps.largest(stroke, overlap);
+      std::cout << fmt::format("{:.2f} of {:.4f}: {} {}\n", step / once, once, name, stroke.name);
+      EXPECT_LE(step, 1.5 * once) << name << ' ' << stroke.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace burin
