@@ -33,7 +33,8 @@ std::vector<Index> vertices_under_pen(const Surface& surface, const SurfaceCurve
   std::priority_queue<std::pair<double, Index>> queue;
   std::unordered_map<Index, double> left_at;
   const auto reach = [&](Index vertex, double left) {
-    if (left < 0) return;
+    // At the very rim rounding decides.
+    if (left < 1e-5 * radius) return;
     const auto [entry, is_new] = left_at.try_emplace(vertex, left);
     if (!is_new && entry->second >= left) return;
     entry->second = left;

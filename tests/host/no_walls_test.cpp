@@ -7,8 +7,11 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <random>
+#include <string_view>
 
 #include "stock_brush_uses.h"
+#include "support/drawn_strokes.h"
 
 namespace burin {
 namespace {
@@ -142,6 +145,27 @@ TEST(NoWallsOfAGroove, WhicheverWayItOverlaps) {
       std::cout << fmt::format("{:.2f} of {:.4f}: {} {}\n", step / once, once, name, stroke.name);
       EXPECT_LE(step, 1.5 * once) << name << ' ' << stroke.name;
     }
+  }
+}
+
+// Hooks, corners, cusps, retraced and scrubbed lines, rests, loops and spirals tighter than the radius.
+// Without a taper: inside of a bend of the stroke that is sharper than its radius a vertex has one sheet
+// only, and t jumps.
+TEST(NoWallsOfAGroove, HoweverItIsDrawn) {
+  Steps steps({"org.burin.groove", {{"taper", 0.}}});
+  const double once = steps.of_simple(false);
+  const std::uint32_t seed = 7;
+  std::mt19937 random(seed);
+  for (const std::string_view kind : test::drawn_kinds()) {
+    double worst = 0;
+    for (int i = 0; i < 4; ++i) {
+      std::vector<Vec3d> places;
+      for (const Vec2d& sample : test::drawn_stroke(kind, random))
+        places.emplace_back(radius * sample.x(), radius * sample.y(), 0);
+      worst = std::max(worst, steps.largest({"as drawn", {places}}));
+    }
+    std::cout << fmt::format("{:.2f} of {:.4f}: {}\n", worst / once, once, kind);
+    EXPECT_LE(worst, 1.5 * once) << kind << ", seed " << seed;
   }
 }
 
