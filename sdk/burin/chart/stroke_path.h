@@ -71,7 +71,8 @@ class StrokePath {
   };
   Around around(double t) const {
     const double place = std::clamp(closed_ ? wrapped_t(t, length_) : t, 0., length_) * places_a_unit_;
-    const auto from = static_cast<std::size_t>(place);
+    // Coordinates that are no numbers count as those of the begin.
+    const std::size_t from = place > 0 ? static_cast<std::size_t>(place) : 0;
     return {&places_[from], &places_[from + 1], static_cast<float>(place - static_cast<double>(from))};
   }
   Vec3f position(double t) const {
