@@ -1,7 +1,6 @@
 #include <burin/base/parallel.h>
 #include <burin/deform/blend.h>
 #include <burin/deform/combine_sheets.h>
-#include <burin/deform/displacement.h>
 #include <burin/deform/first_failure.h>
 
 namespace burin {
@@ -9,10 +8,7 @@ namespace {
 
 Vec3f unlimited_place(const Vec3f& base, const VertexSheets& sheets, const BlendOptions& options) {
   if (sheets.count() == 0) return base;
-  if (sheets.count() == 1) {
-    const Sheet sheet = sheets.alone();
-    return displaced(base, sheet.e1, sheet.normal, sheet.displacement);
-  }
+  if (sheets.count() == 1) return sheets.alone_moved(base);
   const Vec3d move = combined_move(sheets.all(), options.overlap, options.radius);
   if (move.isZero(0)) return base;
   return (base.cast<double>() + move).cast<float>();
@@ -27,7 +23,7 @@ Vec3f blended_place(const Vec3f& base, const VertexSheets& sheets, const BlendOp
 
 Tint blended_tint(const Tint& before, const VertexSheets& sheets, const BlendOptions& options) {
   if (sheets.count() == 0) return before;
-  if (sheets.count() == 1) return sheets.alone().tint;
+  if (sheets.count() == 1) return sheets.alone_tint();
   return combined_tint(sheets.all(), options.overlap, before);
 }
 

@@ -1,10 +1,10 @@
 #pragma once
+#include <burin/deform/displacement.h>
 #include <burin/deform/earlier_pieces.h>
 #include <burin/deform/sheet.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,19 +24,30 @@ class VertexSheets {
       : stroke_(&stroke),
         radius_(radius),
         vertex_(vertex),
-        earlier_(stroke.earlier ? stroke.earlier->at(vertex) : std::span<const Sheet>{}),
+        earlier_(stroke.earlier && stroke.earlier->count() > 0 ? stroke.earlier->at(vertex)
+                                                               : std::span<const Sheet>{}),
         count_(earlier_.size()) {
-    for_each_node([this](std::uint32_t, Index) { ++count_; });
+    for_each_node([this](std::uint32_t image, Index slot) {
+      if (count_++ > earlier_.size()) return;
+      first_image_ = image;
+      first_slot_ = slot;
+    });
   }
 
   std::size_t count() const { return count_; }
 
-  /// The only one.
-  Sheet alone() const {
-    if (!earlier_.empty()) return earlier_.front();
-    std::optional<Sheet> only;
-    for_each_node([&](std::uint32_t image, Index slot) { only = sheet(image, slot); });
-    return *only;
+  /// Where the only one moves the vertex from this base, and what it makes of its colours and masks.
+  Vec3f alone_moved(const Vec3f& base) const {
+    if (!earlier_.empty()) {
+      const Sheet& only = earlier_.front();
+      return displaced(base, only.e1, only.normal, only.displacement);
+    }
+    const Chart& nodes = first().chart->nodes();
+    return displaced(base, nodes.e1[first_slot_], nodes.normal[first_slot_],
+                     first().outputs->displacement[first_slot_]);
+  }
+  Tint alone_tint() const {
+    return earlier_.empty() ? first().outputs->tint[first_slot_] : earlier_.front().tint;
   }
 
   std::vector<Sheet> all() const {
@@ -56,6 +67,7 @@ class VertexSheets {
   }
 
  private:
+  const InstanceSheets& first() const { return stroke_->instances[first_image_]; }
   Sheet sheet(std::uint32_t image, Index slot) const {
     const std::uint32_t piece = stroke_->earlier ? stroke_->earlier->count() : 0;
     return stroke_->instances[image].sheet(slot, radius_, piece, image);
@@ -66,6 +78,8 @@ class VertexSheets {
   Index vertex_;
   std::span<const Sheet> earlier_;
   std::size_t count_;
+  std::uint32_t first_image_ = 0;  ///< of the piece that is being drawn, the first node if there is one
+  Index first_slot_ = no_index;
 };
 
 }  // namespace burin
