@@ -89,7 +89,7 @@ void FrontPart::mark_downwind(Index node) {
   for_each_around(node, [&](Index around) {
     const FrontNode &from = nodes_[node], &other = nodes_[around];
     if (other.waiting || !owns(other) || !is_upwind(from, other) || other.g() == unreached) return;
-    if (leader.to(other.position).g <= other.g())
+    if (leader.may_reach(other.position, other.g()) && leader.to(other.position).g <= other.g())
       mark(around);
     else
       make_stale(around);

@@ -14,13 +14,15 @@ inline float shortfall_of(const FrontNode& q, const StrokePath& path) {
   return std::max(q.g() - static_cast<float>(told + 2 * path.doubt()), 0.F);
 }
 
+/// Share of its length by which g rises along a way at least.
+inline constexpr float least_progress = 0.3F;
+
 /// The g to which a way of this length leads on from g, by its end's told distance from the stroke. False
 /// frames tell of too short distances. So what they are short of stays with those that follow from them, and
 /// no way is free: where surfaces are rough or fold, coordinates turn at times, and the front would else run
 /// along where the distance stands still or falls. A true front comes by a way on which it rises by most of
 /// an edge.
 inline float distance_along(float g, float shortfall, float length, float told) {
-  constexpr float least_progress = 0.3F;
   const float whole = told + shortfall, slow = g + least_progress * length;
   const float distance = whole < slow ? slow + (slow - whole) / 2 : whole;
   // Edges too short to tell in floats still lead downwind, or what is upwind would depend on the order.
@@ -48,6 +50,11 @@ class Leader {
     double least_t, most_t;  ///< of the arc lengths there and at the node
     float length;            ///< of the edge, object units
   };
+
+  /// Whether the way to x may end at this g or less; if not there is no need to follow it.
+  bool may_reach(const Vec3f& x, float g) const {
+    return g_ + least_progress * (x - position_).norm() <= g;
+  }
 
   /// The way to x. Lines of constant d are taken for circles, and the edge with its length in the tangent
   /// plane of the node.
