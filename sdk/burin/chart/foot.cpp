@@ -143,14 +143,14 @@ ArcFoot on_arc(const SurfaceCurve& curve, Foot foot, const Vec3f& x) {
 /// The foot on the arc of the segment or, where that ends in a joint, on the next one: the same from
 /// whichever of both it is looked for.
 ArcFoot on_arcs(const SurfaceCurve& curve, const Foot& start, const Vec3f& x) {
-  const ArcFoot own = on_arc(curve, start, x);
+  ArcFoot own = on_arc(curve, start, x);
   const std::size_t count = curve.segment_count();
   const bool forward = own.foot.s == 1 && !at_end(curve, own.foot);
   const bool backward = own.foot.s == 0 && !at_begin(curve, own.foot);
   if (!forward && !backward) return own;
   Foot joint{(own.foot.segment + (forward ? 1 : count - 1)) % count, forward ? 0.F : 1.F, own.foot.position,
              own.foot.distance};
-  const ArcFoot other = on_arc(curve, joint, x);
+  ArcFoot other = on_arc(curve, joint, x);
   if (other.foot.s != joint.s) return other;
   return {own.foot, own.at_corner || other.at_corner};
 }

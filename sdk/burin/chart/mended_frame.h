@@ -8,7 +8,7 @@ namespace burin {
 /// A frame, and the arc length up to which the stroke has a say in it, object units.
 struct MendedFrame {
   ChartFrame frame;
-  double depends_to;
+  double depends_to = 0;
 };
 
 /// The frame itself where the stroke allows what it tells; of a false one, which places the vertex nearer to

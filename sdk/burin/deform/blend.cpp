@@ -15,7 +15,7 @@ Vec3f unlimited_place(const Vec3f& base, const VertexSheets& sheets, const Blend
 }
 
 Vec3f blended_place(const Vec3f& base, const VertexSheets& sheets, const BlendOptions& options) {
-  const Vec3f free = unlimited_place(base, sheets, options);
+  Vec3f free = unlimited_place(base, sheets, options);
   const double distance = (free - base).cast<double>().norm();
   if (!(distance > options.limit)) return free;
   return base + static_cast<float>(options.limit / distance) * (free - base);

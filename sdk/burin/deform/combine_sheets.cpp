@@ -59,6 +59,7 @@ std::vector<Value> sums_of_images(std::span<const Sheet> sheets, const std::vect
   for (std::size_t i = 0; i < sheets.size(); ++i)
     sums.try_emplace(sheets[i].image, Value::Zero()).first->second += values[i];
   std::vector<Value> list;
+  list.reserve(sums.size());
   for (const auto& [image, sum] : sums) list.push_back(sum);
   return list;
 }
@@ -68,6 +69,7 @@ std::vector<Value> sums_of_images(std::span<const Sheet> sheets, const std::vect
 Vec3d farthest_along(const Vec3d& direction, std::span<const Sheet> sheets, const std::vector<Vec3d>& moves,
                      double radius) {
   std::vector<double> along;
+  along.reserve(moves.size());
   for (const Vec3d& move : moves) along.push_back(move.dot(direction));
   const Shares shares = stacked_shares(sheets, along);
   double farthest = 0;
@@ -82,6 +84,7 @@ Tint64 most_of_each(std::span<const Sheet> sheets, const std::vector<Tint64>& ti
   Tint64 most;
   for (Eigen::Index channel = 0; channel < most.size(); ++channel) {
     std::vector<double> keys;
+    keys.reserve(tints.size());
     for (const Tint64& tint : tints) keys.push_back(sign * tint[channel]);
     most[channel] = weighed(tints, stacked_shares(sheets, keys))[channel];
   }
@@ -92,6 +95,7 @@ Tint64 strongest_of_each(const std::vector<Tint64>& changes) {
   Tint64 strong;
   for (Eigen::Index channel = 0; channel < strong.size(); ++channel) {
     std::vector<double> of_channel;
+    of_channel.reserve(changes.size());
     for (const Tint64& change : changes) of_channel.push_back(change[channel]);
     strong[channel] = strongest(of_channel);
   }
@@ -104,6 +108,7 @@ Vec3d combined_move(std::vector<Sheet> sheets, Overlap overlap, double radius) {
   const bool sums = overlap != Overlap::strongest || !have_one_normal(sheets);
   if (sums) sort_by_content(sheets);
   std::vector<Vec3d> moves;
+  moves.reserve(sheets.size());
   for (const Sheet& sheet : sheets) moves.push_back(sheet.moved());
   const Vec3d normal = mean_normal(sheets);
   switch (overlap) {

@@ -45,7 +45,7 @@ std::vector<Vec2d> hull_corners(std::vector<Vec2d> points) {
 Vec2d twice_steiner_point(const std::vector<Vec2d>& corners) {
   Vec2d sum = Vec2d::Zero();
   for (std::size_t i = 0; i < corners.size() && corners.size() > 1; ++i) {
-    const Vec2d here = corners[i];
+    const Vec2d& here = corners[i];
     const Vec2d before = here - corners[(i + corners.size() - 1) % corners.size()];
     const Vec2d after = corners[(i + 1) % corners.size()] - here;
     sum += std::abs(math::atan2(cross(before, after), before.dot(after))) / std::numbers::pi * here;
