@@ -52,9 +52,7 @@ class Leader {
   };
 
   /// Whether the way to x may end at this g or less; if not there is no need to follow it.
-  bool may_reach(const Vec3f& x, float g) const {
-    return g_ + least_progress * (x - position_).norm() <= g;
-  }
+  bool may_reach(const Vec3f& x, float g) const { return g_ + least_progress * (x - position_).norm() <= g; }
 
   /// The way to x. Lines of constant d are taken for circles, and the edge with its length in the tangent
   /// plane of the node.
