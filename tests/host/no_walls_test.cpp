@@ -148,6 +148,15 @@ TEST(NoWallsOfAGroove, WhicheverWayItOverlaps) {
   }
 }
 
+// Of several passes each goes on from the one before: over a dozen sheets a sum would overshoot without
+// bound.
+TEST(NoWallsOfSeveralPasses, DoNotAddUp) {
+  Steps steps({"org.burin.smooth", {{"passes", 16.}}});
+  std::vector<Vec3d> to_and_fro;
+  for (int i = 0; i <= 400; ++i) to_and_fro.emplace_back(0.5 * std::sin(0.2 * i), 0.0005 * i, 0);
+  EXPECT_LE(steps.largest({"to and fro", {to_and_fro}}, Overlap::add), 1.5 * steps.of_simple(false));
+}
+
 // Hooks, corners, cusps, retraced and scrubbed lines, rests, loops and spirals tighter than the radius.
 // Without a taper: inside of a bend of the stroke that is sharper than its radius a vertex has one sheet
 // only, and t jumps.

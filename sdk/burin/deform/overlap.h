@@ -13,7 +13,7 @@ enum class Overlap {
   latest,     ///< as the sheet drawn last says, which lies on top of those before
   max,        ///< as the sheet that moves it farthest outward along the vertex normal; the most of a tint
   min,        ///< as the sheet that moves it farthest inward; the least
-  add,        ///< the sum of all sheets; of images, which never add up, the strongest
+  add,        ///< the sum of all sheets; of images and of several passes, which never add up, the strongest
   average,    ///< their mean
   strongest,  ///< the highest rise and the deepest cut together; of a tint the greatest changes
 };
