@@ -29,6 +29,12 @@ TEST(Overlap, IsStrongestForBrushesThatDoNotSay) {
   EXPECT_EQ(overlap_of(brush), Overlap::strongest);
 }
 
+TEST(Overlap, DoesNotAddUpOverPasses) {
+  EXPECT_EQ(over_passes(Overlap::add, 1), Overlap::add);
+  EXPECT_EQ(over_passes(Overlap::add, 2), Overlap::strongest);
+  EXPECT_EQ(over_passes(Overlap::average, 2), Overlap::average);
+}
+
 TEST(Overlap, HasNames) {
   for (const auto& [name, overlap] : named_overlaps) EXPECT_EQ(name_of(overlap), name);
   EXPECT_EQ(name_of(Overlap::latest), "latest");

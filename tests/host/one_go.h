@@ -55,8 +55,8 @@ inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& cur
   NodeOutputs outputs;
   outputs.resize(chart.nodes().size(), paints(*entry.descriptor));
   EvaluatedInstance instance{source, context, static_cast<float>(settings.strength), outputs};
-  const BlendOptions blend{.overlap = settings.overlap.value_or(overlap_of(*entry.descriptor)),
-                           .radius = radius};
+  const Overlap chosen = settings.overlap.value_or(overlap_of(*entry.descriptor));
+  const BlendOptions blend{.overlap = over_passes(chosen, stroke.plan().passes), .radius = radius};
   Evaluator evaluator;
   StrokePasses(base, stroke, {&chart}, blend).update(evaluator, {&instance, 1}, vertices);
   std::vector<Vec3f> places(vertices.size()), positions = base.positions;

@@ -8,6 +8,10 @@ std::string_view name_of(Overlap overlap) {
   return std::ranges::find(named_overlaps, overlap, &OverlapName::overlap)->name;
 }
 
+Overlap over_passes(Overlap chosen, std::uint32_t passes) {
+  return chosen == Overlap::add && passes > 1 ? Overlap::strongest : chosen;
+}
+
 Overlap overlap_of(const burin_brush_descriptor& brush) {
   if (!BURIN_HAS(&brush, burin_brush_descriptor, overlap)) return Overlap::strongest;
   switch (brush.overlap) {

@@ -2,6 +2,7 @@
 #include <burin/abi/brush.h>
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace burin {
@@ -32,6 +33,10 @@ inline constexpr std::array<OverlapName, 6> named_overlaps{{{"strongest", Overla
                                                             {"average", Overlap::average}}};
 
 std::string_view name_of(Overlap overlap);
+
+/// What a stroke of so many passes makes of the chosen way. Each pass goes on from the one before: sums over
+/// many sheets would overshoot, the more from pass to pass, and the strongest holds instead.
+Overlap over_passes(Overlap chosen, std::uint32_t passes);
 
 /// What the brush says of itself.
 Overlap overlap_of(const burin_brush_descriptor& brush);

@@ -95,9 +95,8 @@ bool OpenStroke::passes_look_around() const {
 
 BlendOptions OpenStroke::blend_options() const {
   const bool adds_up = settings_.accumulate == Accumulate::from_current;
-  Overlap chosen = settings_.overlap.value_or(overlap_of(brush()));
-  // Each pass goes on from the one before: sums over many sheets would overshoot, the more from pass to pass.
-  if (chosen == Overlap::add && brush_stroke_.plan().passes > 1) chosen = Overlap::strongest;
+  const Overlap chosen =
+      over_passes(settings_.overlap.value_or(overlap_of(brush())), brush_stroke_.plan().passes);
   BlendOptions options{.overlap = adds_up ? Overlap::add : chosen, .radius = settings_.radius};
   if (settings_.clamp_to_radius) options.limit = settings_.radius;
   return options;
