@@ -3,6 +3,7 @@
 // distance to every segment of the curve is known.
 #include "chart_check.h"
 
+#include <burin/chart/closed_length.h>
 #include <burin/math/elementary.h>
 
 #include <Eigen/Cholesky>
@@ -131,7 +132,7 @@ double exact_distance(const Shape& shape, const SurfaceCurve& curve, const Vec3d
 std::unordered_map<Index, double> told_distances(const Chart& chart) {
   std::unordered_map<Index, double> told;
   for (std::size_t i = 0; i < chart.size(); ++i) {
-    const double beyond = chart.closed ? 0 : std::max({-chart.t[i], chart.t[i] - chart.length, 0.});
+    const double beyond = beyond_ends(chart.t[i], chart.length, chart.closed);
     const double distance = math::hypot(beyond, static_cast<double>(chart.d[i]));
     const auto [entry, is_new] = told.try_emplace(chart.vertex[i], distance);
     if (!is_new) entry->second = std::min(entry->second, distance);

@@ -16,8 +16,7 @@ void FrontPart::change(const CurveChange& change) {
   settled_ = pushes_ = 0;
   nodes_.samples_changed(change.first_sample);
   take_back_from(change);
-  const SeededCurve on{stroke_->curve, stroke_->curvature, stroke_->samples};
-  for (const Seeds::Change& seed : seeds_.update(on, change.first_segment, nodes_)) follow(seed);
+  for (const Seeds::Change& seed : seeds_.update(*stroke_, change.first_segment, nodes_)) follow(seed);
   reach_waiting();
 }
 

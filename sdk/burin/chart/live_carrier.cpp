@@ -169,7 +169,7 @@ void LiveCarrier::place(const Event& event, Index at, const ChartFrame& frame, c
 }
 
 bool LiveCarrier::within(const ChartFrame& frame, const SurfaceCurve& curve) const {
-  const double beyond = curve.closed ? 0 : std::max(std::max(-frame.t, frame.t - length_), 0.);
+  const double beyond = beyond_ends(frame.t, length_, curve.closed);
   if (beyond > 0 && stroke_.cap == Cap::butt) return false;
   const double width = uniform_ ? 1 : static_cast<double>(point_at(curve, frame.t).width);
   const double half_width = stroke_.radius * width, d = static_cast<double>(frame.d);

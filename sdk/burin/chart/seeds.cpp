@@ -15,7 +15,7 @@ void Seeds::restart(VertexRange own) {
   depending_.clear();
 }
 
-std::span<const Seeds::Change> Seeds::update(const SeededCurve& on, std::size_t first_changed,
+std::span<const Seeds::Change> Seeds::update(const FrontStroke& on, std::size_t first_changed,
                                              ChartNodes& nodes) {
   stale_.clear();
   changes_.clear();
@@ -65,7 +65,7 @@ void Seeds::depend_no_more(Entry& entry) {
   if (entry.next != no_index) entries_[entry.next].previous = entry.previous;
 }
 
-void Seeds::offer_segment(const SeededCurve& on, std::size_t segment, ChartNodes& nodes) {
+void Seeds::offer_segment(const FrontStroke& on, std::size_t segment, ChartNodes& nodes) {
   first_offer_.push_back(static_cast<Index>(offers_.size()));
   around_.clear();
   const SurfacePoint &from = on.curve.points[segment].at, &to = on.curve.points[on.curve.next(segment)].at;
@@ -84,7 +84,7 @@ void Seeds::gather_around(const SurfacePoint& at) {
   }
 }
 
-void Seeds::offer(const SeededCurve& on, std::size_t segment, Index vertex, ChartNodes& nodes) {
+void Seeds::offer(const FrontStroke& on, std::size_t segment, Index vertex, ChartNodes& nodes) {
   const Foot foot = foot_on(on.curve, segment, (*ground_)[vertex].position);
   const Index node = nodes.at(vertex, on.samples.at(arc_length_at(on.curve, foot)));
   if (node == no_index) return;
@@ -99,7 +99,7 @@ void Seeds::offer(const SeededCurve& on, std::size_t segment, Index vertex, Char
   make_stale(seed);
 }
 
-void Seeds::renew(const SeededCurve& on, Index index, ChartNodes& nodes) {
+void Seeds::renew(const FrontStroke& on, Index index, ChartNodes& nodes) {
   Entry& entry = entries_[index];
   entry.stale = false;
   Seed seed;

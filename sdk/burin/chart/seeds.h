@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/chart/chart_nodes.h>
 #include <burin/chart/foot.h>
+#include <burin/chart/front_stroke.h>
 
 #include <cstddef>
 #include <span>
@@ -14,13 +15,6 @@ struct Seed {
   ChartFrame frame;            ///< t at the foot, beyond the ends along the end's tangent; e1 transported
 
   bool operator==(const Seed&) const = default;
-};
-
-/// The curve that seeds stand on, and what is known of it. Looked at, not owned.
-struct SeededCurve {
-  const SurfaceCurve& curve;
-  const GeodesicCurvature& curvature;
-  const StrokeSamples& samples;
 };
 
 /// The seeds of one part of a front: for every visit of the corners of the curve's points, and of their
@@ -39,7 +33,7 @@ class Seeds {
 
   /// Follows a change of the curve, of its curvature or samples from this segment on. Returns the nodes whose
   /// seeds have changed. Valid until the next call.
-  std::span<const Change> update(const SeededCurve& on, std::size_t first_changed, ChartNodes& nodes);
+  std::span<const Change> update(const FrontStroke& on, std::size_t first_changed, ChartNodes& nodes);
 
   const Seed& operator[](Index seed) const { return entries_[seed].seed; }
 
@@ -63,10 +57,10 @@ class Seeds {
   void make_stale(Index entry);
   void depend(Index entry, std::size_t segment);
   void depend_no_more(Entry& entry);
-  void offer_segment(const SeededCurve& on, std::size_t segment, ChartNodes& nodes);
+  void offer_segment(const FrontStroke& on, std::size_t segment, ChartNodes& nodes);
   void gather_around(const SurfacePoint& at);
-  void offer(const SeededCurve& on, std::size_t segment, Index vertex, ChartNodes& nodes);
-  void renew(const SeededCurve& on, Index entry, ChartNodes& nodes);
+  void offer(const FrontStroke& on, std::size_t segment, Index vertex, ChartNodes& nodes);
+  void renew(const FrontStroke& on, Index entry, ChartNodes& nodes);
 
   const ChartGround* ground_;
   VertexRange own_;

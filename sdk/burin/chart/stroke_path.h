@@ -32,7 +32,7 @@ class StrokePath {
   }
 
   /// How far beyond the ends of an open stroke t lies, object units, >= 0.
-  double beyond(double t) const { return closed_ ? 0 : std::max({-t, t - length_, 0.}); }
+  double beyond(double t) const { return beyond_ends(t, length_, closed_); }
 
   /// The distance from the stroke that the coordinates (t, d) tell: |d|, and beyond the ends that to the end,
   /// as on the plane.

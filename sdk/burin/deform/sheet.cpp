@@ -1,7 +1,6 @@
+#include <burin/chart/closed_length.h>
 #include <burin/deform/sheet.h>
 #include <burin/math/elementary.h>
-
-#include <algorithm>
 
 namespace burin {
 namespace {
@@ -10,8 +9,7 @@ namespace {
 double along(const InstanceSheets& instance, Index slot) {
   if (!instance.dab_t.empty()) return instance.dab_t[slot];
   const Chart& chart = instance.chart->nodes();
-  const double t = chart.t[slot];
-  return chart.closed ? 0 : std::max({-t, t - chart.length, 0.0});
+  return beyond_ends(chart.t[slot], chart.length, chart.closed);
 }
 
 }  // namespace
