@@ -16,24 +16,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace burin {
 namespace {
 
 /// Beyond this turn along one step a corner or a focal point is near, radians.
 constexpr float largest_turn = 0.5F;
-
-/// From this k d on a curve's coordinates fold beside it.
-constexpr float most_bend = 0.5F;
-
-/// Arms that agree count about half that place x as far from where the nearest does, in lengths of both, and
-/// at least so much.
-constexpr float doubtful_apart_in_d = 0.05F, least_count = 0.5F;
-
-/// Arms agree that place x this near to each other: t and d, in lengths of the arms. Arms of other directions
-/// (1 - cosine) agree in d only as far as they do by chance.
-constexpr float apart_in_t = 2, apart_in_d = 0.5F, least_apart_in_d = 0.02F, other_direction = 0.3F;
 
 template <class A, class B>
 auto dot(const A& a, const B& b) {
@@ -148,85 +136,6 @@ void UpwindFrames::walk_exactly(Arms& arms, Eigen::Index lane) const {
   arms.carried.set(lane, e1);
 }
 
-void UpwindFrames::keep_agreeing() {
-  left_out_.fill(false);
-  focal_.fill(false);
-  const auto placed_d = [](const Arms& arms) {
-    const Lanes &u = arms.u, &v = arms.v, &k = arms.curvature;
-    const Lanes size = ((k * u).square() + (1 - k * v).square()).sqrt();
-    return (arms.d + (2 * v - k * (u.square() + v.square())) / (1 + size)).eval();
-  };
-  Lanes t_low = arms_[0].t + arms_[0].u, t_high = t_low, d_low = placed_d(arms_[0]), d_high = d_low,
-        shortest = arms_[0].length;
-  for (std::size_t i = 1; i < most_arms_; ++i) {
-    const Arms& arms = arms_[i];
-    const Lanes t = arms.t + arms.u, d = placed_d(arms);
-    t_low = t_low.min(t);
-    t_high = t_high.max(t);
-    d_low = d_low.min(d);
-    d_high = d_high.max(d);
-    shortest = shortest.min(arms.length);
-  }
-  // Where no two are farther apart than the shortest edges allow there is nothing to choose from.
-  const Lanes apart =
-      (t_high - t_low - apart_in_t * shortest).max(d_high - d_low - least_apart_in_d * shortest);
-  if (apart.maxCoeff() <= 0) return;
-  for (std::size_t lane = 0; lane < size_; ++lane)
-    if (!(apart[static_cast<Eigen::Index>(lane)] <= 0)) keep_agreeing(static_cast<Eigen::Index>(lane));
-}
-
-/// The frame that one arm by itself tells, taking lines of constant d for circles. t relative to the origin.
-ChartFrame UpwindFrames::told_by(const Arms& arms, Eigen::Index lane) const {
-  const ChartFrame at_q{.t = static_cast<double>(arms.t[lane]),
-                        .d = arms.d[lane],
-                        .curvature = arms.curvature[lane],
-                        .stretch = arms.stretch[lane]};
-  const FrameStep step{Vec2f(arms.u[lane], arms.v[lane]), arms.carried.get(lane)};
-  return frame_on_circles(at_q, step, normal_.get(lane), arms.gauss[lane]);
-}
-
-void UpwindFrames::keep_agreeing(Eigen::Index lane) {
-  const std::size_t count = arm_count_[static_cast<std::size_t>(lane)];
-  std::vector<ChartFrame>& told = told_;
-  told.clear();
-  float least = unreached;
-  std::size_t nearest = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    told.push_back(told_by(arms_[i], lane));
-    const double t = origin_[static_cast<std::size_t>(lane)] + told[i].t;
-    const auto at =
-        static_cast<float>(path_->distance(t, static_cast<double>(told[i].d), position_.get(lane)));
-    const float distance =
-        distance_along(arms_[i].g[lane], arms_[i].shortfall[lane], arms_[i].length[lane], at);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = i;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const float reach = arms_[i].length[lane] + arms_[nearest].length[lane];
-    const float otherwise = (1 - told[i].e1.dot(told[nearest].e1)) / other_direction;
-    const float in_d = std::max(apart_in_d * (1 - otherwise), least_apart_in_d) / 2;
-    const auto t = static_cast<float>(std::abs(told[i].t - told[nearest].t));
-    const float d = std::abs(told[i].d - told[nearest].d);
-    if (t <= apart_in_t * reach && d <= in_d * reach) {
-      const float doubts = d / (doubtful_apart_in_d * reach);
-      // Where the surface is rough their differences are chance, and the mean of all is nearer to the truth.
-      arms_[i].counts[lane] = least_count + (1 - least_count) / (1 + doubts * doubts);
-      continue;
-    }
-    leave_out(i, lane);
-    left_out_[static_cast<std::size_t>(lane)] = true;
-  }
-  // Repeats of an arm that is left out have no say in what is near a focal point either.
-  for (std::size_t i = count; i < most_arms_; ++i) leave_out(i, lane);
-}
-
-void UpwindFrames::leave_out(std::size_t arm, Eigen::Index lane) {
-  Arms& arms = arms_[arm];
-  arms.counts[lane] = arms.curvature[lane] = arms.gauss[lane] = 0;
-  arms.stretch[lane] = 1;
-}
-
 /// An arm along the geodesic from the stroke knows most of x; what it has to add for its way u along the
 /// stroke is what is uncertain.
 void UpwindFrames::weigh_second() {
@@ -272,80 +181,6 @@ void UpwindFrames::find_shapes() {
     const auto l = static_cast<Eigen::Index>(lane);
     focal_[lane] = !(turn[l] <= largest_turn * largest_turn && least[l] >= least_stretch);
   }
-}
-
-/// Beyond its ends the stroke goes on as a geodesic, so that k and J jump where t passes an end of a curved
-/// stroke.
-void UpwindFrames::pass_ends() {
-  at_end_.fill(false);
-  for (std::size_t i = 0; i < most_arms_; ++i) arms_[i].share_at_x = 0.5F;
-  if (path_->closed()) return;
-  pass_end(0, -1);
-  pass_end(path_->length(), 1);
-}
-
-void UpwindFrames::pass_end(double end, float outward) {
-  Lanes t_end, nearest = Lanes::Constant(-unreached), farthest = -nearest;
-  for (std::size_t lane = 0; lane < capacity; ++lane)
-    t_end[static_cast<Eigen::Index>(lane)] = static_cast<float>(end - origin_[lane < size_ ? lane : 0]);
-  for (std::size_t i = 0; i < most_arms_; ++i) {
-    const Arms& arms = arms_[i];
-    // However a step turns, it does not go farther.
-    constexpr float quarter = std::numbers::pi_v<float> / 2;
-    const Lanes before = outward * (arms.t - t_end), reach = quarter * arms.length / arms.stretch;
-    nearest = nearest.max(before + reach);
-    farthest = farthest.min(before - reach);
-  }
-  for (std::size_t lane = 0; lane < size_; ++lane) {
-    const auto l = static_cast<Eigen::Index>(lane);
-    if (nearest[l] > 0 && farthest[l] < 0) pass_end(l, t_end[l], outward);
-  }
-}
-
-/// Of the arms those tell k and J that come from the side of the end on which x is in the mean. Where there
-/// is none, as near the end itself, they follow from the curvatures of stroke and surface.
-void UpwindFrames::pass_end(Eigen::Index lane, float t_end, float outward) {
-  const auto own_lane = static_cast<std::size_t>(lane);
-  told_.clear();
-  float weights = 0, beyond = 0, d = 0, gauss = 0, low = unreached, high = -unreached;
-  for (std::size_t i = 0; i < arm_count_[own_lane]; ++i) {
-    const Arms& arms = arms_[i];
-    told_.push_back(told_by(arms, lane));
-    const float w = arms.weight[lane], before = outward * (arms.t[lane] - t_end),
-                after = outward * (static_cast<float>(told_[i].t) - t_end);
-    if (!(w > 0)) continue;
-    weights += w;
-    beyond += w * after;
-    d += w * told_[i].d;
-    gauss += w * arms.gauss[lane];
-    low = std::min({low, before, after});
-    high = std::max({high, before, after});
-  }
-  if (low > 0 || high <= 0) return;
-  at_end_[own_lane] = true;
-  d /= weights;
-  gauss /= weights;
-  const float of_stroke = beyond > 0 ? 0 : path_->curvature(origin_[own_lane] + static_cast<double>(t_end));
-  // On the inside of an end whose centre is near the coordinates fold, and count as straight.
-  const float bend = of_stroke * d < most_bend ? of_stroke * d : 0;
-  curvature_[lane] = (bend == 0 ? 0 : of_stroke / (1 - bend)) + gauss * d;
-  stretch_[lane] = std::max(1 - bend - gauss * d * d / 2, least_stretch);
-  float same_side = 0, k = 0, j = 0;
-  for (std::size_t i = 0; i < arm_count_[own_lane]; ++i) {
-    const float w = arms_[i].weight[lane], before = outward * (arms_[i].t[lane] - t_end),
-                after = outward * (static_cast<float>(told_[i].t) - t_end);
-    if (!(w > 0)) continue;
-    if ((before > 0) != (beyond > 0)) {
-      if (before * after < 0) arms_[i].share_at_x[lane] = after / (after - before);
-      continue;
-    }
-    same_side += w;
-    k += w * told_[i].curvature;
-    j += w * told_[i].stretch;
-  }
-  if (!(same_side > 0)) return;
-  curvature_[lane] = k / same_side;
-  stretch_[lane] = j / same_side;
 }
 
 void UpwindFrames::find_tangents() {
@@ -416,6 +251,16 @@ void UpwindFrames::find_first_order() {
   d_ = d / weights;
   for (Eigen::Index lane = 0; lane < t_.size(); ++lane)
     e1_.set(lane, unit_tangent(e1.get(lane), normal_.get(lane)));
+}
+
+/// The frame that one arm by itself tells, taking lines of constant d for circles. t relative to the origin.
+ChartFrame UpwindFrames::told_by(const Arms& arms, Eigen::Index lane) const {
+  const ChartFrame at_q{.t = static_cast<double>(arms.t[lane]),
+                        .d = arms.d[lane],
+                        .curvature = arms.curvature[lane],
+                        .stretch = arms.stretch[lane]};
+  const FrameStep step{Vec2f(arms.u[lane], arms.v[lane]), arms.carried.get(lane)};
+  return frame_on_circles(at_q, step, normal_.get(lane), arms.gauss[lane]);
 }
 
 /// Means of what the arms of one node tell by themselves.
