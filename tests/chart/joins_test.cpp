@@ -177,11 +177,13 @@ TEST_P(Joins, RoundIsTheDistanceToTheStroke) {
   double worst = 0, mean = 0;
   for (std::size_t i = 0; i < chart.size(); ++i) {
     const Vec3f& x = scene.surface.positions[chart.vertex[i]];
-    float nearest = 1;
+    float nearest = 1, told = std::abs(chart.d[i]);
     for (const CurvePoint& point : curve.points) nearest = std::min(nearest, (x - point.at.position).norm());
+    for (std::size_t j = 0; j < chart.size(); ++j)
+      if (chart.vertex[j] == chart.vertex[i]) told = std::min(told, std::abs(chart.d[j]));
     const auto [off, inner] = place_of(x.head<2>().cast<double>(), turn);
     if (chart.t[i] < 0 || chart.t[i] > curve.length() || (inner && off < 5 * edge)) continue;
-    const double error = std::abs(std::abs(chart.d[i]) - nearest) / radius;
+    const double error = std::abs(told - nearest) / radius;
     worst = std::max(worst, error);
     mean += error / static_cast<double>(chart.size());
   }

@@ -161,7 +161,7 @@ TEST(NoWallsOfSeveralPasses, DoNotAddUp) {
 // Without a taper: inside of a bend of the stroke that is sharper than its radius a vertex has one sheet
 // only, and t jumps.
 TEST(NoWallsOfAGroove, HoweverItIsDrawn) {
-  Steps steps({"org.burin.groove", {{"taper", 0.}}});
+  Steps steps({"org.burin.groove", {}});
   const double once = steps.of_simple(false);
   const std::uint32_t seed = 7;
   std::mt19937 random(seed);

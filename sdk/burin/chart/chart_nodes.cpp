@@ -10,17 +10,49 @@ void ChartNodes::restart(VertexRange own) {
   foreign_.clear();
   least_changed_.clear();
   epoch_ = 0;
-  count_ = 0;
+  told_by_.clear();
+  parted_.clear();
+  first_parted_ = no_index;
 }
 
 void ChartNodes::samples_changed(Index first_changed) {
-  count_ = samples_->size();
-  closed_ = samples_->closed();
   for (auto before = least_changed_.rbegin(); before != least_changed_.rend() && *before > first_changed;
        ++before)
     *before = first_changed;
   least_changed_.push_back(first_changed);
   ++epoch_;
+  parted_.clear();
+  first_parted_ = no_index;
+  std::vector<Told> told;
+  for (std::size_t sample = first_changed; sample < told_by_.size(); ++sample)
+    told.insert(told.end(), told_by_[sample].begin(), told_by_[sample].end());
+  told_by_.resize(std::min<std::size_t>(told_by_.size(), first_changed));
+  told_by_.resize(samples_->size() + 1);
+  for (const Told& each : told) part(each, first_changed);
+}
+
+/// Looks anew at what a sample told that has changed.
+void ChartNodes::part(const Told& told, Index first_changed) {
+  FrontNode& node = nodes_[told.node];
+  if (node.run_length == 0) return;
+  if (told.begin || node.run_begin >= first_changed) {
+    vacate(node);
+    return note_parted(told.node, node.run_begin);
+  }
+  const Index end_before = std::min(node.run_begin + node.run_length, first_changed);
+  set_visit(told.node, visits_to(node).from(node.run_begin));
+  const Index end = std::min(node.run_begin + node.run_length, first_changed);
+  if (end != end_before) note_parted(told.node, std::min(end, end_before));
+}
+
+void ChartNodes::note_parted(Index node, Index sample) {
+  parted_.push_back(node);
+  first_parted_ = std::min(first_parted_, sample);
+}
+
+void ChartNodes::vacate(FrontNode& node) {
+  node.run_length = 0;
+  node.run_ends = true;
 }
 
 Index ChartNodes::first_foreign(Index vertex) const {
@@ -28,25 +60,54 @@ Index ChartNodes::first_foreign(Index vertex) const {
   return found == foreign_.end() ? no_index : found->second;
 }
 
-bool ChartNodes::found_to_hold(FrontNode& node, Index sample) const {
-  if (node.run_epoch != epoch_) forget_changed(node);
-  return steps_from(node.run_begin, sample) < node.run_length || extends_to(node, sample);
+bool ChartNodes::found_to_hold(Index node, Index sample) {
+  if (nodes_[node].run_epoch != epoch_) update_visit(node);
+  return known_to_hold(nodes_[node], sample);
+}
+
+/// Follows the changes of samples since somebody last asked.
+void ChartNodes::update_visit(Index index) {
+  FrontNode& node = nodes_[index];
+  const Index changed = least_changed_[node.run_epoch];
+  node.run_epoch = epoch_;
+  if (node.run_length == 0) return;
+  if (node.run_begin >= changed) return vacate(node);
+  // What ends before has been told by samples before, or part() has looked at it.
+  if (node.run_ends && node.run_begin + node.run_length < changed) return;
+  set_visit(index, visits_to(node).from(node.run_begin));
+}
+
+void ChartNodes::set_visit(Index index, const Visit& visit) {
+  FrontNode& node = nodes_[index];
+  node.run_begin = visit.begin;
+  node.run_length = visit.length;
+  node.run_ends = visit.ends;
+  node.run_epoch = epoch_;
+  if (visit.told_by != no_index) told_by_[visit.told_by].push_back({index, false});
 }
 
 Index ChartNodes::find_or_add(Index vertex, Index sample, Index head) {
-  for (Index node = head; node != no_index; node = nodes_[node].next)
+  Index floor = 0;
+  for (Index node = head; node != no_index; node = nodes_[node].next) {
     if (holds(node, sample)) return node;
-  return add(vertex, sample, head);
+    if (nodes_[node].run_length > 0 && nodes_[node].run_begin < sample)
+      floor = std::max(floor, nodes_[node].run_begin);
+  }
+  return add(vertex, sample, floor, head);
 }
 
-Index ChartNodes::add(Index vertex, Index sample, Index head) {
+Index ChartNodes::add(Index vertex, Index sample, Index floor, Index head) {
   if (head == no_index && own_.holds(vertex)) head = add_block(vertex);
   const GroundPlace place = (*ground_)[vertex];
-  if (!samples_->disc_holds(sample, place.position, place.normal)) return no_index;
+  const Visits visits(*samples_, place.position, place.normal);
+  if (!visits.any(sample)) return no_index;
   Index node = head;
   while (node != no_index && nodes_[node].run_length > 0) node = nodes_[node].next;
   if (node == no_index) node = add_loose(vertex);
-  begin_run(nodes_[node], place, sample);
+  put(nodes_[node], place);
+  const Visits::Found found = visits.find(sample, floor);
+  begin_visit(node, found.visit);
+  if (found.begin_told_by != no_index) told_by_[found.begin_told_by].push_back({node, true});
   return node;
 }
 
@@ -73,7 +134,7 @@ Index ChartNodes::add_loose(Index vertex) {
 void ChartNodes::set_vertex(FrontNode& node, Index vertex) const {
   node.key = front_key(unreached, vertex);
   node.run_epoch = epoch_;
-  node.run_begins = node.run_ends = true;
+  node.run_ends = true;
 }
 
 void ChartNodes::put(FrontNode& node, const GroundPlace& place) {
@@ -82,59 +143,13 @@ void ChartNodes::put(FrontNode& node, const GroundPlace& place) {
   node.gauss = place.gauss_curvature;
 }
 
-void ChartNodes::begin_run(FrontNode& node, const GroundPlace& place, Index sample) const {
-  put(node, place);
-  node.run_begin = sample;
-  node.run_length = 1;
-  node.run_begins = node.run_ends = false;
-  node.run_epoch = epoch_;
+void ChartNodes::begin_visit(Index index, const Visit& visit) {
+  set_visit(index, visit);
+  FrontNode& node = nodes_[index];
   node.state = NodeState::open;
   node.set_g(unreached);
   node.arm_count = 0;
   node.stale = false;
-}
-
-void ChartNodes::forget_changed(FrontNode& node) const {
-  const Index changed = least_changed_[node.run_epoch];
-  node.run_epoch = epoch_;
-  if (node.run_begin >= changed) {
-    node.run_length = 0;
-    node.run_begins = node.run_ends = true;
-  } else if (node.run_begin + node.run_length >= changed) {
-    node.run_length = changed - node.run_begin;
-    node.run_ends = false;
-  }
-}
-
-bool ChartNodes::extends_to(FrontNode& node, Index sample) const {
-  if (closed_) return extends_forward(node, sample) || extends_backward(node, sample);
-  return sample < node.run_begin ? extends_backward(node, sample) : extends_forward(node, sample);
-}
-
-bool ChartNodes::extends_forward(FrontNode& node, Index sample) const {
-  while (!node.run_ends) {
-    Index next = node.run_begin + node.run_length;
-    if (closed_ && next >= count_) next -= count_;
-    if (next == count_) return false;
-    node.run_ends = !in_disc(node, next) || (closed_ && node.run_length == count_);
-    if (node.run_ends) return false;
-    ++node.run_length;
-    if (next == sample) return true;
-  }
-  return false;
-}
-
-bool ChartNodes::extends_backward(FrontNode& node, Index sample) const {
-  while (!node.run_begins) {
-    if (node.run_begin == 0 && !closed_) return false;
-    const Index next = (node.run_begin == 0 ? count_ : node.run_begin) - 1;
-    node.run_begins = !in_disc(node, next) || (closed_ && node.run_length == count_);
-    if (node.run_begins) return false;
-    node.run_begin = next;
-    ++node.run_length;
-    if (next == sample) return true;
-  }
-  return false;
 }
 
 }  // namespace burin

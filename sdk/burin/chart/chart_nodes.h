@@ -1,7 +1,7 @@
 #pragma once
 #include <burin/chart/chart_ground.h>
 #include <burin/chart/front_node.h>
-#include <burin/chart/stroke_samples.h>
+#include <burin/chart/visit.h>
 
 #include <span>
 #include <unordered_map>
@@ -15,9 +15,7 @@ struct VertexRange {
   bool holds(Index vertex) const { return vertex - begin < end - begin; }
 };
 
-/// The nodes of a stroke's front. A vertex has one for each visit of the stroke: a run of samples whose discs
-/// all hold the vertex, as long as it goes [Schmidt 2013, section 4.1]. Runs are a function of samples and
-/// vertex; how much of a run is known grows with the samples that somebody asks for.
+/// The nodes of a stroke's front. A vertex has one for each Visit of the stroke that somebody has asked for.
 ///
 /// The first nodes of consecutive vertices, which are neighbours for the most part, lie side by side in
 /// memory, in blocks that are made when the front first comes by. Nodes that no visit has needed are vacant.
@@ -37,9 +35,16 @@ class ChartNodes {
   /// with one, or with the last vertex.
   void restart(VertexRange own);
 
-  /// Follows a change of the samples from this one on. Of nodes whose runs are known from there on only,
-  /// nothing is known any more: they become vacant as soon as somebody asks.
+  /// Follows a change of the samples from this one on. Nodes whose visits begin there become vacant as soon
+  /// as somebody asks.
   void samples_changed(Index first_changed);
+
+  /// The nodes whose visits have other samples than before though these are as they were, since what the
+  /// stroke does later cuts visits or joins them. Some are vacant. Valid until samples change.
+  std::span<const Index> parted() const { return parted_; }
+
+  /// The first sample that has gone over to another visit; no_index: none.
+  Index first_parted() const { return first_parted_; }
 
   Index size() const { return static_cast<Index>(nodes_.size()); }
   FrontNode& operator[](Index node) { return nodes_[node]; }
@@ -52,19 +57,20 @@ class ChartNodes {
     return node < size() && nodes_[node].vertex() == vertex ? node : no_index;
   }
 
-  /// A node of a vertex that is not own, without a run. Moves all in memory.
+  /// A node of a vertex that is not own, without a visit. Moves all in memory.
   Index add_foreign(Index vertex) {
     const Index node = add_loose(vertex);
     put(nodes_[node], (*ground_)[vertex]);
     return node;
   }
 
-  /// Whether the node's run holds the sample.
+  /// Whether the node's visit has the sample.
   bool holds(Index node, Index sample) {
-    return known_to_hold(nodes_[node], sample) || found_to_hold(nodes_[node], sample);
+    return known_to_hold(nodes_[node], sample) ||
+           (nodes_[node].run_epoch != epoch_ && found_to_hold(node, sample));
   }
 
-  /// The node of the vertex whose run holds the sample, made if need be; adding nodes moves all in memory.
+  /// The node of the vertex whose visit has the sample, made if need be; adding nodes moves all in memory.
   /// no_index when the sample's disc does not hold the vertex.
   Index at(Index vertex, Index sample) {
     const Index head = first(vertex);
@@ -73,30 +79,30 @@ class ChartNodes {
   }
 
  private:
+  /// What a sample tells: where a node's visit begins, or where it ends.
+  struct Told {
+    Index node;
+    bool begin;
+  };
+
   bool known_to_hold(const FrontNode& node, Index sample) const {
-    return node.run_epoch == epoch_ && steps_from(node.run_begin, sample) < node.run_length;
+    return node.run_epoch == epoch_ && samples_->steps(node.run_begin, sample) < node.run_length;
   }
-  bool found_to_hold(FrontNode& node, Index sample) const;
+  bool found_to_hold(Index node, Index sample);
   Index find_or_add(Index vertex, Index sample, Index head);
-  /// How many samples after `from` the sample comes; on an open stroke more than there are when it comes
-  /// before.
-  Index steps_from(Index from, Index sample) const {
-    return sample >= from || !closed_ ? sample - from : sample + count_ - from;
-  }
   Index first_foreign(Index vertex) const;
-  Index add(Index vertex, Index sample, Index head);
+  Index add(Index vertex, Index sample, Index floor, Index head);
   Index add_block(Index vertex);
   Index add_loose(Index vertex);
   void set_vertex(FrontNode& node, Index vertex) const;
   static void put(FrontNode& node, const GroundPlace& place);
-  void begin_run(FrontNode& node, const GroundPlace& place, Index sample) const;
-  void forget_changed(FrontNode& node) const;
-  bool extends_to(FrontNode& node, Index sample) const;
-  bool extends_forward(FrontNode& node, Index sample) const;
-  bool extends_backward(FrontNode& node, Index sample) const;
-  bool in_disc(const FrontNode& node, Index sample) const {
-    return samples_->disc_holds(sample, node.position, node.normal);
-  }
+  void begin_visit(Index node, const Visit& visit);
+  void update_visit(Index node);
+  void set_visit(Index node, const Visit& visit);
+  void part(const Told& told, Index first_changed);
+  void note_parted(Index node, Index sample);
+  static void vacate(FrontNode& node);
+  Visits visits_to(const FrontNode& node) const { return {*samples_, node.position, node.normal}; }
 
   const ChartGround* ground_;
   const StrokeSamples* samples_;
@@ -104,10 +110,11 @@ class ChartNodes {
   std::span<Index> block_of_;  ///< [vertex / block_size] its first node, perhaps of another use
   std::unordered_map<Index, Index> foreign_;  ///< first nodes of other vertices
   std::vector<FrontNode> nodes_;
-  Index count_ = 0;  ///< of the samples
-  bool closed_ = false;
   Index epoch_ = 0;                   ///< counts the changes of the samples
   std::vector<Index> least_changed_;  ///< [epoch] the first sample that has changed after it
+  std::vector<std::vector<Told>> told_by_;  ///< [sample, and the next to come]
+  std::vector<Index> parted_;
+  Index first_parted_ = no_index;
 };
 
 }  // namespace burin

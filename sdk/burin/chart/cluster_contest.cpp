@@ -96,14 +96,14 @@ void ClusterContest::follow(const LiveChart& nodes, Index slot) {
   if (is_new || now != was) affect_around(nodes, node, now || was);
 }
 
-/// What a change at the node affects: all around it, or what had something to choose only.
+/// What a change at the node affects: its other visits, which may have other rivals now, and all around it, or
+/// what had something to choose only.
 void ClusterContest::affect_around(const LiveChart& nodes, Index node, bool all) {
   if (count_ == 0 && !all) return;
-  const auto affect = [&](Index slot) {
+  for (Index slot = nodes.first(node); slot != no_index; slot = nodes.next(slot)) affected_.push_back(slot);
+  for_each_around(nodes, node, [&](Index slot) {
     if (all || contested_[slot] || chosen_[slot]) affected_.push_back(slot);
-  };
-  for (Index slot = nodes.first(node); slot != no_index; slot = nodes.next(slot)) affect(slot);
-  for_each_around(nodes, node, affect);
+  });
 }
 
 void ClusterContest::find_rivals(const LiveChart& nodes, Index slot, std::vector<Index>& rivals) {

@@ -86,6 +86,8 @@ class FrontPart {
 
  private:
   void take_back_from(const CurveChange& change);
+  std::size_t first_parted_segment() const;
+  void reach_visits_beside(Index node);
   void take_back(Index node);
   void mark(Index node);
   void take_back_marked();

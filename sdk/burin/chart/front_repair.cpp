@@ -3,6 +3,7 @@
 // 1996]; those that only have a frame from there are computed again in place. Since a frame depends on
 // upwind frames only, and whatever is downwind of a change has its turn after it, the repaired frames are
 // those of a fresh run.
+#include <burin/chart/curve_parts.h>
 #include <burin/chart/front_part.h>
 
 #include <algorithm>
@@ -16,8 +17,34 @@ void FrontPart::change(const CurveChange& change) {
   settled_ = pushes_ = 0;
   nodes_.samples_changed(change.first_sample);
   take_back_from(change);
-  for (const Seeds::Change& seed : seeds_.update(*stroke_, change.first_segment, nodes_)) follow(seed);
+  for (const Index node : nodes_.parted()) take_back(node);
+  const std::size_t first_segment = std::min(change.first_segment, first_parted_segment());
+  for (const Seeds::Change& seed : seeds_.update(*stroke_, first_segment, nodes_)) follow(seed);
   reach_waiting();
+  for (const Index node : nodes_.parted()) reach_visits_beside(node);
+}
+
+/// The first segment with places nearest to a sample that has gone over to another visit.
+std::size_t FrontPart::first_parted_segment() const {
+  const SurfaceCurve& curve = stroke_->curve;
+  const Index sample = nodes_.first_parted();
+  if (sample == no_index) return curve.segment_count();
+  const double from = sample > 0 ? stroke_->samples.t(sample - 1) : 0;
+  std::size_t segment = segment_at(curve, from);
+  while (segment > 0 && curve.segment_end(segment - 1) >= from) --segment;
+  return segment;
+}
+
+/// Nodes that were settled before lead on to the visits of the node's vertex that have come about.
+void FrontPart::reach_visits_beside(Index node) {
+  const Index vertex = nodes_[node].vertex();
+  for_each_around(node, [&](Index around) {
+    // A copy may be of a stroke that was longer, and its own part has not told yet.
+    if (nodes_[around].state != NodeState::inside || nodes_[around].sample >= stroke_->samples.size()) return;
+    const Index visit = nodes_.at(vertex, nodes_[around].sample);
+    if (visit != no_index && nodes_[visit].state == NodeState::open)
+      reach_from(around, Leader(nodes_[around], stroke_->path), visit);
+  });
 }
 
 /// A settled node keeps its g unless its seed gave it, or gives a lower one.

@@ -47,7 +47,7 @@ Index StrokeSamples::update(const SurfaceCurve& curve, double radius, double fin
     const float half_width = static_cast<float>(radius) * at.width;
     const float disc = std::max(half_width, least_disc) *
                        static_cast<float>(disc_over_width * widening(extensions, t, length_, radius));
-    samples_.push_back({t, at.at.position, at.normal, half_width, disc * disc});
+    samples_.push_back({t, at.at.position, at.normal, half_width, disc});
   };
   for (auto i = static_cast<double>(kept); i < count; ++i) add(i * spacing_);
   if (!closed_ || samples_.empty()) add(length_);

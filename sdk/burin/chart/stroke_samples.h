@@ -55,7 +55,16 @@ class StrokeSamples {
   bool disc_holds(Index sample, const Vec3f& position, const Vec3f& normal) const {
     const Sample& s = samples_[sample];
     return (position - s.position).squaredNorm() * squared_arc_over_chord(normal.dot(s.normal)) <=
-           s.squared_disc;
+           s.disc * s.disc;
+  }
+
+  /// Radius of the disc around the sample, object units.
+  float disc(Index sample) const { return samples_[sample].disc; }
+
+  /// How many samples after `from` the sample comes; on an open stroke more than there are when it comes
+  /// before.
+  Index steps(Index from, Index sample) const {
+    return sample >= from || !closed_ ? sample - from : sample + size() - from;
   }
 
   /// Straight distance, object units.
@@ -68,7 +77,7 @@ class StrokeSamples {
     double t;
     Vec3f position, normal;
     float half_width;
-    float squared_disc;  ///< square of the disc's radius
+    float disc;  ///< its radius
     bool operator==(const Sample&) const = default;
   };
   /// Arc over chord, squared, of a circular arc whose normals have this cosine: (asin s / s)^2, s the sine of
