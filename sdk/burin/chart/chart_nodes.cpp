@@ -34,7 +34,7 @@ void ChartNodes::samples_changed(Index first_changed) {
 /// Looks anew at what a sample told that has changed.
 void ChartNodes::part(const Told& told, Index first_changed) {
   FrontNode& node = nodes_[told.node];
-  if (node.run_length == 0) return;
+  if (node.run_length == 0 || !node.run_whole) return;
   if (told.begin || node.run_begin >= first_changed) {
     vacate(node);
     return note_parted(told.node, node.run_begin);
@@ -52,7 +52,8 @@ void ChartNodes::note_parted(Index node, Index sample) {
 
 void ChartNodes::vacate(FrontNode& node) {
   node.run_length = 0;
-  node.run_ends = true;
+  node.run_begins = node.run_ends = true;
+  node.run_whole = false;
 }
 
 Index ChartNodes::first_foreign(Index vertex) const {
@@ -60,21 +61,81 @@ Index ChartNodes::first_foreign(Index vertex) const {
   return found == foreign_.end() ? no_index : found->second;
 }
 
-bool ChartNodes::found_to_hold(Index node, Index sample) {
-  if (nodes_[node].run_epoch != epoch_) update_visit(node);
-  return known_to_hold(nodes_[node], sample);
+bool ChartNodes::found_to_hold(Index index, Index sample) {
+  FrontNode& node = nodes_[index];
+  if (node.run_epoch != epoch_) forget_changed(index);
+  if (known_to_hold(node, sample)) return true;
+  return !node.run_whole && extends_to(index, sample);
 }
 
 /// Follows the changes of samples since somebody last asked.
-void ChartNodes::update_visit(Index index) {
+void ChartNodes::forget_changed(Index index) {
   FrontNode& node = nodes_[index];
-  const Index changed = least_changed_[node.run_epoch];
+  const Index changed = least_changed_[node.run_epoch], end = node.run_begin + node.run_length;
   node.run_epoch = epoch_;
   if (node.run_length == 0) return;
   if (node.run_begin >= changed) return vacate(node);
   // What ends before has been told by samples before, or part() has looked at it.
-  if (node.run_ends && node.run_begin + node.run_length < changed) return;
-  set_visit(index, visits_to(node).from(node.run_begin));
+  if (node.run_ends && end < changed) return;
+  if (node.run_whole) return set_visit(index, visits_to(node).from(node.run_begin));
+  node.run_length = std::min(end, changed) - node.run_begin;
+  node.run_ends = false;
+}
+
+bool ChartNodes::extends_to(Index node, Index sample) {
+  if (samples_->closed()) return extends_forward(node, sample) || extends_backward(node, sample);
+  return sample < nodes_[node].run_begin ? extends_backward(node, sample) : extends_forward(node, sample);
+}
+
+bool ChartNodes::extends_forward(Index index, Index sample) {
+  FrontNode& node = nodes_[index];
+  const Index count = samples_->size();
+  while (!node.run_ends) {
+    Index next = node.run_begin + node.run_length;
+    if (samples_->closed() && next >= count) next -= count;
+    if (next == count) return false;
+    if (samples_->may_turn((next == 0 ? count : next) - 1)) {
+      find_whole(index);
+      return known_to_hold(node, sample);
+    }
+    node.run_ends = !in_disc(node, next) || (samples_->closed() && node.run_length == count);
+    if (node.run_ends) return false;
+    ++node.run_length;
+    if (next == sample) return true;
+  }
+  return false;
+}
+
+bool ChartNodes::extends_backward(Index index, Index sample) {
+  FrontNode& node = nodes_[index];
+  const Index count = samples_->size();
+  while (!node.run_begins) {
+    if (node.run_begin == 0 && !samples_->closed()) return false;
+    const Index next = (node.run_begin == 0 ? count : node.run_begin) - 1;
+    if (samples_->may_turn(next)) {
+      find_whole(index);
+      return known_to_hold(node, sample);
+    }
+    node.run_begins = !in_disc(node, next) || (samples_->closed() && node.run_length == count);
+    if (node.run_begins) return false;
+    node.run_begin = next;
+    ++node.run_length;
+    if (next == sample) return true;
+  }
+  return false;
+}
+
+/// Finds all samples of a visit that has some.
+void ChartNodes::find_whole(Index index) {
+  FrontNode& node = nodes_[index];
+  Index floor = 0;
+  for (Index other = first(node.vertex()); other != no_index; other = nodes_[other].next)
+    if (nodes_[other].run_whole && nodes_[other].run_begin < node.run_begin)
+      floor = std::max(floor, nodes_[other].run_begin);
+  const Visits::Found found = visits_to(node).find(node.run_begin, floor);
+  node.run_whole = node.run_begins = true;
+  set_visit(index, found.visit);
+  if (found.begin_told_by != no_index) told_by_[found.begin_told_by].push_back({index, true});
 }
 
 void ChartNodes::set_visit(Index index, const Visit& visit) {
@@ -87,27 +148,28 @@ void ChartNodes::set_visit(Index index, const Visit& visit) {
 }
 
 Index ChartNodes::find_or_add(Index vertex, Index sample, Index head) {
-  Index floor = 0;
-  for (Index node = head; node != no_index; node = nodes_[node].next) {
+  for (Index node = head; node != no_index; node = nodes_[node].next)
     if (holds(node, sample)) return node;
-    if (nodes_[node].run_length > 0 && nodes_[node].run_begin < sample)
-      floor = std::max(floor, nodes_[node].run_begin);
-  }
-  return add(vertex, sample, floor, head);
+  return add(vertex, sample, head);
 }
 
-Index ChartNodes::add(Index vertex, Index sample, Index floor, Index head) {
+Index ChartNodes::add(Index vertex, Index sample, Index head) {
   if (head == no_index && own_.holds(vertex)) head = add_block(vertex);
   const GroundPlace place = (*ground_)[vertex];
-  const Visits visits(*samples_, place.position, place.normal);
-  if (!visits.any(sample)) return no_index;
-  Index node = head;
-  while (node != no_index && nodes_[node].run_length > 0) node = nodes_[node].next;
-  if (node == no_index) node = add_loose(vertex);
+  if (!samples_->disc_holds(sample, place.position, place.normal)) return no_index;
+  Index vacant = no_index;
+  bool only = true;
+  for (Index node = head; node != no_index; node = nodes_[node].next) {
+    if (nodes_[node].run_length > 0)
+      only = false;
+    else if (vacant == no_index)
+      vacant = node;
+  }
+  const Index node = vacant == no_index ? add_loose(vertex) : vacant;
   put(nodes_[node], place);
-  const Visits::Found found = visits.find(sample, floor);
-  begin_visit(node, found.visit);
-  if (found.begin_told_by != no_index) told_by_[found.begin_told_by].push_back({node, true});
+  begin_visit(nodes_[node], sample);
+  // Of several visits to a vertex no more than one is known in parts, or two might turn out to be one.
+  if (!only) find_whole(node);
   return node;
 }
 
@@ -134,7 +196,8 @@ Index ChartNodes::add_loose(Index vertex) {
 void ChartNodes::set_vertex(FrontNode& node, Index vertex) const {
   node.key = front_key(unreached, vertex);
   node.run_epoch = epoch_;
-  node.run_ends = true;
+  node.run_begins = node.run_ends = true;
+  node.run_whole = false;
 }
 
 void ChartNodes::put(FrontNode& node, const GroundPlace& place) {
@@ -143,9 +206,11 @@ void ChartNodes::put(FrontNode& node, const GroundPlace& place) {
   node.gauss = place.gauss_curvature;
 }
 
-void ChartNodes::begin_visit(Index index, const Visit& visit) {
-  set_visit(index, visit);
-  FrontNode& node = nodes_[index];
+void ChartNodes::begin_visit(FrontNode& node, Index sample) const {
+  node.run_begin = sample;
+  node.run_length = 1;
+  node.run_begins = node.run_ends = node.run_whole = false;
+  node.run_epoch = epoch_;
   node.state = NodeState::open;
   node.set_g(unreached);
   node.arm_count = 0;

@@ -16,6 +16,8 @@ struct VertexRange {
 };
 
 /// The nodes of a stroke's front. A vertex has one for each Visit of the stroke that somebody has asked for.
+/// As long as nobody asks for more than samples in a row between which the stroke cannot turn, a visit is
+/// known for these only.
 ///
 /// The first nodes of consecutive vertices, which are neighbours for the most part, lie side by side in
 /// memory, in blocks that are made when the front first comes by. Nodes that no visit has needed are vacant.
@@ -66,8 +68,7 @@ class ChartNodes {
 
   /// Whether the node's visit has the sample.
   bool holds(Index node, Index sample) {
-    return known_to_hold(nodes_[node], sample) ||
-           (nodes_[node].run_epoch != epoch_ && found_to_hold(node, sample));
+    return known_to_hold(nodes_[node], sample) || found_to_hold(node, sample);
   }
 
   /// The node of the vertex whose visit has the sample, made if need be; adding nodes moves all in memory.
@@ -91,17 +92,24 @@ class ChartNodes {
   bool found_to_hold(Index node, Index sample);
   Index find_or_add(Index vertex, Index sample, Index head);
   Index first_foreign(Index vertex) const;
-  Index add(Index vertex, Index sample, Index floor, Index head);
+  Index add(Index vertex, Index sample, Index head);
   Index add_block(Index vertex);
   Index add_loose(Index vertex);
   void set_vertex(FrontNode& node, Index vertex) const;
   static void put(FrontNode& node, const GroundPlace& place);
-  void begin_visit(Index node, const Visit& visit);
-  void update_visit(Index node);
+  void begin_visit(FrontNode& node, Index sample) const;
+  void forget_changed(Index node);
+  bool extends_to(Index node, Index sample);
+  bool extends_forward(Index node, Index sample);
+  bool extends_backward(Index node, Index sample);
+  void find_whole(Index node);
   void set_visit(Index node, const Visit& visit);
   void part(const Told& told, Index first_changed);
   void note_parted(Index node, Index sample);
   static void vacate(FrontNode& node);
+  bool in_disc(const FrontNode& node, Index sample) const {
+    return samples_->disc_holds(sample, node.position, node.normal);
+  }
   Visits visits_to(const FrontNode& node) const { return {*samples_, node.position, node.normal}; }
 
   const ChartGround* ground_;

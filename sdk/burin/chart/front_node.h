@@ -36,8 +36,9 @@ struct alignas(64) FrontNode {
   FrontKey key = no_index;
   Index next = no_index;  ///< node of the same vertex
 
-  /// The samples of the visit, as of this epoch. A node without samples is vacant. On closed strokes they may
-  /// go on across the seam.
+  /// The samples that are known to belong to the visit, as of this epoch: all of them, or some in between of
+  /// which it may begin or end with the known ones. A node without samples is vacant. On closed strokes they
+  /// may go on across the seam.
   Index run_begin = 0, run_length = 0;
   Index run_epoch = 0;  ///< of the samples
 
@@ -45,7 +46,9 @@ struct alignas(64) FrontNode {
   Index listed_at = 0;  ///< sample under which the part of the front lists it
   NodeState state = NodeState::open;
   std::uint8_t arm_count = 0;  ///< more than most_arms: not all of them are in arms
-  bool run_ends : 1 = false;  ///< or goes on with samples that may come
+  bool run_whole : 1 = false;  ///< known up to the last sample
+  bool run_begins : 1 = false;
+  bool run_ends : 1 = false;
   bool stale : 1 = false;  ///< settled, but upwind frames have changed since: its own is to be computed again
   bool gathered : 1 = false;   ///< about to be settled: its arms are collected
   bool waiting : 1 = false;    ///< taken back, and not yet offered to its neighbours' fronts

@@ -55,9 +55,26 @@ Index StrokeSamples::update(const SurfaceCurve& curve, double radius, double fin
   uniform_ = std::ranges::all_of(samples_,
                                  [this](const Sample& s) { return s.half_width == samples_[0].half_width; });
 
+  find_turns(kept > 0 ? static_cast<Index>(kept - 1) : 0);
   const std::span<const Sample> now = std::span(samples_).subspan(kept);
   return static_cast<Index>(kept +
                             static_cast<std::size_t>(std::ranges::mismatch(before, now).in2 - now.begin()));
+}
+
+/// From this sample on. A place at y from a sample is as near or nearer to those at -u and w from it only if
+/// y u <= -u^2 / 2 and y w >= w^2 / 2, and so |y| |w / |w| - u / |u|| >= (|u| + |w|) / 2.
+void StrokeSamples::find_turns(Index from) {
+  constexpr float rounding = 0.999F;
+  may_turn_.resize(size());
+  for (Index i = from; i < size(); ++i) {
+    const bool end = !closed_ && (i == 0 || i + 1 == size());
+    const Vec3f& at = samples_[i].position;
+    const Vec3f u = at - samples_[(i == 0 ? size() : i) - 1].position,
+                w = samples_[i + 1 == size() ? 0 : i + 1].position - at;
+    const float before = u.norm(), after = w.norm();
+    const float turn = (before * w - after * u).norm();
+    may_turn_[i] = !end && samples_[i].disc * turn >= rounding * before * after * (before + after) / 2;
+  }
 }
 
 Index StrokeSamples::at_of_closed(double t) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace burin {
@@ -61,6 +62,10 @@ class StrokeSamples {
   /// Radius of the disc around the sample, object units.
   float disc(Index sample) const { return samples_[sample].disc; }
 
+  /// Whether the stroke bends there so sharply that places in its disc may be nearer to the samples before and
+  /// after. Where it does not, a stroke that goes away from a vertex goes on to do so.
+  bool may_turn(Index sample) const { return may_turn_[sample] != 0; }
+
   /// How many samples after `from` the sample comes; on an open stroke more than there are when it comes
   /// before.
   Index steps(Index from, Index sample) const {
@@ -90,7 +95,10 @@ class StrokeSamples {
   Index at_of_closed(double t) const;
   double varying_half_width(double t) const;
 
+  void find_turns(Index from);
+
   std::vector<Sample> samples_;
+  std::vector<std::uint8_t> may_turn_;  ///< [sample]
   double length_ = 0, spacing_ = 0, samples_a_unit_ = 0;
   bool closed_ = false;
   bool uniform_ = false;  ///< all half widths are one
