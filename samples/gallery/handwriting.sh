@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Draws what a pen wrote with eight of the stock brushes: samples/gallery/handwriting.sh RECORDINGS PICTURES, a folder
-# of recordings, which the project does not hold, and one to leave the pictures in.
+# of recordings, which the project does not hold, and one to leave a sheet of pictures of each recording in.
 set -euo pipefail
 cd "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 
@@ -20,7 +20,7 @@ picture() {
   shift 3
   printf '%s of %s\n' "$brush" "$recording"
   "$burin" replay "$work/$recording.stroke" "${surface[@]}" --radius "$radius" --brush "org.burin.$brush" \
-    --show-every 0 --view 0,0,-1 --width 800 --height 600 --png "$pictures/${recording}_$brush.png" "$@" >/dev/null
+    --show-every 0 --view 0,0,-1 --width 800 --height 600 --png "$work/${recording}_$brush.png" "$@" >/dev/null
 }
 
 for recording in bdalab_signal.svc bdalab_html5_pointer_signal.json painting30sec.dat; do
@@ -34,4 +34,6 @@ for recording in bdalab_signal.svc bdalab_html5_pointer_signal.json painting30se
   picture "$name" .03 bark
   picture "$name" .03 scales --param stamp=samples/stamps/scales.exr
   picture "$name" .03 dashed-line --param colour=.04,.12,.3,1
+  oiiotool "$work/${name}"_{groove,crease,bead,rope,stitches,bark,scales,dashed-line}.png --mosaic 4x2 \
+    --resize 1600x600 -o "$pictures/$name.png"
 done
