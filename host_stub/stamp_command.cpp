@@ -26,8 +26,8 @@ struct StampCommandOptions {
 void read_wrap(const std::string& text, StampOptions& options) {
   std::tie(options.wrap_u, options.wrap_v) = wraps_named(text);
   if (options.wrap_u == Wrap::unknown || options.wrap_v == Wrap::unknown)
-    throw CLI::ValidationError("--wrap", "'" + text +
-                                             "' is none of periodic, mirror, clamp and black, or two of "
+    throw CLI::ValidationError("--wrap", quoted_word(text) +
+                                             " is none of periodic, mirror, clamp and black, or two of "
                                              "them for u and v: mirror,clamp");
 }
 
