@@ -94,12 +94,13 @@ class Scales : public Brush {
       .name = "Flip",
       .help = "Turns tiles upside down at random.",
   };
-  static constexpr auto params = param_list(stamp, depth, centre, tile, aspect, fade, offset_along,
-                                            offset_across, mirror, flip, clean_stamp);
+  static constexpr auto params =
+      param_list(stamp, depth, centre, tile, aspect, fade, offset_along, offset_across, mirror, flip,
+                 clean_stamp, stamp_layer, stamp_channel);
 
   explicit Scales(StrokeStart& start)
       : layout_(layout(start.params)),
-        stamp_(start.host, start.params[stamp], cleaned(Tiling::options(layout_), start.params)) {
+        stamp_(start.host, start.params[stamp], chosen(Tiling::options(layout_), start.params)) {
     layout_.width = layout_.length * start.params[aspect].value() * stamp_.aspect();
     start.end_influence = Tiling::end_influence(layout_, start.stroke);
   }

@@ -76,8 +76,8 @@ class Tread : public Brush {
       .hard = {0.001f, 1},
       .initial = 0.06f,
   };
-  static constexpr auto params =
-      param_list(stamp, start_stamp, end_stamp, other_stamp, height, tile, fit, fade, clean_stamp);
+  static constexpr auto params = param_list(stamp, start_stamp, end_stamp, other_stamp, height, tile, fit,
+                                            fade, clean_stamp, stamp_layer, stamp_channel);
 
   explicit Tread(StrokeStart& start) {
     layout_.span(1);
@@ -110,7 +110,7 @@ class Tread : public Brush {
  private:
   bool add(const StrokeStart& start, const FileParam& file, const StampOptions& options) {
     const char* path = start.params[file];
-    if (*path) stamps_.emplace_back(start.host, path, cleaned(options, start.params));
+    if (*path) stamps_.emplace_back(start.host, path, chosen(options, start.params));
     return *path;
   }
 

@@ -1,5 +1,6 @@
 // org.burin.vdm-trail: a trail of shapes from a vector displacement map, overhangs and all.
 
+#include <burin/math/vector_axes.h>
 #include <burin/plugin/plugin.h>
 
 #include <algorithm>
@@ -26,13 +27,29 @@ class VdmTrail : public Brush {
       .id = "stamp",
       .name = "Stamp",
       .help =
-          "An EXR image; red, green and blue move a place of the stamp to the right, up and outward, in "
-          "halves of the stamp's width. 0 at its borders.",
+          "An image of three channels, of which each moves a place of the stamp: to the right, up or "
+          "outward, in halves of the stamp's width. As the middle at its borders.",
+  };
+  static constexpr TextParam axes{
+      .id = "axes",
+      .name = "Axes",
+      .help =
+          "What red, green and blue hold: x to the right, y up, z outward, -z inward and so on; or the "
+          "program that made the map: blender (x,y,z), cycles or mudbox (x,z,y).",
+      .initial = "x,y,z",
+  };
+  static constexpr FloatParam middle{
+      .id = "middle",
+      .name = "Middle",
+      .help = "Value of the map that moves nothing: 0, or 0.5 of maps of whole numbers.",
+      .hard = {-65504, 65504},
+      .soft = {0, 1},
+      .initial = 0,
   };
   static constexpr FloatParam size{
       .id = "size",
       .name = "Size",
-      .help = "Width of the stamp; 2 is as wide as the stroke.",
+      .help = "Width of the stamp across the stroke; 2 is as wide as that. The image's aspect is kept.",
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.01f, 2},
       .soft = {0.2f, 2},
@@ -76,13 +93,16 @@ class VdmTrail : public Brush {
       .name = "Flip",
       .help = "Mirrors stamps across the stroke at random.",
   };
-  static constexpr auto params = param_list(stamp, size, gap, amount, angle, mirror, flip, clean_stamp);
+  static constexpr auto params = param_list(stamp, axes, middle, size, gap, amount, angle, mirror, flip,
+                                            clean_stamp, stamp_layer, stamp_channel);
 
   explicit VdmTrail(StrokeStart& start)
       : layout_(layout(start.params)),
-        map_(start.host, start.params[stamp], cleaned(Tiling::options(layout_), start.params)) {
+        axes_(axes_of(start.params[axes])),
+        map_(start.host, start.params[stamp], map_options(layout_, start.params)) {
     if (map_.info().channels < 3)
       throw Error(std::string(start.params[stamp]) + ": a vector displacement map has three channels");
+    layout_.length = layout_.width / map_.aspect();
     // A stamp is there from the moment on when the stroke reaches its middle.
     const double half_pitch = (layout_.length + layout_.gap) / 2 * start.stroke.radius_max();
     start.end_influence = std::max(Tiling::end_influence(layout_, start.stroke), half_pitch);
@@ -95,23 +115,24 @@ class VdmTrail : public Brush {
     const auto tile = [&](std::size_t i) { return tiling.at(cells[i], angles[i]); };
     const auto area = [&](std::size_t i) { return tile(i).area; };
     const FloatsOut along = out.along(), across = out.across(), up = out.up();
-    map_.sample(in.size(), area, along, 0);
-    map_.sample(in.size(), area, across, 1);
-    map_.sample(in.size(), area, up, 2);
+    const auto channel = [&](std::size_t axis) { return static_cast<std::uint32_t>(axes_.channel[axis]); };
+    map_.sample(in.size(), area, along, channel(0));
+    map_.sample(in.size(), area, across, channel(1));
+    map_.sample(in.size(), area, up, channel(2));
     for (std::size_t i = 0; i < in.size(); ++i) {
       const Tile shown = tile(i);
       const float unit = shown.on_stroke ? amounts[i] * layout_.width / 2 * cells[i].radius : 0.0f;
-      const float x = along[i], y = across[i];
+      const float x = axes_.sign[0] * along[i], y = axes_.sign[1] * across[i];
       along[i] = unit * shown.along(x, y);
       across[i] = unit * shown.across(x, y);
-      up[i] *= unit;
+      up[i] *= axes_.sign[2] * unit;
     }
   }
 
  private:
   static TileLayout layout(const Params& params) {
     TileLayout layout;
-    layout.length = layout.width = params[size].value();
+    layout.width = params[size].value();  // the length is known with the image
     layout.gap = params[gap].value();
     layout.narrow = layout.single_row = true;
     layout.offset_along = -0.5f;  // one stamp stands where the stroke begins
@@ -120,7 +141,23 @@ class VdmTrail : public Brush {
     return layout;
   }
 
-  const TileLayout layout_;
+  static math::VectorAxes axes_of(const char* text) {
+    const auto found = math::vector_axes(text);
+    if (!found)
+      throw Error(
+          std::string("axes are x, y and z in any order, as x,z,-y, or blender, cycles or mudbox, not ") +
+          text);
+    return *found;
+  }
+
+  static StampOptions map_options(const TileLayout& layout, const Params& params) {
+    StampOptions options = chosen(Tiling::options(layout), params);
+    options.zero = params[middle].value();
+    return options;
+  }
+
+  TileLayout layout_;
+  const math::VectorAxes axes_;
   const Stamp map_;
 };
 

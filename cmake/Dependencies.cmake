@@ -52,6 +52,14 @@ find_package(OpenImageIO 2.4 REQUIRED)
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
   INTERFACE_INCLUDE_DIRECTORIES "" INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "")
 
+# Not through OpenImageIO, which lets libpng write its complaints to the terminal and moves pictures by where
+# they stand on a page.
+burin_dependency(apt libpng-dev why "PNG stamps in, as numbers")
+find_package(PNG REQUIRED)
+
+burin_dependency(apt libtiff-dev why "what OpenImageIO does not tell of TIFF stamps: no-data values, masks")
+find_package(TIFF 4.5 REQUIRED)
+
 # Not OpenImageIO's own drawing of text, which knows no kerning.
 burin_dependency(apt libfreetype-dev why "outlines of letters")
 find_package(Freetype REQUIRED)

@@ -1,15 +1,31 @@
 #include "bake_option.h"
 
 #include <burin/base/error.h>
+#include <burin/base/quoted_word.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "options.h"
 #include "output_file.h"
 
 namespace burin {
+namespace {
+
+void read_axes(const std::string& text, BakeSettings& settings) {
+  settings.object_space = text == "object";
+  const auto axes = math::vector_axes(settings.object_space ? "x,y,z" : text);
+  if (!axes)
+    throw CLI::ValidationError("--bake-axes",
+                               "takes x, y and z in any order, as x,z,-y, or blender, cycles, "
+                               "mudbox or object, not " +
+                                   quoted_word(text));
+  settings.axes = *axes;
+}
+
+}  // namespace
 
 void add_bake_options(CLI::App& command, BakeOptions& options) {
   auto* bake = command
@@ -20,9 +36,21 @@ void add_bake_options(CLI::App& command, BakeOptions& options) {
       ->check(CLI::Range(1, 16384))
       ->capture_default_str()
       ->needs(bake);
+  auto* vectors = command
+                      .add_flag("--bake-vectors", options.settings.vectors,
+                                "vectors along tangent, bitangent and normal instead of heights")
+                      ->needs(bake);
   command
-      .add_flag("--bake-vectors", options.settings.vectors,
-                "vectors along tangent, bitangent and normal instead of heights")
+      .add_option_function<std::string>(
+          "--bake-axes", [&options](const std::string& text) { read_axes(text, options.settings); },
+          "what red, green and blue of vectors hold: x along the tangent, y the bitangent, z the normal, as\n"
+          "x,y,z or x,z,-y; or as a program takes it: blender, cycles, mudbox; or object, the object's x, y, "
+          "z")
+      ->type_name("AXES")
+      ->needs(vectors);
+  command.add_option("--bake-middle", options.settings.middle, "value of no displacement")
+      ->check(finite_number())
+      ->capture_default_str()
       ->needs(bake);
 }
 

@@ -1,6 +1,7 @@
 #include "console.h"
 
 #include <burin/abi/ext/log.h>
+#include <burin/base/quoted_word.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,6 +23,12 @@ std::FILE* results = nullptr;
 
 }  // namespace
 
+void say(std::string_view kind, std::string_view text) {
+  constexpr std::size_t most = 8000;
+  const std::string line = printable(text.substr(0, most));
+  std::fputs(fmt::format("burin: {}{}{}\n", kind, line, text.size() > most ? "..." : "").c_str(), stderr);
+}
+
 void keep_plugins_off_standard_output() {
   if (!results) results = divert_standard_output();
 }
@@ -30,13 +37,16 @@ void write_result(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), results ? results : stdout);
 }
 
-bool flush_results() { return std::fflush(results ? results : stdout) == 0; }
+bool flush_results() {
+  std::FILE* const out = results ? results : stdout;
+  return std::fflush(out) == 0 && std::ferror(out) == 0;
+}
 
-void warn(std::string_view text) { std::fputs(fmt::format("burin: warning: {}\n", text).c_str(), stderr); }
+void warn(std::string_view text) { say("warning: ", text); }
 
 void log_on_console(int severity, std::string_view line) {
   if (severity == BURIN_LOG_WARNING) return warn(line);
-  std::fputs(fmt::format("burin: {}\n", line).c_str(), stderr);
+  say("", line);
 }
 
 ProgressBar::ProgressBar() : terminal_(stderr_is_terminal()) {}

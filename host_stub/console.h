@@ -22,6 +22,9 @@ bool flush_results();
 /// From here on what anybody writes to the standard output goes to stderr, but for results.
 void keep_plugins_off_standard_output();
 
+/// "burin: KIND TEXT" on stderr as one line, cut where it is very long, with control characters as \\xHH.
+void say(std::string_view kind, std::string_view text);
+
 /// "burin: warning: TEXT" on stderr.
 void warn(std::string_view text);
 

@@ -1,28 +1,37 @@
 #include <burin/base/error.h>
-#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <iostream>
 
 #include "command.h"
 #include "console.h"
+#include "platform.h"
 
 namespace {
 
+constexpr const char* output_failed = "standard output: writing failed";
+
 /// 2: bad input or usage; 1: a fault of the machine or of Burin.
 int fail(int code, const char* what) {
-  std::fputs(fmt::format("burin: {}\n", what).c_str(), stderr);
+  burin::say("", what);
   return code;
+}
+
+/// The help, which CLI11 prints itself.
+int print_help(const CLI::App& app, const CLI::ParseError& error) {
+  const int code = app.exit(error);
+  std::cout.flush();
+  return std::cout ? code : fail(2, output_failed);
 }
 
 int run(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) return fail(2, "a subcommand is required: burin --help lists them");
-    if (!burin::flush_results()) return fail(2, "standard output: writing failed");
+    if (!burin::flush_results()) return fail(2, output_failed);
     return 0;
   } catch (const CLI::ParseError& error) {
-    return error.get_exit_code() == 0 ? app.exit(error) : fail(2, error.what());
+    return error.get_exit_code() == 0 ? print_help(app, error) : fail(2, error.what());
   } catch (const burin::Error& error) {
     return fail(2, error.what());
   } catch (const std::bad_alloc&) {
@@ -35,6 +44,7 @@ int run(CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  burin::open_standard_streams();
   CLI::App app("Burin draws recorded pen strokes on surfaces with brush plugins.", "burin");
   // Not required of CLI11, which would then not name an unknown one.
   app.require_subcommand(0, 1);

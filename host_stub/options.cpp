@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include <burin/base/quoted_word.h>
 #include <burin/stroke/recording_faults.h>
 
 #include <CLI/CLI.hpp>
@@ -45,7 +46,7 @@ ParamSetting parse_setting(const std::string& text) {
 Vec3d parse_point(const std::string& name, const std::string& text) {
   const auto numbers = parse_numbers(text);
   if (!numbers || numbers->size() != 3)
-    throw CLI::ValidationError(name, "takes three numbers x,y,z, not " + text);
+    throw CLI::ValidationError(name, "takes three numbers x,y,z, not " + quoted_word(text));
   return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
 }
 
@@ -59,16 +60,18 @@ Vec3d parse_vector(const std::string& name, const std::string& text) {
 Dynamic parse_dynamic(const std::string& text) {
   const std::size_t equals = text.find('='), colon = text.find(':', std::min(equals, text.size()));
   if (equals == 0 || colon == std::string::npos)
-    throw CLI::ValidationError("--dynamic", "takes TARGET=SOURCE:x0,y0,x1,y1,..., not " + text);
+    throw CLI::ValidationError("--dynamic", "takes TARGET=SOURCE:x0,y0,x1,y1,..., not " + quoted_word(text));
   const std::string source = text.substr(equals + 1, colon - equals - 1);
   const auto known = source_named(source);
   if (!known)
-    throw CLI::ValidationError("--dynamic", "has no source '" + source + "'; there are: " + source_names());
+    throw CLI::ValidationError("--dynamic",
+                               "has no source " + quoted_word(source) + "; there are: " + source_names());
   const auto curve = parse_numbers(std::string_view(text).substr(colon + 1));
-  if (!curve) throw CLI::ValidationError("--dynamic", "takes numbers x0,y0,x1,y1,... in " + text);
+  if (!curve)
+    throw CLI::ValidationError("--dynamic", "takes numbers x0,y0,x1,y1,... in " + quoted_word(text));
   const Dynamic dynamic{text.substr(0, equals), *known, *curve};
   if (const std::string_view fault = fault_of(dynamic); !fault.empty())
-    throw CLI::ValidationError("--dynamic", std::string(fault) + ", not " + text);
+    throw CLI::ValidationError("--dynamic", std::string(fault) + ", not " + quoted_word(text));
   return dynamic;
 }
 
@@ -78,8 +81,8 @@ Stabilising parse_stabilising(const std::string& text) {
   const auto amount =
       colon == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(colon + 1));
   if ((kind != "string" && kind != "exponential") || !amount || *amount <= 0)
-    throw CLI::ValidationError("--stabilise",
-                               "takes string:LENGTH or exponential:SECONDS, above 0, not " + text);
+    throw CLI::ValidationError(
+        "--stabilise", "takes string:LENGTH or exponential:SECONDS, above 0, not " + quoted_word(text));
   return {kind == "string" ? Stabilising::Kind::string : Stabilising::Kind::exponential, *amount};
 }
 
@@ -88,8 +91,9 @@ const CLI::Validator& share() {
   static const CLI::Validator validator(
       [](std::string& text) {
         const auto number = parse_number(text);
-        return number && *number >= 0 && *number <= 1 ? std::string()
-                                                      : "must be a number from 0 to 1, not " + text;
+        return number && *number >= 0 && *number <= 1
+                   ? std::string()
+                   : "must be a number from 0 to 1, not " + quoted_word(text);
       },
       "0..1");
   return validator;
@@ -101,7 +105,7 @@ const CLI::Validator& positive_number() {
   static const CLI::Validator validator(
       [](std::string& text) {
         const auto number = parse_number(text);
-        return number && *number > 0 ? std::string() : "must be a number above 0, not " + text;
+        return number && *number > 0 ? std::string() : "must be a number above 0, not " + quoted_word(text);
       },
       "NUMBER > 0");
   return validator;
@@ -109,7 +113,9 @@ const CLI::Validator& positive_number() {
 
 const CLI::Validator& finite_number() {
   static const CLI::Validator validator(
-      [](std::string& text) { return parse_number(text) ? std::string() : "must be a number, not " + text; },
+      [](std::string& text) {
+        return parse_number(text) ? std::string() : "must be a number, not " + quoted_word(text);
+      },
       "NUMBER");
   return validator;
 }
@@ -184,7 +190,7 @@ ParamSettings parse_param_settings(const std::vector<std::string>& texts,
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     if (equals == 0 || equals == std::string::npos) {
-      throw CLI::ValidationError("--param", "takes NAME=VALUE, not " + text);
+      throw CLI::ValidationError("--param", "takes NAME=VALUE, not " + quoted_word(text));
     }
     const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
     settings[name] = is_text(name) ? value : parse_setting(value);

@@ -57,6 +57,11 @@ double seconds_since_process_start() {
          start_ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 bool stderr_is_terminal() { return isatty(STDERR_FILENO) != 0; }
 
 std::FILE* divert_standard_output() {

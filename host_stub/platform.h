@@ -23,6 +23,10 @@ double seconds_since_process_start();
 
 bool stderr_is_terminal();
 
+/// Opens those of the three standard streams that the process was started without, so that no file takes
+/// their place. Writing to such a standard output fails.
+void open_standard_streams();
+
 /// Lets the process's standard output go to stderr, and returns what leads to where it went before. Null
 /// where the system has no more files: it is as before then.
 std::FILE* divert_standard_output();

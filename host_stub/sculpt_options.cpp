@@ -1,5 +1,6 @@
 #include "sculpt_options.h"
 
+#include <burin/base/quoted_word.h>
 #include <CLI/CLI.hpp>
 #include <optional>
 
@@ -13,7 +14,7 @@ void set_mirrors(Symmetry& symmetry, const std::string& axes) {
   if (axes.empty()) throw CLI::ValidationError("--mirror", "takes x, y, z or several of them");
   for (const char axis : axes) {
     if (axis != 'x' && axis != 'y' && axis != 'z')
-      throw CLI::ValidationError("--mirror", "takes x, y, z or several of them, not " + axes);
+      throw CLI::ValidationError("--mirror", "takes x, y, z or several of them, not " + quoted_word(axes));
     (axis == 'x' ? symmetry.mirror_x : axis == 'y' ? symmetry.mirror_y : symmetry.mirror_z) = true;
   }
 }

@@ -1,8 +1,10 @@
+#include <burin/base/quoted_word.h>
 #include <burin/stamp/seam.h>
 #include <burin/stamp/stamp_file.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -24,14 +26,15 @@ struct StampCommandOptions {
 void read_wrap(const std::string& text, StampOptions& options) {
   std::tie(options.wrap_u, options.wrap_v) = wraps_named(text);
   if (options.wrap_u == Wrap::unknown || options.wrap_v == Wrap::unknown)
-    throw CLI::ValidationError("--wrap", "'" + text +
-                                             "' is none of periodic, mirror, clamp and black, or two of "
+    throw CLI::ValidationError("--wrap", quoted_word(text) +
+                                             " is none of periodic, mirror, clamp and black, or two of "
                                              "them for u and v: mirror,clamp");
 }
 
 bool is_cropped(const StampImage& image, const StampFile& file) {
-  return file.data_x != 0 || file.data_y != 0 || file.data_width != image.width ||
-         file.data_height != image.height;
+  const bool exchanged = file.orientation >= 5 && file.orientation <= 8;
+  const int width = exchanged ? image.height : image.width, height = exchanged ? image.width : image.height;
+  return file.data_x != 0 || file.data_y != 0 || file.data_width != width || file.data_height != height;
 }
 
 Json stamp_json(const std::string& path, const StampImage& image, const StampFile& file, const Seam& seam) {
@@ -49,6 +52,8 @@ Json stamp_json(const std::string& path, const StampImage& image, const StampFil
                {"compression", file.compression.empty() ? Json() : Json(file.compression)},
                {"tile", file.tile_width ? Json{file.tile_width, file.tile_height} : Json()},
                {"mip_levels", file.mip_levels},
+               {"unused_channels", file.unused},
+               {"orientation", file.orientation},
                {"wrap", {wrap_name(image.wrap_u), wrap_name(image.wrap_v)}},
                {"wrap_of_file", {wrap_name(file.wrap_u), wrap_name(file.wrap_v)}},
                {"not_finite", file.not_finite}};
@@ -64,10 +69,18 @@ std::string channel_text(const StampImage& image, const StampFile& file) {
   std::string text;
   for (int c = 0; c < image.channels; ++c) {
     const auto [least, greatest] = channel_range(image, c);
-    text += fmt::format("{}{} {:.6g} .. {:.6g}", c ? ", " : "", file.channels[static_cast<std::size_t>(c)],
-                        least, greatest);
+    text += fmt::format("{}{} {:.6g} .. {:.6g}", c ? ", " : "",
+                        printable(file.channels[static_cast<std::size_t>(c)]), least, greatest);
   }
   return text;
+}
+
+std::string unused_text(const StampFile& file) {
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, file.unused.size()); ++i)
+    text += (i ? ", " : "") + printable(file.unused[i]);
+  return file.unused.size() <= most ? text : fmt::format("{} and {} more", text, file.unused.size() - most);
 }
 
 std::string verdict_text(SeamVerdict verdict) {
@@ -92,6 +105,9 @@ void print_text(const std::string& path, const StampImage& image, const StampFil
     write_result(fmt::format("  data only in {} x {} texels from ({}, {}), 0 elsewhere\n", file.data_width,
                              file.data_height, file.data_x, file.data_y));
   write_result(fmt::format("  range {}\n", channel_text(image, file)));
+  if (!file.unused.empty()) write_result(fmt::format("  not used: {}\n", unused_text(file)));
+  if (file.orientation > 1 && file.orientation <= 8)
+    write_result(fmt::format("  turned upright, from orientation {}\n", file.orientation));
   write_result(fmt::format(
       "  wrap {}, {}{}\n", wrap_name(image.wrap_u), wrap_name(image.wrap_v),
       file.wrap_u == Wrap::unknown
@@ -129,6 +145,12 @@ void add_stamp(CLI::App& app) {
           "--wrap", [options](const std::string& text) { read_wrap(text, options->read); },
           "beyond the borders, in u and v: periodic, mirror, clamp or black, instead of what the file says")
       ->type_name("MODE[,MODE]");
+  command.add_option("--layer", options->read.layer, "whose channels count, of an EXR image with several")
+      ->type_name("NAME");
+  command
+      .add_option("--channel", options->read.channel,
+                  "channel to take, or three between commas, instead of those that names tell")
+      ->type_name("NAME[,NAME,NAME]");
   command.add_flag("--clean", options->read.clean,
                    "fill texels that are not finite instead of refusing them");
   command

@@ -1,5 +1,6 @@
 #include "bench/against.h"
 
+#include <burin/base/quoted_word.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,8 +25,8 @@ void run_round(const std::filesystem::path& burin, const Suite& suite, const std
                std::size_t repeat, std::vector<double>& times, std::string& hash) {
   const CaseResult result = run_case_in_process(burin, suite, name, repeat);
   if (!times.empty() && result.hash != hash)
-    throw Regression(
-        fmt::format("{}: case '{}' gave another result than a round before", burin.string(), name));
+    throw Regression(fmt::format("{}: case {} gave another result than a round before", burin.string(),
+                                 quoted_word(name)));
   times.push_back(mean_stroke_ms(result));
   hash = result.hash;
 }

@@ -1,5 +1,6 @@
 #include "bench/baseline.h"
 
+#include <burin/base/quoted_word.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,7 +51,7 @@ Json baseline_json(const SuiteResult& result) {
 std::vector<std::string> differences(const JsonValue& baseline, const SuiteResult& result) {
   baseline.member("burin_baseline").whole(1, 1);
   const JsonValue suite = baseline.member("suite");
-  if (suite.text() != result.suite) suite.reject("is another suite than '" + result.suite + "'");
+  if (suite.text() != result.suite) suite.reject("is another suite than " + quoted_word(result.suite));
   std::vector<std::string> lines;
   Texts in_baseline;
   for (const JsonValue& value : baseline.member("cases").items()) {

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
+#include <burin/base/quoted_word.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -40,7 +41,8 @@ Suite chosen_suite(const BenchOptions& options) {
   for (const std::string& name : options.cases) {
     const auto found = std::find_if(suite.cases.begin(), suite.cases.end(),
                                     [&](const BenchCase& one) { return one.name == name; });
-    if (found == suite.cases.end()) throw FileError(suite.path, fmt::format("has no case '{}'", name));
+    if (found == suite.cases.end())
+      throw FileError(suite.path, fmt::format("has no case {}", quoted_word(name)));
     chosen.push_back(*found);
   }
   suite.cases = std::move(chosen);

@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/base/file.h>
+#include <burin/base/quoted_word.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +16,21 @@ struct JsonValue::File {
   Json content;
 };
 
-JsonValue JsonValue::read(const std::filesystem::path& path) { return parse(read_file(path), path.string()); }
+namespace {
+
+constexpr std::uintmax_t most_json_bytes = std::uintmax_t{1} << 26;
+
+}  // namespace
+
+std::string JsonValue::place_of(const std::string& name) const {
+  // Names of the formats need no quotes; whatever else a file has may.
+  const std::string quoted = quoted_word(name), shown = quoted.size() == name.size() + 2 ? name : quoted;
+  return place_.empty() ? shown : place_ + "." + shown;
+}
+
+JsonValue JsonValue::read(const std::filesystem::path& path) {
+  return parse(read_file(path, most_json_bytes), path.string());
+}
 
 JsonValue JsonValue::parse(std::string_view text, const std::string& name) {
   auto file = std::make_shared<File>();

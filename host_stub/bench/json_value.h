@@ -59,7 +59,7 @@ class JsonValue {
   struct File;
   JsonValue(std::shared_ptr<const File> file, const Json& json, std::string place)
       : file_(std::move(file)), json_(&json), place_(std::move(place)) {}
-  std::string place_of(const std::string& name) const { return place_.empty() ? name : place_ + "." + name; }
+  std::string place_of(const std::string& name) const;
 
   std::shared_ptr<const File> file_;
   const Json* json_;

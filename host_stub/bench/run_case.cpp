@@ -1,6 +1,7 @@
 #include "bench/run_case.h"
 
 #include <burin/base/hash.h>
+#include <burin/base/quoted_word.h>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -219,7 +220,7 @@ CaseResult run_case(const std::string& path, const BenchCase& bench_case, std::s
     } catch (const FileError&) {
       throw;
     } catch (const Error& error) {
-      throw Error(fmt::format("case '{}': {}", bench_case.name, error.what()));
+      throw Error(fmt::format("case {}: {}", quoted_word(bench_case.name), error.what()));
     }
   });
 }

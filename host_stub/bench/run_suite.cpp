@@ -1,6 +1,7 @@
 #include "bench/run_suite.h"
 
 #include <burin/base/error.h>
+#include <burin/base/quoted_word.h>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -26,7 +27,7 @@ std::string complaint(std::string text) {
                        const std::string& case_name) {
   std::string what = complaint(result.err);
   if (what.empty())
-    what = fmt::format("{}: case '{}' ended with {}", burin.string(), case_name, result.exit_code);
+    what = fmt::format("{}: case {} ended with {}", burin.string(), quoted_word(case_name), result.exit_code);
   if (result.exit_code == 2) throw Error(what);
   throw Regression(what);
 }
@@ -45,7 +46,7 @@ CaseResult run_case_in_process(const std::filesystem::path& burin, const Suite& 
   const JsonValue file = JsonValue::parse(result.out, burin.string());
   SuiteResult read = read_result(file);
   if (read.cases.size() != 1 || read.cases[0].name != case_name)
-    file.reject(fmt::format("did not run case '{}'", case_name));
+    file.reject(fmt::format("did not run case {}", quoted_word(case_name)));
   read.cases[0].picture = picture;
   return std::move(read.cases[0]);
 }

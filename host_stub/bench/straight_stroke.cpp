@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/surface/parallel_transport.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,6 +72,10 @@ Recording make_straight_stroke(const Surface& surface, const Picker& picker, con
                                double radius) {
   const double spacing = stroke.length_radii * radius / static_cast<double>(stroke.samples - 1);
   const double steps = std::max(1.0, std::ceil(spacing / mean_edge_length(surface)));
+  constexpr double most_steps = 1e7;
+  if (const double all = steps * static_cast<double>(stroke.samples); !(all <= most_steps))
+    throw Error(
+        fmt::format("the made stroke is {:.3g} edges long; at most {:.0g} are walked", all, most_steps));
   Recording recording;
   RecordedStroke& recorded = recording.strokes.emplace_back();
   recorded.radius = radius;

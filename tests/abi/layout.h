@@ -181,11 +181,15 @@
   MEMBER(burin_log, write, 8) \
   STRUCT(burin_stamp, 8) \
   MEMBER(burin_stamp, handle, 0) \
-  STRUCT(burin_stamp_options, 16) \
+  STRUCT(burin_stamp_options, 40) \
   MEMBER(burin_stamp_options, struct_size, 0) \
   MEMBER(burin_stamp_options, wrap_u, 4) \
   MEMBER(burin_stamp_options, wrap_v, 8) \
   MEMBER(burin_stamp_options, clean, 12) \
+  MEMBER(burin_stamp_options, layer, 16) \
+  MEMBER(burin_stamp_options, channel, 24) \
+  MEMBER(burin_stamp_options, zero, 32) \
+  MEMBER(burin_stamp_options, reserved, 36) \
   STRUCT(burin_stamp_area, 64) \
   MEMBER(burin_stamp_area, along_u, 0) \
   MEMBER(burin_stamp_area, along_v, 16) \

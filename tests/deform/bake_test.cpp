@@ -175,6 +175,23 @@ TEST(Bake, TurnsTheFrameWithTheTextureCoordinates) {
   }
 }
 
+TEST(Bake, WritesTheAxesAndTheMiddleThatAreAskedFor) {
+  const TriangleMesh base = with_uv(test::plane(1, 0.2, 3), [&](const Vec3d& p) -> Vec2d {
+    return {0.5 - 0.4 * p.y(), 0.5 + 0.4 * p.x()};
+  });
+  std::vector<Vec3f> displaced = base.positions;
+  for (Vec3f& p : displaced) p += Vec3f(0.1F, 0.2F, 0.3F);
+  BakeSettings settings{.size = 32, .vectors = true, .padding = 1};
+  const auto value = [&] { return lookup(bake_displacement(base, displaced, settings).image, {0.4F, 0.6F}); };
+  settings.axes = *math::vector_axes("x,z,-y");
+  EXPECT_LE((value() - Vec3d(-0.2, 0.3, -0.1)).norm(), 1e-6);
+  settings.middle = 0.5F;
+  EXPECT_LE((value() - Vec3d(0.3, 0.8, 0.4)).norm(), 1e-6);
+  EXPECT_EQ(bake_displacement(base, displaced, settings).image.texels[0], 0.5F);  // beyond the islands
+  settings = {.size = 32, .vectors = true, .object_space = true};
+  EXPECT_LE((value() - Vec3d(0.1, 0.2, 0.3)).norm(), 1e-6);
+}
+
 /// Six squares without common vertices, each moved outward by a distance of its own; islands in 3 x 2 cells.
 TEST(Bake, DoesNotBleedAcrossSeams) {
   TriangleMesh base;

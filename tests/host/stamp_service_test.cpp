@@ -2,6 +2,7 @@
 #include <burin/base/parallel.h>
 #include <burin/host/services.h>
 #include <burin/stamp/area_filter.h>
+#include <burin/stamp/float_image.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -71,6 +72,36 @@ TEST_F(StampService, SamplesOnManyThreads) {
   stamps_->close(services_.abi(), stamp_);
 }
 
+TEST_F(StampService, TakesTheChannelAndTheZeroThatAreAskedFor) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path() / "rgb.exr";
+  write_exr(path, {1, 1, {"R", "G", "B"}, {1, 2, 3}});
+  burin_stamp_info info{};
+  info.struct_size = sizeof(info);
+  burin_stamp_options options{sizeof(options), BURIN_WRAP_BLACK, BURIN_WRAP_BLACK, 0, nullptr, "G", 0.5f, 0};
+  ASSERT_EQ(open_with(path.c_str(), options, &info), BURIN_OK);
+  EXPECT_EQ(info.channels, 1u);
+  EXPECT_EQ(info.maximum, 1.5f);
+  stamps_->close(services_.abi(), stamp_);
+  options.layer = "none";
+  EXPECT_EQ(open_with(path.c_str(), options), BURIN_ERROR);
+  options = {
+      offsetof(burin_stamp_options, layer), BURIN_WRAP_UNKNOWN, BURIN_WRAP_UNKNOWN, 0, "none", "G", 0.5f, 0};
+  ASSERT_EQ(open_with(path.c_str(), options, &info), BURIN_OK);  // a version that knows of no layers
+  EXPECT_EQ(info.channels, 3u);
+  EXPECT_EQ(info.maximum, 1);
+  stamps_->close(services_.abi(), stamp_);
+  options = {sizeof(options),
+             BURIN_WRAP_UNKNOWN,
+             BURIN_WRAP_UNKNOWN,
+             0,
+             nullptr,
+             nullptr,
+             std::numeric_limits<float>::infinity(),
+             0};
+  EXPECT_EQ(open_with(path.c_str(), options), BURIN_INVALID_ARGUMENT);
+}
+
 TEST_F(StampService, RefusesWhatItCannotSample) {
   float place = 0.5f, value = 0, nowhere = std::numeric_limits<float>::infinity();
   EXPECT_EQ(sample(0, 1, &place, &place, &value), BURIN_NOT_FOUND);
@@ -117,7 +148,8 @@ TEST_F(StampService, OpensAsTheOptionsSay) {
   BURIN_SHARED_DATA_OR_SKIP(path, rock);
   burin_stamp_info info{};
   info.struct_size = sizeof(info);
-  burin_stamp_options options{sizeof(options), BURIN_WRAP_MIRROR, BURIN_WRAP_UNKNOWN, 0};
+  burin_stamp_options options{
+      sizeof(options), BURIN_WRAP_MIRROR, BURIN_WRAP_UNKNOWN, 0, nullptr, nullptr, 0, 0};
   ASSERT_EQ(open_with(path.c_str(), options, &info), BURIN_OK);
   EXPECT_EQ(info.wrap_u, BURIN_WRAP_MIRROR);
   EXPECT_EQ(info.wrap_v, BURIN_WRAP_PERIODIC);
@@ -128,7 +160,7 @@ TEST_F(StampService, OpensAsTheOptionsSay) {
   EXPECT_EQ(open_with(path.c_str(), options), BURIN_INVALID_ARGUMENT);
   options.wrap_v = -1;
   EXPECT_EQ(open_with(path.c_str(), options), BURIN_INVALID_ARGUMENT);
-  options = {offsetof(burin_stamp_options, wrap_v), BURIN_WRAP_CLAMP, 99, 99};
+  options = {offsetof(burin_stamp_options, wrap_v), BURIN_WRAP_CLAMP, 99, 99, nullptr, nullptr, 0, 0};
   ASSERT_EQ(open_with(path.c_str(), options, &info), BURIN_OK) << "beyond the caller's struct";
   EXPECT_EQ(info.wrap_u, BURIN_WRAP_CLAMP);
   EXPECT_EQ(info.wrap_v, BURIN_WRAP_PERIODIC);
@@ -137,7 +169,8 @@ TEST_F(StampService, OpensAsTheOptionsSay) {
 TEST_F(StampService, LogsWhatItCleaned) {
   BURIN_SHARED_DATA_OR_SKIP(path, "stamps/oexr_BrightRingsNanInf.exr");
   EXPECT_EQ(open(path.c_str()), BURIN_ERROR);
-  const burin_stamp_options clean{sizeof(clean), BURIN_WRAP_UNKNOWN, BURIN_WRAP_UNKNOWN, 1};
+  const burin_stamp_options clean{
+      sizeof(clean), BURIN_WRAP_UNKNOWN, BURIN_WRAP_UNKNOWN, 1, nullptr, nullptr, 0, 0};
   ASSERT_EQ(open_with(path.c_str(), clean), BURIN_OK);
   EXPECT_EQ(logged, std::vector<std::string>{"3 " + path.string() +
                                              ": filled 18 values that are not finite from their neighbours"});

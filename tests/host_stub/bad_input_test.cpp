@@ -280,5 +280,61 @@ TEST(Help, ExplainsEveryCommand) {
   }
 }
 
+TEST(BadInput, HasItsWordsCutAndItsControlCharactersShown) {
+  const CommandFolder folder;
+  fill(folder);
+  for (const std::string& word : {std::string("\x1b[2J"), std::string(250000, 'w')}) {
+    const nlohmann::json quoted = word;
+    const std::string text = quoted.dump();
+    const std::string mesh = folder.path("sphere.obj"), radius = "\"radius\":0.3,";
+    const auto stroke = [&](const std::string& settings) {
+      return std::vector<std::string>{
+          "replay", folder.write("words.stroke", equator_stroke(-0.5, 0.5, 21, settings)), "--mesh", mesh};
+    };
+    const std::string groove = radius + "\"brush\":\"org.burin.groove\"";
+    const std::string suite =
+        folder.write("words.json", "{\"burin_suite\":1,\"name\":\"n\",\"cases\":[]," + text + ":1}");
+    const auto expect_short_line = [&](const std::vector<std::string>& command) {
+      const ProcessResult result = burin(command);
+      EXPECT_EQ(result.exit_code, 2);
+      EXPECT_LT(result.err.size(), 1000u) << result.err.substr(0, 500);
+      EXPECT_EQ(result.err.find('\x1b'), result.err.npos);
+      EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err.substr(0, 500);
+    };
+    for (const std::string& settings :
+         {radius + "\"brush\":" + text, groove + ",\"params\":{" + text + ":1}",
+          groove + ",\"params\":{\"profile\":" + text + "}",
+          groove + ",\"dynamics\":[{\"target\":" + text + ",\"source\":\"t\",\"curve\":[0,0]}]"})
+      expect_short_line(stroke(settings));
+    expect_short_line({"bench", suite});
+    if (word.size() > 100) continue;  // more than the system takes as an argument
+    expect_short_line({"replay", folder.path("good.stroke"), "--mesh", mesh, "--param", word});
+    expect_short_line({"stamp", word});
+    expect_short_line({word});
+  }
+}
+
+TEST(BadInput, IsNotReadForEver) {
+  const CommandFolder folder;
+  fill(folder);
+  for (const char* device : {"/dev/zero", "/dev/urandom"}) {
+    if (!std::filesystem::exists(device)) continue;
+    for (const auto& command : std::vector<std::vector<std::string>>{
+             {"replay", device, "--mesh", folder.path("sphere.obj")},
+             {"bench", device},
+             {"stamp", device},
+             {"import", device, "--format", "pointer", "--mesh", folder.path("sphere.obj"), "--out",
+              folder.path("out.stroke")},
+             {"import", device, "--format", "svc", "--mesh", folder.path("sphere.obj"), "--out",
+              folder.path("out.stroke")}}) {
+      const ProcessResult result = burin(command);
+      EXPECT_EQ(result.exit_code, 2);
+      EXPECT_TRUE(result.err == "burin: " + std::string(device) + ": is a device, not a file\n" ||
+                  result.err == "burin: " + std::string(device) + ": is not a file\n")
+          << result.err;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace burin::test

@@ -135,6 +135,27 @@ TEST_F(BakeOption, WritesVectors) {
   }
 }
 
+TEST_F(BakeOption, WritesVectorsOfTheObject) {
+  const std::vector<Vec3f> moved = moves({"--bake-vectors", "--bake-axes", "object", "--bake-middle", "0.5"});
+  const Map map(folder.path("map.exr"));
+  for (std::size_t corner = 0; corner < mesh.face_vertices.size(); ++corner) {
+    const Vec2f& uv = mesh.corner_uv[corner];
+    const Vec3d value(map.at(uv, 0), map.at(uv, 1), map.at(uv, 2));
+    const Vec3d expected = moved[mesh.face_vertices[corner]].cast<double>() + Vec3d::Constant(0.5);
+    EXPECT_LE((value - expected).norm(), 0.004);
+  }
+}
+
+TEST_F(BakeOption, RefusesOtherAxes) {
+  for (const char* axes : {"x,y", "x\x1b[2J", "world"}) {
+    const ProcessResult result = burin({"replay", stroke, "--mesh", mesh_path, "--bake",
+                                        folder.path("map.exr"), "--bake-vectors", "--bake-axes", axes});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.err.find("burin: --bake-axes: takes x, y and z in any order"), 0u) << result.err;
+    EXPECT_EQ(result.err.find('\x1b'), std::string::npos);
+  }
+}
+
 // The finest level's displacement, of what was drawn on a coarser one.
 TEST_F(BakeOption, MapsTheFinestLevel) {
   const std::vector<std::string> options = {"--subdivide", "1", "--bake-size", "512"};

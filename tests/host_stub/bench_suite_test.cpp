@@ -99,5 +99,17 @@ TEST(BenchSuite, SaysWhatTheBrushRefuses) {
   EXPECT_NE(result.err.find("org.none"), std::string::npos) << result.err;
 }
 
+TEST(BenchSuite, RefusesAMadeStrokeThatWouldNotEnd) {
+  const BenchFolder folder;
+  for (const double length : {1e308, 1e9}) {
+    json one = BenchFolder::bench_case("a");
+    one.merge_patch(made_with({{"length_radii", length}}));
+    const std::string suite = folder.write_suite({one});
+    const ProcessResult result = burin({"bench", suite});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("edges long; at most 1e+07 are walked"), result.err.npos) << result.err;
+  }
+}
+
 }  // namespace
 }  // namespace burin::test

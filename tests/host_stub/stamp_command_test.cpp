@@ -1,3 +1,4 @@
+#include <burin/stamp/float_image.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,6 +73,23 @@ TEST(StampCommand, RefusesTexelsThatAreNotFiniteUnlessToldToCleanThem) {
   const json stamp = json::parse(cleaned.out);
   EXPECT_EQ(stamp["not_finite"], 18);
   EXPECT_EQ(stamp["channels"][0]["range"][1], 1025);
+}
+
+TEST(StampCommand, TakesLayersAndChannelsAndSaysWhatItLeaves) {
+  const CommandFolder folder;
+  const std::string path = folder.path("layers.exr");
+  write_exr(path, {2, 1, {"a.Y", "b\x1b[2J.Y"}, {1, 2, 3, 4}});
+  const json stamp = burin_json({"stamp", path, "--layer", "a"});
+  EXPECT_EQ(stamp["channels"][0]["name"], "a.Y");
+  EXPECT_EQ(stamp["channels"][0]["range"], json({1, 3}));
+  EXPECT_EQ(stamp["unused_channels"].size(), 1u);
+  const std::string text = burin_output({"stamp", path, "--channel", "a.Y"});
+  EXPECT_NE(text.find("  not used: b\\x1b[2J.Y\n"), text.npos) << text;
+  const ProcessResult refused = burin({"stamp", path});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.err, "burin: " + path +
+                             ": holds several layers, of which one must be chosen by its name: 'a', "
+                             "'b\\x1b[2J'\n");
 }
 
 TEST(StampCommand, DrawsNineStampsAsTheyWrap) {

@@ -48,7 +48,7 @@ burin_status open_with(const burin_host* host, const char* path, const burin_sta
 
 burin_status open_stamp(const burin_host* host, const char* path, burin_stamp* stamp, burin_stamp_info* info,
                         burin_text* error) {
-  const burin_stamp_options options{sizeof options, 0, 0, 0};
+  const burin_stamp_options options{sizeof options, 0, 0, 0, nullptr, nullptr, 0, 0};
   return open_with(host, path, &options, stamp, info, error);
 }
 

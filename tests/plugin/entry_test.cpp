@@ -113,7 +113,7 @@ TEST(StockBrushes, DeclareTheParametersThatStrokesName) {
             (std::vector<std::string>{"depth", "width", "taper", "profile"}));
   EXPECT_EQ(ids(scales.descriptor("org.burin.scales")),
             (std::vector<std::string>{"stamp", "depth", "centre", "tile", "aspect", "fade", "offset_along",
-                                      "offset_across", "mirror", "flip", "clean"}));
+                                      "offset_across", "mirror", "flip", "clean", "layer", "channel"}));
 }
 
 TEST(StrokeStart, TellsTheModulesPathAndTakesThePlan) {

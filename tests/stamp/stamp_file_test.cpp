@@ -215,24 +215,19 @@ TEST_F(WrittenStamp, RefusesOtherTexels) {
   OIIO::ImageSpec spec(2, 2, 1, OIIO::TypeUInt32);
   const std::string rest = "; those of a stamp are half, float, uint16 or uint8";
   EXPECT_EQ(complaint(write(spec, std::vector<unsigned>(4, 7))),
-            " channel Y holds texels of type uint" + rest);
+            " channel 'Y' holds texels of type uint" + rest);
   spec = {2, 2, 3, OIIO::TypeFloat};
   spec.channelformats = {OIIO::TypeHalf, OIIO::TypeUInt32, OIIO::TypeHalf};
   spec.channelnames = {"R", "G", "B"};
-  EXPECT_EQ(complaint(write(spec, std::vector<float>(12, 7))), " channel G holds texels of type uint" + rest);
+  EXPECT_EQ(complaint(write(spec, std::vector<float>(12, 7))),
+            " channel 'G' holds texels of type uint" + rest);
   EXPECT_EQ(complaint(write({2, 2, 1, OIIO::TypeInt16}, std::vector<std::int16_t>(4, 7), "a.tif")),
-            " channel Y holds texels of type int16" + rest);
-}
-
-TEST_F(WrittenStamp, RefusesOtherNumbersOfChannels) {
-  for (const int channels : {2, 5})
-    EXPECT_EQ(complaint(write(float_spec(2, 2, channels), std::vector<float>(20, 7))),
-              " has " + std::to_string(channels) + " channels; a stamp has 1, 3 or 4");
+            " channel 'Y' holds texels of type int16" + rest);
 }
 
 TEST_F(WrittenStamp, RefusesOtherFormats) {
   EXPECT_EQ(complaint(write({2, 2, 3, OIIO::TypeUInt8}, std::vector<unsigned char>(12, 7), "a.bmp")),
-            " is an image of the format bmp; a stamp is EXR, TIFF, PNG or JPEG");
+            " is no EXR, TIFF, PNG or JPEG image");
 }
 
 TEST_F(WrittenStamp, RefusesSeveralParts) {
@@ -240,7 +235,8 @@ TEST_F(WrittenStamp, RefusesSeveralParts) {
   std::vector<OIIO::ImageSpec> parts(2, float_spec(2, 2, 1));
   parts[0].attribute("name", "left");
   parts[1].attribute("name", "right");
-  for (const char* name : {"parts.exr", "parts.tif"}) {
+  const std::string parts_exr = "parts.exr";
+  for (const std::string& name : {parts_exr, std::string("parts.tif")}) {
     const fs::path path = folder_.path() / name;
     const auto output = OIIO::ImageOutput::create(path.string());
     ASSERT_TRUE(output->open(path.string(), 2, parts.data())) << output->geterror();
@@ -248,7 +244,10 @@ TEST_F(WrittenStamp, RefusesSeveralParts) {
     ASSERT_TRUE(output->open(path.string(), parts[1], OIIO::ImageOutput::AppendSubimage));
     ASSERT_TRUE(output->write_image(OIIO::TypeFloat, values.data()));
     output->close();
-    EXPECT_EQ(complaint(path), " holds several parts; a stamp is one image");
+    EXPECT_EQ(complaint(path),
+              name == parts_exr
+                  ? " holds several layers, of which one must be chosen by its name: 'left', 'right'"
+                  : " holds several images; a stamp is one");
   }
 }
 
@@ -280,7 +279,7 @@ TEST_F(WrittenStamp, RefusesWhatIsTooLargeBeforeTakingMemory) {
   OIIO::ImageSpec spec = float_spec(2, 2, 1);
   spec.full_width = spec.full_height = 1 << 20;
   EXPECT_EQ(complaint(write(spec, std::vector<float>(4, 7))),
-            " is too large: a stamp holds at most 2^28 values");
+            " is too large: 1048576 x 1048576 texels of 1 channel; a stamp holds at most 2^27 values");
 }
 
 TEST_F(WrittenStamp, RefusesEveryTruncation) {

@@ -222,11 +222,11 @@ TEST_F(ReadStrokes, RejectsBadSettings) {
   EXPECT_EQ(begin_complaint(R"({"closed": 1})"), "2: closed must be true or false");
   EXPECT_EQ(begin_complaint(R"({"params": []})"), "2: params must be an object");
   EXPECT_EQ(begin_complaint(R"({"params": {"depth": null}})"),
-            R"(2: parameter "depth" must be a truth value, number, text or list of numbers)");
+            R"(2: parameter 'depth' must be a truth value, number, text or list of numbers)");
   EXPECT_EQ(begin_complaint(R"({"params": {"a\nb": {}}})"),
-            R"(2: parameter "a\nb" must be a truth value, number, text or list of numbers)");
+            R"(2: parameter 'a\x0ab' must be a truth value, number, text or list of numbers)");
   EXPECT_EQ(begin_complaint(R"({"params": {"curve": [0, "1"]}})"),
-            R"(2: each number of parameter "curve" must be a number)");
+            R"(2: each number of parameter 'curve' must be a number)");
 }
 
 TEST_F(ReadStrokes, RejectsBadDynamics) {
@@ -244,7 +244,7 @@ TEST_F(ReadStrokes, RejectsBadDynamics) {
   EXPECT_EQ(dynamic_complaint(R"({"target": 1, "source": "tilt", "curve": [0, 0]})"),
             "2: a dynamic's target must be text");
   EXPECT_EQ(dynamic_complaint(R"({"target": "radius", "source": "wheel", "curve": [0, 0]})"),
-            R"(2: a dynamic has no source "wheel"; there are: pressure, tilt, tilt_direction, direction, )"
+            R"(2: a dynamic has no source 'wheel'; there are: pressure, tilt, tilt_direction, direction, )"
             "speed, time, t, random");
   EXPECT_EQ(dynamic_complaint(R"({"target": "radius", "source": "tilt"})"), "2: curve is missing");
   EXPECT_EQ(curve_complaint("1"), "2: a dynamic's curve must be a list of numbers");
@@ -254,11 +254,19 @@ TEST_F(ReadStrokes, RejectsBadDynamics) {
   EXPECT_EQ(curve_complaint("[0, 1e39]"), "2: a dynamic's curve must be finite");
 }
 
+TEST_F(ReadStrokes, CutsLongWordsAndEscapesControls) {
+  const std::string word(250000, 'w'), escape = R"(\u001b[2J)";
+  EXPECT_LT(begin_complaint(R"({"params": {")" + word + R"(": {}}})").size(), 200u);
+  EXPECT_LT(begin_complaint("{}", R"(["x","y",")" + word + R"(",")" + word + R"("])").size(), 200u);
+  EXPECT_EQ(begin_complaint("{}", R"(["x","y",")" + escape + R"(",")" + escape + R"("])"),
+            R"(2: field '\x1b[2J' is named twice)");
+}
+
 TEST_F(ReadStrokes, RejectsBadFields) {
   EXPECT_EQ(begin_complaint("{}", R"(["x","y"])"), "2: fields lack z, which object space needs");
   EXPECT_EQ(begin_complaint("{}", R"(["x","z"])"), "2: fields lack x or y");
-  EXPECT_EQ(begin_complaint("{}", R"(["x","y","z","x"])"), R"(2: field "x" is named twice)");
-  EXPECT_EQ(begin_complaint("{}", R"(["x","y","z","w","w"])"), R"(2: field "w" is named twice)");
+  EXPECT_EQ(begin_complaint("{}", R"(["x","y","z","x"])"), R"(2: field 'x' is named twice)");
+  EXPECT_EQ(begin_complaint("{}", R"(["x","y","z","w","w"])"), R"(2: field 'w' is named twice)");
   EXPECT_EQ(begin_complaint("{}", R"("xyz")"), "2: fields must be a list of names");
   EXPECT_EQ(begin_complaint("{}", R"(["x","y","z",1])"), "2: fields must be a list of names");
   EXPECT_EQ(complaint(lines({header, R"({"begin": {}})"})), "2: fields is missing");

@@ -1,12 +1,13 @@
 #include <burin/base/error.h>
+#include <burin/base/quoted_word.h>
 #include <fmt/format.h>
 
 namespace burin {
 
 FileError::FileError(std::string_view path, std::string_view what)
-    : Error(fmt::format("{}: {}", path, what)) {}
+    : Error(fmt::format("{}: {}", printable(path), what)) {}
 
 FileError::FileError(std::string_view path, std::string_view place, std::string_view what)
-    : Error(fmt::format("{}:{}: {}", path, place, what)) {}
+    : Error(fmt::format("{}:{}: {}", printable(path), place, what)) {}
 
 }  // namespace burin

@@ -11,7 +11,8 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Something is wrong with a file. The message reads "PATH:PLACE: WHAT", or "PATH: WHAT" without a place.
+/// Something is wrong with a file. The message reads "PATH:PLACE: WHAT", or "PATH: WHAT" without a place;
+/// the path is made printable (quoted_word.h), the words of the file in WHAT are for the thrower to quote.
 class FileError : public Error {
  public:
   FileError(std::string_view path, std::string_view what);

@@ -1,64 +1,114 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
+#include <burin/base/quoted_word.h>
+#include <burin/base/scratch_file.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 
 namespace burin {
 namespace fs = std::filesystem;
 
 namespace {
 
-/// Removes the file at the end of its life unless told to keep it.
-class Scratch {
- public:
-  explicit Scratch(fs::path path) : path_(std::move(path)) {}
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    if (!kept_) fs::remove(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-  void keep() { kept_ = true; }
+/// The system keeps here what processes have open, devices and pipes among them, under names of links.
+constexpr std::string_view open_files = "/proc/";
 
- private:
-  fs::path path_;
-  bool kept_ = false;
-};
+/// Where the path's links lead, also to where nothing is yet. A link to an open file stays as it is.
+fs::path behind_links(const fs::path& path) {
+  constexpr int most_links = 40;
+  fs::path at = path;
+  std::error_code error;
+  for (int i = 0; i < most_links; ++i) {
+    if (at.string().starts_with(open_files) || !fs::is_symlink(fs::symlink_status(at, error))) return at;
+    const fs::path target = fs::read_symlink(at, error);
+    if (error) throw FileError(path.string(), error.message());
+    at = at.parent_path() / target;  // the target alone where that is absolute
+  }
+  throw FileError(path.string(), "too many links");
+}
+
+/// Whether what is at the path is to be written to instead of being replaced. Throws FileError for what takes
+/// no file.
+bool is_stream(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  switch (status.type()) {
+    case fs::file_type::directory:
+      throw FileError(path.string(), "is a folder, not a file");
+    case fs::file_type::block:
+    case fs::file_type::socket:
+      throw FileError(path.string(), "is a disk or a socket, not a file");
+    case fs::file_type::character:
+    case fs::file_type::fifo:
+      return true;
+    default:
+      return path.string().starts_with(open_files);
+  }
+}
+
+/// `to`: the name to open, `shown`: that of messages.
+void write_stream(const fs::path& to, const fs::path& shown,
+                  const std::function<void(std::ostream&)>& write) {
+  std::ofstream out(to, std::ios::binary | std::ios::trunc);
+  if (!out) throw FileError(shown.string(), std::strerror(errno));
+  write(out);
+  out.close();
+  if (!out) throw FileError(shown.string(), "writing failed");
+}
+
+void copy_to_stream(const fs::path& from, const fs::path& to) {
+  const std::string bytes = read_file(from);
+  write_stream(to, to, [&](std::ostream& out) { out << bytes; });
+}
 
 }  // namespace
 
-std::string read_file(const fs::path& path) {
+std::string read_file(const fs::path& path, std::uintmax_t most) {
   std::error_code error;
-  if (fs::is_directory(path, error)) throw FileError(path.string(), "is a folder, not a file");
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) throw FileError(path.string(), "is a folder, not a file");
+  if (fs::is_character_file(status) || fs::is_block_file(status))
+    throw FileError(path.string(), "is a device, not a file");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw FileError(path.string(), std::strerror(errno));
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
+  std::string bytes;
+  std::array<char, 65536> block{};
+  while (in.read(block.data(), block.size()), in.gcount() > 0) {
+    bytes.append(block.data(), static_cast<std::size_t>(in.gcount()));
+    if (bytes.size() > most)
+      throw FileError(path.string(), "holds more than " + std::to_string(most) + " bytes");
+  }
   if (in.bad()) throw FileError(path.string(), "reading failed");
-  return std::move(bytes).str();
+  return bytes;
+}
+
+void check_output(const fs::path& path) {
+  const fs::path target = behind_links(path), folder = fs::absolute(target).parent_path();
+  std::error_code error;
+  if (!is_stream(target) && !fs::is_directory(folder, error))
+    throw FileError(path.string(), "there is no folder " + printable(folder.string()));
 }
 
 void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  Scratch scratch(path.string() + ".partial");
+  const fs::path target = behind_links(path);
+  const bool stream = is_stream(target);
+  ScratchFile scratch(stream ? fs::temp_directory_path() / "stream" : target, path);
   write(scratch.path());
-  std::error_code error;
-  fs::rename(scratch.path(), path, error);
-  if (error) throw FileError(path.string(), error.message());
-  scratch.keep();
+  if (stream)
+    copy_to_stream(scratch.path(), target);
+  else
+    scratch.replace_target();
 }
 
 void write_file_whole(const fs::path& path, const std::function<void(std::ostream&)>& write) {
-  replace_file(path, [&](const fs::path& partial) {
-    std::ofstream out(partial, std::ios::binary | std::ios::trunc);
-    if (!out) throw FileError(path.string(), std::strerror(errno));
-    write(out);
-    out.close();
-    if (!out) throw FileError(path.string(), "writing failed");
-  });
+  const fs::path target = behind_links(path);
+  if (is_stream(target)) return write_stream(target, path, write);
+  ScratchFile scratch(target, path);
+  write_stream(scratch.path(), path, write);
+  scratch.replace_target();
 }
 
 }  // namespace burin

@@ -50,18 +50,26 @@ Vec3d displacement(const TriangleMesh& base, std::span<const Vec3f> displaced, I
   return sum;
 }
 
+/// Red, green and blue of a vector.
+Vec3f channels_of(const Vec3d& vector, const math::VectorAxes& axes) {
+  Vec3f channels;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    channels[static_cast<int>(axes.channel[axis])] =
+        axes.sign[axis] * static_cast<float>(vector[static_cast<int>(axis)]);
+  return channels;
+}
+
 /// Sets the texels of triangles; returns which those are.
 std::vector<std::uint8_t> fill(FloatImage& image, const UvRaster& raster, const TriangleMesh& base,
-                               std::span<const Vec3f> displaced) {
-  const bool vectors = image.channels.size() == 3;
-  const BaseFrames frames(base, vectors);
+                               std::span<const Vec3f> displaced, const BakeSettings& settings) {
+  const BaseFrames frames(base, settings.vectors && !settings.object_space);
   std::vector<std::uint8_t> filled(raster.triangle.size());
   const auto fill_texel = [&](std::size_t texel, Index triangle) {
     const Vec3d weights = barycentric(base.triangle_uv[triangle], raster.centre(texel));
     const Vec3d offset = displacement(base, displaced, triangle, weights);
-    if (vectors) {
-      Eigen::Map<Vec3f>(image.texels.data() + 3 * texel) =
-          (frames.frame(triangle, weights) * offset).cast<float>();
+    if (settings.vectors) {
+      const Vec3d vector = settings.object_space ? offset : frames.frame(triangle, weights) * offset;
+      Eigen::Map<Vec3f>(image.texels.data() + 3 * texel) = channels_of(vector, settings.axes);
     } else {
       image.texels[texel] = static_cast<float>(frames.normal(triangle, weights).dot(offset));
     }
@@ -105,8 +113,9 @@ BakedMap bake_displacement(TriangleMesh base, std::span<const Vec3f> displaced,
   image.width = image.height = settings.size;
   image.channels = settings.vectors ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
   image.texels.resize(raster.triangle.size() * image.channels.size());
-  std::vector<std::uint8_t> filled = fill(image, raster, base, displaced);
+  std::vector<std::uint8_t> filled = fill(image, raster, base, displaced, settings);
   pad_islands(image, filled, settings.padding);
+  for (float& texel : image.texels) texel += settings.middle;
   return map;
 }
 

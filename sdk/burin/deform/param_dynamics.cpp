@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/quoted_word.h>
 #include <burin/deform/param_dynamics.h>
 #include <burin/stroke/recording_faults.h>
 #include <fmt/format.h>
@@ -26,12 +27,12 @@ std::string known_targets(const burin_brush_descriptor& brush) {
 
 void check(const burin_brush_descriptor& brush, const Dynamic& dynamic) {
   if (const std::string_view fault = fault_of(dynamic); !fault.empty())
-    throw Error(fmt::format("dynamics of '{}': {}", dynamic.target, fault));
+    throw Error(fmt::format("dynamics of {}: {}", quoted_word(dynamic.target), fault));
   if (dynamic.target == "radius" || dynamic.target == "strength") return;
   for (std::uint32_t i = 0; i < brush.param_count; ++i)
     if (brush.params[i]->id == dynamic.target && may_vary(*brush.params[i])) return;
-  throw Error(fmt::format("dynamics of '{}': {} has no such thing that varies along a stroke; there are: {}",
-                          dynamic.target, brush.id, known_targets(brush)));
+  throw Error(fmt::format("dynamics of {}: {} has no such thing that varies along a stroke; there are: {}",
+                          quoted_word(dynamic.target), brush.id, known_targets(brush)));
 }
 
 ParamDynamics::Param varying(const burin_param_info& info, std::uint32_t index, float before,

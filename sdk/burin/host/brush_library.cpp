@@ -1,5 +1,6 @@
 #include <burin/abi/ext/log.h>
 #include <burin/base/error.h>
+#include <burin/base/quoted_word.h>
 #include <burin/deform/error_text.h>
 #include <burin/deform/offered.h>
 #include <burin/deform/plugin_call.h>
@@ -117,7 +118,8 @@ const BrushEntry& BrushLibrary::find(std::string_view id) const {
   for (const BrushEntry& entry : impl_->brushes)
     known += (known.empty() ? "" : ", ") + std::string(entry.descriptor->id);
   for (const RefusedModule& module : impl_->refused) refused += "; not loaded: " + module.why;
-  throw Error(fmt::format("no brush '{}'; there are: {}{}", id, known.empty() ? "none" : known, refused));
+  throw Error(
+      fmt::format("no brush {}; there are: {}{}", quoted_word(id), known.empty() ? "none" : known, refused));
 }
 
 BrushPtr BrushLibrary::create(const BrushEntry& entry) const {

@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/quoted_word.h>
 #include <burin/host/descriptor_check.h>
 #include <burin/host/param_snapshot.h>
 #include <fmt/format.h>
@@ -65,7 +66,7 @@ float choice_index(const Target& target, const ParamSetting& setting) {
     if (target.info.choices[i] == id) return static_cast<float>(i);
     known += (i == 0 ? "" : ", ") + std::string(target.info.choices[i]);
   }
-  target.refuse(fmt::format("no choice '{}'; there are: {}", id, known));
+  target.refuse(fmt::format("no choice {}; there are: {}", quoted_word(id), known));
 }
 
 std::array<float, 4> colour(const Target& target, const ParamSetting& setting) {

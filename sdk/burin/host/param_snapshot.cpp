@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/quoted_word.h>
 #include <burin/host/param_snapshot.h>
 #include <fmt/format.h>
 
@@ -48,7 +49,8 @@ burin_param_value abi_value(const burin_param_info& info, const ParamValue& valu
 ParamSnapshot::ParamSnapshot(const burin_brush_descriptor& brush, const ParamSettings& settings) {
   for (const auto& [id, setting] : settings)
     if (!find_param(brush, id))
-      throw Error(fmt::format("{} has no parameter '{}'; there are: {}", brush.id, id, known_params(brush)));
+      throw Error(fmt::format("{} has no parameter {}; there are: {}", brush.id, quoted_word(id),
+                              known_params(brush)));
   values_.reserve(brush.param_count);
   for (std::uint32_t i = 0; i < brush.param_count; ++i) {
     const burin_param_info& info = *brush.params[i];

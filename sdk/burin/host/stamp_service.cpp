@@ -26,13 +26,17 @@ burin_status BURIN_CALL open_with(const burin_host* host, const char* path,
                                   burin_stamp_info* info, burin_text* error) {
   if (!path || !options || !stamp) return BURIN_INVALID_ARGUMENT;
   const burin_stamp_options known = known_members(*options);
-  if (!is_wrap(known.wrap_u) || !is_wrap(known.wrap_v)) return BURIN_INVALID_ARGUMENT;
+  if (!is_wrap(known.wrap_u) || !is_wrap(known.wrap_v) || !std::isfinite(known.zero))
+    return BURIN_INVALID_ARGUMENT;
   return status_of(error, [&] {
     StampStore& stamps = services(host).stamps();
     const auto [handle, filled] =
         stamps.open(path_from_utf8(path), {.wrap_u = static_cast<Wrap>(known.wrap_u),
                                            .wrap_v = static_cast<Wrap>(known.wrap_v),
-                                           .clean = known.clean != 0});
+                                           .clean = known.clean != 0,
+                                           .layer = known.layer ? known.layer : "",
+                                           .channel = known.channel ? known.channel : "",
+                                           .zero = known.zero});
     if (filled > 0)
       services(host).write_log(
           BURIN_LOG_WARNING,
@@ -44,7 +48,8 @@ burin_status BURIN_CALL open_with(const burin_host* host, const char* path,
 
 burin_status BURIN_CALL open_stamp(const burin_host* host, const char* path, burin_stamp* stamp,
                                    burin_stamp_info* info, burin_text* error) {
-  constexpr burin_stamp_options none{sizeof none, BURIN_WRAP_UNKNOWN, BURIN_WRAP_UNKNOWN, 0};
+  constexpr burin_stamp_options none{
+      sizeof none, BURIN_WRAP_UNKNOWN, BURIN_WRAP_UNKNOWN, 0, nullptr, nullptr, 0, 0};
   return open_with(host, path, &none, stamp, info, error);
 }
 

@@ -5,16 +5,30 @@
 
 namespace burin::plugin {
 
-/// A parameter for brushes with stamps: what to do with a file whose texels are not all finite.
+/// Parameters for brushes with stamps: what to do with a file whose texels are not all finite, and which of
+/// its channels to take.
 inline constexpr BoolParam clean_stamp{
     .id = "clean",
     .name = "Clean",
     .help = "Fills texels that are not finite from their neighbours; else such a file is refused.",
 };
 
-/// The options as a brush has them, and what that parameter says.
-inline StampOptions cleaned(StampOptions options, const Params& params) {
+inline constexpr TextParam stamp_layer{
+    .id = "layer",
+    .name = "Layer",
+    .help = "Of an EXR image with several, the layer to take.",
+};
+inline constexpr TextParam stamp_channel{
+    .id = "channel",
+    .name = "Channel",
+    .help = "The channel of the image to take, or three between commas; else its names tell.",
+};
+
+/// The options as a brush has them, and what these parameters say. Valid as long as the parameters.
+inline StampOptions chosen(StampOptions options, const Params& params) {
   options.clean = params[clean_stamp].value();
+  options.layer = params[stamp_layer];
+  options.channel = params[stamp_channel];
   return options;
 }
 

@@ -29,6 +29,9 @@ struct StampOptions {
   burin_stamp_wrap wrap_u = BURIN_WRAP_UNKNOWN;  ///< unknown: as the file says, else periodic
   burin_stamp_wrap wrap_v = BURIN_WRAP_UNKNOWN;
   bool clean = false;  ///< fill texels that are not finite from their neighbours instead of refusing the file
+  const char* layer = "";    ///< of a file with several; empty: as the names of its channels tell
+  const char* channel = "";  ///< the same: one, or three or four between commas
+  float zero = 0;            ///< the file's value that is to be 0; not of alpha
 };
 
 /// An image file, open through the host while the object lives: a member of a brush, opened by the brush's
@@ -39,7 +42,8 @@ class Stamp {
   Stamp(const Host& host, const char* path, const StampOptions& options = {})
       : Stamp(host,
               [&](const burin_stamps& stamps, burin_stamp* stamp, burin_stamp_info* info, burin_text* error) {
-                const burin_stamp_options raw{sizeof raw, options.wrap_u, options.wrap_v, options.clean};
+                const burin_stamp_options raw{sizeof raw,    options.wrap_u,  options.wrap_v, options.clean,
+                                              options.layer, options.channel, options.zero,   0};
                 return stamps.open_with(host.raw(), path, &raw, stamp, info, error);
               }) {}
 

@@ -14,6 +14,9 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// Numbers take some twenty times as much memory as the library holds them.
+constexpr std::uintmax_t most_json_bytes = std::uintmax_t{1} << 26;
+
 /// Reads the arrays of one file.
 class PointerEvents {
  public:
@@ -35,7 +38,7 @@ class PointerEvents {
 };
 
 PointerEvents::PointerEvents(const std::filesystem::path& path) : path_(path.string()) {
-  const std::string text = read_file(path);
+  const std::string text = read_file(path, most_json_bytes);
   try {
     root_ = Json::parse(text);
   } catch (const Json::parse_error& error) {

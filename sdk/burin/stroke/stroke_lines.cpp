@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/quoted_word.h>
 #include <burin/stroke/recording_faults.h>
 #include <burin/stroke/stroke_lines.h>
 #include <fmt/format.h>
@@ -28,6 +29,11 @@ const Json& member(const Json& object, const char* name) {
   const auto found = object.find(name);
   if (found == object.end()) throw Error(fmt::format("{} is missing", name));
   return *found;
+}
+
+/// As messages show it.
+std::string word_of(const Json& value) {
+  return quoted_word(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
 double number(const Json& value, std::string_view name) {
@@ -81,7 +87,7 @@ ParamSetting parse_param(const Json& value, const std::string& id) {
   if (value.is_boolean()) return value.get<bool>();
   if (value.is_number()) return value.get<double>();
   if (value.is_string()) return value.get<std::string>();
-  const std::string name = fmt::format("parameter {}", Json(id).dump());
+  const std::string name = "parameter " + quoted_word(id);
   if (!value.is_array()) throw Error(name + " must be a truth value, number, text or list of numbers");
   return numbers(value, name);
 }
@@ -92,7 +98,7 @@ Dynamic parse_dynamic(const Json& value) {
   if (!target.is_string()) throw Error("a dynamic's target must be text");
   const auto known = source.is_string() ? source_named(source.get<std::string>()) : std::nullopt;
   if (!known)
-    throw Error(fmt::format("a dynamic has no source {}; there are: {}", source.dump(), source_names()));
+    throw Error(fmt::format("a dynamic has no source {}; there are: {}", word_of(source), source_names()));
   return {target.get<std::string>(), *known, numbers(member(value, "curve"), "a dynamic's curve")};
 }
 
@@ -140,7 +146,7 @@ std::vector<Column> parse_columns(const Json& fields, StrokeSpace space) {
   for (const Json& name : fields) {
     columns.push_back(column_named(name));
     if (!seen.insert(name.get<std::string>()).second)
-      throw Error(fmt::format("field {} is named twice", name.dump()));
+      throw Error(fmt::format("field {} is named twice", word_of(name)));
   }
   if (!has(columns, Column::x) || !has(columns, Column::y)) throw Error("fields lack x or y");
   if (space == StrokeSpace::object && !has(columns, Column::z))

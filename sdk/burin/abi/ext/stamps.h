@@ -34,6 +34,11 @@ typedef struct burin_stamp_options {
   uint32_t struct_size;
   burin_stamp_wrap wrap_u, wrap_v;
   uint32_t clean; /* 0: refuse texels that are not finite; 1: fill them from their neighbours and log it */
+  /* Of files with several layers or channels, which: null or empty as their names tell. */
+  const char* layer;
+  const char* channel; /* one, or three or four between commas */
+  float zero; /* the file's value that is to be 0: half for whole numbers with a sign; not of alpha */
+  uint32_t reserved;
 } burin_stamp_options;
 
 /* The caller sets struct_size; open fills the rest. */
