@@ -184,7 +184,8 @@ TEST(Refine, SaysWhyACageCannotBeRefined) {
   PolygonMesh creased = square({4}, {0, 1, 2, 3});
   creased.creases = {{0, 1, 2}, {0, 2, 1}};
   EXPECT_EQ(message(creased), "the crease between vertices 1 and 3 is not on an edge");
-  EXPECT_EQ(message(tetrahedron(), loop, 16), "level 16 of this cage is out of range");
+  EXPECT_EQ(message(tetrahedron(), loop, 16),
+            "level 16 of this cage has 17179869184 triangles; at most 1073741824 can be");
 }
 
 TEST(Refine, RefusesPixarsCagesThatAreNotManifolds) {
@@ -247,6 +248,44 @@ TEST(Refine, KeepsTheIslandsOfRealCages) {
     for (const TriangleUv& uv : refine(cage, natural_scheme(cage), 0).triangle_uv) cage_area += doubled(uv);
     EXPECT_NEAR(area, cage_area, 0.01 * cage_area) << name;
   }
+}
+
+TEST(Refine, LeavesHolesOutAtEveryLevel) {
+  PolygonMesh cage = test::plate(3);
+  cage.holes = {4};
+  const PolygonMesh whole = test::plate(3);
+  for (const int level : {0, 1, 3}) {
+    const TriangleMesh mesh = refine(cage, catmull_clark, level), full = refine(whole, catmull_clark, level);
+    EXPECT_EQ(mesh.positions, full.positions);
+    EXPECT_EQ(9 * mesh.triangles.size(), 8 * full.triangles.size());
+    for (const Triangle& triangle : mesh.triangles) {
+      Vec3f middle = Vec3f::Zero();
+      for (const Index vertex : triangle) middle += mesh.positions[vertex] / 3;
+      EXPECT_GT((middle - Vec3f(1.5F, 1.5F, 0)).cwiseAbs().maxCoeff(), 0.4F);
+    }
+  }
+}
+
+TEST(Refine, LeavesFacesAtTheBoundaryOutWhereTheRuleSaysSo) {
+  PolygonMesh cage = test::plate(4);
+  cage.boundary = BoundaryRule::none;
+  const TriangleMesh mesh = refine(cage, catmull_clark, 2);
+  EXPECT_EQ(mesh.triangles.size(), refined_triangle_count(cage, catmull_clark, 2) / 4);
+  for (const Triangle& triangle : mesh.triangles)
+    for (const Index vertex : triangle)
+      EXPECT_LT((mesh.positions[vertex] - Vec3f(2, 2, 0)).cwiseAbs().maxCoeff(), 1.0001F);
+}
+
+TEST(Refine, SmoothsSharpnessAlongCreasesByChaikinsMethod) {
+  PolygonMesh cage = test::tetrahedron();
+  cage.creases = {{0, 1, 1}, {1, 2, 3}};
+  const TriangleMesh uniform = refine(cage, catmull_clark, 3);
+  cage.crease_method = CreaseMethod::chaikin;
+  EXPECT_NE(refine(cage, catmull_clark, 3).positions, uniform.positions);
+  cage.creases = {{0, 1, 2}, {1, 2, 2}, {2, 0, 2}};
+  const TriangleMesh equal = refine(cage, catmull_clark, 3);
+  cage.crease_method = CreaseMethod::uniform;
+  EXPECT_EQ(refine(cage, catmull_clark, 3).positions, equal.positions);
 }
 
 }  // namespace

@@ -15,14 +15,14 @@ enum class SubdivisionScheme {
 /// Loop for a cage of triangles only, else Catmull-Clark.
 SubdivisionScheme natural_scheme(const PolygonMesh& cage);
 
-/// Triangles that refine() gives at this level.
+/// Triangles that refine() gives at this level, but for holes.
 std::size_t refined_triangle_count(const PolygonMesh& cage, SubdivisionScheme scheme, int level);
 
 /// The lowest level with at least `triangles` triangles. Throws Error beyond 2^30 triangles.
 int level_for_triangles(const PolygonMesh& cage, SubdivisionScheme scheme, std::size_t triangles);
 
 /// Vertices of the refined cage after `level` uniform steps (positions of that level, not of the limit
-/// surface), creases, corners and boundary rule honoured; quads split into triangles, all diagonals inside a
+/// surface), creases, corners, holes and rules honoured; quads split into triangles, all diagonals inside a
 /// quad of the cage the same way. Texture coordinates are refined where the cage has them: smooth inside an
 /// island, linear along its border (OpenSubdiv's FVAR_LINEAR_BOUNDARIES). Level 0 gives the triangulated
 /// cage, whatever its topology. Above it, throws Error naming the face, edge or vertex, counted from 1, when

@@ -48,6 +48,7 @@ struct DescriptorArrays {
       corner_vertices.push_back(static_cast<int>(corner.vertex));
       corner_weights.push_back(corner.sharpness);
     }
+    holes.assign(cage.holes.begin(), cage.holes.end());
     if (cage.corner_uv.empty()) return;
     const WeldedUv uv = weld_uv(cage);
     uv_indices.assign(uv.corners.begin(), uv.corners.end());
@@ -67,12 +68,14 @@ struct DescriptorArrays {
     result.numCorners = static_cast<int>(corner_weights.size());
     result.cornerVertexIndices = corner_vertices.data();
     result.cornerWeights = corner_weights.data();
+    result.numHoles = static_cast<int>(holes.size());
+    result.holeIndices = holes.data();
     result.numFVarChannels = uv_indices.empty() ? 0 : 1;
     result.fvarChannels = &uv_channel;
     return result;
   }
 
-  std::vector<int> face_sizes, face_vertices, crease_vertices, corner_vertices, uv_indices;
+  std::vector<int> face_sizes, face_vertices, crease_vertices, corner_vertices, holes, uv_indices;
   Far::TopologyDescriptor::FVarChannel uv_channel;
   std::vector<float> crease_weights, corner_weights;
 };
@@ -80,8 +83,10 @@ struct DescriptorArrays {
 void check_refinable(const PolygonMesh& cage, SubdivisionScheme scheme, int level) {
   if (scheme == SubdivisionScheme::loop && natural_scheme(cage) != SubdivisionScheme::loop)
     throw Error("Loop subdivision needs a cage of triangles only");
-  if (level < 1 || level > highest_level || refined_triangle_count(cage, scheme, level) > most_triangles)
-    throw Error(fmt::format("level {} of this cage is out of range", level));
+  const std::size_t triangles = refined_triangle_count(cage, scheme, level);
+  if (level < 1 || level > highest_level || triangles > most_triangles)
+    throw Error(fmt::format("level {} of this cage has {} triangles; at most {} can be", level, triangles,
+                            most_triangles));
   check_cage(cage);
 }
 
@@ -89,7 +94,15 @@ Triangle triangle(const Far::ConstIndexArray& face, int a, int b, int c) {
   return {static_cast<Index>(face[a]), static_cast<Index>(face[b]), static_cast<Index>(face[c])};
 }
 
-/// The level's faces as fans around their first corners, of what `corners(face)` numbers.
+/// Takes out the triangles of the level's faces that are holes.
+void drop_holes(const TopologyLevel& level, std::size_t triangles_a_face, std::vector<Triangle>& triangles) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (!level.IsFaceHole(static_cast<int>(i / triangles_a_face))) triangles[kept++] = triangles[i];
+  triangles.resize(kept);
+}
+
+/// The level's faces but for holes as fans around their first corners, of what `corners(face)` numbers.
 template <class Corners>
 std::vector<Triangle> fans(const TopologyLevel& level, const Corners& corners) {
   const auto faces = static_cast<std::size_t>(level.GetNumFaces());
@@ -103,7 +116,14 @@ std::vector<Triangle> fans(const TopologyLevel& level, const Corners& corners) {
             triangle(face, 0, static_cast<int>(fan) + 1, static_cast<int>(fan) + 2);
     }
   });
+  drop_holes(level, triangles_a_face, triangles);
   return triangles;
+}
+
+Sdc::Options::VtxBoundaryInterpolation boundary_of(BoundaryRule rule) {
+  if (rule == BoundaryRule::none) return Sdc::Options::VTX_BOUNDARY_NONE;
+  if (rule == BoundaryRule::edges_and_corners) return Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER;
+  return Sdc::Options::VTX_BOUNDARY_EDGE_ONLY;
 }
 
 }  // namespace
@@ -112,9 +132,9 @@ std::unique_ptr<TopologyRefiner> refined_topology(const PolygonMesh& cage, Subdi
                                                   int level) {
   check_refinable(cage, scheme, level);
   Sdc::Options rules;
-  rules.SetVtxBoundaryInterpolation(cage.boundary == BoundaryRule::edges_and_corners
-                                        ? Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER
-                                        : Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+  rules.SetVtxBoundaryInterpolation(boundary_of(cage.boundary));
+  rules.SetCreasingMethod(cage.crease_method == CreaseMethod::chaikin ? Sdc::Options::CREASE_CHAIKIN
+                                                                      : Sdc::Options::CREASE_UNIFORM);
   rules.SetFVarLinearInterpolation(Sdc::Options::FVAR_LINEAR_BOUNDARIES);
   const auto type = scheme == SubdivisionScheme::loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;

@@ -25,9 +25,9 @@ std::unique_ptr<TopologyRefiner> refined_topology(const PolygonMesh& cage, Subdi
 void subdivide(const TopologyRefiner& refiner, int level, std::span<const Vec3f> coarse,
                std::span<Vec3f> fine);
 
-/// The faces of `level` >= 1 as triangles: quads along the diagonal from corner 0 to corner 2 in OpenSubdiv's
-/// order. All diagonals inside a quad of the cage then run the same way, so that vertices there have valence
-/// 6, as they should for the front.
+/// The faces of `level` >= 1 but for holes as triangles: quads along the diagonal from corner 0 to corner 2
+/// in OpenSubdiv's order. All diagonals inside a quad of the cage then run the same way, so that vertices
+/// there have valence 6, as they should for the front.
 std::vector<Triangle> level_triangles(const TopologyRefiner& refiner, int level);
 
 /// Texture coordinates of the level's triangles, as level_triangles() gives them, by OpenSubdiv's rule

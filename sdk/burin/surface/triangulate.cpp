@@ -115,10 +115,13 @@ TriangleMesh triangulate(const PolygonMesh& mesh) {
   if (!mesh.corner_uv.empty()) result.triangle_uv.reserve(triangles);
   std::size_t corner = 0;
   std::vector<Ear> ears;
-  for (const Index size : mesh.face_sizes) {
+  std::vector<bool> is_hole(mesh.face_sizes.size());
+  for (const Index hole : mesh.holes) is_hole[hole] = true;
+  for (std::size_t face = 0; face < mesh.face_sizes.size(); ++face) {
+    const Index size = mesh.face_sizes[face];
     const Corners corners = Corners(mesh.face_vertices).subspan(corner, size);
     ears.clear();
-    split(mesh.positions, corners, ears);
+    if (!is_hole[face]) split(mesh.positions, corners, ears);
     for (const auto& [a, b, c] : ears) {
       result.triangles.push_back({corners[a], corners[b], corners[c]});
       if (mesh.corner_uv.empty()) continue;

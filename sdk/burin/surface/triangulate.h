@@ -4,9 +4,9 @@
 
 namespace burin {
 
-/// Splits every polygon into triangles without new vertices: quads along the shorter diagonal that lies
-/// inside, larger polygons by ear clipping in their mean plane. Carries texture coordinates where there are
-/// any.
+/// Splits every polygon but holes into triangles without new vertices: quads along the shorter diagonal that
+/// lies inside, larger polygons by ear clipping in their mean plane. Carries texture coordinates where there
+/// are any.
 TriangleMesh triangulate(const PolygonMesh& mesh);
 
 }  // namespace burin
