@@ -51,6 +51,14 @@ void PointTree::nearest(const Vec3d& place, std::size_t count, std::vector<Near>
   std::ranges::sort(found, {}, [](const Near& near) { return std::pair(near.squared_distance, near.point); });
 }
 
+void PointTree::within(const Vec3d& place, double distance, std::vector<Near>& found) const {
+  std::vector<std::pair<Index, double>> points;
+  nanoflann::RadiusResultSet<double, Index> result(distance * distance, points);
+  tree_->index.findNeighbors(result, place.data(), {});
+  found.clear();
+  for (const auto& [point, squared_distance] : points) found.push_back({point, squared_distance});
+}
+
 void keep_facing(std::span<const PointTree::Near> near, std::span<const Vec3f> normals, const Vec3f& normal,
                  std::size_t count, std::vector<PointTree::Near>& facing) {
   for (const PointTree::Near& candidate : near) {

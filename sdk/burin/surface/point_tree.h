@@ -24,6 +24,9 @@ class PointTree {
   /// index. Which of equally distant points make up the count depends on the points alone.
   void nearest(const Vec3d& place, std::size_t count, std::vector<Near>& found) const;
 
+  /// Sets `found` to the points closer to a place than `distance`, in any order.
+  void within(const Vec3d& place, double distance, std::vector<Near>& found) const;
+
  private:
   struct Tree;
   std::unique_ptr<Tree> tree_;
