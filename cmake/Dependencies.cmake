@@ -24,13 +24,6 @@ burin_find_library(xxhash::xxhash xxhash.h xxhash)
 burin_dependency(apt libfmt-dev why "text formatting")
 find_package(fmt REQUIRED)
 
-burin_dependency(apt libtinyobjloader-dev why "OBJ files with n-gons and subdivision tags")
-find_package(tinyobjloader REQUIRED)
-
-# zlib because Debian's configuration of assimp links its development files without bringing them.
-burin_dependency(apt libassimp-dev zlib1g-dev why "STL files")
-find_package(assimp REQUIRED)
-
 burin_dependency(apt libembree-dev why "picking on point sets")
 find_package(embree 3.13 REQUIRED)
 

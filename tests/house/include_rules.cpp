@@ -48,8 +48,6 @@ const std::map<std::string, Names> third_party = {
     {"harfbuzz/", {"stamp"}},
     {"embree", {"surface"}},
     {"nanoflann", {"surface"}},
-    {"assimp/", {"surface"}},
-    {"tiny_obj_loader", {"surface"}},
     {"tbb/", {"base", "surface"}},
     {"oneapi/tbb", {"base", "surface"}},
     {"xxh", {"base"}},

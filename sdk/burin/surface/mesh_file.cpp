@@ -1,6 +1,8 @@
 #include <burin/base/error.h>
+#include <burin/base/quoted_word.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/mesh_formats.h>
+#include <burin/surface/weld_mesh.h>
 #include <fmt/format.h>
 
 #include <cctype>
@@ -29,13 +31,13 @@ std::string extension_of(const fs::path& path) {
   return extension;
 }
 
-PolygonMesh read_by_extension(const fs::path& path) {
+FileMesh read_by_extension(const fs::path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".obj") return read_obj(path);
   if (extension == ".ply") return read_ply(path);
   if (extension == ".stl") return read_stl(path);
   throw FileError(path.string(),
-                  fmt::format("'{}' is not a mesh format; .obj, .ply and .stl are", extension));
+                  fmt::format("{} is not a mesh format; .obj, .ply and .stl are", quoted_word(extension)));
 }
 
 [[noreturn]] void fail_at(const fs::path& path, std::string_view element, std::size_t index,
@@ -65,10 +67,13 @@ void check_faces(const fs::path& path, const PolygonMesh& mesh) {
 
 PolygonMesh read_mesh(const fs::path& path) {
   check_readable(path);
-  PolygonMesh mesh = read_by_extension(path);
+  FileMesh file = read_by_extension(path);
+  PolygonMesh mesh = std::move(file.mesh);
+  mesh.origin = near_origin(file.places);
+  mesh.positions = positions_from(file.places, mesh.origin);
   check_positions(path, mesh);
   check_faces(path, mesh);
-  return mesh;
+  return extension_of(path) == ".stl" ? weld_mesh(std::move(mesh), 0).mesh : mesh;
 }
 
 bool holds_points(const fs::path& path) {
@@ -78,7 +83,12 @@ bool holds_points(const fs::path& path) {
 
 PointSet read_points(const fs::path& path) {
   check_readable(path);
-  return read_ply_points(path);
+  FilePoints file = read_ply_points(path);
+  PointSet points;
+  points.origin = near_origin(file.places);
+  points.positions = positions_from(file.places, points.origin);
+  points.normals = std::move(file.normals);
+  return points;
 }
 
 }  // namespace burin

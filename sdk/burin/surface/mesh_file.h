@@ -8,13 +8,19 @@
 
 namespace burin {
 
-/// Reads OBJ (polygons, texture coordinates, subdivision tags), PLY or STL, told apart by the extension. The
-/// vertex order is the file's; of an STL file, which shares no vertices, equal positions become one vertex in
-/// order of first appearance. Throws FileError naming the line, or the face or vertex counted from 1:
-/// unreadable, truncated, an index out of range, a coordinate that is not finite, no face at all, an OBJ face
-/// of more than 255 corners, a colour or mask out of its range. Of PLY files colours and masks of the
-/// vertices are read too: red, green, blue (sRGB; integers to 255, ushort to 65535, floating point to 1),
-/// alpha, the coverage, 1 where it is missing, and mask, 0 to 1.
+/// Reads OBJ (polygons, texture coordinates, colours, subdivision tags), PLY or STL, told apart by the
+/// extension. The vertex order is the file's; of an STL file, which shares no vertices, weld_mesh() joins
+/// equal positions, in order of first appearance. Throws FileError naming the line, or the face or vertex
+/// counted from 1: unreadable, truncated, an index out of range, a coordinate that is not finite, no face at
+/// all, a colour or mask out of its range.
+///
+/// Places farther from the file's origin than 16 times their extent are counted from a near one, which
+/// PolygonMesh::origin gives, so that as floats they keep what digits the file has.
+///
+/// Colours are sRGB. Of PLY files those of the vertices are read: red, green, blue (integers to 255, ushort
+/// to 65535, floating point to 1), alpha, the coverage, 1 where it is missing, and mask, 0 to 1; of OBJ files
+/// three numbers behind the coordinates, to 1, or to 255 where any is above 1. Texture coordinates as
+/// PlyTexture says, and of OBJ files.
 PolygonMesh read_mesh(const std::filesystem::path& path);
 
 /// Whether a file holds points instead of a mesh: a PLY file without faces. Throws FileError like read_mesh.

@@ -1,111 +1,223 @@
+// An own reader, since tinyobjloader 2.0 reads what is not a number as 0, counts the corners of a face in a
+// byte and loses the tags that stand behind a group.
 #include <burin/base/error.h>
+#include <burin/base/file.h>
+#include <burin/base/quoted_word.h>
+#include <burin/surface/colour_byte.h>
 #include <burin/surface/mesh_formats.h>
-#include <burin/surface/obj_lines.h>
+#include <burin/surface/obj_tags.h>
+#include <burin/surface/text_lines.h>
+#include <burin/surface/unused_count.h>
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
-#include <fstream>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace burin {
 namespace {
 
-struct ObjContents {
-  tinyobj::attrib_t attributes;
-  std::vector<tinyobj::shape_t> shapes;
+/// A face may name what comes after it, so whether all is there can be told at the end only.
+struct Named {
+  const char* what;
+  std::size_t count = 0;
+  long long highest = 0;  ///< highest number that a face names, and the first line that does
+  std::size_t highest_line = 0;
 };
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-ObjContents load(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  ObjContents contents;
-  std::vector<tinyobj::material_t> materials;
-  std::string warnings, errors;
-  const bool triangulate = false, default_colours = false;
-  if (!tinyobj::LoadObj(&contents.attributes, &contents.shapes, &materials, &warnings, &errors, &in, nullptr,
-                        triangulate, default_colours))
-    throw FileError(path.string(), errors.empty() ? "cannot be read as OBJ" : first_line(errors));
-  return contents;
-}
-
-void append_faces(const tinyobj::mesh_t& from, PolygonMesh& mesh) {
-  for (const unsigned char size : from.num_face_vertices) mesh.face_sizes.push_back(size);
-  for (const tinyobj::index_t& corner : from.indices)
-    mesh.face_vertices.push_back(static_cast<Index>(corner.vertex_index));
-}
-
-/// Unless a corner goes without.
-void append_corner_uv(const ObjContents& contents, PolygonMesh& mesh) {
-  const std::vector<tinyobj::real_t>& uv = contents.attributes.texcoords;
-  for (const tinyobj::shape_t& shape : contents.shapes)
-    for (const tinyobj::index_t& corner : shape.mesh.indices) {
-      if (corner.texcoord_index < 0) return mesh.corner_uv.clear();
-      const auto at = 2 * static_cast<std::size_t>(corner.texcoord_index);
-      mesh.corner_uv.emplace_back(uv[at], uv[at + 1]);
-    }
-}
-
-/// Tags as OpenSubdiv's regression shapes have them: `crease 2/1/0 a b sharpness`, `corner 1/1/0 v
-/// sharpness`, `interpolateboundary 1/0/0 rule`, vertices counted from 0. Other tags are not geometry.
-class TagReader {
+class ObjReader {
  public:
-  TagReader(const std::filesystem::path& path, PolygonMesh& mesh) : path_(path.string()), mesh_(mesh) {}
+  explicit ObjReader(const std::filesystem::path& path) : path_(path.string()) {}
 
-  void read(const tinyobj::tag_t& tag) {
-    if (tag.name == "crease") {
-      check_arguments(tag, 2, 1);
-      mesh_.creases.push_back({vertex(tag, 0), vertex(tag, 1), sharpness(tag)});
-    } else if (tag.name == "corner") {
-      check_arguments(tag, 1, 1);
-      mesh_.corners.push_back({vertex(tag, 0), sharpness(tag)});
-    } else if (tag.name == "interpolateboundary") {
-      check_arguments(tag, 1, 0);
-      mesh_.boundary = tag.intValues[0] == 1 ? BoundaryRule::edges_and_corners : BoundaryRule::edges_only;
+  FileMesh read(std::string_view text) {
+    TextLines lines(text);
+    while (const auto line = lines.next_joined()) {
+      line_ = lines.number();
+      read_line(*line);
     }
+    check_indices();
+    give_texture_coordinates();
+    give_colours();
+    const std::string fault = tags_.give(file_.mesh, file_.places.size(), line_);
+    if (!fault.empty()) fail(fault);
+    unused_.add("other tag", "other tags", tags_.unknown());
+    file_.mesh.not_used = unused_.text();
+    return std::move(file_);
   }
 
  private:
-  void check_arguments(const tinyobj::tag_t& tag, std::size_t integers, std::size_t reals) {
-    if (tag.intValues.size() != integers || tag.floatValues.size() != reals)
-      fail(tag, fmt::format("takes {} integers and {} real numbers", integers, reals));
+  [[noreturn]] void fail(std::string_view what) const { throw FileError(path_, std::to_string(line_), what); }
+
+  void read_line(std::string_view line) {
+    const std::string_view kind = next_word(line);
+    if (kind.empty()) return;
+    if (kind == "v") return read_vertex(line);
+    if (kind == "vt") return read_texture_coordinates(line);
+    if (kind == "f" || kind == "fo") return read_face(line);
+    if (kind == "t") {
+      if (const std::string fault = tags_.take(line, line_); !fault.empty()) fail("tag: " + fault);
+      return;
+    }
+    count_unused(kind, line);
   }
 
-  Index vertex(const tinyobj::tag_t& tag, std::size_t argument) {
-    const int index = tag.intValues[argument];
-    if (index < 0 || static_cast<std::size_t>(index) >= mesh_.positions.size())
-      fail(tag, fmt::format("names vertex {}, counted from 0, of {}", index, mesh_.positions.size()));
-    return static_cast<Index>(index);
+  void count_unused(std::string_view kind, std::string_view line) {
+    if (kind == "vn") return unused_.add("normal", "normals");
+    if (kind == "l") return unused_.add("line", "lines");
+    if (kind == "p") return unused_.add("point", "points");
+    if (kind == "mtllib") return;  // the materials are counted where they are used
+    const std::string_view name = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (kind == "usemtl") return unused_.add_named("material", "materials", name);
+    if (kind == "o") return unused_.add_named("object", "objects", name);
+    if (kind == "g") return unused_.add_named("group", "groups", name);
+    if (kind == "s") {
+      if (name != "off" && name != "0") unused_.add_named("smoothing group", "smoothing groups", name);
+      return;
+    }
+    unused_.add("other line", "other lines");
   }
 
-  float sharpness(const tinyobj::tag_t& tag) {
-    if (!(tag.floatValues[0] >= 0)) fail(tag, "has a negative sharpness");
-    return tag.floatValues[0];
+  double number(std::string_view word) const {
+    const auto value = real_number(word);
+    if (!value) fail(fmt::format("{} is not a coordinate", quoted_word(word)));
+    return *value;
   }
 
-  [[noreturn]] void fail(const tinyobj::tag_t& tag, const std::string& what) {
-    throw FileError(path_, fmt::format("tag {}", tag.name), what);
+  /// x y z, then w, or a colour, or both.
+  void read_vertex(std::string_view line) {
+    Vec3d place;
+    for (double& coordinate : place) {
+      const std::string_view word = next_word(line);
+      if (word.empty()) fail("a vertex needs three coordinates");
+      coordinate = number(word);
+      if (!(std::abs(coordinate) <= std::numeric_limits<float>::max()))
+        fail(fmt::format("the coordinate {} is not finite", quoted_word(word)));
+    }
+    if (file_.places.size() >= no_index) fail("more vertices than can be counted");
+    file_.places.push_back(place);
+    ++vertices_.count;
+    std::array<double, 4> rest{};
+    std::size_t numbers = 0;
+    for (auto word = next_word(line); !word.empty(); word = next_word(line)) {
+      const double value = number(word);
+      if (numbers < rest.size()) rest[numbers] = value;
+      ++numbers;
+    }
+    if (numbers != 3 && numbers != 4) return;
+    colours_.resize(file_.places.size() - 1, no_colour);
+    colours_.push_back({rest[numbers - 3], rest[numbers - 2], rest[numbers - 1]});
   }
+
+  /// v may be left out, and is 0 then.
+  void read_texture_coordinates(std::string_view line) {
+    ++textures_.count;
+    Vec2d uv = Vec2d::Zero();
+    auto word = next_word(line);
+    if (word.empty()) fail("texture coordinates without a number");
+    for (int axis = 0; axis < 2 && !word.empty(); word = next_word(line), ++axis) uv[axis] = number(word);
+    uv_.push_back(uv.cast<float>());
+  }
+
+  void read_face(std::string_view line) {
+    Index corners = 0;
+    for (auto word = next_word(line); !word.empty(); word = next_word(line), ++corners) read_corner(word);
+    if (corners < 3) fail(fmt::format("a face of {} corners", corners));
+    file_.mesh.face_sizes.push_back(corners);
+  }
+
+  /// V, V/VT, V//VN or V/VT/VN, where what is left out may leave its '/' behind.
+  void read_corner(std::string_view corner) {
+    std::string_view parts[3];
+    std::size_t begin = 0;
+    for (std::string_view& part : parts) {
+      const std::size_t end = std::min(corner.find('/', begin), corner.size());
+      part = corner.substr(std::min(begin, corner.size()), end - std::min(begin, corner.size()));
+      begin = end + 1;
+    }
+    if (begin <= corner.size()) fail_corner(corner);
+    file_.mesh.face_vertices.push_back(index_of(corner, parts[0], vertices_));
+    corner_textures_.push_back(parts[1].empty() ? no_index : index_of(corner, parts[1], textures_));
+    if (!parts[2].empty() && whole_number(parts[2]).value_or(0) == 0) fail_corner(corner);
+  }
+
+  [[noreturn]] void fail_corner(std::string_view corner) const {
+    fail(fmt::format("{} is not a vertex of a face", quoted_word(corner)));
+  }
+
+  /// From 0. Positive numbers count from the beginning of the file, negative ones backwards from here.
+  Index index_of(std::string_view corner, std::string_view word, Named& named) {
+    const auto index = whole_number(word);
+    if (!index || *index == 0) fail_corner(corner);
+    if (*index < -static_cast<long long>(named.count))
+      fail(fmt::format("the face names {} {} of {} so far", named.what, *index, named.count));
+    if (*index < 0) return static_cast<Index>(static_cast<long long>(named.count) + *index);
+    if (*index > named.highest) {
+      named.highest = *index;
+      named.highest_line = line_;
+    }
+    return static_cast<Index>(*index - 1);
+  }
+
+  void check_indices() {
+    for (const Named* named : {&vertices_, &textures_}) {
+      if (named->highest <= static_cast<long long>(named->count)) continue;
+      line_ = named->highest_line;
+      fail(fmt::format("the face names {} {} of {}", named->what, named->highest, named->count));
+    }
+  }
+
+  /// Unless a corner goes without.
+  void give_texture_coordinates() {
+    const auto without = static_cast<std::size_t>(std::ranges::count(corner_textures_, no_index));
+    if (without == corner_textures_.size())
+      return unused_.add("texture coordinate", "texture coordinates", uv_.size());
+    if (without > 0)
+      return unused_.add("texture coordinate (faces go without)", "texture coordinates (faces go without)",
+                         uv_.size());
+    for (const Index texture : corner_textures_) file_.mesh.corner_uv.push_back(uv_[texture]);
+  }
+
+  /// From 0 to 1, or to 255 where any is above 1. Vertices without one are bare.
+  void give_colours() {
+    if (colours_.empty()) return;
+    colours_.resize(file_.places.size(), no_colour);
+    double greatest = 1 + colour_rounding;
+    bool usable = true;
+    for (const auto& colour : colours_) {
+      if (colour == no_colour) continue;
+      for (const double channel : colour) {
+        greatest = std::max(greatest, channel);
+        usable &= channel >= -colour_rounding && channel <= 255;
+      }
+    }
+    if (!usable) return unused_.add("colour out of range", "colours out of range", colours_.size());
+    const double full = greatest > 1 + colour_rounding ? 255 : 1;
+    for (const auto& colour : colours_) {
+      const bool bare = colour == no_colour;
+      std::array<std::uint8_t, 4> bytes{0, 0, 0, static_cast<std::uint8_t>(bare ? 0 : 255)};
+      for (std::size_t i = 0; i < 3 && !bare; ++i) bytes[i] = colour_byte(colour[i] / full);
+      file_.mesh.paint.colours.push_back(bytes);
+    }
+  }
+
+  static constexpr std::array<double, 3> no_colour{-1, -1, -1};
 
   std::string path_;
-  PolygonMesh& mesh_;
+  std::size_t line_ = 0;
+  Named vertices_{"vertex"}, textures_{"texture coordinates"};
+  FileMesh file_;
+  std::vector<Vec2f> uv_;
+  std::vector<Index> corner_textures_;          ///< [corner] among uv_, or no_index
+  std::vector<std::array<double, 3>> colours_;  ///< [vertex], or empty; not longer than needed
+  ObjTags tags_;
+  UnusedCount unused_;
 };
 
 }  // namespace
 
-PolygonMesh read_obj(const std::filesystem::path& path) {
-  check_obj_lines(path);
-  const ObjContents contents = load(path);
-  PolygonMesh mesh;
-  const std::vector<tinyobj::real_t>& xyz = contents.attributes.vertices;
-  for (std::size_t i = 0; i + 2 < xyz.size(); i += 3)
-    mesh.positions.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
-  for (const tinyobj::shape_t& shape : contents.shapes) append_faces(shape.mesh, mesh);
-  append_corner_uv(contents, mesh);
-  if (contents.shapes.empty()) return mesh;
-  // Every shape repeats the tags of those before it.
-  TagReader reader(path, mesh);
-  for (const tinyobj::tag_t& tag : contents.shapes.back().mesh.tags) reader.read(tag);
-  return mesh;
+FileMesh read_obj(const std::filesystem::path& path) {
+  const std::string text = read_file(path);
+  return ObjReader(path).read(text);
 }
 
 }  // namespace burin

@@ -1,9 +1,10 @@
 #include <burin/base/error.h>
+#include <burin/base/quoted_word.h>
 #include <burin/surface/ply_header.h>
+#include <burin/surface/text_lines.h>
 #include <fmt/format.h>
 
-#include <charconv>
-#include <sstream>
+#include <algorithm>
 #include <utility>
 
 namespace burin {
@@ -19,41 +20,45 @@ constexpr std::pair<std::string_view, PlyType> type_names[] = {
 
 class HeaderReader {
  public:
-  HeaderReader(std::istream& in, const std::filesystem::path& path) : in_(in), path_(path.string()) {}
+  HeaderReader(std::string_view text, const std::filesystem::path& path)
+      : text_(text), lines_(text), path_(path.string()) {}
 
   PlyHeader read() {
     if (next_line() != "ply") fail("is not a PLY file: it does not begin with 'ply'");
-    for (std::string line = next_line(); line != "end_header"; line = next_line()) read_line(line);
+    const bool ends_in_cr = text_[lines_.offset() - 1] == '\r';
+    for (std::string_view line = next_line(); line != "end_header"; line = next_line()) read_line(line);
     if (!has_format_) fail("the header names no format");
+    header_.size = lines_.offset();
+    // Where lines end in CR, an LF behind the last one is the first byte of the data.
+    if (ends_in_cr && text_.substr(0, header_.size).ends_with("\r\n")) --header_.size;
     return std::move(header_);
   }
 
  private:
-  [[noreturn]] void fail(std::string_view what) const { throw FileError(path_, std::to_string(line_), what); }
-
-  std::string next_line() {
-    std::string line;
-    ++line_;
-    if (!std::getline(in_, line)) fail("the header is cut off");
-    const std::size_t end = line.find_last_not_of(" \t\r");
-    line.resize(end == std::string::npos ? 0 : end + 1);
-    return line;
+  [[noreturn]] void fail(std::string_view what) const {
+    throw FileError(path_, std::to_string(lines_.number()), what);
   }
 
-  void read_line(const std::string& line) {
-    std::istringstream words(line);
-    std::string keyword;
-    words >> keyword;
+  std::string_view next_line() {
+    const std::size_t begin = lines_.offset();
+    const auto line = lines_.next();
+    // A line that the file's end cuts short is none.
+    if (!line || begin + line->size() >= text_.size())
+      throw FileError(path_, std::to_string(lines_.number() + (line ? 0 : 1)), "the header is cut off");
+    return line->substr(0, line->find_last_not_of(" \t") + 1);
+  }
+
+  void read_line(std::string_view line) {
+    const std::string_view keyword = next_word(line);
     if (keyword.empty() || keyword == "comment" || keyword == "obj_info") return;
-    if (keyword == "format") return read_format(words);
-    if (keyword == "element") return read_element(words);
-    if (keyword == "property") return read_property(words);
-    fail(fmt::format("'{}' is not a line of a PLY header", keyword));
+    if (keyword == "format") return read_format(line);
+    if (keyword == "element") return read_element(line);
+    if (keyword == "property") return read_property(line);
+    fail(fmt::format("{} is not a line of a PLY header", quoted_word(keyword)));
   }
 
-  void read_format(std::istringstream& words) {
-    std::string name;
-    words >> name;
+  void read_format(std::string_view line) {
+    const std::string_view name = next_word(line);
     if (name == "ascii") {
       header_.format = PlyFormat::ascii;
     } else if (name == "binary_little_endian") {
@@ -61,53 +66,57 @@ class HeaderReader {
     } else if (name == "binary_big_endian") {
       header_.format = PlyFormat::big_endian;
     } else {
-      fail(fmt::format("'{}' is not a PLY format", name));
+      fail(fmt::format("{} is not a PLY format", quoted_word(name)));
     }
     has_format_ = true;
   }
 
-  void read_element(std::istringstream& words) {
+  void read_element(std::string_view line) {
     PlyElement element;
-    std::string count;
-    words >> element.name >> count;
-    const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), element.count);
-    if (count.empty() || error != std::errc() || end != count.data() + count.size())
-      fail(fmt::format("'{}' is not a number of elements", count));
+    element.name = next_word(line);
+    const std::string_view word = next_word(line);
+    const auto count = whole_number(word);
+    if (!count || *count < 0) fail(fmt::format("{} is not a number of elements", quoted_word(word)));
+    element.count = static_cast<std::uint64_t>(*count);
     header_.elements.push_back(std::move(element));
   }
 
-  void read_property(std::istringstream& words) {
+  void read_property(std::string_view line) {
     if (header_.elements.empty()) fail("a property before the first element");
-    std::string type;
-    words >> type;
     PlyProperty property;
+    std::string_view type = next_word(line);
     if (type == "list") {
-      words >> type;
-      property.count_type = type_named(type);
-      words >> type;
+      property.count_type = type_named(next_word(line));
+      type = next_word(line);
     }
     property.type = type_named(type);
-    if (!(words >> property.name)) fail("a property without a name");
+    property.name = next_word(line);
+    if (property.name.empty()) fail("a property without a name");
     header_.elements.back().properties.push_back(std::move(property));
   }
 
   PlyType type_named(std::string_view name) const {
     for (const auto& [known, type] : type_names)
       if (known == name) return type;
-    fail(fmt::format("'{}' is not a PLY type", name));
+    fail(fmt::format("{} is not a PLY type", quoted_word(name)));
   }
 
-  std::istream& in_;
+  std::string_view text_;
+  TextLines lines_;
   std::string path_;
-  int line_ = 0;
   bool has_format_ = false;
   PlyHeader header_{};
 };
 
 }  // namespace
 
-PlyHeader read_ply_header(std::istream& in, const std::filesystem::path& path) {
-  return HeaderReader(in, path).read();
+PlyHeader read_ply_header(std::string_view text, const std::filesystem::path& path) {
+  return HeaderReader(text, path).read();
+}
+
+const PlyProperty* find_property(const PlyElement& element, std::string_view name) {
+  const auto found = std::ranges::find(element.properties, name, &PlyProperty::name);
+  return found == element.properties.end() ? nullptr : &*found;
 }
 
 }  // namespace burin

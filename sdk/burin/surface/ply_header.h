@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <istream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace burin {
@@ -28,9 +28,13 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format;
   std::vector<PlyElement> elements;
+  std::size_t size = 0;  ///< bytes of the header; the data follow
 };
 
-/// Reads up to the first byte of data. Throws FileError naming the line.
-PlyHeader read_ply_header(std::istream& in, const std::filesystem::path& path);
+/// Reads the header that a file begins with. Throws FileError naming the line.
+PlyHeader read_ply_header(std::string_view text, const std::filesystem::path& path);
+
+/// The property of this name, or nothing.
+const PlyProperty* find_property(const PlyElement& element, std::string_view name);
 
 }  // namespace burin

@@ -1,12 +1,13 @@
+#include <burin/surface/colour_byte.h>
 #include <burin/surface/ply_paint.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace burin {
 namespace {
 
+/// In the order of Slot.
 constexpr const char* names[] = {"red", "green", "blue", "alpha", "mask"};
 
 bool has(const PlyElement& element, std::string_view name) {
@@ -36,17 +37,18 @@ PlyPaint::PlyPaint(const PlyElement& vertices)
   if (has(vertices, "mask")) paint.masks.resize(vertices.count);
 }
 
-std::string PlyPaint::take(const PlyProperty& property, std::uint64_t vertex, double value) {
-  const Slot slot = slots_[static_cast<std::size_t>(&property - vertices_.properties.data())];
+std::string PlyPaint::take(std::size_t index, std::uint64_t vertex, double value) {
+  const Slot slot = slots_[index];
   if (slot == Slot::none) return {};
+  const PlyProperty& property = vertices_.properties[index];
   const double greatest = slot == Slot::mask ? 1 : greatest_channel(property.type);
-  if (!(value >= 0 && value <= greatest))
+  const double rounding = greatest == 1 ? colour_rounding : 0;
+  if (!(value >= -rounding && value <= greatest + rounding))
     return fmt::format("its {} is {}, not from 0 to {}", property.name, value, greatest);
   if (slot == Slot::mask) {
-    paint.masks[vertex] = static_cast<float>(value);
+    paint.masks[vertex] = static_cast<float>(std::clamp(value, 0.0, 1.0));
   } else {
-    paint.colours[vertex][static_cast<std::size_t>(slot)] =
-        static_cast<std::uint8_t>(std::lround(255 / greatest * value));
+    paint.colours[vertex][static_cast<std::size_t>(slot)] = colour_byte(value / greatest);
   }
   return {};
 }

@@ -1,65 +1,55 @@
 // An own reader because assimp 5.2 never returns from a header that is cut off, and shifts binary data whose
 // first byte is a line end (https://github.com/assimp/assimp/issues/5341): one file in 256.
 #include <burin/base/error.h>
+#include <burin/base/file.h>
 #include <burin/surface/mesh_formats.h>
 #include <burin/surface/ply_header.h>
 #include <burin/surface/ply_paint.h>
+#include <burin/surface/ply_texture.h>
+#include <burin/surface/ply_values.h>
+#include <burin/surface/unused_count.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <charconv>
 #include <fstream>
 
 namespace burin {
 namespace {
 
-std::size_t size_of(PlyType type) {
-  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-  return sizes[static_cast<std::size_t>(type)];
-}
+constexpr std::string_view vertex_lists[] = {"vertex_indices", "vertex_index"};
 
-double value_of(PlyType type, std::uint64_t bits) {
-  switch (type) {
-    case PlyType::int8:
-      return static_cast<std::int8_t>(bits);
-    case PlyType::uint8:
-      return static_cast<std::uint8_t>(bits);
-    case PlyType::int16:
-      return static_cast<std::int16_t>(bits);
-    case PlyType::uint16:
-      return static_cast<std::uint16_t>(bits);
-    case PlyType::int32:
-      return static_cast<std::int32_t>(bits);
-    case PlyType::uint32:
-      return static_cast<std::uint32_t>(bits);
-    case PlyType::float32:
-      return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-    case PlyType::float64:
-      return std::bit_cast<double>(bits);
-  }
-  return 0;
+bool is_vertex_list(const PlyProperty& property) {
+  return property.count_type && std::ranges::find(vertex_lists, property.name) != std::end(vertex_lists);
 }
 
 class PlyReader {
  public:
-  PlyReader(std::istream& in, const std::filesystem::path& path)
-      : in_(in),
-        path_(path.string()),
-        size_(std::filesystem::file_size(path)),
-        header_(read_ply_header(in, path)) {}
+  PlyReader(const std::string& text, const std::filesystem::path& path)
+      : path_(path.string()),
+        size_(text.size()),
+        header_(read_ply_header(text, path)),
+        values_(std::string_view(text).substr(header_.size), header_.format) {}
 
-  PolygonMesh read_mesh() {
-    read_elements();
-    if (!has_vertices_ || !has_faces_) throw FileError(path_, "has no element 'vertex' or no element 'face'");
-    return std::move(mesh_);
-  }
-
-  PointSet read_points() {
-    wants_normals_ = true;
+  FileMesh read_mesh() {
     read_elements();
     if (!has_vertices_) throw FileError(path_, "has no element 'vertex'");
-    return {std::move(mesh_.positions), std::move(normals_)};
+    if (!has_faces_ && has_grid_)
+      throw FileError(path_, "holds a range grid, which is not read: join its points to faces first");
+    if (!has_faces_) throw FileError(path_, "has no element 'face' or 'tristrips'");
+    PolygonMesh& mesh = file_.mesh;
+    mesh.corner_uv = texture_.of_corners(mesh.face_vertices);
+    if (mesh.corner_uv.empty()) unused_.add("texture coordinate", "texture coordinates", texture_.count());
+    unused_.add("normal", "normals", normals_.size());
+    mesh.not_used = unused_.text();
+    return std::move(file_);
+  }
+
+  FilePoints read_points() {
+    read_elements();
+    if (!has_vertices_) throw FileError(path_, "has no element 'vertex'");
+    if (normals_.size() != file_.places.size())
+      throw FileError(path_, "its element 'vertex' has no normals: properties 'nx', 'ny' and 'nz'");
+    return {std::move(file_.places), std::move(normals_)};
   }
 
  private:
@@ -69,128 +59,201 @@ class PlyReader {
       if (element.count > size_)
         throw FileError(path_, fmt::format("is too short for {} {} elements", element.count, element.name));
       element_ = &element;
-      has_vertices_ |= element.name == "vertex";
-      has_faces_ |= element.name == "face";
-      if (element.name == "vertex") {
-        read_vertices();
-      } else if (element.name == "face") {
-        read_faces();
-      } else {
-        read_each([](const PlyProperty&, double) {});
+      try {
+        read_element();
+      } catch (const FileError&) {
+        throw;
+      } catch (const Error& error) {
+        fail(error.what());
       }
     }
+  }
+
+  void read_element() {
+    const std::string& name = element_->name;
+    if (name == "vertex") return read_vertices();
+    if (name == "face") return read_faces();
+    if (name == "tristrips") return read_strips();
+    has_grid_ |= name == "range_grid";
+    name == "edge" ? unused_.add("edge", "edges", element_->count)
+                   : unused_.add("other element", "other elements", element_->count);
+    read_rows([](std::size_t, double) {}, [] {});
   }
 
   [[noreturn]] void fail(std::string_view what) const {
     throw FileError(path_, fmt::format("{} {}", element_->name, row_ + 1), what);
   }
 
-  void require(std::initializer_list<std::string_view> names, std::string_view what) const {
-    for (const PlyProperty& property : element_->properties)
-      if (std::find(names.begin(), names.end(), property.name) != names.end()) return;
+  [[noreturn]] void fail_without(std::string_view what) const {
     throw FileError(path_, fmt::format("its element '{}' has no {}", element_->name, what));
   }
 
-  /// Calls body(property, value) for every number of the element's rows, lengths of lists left out.
-  template <class Body>
-  void read_each(const Body& body) {
-    for (row_ = 0; row_ < element_->count; ++row_)
-      for (const PlyProperty& property : element_->properties) {
-        const std::uint64_t values = property.count_type ? read_count(*property.count_type) : 1;
-        for (std::uint64_t i = 0; i < values; ++i) body(property, read_value(property.type));
+  /// Calls take(number of the property, value) for every number of the element's rows, lengths of lists left
+  /// out, and end_row() behind each row.
+  template <class Take, class EndRow>
+  void read_rows(const Take& take, const EndRow& end_row) {
+    for (row_ = 0; row_ < element_->count; ++row_) {
+      for (std::size_t i = 0; i < element_->properties.size(); ++i) {
+        const PlyProperty& property = element_->properties[i];
+        const std::uint64_t count = property.count_type ? values_.next_count(*property.count_type) : 1;
+        for (std::uint64_t k = 0; k < count; ++k) take(i, values_.next(property.type));
       }
+      end_row();
+    }
+  }
+
+  /// The number of a property that is no list, or nothing like it.
+  std::size_t scalar(std::string_view name) const {
+    const PlyProperty* found = find_property(*element_, name);
+    return found && !found->count_type ? static_cast<std::size_t>(found - element_->properties.data())
+                                       : element_->properties.size();
   }
 
   void read_vertices() {
-    for (const char* axis : {"x", "y", "z"}) require({axis}, fmt::format("property '{}'", axis));
-    mesh_.positions.resize(element_->count);
-    if (wants_normals_) {
-      for (const char* axis : {"nx", "ny", "nz"}) require({axis}, fmt::format("property '{}'", axis));
-      normals_.resize(element_->count);
+    has_vertices_ = true;
+    std::vector<double*> targets(element_->properties.size() + 1, nullptr);
+    Vec3d place, normal;
+    std::size_t axes_of_normal = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string name(1, static_cast<char>('x' + axis));
+      if (scalar(name) == element_->properties.size()) fail_without(fmt::format("property '{}'", name));
+      targets[scalar(name)] = &place[axis];
+      targets[scalar("n" + name)] = &normal[axis];
+      axes_of_normal += scalar("n" + name) < element_->properties.size();
     }
     PlyPaint painted(*element_);
-    read_each([&](const PlyProperty& property, double value) {
-      const std::string& name = property.name;
-      if (const std::string fault = painted.take(property, row_, value); !fault.empty()) fail(fault);
-      const bool is_normal = wants_normals_ && name.size() == 2 && name[0] == 'n';
-      if (name.size() != 1 && !is_normal) return;
-      const char axis = name.back();
-      if (axis < 'x' || axis > 'z') return;
-      (is_normal ? normals_ : mesh_.positions)[row_][axis - 'x'] = static_cast<float>(value);
-    });
-    mesh_.paint = std::move(painted.paint);
+    const std::vector<PlyTexture::Slot> slots = PlyTexture::vertex_slots(*element_);
+    texture_.begin_vertices(element_->count, std::ranges::any_of(slots, is_used));
+    for (std::size_t i = 0; i < slots.size(); ++i)
+      if (!targets[i] && !is_used(slots[i]) && !painted.takes(i)) count_unused_property(i);
+    file_.places.reserve(element_->count);
+    read_rows(
+        [&](std::size_t i, double value) {
+          if (targets[i]) *targets[i] = value;
+          texture_.take(slots[i], row_, value);
+          if (const std::string fault = painted.take(i, row_, value); !fault.empty()) fail(fault);
+        },
+        [&] {
+          file_.places.push_back(place);
+          if (axes_of_normal == 3) normals_.push_back(normal.cast<float>());
+        });
+    file_.mesh.paint = std::move(painted.paint);
+  }
+
+  static bool is_used(PlyTexture::Slot slot) { return slot != PlyTexture::Slot::none; }
+
+  void count_unused_property(std::size_t i) {
+    unused_.add_named("other property", "other properties",
+                      element_->name + ' ' + element_->properties[i].name);
   }
 
   void read_faces() {
-    require({"vertex_indices", "vertex_index"}, "list 'vertex_indices'");
-    mesh_.face_sizes.resize(element_->count);
-    mesh_.face_vertices.reserve(3 * element_->count);
-    read_each([&](const PlyProperty& property, double value) {
-      if (property.name != "vertex_indices" && property.name != "vertex_index") return;
-      if (!(value >= 0 && value < no_index)) fail(fmt::format("names vertex {}", value));
-      ++mesh_.face_sizes[row_];
-      mesh_.face_vertices.push_back(static_cast<Index>(value));
-    });
+    has_faces_ = true;
+    PolygonMesh& mesh = file_.mesh;
+    const std::size_t list = vertex_list();
+    const std::vector<PlyTexture::Slot> slots = PlyTexture::face_slots(*element_);
+    for (std::size_t i = 0; i < slots.size(); ++i)
+      if (i != list && !is_used(slots[i])) count_unused_property(i);
+    mesh.face_sizes.reserve(element_->count);
+    Index corners = 0;
+    read_rows(
+        [&](std::size_t i, double value) {
+          if (i == list) {
+            mesh.face_vertices.push_back(vertex_of(value));
+            ++corners;
+          } else {
+            texture_.take_of_face(slots[i], value);
+          }
+        },
+        [&] {
+          mesh.face_sizes.push_back(corners);
+          texture_.end_face(corners);
+          corners = 0;
+        });
   }
 
-  std::uint64_t read_count(PlyType type) {
-    const double count = read_value(type);
-    if (!(count >= 0 && count < 4294967296.0)) fail(fmt::format("has a list of {} entries", count));
-    return static_cast<std::uint64_t>(count);
+  /// Strips: each vertex makes a triangle with the two before it, turned the other way round every second
+  /// time; -1 begins the next strip.
+  void read_strips() {
+    has_faces_ = true;
+    const std::size_t list = vertex_list();
+    std::vector<Index> strip;
+    const auto end_strip = [&] { strip.clear(); };
+    read_rows(
+        [&](std::size_t i, double value) {
+          if (i != list) return;
+          if (value == -1) return end_strip();
+          strip.push_back(vertex_of(value));
+          if (strip.size() >= 3) add_triangle(strip);
+        },
+        end_strip);
   }
 
-  double read_value(PlyType type) {
-    return header_.format == PlyFormat::ascii ? read_word() : read_binary(type);
+  /// Of the last three; one that names a vertex twice only turns the strip.
+  void add_triangle(const std::vector<Index>& strip) {
+    const std::size_t at = strip.size() - 3;
+    const Index a = strip[at], b = strip[at + 1], c = strip[at + 2];
+    if (a == b || b == c || c == a) return;
+    const bool turned = at % 2 == 1;
+    file_.mesh.face_sizes.push_back(3);
+    for (const Index vertex : {a, turned ? c : b, turned ? b : c}) file_.mesh.face_vertices.push_back(vertex);
   }
 
-  double read_word() {
-    if (!(in_ >> word_)) fail("the file is cut off");
-    double value = 0;
-    const char* end = word_.data() + word_.size();
-    const auto [stop, error] = std::from_chars(word_.data() + word_.starts_with('+'), end, value);
-    if (error != std::errc() || stop != end) fail(fmt::format("'{}' is not a number", word_));
-    return value;
+  std::size_t vertex_list() const {
+    const auto found = std::ranges::find_if(element_->properties, is_vertex_list);
+    if (found == element_->properties.end()) fail_without("list 'vertex_indices'");
+    return static_cast<std::size_t>(found - element_->properties.begin());
   }
 
-  double read_binary(PlyType type) {
-    unsigned char bytes[8];
-    const auto size = static_cast<std::streamsize>(size_of(type));
-    if (in_.rdbuf()->sgetn(reinterpret_cast<char*>(bytes), size) != size) fail("the file is cut off");
-    std::uint64_t bits = 0;
-    for (std::streamsize i = 0; i < size; ++i)
-      bits = bits << 8 | bytes[header_.format == PlyFormat::big_endian ? i : size - 1 - i];
-    return value_of(type, bits);
+  Index vertex_of(double value) const {
+    if (!(value >= 0 && value < no_index)) fail(fmt::format("names vertex {}", value));
+    return static_cast<Index>(value);
   }
 
-  std::istream& in_;
   std::string path_;
-  std::uint64_t size_;  ///< bytes of the file
+  std::size_t size_;  ///< bytes of the file
   PlyHeader header_;
-  bool has_vertices_ = false, has_faces_ = false, wants_normals_ = false;
-  PolygonMesh mesh_;
-  std::vector<Vec3f> normals_;           ///< of the vertices, if wanted
+  PlyValues values_;
+  bool has_vertices_ = false, has_faces_ = false, has_grid_ = false;
+  FileMesh file_;
+  std::vector<Vec3f> normals_;  ///< of the vertices, or empty
+  PlyTexture texture_;
+  UnusedCount unused_;
   const PlyElement* element_ = nullptr;  ///< being read, and its row
   std::uint64_t row_ = 0;
-  std::string word_;
 };
+
+/// The beginning of a file up to its header's end, with some bytes more.
+std::string read_header_text(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string text, chunk(65536, '\0');
+  while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), in.gcount() > 0) {
+    text.append(chunk, 0, static_cast<std::size_t>(in.gcount()));
+    const std::size_t end = text.find("end_header");
+    if (end != std::string::npos && end + 12 < text.size()) break;
+  }
+  return text;
+}
 
 }  // namespace
 
-PolygonMesh read_ply(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return PlyReader(in, path).read_mesh();
+FileMesh read_ply(const std::filesystem::path& path) {
+  const std::string text = read_file(path);
+  return PlyReader(text, path).read_mesh();
 }
 
 bool has_ply_faces(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  const PlyHeader header = read_ply_header(in, path);
-  return std::ranges::any_of(
-      header.elements, [](const PlyElement& element) { return element.name == "face" && element.count > 0; });
+  const std::string text = read_header_text(path);
+  const PlyHeader header = read_ply_header(text, path);
+  return std::ranges::any_of(header.elements, [](const PlyElement& element) {
+    return element.count > 0 &&
+           (element.name == "face" || element.name == "tristrips" || element.name == "range_grid");
+  });
 }
 
-PointSet read_ply_points(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return PlyReader(in, path).read_points();
+FilePoints read_ply_points(const std::filesystem::path& path) {
+  const std::string text = read_file(path);
+  return PlyReader(text, path).read_points();
 }
 
 }  // namespace burin

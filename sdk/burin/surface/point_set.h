@@ -9,8 +9,9 @@ namespace burin {
 
 /// Oriented points in the order of a file.
 struct PointSet {
-  std::vector<Vec3f> positions;  ///< object units
+  std::vector<Vec3f> positions;  ///< object units, from `origin` on
   std::vector<Vec3f> normals;    ///< outward, any length, one a point
+  Vec3d origin = Vec3d::Zero();  ///< as PolygonMesh::origin
 };
 
 /// Links a point unless told.

@@ -1,54 +1,161 @@
-#include <assimp/mesh.h>
-#include <assimp/scene.h>
 #include <burin/base/error.h>
+#include <burin/base/file.h>
+#include <burin/base/quoted_word.h>
 #include <burin/surface/mesh_formats.h>
-#include <burin/surface/weld.h>
+#include <burin/surface/text_lines.h>
+#include <burin/surface/unused_count.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace burin {
 namespace {
 
-void append(const aiMesh& from, PolygonMesh& mesh) {
-  const auto first = static_cast<Index>(mesh.positions.size());
-  for (unsigned i = 0; i < from.mNumVertices; ++i)
-    mesh.positions.emplace_back(from.mVertices[i].x, from.mVertices[i].y, from.mVertices[i].z);
-  for (unsigned i = 0; i < from.mNumFaces; ++i) {
-    const aiFace& face = from.mFaces[i];
-    mesh.face_sizes.push_back(face.mNumIndices);
-    for (unsigned corner = 0; corner < face.mNumIndices; ++corner)
-      mesh.face_vertices.push_back(first + face.mIndices[corner]);
-  }
+constexpr std::size_t header_bytes = 84;  ///< 80 of text and the number of triangles
+constexpr std::size_t triangle_bytes = 50;
+
+std::uint32_t number_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t number = 0;
+  for (std::size_t i = 4; i-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return number;
 }
 
-/// Makes one vertex of all at one place, in order of first appearance.
-void weld(PolygonMesh& mesh) {
-  const std::vector<Index> first = first_at_place(mesh.positions);
-  std::vector<Index> welded(first.size());
-  std::vector<Vec3f> positions;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    if (first[i] == i) positions.push_back(mesh.positions[i]);
-    welded[i] = first[i] == i ? static_cast<Index>(positions.size() - 1) : welded[first[i]];
+/// Bytes of a binary file with as many triangles as it announces; nothing where it cannot be one.
+std::optional<std::size_t> binary_size(std::string_view bytes) {
+  if (bytes.size() < header_bytes) return std::nullopt;
+  return header_bytes + std::size_t{triangle_bytes} * number_at(bytes, header_bytes - 4);
+}
+
+std::string lower(std::string_view word) {
+  std::string text(word);
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+/// Binary files may begin with "solid" too: then they have a zero byte near, which no text has.
+bool looks_like_text(std::string_view bytes) {
+  const std::string_view begin = bytes.substr(0, 512);
+  TextLines lines(begin);
+  std::string_view word;
+  for (auto line = lines.next(); line && word.empty(); line = lines.next()) word = next_word(*line);
+  return lower(word) == "solid" && begin.find('\0') == std::string_view::npos;
+}
+
+FileMesh read_binary(std::string_view bytes, const std::filesystem::path& path) {
+  const std::size_t size = *binary_size(bytes);
+  if (bytes.size() < size)
+    throw FileError(path.string(), fmt::format("is cut off: its {} triangles need {} bytes, it has {}",
+                                               number_at(bytes, header_bytes - 4), size, bytes.size()));
+  FileMesh file;
+  for (std::size_t at = header_bytes; at < size; at += triangle_bytes) {
+    for (std::size_t corner = 1; corner <= 3; ++corner) {
+      Vec3d place;
+      for (int axis = 0; axis < 3; ++axis)
+        place[axis] =
+            std::bit_cast<float>(number_at(bytes, at + 12 * corner + 4 * static_cast<std::size_t>(axis)));
+      file.places.push_back(place);
+    }
+    file.mesh.face_sizes.push_back(3);
   }
-  for (Index& vertex : mesh.face_vertices) vertex = welded[vertex];
-  mesh.positions = std::move(positions);
+  UnusedCount unused;
+  unused.add("normal", "normals", file.mesh.face_sizes.size());
+  unused.add("byte behind the triangles", "bytes behind the triangles", bytes.size() - size);
+  file.mesh.not_used = unused.text();
+  return file;
+}
+
+/// The text form: words in any case; normals, which some programs write as no numbers, are not looked at.
+class TextReader {
+ public:
+  TextReader(std::string_view text, const std::filesystem::path& path) : lines_(text), path_(path.string()) {}
+
+  FileMesh read() {
+    while (auto line = lines_.next())
+      for (auto word = next_word(*line); !word.empty(); word = next_word(*line)) read_word(word, *line);
+    if (in_solid_ || corners_ > 0) fail("the file is cut off: its solid does not end");
+    unused_.add("normal", "normals", file_.mesh.face_sizes.size());
+    file_.mesh.not_used = unused_.text();
+    return std::move(file_);
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view what) const {
+    throw FileError(path_, std::to_string(lines_.number()), what);
+  }
+
+  /// Takes what belongs to the word off the rest of its line.
+  void read_word(std::string_view word, std::string_view& rest) {
+    const std::string key = lower(word);
+    if (key == "vertex") return read_vertex(rest);
+    if (key == "endloop") return end_loop();
+    if (key == "outer" || key == "endfacet") return skip(key == "outer" ? 1 : 0, rest);
+    if (key == "facet") return skip(4, rest);
+    if (key == "solid" || key == "endsolid") {
+      in_solid_ = key == "solid";
+      rest = {};
+      return;
+    }
+    if (key == "color" || key == "colour") {
+      unused_.add("colour", "colours");
+      rest = {};
+      return;
+    }
+    fail(fmt::format("{} is not a word of an STL file", quoted_word(word)));
+  }
+
+  static void skip(int words, std::string_view& rest) {
+    while (words-- > 0) next_word(rest);
+  }
+
+  void read_vertex(std::string_view& rest) {
+    Vec3d place;
+    for (double& coordinate : place) {
+      const std::string_view word = next_word(rest);
+      if (word.empty()) fail("a vertex needs three coordinates");
+      const auto value = real_number(word);
+      if (!value) fail(fmt::format("{} is not a coordinate", quoted_word(word)));
+      if (!(std::abs(*value) <= std::numeric_limits<float>::max()))
+        fail(fmt::format("the coordinate {} is not finite", quoted_word(word)));
+      coordinate = *value;
+    }
+    file_.places.push_back(place);
+    ++corners_;
+  }
+
+  void end_loop() {
+    if (corners_ < 3) fail(fmt::format("a face of {} corners", corners_));
+    file_.mesh.face_sizes.push_back(corners_);
+    corners_ = 0;
+  }
+
+  TextLines lines_;
+  std::string path_;
+  FileMesh file_;
+  UnusedCount unused_;
+  bool in_solid_ = false;
+  Index corners_ = 0;  ///< of the loop that is being read
+};
+
+FileMesh read_soup(std::string_view bytes, const std::filesystem::path& path) {
+  const std::optional<std::size_t> binary = binary_size(bytes);
+  if (binary != bytes.size() && looks_like_text(bytes)) return TextReader(bytes, path).read();
+  if (!binary) throw FileError(path.string(), "is not an STL file: neither text nor binary");
+  return read_binary(bytes, path);
 }
 
 }  // namespace
 
-PolygonMesh read_stl(const std::filesystem::path& path) {
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(path.string(), 0);
-  if (!scene) {
-    std::string error = importer.GetErrorString();
-    std::replace(error.begin(), error.end(), '\n', ' ');
-    throw FileError(path.string(), error);
-  }
-  PolygonMesh mesh;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], mesh);
-  weld(mesh);
-  return mesh;
+FileMesh read_stl(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path);
+  FileMesh file = read_soup(bytes, path);
+  file.mesh.face_vertices.resize(file.places.size());
+  std::iota(file.mesh.face_vertices.begin(), file.mesh.face_vertices.end(), Index{0});
+  return file;
 }
 
 }  // namespace burin
