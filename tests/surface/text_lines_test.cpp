@@ -25,7 +25,8 @@ Lines joined_lines_of(std::string_view text) {
 }
 
 TEST(TextLines, EndInCrOrLfOrBoth) {
-  EXPECT_EQ(lines_of("a\rb\nc\r\nd\n\re"), (Lines{{1, "a"}, {2, "b"}, {3, "c"}, {4, "d"}, {5, ""}, {6, "e"}}));
+  EXPECT_EQ(lines_of("a\rb\nc\r\nd\n\re"),
+            (Lines{{1, "a"}, {2, "b"}, {3, "c"}, {4, "d"}, {5, ""}, {6, "e"}}));
   EXPECT_EQ(lines_of("a\n"), (Lines{{1, "a"}}));
   EXPECT_EQ(lines_of("\xef\xbb\xbfv 1"), (Lines{{1, "v 1"}}));
   EXPECT_TRUE(lines_of("").empty());

@@ -80,6 +80,17 @@ PolygonMesh sheet(Index n) {
   return mesh;
 }
 
+struct WeldedMesh {
+  PolygonMesh mesh;
+  std::vector<Index> vertex_of;
+};
+
+WeldedMesh weld_mesh(const PolygonMesh& mesh, double tolerance) {
+  std::vector<Index> vertex_of = find_welds(mesh, tolerance);
+  PolygonMesh welded = weld(mesh, vertex_of);
+  return {std::move(welded), std::move(vertex_of)};
+}
+
 MeshDefects defects(const PolygonMesh& mesh) { return find_defects(triangulate(mesh)); }
 
 /// The same faces between the same places.

@@ -91,6 +91,8 @@ void check_bakeable(const PolygonMesh& mesh) {
     Vec2d mean = Vec2d::Zero();
     for (const std::size_t end = corner + mesh.face_sizes[face]; corner < end; ++corner)
       mean += mesh.corner_uv[corner].cast<double>() / mesh.face_sizes[face];
+    if (!mean.allFinite())
+      throw Error(fmt::format("face {} has texture coordinates that are no numbers", face + 1));
     if (outside_by(tile_margin, mean))
       throw Error(fmt::format(
           "face {} lies around ({:.6g}, {:.6g}) in texture coordinates; a map holds those from 0 to 1, "

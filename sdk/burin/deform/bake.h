@@ -25,8 +25,8 @@ struct BakedMap {
 };
 
 /// Throws Error naming the face, counted from 1, when a mesh cannot be baked: not all corners have texture
-/// coordinates, or those of a face lie in the mean more than 0.05 outside 0..1: in a tile of their own (UDIM)
-/// or a repetition, and not just beyond a border.
+/// coordinates, or those of a face are no numbers or lie in the mean more than 0.05 outside 0..1: in a tile
+/// of their own (UDIM) or a repetition, and not just beyond a border.
 void check_bakeable(const PolygonMesh& mesh);
 
 /// The displacement of a surface as an image over its texture coordinates, object units. A texel's centre

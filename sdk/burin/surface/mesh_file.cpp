@@ -73,7 +73,9 @@ PolygonMesh read_mesh(const fs::path& path) {
   mesh.positions = positions_from(file.places, mesh.origin);
   check_positions(path, mesh);
   check_faces(path, mesh);
-  return extension_of(path) == ".stl" ? weld_mesh(std::move(mesh), 0).mesh : mesh;
+  if (extension_of(path) != ".stl") return mesh;
+  const std::vector<Index> vertex_of = find_welds(mesh, 0);
+  return weld(std::move(mesh), vertex_of);
 }
 
 bool holds_points(const fs::path& path) {

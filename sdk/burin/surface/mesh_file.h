@@ -9,7 +9,7 @@
 namespace burin {
 
 /// Reads OBJ (polygons, texture coordinates, colours, subdivision tags), PLY or STL, told apart by the
-/// extension. The vertex order is the file's; of an STL file, which shares no vertices, weld_mesh() joins
+/// extension. The vertex order is the file's; of an STL file, which shares no vertices, weld() joins
 /// equal positions, in order of first appearance. Throws FileError naming the line, or the face or vertex
 /// counted from 1: unreadable, truncated, an index out of range, a coordinate that is not finite, no face at
 /// all, a colour or mask out of its range.
@@ -30,8 +30,11 @@ bool holds_points(const std::filesystem::path& path);
 PointSet read_points(const std::filesystem::path& path);
 
 /// Writes a binary little-endian PLY, with properties red, green, blue, alpha and mask where they are
-/// painted; whole or not at all. Throws FileError; ContractError for arrays of another length than the
-/// positions.
-void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint = {});
+/// painted, and with the mesh's texture coordinates: properties s and t of the vertices where triangles agree
+/// at them, else lists texcoord of the faces. Positions are counted from `origin`; unless that is zero
+/// they are added and written as doubles. Whole or not at all. Throws FileError; ContractError for arrays of
+/// another length than the positions or triangles.
+void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint = {},
+               const Vec3d& origin = Vec3d::Zero());
 
 }  // namespace burin

@@ -41,7 +41,8 @@ std::string ObjTags::take(std::string_view line, std::size_t number) {
   std::size_t kinds[3];
   for (std::size_t& count : kinds) {
     const auto taken = take_count(counts);
-    if (!taken) return fmt::format("{} is not the number of a tag's arguments, as in 2/1/0", quoted_word(all));
+    if (!taken)
+      return fmt::format("{} is not the number of a tag's arguments, as in 2/1/0", quoted_word(all));
     count = *taken;
   }
   for (auto word = next_word(line); !word.empty(); word = next_word(line)) {

@@ -37,8 +37,8 @@ class TextLines {
 /// Cuts the next word off the front of a line: what stands between blanks and tabs. Empty at its end.
 std::string_view next_word(std::string_view& line);
 
-/// The number that a word is as a whole, with or without a sign; infinite beyond the range of doubles. Nothing
-/// for anything else.
+/// The number that a word is as a whole, with or without a sign; infinite beyond the range of doubles.
+/// Nothing for anything else.
 std::optional<double> real_number(std::string_view word);
 std::optional<long long> whole_number(std::string_view word);
 

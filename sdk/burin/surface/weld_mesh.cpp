@@ -19,14 +19,14 @@ namespace burin {
 namespace {
 
 constexpr double rounding = 4e-6;
-constexpr double reach_of_edge = 0.25;     ///< of a vertex's shortest edge
-constexpr double folded = 1 - 1e-6;        ///< cosine between two faces that lie on each other
+constexpr double reach_of_edge = 0.25;       ///< of a vertex's shortest edge
+constexpr double folded = 1 - 1e-6;          ///< cosine between two faces that lie on each other
 constexpr std::size_t most_at_a_place = 64;  ///< edges between two places; more are no seam
 
 struct RimEdge {
-  Index from, to;   ///< vertices of the file, in the order in which the face names them
+  Index from, to;  ///< vertices of the file, in the order in which the face names them
   Index face;
-  Vec3d inward;     ///< unit, across the edge to the middle of the face; zero for a face without area
+  Vec3d inward;  ///< unit, across the edge to the middle of the face; zero for a face without area
 };
 
 /// Sets of indices that grow together; the lowest of a set stands for it.
@@ -116,7 +116,9 @@ std::vector<RimEdge> rim_edges(const PolygonMesh& mesh, const std::vector<bool>&
   std::vector<Edge> edges;
   for_each_edge(mesh, [&](Index from, Index to, std::span<const Index> corners, Index face) {
     if (may_be[from] && may_be[to] && from != to)
-      edges.push_back({std::min(from, to), std::max(from, to), from < to,
+      edges.push_back({std::min(from, to),
+                       std::max(from, to),
+                       from < to,
                        {from, to, face, inward_of(mesh, corners, from, to)}});
   });
   const auto key = [](const Edge& e) { return std::tuple(e.low, e.high, e.edge.face); };
@@ -263,12 +265,14 @@ DisjointSets joined(const PolygonMesh& mesh, const std::vector<RimEdge>& rim, co
     if (from == to) zipper.sets.join(edge.from, edge.to);
     if (from != to) order.push_back({std::min(from, to), std::max(from, to), &edge});
   }
-  std::ranges::sort(order, {}, [](const Placed& p) { return std::tuple(p.low, p.high, p.edge->face, p.edge->from); });
+  std::ranges::sort(order, {},
+                    [](const Placed& p) { return std::tuple(p.low, p.high, p.edge->face, p.edge->from); });
   for (std::size_t i = 0; i < order.size();) {
     Seam seam;
     const std::size_t begin = i;
     for (; i < order.size() && order[i].low == order[begin].low && order[i].high == order[begin].high; ++i)
-      (places.of(order[i].edge->from) == order[i].low ? seam.forward : seam.backward).push_back(order[i].edge);
+      (places.of(order[i].edge->from) == order[i].low ? seam.forward : seam.backward)
+          .push_back(order[i].edge);
     zipper.close(seam);
   }
   return std::move(zipper.sets);
@@ -302,22 +306,12 @@ void drop_repeated_corners(PolygonMesh& mesh) {
   std::erase(mesh.holes, no_index);
 }
 
+/// `firsts`: the vertices that stay, ascending.
 template <class Value>
 void keep_firsts(std::vector<Value>& values, const std::vector<Index>& firsts) {
   if (values.empty()) return;
   for (std::size_t i = 0; i < firsts.size(); ++i) values[i] = values[firsts[i]];
   values.resize(firsts.size());
-}
-
-/// `firsts`: the vertices that stay, ascending.
-void renumber(PolygonMesh& mesh, const std::vector<Index>& vertex_of, const std::vector<Index>& firsts) {
-  keep_firsts(mesh.positions, firsts);
-  keep_firsts(mesh.paint.colours, firsts);
-  keep_firsts(mesh.paint.masks, firsts);
-  for (Index& vertex : mesh.face_vertices) vertex = vertex_of[vertex];
-  for (CreaseEdge& crease : mesh.creases) crease = {vertex_of[crease.a], vertex_of[crease.b], crease.sharpness};
-  for (CornerVertex& corner : mesh.corners) corner.vertex = vertex_of[corner.vertex];
-  drop_repeated_corners(mesh);
 }
 
 }  // namespace
@@ -329,20 +323,31 @@ double rounding_tolerance(const PolygonMesh& mesh) {
   return rounding * greatest;
 }
 
-WeldedMesh weld_mesh(PolygonMesh mesh, double tolerance) {
-  WeldedMesh result;
+std::vector<Index> find_welds(const PolygonMesh& mesh, double tolerance) {
   const std::vector<RimEdge> rim = rim_edges(mesh, unbalanced(mesh));
   DisjointSets sets = joined(mesh, rim, Places(mesh, rim, tolerance));
-  std::vector<Index> firsts, vertex_of(mesh.positions.size());
-  for (Index i = 0; i < vertex_of.size(); ++i) {
-    if (sets.lowest(i) == i) firsts.push_back(i);
-    vertex_of[i] = sets.lowest(i) == i ? static_cast<Index>(firsts.size() - 1) : vertex_of[sets.lowest(i)];
-  }
-  result.mesh = std::move(mesh);
-  if (firsts.size() == vertex_of.size()) return result;
-  renumber(result.mesh, vertex_of, firsts);
-  result.vertex_of = std::move(vertex_of);
-  return result;
+  std::vector<Index> vertex_of(mesh.positions.size());
+  Index vertices = 0;
+  for (Index i = 0; i < vertex_of.size(); ++i)
+    vertex_of[i] = sets.lowest(i) == i ? vertices++ : vertex_of[sets.lowest(i)];
+  if (vertices == vertex_of.size()) vertex_of.clear();
+  return vertex_of;
+}
+
+PolygonMesh weld(PolygonMesh mesh, const std::vector<Index>& vertex_of) {
+  if (vertex_of.empty()) return mesh;
+  std::vector<Index> firsts;
+  for (Index i = 0; i < vertex_of.size(); ++i)
+    if (vertex_of[i] == firsts.size()) firsts.push_back(i);
+  keep_firsts(mesh.positions, firsts);
+  keep_firsts(mesh.paint.colours, firsts);
+  keep_firsts(mesh.paint.masks, firsts);
+  for (Index& vertex : mesh.face_vertices) vertex = vertex_of[vertex];
+  for (CreaseEdge& crease : mesh.creases)
+    crease = {vertex_of[crease.a], vertex_of[crease.b], crease.sharpness};
+  for (CornerVertex& corner : mesh.corners) corner.vertex = vertex_of[corner.vertex];
+  drop_repeated_corners(mesh);
+  return mesh;
 }
 
 }  // namespace burin
