@@ -1,5 +1,6 @@
 #include <burin/base/file.h>
 #include <burin/chart/stroke_chart.h>
+#include <burin/stroke/move_origin.h>
 #include <burin/stroke/sample_times.h>
 #include <fmt/format.h>
 
@@ -9,7 +10,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numeric>
+#include <tuple>
 
 #include "chart_check.h"
 #include "checkerboard.h"
@@ -85,20 +86,36 @@ SurfaceCurve chosen_curve(const ChartCommandOptions& options, const std::vector<
   });
 }
 
-/// One row a node, sorted by the vertex's number in the file and by sheet; the shortest digits that read back
-/// as the same bits.
-void write_csv(const std::string& path, const Surface& surface, const Chart& chart) {
-  std::vector<std::size_t> order(chart.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto source = [&](std::size_t node) { return surface.source_vertex[chart.vertex[node]]; };
-  std::ranges::sort(order, {}, [&](std::size_t node) { return std::pair(source(node), chart.sheet[node]); });
+/// The nodes of a chart for each vertex of the file: those of the vertex that it became. Sorted by the vertex
+/// and by sheet.
+std::vector<std::pair<Index, std::size_t>> nodes_by_vertex(const LoadedSurface& loaded, const Chart& chart) {
+  const Surface& surface = loaded.surface;
+  std::vector<std::vector<Index>> of_joined(loaded.from.joined > 0 ? surface.vertex_count() : 0);
+  for (Index vertex = 0; vertex < loaded.from.vertex_of.size(); ++vertex)
+    of_joined[loaded.from.vertex_of[vertex]].push_back(vertex);
+  std::vector<std::pair<Index, std::size_t>> nodes;
+  for (std::size_t node = 0; node < chart.size(); ++node) {
+    const Index source = surface.source_vertex[chart.vertex[node]];
+    if (loaded.from.vertex_of.empty()) {
+      nodes.emplace_back(source, node);
+    } else {
+      for (const Index vertex : of_joined[source]) nodes.emplace_back(vertex, node);
+    }
+  }
+  std::ranges::sort(
+      nodes, {}, [&](const auto& row) { return std::tuple(row.first, chart.sheet[row.second], row.second); });
+  return nodes;
+}
+
+/// One row a node and vertex of the file; the shortest digits that read back as the same bits.
+void write_csv(const std::string& path, const LoadedSurface& loaded, const Chart& chart) {
   write_file_whole(path, [&](std::ostream& out) {
     std::string line = "vertex,sheet,t,d,e1x,e1y,e1z\n";
-    for (const std::size_t node : order) {
+    for (const auto& [vertex, node] : nodes_by_vertex(loaded, chart)) {
       out << line;
       const Vec3f& e1 = chart.e1[node];
       line.clear();
-      fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{}\n", source(node), chart.sheet[node],
+      fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{}\n", vertex, chart.sheet[node],
                      chart.t[node], chart.d[node], e1.x(), e1.y(), e1.z());
     }
     out << line;
@@ -173,6 +190,7 @@ void run(const ChartCommandOptions& options) {
   const TraceOptions trace = trace_options(options, stroke);
   const double radius = trace.radius;
   const LoadedSurface loaded = load_mesh_or_points_on_console(options.mesh);
+  move_origin(recording, loaded.from.origin);
   if (loaded.surface.is_point_set() && !options.png.empty()) {
     throw FileError(options.mesh.path, "holds points without faces, which --png cannot draw");
   }
@@ -197,7 +215,7 @@ void run(const ChartCommandOptions& options) {
                                         : stroke_view(loaded.surface, {&curve, 1}, radius, options.view);
     write_png(options.png, draw_chart(loaded.surface, picker, curve, chart, radius, camera));
   }
-  if (!options.csv.empty()) write_csv(options.csv, loaded.surface, chart);
+  if (!options.csv.empty()) write_csv(options.csv, loaded, chart);
   print_result(options, loaded, curve, chart, radius);
 }
 

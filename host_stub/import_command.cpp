@@ -1,6 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/stroke/import.h>
+#include <burin/stroke/move_origin.h>
 #include <burin/stroke/stroke_file.h>
 #include <fmt/format.h>
 
@@ -83,7 +84,8 @@ void warn_of_changes(const ImportCounts& counts) {
 
 void run(const ImportOptions& options) {
   check_output_path(options.out);
-  const Camera camera = whole_view(load_surface_on_console(options.mesh).surface, options.view);
+  const LoadedSurface loaded = load_surface_on_console(options.mesh);
+  const Camera camera = seen_from(whole_view(loaded.surface, options.view), -loaded.from.origin);
   const auto [recording, counts] = read_recording(options, camera);
   replace_file(options.out, [&](const std::filesystem::path& partial) { write_strokes(partial, recording); });
   print_result(options, recording, counts);

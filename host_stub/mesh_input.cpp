@@ -2,6 +2,7 @@
 
 #include <burin/surface/defects.h>
 #include <burin/surface/mesh_file.h>
+#include <burin/surface/weld_mesh.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,7 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "name_file.h"
+#include "options.h"
 #include "painted.h"
+#include "platform.h"
 
 namespace burin {
 namespace {
@@ -20,12 +23,41 @@ int levels(const PolygonMesh& mesh, SubdivisionScheme scheme, const MeshOptions&
   return options.subdivide.value_or(0);
 }
 
+/// Refined surfaces take about so much at the worst moment of their making.
+constexpr double bytes_a_triangle = 150;
+
+/// What a level needs is known before it asks for memory until there is none.
+void check_size(const Cage& cage) {
+  const std::size_t triangles = refined_triangle_count(cage.polygons, cage.scheme, cage.level);
+  const double bytes = bytes_a_triangle * static_cast<double>(triangles);
+  const auto limit = static_cast<double>(memory_limit());
+  if (cage.level == 0 || limit == 0 || bytes <= limit) return;
+  throw Error(fmt::format(
+      "level {} of this cage has {} triangles, which need about {:.0f} GB of memory; here are {:.1f}",
+      cage.level, triangles, bytes / 1e9, limit / 1e9));
+}
+
+/// Joins what lies at the same places. Where the mesh is to be refined its file's vertices are gone.
+void join_vertices(const MeshOptions& options, Cage& cage) {
+  FromFile& from = cage.from;
+  from.vertices = cage.polygons.positions.size();
+  from.tolerance = options.weld.value_or(rounding_tolerance(cage.polygons));
+  from.vertex_of = find_welds(cage.polygons, from.tolerance);
+  if (from.vertex_of.empty()) return;
+  cage.apart = std::move(cage.polygons);
+  cage.polygons = weld(*cage.apart, from.vertex_of);
+  from.joined = from.vertices - cage.polygons.positions.size();
+}
+
 LoadedSurface load_points(const MeshOptions& options, const Progress& progress) {
   if (options.subdivide.value_or(0) > 0 || options.target_triangles) {
     throw FileError(options.path, "holds points without faces, which cannot be refined");
   }
   return naming_file(options.path, [&] {
-    return LoadedSurface{make_point_surface(read_points(options.path), default_links, progress), ""};
+    PointSet points = read_points(options.path);
+    FromFile from{.origin = points.origin, .vertices = points.positions.size()};
+    return LoadedSurface{
+        make_point_surface(std::move(points), default_links, progress), "", {}, std::move(from)};
   });
 }
 
@@ -55,6 +87,12 @@ void add_mesh_options(CLI::App& command, MeshOptions& options) {
           },
           "subdivision scheme; auto: Loop for a cage of triangles only, else Catmull-Clark")
       ->check(CLI::IsMember({"auto", "catmull-clark", "loop"}));
+  command
+      .add_option("--weld", options.weld,
+                  "join edges that lie on each other no farther apart, object units; 0: exactly; heals\n"
+                  "rounding unless given")
+      ->check(CLI::NonNegativeNumber & finite_number())
+      ->type_name("TOL");
 }
 
 Cage read_cage(const MeshOptions& options) {
@@ -62,9 +100,17 @@ Cage read_cage(const MeshOptions& options) {
     if (holds_points(options.path)) {
       throw FileError(options.path, "holds points without faces; only 'burin chart' takes a point set");
     }
-    Cage cage{read_mesh(options.path), SubdivisionScheme::catmull_clark, 0};
+    Cage cage{read_mesh(options.path), SubdivisionScheme::catmull_clark, 0, {}};
+    cage.from.origin = cage.polygons.origin;
+    cage.from.not_used = cage.polygons.not_used;
+    join_vertices(options, cage);
     cage.scheme = options.scheme.value_or(natural_scheme(cage.polygons));
     cage.level = levels(cage.polygons, cage.scheme, options);
+    check_size(cage);
+    if (cage.level > 0) {
+      cage.apart.reset();
+      cage.from.vertex_of.clear();
+    }
     if (cage.level > 0 && !cage.polygons.paint.empty()) {
       warn(options.path +
            ": colours and masks are left behind: they are kept on meshes that are not refined");
@@ -74,8 +120,10 @@ Cage read_cage(const MeshOptions& options) {
   });
 }
 
-LoadedSurface make_loaded(TriangleMesh mesh, int level, const VertexPaint& paint, const Progress& progress) {
+LoadedSurface make_loaded(TriangleMesh mesh, int level, const VertexPaint& paint, FromFile from,
+                          const Progress& progress) {
   LoadedSurface loaded;
+  loaded.from = std::move(from);
   mesh.triangle_uv = {};
   if (level == 0) {
     const MeshDefects defects = find_defects(mesh);
@@ -91,7 +139,7 @@ LoadedSurface load_surface(const MeshOptions& options, const Progress& progress)
   cage.polygons.corner_uv = {};
   return naming_file(options.path, [&] {
     return make_loaded(refine(cage.polygons, cage.scheme, cage.level, progress), cage.level,
-                       cage.polygons.paint, progress);
+                       cage.polygons.paint, std::move(cage.from), progress);
   });
 }
 
@@ -111,18 +159,39 @@ LoadedSurface load_mesh_or_points_on_console(const MeshOptions& options) {
 }
 
 Json mesh_json(const MeshOptions& options, const LoadedSurface& loaded) {
+  const FromFile& from = loaded.from;
   return {{"file", options.path},
           {"vertices", loaded.surface.vertex_count()},
           {"triangles", loaded.surface.triangles.size()},
-          {"defects", loaded.defects}};
+          {"defects", loaded.defects},
+          {"vertices_joined", from.joined},
+          {"weld_tolerance", from.tolerance},
+          {"not_used", from.not_used},
+          {"origin", {from.origin.x(), from.origin.y(), from.origin.z()}}};
 }
+
+namespace {
+
+std::string file_text(const FromFile& from) {
+  std::string text;
+  if (from.joined > 0)
+    text += fmt::format("; {} of {} vertices joined to others within {:.2g}", from.joined, from.vertices,
+                        from.tolerance);
+  if (!from.not_used.empty()) text += "; not used: " + from.not_used;
+  if (!from.origin.isZero(0))
+    text += fmt::format("; counted from ({}, {}, {})", from.origin.x(), from.origin.y(), from.origin.z());
+  return text;
+}
+
+}  // namespace
 
 std::string mesh_text(const MeshOptions& options, const LoadedSurface& loaded) {
   if (loaded.surface.is_point_set()) {
-    return fmt::format("{}: {} points", options.path, loaded.surface.vertex_count());
+    return fmt::format("{}: {} points{}", options.path, loaded.surface.vertex_count(),
+                       file_text(loaded.from));
   }
-  return fmt::format("{}: {} vertices, {} triangles", options.path, loaded.surface.vertex_count(),
-                     loaded.surface.triangles.size());
+  return fmt::format("{}: {} vertices, {} triangles{}", options.path, loaded.surface.vertex_count(),
+                     loaded.surface.triangles.size(), file_text(loaded.from));
 }
 
 }  // namespace burin

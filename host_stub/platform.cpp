@@ -1,9 +1,11 @@
 #include "platform.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -39,6 +41,19 @@ std::size_t resident_memory() {
   malloc_trim(0);
 #endif
   return process_status("VmRSS");
+}
+
+std::size_t memory_limit() {
+  const long pages = sysconf(_SC_PHYS_PAGES), bytes_a_page = sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || bytes_a_page <= 0) return 0;
+  std::size_t limit = static_cast<std::size_t>(pages) * static_cast<std::size_t>(bytes_a_page),
+              of_container = 0;
+  std::ifstream container("/sys/fs/cgroup/memory.max");
+  if (container >> of_container) limit = std::min(limit, of_container);
+  rlimit of_process{};
+  if (getrlimit(RLIMIT_AS, &of_process) == 0 && of_process.rlim_cur != RLIM_INFINITY)
+    limit = std::min(limit, static_cast<std::size_t>(of_process.rlim_cur));
+  return limit;
 }
 
 double seconds_since_process_start() {

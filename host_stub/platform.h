@@ -18,6 +18,9 @@ std::size_t peak_memory();
 /// system.
 std::size_t resident_memory();
 
+/// The physical memory that processes can have here, bytes; 0 where the system does not tell.
+std::size_t memory_limit();
+
 /// Since the system started the process, loading of libraries included.
 double seconds_since_process_start();
 

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/host/replay.h>
+#include <burin/stroke/move_origin.h>
 #include <burin/surface/mesh_file.h>
 #include <fmt/format.h>
 
@@ -122,9 +123,7 @@ void write_pictures(const ReplayOptions& options, Session& session, const Replay
 
 void save_mesh(const ReplayOptions& options, const Session& session, const ReplayMesh& mesh) {
   if (options.save_mesh.empty()) return;
-  const VertexPaint paint =
-      mesh.has_levels() ? VertexPaint{} : paint_in_source_order(session.surface(), session.paint());
-  write_ply(options.save_mesh, mesh.result(session), paint);
+  write_ply(options.save_mesh, mesh.saved(session), mesh.saved_paint(session), mesh.origin());
 }
 
 /// What text looks like a number stays text where the brush takes text.
@@ -140,8 +139,10 @@ void run(ReplayOptions& options) {
   load_brushes(library);
   check_options(options, library);
   options.overrides.params = read_params(options, library);
-  const std::vector<Recording> recordings = read_recordings(options.strokes);
-  ReplayMesh mesh(options.mesh, options.bake.asked());
+  std::vector<Recording> recordings = read_recordings(options.strokes);
+  ReplayMesh mesh(options.mesh, {.baked = options.bake.asked(), .saved = !options.save_mesh.empty()});
+  for (Recording& recording : recordings) move_origin(recording, mesh.origin());
+  options.overrides.symmetry.centre -= mesh.origin();
   Session session(mesh.take_surface(), library);
   session.set_paint(mesh.take_paint());
   StrokeWitness witness;

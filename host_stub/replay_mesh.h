@@ -23,9 +23,15 @@ void add_replay_mesh_options(CLI::App& command, ReplayMeshOptions& options);
 /// The mesh of a replay: strokes are drawn on one level of it, and its result is the finest.
 class ReplayMesh {
  public:
-  /// Reads and refines, with a progress bar and a warning that counts defects. `for_map`: its displacement is
-  /// to be baked. Throws FileError: as load_surface, a level above the finest, a mesh that cannot be baked.
-  ReplayMesh(const ReplayMeshOptions& options, bool for_map);
+  /// What is to become of the result.
+  struct Uses {
+    bool baked = false;  ///< its displacement becomes a map
+    bool saved = false;
+  };
+
+  /// Reads and refines, with a progress bar and a warning that counts defects. Throws FileError: as
+  /// load_surface, a level above the finest, a mesh that cannot be baked.
+  ReplayMesh(const ReplayMeshOptions& options, const Uses& uses);
 
   /// The surface to draw on. To be called once.
   Surface take_surface() { return std::move(drawn_.surface); }
@@ -44,16 +50,24 @@ class ReplayMesh {
   /// The finest level in the order of the file or of the refinement, as the session left it; finished.
   TriangleMesh result(const Session& session) const;
 
-  /// The same before any stroke, with its texture coordinates when it is to be baked; without that and
-  /// without levels nothing.
+  /// The same before any stroke, with its texture coordinates when it is to be baked or saved; without that
+  /// and without levels nothing.
   const TriangleMesh& before() const { return before_; }
+
+  /// The result with the vertices and texture coordinates of the file where it was not refined, and what is
+  /// painted on it; to be saved from origin() on.
+  TriangleMesh saved(const Session& session) const;
+  VertexPaint saved_paint(const Session& session) const;
+
+  /// Where positions are counted from.
+  const Vec3d& origin() const { return drawn_.from.origin; }
 
   /// As mesh_json() and mesh_text(), of the level drawn on and of the finest.
   const Json& json() const { return json_; }
   const std::string& text() const { return text_; }
 
  private:
-  void load(Cage cage, bool for_map, const Progress& progress);
+  void load(Cage cage, const Uses& uses, const Progress& progress);
   void load_levels(const Cage& cage, const Progress& progress);
   void describe(const MeshOptions& options);
 
@@ -61,6 +75,8 @@ class ReplayMesh {
   int drawn_level_ = 0;
   std::optional<SculptLevels> levels_;
   TriangleMesh before_;
+  std::optional<PolygonMesh> apart_;  ///< as Cage::apart, and with it its paint after joining
+  VertexPaint joined_paint_;
   Json json_;
   std::string text_;
 };

@@ -2,6 +2,7 @@
 
 #include <burin/base/hash.h>
 #include <burin/base/quoted_word.h>
+#include <burin/stroke/move_origin.h>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -94,7 +95,10 @@ class CaseRunner {
     result_.mesh = bench_case.mesh.path;
     result_.axis = bench_case.axis;
     load(brushes);
-    for (const std::string& file : bench_case.strokes) recordings_.push_back(read_whole_strokes(file));
+    for (const std::string& file : bench_case.strokes) {
+      recordings_.push_back(read_whole_strokes(file));
+      move_origin(recordings_.back(), origin_);
+    }
     if (bench_case.radius_edges)
       overrides_.radius = *bench_case.radius_edges * mean_edge_length(session_->surface());
     if (bench_case.straight)
@@ -115,6 +119,7 @@ class CaseRunner {
   const BenchCase& case_;
   StrokeOverrides overrides_;
   const Progress& progress_;
+  Vec3d origin_ = Vec3d::Zero();  ///< where its positions are counted from
   std::optional<Session> session_;
   std::vector<Recording> recordings_;
   StrokeExtent extent_;  ///< of the last repeat
@@ -126,6 +131,8 @@ void CaseRunner::load(const BrushLibrary& brushes) {
   const std::size_t memory_before = resident_memory();
   const auto start = Clock::now();
   LoadedSurface loaded = load_surface(case_.mesh, progress_);
+  origin_ = loaded.from.origin;
+  overrides_.symmetry.centre -= origin_;
   session_.emplace(std::move(loaded.surface), brushes);
   session_->set_paint(std::move(loaded.paint));
   result_.load_seconds = seconds_since(start);

@@ -39,6 +39,7 @@ void fill(const CommandFolder& folder) {
                "f 1 2 4 3\nf 1 2 6 5\nf 1 2 8 7\n");
   folder.write("cube.obj", cube_obj());
   folder.write("tile.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 1 0\nvt 2 0\nvt 1 1\nf 1/1 2/2 3/3\n");
+  folder.write("nan_uv.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt nan 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n");
   folder.write("good.stroke", stroke);
   folder.write("off.stroke",
                "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{\"radius\":0.3},\"fields\":[\"x\","
@@ -134,12 +135,16 @@ std::vector<BadInput> meshes() {
        "@cube.obj: not every face has texture coordinates"},
       {"map_of_another_tile", replay("@good.stroke", "@tile.obj", {"--bake", "@map.exr"}),
        "@tile.obj: face 1 lies around (1.33333, 0.333333)"},
+      {"map_of_no_numbers", replay("@good.stroke", "@nan_uv.obj", {"--bake", "@map.exr"}),
+       "@nan_uv.obj: face 1 has texture coordinates that are no numbers"},
       {"map_of_another_format", replay("@good.stroke", "@cube.obj", {"--bake", "@map.png"}), "@map.png"},
       {"map_in_no_folder", replay("@good.stroke", "@cube.obj", {"--bake", "@none/map.exr"}), "@none/map.exr"},
       {"map_of_no_size", replay("@good.stroke", "@cube.obj", {"--bake", "@map.exr", "--bake-size", "0"}),
        "--bake-size"},
       {"map_size_without_map", replay("@good.stroke", "@cube.obj", {"--bake-size", "64"}), "--bake"},
-      {"too_many_triangles", replay("@good.stroke", "@cube.obj", {"--subdivide", "15"}), "@cube.obj"}};
+      {"too_many_triangles", replay("@good.stroke", "@cube.obj", {"--subdivide", "15"}),
+       "@cube.obj: level 15 of this cage has 12884901888 triangles"},
+      {"negative_weld", replay("@good.stroke", "@cube.obj", {"--weld", "-1"}), "--weld"}};
 }
 
 std::vector<BadInput> strokes() {
@@ -259,7 +264,7 @@ std::vector<BadInput> point_sets() {
            "points without faces"},
           {"picture_of_points", chart_of("@points.ply", {"--png", "@a.png"}), "--png"},
           {"refined_points", chart_of("@points.ply", {"--subdivide", "1"}), "@points.ply"},
-          {"points_without_normals", chart_of("@no_normals.ply", {}), "property 'nx'"},
+          {"points_without_normals", chart_of("@no_normals.ply", {}), "has no normals: properties 'nx'"},
           {"points_with_a_zero_normal", chart_of("@zero_normal.ply", {}),
            "@zero_normal.ply: the normal of point 2"}};
 }
