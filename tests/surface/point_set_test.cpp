@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "support/point_shapes.h"
@@ -249,6 +250,24 @@ TEST(PointPicker, FollowsNoMovedPoints) {
   const Surface surface = make_point_surface(test::plane_points(1, 0.2, 5));
   const Index moved[] = {0};
   EXPECT_THROW(Picker(surface).update(moved), ContractError);
+}
+
+TEST(PointPicker, MissesWithRaysThatAreNone) {
+  const Surface surface = make_point_surface(test::sphere_points(3, 1));
+  const Picker picker(surface);
+  constexpr float infinity = std::numeric_limits<float>::infinity(),
+                  nan = std::numeric_limits<float>::quiet_NaN();
+  const float numbers[] = {0,     1,      -1,    1e-30F,   1e-45F,    1e10F, 1e18F,
+                           1e19F, -1e30F, 3e38F, infinity, -infinity, nan};
+  for (const float a : numbers)
+    for (const float b : numbers)
+      for (const float c : numbers)
+        for (const Vec3f& direction : {Vec3f(a, b, c), Vec3f(0, 0, c), Vec3f(c, 0, 1)}) {
+          const auto hit = picker.pick({{b, 0, a}, direction});
+          EXPECT_TRUE(!hit || hit->position.allFinite());
+          EXPECT_TRUE(!picker.closest(direction, infinity) ||
+                      picker.closest(direction, infinity)->position.allFinite());
+        }
 }
 
 }  // namespace

@@ -35,6 +35,14 @@ class PointScene : public PickScene {
   EmbreeScene scene_;
 };
 
+/// Embree ends the program over rays that are not.
+bool is_valid(const Ray& ray) {
+  constexpr float farthest = 1e18F;  // Embree's own limit is 1.844e18
+  const auto fits = [](const Vec3f& v) { return v.cwiseAbs().maxCoeff() < farthest; };
+  return ray.origin.allFinite() && ray.direction.allFinite() && fits(ray.origin) && fits(ray.direction) &&
+         !ray.direction.isZero(0);
+}
+
 /// As far as the farthest neighbour: the discs of neighbours overlap.
 float disc_radius(const Surface& surface, Index point) {
   float radius = 0;
@@ -71,6 +79,7 @@ void PointScene::add_discs() {
 }
 
 std::optional<SurfacePoint> PointScene::pick(const Ray& ray) const {
+  if (!is_valid(ray)) return std::nullopt;
   RTCRayHit query = whole_ray(ray);
   for (int disc = 0; disc < most_discs; ++disc) {
     RTCIntersectContext context;
