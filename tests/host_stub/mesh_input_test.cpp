@@ -81,9 +81,10 @@ TEST(MeshInput, TellsWhatItJoined) {
   EXPECT_EQ(json["vertices_joined"], spheres.apart.positions.size() - spheres.mesh.positions.size());
   EXPECT_NEAR(json["weld_tolerance"].get<double>(), 4e-6, 1e-7);
   const std::string text = burin_output({"chart", spheres.stroke, "--mesh", spheres.apart_path});
-  EXPECT_NE(text.find(fmt::format("; {} of {} vertices joined to others within 4e-06",
-                                  json["vertices_joined"].get<std::size_t>(), spheres.apart.positions.size())),
-            std::string::npos)
+  EXPECT_NE(
+      text.find(fmt::format("; {} of {} vertices joined to others within 4e-06",
+                            json["vertices_joined"].get<std::size_t>(), spheres.apart.positions.size())),
+      std::string::npos)
       << text;
 }
 
@@ -142,13 +143,15 @@ TEST(MeshInput, KeepsTextureCoordinatesOfWhatItSaves) {
   std::string cube = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n" + cube_obj();
   for (std::size_t at = 0; (at = cube.find("\nf ", at)) != std::string::npos; at += 3)
     for (int corner = 1; corner <= 4; ++corner) {
-      const std::size_t digit = cube.find_first_of("12345678", at + 3 + 4 * (static_cast<std::size_t>(corner) - 1));
+      const std::size_t digit =
+          cube.find_first_of("12345678", at + 3 + 4 * (static_cast<std::size_t>(corner) - 1));
       cube.insert(digit + 1, "/" + std::to_string(corner));
     }
   const std::string path = folder.write("cube.obj", cube);
   const std::string stroke = folder.write("a.stroke", equator_stroke(-0.6, 0.6, 41, groove));
   for (const char* level : {"0", "2"}) {
-    burin_output({"replay", stroke, "--mesh", path, "--subdivide", level, "--save-mesh", folder.path("out.ply")});
+    burin_output(
+        {"replay", stroke, "--mesh", path, "--subdivide", level, "--save-mesh", folder.path("out.ply")});
     const PolygonMesh saved = read_mesh(folder.path("out.ply"));
     ASSERT_EQ(saved.corner_uv.size(), saved.face_vertices.size()) << level;
     for (const Vec2f& uv : saved.corner_uv) EXPECT_TRUE(uv.minCoeff() >= 0 && uv.maxCoeff() <= 1);
@@ -160,17 +163,19 @@ TEST(MeshInput, DrawsFarFromTheOriginAsNearIt) {
   const TriangleMesh mesh = plane(1, 0.04, 5);
   const Vec3d far(448262.25, 5411932.5, -117);
   const auto files = [&](const Vec3d& at, const std::string& name) {
-    std::string obj, stroke = fmt::format("{{\"burin_stroke\":1,\"space\":\"object\"}}\n{{\"begin\":{{{}}},"
-                                          "\"fields\":[\"x\",\"y\",\"z\"]}}\n", groove);
+    std::string obj, stroke = fmt::format(
+                         "{{\"burin_stroke\":1,\"space\":\"object\"}}\n{{\"begin\":{{{}}},"
+                         "\"fields\":[\"x\",\"y\",\"z\"]}}\n",
+                         groove);
     for (const Vec3f& p : mesh.positions)
       obj += fmt::format("v {} {} {}\n", p.x() + at.x(), p.y() + at.y(), p.z() + at.z());
     for (const Triangle& t : mesh.triangles) obj += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
     for (int i = -20; i <= 20; ++i) stroke += fmt::format("[{},{},{}]\n", at.x() + 0.02 * i, at.y(), at.z());
     folder.write(name + ".obj", obj);
     folder.write(name + ".stroke", stroke + "{\"end\":true}\n");
-    burin_output({"replay", folder.path(name + ".stroke"), "--mesh", folder.path(name + ".obj"), "--mirror", "x",
-                  "--symmetry-centre", fmt::format("{},{},{}", at.x() + 0.25, at.y(), at.z()), "--save-mesh",
-                  folder.path(name + ".ply")});
+    burin_output({"replay", folder.path(name + ".stroke"), "--mesh", folder.path(name + ".obj"), "--mirror",
+                  "x", "--symmetry-centre", fmt::format("{},{},{}", at.x() + 0.25, at.y(), at.z()),
+                  "--save-mesh", folder.path(name + ".ply")});
     return read_mesh(folder.path(name + ".ply"));
   };
   const PolygonMesh here = files(Vec3d::Zero(), "here"), there = files(far, "there");
@@ -198,12 +203,13 @@ TEST(MeshInput, RefusesWhatMemoryCannotHold) {
   const CommandFolder folder;
   const std::string mesh = folder.write("cube.obj", cube_obj());
   const ProcessResult result =
-      run_process({"sh", "-c", "ulimit -v 4000000 && exec \"$0\" \"$@\"", BURIN_COMMAND, "render", "--mesh", mesh,
-                   "--subdivide", "12", "--png", folder.path("a.png")});
+      run_process({"sh", "-c", "ulimit -v 4000000 && exec \"$0\" \"$@\"", BURIN_COMMAND, "render", "--mesh",
+                   mesh, "--subdivide", "12", "--png", folder.path("a.png")});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(result.err, "burin: " + mesh +
-                            ": level 12 of this cage has 201326592 triangles, which need about 30 GB of memory; "
-                            "here are 4.1\n");
+  EXPECT_EQ(result.err,
+            "burin: " + mesh +
+                ": level 12 of this cage has 201326592 triangles, which need about 30 GB of memory; "
+                "here are 4.1\n");
 }
 
 }  // namespace

@@ -68,6 +68,7 @@ void Seeds::depend_no_more(Entry& entry) {
 void Seeds::offer_segment(const FrontStroke& on, std::size_t segment, ChartNodes& nodes) {
   first_offer_.push_back(static_cast<Index>(offers_.size()));
   around_.clear();
+  gathered_.clear();
   const SurfacePoint &from = on.curve.points[segment].at, &to = on.curve.points[on.curve.next(segment)].at;
   gather_around(from);
   if (to.corners != from.corners) gather_around(to);
@@ -75,13 +76,21 @@ void Seeds::offer_segment(const FrontStroke& on, std::size_t segment, ChartNodes
 }
 
 void Seeds::gather_around(const SurfacePoint& at) {
-  const auto gather = [this](Index vertex) {
-    if (own_.holds(vertex) && std::ranges::find(around_, vertex) == around_.end()) around_.push_back(vertex);
-  };
   for (const Index corner : at.corners) {
+    const auto gather = [&](Index vertex) {
+      if (own_.holds(vertex) && !is_around(vertex)) around_.push_back(vertex);
+    };
     gather(corner);
     for (const Index vertex : ground_->neighbours(corner)) gather(vertex);
+    gathered_.push_back(corner);
   }
+}
+
+/// Without a look at all that are: a corner may have very many neighbours.
+bool Seeds::is_around(Index vertex) const {
+  return std::ranges::any_of(gathered_, [&](Index corner) {
+    return corner == vertex || std::ranges::binary_search(ground_->neighbours(corner), vertex);
+  });
 }
 
 void Seeds::offer(const FrontStroke& on, std::size_t segment, Index vertex, ChartNodes& nodes) {

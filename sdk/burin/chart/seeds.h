@@ -59,6 +59,7 @@ class Seeds {
   void depend_no_more(Entry& entry);
   void offer_segment(const FrontStroke& on, std::size_t segment, ChartNodes& nodes);
   void gather_around(const SurfacePoint& at);
+  bool is_around(Index vertex) const;
   void offer(const FrontStroke& on, std::size_t segment, Index vertex, ChartNodes& nodes);
   void renew(const FrontStroke& on, Index entry, ChartNodes& nodes);
 
@@ -70,7 +71,8 @@ class Seeds {
   std::vector<Index> depending_;    ///< [segment] first entry whose last_segment it is
   std::vector<Index> stale_;        ///< entries
   std::vector<Change> changes_;
-  std::vector<Index> around_;  ///< vertices that the running segment is offered to
+  std::vector<Index> around_;    ///< vertices that the running segment is offered to
+  std::vector<Index> gathered_;  ///< corners whose neighbours those are
 };
 
 }  // namespace burin
