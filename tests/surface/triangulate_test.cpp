@@ -1,3 +1,4 @@
+#include <burin/surface/defects.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/triangulate.h>
 #include <gtest/gtest.h>
@@ -110,6 +111,35 @@ TEST(Triangulate, CarriesTextureCoordinates) {
     }
   mesh.corner_uv.clear();
   EXPECT_TRUE(triangulate(mesh).triangle_uv.empty());
+}
+
+/// A square cut into two quads that share the edges from two opposite corners to its middle, with a tip below
+/// that closes it.
+PolygonMesh two_quads_over_a_tip() {
+  PolygonMesh mesh;
+  mesh.positions = {{-1, 0, 0}, {0, -2, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 0.1F}, {0, 0, -1}};
+  mesh.face_sizes = {4, 4, 3, 3, 3, 3};
+  mesh.face_vertices = {0, 1, 2, 4, 0, 4, 2, 3, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5};
+  return mesh;
+}
+
+TEST(Triangulate, KeepsManifoldsOfQuadsThatShareTwoEdges) {
+  for (const bool far : {false, true}) {
+    PolygonMesh mesh = two_quads_over_a_tip();
+    if (far) mesh.positions[4].z() = 1;  // both quads are now longer through the middle
+    const MeshDefects defects = find_defects(triangulate(mesh));
+    EXPECT_FALSE(defects.any()) << defects.text();
+  }
+}
+
+TEST(Triangulate, CutsNoQuadWhereAnEdgeRuns) {
+  PolygonMesh mesh = two_quads_over_a_tip();
+  // The second quad as two triangles with an edge where the first is shortest.
+  mesh.positions[4].z() = 1;
+  mesh.face_sizes = {4, 3, 3, 3, 3, 3, 3};
+  mesh.face_vertices = {0, 1, 2, 4, 0, 4, 2, 0, 2, 3, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5};
+  const MeshDefects defects = find_defects(triangulate(mesh));
+  EXPECT_FALSE(defects.any()) << defects.text();
 }
 
 }  // namespace

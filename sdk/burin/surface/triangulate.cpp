@@ -1,3 +1,5 @@
+#include <burin/surface/area_vector.h>
+#include <burin/surface/quad_cuts.h>
 #include <burin/surface/triangulate.h>
 
 #include <Eigen/Geometry>
@@ -11,36 +13,8 @@ namespace {
 using Vec2d = Eigen::Vector2d;
 using Corners = std::span<const Index>;
 
-/// Twice the area of a polygon times its normal (Newell), from its first corner to spare digits.
-Vec3d area_vector(const std::vector<Vec3f>& positions, Corners corners) {
-  const Vec3d origin = positions[corners[0]].cast<double>();
-  Vec3d sum = Vec3d::Zero();
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    sum += (positions[corners[i]].cast<double>() - origin)
-               .cross(positions[corners[i + 1]].cast<double>() - origin);
-  return sum;
-}
-
 /// Three corners of a polygon, as it counts them.
 using Ear = std::array<std::size_t, 3>;
-
-/// Splits along the diagonal 0-2 unless 1-3 is the one inside, or the shorter by more than rounding.
-void split_quad(const std::vector<Vec3f>& positions, Corners quad, std::vector<Ear>& out) {
-  const Ear across_02[] = {{0, 1, 2}, {0, 2, 3}};
-  const Ear across_13[] = {{1, 2, 3}, {1, 3, 0}};
-  const Vec3d normal = area_vector(positions, quad);
-  const auto inside = [&](const Ear& e) {
-    return area_vector(positions, Triangle{quad[e[0]], quad[e[1]], quad[e[2]]}).dot(normal) > 0;
-  };
-  const bool inside_02 = inside(across_02[0]) && inside(across_02[1]);
-  const bool inside_13 = inside(across_13[0]) && inside(across_13[1]);
-  const auto length = [&](int a, int b) {
-    return (positions[quad[a]] - positions[quad[b]]).cast<double>().norm();
-  };
-  const bool shorter_13 = length(1, 3) < length(0, 2) * (1 - 1e-6);
-  const bool take_13 = inside_02 == inside_13 ? shorter_13 : inside_13;
-  out.insert(out.end(), take_13 ? across_13 : across_02, (take_13 ? across_13 : across_02) + 2);
-}
 
 double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -95,11 +69,18 @@ class EarClipper {
   std::vector<Vec2d> points_;
 };
 
-void split(const std::vector<Vec3f>& positions, Corners corners, std::vector<Ear>& out) {
+void split_quad(bool from_1, std::vector<Ear>& out) {
+  const Ear across_02[] = {{0, 1, 2}, {0, 2, 3}};
+  const Ear across_13[] = {{1, 2, 3}, {1, 3, 0}};
+  const Ear* const ears = from_1 ? across_13 : across_02;
+  out.insert(out.end(), ears, ears + 2);
+}
+
+void split(const std::vector<Vec3f>& positions, Corners corners, bool from_1, std::vector<Ear>& out) {
   if (corners.size() == 3) {
     out.push_back({0, 1, 2});
   } else if (corners.size() == 4) {
-    split_quad(positions, corners, out);
+    split_quad(from_1, out);
   } else {
     EarClipper(positions, corners).clip(out);
   }
@@ -115,13 +96,14 @@ TriangleMesh triangulate(const PolygonMesh& mesh) {
   if (!mesh.corner_uv.empty()) result.triangle_uv.reserve(triangles);
   std::size_t corner = 0;
   std::vector<Ear> ears;
+  const std::vector<bool> from_1 = cut_from_1_to_3(mesh);
   std::vector<bool> is_hole(mesh.face_sizes.size());
   for (const Index hole : mesh.holes) is_hole[hole] = true;
   for (std::size_t face = 0; face < mesh.face_sizes.size(); ++face) {
     const Index size = mesh.face_sizes[face];
     const Corners corners = Corners(mesh.face_vertices).subspan(corner, size);
     ears.clear();
-    if (!is_hole[face]) split(mesh.positions, corners, ears);
+    if (!is_hole[face]) split(mesh.positions, corners, from_1[face], ears);
     for (const auto& [a, b, c] : ears) {
       result.triangles.push_back({corners[a], corners[b], corners[c]});
       if (mesh.corner_uv.empty()) continue;
