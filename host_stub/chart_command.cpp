@@ -20,6 +20,7 @@
 #include "name_file.h"
 #include "options.h"
 #include "output_file.h"
+#include "radius_fit.h"
 #include "render.h"
 #include "stroke_input.h"
 #include "stroke_trace.h"
@@ -196,6 +197,7 @@ void run(const ChartCommandOptions& options) {
   }
   if (loaded.surface.is_point_set() && options.check)
     throw FileError(options.mesh.path, "holds points without faces, which --check cannot measure");
+  warn_of_radii(options.mesh.path, loaded.surface, {radius});
   const Picker picker(loaded.surface);
   const ChartOptions how{.radius = radius,
                          .cap = options.cap,

@@ -18,6 +18,7 @@
 #include "output_file.h"
 #include "painted.h"
 #include "platform.h"
+#include "radius_fit.h"
 #include "render.h"
 #include "replay_mesh.h"
 #include "replay_report.h"
@@ -43,6 +44,16 @@ std::vector<Recording> read_recordings(const std::vector<std::string>& paths) {
   std::vector<Recording> recordings;
   for (const std::string& path : paths) recordings.push_back(read_whole_strokes(path));
   return recordings;
+}
+
+/// Of all strokes that have one, object units.
+std::vector<double> radii(const ReplayOptions& options, const std::vector<Recording>& recordings) {
+  std::vector<double> radii;
+  for (const Recording& recording : recordings)
+    for (const RecordedStroke& stroke : recording.strokes)
+      if (const auto& radius = options.overrides.radius ? options.overrides.radius : stroke.radius)
+        radii.push_back(*radius);
+  return radii;
 }
 
 bool draws(const ReplayOptions& options) { return !options.png.empty() || !options.report.empty(); }
@@ -145,6 +156,7 @@ void run(ReplayOptions& options) {
   options.overrides.symmetry.centre -= mesh.origin();
   Session session(mesh.take_surface(), library);
   session.set_paint(mesh.take_paint());
+  warn_of_radii(options.mesh.mesh.path, session.surface(), radii(options, recordings));
   StrokeWitness witness;
   ReplaySummary summary = replay_all(session, options, recordings, witness);
   finish(mesh, session, summary);

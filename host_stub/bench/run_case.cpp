@@ -14,6 +14,7 @@
 #include "name_file.h"
 #include "painted.h"
 #include "platform.h"
+#include "radius_fit.h"
 #include "render.h"
 #include "replay_pictures.h"
 #include "report_folder.h"

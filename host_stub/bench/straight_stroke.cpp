@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radius_fit.h"
+
 namespace burin {
 namespace {
 
@@ -55,18 +57,6 @@ class Walker {
 };
 
 }  // namespace
-
-double mean_edge_length(const Surface& surface) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (Index vertex = 0; vertex < surface.vertex_count(); ++vertex) {
-    for (const Index neighbour : surface.neighbours[vertex]) {
-      sum += static_cast<double>((surface.positions[vertex] - surface.positions[neighbour]).norm());
-      ++count;
-    }
-  }
-  return sum / static_cast<double>(count);
-}
 
 Recording make_straight_stroke(const Surface& surface, const Picker& picker, const StraightStroke& stroke,
                                double radius) {

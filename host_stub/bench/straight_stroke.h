@@ -7,9 +7,6 @@
 
 namespace burin {
 
-/// Mean length of the edges of the surface, object units.
-double mean_edge_length(const Surface& surface);
-
 /// A recording in object space of the stroke with this radius: from its first place straight on, that is, in
 /// steps of about an edge to closest points, the direction carried along by parallel transport. 240 samples a
 /// second. Throws Error when there is no surface within the size of the object, or it ends on the way.
