@@ -25,11 +25,15 @@ void warn_of_radii(const std::string& path, const Surface& surface, const std::v
   const auto [least, greatest] = std::ranges::minmax(radii);
   const double edge = mean_edge_length(surface);
   if (least < edge / 2)
-    warn(fmt::format("{}: a radius of {:.3g} is small against the mean edge, {:.3g}: little of the stroke meets "
-                     "a vertex", path, least, edge));
+    warn(fmt::format(
+        "{}: a radius of {:.3g} is small against the mean edge, {:.3g}: little of the stroke meets "
+        "a vertex",
+        path, least, edge));
   if (greatest > surface.scale)
-    warn(fmt::format("{}: a radius of {:.3g} is greater than the whole surface, {:.3g}: strokes on it are too "
-                     "short for it", path, greatest, surface.scale));
+    warn(
+        fmt::format("{}: a radius of {:.3g} is greater than the whole surface, {:.3g}: strokes on it are too "
+                    "short for it",
+                    path, greatest, surface.scale));
 }
 
 }  // namespace burin

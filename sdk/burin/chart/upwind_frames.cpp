@@ -142,7 +142,8 @@ void UpwindFrames::weigh_second() {
   constexpr float sideways = 0.3F;
   for (std::size_t i = 0; i < most_arms_; ++i) {
     Arms& arms = arms_[i];
-    arms.weight = arms.counts / (arms.u.square() + sideways * (arms.length + epsilon_).square());
+    arms.weight =
+        squared_unit_ * arms.counts / (arms.u.square() + sideways * (arms.length + epsilon_).square());
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -27,6 +28,9 @@ class UpwindFrames {
   /// use.
   void set(float epsilon, int order, const StrokePath& path) {
     epsilon_ = epsilon;
+    int exponent = 0;
+    std::frexp(epsilon, &exponent);
+    squared_unit_ = std::ldexp(1.0F, 2 * (exponent + 16));
     order_ = order;
     path_ = &path;
   }
@@ -97,6 +101,8 @@ class UpwindFrames {
 
   const StrokePath* path_ = nullptr;
   float epsilon_ = 0;
+  float squared_unit_ =
+      1;  ///< of about an edge: a power of 4 that keeps weights within floats at every scale
   int order_ = 2;
   std::size_t size_ = 0, most_arms_ = 0;
   std::array<std::size_t, capacity> arm_count_{};

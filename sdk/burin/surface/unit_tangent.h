@@ -1,14 +1,17 @@
 #pragma once
 #include <burin/base/vector.h>
 
+#include <cmath>
+
 namespace burin {
 
 /// `direction` turned into the plane at right angles to the unit `normal`, or any tangent where nothing of
 /// it is left. Unit.
 inline Vec3f unit_tangent(const Vec3f& direction, const Vec3f& normal) {
-  // The squares of smaller components are no normal floats.
+  // The squares of smaller or greater components are no normal floats.
   const float size = direction.cwiseAbs().maxCoeff();
-  if (size > 0 && size < 1e-15F) return unit_tangent(direction / size, normal);
+  if ((size > 0 && size < 1e-15F) || (size > 1e18F && std::isfinite(size)))
+    return unit_tangent(direction / size, normal);
   const Vec3f tangent = direction - normal.dot(direction) * normal;
   const float length = tangent.norm();
   if (length > 1e-6F * direction.norm()) return tangent / length;
