@@ -34,7 +34,7 @@ burin_dependency(apt libosd-dev why "Catmull-Clark and Loop refinement")
 # Not find_package: Debian's configuration of it names a static library that its package lacks.
 burin_find_library(OpenSubdiv::osdCPU opensubdiv/far/topologyRefiner.h osdCPU)
 
-burin_dependency(apt nlohmann-json3-dev why "stroke files, reports")
+burin_dependency(apt nlohmann-json3-dev why "stroke files, glTF, reports")
 find_package(nlohmann_json 3.11 REQUIRED)
 
 # The tools because Debian's configuration of the library insists on finding them.

@@ -64,7 +64,7 @@ LoadedSurface load_points(const MeshOptions& options, const Progress& progress) 
 }  // namespace
 
 void add_mesh_options(CLI::App& command, MeshOptions& options) {
-  command.add_option("--mesh", options.path, "surface or cage: OBJ, PLY or STL")
+  command.add_option("--mesh", options.path, "surface or cage: OBJ, PLY, STL, OFF, glTF or GLB")
       ->required()
       ->type_name("FILE");
   auto* levels = command.add_option("--subdivide", options.subdivide, "refine the cage by this many levels")

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "srgb.h"
+#include <burin/base/srgb.h>
 
 namespace burin {
 namespace {

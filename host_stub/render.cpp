@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "srgb.h"
+#include <burin/base/srgb.h>
 
 namespace burin {
 namespace {

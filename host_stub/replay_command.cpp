@@ -95,8 +95,7 @@ void warn_of_lost_paint(const Session& session, const ReplayMesh& mesh) {
 /// Of the first recording in screen space.
 void check_mesh_path(const std::string& path) {
   check_output_path(path);
-  if (!path.empty() && std::filesystem::path(path).extension() != ".ply")
-    throw FileError(path, "meshes are written as .ply files");
+  if (!path.empty()) check_mesh_format(path);
 }
 
 void check_options(const ReplayOptions& options, const BrushLibrary& library) {
@@ -134,7 +133,7 @@ void write_pictures(const ReplayOptions& options, Session& session, const Replay
 
 void save_mesh(const ReplayOptions& options, const Session& session, const ReplayMesh& mesh) {
   if (options.save_mesh.empty()) return;
-  write_ply(options.save_mesh, mesh.saved(session), mesh.saved_paint(session), mesh.origin());
+  write_mesh(options.save_mesh, mesh.saved(session), mesh.saved_paint(session), mesh.origin());
 }
 
 /// What text looks like a number stays text where the brush takes text.
@@ -202,8 +201,10 @@ void add_replay(CLI::App& app) {
       ->type_name("NAME=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--save-mesh", options->save_mesh, "surface to write, with what is painted on it")
-      ->type_name("FILE.ply");
+  command
+      .add_option("--save-mesh", options->save_mesh,
+                  "surface to write, with what is painted on it: .ply, .glb or .off")
+      ->type_name("FILE");
   add_bake_options(command, options->bake);
   command.add_option("--png", options->png, "picture of the result, the strokes filling it")
       ->type_name("FILE");

@@ -31,9 +31,10 @@ TEST(Scale, LeavesRelativeErrorsAsTheyAre) {
   for (const double scale : scales) {
     test::Charted charted(scaled_plane(scale));
     const Chart chart = charted.chart({.radius = radius * scale}, wave(0, scale));
-    const auto error = test::error_against(
-        charted.surface, chart, charted.curve.length(), radius * scale, 0,
-        [&](const Vec3d& x) { return test::Coordinates{x.x() + 0.6 * scale, x.y()}; });
+    const auto error = test::error_against(charted.surface, chart, charted.curve.length(), radius * scale, 0,
+                                           [&](const Vec3d& x) {
+                                             return test::Coordinates{x.x() + 0.6 * scale, x.y()};
+                                           });
     EXPECT_GT(error.count, 400U) << scale;
     EXPECT_LT(error.d_max, 1e-5) << scale;
     EXPECT_LT(error.t_max, 1e-5) << scale;

@@ -18,9 +18,10 @@ TEST(RadiusFit, WarnsOfStrokesThatDrawNextToNothing) {
       return result.err;
     };
     EXPECT_EQ(said("0.3"), "");
-    EXPECT_EQ(said("0.001"), "burin: warning: " + mesh +
-                                 ": a radius of 0.001 is small against the mean edge, 0.151: little of the "
-                                 "stroke meets a vertex\n");
+    EXPECT_TRUE(
+        said("0.001").starts_with("burin: warning: " + mesh +
+                                  ": a radius of 0.001 is small against the mean edge, 0.151: little of "
+                                  "the stroke meets a vertex\n"));
     EXPECT_EQ(said("1000"),
               "burin: warning: " + mesh +
                   ": a radius of 1e+03 is greater than the whole surface, 3.46: strokes on it are "

@@ -52,7 +52,7 @@ const std::map<std::string, Names> third_party = {
     {"oneapi/tbb", {"base", "surface"}},
     {"xxh", {"base"}},
     {"CLI/", {"host_stub"}},
-    {"nlohmann/", {"stroke", "host_stub"}},
+    {"nlohmann/", {"surface", "stroke", "host_stub"}},
     {"fmt/",
      {"base", "surface", "subdiv", "stroke", "chart", "stamp", "deform", "feature", "refine", "volume",
       "host", "host_stub"}},

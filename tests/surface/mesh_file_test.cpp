@@ -233,7 +233,8 @@ TEST(ReadMesh, RejectsFilesThatAreNotMeshes) {
   }
   EXPECT_EQ(obj_message(""), "a.obj: is empty");
   EXPECT_EQ(obj_message(three_vertices), "a.obj: has no face");
-  EXPECT_EQ(File("a.xyz", "1 2 3").message(), "a.xyz: '.xyz' is not a mesh format; .obj, .ply and .stl are");
+  EXPECT_EQ(File("a.xyz", "1 2 3").message(),
+            "a.xyz: '.xyz' is not a mesh format; .obj, .ply, .stl, .off, .gltf and .glb are");
   EXPECT_NE(ply_message("ply\nrubbish\n"), "no error");
   EXPECT_EQ(File("a.stl", "rubbish").message(), "a.stl: is not an STL file: neither text nor binary");
 }
@@ -281,7 +282,7 @@ TEST(ReadPly, RejectsBrokenHeaders) {
 TEST(ReadPly, RejectsFilesCutOffAnywhere) {
   test::TemporaryFolder folder;
   const auto whole = folder.path() / "whole.ply";
-  write_ply(whole, test::torus(3, 3));
+  write_mesh(whole, test::torus(3, 3));
   const std::string bytes = read_file(whole);
   const std::size_t header = bytes.find("end_header") + 10;
   for (std::size_t size = 0; size < bytes.size(); ++size) {
@@ -295,7 +296,7 @@ TEST(ReadPly, ReadsDataThatBeginsWithALineEnd) {
   test::TemporaryFolder folder;
   TriangleMesh mesh = test::torus(5, 4);
   mesh.positions[0].x() = std::bit_cast<float>(0x3f800d0au);
-  write_ply(folder.path() / "a.ply", mesh);
+  write_mesh(folder.path() / "a.ply", mesh);
   EXPECT_EQ(read_mesh(folder.path() / "a.ply").positions, mesh.positions);
 }
 
@@ -507,7 +508,7 @@ TEST(WritePly, ComesBackBitForBit) {
   test::TemporaryFolder folder;
   TriangleMesh mesh = test::torus(300, 150);
   mesh.positions[7] = {-0.0f, std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max()};
-  write_ply(folder.path() / "a.ply", mesh);
+  write_mesh(folder.path() / "a.ply", mesh);
   const TriangleMesh back = triangulate(read_mesh(folder.path() / "a.ply"));
   ASSERT_EQ(back.positions.size(), mesh.positions.size());
   EXPECT_EQ(std::memcmp(back.positions.data(), mesh.positions.data(), mesh.positions.size() * sizeof(Vec3f)),
@@ -516,7 +517,7 @@ TEST(WritePly, ComesBackBitForBit) {
 }
 
 TEST(WritePly, NamesTheFolderThatIsNotThere) {
-  EXPECT_THROW(write_ply("/nowhere/at/all.ply", test::torus(4, 4)), FileError);
+  EXPECT_THROW(write_mesh("/nowhere/at/all.ply", test::torus(4, 4)), FileError);
 }
 
 std::string point_header(int points, const std::string& normals) {

@@ -54,7 +54,7 @@ TEST(PlyPaint, ComesBackAsItWasWritten) {
     for (const bool masked : {false, true}) {
       const VertexPaint given{coloured ? paint.colours : Colours(),
                               masked ? paint.masks : std::vector<float>()};
-      write_ply(path, mesh, given);
+      write_mesh(path, mesh, given);
       const PolygonMesh back = read_mesh(path);
       EXPECT_EQ(back.paint.colours, given.colours);
       EXPECT_EQ(back.paint.masks, given.masks);

@@ -36,8 +36,11 @@ FileMesh read_by_extension(const fs::path& path) {
   if (extension == ".obj") return read_obj(path);
   if (extension == ".ply") return read_ply(path);
   if (extension == ".stl") return read_stl(path);
+  if (extension == ".off") return read_off(path);
+  if (extension == ".gltf" || extension == ".glb") return read_gltf(path);
   throw FileError(path.string(),
-                  fmt::format("{} is not a mesh format; .obj, .ply and .stl are", quoted_word(extension)));
+                  fmt::format("{} is not a mesh format; .obj, .ply, .stl, .off, .gltf and .glb are",
+                              quoted_word(extension)));
 }
 
 [[noreturn]] void fail_at(const fs::path& path, std::string_view element, std::size_t index,
@@ -91,6 +94,33 @@ PointSet read_points(const fs::path& path) {
   points.positions = positions_from(file.places, points.origin);
   points.normals = std::move(file.normals);
   return points;
+}
+
+namespace {
+
+using Writer = void (*)(const fs::path&, const TriangleMesh&, const VertexPaint&, const Vec3d&);
+
+Writer writer_for(const fs::path& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".ply") return write_ply;
+  if (extension == ".glb") return write_glb;
+  if (extension == ".off") return write_off;
+  throw FileError(path.string(), "meshes are written as .ply, .glb or .off files");
+}
+
+}  // namespace
+
+void check_mesh_format(const fs::path& path) { writer_for(path); }
+
+void write_mesh(const fs::path& path, const TriangleMesh& mesh, const VertexPaint& paint,
+                const Vec3d& origin) {
+  const auto one_each = [](const auto& values, const auto& elements) {
+    return values.empty() || values.size() == elements.size();
+  };
+  if (!one_each(paint.colours, mesh.positions) || !one_each(paint.masks, mesh.positions) ||
+      !one_each(mesh.triangle_uv, mesh.triangles))
+    throw ContractError("write_mesh: not one colour or mask a vertex, or texture coordinates a triangle");
+  writer_for(path)(path, mesh, paint, origin);
 }
 
 }  // namespace burin

@@ -8,11 +8,11 @@
 
 namespace burin {
 
-/// Reads OBJ (polygons, texture coordinates, colours, subdivision tags), PLY or STL, told apart by the
-/// extension. The vertex order is the file's; of an STL file, which shares no vertices, weld() joins
-/// equal positions, in order of first appearance. Throws FileError naming the line, or the face or vertex
-/// counted from 1: unreadable, truncated, an index out of range, a coordinate that is not finite, no face at
-/// all, a colour or mask out of its range.
+/// Reads OBJ (polygons, texture coordinates, colours, subdivision tags), PLY, STL, OFF, glTF or GLB, told
+/// apart by the extension. The vertex order is the file's; of an STL file, which shares no vertices, weld()
+/// joins equal positions, in order of first appearance. Throws FileError naming the line, or the face or
+/// vertex counted from 1: unreadable, truncated, an index out of range, a coordinate that is not finite, no
+/// face at all, a colour or mask out of its range.
 ///
 /// Places farther from the file's origin than 16 times their extent are counted from a near one, which
 /// PolygonMesh::origin gives, so that as floats they keep what digits the file has.
@@ -29,12 +29,19 @@ bool holds_points(const std::filesystem::path& path);
 /// Reads such a file, in its order. Throws FileError: as read_mesh, or without normals (nx, ny, nz).
 PointSet read_points(const std::filesystem::path& path);
 
-/// Writes a binary little-endian PLY, with properties red, green, blue, alpha and mask where they are
-/// painted, and with the mesh's texture coordinates: properties s and t of the vertices where triangles agree
-/// at them, else lists texcoord of the faces. Positions are counted from `origin`; unless that is zero
-/// they are added and written as doubles. Whole or not at all. Throws FileError; ContractError for arrays of
-/// another length than the positions or triangles.
-void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint = {},
-               const Vec3d& origin = Vec3d::Zero());
+/// Writes a mesh whole or not at all, in the format that the extension names: .ply, .glb or .off. Positions
+/// are counted from `origin`, which is added. Throws FileError; ContractError for arrays of another length
+/// than the positions or triangles.
+/// - PLY: binary, little-endian; properties red, green, blue, alpha and mask where they are painted; texture
+///   coordinates as properties s and t of the vertices where triangles agree at them, else as lists texcoord
+///   of the faces; coordinates are doubles where the origin is not zero.
+/// - GLB: positions, TEXCOORD_0, COLOR_0 (linear, with the coverage as alpha) and _MASK; vertices are split
+///   where triangles disagree on texture coordinates. The origin is the translation of the node.
+/// - OFF: text, with colours where they are painted; masks and texture coordinates have no place in it.
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint = {},
+                const Vec3d& origin = Vec3d::Zero());
+
+/// Throws FileError when write_mesh() knows no format for this path.
+void check_mesh_format(const std::filesystem::path& path);
 
 }  // namespace burin

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/surface/file_mesh.h>
+#include <burin/surface/triangle_mesh.h>
 
 #include <filesystem>
 
@@ -10,10 +11,20 @@ namespace burin {
 FileMesh read_obj(const std::filesystem::path& path);
 FileMesh read_ply(const std::filesystem::path& path);
 FileMesh read_stl(const std::filesystem::path& path);
+FileMesh read_off(const std::filesystem::path& path);
+FileMesh read_gltf(const std::filesystem::path& path);
 
 /// Of a PLY file: whether its header announces faces, or a grid of points that would have to be joined to
 /// faces, and its vertices with their normals.
 bool has_ply_faces(const std::filesystem::path& path);
 FilePoints read_ply_points(const std::filesystem::path& path);
+
+/// The writers behind write_mesh, likewise.
+void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint,
+               const Vec3d& origin);
+void write_off(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint,
+               const Vec3d& origin);
+void write_glb(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint,
+               const Vec3d& origin);
 
 }  // namespace burin

@@ -3,7 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
-#include <burin/surface/colour_byte.h>
+#include <burin/surface/file_colours.h>
 #include <burin/surface/mesh_formats.h>
 #include <burin/surface/obj_tags.h>
 #include <burin/surface/text_lines.h>
@@ -37,7 +37,7 @@ class ObjReader {
     }
     check_indices();
     give_texture_coordinates();
-    give_colours();
+    colours_.give(file_.mesh.paint, file_.places.size(), std::nullopt, unused_);
     const std::string fault = tags_.give(file_.mesh, file_.places.size(), line_);
     if (!fault.empty()) fail(fault);
     unused_.add("other tag", "other tags", tags_.unknown());
@@ -104,8 +104,8 @@ class ObjReader {
       ++numbers;
     }
     if (numbers != 3 && numbers != 4) return;
-    colours_.resize(file_.places.size() - 1, no_colour);
-    colours_.push_back({rest[numbers - 3], rest[numbers - 2], rest[numbers - 1]});
+    colours_.add(file_.places.size() - 1,
+                 {rest[numbers - 3], rest[numbers - 2], rest[numbers - 1], no_alpha});
   }
 
   /// v may be left out, and is 0 then.
@@ -177,38 +177,15 @@ class ObjReader {
     for (const Index texture : corner_textures_) file_.mesh.corner_uv.push_back(uv_[texture]);
   }
 
-  /// From 0 to 1, or to 255 where any is above 1. Vertices without one are bare.
-  void give_colours() {
-    if (colours_.empty()) return;
-    colours_.resize(file_.places.size(), no_colour);
-    double greatest = 1 + colour_rounding;
-    bool usable = true;
-    for (const auto& colour : colours_) {
-      if (colour == no_colour) continue;
-      for (const double channel : colour) {
-        greatest = std::max(greatest, channel);
-        usable &= channel >= -colour_rounding && channel <= 255;
-      }
-    }
-    if (!usable) return unused_.add("colour out of range", "colours out of range", colours_.size());
-    const double full = greatest > 1 + colour_rounding ? 255 : 1;
-    for (const auto& colour : colours_) {
-      const bool bare = colour == no_colour;
-      std::array<std::uint8_t, 4> bytes{0, 0, 0, static_cast<std::uint8_t>(bare ? 0 : 255)};
-      for (std::size_t i = 0; i < 3 && !bare; ++i) bytes[i] = colour_byte(colour[i] / full);
-      file_.mesh.paint.colours.push_back(bytes);
-    }
-  }
-
-  static constexpr std::array<double, 3> no_colour{-1, -1, -1};
+  static constexpr double no_alpha = 1e9;  ///< clamped: all is covered
 
   std::string path_;
   std::size_t line_ = 0;
   Named vertices_{"vertex"}, textures_{"texture coordinates"};
   FileMesh file_;
   std::vector<Vec2f> uv_;
-  std::vector<Index> corner_textures_;          ///< [corner] among uv_, or no_index
-  std::vector<std::array<double, 3>> colours_;  ///< [vertex], or empty; not longer than needed
+  std::vector<Index> corner_textures_;  ///< [corner] among uv_, or no_index
+  FileColours colours_;
   ObjTags tags_;
   UnusedCount unused_;
 };

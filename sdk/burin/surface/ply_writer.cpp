@@ -1,6 +1,5 @@
-#include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/surface/mesh_file.h>
+#include <burin/surface/mesh_formats.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -106,12 +105,6 @@ void write_elements(std::ostream& out, std::size_t count, const Put& put_element
 
 void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint,
                const Vec3d& origin) {
-  const auto one_each = [](const auto& values, const auto& elements) {
-    return values.empty() || values.size() == elements.size();
-  };
-  if (!one_each(paint.colours, mesh.positions) || !one_each(paint.masks, mesh.positions) ||
-      !one_each(mesh.triangle_uv, mesh.triangles))
-    throw ContractError("write_ply: not one colour or mask a vertex, or texture coordinates a triangle");
   const PlyContents contents(mesh, paint, origin);
   write_file_whole(path, [&](std::ostream& out) {
     out << contents.header();

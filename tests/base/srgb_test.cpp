@@ -1,4 +1,4 @@
-#include "srgb.h"
+#include <burin/base/srgb.h>
 
 #include <gtest/gtest.h>
 
