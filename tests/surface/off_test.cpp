@@ -29,7 +29,8 @@ std::string message(const std::string& content) {
 
 TEST(ReadOff, ReadsWhatProgramsWrite) {
   const std::string body = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 1 2 255 0 0\n";
-  for (const std::string head : {"OFF\n4 2 0\n", "OFF 4 2 0\n", "4 2 5\n", "# by hand\nOFF # kind\n\n4 2\n\n"}) {
+  for (const std::string head :
+       {"OFF\n4 2 0\n", "OFF 4 2 0\n", "4 2 5\n", "# by hand\nOFF # kind\n\n4 2\n\n"}) {
     const PolygonMesh mesh = read(head + body);
     EXPECT_EQ(mesh.positions.size(), 4u) << head;
     EXPECT_EQ(mesh.face_sizes, (std::vector<Index>{4, 3})) << head;
@@ -44,8 +45,9 @@ TEST(ReadOff, ReadsColoursNormalsAndTextureCoordinates) {
             (Colours{{255, 1, 0, 255}, {0, 0, 1, 128}, {1, 1, 1, 0}}));
   EXPECT_EQ(read("COFF\n3 1 0\n0 0 0 1.0 0 0\n1 0 0 0 1.0 0\n0 1 0 0 0 0.5\n" + face).paint.colours,
             (Colours{{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 128, 255}}));
-  const PolygonMesh all =
-      read("STCNOFF\n3 1 0\n0 0 0 0 0 1 9 9 9 255 0 .25\n1 0 0 0 0 1 9 9 9 255 1 0\n0 1 0 0 0 1 9 9 9 255 1 1\n" + face);
+  const PolygonMesh all = read(
+      "STCNOFF\n3 1 0\n0 0 0 0 0 1 9 9 9 255 0 .25\n1 0 0 0 0 1 9 9 9 255 1 0\n0 1 0 0 0 1 9 9 9 255 1 1\n" +
+      face);
   EXPECT_EQ(all.corner_uv, (std::vector<Vec2f>{{0, 0.25F}, {1, 0}, {1, 1}}));
   EXPECT_EQ(all.paint.colours, Colours(3, {9, 9, 9, 255}));
   EXPECT_EQ(all.not_used, "3 normals");

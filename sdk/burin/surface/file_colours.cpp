@@ -20,7 +20,9 @@ void FileColours::give(VertexPaint& paint, std::size_t vertices, std::optional<d
   };
   const double greatest =
       full.value_or(any([](double channel) { return channel > 1 + colour_rounding; }) ? 255 : 1);
-  if (any([&](double channel) { return !(channel >= -colour_rounding && channel <= greatest + colour_rounding); }))
+  if (any([&](double channel) {
+        return !(channel >= -colour_rounding && channel <= greatest + colour_rounding);
+      }))
     return unused.add("colour out of range", "colours out of range", colours_.size());
   paint.colours.assign(vertices, {0, 0, 0, 0});
   for (std::size_t i = 0; i < colours_.size(); ++i)

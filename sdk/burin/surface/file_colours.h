@@ -18,9 +18,9 @@ class FileColours {
   /// Gives a colour to a vertex later than those that have one.
   void add(std::size_t vertex, const Colour& colour);
 
-  /// Hands them to `paint`, of so many vertices; those without one are bare. `full`: the greatest channel; where
-  /// the format does not say, 1, or 255 where any of red, green and blue is above 1. Colours beyond the range by more
-  /// than rounding are none: they are counted instead.
+  /// Hands them to `paint`, of so many vertices; those without one are bare. `full`: the greatest channel;
+  /// where the format does not say, 1, or 255 where any of red, green and blue is above 1. Colours beyond the
+  /// range by more than rounding are none: they are counted instead.
   void give(VertexPaint& paint, std::size_t vertices, std::optional<double> full, UnusedCount& unused);
 
  private:

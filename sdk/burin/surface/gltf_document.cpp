@@ -37,11 +37,19 @@ std::string text_of(const Json& object, const char* name) {
 std::size_t components_of(const std::string& type) {
   constexpr std::array<std::string_view, 4> types = {"SCALAR", "VEC2", "VEC3", "VEC4"};
   const auto found = std::ranges::find(types, type);
-  if (found == types.end()) throw Error(fmt::format("its type {} is none of numbers here", quoted_word(type)));
+  if (found == types.end())
+    throw Error(fmt::format("its type {} is none of numbers here", quoted_word(type)));
   return static_cast<std::size_t>(found - types.begin()) + 1;
 }
 
-enum ComponentType : std::size_t { int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125, float32 = 5126 };
+enum ComponentType : std::size_t {
+  int8 = 5120,
+  uint8 = 5121,
+  int16 = 5122,
+  uint16 = 5123,
+  uint32 = 5125,
+  float32 = 5126
+};
 
 std::size_t size_of(std::size_t type) {
   switch (type) {
@@ -61,7 +69,9 @@ std::size_t size_of(std::size_t type) {
 
 double value_at(std::string_view bytes, std::size_t at, std::size_t type, bool normalised) {
   const std::uint32_t bits = number_at(bytes, at, size_of(type));
-  const auto scaled = [&](double value, double full) { return normalised ? std::max(value / full, -1.0) : value; };
+  const auto scaled = [&](double value, double full) {
+    return normalised ? std::max(value / full, -1.0) : value;
+  };
   switch (type) {
     case int8:
       return scaled(static_cast<std::int8_t>(bits), 127);
@@ -156,7 +166,7 @@ void GltfDocument::read_glb(std::string bytes) {
 void GltfDocument::check_extensions() const {
   // Those that say something of how surfaces look take nothing from their shape.
   constexpr std::string_view known[] = {"KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_",
-                                        "KHR_lights_punctual", "KHR_texture_basisu", "EXT_texture_webp"};
+                                        "KHR_lights_punctual",   "KHR_texture_basisu",    "EXT_texture_webp"};
   for (const Json& name : json_.value("extensionsRequired", Json::array())) {
     const auto text = name.get<std::string>();
     if (text == "KHR_draco_mesh_compression")
@@ -175,14 +185,16 @@ void GltfDocument::load_buffers() {
     buffers_.push_back(uri.empty() && number == 0 ? std::move(glb_buffer_) : buffer_of_uri(uri, number));
     size_ += buffers_.back().size();
     if (buffers_.back().size() < length)
-      throw Error(fmt::format("buffer {} is cut off: {} of {} bytes", number, buffers_.back().size(), length));
+      throw Error(
+          fmt::format("buffer {} is cut off: {} of {} bytes", number, buffers_.back().size(), length));
   }
 }
 
 std::string GltfDocument::buffer_of_uri(const std::string& uri, std::size_t buffer) const {
   if (uri.starts_with("data:")) {
     const std::size_t comma = uri.find(";base64,");
-    if (comma == std::string::npos) throw Error(fmt::format("buffer {} has a URI that is not base64", buffer));
+    if (comma == std::string::npos)
+      throw Error(fmt::format("buffer {} has a URI that is not base64", buffer));
     return from_base64(std::string_view(uri).substr(comma + 8));
   }
   const std::filesystem::path name = from_percents(uri);
@@ -241,8 +253,8 @@ struct Run {
   std::size_t offset, stride, components, type;
   bool normalised;
 
-  Run(std::string_view in, std::size_t from, std::size_t apart, std::size_t of_each, std::size_t of_type, bool scale,
-      std::size_t count)
+  Run(std::string_view in, std::size_t from, std::size_t apart, std::size_t of_each, std::size_t of_type,
+      bool scale, std::size_t count)
       : bytes(in), offset(from), stride(apart), components(of_each), type(of_type), normalised(scale) {
     const std::size_t width = components * size_of(type);
     if (stride == 0) stride = width;
@@ -263,7 +275,8 @@ void GltfDocument::read_dense(const Json& accessor, Values& values) const {
   const Run run(from.bytes, count_of(accessor, "byteOffset", 0), from.stride, values.components,
                 count_of(accessor, "componentType", 0), accessor.value("normalized", false), values.size());
   for (std::size_t i = 0; i < values.size(); ++i)
-    for (std::size_t k = 0; k < values.components; ++k) values.numbers[i * values.components + k] = run.at(i, k);
+    for (std::size_t k = 0; k < values.components; ++k)
+      values.numbers[i * values.components + k] = run.at(i, k);
 }
 
 void GltfDocument::read_sparse(const Json& accessor, Values& values) const {
@@ -273,8 +286,9 @@ void GltfDocument::read_sparse(const Json& accessor, Values& values) const {
   const Json &indices = sparse.at("indices"), &others = sparse.at("values");
   const Run at(view(indices.value("bufferView", Json())).bytes, count_of(indices, "byteOffset", 0), 0, 1,
                count_of(indices, "componentType", 0), false, count);
-  const Run run(view(others.value("bufferView", Json())).bytes, count_of(others, "byteOffset", 0), 0, values.components,
-                count_of(accessor, "componentType", 0), accessor.value("normalized", false), count);
+  const Run run(view(others.value("bufferView", Json())).bytes, count_of(others, "byteOffset", 0), 0,
+                values.components, count_of(accessor, "componentType", 0),
+                accessor.value("normalized", false), count);
   for (std::size_t i = 0; i < count; ++i) {
     const double element = at.at(i, 0);
     if (!(element >= 0 && element < static_cast<double>(values.size())))

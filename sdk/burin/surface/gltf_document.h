@@ -13,8 +13,8 @@ namespace burin {
 /// A .gltf or .glb file with its buffers, and the numbers of its accessors [Khronos, glTF 2.0].
 class GltfDocument {
  public:
-  /// Throws FileError: not of version 2, a chunk or buffer that is missing or too short, an extension required
-  /// that is not known, Draco and meshopt among them.
+  /// Throws FileError: not of version 2, a chunk or buffer that is missing or too short, an extension
+  /// required that is not known, Draco and meshopt among them.
   explicit GltfDocument(const std::filesystem::path& path);
 
   const nlohmann::json& json() const { return json_; }

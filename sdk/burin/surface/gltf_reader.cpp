@@ -30,10 +30,11 @@ class GltfReader {
     seen_.resize(json.value("nodes", Json::array()).size());
     for (const Json& node : roots()) read_node(node, Eigen::Affine3d::Identity(), 0);
     if (seen_.empty())
-      for (const Json& mesh : json.value("meshes", Json::array())) read_mesh(mesh, Eigen::Affine3d::Identity());
-    for (const auto& [list, one, many] : {std::array{"animations", "animation", "animations"},
-                                          std::array{"skins", "skin", "skins"},
-                                          std::array{"materials", "material", "materials"}})
+      for (const Json& mesh : json.value("meshes", Json::array()))
+        read_mesh(mesh, Eigen::Affine3d::Identity());
+    for (const auto& [list, one, many] :
+         {std::array{"animations", "animation", "animations"}, std::array{"skins", "skin", "skins"},
+          std::array{"materials", "material", "materials"}})
       unused_.add(one, many, json.value(list, Json::array()).size());
     finish_optional();
     file_.mesh.not_used = unused_.text();
@@ -61,7 +62,8 @@ class GltfReader {
   void read_node(const Json& index, const Eigen::Affine3d& parent, int depth) {
     const Json& node = document_.element("nodes", index);
     const auto number = index.get<std::size_t>();
-    if (seen_[number] || depth > deepest) document_.fail(fmt::format("node {}", number), "is a child of several nodes");
+    if (seen_[number] || depth > deepest)
+      document_.fail(fmt::format("node {}", number), "is a child of several nodes");
     seen_[number] = true;
     const Eigen::Affine3d placed = parent * placement(node);
     if (node.contains("mesh")) read_mesh(document_.element("meshes", node["mesh"]), placed);
@@ -110,7 +112,8 @@ class GltfReader {
     read_attributes(attributes, first);
     for (const auto& attribute : attributes.items())
       if (attribute.key() == "NORMAL") unused_.add("normal", "normals", places.size());
-    if (primitive.contains("targets")) unused_.add("morph target", "morph targets", primitive["targets"].size());
+    if (primitive.contains("targets"))
+      unused_.add("morph target", "morph targets", primitive["targets"].size());
   }
 
   std::vector<std::size_t> corners_of(const Json& primitive, std::size_t vertices) {
@@ -128,7 +131,8 @@ class GltfReader {
   }
 
   /// Of a list, 4, a strip, 5, or a fan, 6. `mirrored`: its outside is turned in.
-  void add_triangles(const std::vector<std::size_t>& corners, unsigned mode, std::size_t first, bool mirrored) {
+  void add_triangles(const std::vector<std::size_t>& corners, unsigned mode, std::size_t first,
+                     bool mirrored) {
     const std::size_t step = mode == 4 ? 3 : 1;
     for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
       std::size_t a = corners[mode == 6 ? 0 : i], b = corners[i + 1], c = corners[i + 2];
@@ -148,7 +152,8 @@ class GltfReader {
       Values found;
       if (attributes.contains(name)) found = document_.values(attributes[name]);
       const bool fits = found.size() == count && found.components >= least;
-      return fits && std::ranges::all_of(found.numbers, [](double v) { return std::isfinite(v); }) ? found : Values{};
+      return fits && std::ranges::all_of(found.numbers, [](double v) { return std::isfinite(v); }) ? found
+                                                                                                   : Values{};
     };
     if (const Values uv = values("TEXCOORD_0", 2); uv.size() > 0) {
       uv_.resize(first, Vec2f::Zero());
@@ -164,7 +169,8 @@ class GltfReader {
     if (const Values masks = values("_MASK", 1); masks.size() > 0) {
       file_.mesh.paint.masks.resize(first, 1);
       for (std::size_t i = 0; i < count; ++i)
-        file_.mesh.paint.masks.push_back(static_cast<float>(std::clamp(masks.numbers[masks.components * i], 0.0, 1.0)));
+        file_.mesh.paint.masks.push_back(
+            static_cast<float>(std::clamp(masks.numbers[masks.components * i], 0.0, 1.0)));
     }
   }
 

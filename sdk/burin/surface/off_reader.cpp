@@ -71,7 +71,8 @@ class OffReader {
     kind_.texture = take("ST");
     kind_.colours = take("C");
     kind_.normals = take("N");
-    if (word == "4OFF" || word == "nOFF" || word == "4nOFF") fail("holds points of more than three dimensions");
+    if (word == "4OFF" || word == "nOFF" || word == "4nOFF")
+      fail("holds points of more than three dimensions");
     if (word != "OFF") fail(fmt::format("is not an OFF file: it begins with {}", quoted_word(whole)));
     line = rest;
     if (next_word(rest) == "BINARY") fail("is a binary OFF file, which is not read");
@@ -114,7 +115,8 @@ class OffReader {
     if (kind_.texture) {
       if (end < at + 2) fail("a vertex lacks its texture coordinates");
       end -= 2;
-      uv_.emplace_back(static_cast<float>(number(numbers[end])), static_cast<float>(number(numbers[end + 1])));
+      uv_.emplace_back(static_cast<float>(number(numbers[end])),
+                       static_cast<float>(number(numbers[end + 1])));
     }
     if (kind_.colours) read_colour(std::span(numbers).subspan(std::min(at, end), end - std::min(at, end)));
     file_.places.push_back(place);
