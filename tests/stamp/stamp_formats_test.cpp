@@ -19,6 +19,7 @@ namespace burin {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace std::string_literals;
 
 /// A file of the running test, and what read_stamp makes of it.
 class StampFormats : public ::testing::Test {
@@ -321,6 +322,37 @@ TEST_F(StampFormats, TurnsAJpegUpright) {
   EXPECT_EQ(image.height, 32);
   for (std::size_t y = 0; y < 32; ++y)
     EXPECT_NEAR(image.texels[y * 16 + 7], static_cast<float>(8 * (31 - y)) / 255, 0.02f) << y;
+}
+
+TEST_F(StampFormats, RefusesEveryTruncationOfEveryFormat) {
+  std::vector<std::uint8_t> values(64 * 64);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::uint8_t>(i * i % 251);
+  OIIO::ImageSpec spec(64, 64, 1, OIIO::TypeUInt8);
+  for (const char* name : {"a.jpg", "a.tif", "a.png"}) {
+    write_image(path(name), spec, values);
+    const std::string whole = read_file(path(name));
+    EXPECT_EQ(complaint(path(name)), "accepted");
+    for (std::size_t size = 1; size < whole.size(); size += 1 + whole.size() / 100) {
+      write_file_whole(path("cut"), [&](std::ostream& out) { out << whole.substr(0, size); });
+      EXPECT_NE(complaint(path("cut")), "accepted") << name << " " << size << " of " << whole.size();
+    }
+  }
+  // Where the directory stands before the texels.
+  const std::string bytes(64, 'x');
+  const auto directory_first = [](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 8); };
+  const std::string tiff = read_file(write_tiff(8, 8, 8, bytes, directory_first));
+  std::string early = "II\x2a\0\x08\0\0\0"s;
+  const std::size_t at = static_cast<unsigned char>(tiff[4]) + 256u * static_cast<unsigned char>(tiff[5]);
+  early += tiff.substr(at);
+  const std::size_t texels = early.size();
+  for (std::size_t entry = 10; entry + 12 < early.size(); entry += 12)
+    if (early.compare(entry, 2, "\x11\x01") == 0) early[entry + 8] = static_cast<char>(texels);
+  ASSERT_LT(texels, 256u);
+  for (const std::size_t kept : {64u, 63u, 0u}) {
+    write_file_whole(path("early.tif"), [&](std::ostream& out) { out << early << bytes.substr(0, kept); });
+    EXPECT_EQ(complaint(path("early.tif")),
+              kept == 64 ? "accepted" : ": is cut off: texels lie beyond its end");
+  }
 }
 
 TEST_F(StampFormats, ReadsLayersAndChannelsOfExrByName) {

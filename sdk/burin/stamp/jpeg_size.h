@@ -4,10 +4,12 @@
 
 namespace burin {
 
-/// Width, height and components that the frame of a JPEG file tells, all 0 where there is none: known before
-/// the library sets memory aside, which it does when it opens a progressive one.
+/// What the markers of a JPEG file tell: the size, before the library sets memory aside, which it does when
+/// it opens a progressive one, and whether the file has its end, which the library makes up where it is cut
+/// off.
 struct JpegSize {
-  std::uint32_t width = 0, height = 0, components = 0;
+  std::uint32_t width = 0, height = 0, components = 0;  ///< all 0 where there is no frame
+  bool has_end = false;
 };
 JpegSize jpeg_size(std::string_view bytes);
 

@@ -245,7 +245,8 @@ void make_black_zero(StoredImage& image) {
 }
 
 StoredImage read_tiff(const fs::path& path, std::uintmax_t bytes, const StampOptions& options) {
-  const TiffFacts facts = read_tiff_facts(path);
+  const TiffFacts facts = read_tiff_facts(path, bytes);
+  if (facts.cut_off) throw FileError(path.string(), "is cut off: texels lie beyond its end");
   if (facts.more_images) throw FileError(path.string(), "holds several images; a stamp is one");
   if (!facts.numbers)
     throw FileError(path.string(), "holds colours other than grey and RGB; a stamp is made of numbers");
@@ -259,6 +260,7 @@ StoredImage read_tiff(const fs::path& path, std::uintmax_t bytes, const StampOpt
 StoredImage read_jpeg(const fs::path& path, std::uintmax_t bytes, const StampOptions& options) {
   const JpegSize size = jpeg_size(read_file(path));
   expect_stamp_size(path.string(), size.width, size.height, size.components, bytes);
+  if (!size.has_end) throw FileError(path.string(), "is cut off: the end of the image is missing");
   ImageFile file(path, "jpeg", bytes);
   return read_chosen(file, options);
 }

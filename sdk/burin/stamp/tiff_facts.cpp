@@ -41,6 +41,15 @@ std::optional<double> no_data_value(TIFF* tiff) {
   return value;
 }
 
+bool is_cut_off(TIFF* tiff, std::uintmax_t file_bytes) {
+  const std::uint32_t pieces = TIFFIsTiled(tiff) ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
+  for (std::uint32_t i = 0; i < pieces; ++i) {
+    const std::uint64_t begin = TIFFGetStrileOffset(tiff, i), size = TIFFGetStrileByteCount(tiff, i);
+    if (begin > file_bytes || size > file_bytes - begin) return true;
+  }
+  return false;
+}
+
 bool is_part_of_first(TIFF* tiff) {
   std::uint32_t kind = 0;
   TIFFGetField(tiff, TIFFTAG_SUBFILETYPE, &kind);
@@ -49,7 +58,7 @@ bool is_part_of_first(TIFF* tiff) {
 
 }  // namespace
 
-TiffFacts read_tiff_facts(const std::filesystem::path& path) {
+TiffFacts read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_bytes) {
   const Tiff tiff = open(path);
   TiffFacts facts;
   std::uint16_t meaning = PHOTOMETRIC_MINISBLACK;
@@ -57,6 +66,7 @@ TiffFacts read_tiff_facts(const std::filesystem::path& path) {
   facts.white_is_zero = meaning == PHOTOMETRIC_MINISWHITE;
   facts.numbers = meaning <= PHOTOMETRIC_PALETTE || meaning == PHOTOMETRIC_YCBCR;
   facts.no_data = no_data_value(tiff.get());
+  facts.cut_off = is_cut_off(tiff.get(), file_bytes);
   while (!facts.more_images && TIFFReadDirectory(tiff.get()))
     facts.more_images = !is_part_of_first(tiff.get());
   return facts;
