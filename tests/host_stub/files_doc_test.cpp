@@ -70,13 +70,14 @@ class FilesPage : public testing::Test {
 
   CommandFolder folder;
   TriangleMesh mesh = sphere(3, 0.2, 5);
-  std::string stroke =
-      folder.write("a.stroke", equator_stroke(-0.6, 0.6, 41, "\"brush\":\"org.burin.groove\",\"radius\":0.4"));
+  std::string stroke = folder.write(
+      "a.stroke", equator_stroke(-0.6, 0.6, 41, "\"brush\":\"org.burin.groove\",\"radius\":0.4"));
 };
 
 TEST_F(FilesPage, NamesWhatIsRead) {
   const std::set<std::string> rows = first_cells("What is read");
-  EXPECT_EQ(rows, (std::set<std::string>{".obj", ".ply", ".ply without faces", ".stl", ".off", ".gltf", ".glb"}));
+  EXPECT_EQ(rows,
+            (std::set<std::string>{".obj", ".ply", ".ply without faces", ".stl", ".off", ".gltf", ".glb"}));
   const nlohmann::json reference = burin_json({"chart", stroke, "--mesh", file_for(".obj")});
   for (const std::string& row : rows) {
     const nlohmann::json json = burin_json({"chart", stroke, "--mesh", file_for(row)});
@@ -97,8 +98,10 @@ TEST_F(FilesPage, NamesWhatIsWritten) {
     EXPECT_EQ(saved.back(), saved.front()) << row;
   }
   EXPECT_NE(saved.front(), mesh.positions);
-  const ProcessResult refused = burin({"replay", stroke, "--mesh", file_for(".obj"), "--save-mesh", folder.path("a.fbx")});
-  EXPECT_EQ(refused.err, "burin: " + folder.path("a.fbx") + ": meshes are written as .ply, .glb or .off files\n");
+  const ProcessResult refused =
+      burin({"replay", stroke, "--mesh", file_for(".obj"), "--save-mesh", folder.path("a.fbx")});
+  EXPECT_EQ(refused.err,
+            "burin: " + folder.path("a.fbx") + ": meshes are written as .ply, .glb or .off files\n");
 }
 
 }  // namespace

@@ -70,6 +70,14 @@ class GltfReader {
     for (const Json& child : node.value("children", Json::array())) read_node(child, placed, depth + 1);
   }
 
+  /// Of a quaternion, which may be of any length. Not Eigen's, whose bits the processor chooses.
+  static Eigen::Matrix3d rotation(const Vec3d& vector, double scalar) {
+    const double twice = 2 / (vector.squaredNorm() + scalar * scalar);
+    Eigen::Matrix3d across;  // times a vector: the cross product with it
+    across << 0, -vector.z(), vector.y(), vector.z(), 0, -vector.x(), -vector.y(), vector.x(), 0;
+    return Eigen::Matrix3d::Identity() + twice * (scalar * across + across * across);
+  }
+
   static Eigen::Affine3d placement(const Json& node) {
     Eigen::Affine3d placed = Eigen::Affine3d::Identity();
     if (node.contains("matrix")) {
@@ -86,7 +94,7 @@ class GltfReader {
     const auto t = numbers("translation", {0, 0, 0, 0}, 3), r = numbers("rotation", {0, 0, 0, 1}, 4),
                s = numbers("scale", {1, 1, 1, 0}, 3);
     placed.translate(Vec3d(t[0], t[1], t[2]));
-    placed.rotate(Eigen::Quaterniond(r[3], r[0], r[1], r[2]).normalized());
+    placed.linear() = rotation(Vec3d(r[0], r[1], r[2]), r[3]);
     placed.scale(Vec3d(s[0], s[1], s[2]));
     return placed;
   }
