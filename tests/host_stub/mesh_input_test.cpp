@@ -148,7 +148,8 @@ TEST(MeshInput, KeepsTextureCoordinatesOfWhatItSaves) {
       cube.insert(digit + 1, "/" + std::to_string(corner));
     }
   const std::string path = folder.write("cube.obj", cube);
-  const std::string stroke = folder.write("a.stroke", equator_stroke(-0.6, 0.6, 41, groove));
+  const std::string stroke = folder.write(
+      "a.stroke", equator_stroke(-0.6, 0.6, 41, "\"brush\":\"org.burin.groove\",\"radius\":1.5"));
   for (const char* level : {"0", "2"}) {
     burin_output(
         {"replay", stroke, "--mesh", path, "--subdivide", level, "--save-mesh", folder.path("out.ply")});

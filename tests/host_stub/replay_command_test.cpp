@@ -337,7 +337,7 @@ TEST(ReplayCommand, RefusesARecordingThatWasCutOffUntilItIsMended) {
 
 TEST(ReplayCommand, WarnsWhenNoStrokeMeetsTheSurface) {
   Engraving engraving;
-  engraving.mesh_path = engraving.folder.write("far.obj", "v 9 9 9\nv 10 9 9\nv 9 10 9\nf 1 2 3\n");
+  engraving.mesh_path = engraving.folder.write("far.obj", "v 9 9 9\nv 9.3 9 9\nv 9 9.3 9\nf 1 2 3\n");
   const ProcessResult result = burin(engraving.command({}));
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "burin: warning: no stroke meets the surface\n");

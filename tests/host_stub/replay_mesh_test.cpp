@@ -65,7 +65,7 @@ TEST(SculptLevelOption, OfTheFinestLevelChangesNothing) {
   const nlohmann::json plain = hash({"--subdivide", "4"});
   EXPECT_EQ(hash({"--subdivide", "4", "--sculpt-level", "4"}), plain);
   EXPECT_NE(hash({"--subdivide", "4", "--sculpt-level", "3"}), plain);
-  EXPECT_EQ(hash({"--sculpt-level", "0"}), hash({}));
+  EXPECT_EQ(hash({"--sculpt-level", "0", "--radius", "2"}), hash({"--radius", "2"}));
 }
 
 TEST(SculptLevelOption, PicturesTheFinestLevel) {
