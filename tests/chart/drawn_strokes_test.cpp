@@ -13,6 +13,7 @@
 #include "support/drawn_strokes.h"
 #include "support/same_chart.h"
 #include "support/shapes.h"
+#include "support/told_distances.h"
 
 namespace burin {
 namespace {
@@ -40,18 +41,6 @@ std::ostream& operator<<(std::ostream& out, const Tally& tally) {
              << " %";
 }
 
-/// The least distance to the curve among the nodes of each vertex of a chart, object units.
-std::map<Index, double> told_distances(const Chart& chart) {
-  std::map<Index, double> told;
-  for (std::size_t i = 0; i < chart.size(); ++i) {
-    const double beyond = std::max({-chart.t[i], chart.t[i] - chart.length, 0.});
-    const double distance = std::hypot(beyond, static_cast<double>(chart.d[i]));
-    const auto [entry, is_new] = told.try_emplace(chart.vertex[i], distance);
-    if (!is_new) entry->second = std::min(entry->second, distance);
-  }
-  return told;
-}
-
 double exact_distance(const test::ExactShape& shape, const SurfaceCurve& curve, const Vec3d& x, double most) {
   const auto place = [&](std::size_t i) { return Vec3d(curve.points[i].at.position.cast<double>()); };
   double least = shape.distance(x, place(0), place(0));
@@ -66,7 +55,7 @@ double exact_distance(const test::ExactShape& shape, const SurfaceCurve& curve, 
 
 Tally compare(const test::ExactShape& shape, const Surface& surface, const SurfaceCurve& curve,
               const Chart& chart, double radius) {
-  const std::map<Index, double> told = told_distances(chart);
+  const std::map<Index, double> told = test::told_distances(chart);
   Eigen::AlignedBox3d box;
   for (const CurvePoint& point : curve.points) box.extend(point.at.position.cast<double>());
   Tally tally;
