@@ -83,9 +83,10 @@ double largest_error(const test::ExactShape& shape, double edge) {
     const Vec3d x = surface.positions[vertex].cast<double>();
     double exact = most;
     for (std::size_t k = 0; k + 1 < points.size(); ++k)
-      exact = std::min(exact, shape.distance(x, points[k].position.cast<double>(),
-                                             points[k + 1].position.cast<double>()));
-    if (exact < most) largest = std::max(largest, std::abs(distance.from(vertex, most) - exact) / most);
+      exact = std::min(
+          exact, shape.distance(x, points[k].position.cast<double>(), points[k + 1].position.cast<double>()));
+    if (exact < most)
+      largest = std::max(largest, std::abs(distance.from(vertex, most).distance - exact) / most);
   }
   std::cout << 100 * largest << " % at edges of " << edge << "\n";
   return largest;

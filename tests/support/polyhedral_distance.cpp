@@ -1,309 +1,42 @@
-// Windows of straight lines that unfold from triangle to triangle [Chen and Han, Shortest paths on a
-// polyhedron, 1990], nearest first, dropped where a vertex offers a shorter way [Xin and Wang, Improving Chen
-// and Han's algorithm on the discrete geodesic problem, 2009]. Without Chen and Han's rule of one split an
-// angle, which only saves time.
 #include "support/polyhedral_distance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <numbers>
-#include <queue>
 
 namespace burin::test {
-namespace {
-
-using Vec2d = Eigen::Vector2d;
-
-constexpr double rounding = 1e-9;  ///< of an edge
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Sides of triangles: 3 * triangle + i runs from its corner i to the next.
-Index next_side(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
-
-/// The lines from one point through part of a side into its triangle. Frame: the side runs along x from its
-/// begin at 0, the triangle lies above, the point below.
-struct Window {
-  Index side;
-  double begin, end;  ///< on the side
-  Vec2d source;
-  double before;  ///< length of the way to the source
-};
-
-/// A window, or a vertex when there is none, in the order of the shortest way through it.
-struct Event {
-  double distance;
-  Index vertex;
-  std::optional<Window> window;
-  bool operator>(const Event& other) const { return distance > other.distance; }
-};
-
-double distance_to(const Window& window, double x) {
-  return window.before + std::hypot(window.source.x() - x, window.source.y());
-}
-
-/// A place in a triangle to which the distance is asked.
-struct Target {
-  std::array<double, 3> weights;
-  Vec3d place;
-};
-
-}  // namespace
-
-class Unfolding {
- public:
-  Unfolding(const Surface& surface, const Region& region);
-  bool is_manifold() const { return manifold_; }
-  /// The points to which reached() tells the distance; of those outside the region it stays infinite.
-  void aim_at(std::span<const SurfacePoint> points);
-  void start(Index triangle, const SurfacePoint& from);
-  void start_at(Index vertex);
-  /// Up to this distance, and to so much more than that of the nearest target.
-  void run(double most, double beyond_nearest);
-  const std::vector<double>& distances() const { return distances_; }
-  const std::vector<double>& reached() const { return reached_; }
-
- private:
-  void clear();
-  Index begin_of(Index side) const { return region_.corners[side / 3][side % 3]; }
-  Index end_of(Index side) const { return begin_of(next_side(side)); }
-  double length(Index a, Index b) const { return (places_[a] - places_[b]).norm(); }
-  double length(Index side) const { return length(begin_of(side), end_of(side)); }
-  void relax(Index vertex, double distance);
-  void reach(Index target, double distance);
-  void reach_inside(Index triangle, const Vec3d& source, double before);
-  void open(const Window& window);
-  void open_from(const Vec3d& source, double before, Index side);
-  void leave(Index vertex, bool bends);
-  void enter(const Window& window);
-  void reach_through(const Window& window, const Vec2d& apex);
-
-  const Region& region_;
-  std::vector<Vec3d> places_;                  ///< [local vertex]
-  std::vector<Index> twins_;                   ///< [side] that of the triangle beyond, or no_index
-  std::vector<std::vector<Index>> opposite_;   ///< [vertex] sides of its triangles
-  std::vector<double> angles_;                 ///< [vertex] sum; infinite on the boundary
-  std::vector<Target> targets_;
-  std::vector<std::vector<Index>> targets_in_;  ///< [triangle]
-  std::vector<double> distances_, reached_;     ///< [vertex], [target]
-  double nearest_ = infinite;                   ///< of reached_
-  std::priority_queue<Event, std::vector<Event>, std::greater<>> events_;
-  bool manifold_ = true;
-};
-
-Unfolding::Unfolding(const Surface& surface, const Region& region)
-    : region_(region),
-      twins_(3 * region.corners.size(), no_index),
-      opposite_(region.vertices.size()),
-      angles_(region.vertices.size(), 0),
-      targets_in_(region.corners.size()) {
-  for (const Index vertex : region.vertices) places_.push_back(surface.positions[vertex].cast<double>());
-  std::map<std::pair<Index, Index>, Index> sides;
-  for (Index side = 0; side < twins_.size(); ++side) {
-    const Index a = begin_of(side), b = end_of(side), c = end_of(next_side(side));
-    manifold_ &= sides.try_emplace({a, b}, side).second;
-    opposite_[c].push_back(side);
-    const Vec3d to_a = places_[a] - places_[c], to_b = places_[b] - places_[c];
-    angles_[c] += std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b));
-  }
-  for (const auto& [ends, side] : sides) {
-    const auto twin = sides.find({ends.second, ends.first});
-    if (twin == sides.end()) {
-      angles_[ends.first] = angles_[ends.second] = infinite;
-    } else {
-      twins_[side] = twin->second;
-    }
-  }
-  clear();
-}
-
-void Unfolding::clear() {
-  distances_.assign(places_.size(), infinite);
-  reached_.assign(targets_.size(), infinite);
-  nearest_ = infinite;
-  events_ = {};
-}
-
-void Unfolding::aim_at(std::span<const SurfacePoint> points) {
-  for (const SurfacePoint& point : points) {
-    const Index triangle = local_index(region_.triangles, point.triangle);
-    Target target{{}, Vec3d::Zero()};
-    for (std::size_t i = 0; triangle != no_index && i < 3; ++i) {
-      target.weights[i] = static_cast<double>(point.weights[i]);
-      target.place += target.weights[i] * places_[region_.corners[triangle][i]];
-    }
-    if (triangle != no_index) targets_in_[triangle].push_back(static_cast<Index>(targets_.size()));
-    targets_.push_back(target);
-  }
-}
-
-void Unfolding::start(Index triangle, const SurfacePoint& from) {
-  clear();
-  const auto& [a, b, c] = region_.corners[triangle];
-  // A little inside, so that no window is seen edge-on.
-  const double u = (from.weights[1] + rounding) / (1 + 3 * rounding);
-  const double v = (from.weights[2] + rounding) / (1 + 3 * rounding);
-  const Vec3d source = (1 - u - v) * places_[a] + u * places_[b] + v * places_[c];
-  reach_inside(triangle, source, 0);
-  for (Index side = 3 * triangle; side < 3 * triangle + 3; ++side) {
-    relax(begin_of(side), (places_[begin_of(side)] - source).norm());
-    open_from(source, 0, side);
-  }
-}
-
-void Unfolding::start_at(Index vertex) {
-  clear();
-  distances_[vertex] = 0;
-  leave(vertex, true);
-}
-
-void Unfolding::run(double most, double beyond_nearest) {
-  while (!events_.empty()) {
-    const Event event = events_.top();
-    events_.pop();
-    if (event.distance > std::min(most, nearest_ + beyond_nearest)) return;
-    if (event.window) {
-      enter(*event.window);
-    } else if (event.distance == distances_[event.vertex]) {
-      leave(event.vertex, angles_[event.vertex] > 2 * std::numbers::pi + rounding);
-    }
-  }
-}
-
-void Unfolding::relax(Index vertex, double distance) {
-  if (distance >= distances_[vertex]) return;
-  distances_[vertex] = distance;
-  events_.push({distance, vertex, std::nullopt});
-}
-
-void Unfolding::reach(Index target, double distance) {
-  reached_[target] = std::min(reached_[target], distance);
-  nearest_ = std::min(nearest_, distance);
-}
-
-/// From a point of the triangle.
-void Unfolding::reach_inside(Index triangle, const Vec3d& source, double before) {
-  for (const Index target : targets_in_[triangle])
-    reach(target, before + (targets_[target].place - source).norm());
-}
-
-/// Ways along edges, and straight on in all directions where shortest paths can bend.
-void Unfolding::leave(Index vertex, bool bends) {
-  for (const Index side : opposite_[vertex]) {
-    relax(begin_of(side), distances_[vertex] + length(vertex, begin_of(side)));
-    relax(end_of(side), distances_[vertex] + length(vertex, end_of(side)));
-    reach_inside(side / 3, places_[vertex], distances_[vertex]);
-    if (bends) open_from(places_[vertex], distances_[vertex], side);
-  }
-}
-
-/// The window out of a triangle over a side, from a point of the triangle.
-void Unfolding::open_from(const Vec3d& source, double before, Index side) {
-  const Vec3d &a = places_[begin_of(side)], &b = places_[end_of(side)];
-  const Vec3d along = (a - b).normalized(), to_source = source - b;
-  const double x = to_source.dot(along);
-  open({twins_[side], 0, (a - b).norm(), Vec2d(x, -(to_source - x * along).norm()), before});
-}
-
-void Unfolding::open(const Window& window) {
-  if (window.end - window.begin <= 0 || window.side == no_index) return;
-  const double edge = length(window.side), slack = rounding * edge;
-  if (distance_to(window, window.end) > distances_[begin_of(window.side)] + window.end + slack) return;
-  if (distance_to(window, window.begin) > distances_[end_of(window.side)] + edge - window.begin + slack)
-    return;
-  const double nearest = distance_to(window, std::clamp(window.source.x(), window.begin, window.end));
-  events_.push({nearest, no_index, window});
-}
-
-/// Crosses a triangle: to one or both of the other sides, to the corner between them and to targets.
-void Unfolding::enter(const Window& window) {
-  const auto& [side, begin, end, source, before] = window;
-  const Index to_apex = next_side(side), from_apex = next_side(to_apex), apex = end_of(to_apex);
-  const double ab = length(side), ac = length(from_apex), bc = length(to_apex);
-  const double x = (ac * ac + ab * ab - bc * bc) / (2 * ab);
-  const Vec2d c(x, std::sqrt(std::max(0., ac * ac - x * x))), to_b = Vec2d(ab, 0) - c;
-  if (c.y() <= 0) return;
-  const double split = source.x() + (c.x() - source.x()) * -source.y() / (c.y() - source.y());
-  const double slack = rounding * ab;
-  if (begin <= split + slack && split <= end + slack) relax(apex, before + (c - source).norm());
-  reach_through(window, c);
-
-  /// Where the line from the source through x meets the line from `origin` along `direction`, in its lengths.
-  const auto hit = [&](double through, const Vec2d& origin, const Vec2d& direction) {
-    const Vec2d line(through - source.x(), -source.y());
-    return std::clamp(cross(source - origin, line) / cross(direction, line), 0., 1.);
-  };
-  const auto seen_from = [&](const Vec2d& origin, const Vec2d& direction) {
-    const Vec2d along = direction.normalized(), from = source - origin;
-    return Vec2d(from.dot(along), cross(along, from));
-  };
-  const Vec2d zero(0, 0);
-  if (begin < split) {
-    const double last = end < split ? hit(end, zero, c) : 1;
-    open({twins_[from_apex], ac * hit(begin, zero, c), ac * last, seen_from(zero, c), before});
-  }
-  if (end > split) {
-    const double first = begin > split ? hit(begin, c, to_b) : 0;
-    open({twins_[to_apex], bc * first, bc * hit(end, c, to_b), seen_from(c, to_b), before});
-  }
-}
-
-/// The targets of the triangle that the window's lines meet.
-void Unfolding::reach_through(const Window& window, const Vec2d& apex) {
-  const Index side = window.side;
-  const double ab = length(side), slack = rounding * ab;
-  for (const Index target : targets_in_[side / 3]) {
-    const auto& weights = targets_[target].weights;
-    const Vec2d place = weights[next_side(side) % 3] * Vec2d(ab, 0) +
-                        weights[next_side(next_side(side)) % 3] * apex;
-    const double rise = place.y() - window.source.y();
-    const double through = rise > 0 ? window.source.x() + (place.x() - window.source.x()) *
-                                                              -window.source.y() / rise
-                                    : place.x();
-    if (window.begin <= through + slack && through <= window.end + slack)
-      reach(target, window.before + (place - window.source).norm());
-  }
-}
 
 std::optional<std::vector<double>> polyhedral_distances(const Surface& surface, const Region& region,
                                                         const SurfacePoint& from) {
   const Index triangle = local_index(region.triangles, from.triangle);
   Unfolding unfolding(surface, region);
   if (triangle == no_index || !unfolding.is_manifold()) return std::nullopt;
-  unfolding.start(triangle, from);
-  unfolding.run(infinite, infinite);
+  unfolding.find_from(triangle, from);
   return unfolding.distances();
 }
 
 PolylineDistance::PolylineDistance(const Surface& surface, const Region& region,
                                    std::span<const SurfacePoint> points)
-    : region_(&region), unfolding_(std::make_unique<Unfolding>(surface, region)) {
-  unfolding_->aim_at(points);
+    : region_(region), unfolding_(surface, region) {
+  unfolding_.aim_at(points);
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     lengths_.push_back((points[i + 1].position - points[i].position).cast<double>().norm());
 }
 
-PolylineDistance::~PolylineDistance() = default;
-
-bool PolylineDistance::is_known() const { return unfolding_->is_manifold(); }
-
-double PolylineDistance::from(Index vertex, double most) {
+PolylineDistance::Nearest PolylineDistance::from(Index vertex, double most) {
   const double longest = lengths_.empty() ? 0 : std::ranges::max(lengths_);
-  unfolding_->start_at(local_index(region_->vertices, vertex));
-  unfolding_->run(most + longest, 1.01 * longest);
-  const std::vector<double>& reached = unfolding_->reached();
-  double least = std::ranges::min(reached);
+  unfolding_.find_from(local_index(region_.vertices, vertex), most + longest, 1.01 * longest);
+  const std::vector<double>& reached = unfolding_.reached();
+  const auto least = std::ranges::min_element(reached);
+  Nearest nearest{*least, static_cast<double>(least - reached.begin())};
   for (std::size_t i = 0; i < lengths_.size(); ++i) {
     const double a = reached[i], b = reached[i + 1], length = lengths_[i];
-    if (!(a < infinite && b < infinite && length > 0)) continue;
+    if (!(a < unreached && b < unreached && length > 0)) continue;
     const double along = (a * a + length * length - b * b) / (2 * length);
-    if (along > 0 && along < length) least = std::min(least, std::sqrt(std::max(0., a * a - along * along)));
+    const double height = std::sqrt(std::max(0., a * a - along * along));
+    if (along > 0 && along < length && height < nearest.distance)
+      nearest = {height, static_cast<double>(i) + along / length};
   }
-  return least;
+  return nearest;
 }
 
 }  // namespace burin::test

@@ -1,12 +1,12 @@
 #pragma once
 #include <burin/surface/surface_point.h>
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "support/region.h"
+#include "support/unfolding.h"
 
 namespace burin::test {
 
@@ -16,25 +16,26 @@ namespace burin::test {
 std::optional<std::vector<double>> polyhedral_distances(const Surface& surface, const Region& region,
                                                         const SurfacePoint& from);
 
-class Unfolding;
-
 /// Geodesic distance inside the region from its vertices to a polyline of points of the surface. Exact at the
-/// points; the parts between them are measured as if they lay in one plane with the vertex. Points outside
-/// the region count for nothing. The region must outlive it.
+/// points; what lies between two of them is measured as if it lay in one plane with the vertex. Points
+/// outside the region count for nothing. The region must outlive it.
 class PolylineDistance {
  public:
   PolylineDistance(const Surface& surface, const Region& region, std::span<const SurfacePoint> points);
-  ~PolylineDistance();
 
   /// Not where an edge has more than two triangles or two that disagree on its direction.
-  bool is_known() const;
+  bool is_known() const { return unfolding_.is_manifold(); }
 
-  /// From a vertex of the surface in the region, object units; above `most` it may be too long or infinite.
-  double from(Index vertex, double most);
+  struct Nearest {
+    double distance;  ///< object units
+    double at;        ///< the point's number, with a fraction between it and the next
+  };
+  /// From a vertex of the surface in the region. A distance above `most` may be too long.
+  Nearest from(Index vertex, double most);
 
  private:
-  const Region* region_;
-  std::unique_ptr<Unfolding> unfolding_;
+  const Region& region_;
+  Unfolding unfolding_;
   std::vector<double> lengths_;  ///< [point] to the next
 };
 
