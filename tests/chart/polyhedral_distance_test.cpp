@@ -4,6 +4,7 @@
 
 #include <burin/surface/closest_point.h>
 #include <burin/surface/mesh_file.h>
+#include <burin/surface/picker.h>
 #include <burin/surface/triangulate.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 #include <random>
 
 #include "support/cgal_distance.h"
+#include "support/drawn_strokes.h"
 #include "support/shared_data.h"
 
 namespace burin {
@@ -61,6 +63,40 @@ TEST(PolyhedralDistance, IsNeverLongerThanCgals) {
   EXPECT_GT(agreement.count, 15'000U);
   std::cout << agreement.same << " of " << agreement.count << " the same\n";
   EXPECT_GT(static_cast<double>(agreement.same), 0.9 * static_cast<double>(agreement.count));
+}
+
+/// The largest error of distances to a bent line on the shape, in shares of the most that is asked.
+double largest_error(const test::ExactShape& shape, double edge) {
+  constexpr double most = 0.3;
+  const Surface surface = make_surface(shape.mesh(edge, 1, 5));
+  const Picker picker(surface);
+  std::vector<SurfacePoint> points;
+  for (double s = -0.4; s <= 0.4; s += edge / 4)
+    points.push_back(*picker.closest(shape.place({s, 0.5 * std::abs(s)}).cast<float>(), 0.1F));
+  const test::Region region = ball(surface, points[points.size() / 2].position, 1);
+  test::PolylineDistance distance(surface, region, points);
+  EXPECT_TRUE(distance.is_known());
+  std::mt19937 random(78);
+  double largest = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Index vertex = region.vertices[random() % region.vertices.size()];
+    const Vec3d x = surface.positions[vertex].cast<double>();
+    double exact = most;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+      exact = std::min(
+          exact, shape.distance(x, points[k].position.cast<double>(), points[k + 1].position.cast<double>()));
+    if (exact < most)
+      largest = std::max(largest, std::abs(distance.from(vertex, most).distance - exact) / most);
+  }
+  std::cout << 100 * largest << " % at edges of " << edge << "\n";
+  return largest;
+}
+
+// On the sphere the polyhedron itself differs from it.
+TEST(PolylineDistance, IsThatOfShapes) {
+  EXPECT_LT(largest_error(*test::exact_plane(), 0.03), 1e-5);
+  EXPECT_LT(largest_error(*test::exact_cylinder(), 0.03), 1e-3);
+  EXPECT_LT(largest_error(*test::exact_sphere(), 0.03), 1e-3);
 }
 
 }  // namespace

@@ -35,4 +35,26 @@ Region make_region(const Surface& surface, std::vector<Index> triangles) {
   return region;
 }
 
+Region region_around(const Surface& surface, std::span<const SurfacePoint> points, double reach) {
+  const auto squared = static_cast<float>(reach * reach);
+  std::vector<bool> seen(surface.vertex_count());
+  std::vector<Index> found;
+  const auto visit = [&](Index vertex) {
+    if (seen[vertex]) return;
+    seen[vertex] = true;
+    const Vec3f& place = surface.positions[vertex];
+    const auto is_near = [&](const SurfacePoint& p) { return (p.position - place).squaredNorm() <= squared; };
+    if (std::ranges::any_of(points, is_near)) found.push_back(vertex);
+  };
+  for (const SurfacePoint& point : points) std::ranges::for_each(point.corners, visit);
+  for (std::size_t next = 0; next < found.size();)
+    std::ranges::for_each(surface.neighbours[found[next++]], visit);
+  std::vector<Index> triangles;
+  for (const Index vertex : found) {
+    const auto around = surface.incident[vertex];
+    triangles.insert(triangles.end(), around.begin(), around.end());
+  }
+  return make_region(surface, std::move(triangles));
+}
+
 }  // namespace burin::test
