@@ -173,7 +173,8 @@ TEST(StrokeChart, GivesBothRunsOfABendTheirOwnSheet) {
     const bool first_run = chart.t[i] < chart.length / 2;
     float nearest = 1;
     for (const CurvePoint& point : curve.points)
-      if ((point.at.position.y() > 0) == first_run) nearest = std::min(nearest, (x - point.at.position).norm());
+      if ((point.at.position.y() > 0) == first_run)
+        nearest = std::min(nearest, (x - point.at.position).norm());
     EXPECT_EQ(chart.sheet[i], first_run ? 0U : 1U);
     EXPECT_NEAR(chart.d[i], -nearest, 0.005F) << x.transpose();
     ++between;

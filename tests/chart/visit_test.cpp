@@ -51,7 +51,8 @@ std::vector<Vec2d> hairpin(double apart) {
 }
 
 std::vector<Visit> visits_to(const StrokeSamples& samples, const Vec2d& x) {
-  const Visits visits(samples, Vec3f(static_cast<float>(x.x()), static_cast<float>(x.y()), 0), Vec3f::UnitZ());
+  const Visits visits(samples, Vec3f(static_cast<float>(x.x()), static_cast<float>(x.y()), 0),
+                      Vec3f::UnitZ());
   std::vector<Visit> all;
   for (Index sample = 0; sample < samples.size(); ++sample) {
     if (!visits.any(sample)) continue;
@@ -100,10 +101,12 @@ TEST(Visits, DoNotHeedATremble) {
 TEST(Visits, AreThoseOfEachRoundOfAClosedStroke) {
   std::vector<Vec2d> circle;
   for (int i = 0; i < 100; ++i)
-    circle.emplace_back(0.5 * std::cos(0.02 * std::numbers::pi * i), 0.5 * std::sin(0.02 * std::numbers::pi * i));
+    circle.emplace_back(0.5 * std::cos(0.02 * std::numbers::pi * i),
+                        0.5 * std::sin(0.02 * std::numbers::pi * i));
   const StrokeSamples samples = samples_of(circle, true);
   for (const Vec2d& x : {Vec2d(0.3, 0.1), Vec2d(-0.2, 0.2), Vec2d(0, -0.4)}) {
-    const Visits visits(samples, Vec3f(static_cast<float>(x.x()), static_cast<float>(x.y()), 0), Vec3f::UnitZ());
+    const Visits visits(samples, Vec3f(static_cast<float>(x.x()), static_cast<float>(x.y()), 0),
+                        Vec3f::UnitZ());
     const Visits::Found first = visits.find(0, 0);
     EXPECT_EQ(first.visit.length, samples.size());
     for (Index sample = 1; sample < samples.size(); ++sample)
@@ -117,7 +120,8 @@ TEST(Visits, StayWhateverComesAfterWhatTold) {
   const Vec3f x(3.6F, 0.2F, 0);
   std::size_t open = 0, cut = 0;
   for (std::size_t count = 60; count + 1 < places.size(); ++count) {
-    const StrokeSamples before = samples_of({places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count)});
+    const StrokeSamples before =
+        samples_of({places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count)});
     const StrokeSamples after =
         samples_of({places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count) + 1});
     const Index stay = before.size() - 1, first = 24;

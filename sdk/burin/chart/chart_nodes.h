@@ -118,8 +118,8 @@ class ChartNodes {
   std::span<Index> block_of_;  ///< [vertex / block_size] its first node, perhaps of another use
   std::unordered_map<Index, Index> foreign_;  ///< first nodes of other vertices
   std::vector<FrontNode> nodes_;
-  Index epoch_ = 0;                   ///< counts the changes of the samples
-  std::vector<Index> least_changed_;  ///< [epoch] the first sample that has changed after it
+  Index epoch_ = 0;                         ///< counts the changes of the samples
+  std::vector<Index> least_changed_;        ///< [epoch] the first sample that has changed after it
   std::vector<std::vector<Told>> told_by_;  ///< [sample, and the next to come]
   std::vector<Index> parted_;
   Index first_parted_ = no_index;

@@ -96,8 +96,8 @@ void ClusterContest::follow(const LiveChart& nodes, Index slot) {
   if (is_new || now != was) affect_around(nodes, node, now || was);
 }
 
-/// What a change at the node affects: its other visits, which may have other rivals now, and all around it, or
-/// what had something to choose only.
+/// What a change at the node affects: its other visits, which may have other rivals now, and all around it,
+/// or what had something to choose only.
 void ClusterContest::affect_around(const LiveChart& nodes, Index node, bool all) {
   if (count_ == 0 && !all) return;
   for (Index slot = nodes.first(node); slot != no_index; slot = nodes.next(slot)) affected_.push_back(slot);

@@ -62,8 +62,8 @@ class StrokeSamples {
   /// Radius of the disc around the sample, object units.
   float disc(Index sample) const { return samples_[sample].disc; }
 
-  /// Whether the stroke bends there so sharply that places in its disc may be nearer to the samples before and
-  /// after. Where it does not, a stroke that goes away from a vertex goes on to do so.
+  /// Whether the stroke bends there so sharply that places in its disc may be nearer to the samples before
+  /// and after. Where it does not, a stroke that goes away from a vertex goes on to do so.
   bool may_turn(Index sample) const { return may_turn_[sample] != 0; }
 
   /// How many samples after `from` the sample comes; on an open stroke more than there are when it comes
