@@ -72,12 +72,14 @@ Json write_map(const BakeOptions& options, TriangleMesh base, std::span<const Ve
     warn(fmt::format("{}: {} triangles reach beyond texture coordinates 0 to 1, which cut them off",
                      options.path, map.cut));
   }
+  if (map.without_area > 0) {
+    warn(fmt::format("{}: {} displaced triangles have no area in texture coordinates, and are not in the map",
+                     options.path, map.without_area));
+  }
   write_exr(options.path, map.image);
-  return {{"file", options.path},
-          {"size", map.image.width},
-          {"channels", map.image.channels},
-          {"overlapping_texels", map.overlaps},
-          {"triangles_cut", map.cut}};
+  return {{"file", options.path},           {"size", map.image.width},
+          {"channels", map.image.channels}, {"overlapping_texels", map.overlaps},
+          {"triangles_cut", map.cut},       {"triangles_without_area", map.without_area}};
 }
 
 }  // namespace burin

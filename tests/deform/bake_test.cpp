@@ -295,6 +295,19 @@ TEST(Bake, SaysWhyAMeshCannotBeBaked) {
   EXPECT_EQ(message(mesh).substr(0, 6), "face 1");
 }
 
+// The right half of a square has its texture coordinates on a line.
+TEST(Bake, SaysWhatHasNoAreaInTheMap) {
+  const TriangleMesh base = with_uv(test::plane(1, 0.1, 3), [](const Vec3d& p) {
+    return Vec2d(p.x() < 1e-3 ? 0.5 + p.x() / 2 : 0.5, 0.5 + p.y() / 2);
+  });
+  EXPECT_EQ(bake_displacement(base, base.positions, {.size = 64}).without_area, 0U);
+  std::vector<Vec3f> displaced = base.positions;
+  for (Vec3f& p : displaced) p.z() += 0.1F;
+  const std::size_t lost = bake_displacement(base, displaced, {.size = 64}).without_area;
+  EXPECT_NEAR(static_cast<double>(lost), static_cast<double>(base.triangles.size()) / 2,
+              0.15 * static_cast<double>(base.triangles.size()));
+}
+
 TEST(Bake, CutsOffWhatReachesOutsideAndSaysSo) {
   const TriangleMesh base = with_uv(
       test::plane(1, 0.1, 2), [](const Vec3d& p) -> Vec2d { return 0.5 * p.head<2>() + Vec2d(0.49, 0.5); });

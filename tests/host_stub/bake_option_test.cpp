@@ -125,7 +125,8 @@ TEST_F(BakeOption, WritesVectors) {
                                           {"size", 1024},
                                           {"channels", {"R", "G", "B"}},
                                           {"overlapping_texels", 0},
-                                          {"triangles_cut", 10}}));
+                                          {"triangles_cut", 10},
+                                          {"triangles_without_area", 0}}));
   for (std::size_t corner = 0; corner < mesh.face_vertices.size(); ++corner) {
     const Index vertex = mesh.face_vertices[corner];
     const Vec2f& uv = mesh.corner_uv[corner];

@@ -39,6 +39,27 @@ std::size_t count_cut(const TriangleMesh& mesh) {
   return static_cast<std::size_t>(std::ranges::count_if(mesh.triangle_uv, cut));
 }
 
+/// Of texture coordinates or places; less than rounding makes of an edge does not count.
+template <class Point>
+bool has_area(const Point& a, const Point& b, const Point& c) {
+  const auto edge = (b - a).template cast<double>().eval(), other = (c - a).template cast<double>().eval();
+  const double squares = edge.squaredNorm() * other.squaredNorm(), along = edge.dot(other);
+  return squares - along * along > rounding * rounding * squares;
+}
+
+std::size_t count_without_area(const TriangleMesh& base, std::span<const Vec3f> displaced) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < base.triangles.size(); ++i) {
+    const auto& [a, b, c] = base.triangles[i];
+    const TriangleUv& uv = base.triangle_uv[i];
+    const auto moved = [&](Index vertex) { return displaced[vertex] != base.positions[vertex]; };
+    const bool shows = has_area(base.positions[a], base.positions[b], base.positions[c]) &&
+                       (moved(a) || moved(b) || moved(c));
+    count += shows && !has_area(uv[0], uv[1], uv[2]) ? 1 : 0;
+  }
+  return count;
+}
+
 Vec3d displacement(const TriangleMesh& base, std::span<const Vec3f> displaced, Index triangle,
                    const Vec3d& weights) {
   Vec3d sum = Vec3d::Zero();
@@ -111,6 +132,7 @@ BakedMap bake_displacement(TriangleMesh base, std::span<const Vec3f> displaced,
   BakedMap map;
   map.overlaps = raster.overlaps;
   map.cut = count_cut(base);
+  map.without_area = count_without_area(base, displaced);
   FloatImage& image = map.image;
   image.width = image.height = settings.size;
   image.channels = settings.vectors ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};

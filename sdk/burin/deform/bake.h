@@ -20,8 +20,9 @@ struct BakeSettings {
 
 struct BakedMap {
   FloatImage image;
-  std::size_t overlaps = 0;  ///< texels that lie inside several triangles; the first one's value holds
-  std::size_t cut = 0;       ///< triangles that reach beyond the image, which cuts them off
+  std::size_t overlaps = 0;      ///< texels that lie inside several triangles; the first one's value holds
+  std::size_t cut = 0;           ///< triangles that reach beyond the image, which cuts them off
+  std::size_t without_area = 0;  ///< displaced triangles that have area, but none in texture coordinates
 };
 
 /// Throws Error naming the face, counted from 1, when a mesh cannot be baked: not all corners have texture
