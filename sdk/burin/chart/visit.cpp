@@ -7,7 +7,7 @@ namespace burin {
 namespace {
 
 /// By how much of the disc's radius the stroke must go away, and come back, for another visit.
-constexpr float least_turn = 0.0125F;
+constexpr float least_turn = 0.1F;
 
 }  // namespace
 
