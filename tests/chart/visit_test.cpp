@@ -141,7 +141,7 @@ TEST(Visits, StayWhateverComesAfterWhatTold) {
 // Where a stroke may not turn there is no place that it comes back to.
 TEST(StrokeSamples, MayTurnWhereverVisitsPart) {
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> bend(-0.35, 0.35), place(-2, 2);
+  std::uniform_real_distribution<double> bend(-0.25, 0.6), place(-1.5, 1.5);
   std::size_t parted = 0, straight = 0;
   for (int round = 0; round < 200; ++round) {
     std::vector<Vec2d> places{{0, 0}};
