@@ -60,8 +60,8 @@ void write_stream(const fs::path& to, const fs::path& shown,
 }
 
 void copy_to_stream(const fs::path& from, const fs::path& to) {
-  const std::string bytes = read_file(from);
-  write_stream(to, to, [&](std::ostream& out) { out << bytes; });
+  std::ifstream in(from, std::ios::binary);
+  write_stream(to, to, [&](std::ostream& out) { out << in.rdbuf(); });
 }
 
 }  // namespace

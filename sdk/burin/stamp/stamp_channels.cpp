@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/lower_case.h>
 #include <burin/base/quoted_word.h>
 #include <burin/stamp/stamp_channels.h>
 #include <fmt/format.h>
@@ -12,13 +13,6 @@
 
 namespace burin {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string low(text);
-  for (char& c : low)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return low;
-}
 
 std::string_view layer_of(std::string_view name) {
   const std::size_t point = name.rfind('.');
@@ -58,7 +52,7 @@ std::vector<Suffix> suffixes(std::string_view channel) {
                                                                         {"x", 'x'},
                                                                         {"y", 'y'},
                                                                         {"z", 'z'}}};
-  const std::string low = lower(channel);
+  const std::string low = in_lower_case(std::string(channel));
   std::vector<Suffix> found;
   for (const auto& [word, axis] : known)
     if (low.ends_with(word)) found.push_back({axis, low.substr(0, low.size() - word.size())});
@@ -89,7 +83,7 @@ class Layer {
 
  private:
   bool is_named(std::size_t member, std::initializer_list<std::string_view> words) const {
-    return std::ranges::count(words, std::string_view(lower(within_layer(names_[member])))) > 0;
+    return std::ranges::count(words, in_lower_case(std::string(within_layer(names_[member])))) > 0;
   }
 
   void refuse_chroma() const {

@@ -2,6 +2,8 @@
 #include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
 #include <burin/surface/gltf_document.h>
+#include <burin/surface/little_endian.h>
+#include <burin/surface/mesh_formats.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,12 +16,6 @@ namespace burin {
 using Json = nlohmann::json;
 
 namespace {
-
-std::uint32_t number_at(std::string_view bytes, std::size_t at, std::size_t size = 4) {
-  std::uint32_t number = 0;
-  for (std::size_t i = size; i-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return number;
-}
 
 /// A member that counts something; `initial` where it is missing. Nothing of use where it is no count.
 std::size_t count_of(const Json& object, const char* name, std::size_t initial) {
@@ -68,7 +64,7 @@ std::size_t size_of(std::size_t type) {
 }
 
 double value_at(std::string_view bytes, std::size_t at, std::size_t type, bool normalised) {
-  const std::uint32_t bits = number_at(bytes, at, size_of(type));
+  const std::uint32_t bits = little_endian(bytes, at, size_of(type));
   const auto scaled = [&](double value, double full) {
     return normalised ? std::max(value / full, -1.0) : value;
   };
@@ -122,7 +118,7 @@ std::string from_percents(const std::string& text) {
 }  // namespace
 
 GltfDocument::GltfDocument(const std::filesystem::path& path) : path_(path) {
-  std::string bytes = read_file(path);
+  std::string bytes = read_mesh_bytes(path);
   size_ = bytes.size();
   try {
     if (bytes.starts_with("glTF")) {
@@ -150,11 +146,11 @@ void GltfDocument::fail(std::string_view place, std::string_view what) const {
 }
 
 void GltfDocument::read_glb(std::string bytes) {
-  if (bytes.size() < 20 || number_at(bytes, 4) != 2) throw Error("is not GLB of version 2");
+  if (bytes.size() < 20 || little_endian(bytes, 4) != 2) throw Error("is not GLB of version 2");
   constexpr std::uint32_t json_chunk = 0x4e4f534a, binary_chunk = 0x004e4942;
   for (std::size_t at = 12; at + 8 <= bytes.size();) {
-    const std::size_t size = number_at(bytes, at);
-    const std::uint32_t type = number_at(bytes, at + 4);
+    const std::size_t size = little_endian(bytes, at);
+    const std::uint32_t type = little_endian(bytes, at + 4);
     at += 8;
     if (size > bytes.size() - at) throw Error(fmt::format("is cut off: a chunk has {} bytes more", size));
     if (type == json_chunk && json_.is_null()) json_ = Json::parse(bytes.substr(at, size));
@@ -202,7 +198,7 @@ std::string GltfDocument::buffer_of_uri(const std::string& uri, std::size_t buff
                       std::ranges::find(name, std::filesystem::path("..")) == name.end();
   if (!beside)
     throw Error(fmt::format("buffer {} is {}, which is no file beside this one", buffer, quoted_word(uri)));
-  return read_file(path_.parent_path() / name);
+  return read_mesh_bytes(path_.parent_path() / name);
 }
 
 const Json& GltfDocument::element(const char* list, const Json& index) const {

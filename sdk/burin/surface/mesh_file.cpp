@@ -1,11 +1,11 @@
 #include <burin/base/error.h>
+#include <burin/base/lower_case.h>
 #include <burin/base/quoted_word.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/mesh_formats.h>
 #include <burin/surface/weld_mesh.h>
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -24,12 +24,7 @@ void check_readable(const fs::path& path) {
   if (size == 0) throw FileError(path.string(), "is empty");
 }
 
-/// In lower case.
-std::string extension_of(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
+std::string extension_of(const fs::path& path) { return in_lower_case(path.extension().string()); }
 
 FileMesh read_by_extension(const fs::path& path) {
   const std::string extension = extension_of(path);

@@ -1,10 +1,20 @@
 #pragma once
+#include <burin/base/file.h>
 #include <burin/surface/file_mesh.h>
 #include <burin/surface/triangle_mesh.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace burin {
+
+/// A whole file that holds a mesh. Scans of hundreds of millions of triangles are as large as this; what
+/// comes through a pipe without end is larger. Throws FileError.
+inline std::string read_mesh_bytes(const std::filesystem::path& path) {
+  constexpr std::uintmax_t most = std::uintmax_t{1} << 35;
+  return read_file(path, most);
+}
 
 /// The readers behind read_mesh, one a format. They check what only the format knows; read_mesh checks the
 /// mesh. Throw FileError.

@@ -1,18 +1,16 @@
 // An own reader, since tinyobjloader 2.0 reads what is not a number as 0, counts the corners of a face in a
 // byte and loses the tags that stand behind a group.
 #include <burin/base/error.h>
-#include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
 #include <burin/surface/file_colours.h>
 #include <burin/surface/mesh_formats.h>
 #include <burin/surface/obj_tags.h>
+#include <burin/surface/place_line.h>
 #include <burin/surface/text_lines.h>
 #include <burin/surface/unused_count.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace burin {
 namespace {
@@ -86,13 +84,7 @@ class ObjReader {
   /// x y z, then w, or a colour, or both.
   void read_vertex(std::string_view line) {
     Vec3d place;
-    for (double& coordinate : place) {
-      const std::string_view word = next_word(line);
-      if (word.empty()) fail("a vertex needs three coordinates");
-      coordinate = number(word);
-      if (!(std::abs(coordinate) <= std::numeric_limits<float>::max()))
-        fail(fmt::format("the coordinate {} is not finite", quoted_word(word)));
-    }
+    if (const std::string fault = take_place(line, place); !fault.empty()) fail(fault);
     if (file_.places.size() >= no_index) fail("more vertices than can be counted");
     file_.places.push_back(place);
     ++vertices_.count;
@@ -193,7 +185,7 @@ class ObjReader {
 }  // namespace
 
 FileMesh read_obj(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+  const std::string text = read_mesh_bytes(path);
   return ObjReader(path).read(text);
 }
 

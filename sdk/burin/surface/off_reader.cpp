@@ -1,14 +1,13 @@
 #include <burin/base/error.h>
-#include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
 #include <burin/surface/file_colours.h>
 #include <burin/surface/mesh_formats.h>
+#include <burin/surface/place_line.h>
 #include <burin/surface/text_lines.h>
 #include <burin/surface/unused_count.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <span>
 
@@ -98,16 +97,10 @@ class OffReader {
 
   /// x y z, then normal, colour and texture coordinates as the kind says.
   void read_vertex(std::string_view line) {
-    const auto numbers = words(line);
-    if (numbers.size() < 3) fail("a vertex needs three coordinates");
     Vec3d place;
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::string_view word = numbers[static_cast<std::size_t>(axis)];
-      place[axis] = number(word);
-      if (!(std::abs(place[axis]) <= std::numeric_limits<float>::max()))
-        fail(fmt::format("the coordinate {} is not finite", quoted_word(word)));
-    }
-    std::size_t at = 3, end = numbers.size();
+    if (const std::string fault = take_place(line, place); !fault.empty()) fail(fault);
+    const auto numbers = words(line);
+    std::size_t at = 0, end = numbers.size();
     if (kind_.normals) {
       at += 3;
       unused_.add("normal", "normals");
@@ -163,7 +156,7 @@ class OffReader {
 }  // namespace
 
 FileMesh read_off(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+  const std::string text = read_mesh_bytes(path);
   return OffReader(text, path).read();
 }
 

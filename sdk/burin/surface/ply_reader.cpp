@@ -1,7 +1,6 @@
 // An own reader because assimp 5.2 never returns from a header that is cut off, and shifts binary data whose
 // first byte is a line end (https://github.com/assimp/assimp/issues/5341): one file in 256.
 #include <burin/base/error.h>
-#include <burin/base/file.h>
 #include <burin/surface/mesh_formats.h>
 #include <burin/surface/ply_header.h>
 #include <burin/surface/ply_paint.h>
@@ -238,7 +237,7 @@ std::string read_header_text(const std::filesystem::path& path) {
 }  // namespace
 
 FileMesh read_ply(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+  const std::string text = read_mesh_bytes(path);
   return PlyReader(text, path).read_mesh();
 }
 
@@ -252,7 +251,7 @@ bool has_ply_faces(const std::filesystem::path& path) {
 }
 
 FilePoints read_ply_points(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+  const std::string text = read_mesh_bytes(path);
   return PlyReader(text, path).read_points();
 }
 

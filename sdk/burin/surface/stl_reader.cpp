@@ -1,15 +1,15 @@
 #include <burin/base/error.h>
-#include <burin/base/file.h>
+#include <burin/base/lower_case.h>
 #include <burin/base/quoted_word.h>
+#include <burin/surface/little_endian.h>
 #include <burin/surface/mesh_formats.h>
+#include <burin/surface/place_line.h>
 #include <burin/surface/text_lines.h>
 #include <burin/surface/unused_count.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace burin {
@@ -18,23 +18,10 @@ namespace {
 constexpr std::size_t header_bytes = 84;  ///< 80 of text and the number of triangles
 constexpr std::size_t triangle_bytes = 50;
 
-std::uint32_t number_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 4; i-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return number;
-}
-
 /// Bytes of a binary file with as many triangles as it announces; nothing where it cannot be one.
 std::optional<std::size_t> binary_size(std::string_view bytes) {
   if (bytes.size() < header_bytes) return std::nullopt;
-  return header_bytes + std::size_t{triangle_bytes} * number_at(bytes, header_bytes - 4);
-}
-
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
+  return header_bytes + std::size_t{triangle_bytes} * little_endian(bytes, header_bytes - 4);
 }
 
 /// Binary files may begin with "solid" too: then they have a zero byte near, which no text has.
@@ -43,21 +30,21 @@ bool looks_like_text(std::string_view bytes) {
   TextLines lines(begin);
   std::string_view word;
   for (auto line = lines.next(); line && word.empty(); line = lines.next()) word = next_word(*line);
-  return lower(word) == "solid" && begin.find('\0') == std::string_view::npos;
+  return in_lower_case(std::string(word)) == "solid" && begin.find('\0') == std::string_view::npos;
 }
 
 FileMesh read_binary(std::string_view bytes, const std::filesystem::path& path) {
   const std::size_t size = *binary_size(bytes);
   if (bytes.size() < size)
     throw FileError(path.string(), fmt::format("is cut off: its {} triangles need {} bytes, it has {}",
-                                               number_at(bytes, header_bytes - 4), size, bytes.size()));
+                                               little_endian(bytes, header_bytes - 4), size, bytes.size()));
   FileMesh file;
   for (std::size_t at = header_bytes; at < size; at += triangle_bytes) {
     for (std::size_t corner = 1; corner <= 3; ++corner) {
       Vec3d place;
       for (int axis = 0; axis < 3; ++axis)
         place[axis] =
-            std::bit_cast<float>(number_at(bytes, at + 12 * corner + 4 * static_cast<std::size_t>(axis)));
+            std::bit_cast<float>(little_endian(bytes, at + 12 * corner + 4 * static_cast<std::size_t>(axis)));
       file.places.push_back(place);
     }
     file.mesh.face_sizes.push_back(3);
@@ -90,7 +77,7 @@ class TextReader {
 
   /// Takes what belongs to the word off the rest of its line.
   void read_word(std::string_view word, std::string_view& rest) {
-    const std::string key = lower(word);
+    const std::string key = in_lower_case(std::string(word));
     if (key == "vertex") return read_vertex(rest);
     if (key == "endloop") return end_loop();
     if (key == "outer" || key == "endfacet") return skip(key == "outer" ? 1 : 0, rest);
@@ -114,15 +101,7 @@ class TextReader {
 
   void read_vertex(std::string_view& rest) {
     Vec3d place;
-    for (double& coordinate : place) {
-      const std::string_view word = next_word(rest);
-      if (word.empty()) fail("a vertex needs three coordinates");
-      const auto value = real_number(word);
-      if (!value) fail(fmt::format("{} is not a coordinate", quoted_word(word)));
-      if (!(std::abs(*value) <= std::numeric_limits<float>::max()))
-        fail(fmt::format("the coordinate {} is not finite", quoted_word(word)));
-      coordinate = *value;
-    }
+    if (const std::string fault = take_place(rest, place); !fault.empty()) fail(fault);
     file_.places.push_back(place);
     ++corners_;
   }
@@ -151,7 +130,7 @@ FileMesh read_soup(std::string_view bytes, const std::filesystem::path& path) {
 }  // namespace
 
 FileMesh read_stl(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
+  const std::string bytes = read_mesh_bytes(path);
   FileMesh file = read_soup(bytes, path);
   file.mesh.face_vertices.resize(file.places.size());
   std::iota(file.mesh.face_vertices.begin(), file.mesh.face_vertices.end(), Index{0});
