@@ -98,7 +98,7 @@ bool ChartNodes::extends_forward(Index index, Index sample) {
       find_whole(index);
       return known_to_hold(node, sample);
     }
-    node.run_ends = !in_disc(node, next) || (samples_->closed() && node.run_length == count);
+    node.run_ends = !visits_to(node).any(next) || (samples_->closed() && node.run_length == count);
     if (node.run_ends) return false;
     ++node.run_length;
     if (next == sample) return true;
@@ -116,7 +116,7 @@ bool ChartNodes::extends_backward(Index index, Index sample) {
       find_whole(index);
       return known_to_hold(node, sample);
     }
-    node.run_begins = !in_disc(node, next) || (samples_->closed() && node.run_length == count);
+    node.run_begins = !visits_to(node).any(next) || (samples_->closed() && node.run_length == count);
     if (node.run_begins) return false;
     node.run_begin = next;
     ++node.run_length;

@@ -107,9 +107,6 @@ class ChartNodes {
   void part(const Told& told, Index first_changed);
   void note_parted(Index node, Index sample);
   static void vacate(FrontNode& node);
-  bool in_disc(const FrontNode& node, Index sample) const {
-    return samples_->disc_holds(sample, node.position, node.normal);
-  }
   Visits visits_to(const FrontNode& node) const { return {*samples_, node.position, node.normal}; }
 
   const ChartGround* ground_;

@@ -29,6 +29,11 @@ CurvePoint point_at(const SurfaceCurve& curve, double along_curve) {
   return point;
 }
 
+std::size_t first_ending_from(const SurfaceCurve& curve, std::size_t segment, double t) {
+  while (segment > 0 && curve.segment_end(segment - 1) >= t) --segment;
+  return segment;
+}
+
 SurfaceCurve part_of(const SurfaceCurve& curve, double begin, double end) {
   SurfaceCurve part;
   const double length = curve.length();

@@ -1,5 +1,6 @@
 #include <burin/base/parallel.h>
 #include <burin/base/side_by_side.h>
+#include <burin/chart/curve_parts.h>
 #include <burin/chart/front.h>
 
 #include <algorithm>
@@ -80,9 +81,8 @@ CurveChange Front::replace_curve(const SurfaceCurve& curve, std::size_t unchange
                            : -std::numeric_limits<double>::infinity();
   unchanged_t_ = change.unchanged_t;
   // The segment before a point ends there; the one before that may have been the stroke's last.
-  change.first_segment = std::min(bent, unchanged) > 2 ? std::min(bent, unchanged) - 2 : 0;
-  while (change.first_segment > 0 && curve.segment_end(change.first_segment - 1) >= change.unchanged_t)
-    --change.first_segment;
+  const std::size_t before_changed = std::min(bent, unchanged) > 2 ? std::min(bent, unchanged) - 2 : 0;
+  change.first_segment = first_ending_from(curve, before_changed, change.unchanged_t);
   return change;
 }
 

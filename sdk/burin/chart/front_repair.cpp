@@ -30,9 +30,7 @@ std::size_t FrontPart::first_parted_segment() const {
   const Index sample = nodes_.first_parted();
   if (sample == no_index) return curve.segment_count();
   const double from = sample > 0 ? stroke_->samples.t(sample - 1) : 0;
-  std::size_t segment = segment_at(curve, from);
-  while (segment > 0 && curve.segment_end(segment - 1) >= from) --segment;
-  return segment;
+  return first_ending_from(curve, segment_at(curve, from), from);
 }
 
 /// Nodes that were settled before lead on to the visits of the node's vertex that have come about.

@@ -39,10 +39,9 @@ std::size_t count_cut(const TriangleMesh& mesh) {
   return static_cast<std::size_t>(std::ranges::count_if(mesh.triangle_uv, cut));
 }
 
-/// Of texture coordinates or places; less than rounding makes of an edge does not count.
-template <class Point>
-bool has_area(const Point& a, const Point& b, const Point& c) {
-  const auto edge = (b - a).template cast<double>().eval(), other = (c - a).template cast<double>().eval();
+/// Less than rounding makes of an edge is no area.
+bool has_area(const TriangleUv& uv) {
+  const Vec2d edge = (uv[1] - uv[0]).cast<double>(), other = (uv[2] - uv[0]).cast<double>();
   const double squares = edge.squaredNorm() * other.squaredNorm(), along = edge.dot(other);
   return squares - along * along > rounding * rounding * squares;
 }
@@ -50,12 +49,9 @@ bool has_area(const Point& a, const Point& b, const Point& c) {
 std::size_t count_without_area(const TriangleMesh& base, std::span<const Vec3f> displaced) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < base.triangles.size(); ++i) {
-    const auto& [a, b, c] = base.triangles[i];
-    const TriangleUv& uv = base.triangle_uv[i];
-    const auto moved = [&](Index vertex) { return displaced[vertex] != base.positions[vertex]; };
-    const bool shows = has_area(base.positions[a], base.positions[b], base.positions[c]) &&
-                       (moved(a) || moved(b) || moved(c));
-    count += shows && !has_area(uv[0], uv[1], uv[2]) ? 1 : 0;
+    const bool moved = std::ranges::any_of(
+        base.triangles[i], [&](Index vertex) { return displaced[vertex] != base.positions[vertex]; });
+    count += moved && !has_area(base.triangle_uv[i]) && has_area(base, base.triangles[i]) ? 1 : 0;
   }
   return count;
 }
