@@ -113,12 +113,7 @@ TEST_P(BaseScan, IsChartedByTheDistancesOfTheLowPassedScan) {
 
 INSTANTIATE_TEST_SUITE_P(Shared, BaseScan,
                          testing::Values("stanford-bunny.obj", "nefertiti-lowres.obj", "dragon_vrip.ply"),
-                         [](const auto& scan) {
-                           std::string name = scan.param;
-                           name = name.substr(0, name.find('.'));
-                           std::ranges::replace(name, '-', '_');
-                           return name;
-                         });
+                         [](const auto& scan) { return test::test_name_of(scan.param); });
 
 }  // namespace
 }  // namespace burin

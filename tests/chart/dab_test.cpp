@@ -382,10 +382,7 @@ TEST_P(NastyDab, StaysFiniteAndBounded) {
 INSTANTIATE_TEST_SUITE_P(Shared, NastyDab,
                          testing::Values("capsule.obj", "dragon_vrip_res3.ply", "fan3.obj",
                                          "hourglass_ico.obj", "moebius.obj", "not_convex.obj", "soup.stl"),
-                         [](const auto& mesh) {
-                           const std::string name = mesh.param;
-                           return name.substr(0, name.find('.'));
-                         });
+                         [](const auto& mesh) { return test::test_name_of(mesh.param); });
 
 }  // namespace
 }  // namespace burin

@@ -34,27 +34,8 @@ constexpr double least_radius = 8, most_radius = 25;
 
 constexpr int strokes_a_kind = 8, vertices_a_stroke = 40;
 
-/// Sampled vertices against the exact distance.
-struct Compared {
-  std::size_t vertices = 0, holes = 0, off_2 = 0, off_5 = 0;  ///< off by so many % of the radius
-  double worst = 0;                                           ///< in radii
-
-  void add(const Compared& other) {
-    vertices += other.vertices;
-    holes += other.holes;
-    off_2 += other.off_2;
-    off_5 += other.off_5;
-    worst = std::max(worst, other.worst);
-  }
-};
-
-std::ostream& operator<<(std::ostream& out, const Compared& compared) {
-  return out << compared.vertices << " vertices: " << compared.holes << " holes, " << compared.off_2
-             << " off by > 2 %, " << compared.off_5 << " by > 5 %, worst " << 100 * compared.worst << " %";
-}
-
 struct Tally {
-  Compared beside, beyond;  ///< the stroke; its ends, where these are what is nearest
+  test::ToldErrors beside, beyond;  ///< the stroke; its ends, where these are what is nearest
   /// All vertices to which edges lead within the radius, and the holes among them.
   std::size_t reached = 0, holes_beside = 0, holes_beyond = 0;
 
@@ -169,17 +150,7 @@ class Truth {
   void compare(Index vertex, Tally& tally) {
     const auto [exact, at_end] = nearest(vertex);
     if (exact > asked * radius_ || behind_border(vertex, exact)) return;
-    Compared& compared = at_end ? tally.beyond : tally.beside;
-    ++compared.vertices;
-    const auto found = told_.find(vertex);
-    if (found == told_.end()) {
-      ++compared.holes;
-      return;
-    }
-    const double error = std::abs(found->second - exact) / radius_;
-    compared.off_2 += error > 0.02 ? 1 : 0;
-    compared.off_5 += error > 0.05 ? 1 : 0;
-    compared.worst = std::max(compared.worst, error);
+    (at_end ? tally.beyond : tally.beside).add(told_, vertex, exact, radius_);
   }
 
   const Surface& surface_;
@@ -257,12 +228,7 @@ INSTANTIATE_TEST_SUITE_P(Shared, DrawnOnScans,
                          testing::Values(Scan{"stanford-bunny.obj", 1, 25, 0, 0.4},
                                          Scan{"nefertiti-lowres.obj", 1.5, 47, 0, 0.3},
                                          Scan{"dragon_vrip.ply", 1, 11, 0.05, 0.05}),
-                         [](const auto& scan) {
-                           std::string name = scan.param.file;
-                           name = name.substr(0, name.find('.'));
-                           std::ranges::replace(name, '-', '_');
-                           return name;
-                         });
+                         [](const auto& scan) { return test::test_name_of(scan.param.file); });
 
 }  // namespace
 }  // namespace burin

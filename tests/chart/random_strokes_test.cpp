@@ -377,10 +377,8 @@ std::vector<NamedMesh> meshes() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, RandomStrokes, testing::ValuesIn(meshes()), [](const auto& mesh) {
-  const std::string& name = mesh.param.name;
-  return name.substr(0, name.find('.'));
-});
+INSTANTIATE_TEST_SUITE_P(Meshes, RandomStrokes, testing::ValuesIn(meshes()),
+                         [](const auto& mesh) { return test::test_name_of(mesh.param.name); });
 
 }  // namespace
 }  // namespace burin

@@ -146,12 +146,7 @@ INSTANTIATE_TEST_SUITE_P(Shared, ScanGeodesic,
                          testing::Values(Scan{"stanford-bunny.obj", {0.1, 0.8, 3}},
                                          Scan{"nefertiti-lowres.obj", {0.12, 1.5, 6}},
                                          Scan{"dragon_vrip.ply", {0.06, 0.8, 2}}),
-                         [](const auto& scan) {
-                           std::string name = scan.param.file;
-                           name = name.substr(0, name.find('.'));
-                           std::ranges::replace(name, '-', '_');
-                           return name;
-                         });
+                         [](const auto& scan) { return test::test_name_of(scan.param.file); });
 
 }  // namespace
 }  // namespace burin

@@ -200,13 +200,7 @@ TEST_P(FollowFaultyScans, MovesNothingButTheStroke) {
 INSTANTIATE_TEST_SUITE_P(Shared, FollowFaultyScans,
                          testing::Values("nasty/dragon_vrip_res3.ply", "nasty/capsule.obj",
                                          "nasty/moebius.obj", "stanford-bunny.obj"),
-                         [](const auto& scan) {
-                           std::string name = scan.param;
-                           name = name.substr(0, name.find('.'));
-                           std::ranges::replace_if(
-                               name, [](char c) { return c == '/' || c == '-'; }, '_');
-                           return name;
-                         });
+                         [](const auto& scan) { return test::test_name_of(scan.param); });
 
 }  // namespace
 }  // namespace burin

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -32,6 +34,13 @@ fs::path unpacked(const fs::path& packed, const fs::path& name) {
 }
 
 }  // namespace
+
+std::string test_name_of(std::string_view file) {
+  std::string name(file.substr(0, file.find('.')));
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return !std::isalnum(c); }, '_');
+  return name;
+}
 
 std::optional<fs::path> shared_data(std::string_view name) {
   const fs::path file = data_folder() / name;

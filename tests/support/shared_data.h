@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace burin::test {
@@ -8,6 +9,9 @@ namespace burin::test {
 /// The file of this name below ../shared/data, unpacked where the folder has it as NAME.xz; nothing where
 /// the folder is absent, as it is for users. BURIN_SHARED_DATA in the environment names another folder.
 std::optional<std::filesystem::path> shared_data(std::string_view name);
+
+/// The name of a test of a mesh file: that without its extensions, with '_' for what no name of a test has.
+std::string test_name_of(std::string_view file);
 
 /// A new empty folder for files of the running test, removed when the object dies.
 class TemporaryFolder {

@@ -1,31 +1,19 @@
-#include <burin/base/error.h>
-#include <burin/base/file.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/triangulate.h>
 #include <gtest/gtest.h>
 
-#include "support/shared_data.h"
+#include "surface/mesh_text_file.h"
 #include "surface/test_meshes.h"
 
 namespace burin {
 namespace {
 
 PolygonMesh read(const std::string& content) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "a.off";
-  write_file_whole(path, [&](std::ostream& out) { out << content; });
-  return read_mesh(path);
+  const test::MeshFile file("a.off", content);
+  return read_mesh(file.path());
 }
 
-std::string message(const std::string& content) {
-  try {
-    read(content);
-  } catch (const FileError& error) {
-    const std::string text = error.what();
-    return text.substr(text.find("a.off"));
-  }
-  return "no error";
-}
+std::string message(const std::string& content) { return test::MeshFile("a.off", content).message(); }
 
 TEST(ReadOff, ReadsWhatProgramsWrite) {
   const std::string body = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 1 2 255 0 0\n";
