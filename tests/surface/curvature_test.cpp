@@ -1,4 +1,5 @@
 #include <burin/surface/curvature.h>
+#include <burin/surface/point_set.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,6 +46,27 @@ TEST(GaussCurvature, OfASaddleIsNegative) {
   }
   EXPECT_GT(inner, 4000);
   EXPECT_LE(mean / inner, 0.03);
+}
+
+/// The vertices of a mesh without its triangles, with these normals.
+template <class NormalAt>
+Surface points_of(const TriangleMesh& mesh, const NormalAt& normal_at) {
+  PointSet points{mesh.positions, {}};
+  for (const Vec3f& position : mesh.positions) points.normals.push_back(normal_at(position));
+  return make_point_surface(points);
+}
+
+TEST(GaussCurvature, OfPointsOnASphereIsOneOverItsSquaredRadius) {
+  TriangleMesh mesh = test::sphere(5, 0.2, 9);
+  for (Vec3f& position : mesh.positions) position *= 3;
+  const Surface surface = points_of(mesh, [](const Vec3f& at) { return at.normalized(); });
+  for (const float k : surface.gauss_curvature) ASSERT_NEAR(k, 1 / 9., 1e-3);
+}
+
+TEST(GaussCurvature, OfPointsOnACylinderIsZero) {
+  const Surface surface = points_of(test::cylinder(1, 1, 0.05, 0.3, 3),
+                                    [](const Vec3f& at) { return Vec3f(at.x(), at.y(), 0).normalized(); });
+  for (const float k : surface.gauss_curvature) ASSERT_NEAR(k, 0, 1e-3);
 }
 
 }  // namespace
