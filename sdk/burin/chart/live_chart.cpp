@@ -1,3 +1,4 @@
+#include <burin/base/index_set.h>
 #include <burin/chart/live_chart.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@ std::uint32_t LiveChart::sheet_count(Index vertex) const {
 }
 
 void LiveChart::clear() {
-  nodes_ = {};
+  nodes_.resize(0);
   states_.clear();
   place_of_.clear();
   next_.clear();
@@ -106,18 +107,22 @@ std::vector<Index> LiveChart::kept_slots(const Chart& chart) const {
 }
 
 Chart LiveChart::sorted() const {
-  std::vector<Index> slots;
-  for (Index slot = 0; slot < nodes_.size(); ++slot)
-    if (!vacant(slot)) slots.push_back(slot);
-  std::ranges::sort(slots, {},
-                    [this](Index slot) { return std::pair(nodes_.vertex[slot], nodes_.sheet[slot]); });
+  Index vertex_end = 0;
+  for (Index place = 0; place < places_.size(); ++place)
+    vertex_end = std::max(vertex_end, places_.vertex(place) + 1);
+  IndexSet occupied(vertex_end);
+  for (Index place = 0; place < places_.size(); ++place)
+    if (first_[place] != no_index) occupied.insert(places_.vertex(place));
+  std::vector<Index> vertices;
+  occupied.drain(vertices);
   Chart chart;
   chart.length = nodes_.length;
   chart.closed = nodes_.closed;
-  chart.resize(slots.size());
-  for (std::size_t i = 0; i < slots.size(); ++i)
-    chart.set(i, nodes_.vertex[slots[i]], nodes_.sheet[slots[i]], nodes_.frame(slots[i]),
-              nodes_.normal[slots[i]]);
+  chart.resize(nodes_.size() - static_cast<std::size_t>(std::ranges::count(states_, SlotState::vacant)));
+  std::size_t i = 0;
+  for (const Index vertex : vertices)
+    for (Index slot = first(vertex); slot != no_index; slot = next_[slot])
+      chart.set(i++, vertex, nodes_.sheet[slot], nodes_.frame(slot), nodes_.normal[slot]);
   return chart;
 }
 
