@@ -19,7 +19,7 @@ burin_dependency(apt libtbb-dev why "threads: parallel loops and sorts")
 find_package(TBB REQUIRED)
 
 burin_dependency(apt libxxhash-dev why "result hashes of replays")
-burin_find_library(xxhash::xxhash xxhash.h xxhash)
+burin_find_library(xxhash::xxhash xxhash.h xxhash REQUIRED)
 
 burin_dependency(apt libfmt-dev why "text formatting")
 find_package(fmt REQUIRED)
@@ -32,7 +32,7 @@ find_package(nanoflann 1.4 REQUIRED)
 
 burin_dependency(apt libosd-dev why "Catmull-Clark and Loop refinement")
 # Not find_package: Debian's configuration of it names a static library that its package lacks.
-burin_find_library(OpenSubdiv::osdCPU opensubdiv/far/topologyRefiner.h osdCPU)
+burin_find_library(OpenSubdiv::osdCPU opensubdiv/far/topologyRefiner.h osdCPU REQUIRED)
 
 burin_dependency(apt nlohmann-json3-dev why "stroke files, glTF, reports")
 find_package(nlohmann_json 3.11 REQUIRED)
@@ -58,7 +58,7 @@ burin_dependency(apt libfreetype-dev why "outlines of letters")
 find_package(Freetype REQUIRED)
 
 burin_dependency(apt libharfbuzz-dev why "choice and places of letters in a line: ligatures, kerning")
-burin_find_library(HarfBuzz::harfbuzz harfbuzz/hb.h harfbuzz)
+burin_find_library(HarfBuzz::harfbuzz harfbuzz/hb.h harfbuzz REQUIRED)
 
 burin_dependency(apt fonts-dejavu-core why "the text brush sets text in it unless told another font")
 

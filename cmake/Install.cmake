@@ -1,22 +1,43 @@
 # What `cmake --install` lays out, in components that stand alone:
 #   plugin   headers and CMake package for brush authors; needs no third-party package
-#   runtime  headers and static libraries for applications that embed Burin
+#   runtime  headers, static libraries and CMake package for applications that embed Burin
 #   brushes  the stock brushes
 #   command  burin
 include(CMakePackageConfigHelpers)
+include(${CMAKE_CURRENT_LIST_DIR}/PublicHeaders.cmake)
 set(BURIN_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/Burin)
 # Not CMAKE_INSTALL_LIBDIR: the command looks here, beside the folder it lies in.
 set(BURIN_BRUSHES_FOLDER lib/burin/brushes)
 
+# The targets of an SDK folder are exported in one of five sets, which the CMake package loads one by one:
+# `abi` is part of both components; `stamps` and `subdiv` need packages that the others do not.
+set(burin_set_of_abi abi)
+set(burin_set_of_math abi)
+set(burin_set_of_plugin plugin)
+set(burin_set_of_stamp stamps)
+set(burin_set_of_services stamps)
+set(burin_set_of_subdiv subdiv)
+set(burin_components_of_abi plugin runtime)
+set(burin_components_of_plugin plugin)
+
 # Library and headers of the SDK folder whose CMakeLists.txt is being read.
 function(burin_install_library name)
-  set(component runtime)
-  if(name MATCHES "^(abi|math|plugin)$")
-    set(component plugin)
+  set(export_set runtime)
+  if(burin_set_of_${name})
+    set(export_set ${burin_set_of_${name}})
   endif()
-  install(TARGETS burin_${name} EXPORT burin_${component} ARCHIVE COMPONENT ${component})
-  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/burin/${name}
-    COMPONENT ${component} FILES_MATCHING PATTERN "*.h")
+  install(TARGETS burin_${name} EXPORT burin_${export_set} ARCHIVE COMPONENT runtime)
+  if(NOT export_set MATCHES "^(abi|plugin)$")
+    set(headers ${burin_public_headers})
+    list(FILTER headers INCLUDE REGEX "^${name}/")
+    list(TRANSFORM headers REPLACE "^${name}/" "")
+    install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/burin/${name} COMPONENT runtime)
+    return()
+  endif()
+  foreach(component ${burin_components_of_${export_set}})
+    install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/burin/${name}
+      COMPONENT ${component} FILES_MATCHING PATTERN "*.h")
+  endforeach()
 endfunction()
 
 function(burin_install_brush target)
@@ -26,16 +47,32 @@ endfunction()
 # The command and the CMake package, once all targets are known.
 function(burin_install_package)
   install(TARGETS burin RUNTIME COMPONENT command)
-  foreach(component plugin runtime)
-    install(EXPORT burin_${component} NAMESPACE burin:: FILE Burin-${component}.cmake
-      DESTINATION ${BURIN_PACKAGE_FOLDER} COMPONENT ${component})
-  endforeach()
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/BurinConfig.cmake.in ${PROJECT_BINARY_DIR}/BurinConfig.cmake
     INSTALL_DESTINATION ${BURIN_PACKAGE_FOLDER})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/BurinConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-  install(FILES ${PROJECT_BINARY_DIR}/BurinConfig.cmake ${PROJECT_BINARY_DIR}/BurinConfigVersion.cmake
-    ${PROJECT_SOURCE_DIR}/cmake/BurinAddBrush.cmake
+  foreach(component plugin runtime)
+    install(FILES ${PROJECT_BINARY_DIR}/BurinConfig.cmake ${PROJECT_BINARY_DIR}/BurinConfigVersion.cmake
+      DESTINATION ${BURIN_PACKAGE_FOLDER} COMPONENT ${component})
+    install(FILES ${PROJECT_BINARY_DIR}/include/burin/version.h
+      DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/burin COMPONENT ${component})
+  endforeach()
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/BurinAddBrush.cmake
     DESTINATION ${BURIN_PACKAGE_FOLDER} COMPONENT plugin)
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/BurinFindLibrary.cmake
     DESTINATION ${BURIN_PACKAGE_FOLDER} COMPONENT runtime)
+  burin_install_export(abi plugin)
+  # CMake installs an export once only; this is the same file for the other component.
+  install(CODE "
+    file(GLOB_RECURSE exported \"${PROJECT_BINARY_DIR}/CMakeFiles/Export/*/Burin-abi.cmake\")
+    file(INSTALL \${exported} DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${BURIN_PACKAGE_FOLDER}\")"
+    COMPONENT runtime)
+  burin_install_export(plugin plugin)
+  foreach(export_set runtime stamps subdiv)
+    burin_install_export(${export_set} runtime)
+  endforeach()
+endfunction()
+
+function(burin_install_export export_set component)
+  install(EXPORT burin_${export_set} NAMESPACE burin:: FILE Burin-${export_set}.cmake
+    DESTINATION ${BURIN_PACKAGE_FOLDER} COMPONENT ${component})
 endfunction()

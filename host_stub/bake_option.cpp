@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
+#include <burin/stamp/float_image.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

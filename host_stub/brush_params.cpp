@@ -1,5 +1,6 @@
 #include "brush_params.h"
 
+#include <burin/abi/plugin.h>
 #include <algorithm>
 
 namespace burin {

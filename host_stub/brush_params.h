@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/abi/plugin.h>
 #include <burin/host/brush_library.h>
 
 #include <initializer_list>

@@ -1,5 +1,7 @@
+#include <burin/abi/plugin.h>
 #include <burin/deform/overlap.h>
 #include <burin/host/brush_library.h>
+#include <burin/services/stamp_services.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -133,7 +135,7 @@ void print_brush(const BrushEntry& entry) {
 }
 
 void run(bool json) {
-  BrushLibrary library(log_on_console);
+  BrushLibrary library(log_on_console, stamp_services());
   load_brushes(library);
   if (!json) {
     for (const BrushEntry& entry : library.brushes()) print_brush(entry);

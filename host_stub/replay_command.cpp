@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/host/replay.h>
+#include <burin/services/stamp_services.h>
 #include <burin/stroke/move_origin.h>
 #include <burin/surface/mesh_file.h>
 #include <fmt/format.h>
@@ -145,7 +146,7 @@ ParamSettings read_params(const ReplayOptions& options, const BrushLibrary& libr
 }
 
 void run(ReplayOptions& options) {
-  BrushLibrary library(log_on_console);
+  BrushLibrary library(log_on_console, stamp_services());
   load_brushes(library);
   check_options(options, library);
   options.overrides.params = read_params(options, library);

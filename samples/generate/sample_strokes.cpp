@@ -125,7 +125,7 @@ Camera side_camera(const Surface& ewer) {
   Camera camera =
       framing_camera(low.cast<double>(), high.cast<double>(), direction, Vec3d::UnitY(), 1280, 960, pi / 6);
   // The last bits of sines differ between machines.
-  for (Eigen::Matrix4d* matrix : {&camera.view, &camera.projection})
+  for (Mat4d* matrix : {&camera.view, &camera.projection})
     *matrix = matrix->unaryExpr([](double x) { return rounded(x, 1e9); });
   return camera;
 }

@@ -1,3 +1,4 @@
+#include <burin/abi/brush.h>
 #include <burin/deform/overlap.h>
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 #include "support/shared_data.h"
 
 #include <burin/abi/ext/log.h>
+#include <burin/abi/plugin.h>
 #include <burin/host/brush_library.h>
 
 #include <fstream>

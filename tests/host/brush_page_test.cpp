@@ -1,4 +1,5 @@
 // docs/brushes.md is what the brushes say of themselves.
+#include <burin/abi/plugin.h>
 #include <burin/base/file.h>
 #include <burin/deform/offered.h>
 #include <burin/deform/overlap.h>

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/chart/stroke_chart.h>
 #include <burin/deform/evaluate.h>
 #include <burin/deform/stroke_nodes.h>
 #include <burin/deform/stroke_passes.h>

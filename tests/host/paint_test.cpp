@@ -3,6 +3,8 @@
 #include <burin/host/replay.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace burin {
 namespace {
 
@@ -105,6 +107,62 @@ TEST(SessionPaint, IsUndoneBitForBit) {
   session.cancel_stroke();
   EXPECT_EQ(session.paint().colour, before.colour);
   EXPECT_EQ(session.result_hash(), hash);
+}
+
+/// What an application has uploaded of a session, following what it says has changed.
+struct Uploaded {
+  explicit Uploaded(const Session& session)
+      : positions(session.positions().begin(), session.positions().end()),
+        normals(session.normals().begin(), session.normals().end()) {}
+
+  void follow(const Session& session) {
+    EXPECT_FALSE(session.changed().empty());
+    EXPECT_TRUE(std::ranges::is_sorted(session.changed()));
+    colours.resize(positions.size(), Paint::bare());
+    for (const Index vertex : session.changed()) {
+      positions[vertex] = session.positions()[vertex];
+      normals[vertex] = session.normals()[vertex];
+      colours[vertex] = session.paint().colour_of(vertex);
+    }
+  }
+
+  void expect_all_of(const Session& session) const {
+    EXPECT_TRUE(std::ranges::equal(positions, session.positions()));
+    EXPECT_TRUE(std::ranges::equal(normals, session.normals()));
+    EXPECT_EQ(colours, session.paint().colour);
+  }
+
+  std::vector<Vec3f> positions, normals;
+  std::vector<Vec4f> colours;
+};
+
+TEST(SessionPaint, SaysWhatChangedWhenAStrokeIsUndoneCancelledOrFails) {
+  Session session = test::plane_session();
+  Uploaded uploaded(session);
+  session.begin_stroke(painting());
+  for (const Sample& sample : test::wave()) {
+    session.add_sample(sample.position, sample.time, sample.pen);
+    uploaded.follow(session);
+  }
+  session.end_stroke();
+  session.undo();
+  uploaded.follow(session);
+  uploaded.expect_all_of(session);
+
+  session.begin_stroke(painting());
+  EXPECT_TRUE(session.changed().empty());
+  session.add_sample(Vec3d(0, 0, 0), 0, {});
+  uploaded.follow(session);
+  session.cancel_stroke();
+  uploaded.follow(session);
+  uploaded.expect_all_of(session);
+
+  session.begin_stroke(painting());
+  session.add_sample(Vec3d(0, 0, 0), 1, {});
+  uploaded.follow(session);
+  EXPECT_THROW(session.add_sample(Vec3d(0.1, 0, 0), 0.5, {}), ContractError) << "time falls";
+  uploaded.follow(session);
+  uploaded.expect_all_of(session);
 }
 
 TEST(SessionPaint, ReportsAllThatLooksOther) {

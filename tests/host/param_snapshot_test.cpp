@@ -1,5 +1,6 @@
 #include "descriptors.h"
 
+#include <burin/abi/plugin.h>
 #include <burin/base/error.h>
 #include <burin/host/param_snapshot.h>
 #include <gtest/gtest.h>

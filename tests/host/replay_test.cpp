@@ -16,7 +16,7 @@ RecordedStroke stroke_of(std::vector<Sample> samples) {
   RecordedStroke stroke;
   stroke.brush = "org.burin.groove";
   stroke.radius = 0.1;
-  stroke.fields = {.time = true, .pressure = true};
+  stroke.fields = {.time = true, .pressure = true, .tilt = true};
   stroke.samples = std::move(samples);
   return stroke;
 }
@@ -56,7 +56,7 @@ TEST(Replay, IsWhatTheSessionDraws) {
                                         EXPECT_GT(session.chart().size(), 100u);
                                       }});
   StrokeSettings by_hand = settings("org.burin.groove", 0.1);
-  by_hand.fields = {.time = true, .pressure = true};
+  by_hand.fields = {.time = true, .pressure = true, .tilt = true};
   test::draw(drawn, by_hand, test::wave());
   test::draw(drawn, by_hand, test::wave(15));
   EXPECT_EQ(result.hash, drawn.result_hash());
@@ -225,7 +225,7 @@ TEST(Replay, TakesOverridesFirst) {
   overrides.params = {{"depth", 0.3}};
   const ReplayResult result = replay(replayed, recording, overrides);
   StrokeSettings by_hand = settings("org.burin.groove", 0.2);
-  by_hand.fields = {.time = true, .pressure = true};
+  by_hand.fields = {.time = true, .pressure = true, .tilt = true};
   by_hand.strength = 0.5;
   by_hand.params = {{"depth", 0.3}, {"width", 0.5}};
   test::draw(drawn, by_hand, test::wave());
@@ -244,7 +244,7 @@ TEST(Replay, FollowsReliefAsRecordedOrTold) {
   const auto drawn = [](double follow) {
     Session session = test::sphere_session();
     StrokeSettings by_hand = settings("org.burin.groove", 0.2);
-    by_hand.fields = {.time = true, .pressure = true};
+    by_hand.fields = {.time = true, .pressure = true, .tilt = true};
     by_hand.follow = follow;
     test::draw(session, by_hand, test::wave_on_sphere());
     return session.result_hash();
@@ -339,16 +339,16 @@ TEST(Replay, LeavesAClosedStrokeOpenThatBreaks) {
 }
 
 TEST(Replay, NarrowsTheStrokeWithThePressure) {
-  Recording recording;
   std::vector<Sample> line;
   for (int i = 0; i <= 50; ++i)
     line.push_back(
         {0.01 * i, Vec3d(-0.7 + 1.4 * i / 50, 0, 0), {.pressure = 1 - static_cast<float>(i) / 50}});
-  recording.strokes = {stroke_of(line)};
-  recording.strokes[0].params = {{"taper", 0.0}, {"depth", -0.5}};
   StrokeOverrides overrides;
   overrides.pressure_width = 0.75;
+  Recording recording;
   for (const bool has_pressure : {true, false}) {
+    recording.strokes = {stroke_of(has_pressure ? line : test::without_pen(line))};
+    recording.strokes[0].params = {{"taper", 0.0}, {"depth", -0.5}};
     recording.strokes[0].fields.pressure = has_pressure;
     Session session = test::plane_session();
     replay(session, recording, overrides);

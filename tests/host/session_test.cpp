@@ -45,11 +45,33 @@ TEST(Session, GrowsAStrokeWhoseWidthFollowsThePen) {
   draw(session, narrowing, test::wave());
   EXPECT_EQ(session.surface().positions, test::in_one_go(base, session.curve(), narrowing));
   const std::uint64_t hash = session.result_hash();
-  narrowing.fields.pressure = false;
+  narrowing.fields = {};
   session.undo();
-  draw(session, narrowing, test::wave());
+  draw(session, narrowing, test::without_pen(test::wave()));
   EXPECT_EQ(session.curve().points.back().width, 1) << "no pressure, full width";
   EXPECT_NE(session.result_hash(), hash);
+}
+
+TEST(Session, RefusesAPenThatReportsWhatItsFieldsDoNotSay) {
+  Session session = test::plane_session();
+  const Snapshot untouched(session);
+  StrokeSettings mouse = every_input();
+  mouse.fields = {.time = true};
+  const auto refusal = [&](const Pen& pen) {
+    session.begin_stroke(mouse);
+    return test::error_of([&] {
+      session.add_sample(Vec3d(0, 0, 0), 0, {});
+      session.add_sample(Vec3d(0.1, 0, 0), 0.1, pen);
+    });
+  };
+  EXPECT_EQ(refusal({.pressure = 0.5F}),
+            "the pen's pressure is 0.5, but StrokeSettings::fields says that it reports none");
+  EXPECT_EQ(refusal({.tilt_y = 0.25F}),
+            "the pen's tilt is 0.25, but StrokeSettings::fields says that it reports none");
+  EXPECT_EQ(refusal({.twist = 1}),
+            "the pen's twist is 1, but StrokeSettings::fields says that it reports none");
+  EXPECT_EQ(Snapshot(session), untouched);
+  EXPECT_EQ(refusal({}), "none");
 }
 
 TEST(Session, ClosesAStrokeAtItsEnd) {

@@ -3,6 +3,8 @@
 
 #include <burin/base/error.h>
 #include <burin/host/session.h>
+#include <burin/services/stamp_services.h>
+#include <burin/stroke/recording.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +21,7 @@ inline const std::filesystem::path test_plugins_folder = BURIN_TEST_PLUGINS;
 /// The stock brushes and those that tests draw with.
 inline const BrushLibrary& brushes() {
   static const auto library = [] {
-    auto loaded = std::make_unique<BrushLibrary>();
+    auto loaded = std::make_unique<BrushLibrary>(nullptr, stamp_services());
     loaded->load_folder(brushes_folder);
     for (const char* brush : {"every_input.burin", "raise_to.burin"})
       loaded->load(test_brushes_folder / brush);
@@ -40,6 +42,7 @@ inline StrokeSettings settings(const std::string& brush, double radius = 0.15) {
   StrokeSettings settings;
   settings.brush = brush;
   settings.radius = radius;
+  settings.fields = {.pressure = true, .tilt = true};
   return settings;
 }
 
@@ -57,7 +60,13 @@ inline std::vector<Sample> wave(int count = 40) {
   return samples;
 }
 
-/// The same on the unit sphere.
+/// Samples as a mouse gives them.
+inline std::vector<Sample> without_pen(std::vector<Sample> samples) {
+  for (Sample& sample : samples) sample.pen = {};
+  return samples;
+}
+
+/// The wave on the unit sphere.
 inline std::vector<Sample> wave_on_sphere(int count = 40) {
   std::vector<Sample> samples = wave(count);
   for (Sample& sample : samples)

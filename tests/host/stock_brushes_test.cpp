@@ -1,4 +1,5 @@
 // What holds for every brush of the folder brushes/, whatever it draws.
+#include <burin/abi/plugin.h>
 #include <burin/base/parallel.h>
 #include <fmt/format.h>
 

@@ -99,6 +99,15 @@ TEST(Readme, ShowsTheSampleBrush) {
   EXPECT_EQ(blocks.front(), read_file(source_folder / "samples/hello_brush/hello_brush.cpp"));
 }
 
+TEST(EmbeddingPage, ShowsTheSampleApplication) {
+  const std::string page = read_file(source_folder / "docs/embedding.md");
+  const auto programs = fenced_blocks(page, "cpp"), builds = fenced_blocks(page, "cmake");
+  ASSERT_GE(programs.size(), 1u);
+  EXPECT_EQ(programs.front(), read_file(source_folder / "samples/embed/embed.cpp"));
+  ASSERT_EQ(builds.size(), 1u);
+  EXPECT_EQ(builds.front(), read_file(source_folder / "samples/embed/CMakeLists.txt"));
+}
+
 TEST(Readme, LinksToFilesThatAreThere) {
   std::size_t pictures = 0;
   for (const std::string& target : link_targets(readme())) {

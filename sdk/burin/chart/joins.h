@@ -1,16 +1,9 @@
 #pragma once
 #include <burin/chart/bends.h>
 #include <burin/chart/chart_frame.h>
+#include <burin/chart/stroke_shape.h>
 
 namespace burin {
-
-/// What becomes of the coordinates where the stroke bends sharper than its radius.
-enum class Join {
-  round,    ///< as the distances have it: around the outside of the bend t hardly moves, inside it jumps
-  smooth,   ///< t is spread evenly along the lines of constant d on the way through the bend, inside and out
-  miter,    ///< the straight coordinates of the legs go on to where they meet; up to 120 degrees, else round
-  overlap,  ///< each leg ends in the bend as strokes end, and both have sheets of their own there
-};
 
 /// A corner: a bend so short that its legs, straight on, meet where it is.
 struct Corner {

@@ -1,6 +1,6 @@
 #pragma once
 #include <burin/chart/chart.h>
-#include <burin/chart/joins.h>
+#include <burin/chart/chart_options.h>
 #include <burin/chart/live_chart.h>
 #include <burin/stroke/surface_curve.h>
 #include <burin/surface/base_surface.h>
@@ -12,21 +12,6 @@
 #include <span>
 
 namespace burin {
-
-enum class Cap {
-  butt,   ///< the chart ends where t leaves [0, length]
-  round,  ///< half a geodesic disc of the stroke's radius beyond each end
-};
-
-struct ChartOptions {
-  double radius = 0;  ///< half width of the stroke, object units, > 0
-  Cap cap = Cap::round;
-  int order = 2;  ///< 1: Eq. 2 and 3 of the paper; 2: second order on curved strokes and surfaces
-  Join join = Join::round;
-  /// 0..1: how much of the surface's relief the chart feels. 1: all of it. Less: what is wider than about a
-  /// third of (1 - follow) radii, where the surface has several edges in that; see BaseSurface.
-  double follow = 1;
-};
 
 /// Computes stroke charts on one surface [Schmidt 2013, section 4]. Holds scratch memory of five bytes a
 /// vertex, so keep one as long as the surface; a chart costs in proportion to its own region only.

@@ -1,6 +1,6 @@
 #pragma once
+#include <burin/base/float_image.h>
 #include <burin/math/vector_axes.h>
-#include <burin/stamp/float_image.h>
 #include <burin/surface/polygon_mesh.h>
 #include <burin/surface/triangle_mesh.h>
 

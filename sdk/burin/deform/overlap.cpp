@@ -1,3 +1,4 @@
+#include <burin/abi/plugin.h>
 #include <burin/deform/overlap.h>
 
 #include <algorithm>

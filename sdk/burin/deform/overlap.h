@@ -1,9 +1,9 @@
 #pragma once
-#include <burin/abi/brush.h>
-
 #include <array>
 #include <cstdint>
 #include <string_view>
+
+struct burin_brush_descriptor;
 
 namespace burin {
 

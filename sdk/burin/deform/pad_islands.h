@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/stamp/float_image.h>
+#include <burin/base/float_image.h>
 
 #include <cstdint>
 #include <vector>

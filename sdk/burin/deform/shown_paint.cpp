@@ -49,11 +49,13 @@ PaintStep ShownPaint::commit() {
   return before;
 }
 
-void ShownPaint::drop() {
-  for (const Index vertex : take_touched()) {
+std::vector<Index> ShownPaint::drop() {
+  std::vector<Index> vertices = take_touched();
+  for (const Index vertex : vertices) {
     if (!shown_.colour.empty()) shown_.colour[vertex] = base_.colour[vertex];
     if (!shown_.mask.empty()) shown_.mask[vertex] = base_.mask[vertex];
   }
+  return vertices;
 }
 
 void ShownPaint::restore(const PaintStep& step) {

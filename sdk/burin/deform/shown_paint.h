@@ -36,8 +36,8 @@ class ShownPaint {
   /// Makes the base what is shown; returns what was there where they differed.
   PaintStep commit();
 
-  /// Shows the base again.
-  void drop();
+  /// Shows the base again. Returns the vertices that may have looked otherwise, ascending.
+  std::vector<Index> drop();
 
   /// Goes back to what a step says, of a surface on which nothing else is shown.
   void restore(const PaintStep& step);

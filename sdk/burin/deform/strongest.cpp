@@ -9,8 +9,6 @@
 namespace burin {
 namespace {
 
-using Vec2d = Eigen::Vector2d;
-
 /// Share of a change that is nothing but the rounding of its frame.
 constexpr double rounding = 1e-12;
 

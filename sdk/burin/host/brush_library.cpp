@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace burin {
 namespace fs = std::filesystem;
@@ -22,7 +23,7 @@ struct RefusedModule {
 };
 
 struct BrushLibrary::Impl {
-  explicit Impl(Log log) : services(log) {}
+  Impl(Log log, std::unique_ptr<HostExtensions> extensions) : services(log, std::move(extensions)) {}
 
   void load(const fs::path& module, std::vector<std::string>& ids);
 
@@ -62,7 +63,8 @@ void BrushDeleter::operator()(const burin_brush* brush) const {
   brush->destroy(brush);
 }
 
-BrushLibrary::BrushLibrary(Log log) : impl_(std::make_unique<Impl>(log)) {}
+BrushLibrary::BrushLibrary(Log log, std::unique_ptr<HostExtensions> extensions)
+    : impl_(std::make_unique<Impl>(log, std::move(extensions))) {}
 BrushLibrary::~BrushLibrary() = default;
 
 /// `ids`: of its brushes, also when it is refused for one of them.

@@ -1,11 +1,15 @@
 #pragma once
-#include <burin/abi/plugin.h>
+#include <burin/host/host_extensions.h>
 
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+/// Of burin/abi/plugin.h.
+struct burin_brush;
+struct burin_brush_descriptor;
 
 namespace burin {
 
@@ -24,9 +28,12 @@ using BrushPtr = std::unique_ptr<const burin_brush, BrushDeleter>;
 /// The plugin modules of a process and their brushes. Main thread.
 class BrushLibrary {
  public:
-  /// Starts empty; services are those of this host: log (to `log`, or nowhere) and stamps.
+  /// Takes the lines that brushes and the library have to say; severities are those of abi/ext/log.h. Must
+  /// not throw. Any thread, concurrent.
   using Log = void (*)(int severity, std::string_view line);
-  explicit BrushLibrary(Log log = nullptr);
+
+  /// Starts empty. Plugins get the log (to `log`, or nowhere) and these extensions; null: none.
+  explicit BrushLibrary(Log log = nullptr, std::unique_ptr<HostExtensions> extensions = nullptr);
   ~BrushLibrary();
   BrushLibrary(const BrushLibrary&) = delete;
   BrushLibrary& operator=(const BrushLibrary&) = delete;

@@ -30,6 +30,20 @@ const StrokeSettings& checked(const StrokeSettings& settings) {
   return settings;
 }
 
+/// What a pen that does not report it must hold, see Pen, would else be dropped silently.
+void check_pen(const Pen& pen, const PenFields& fields) {
+  const Pen neutral;
+  const auto check = [](bool reported, bool is_neutral, const char* field, float value) {
+    if (!reported && !is_neutral)
+      throw ContractError(fmt::format(
+          "the pen's {} is {}, but StrokeSettings::fields says that it reports none", field, value));
+  };
+  check(fields.pressure, pen.pressure == neutral.pressure, "pressure", pen.pressure);
+  check(fields.tilt, pen.tilt_x == neutral.tilt_x, "tilt", pen.tilt_x);
+  check(fields.tilt, pen.tilt_y == neutral.tilt_y, "tilt", pen.tilt_y);
+  check(fields.twist, pen.twist == neutral.twist, "twist", pen.twist);
+}
+
 /// Everything that changed in any instance, each vertex once.
 std::vector<Index> all_vertices(const std::vector<StrokeChanges>& changes) {
   std::vector<Index> vertices = changes.front().vertices;
@@ -105,6 +119,7 @@ BlendOptions OpenStroke::blend_options() const {
 void OpenStroke::trace(const CurveGround::Place& at, double time, const Pen& pen) {
   if (!std::isfinite(time) || time < last_time_)
     throw ContractError(fmt::format("time goes from {} to {}", last_time_, time));
+  check_pen(pen, settings_.fields);
   last_time_ = time;
   instances_.front().trace(at, time, pen);
   for (std::size_t i = 1; i < instances_.size(); ++i) {

@@ -6,8 +6,8 @@
 #include <burin/deform/stroke_passes.h>
 #include <burin/host/event_cost.h>
 #include <burin/host/param_snapshot.h>
-#include <burin/host/session.h>
 #include <burin/host/stroke_instance.h>
+#include <burin/host/stroke_settings.h>
 
 #include <cstdint>
 #include <deque>

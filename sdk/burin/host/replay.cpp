@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/host/replay.h>
+#include <burin/host/stroke_pieces.h>
 #include <burin/stroke/sample_times.h>
 #include <fmt/format.h>
 
@@ -105,14 +106,12 @@ class Replayer {
 void Replayer::draw(const RecordedStroke& stroke, const StrokeSettings& settings, Closure closure) {
   ++result_.strokes;
   const std::size_t pieces_before = result_.pieces;
-  const Closure of_a_piece = closure == Closure::automatic ? closure : Closure::open;
+  const Closure of_a_piece = closure_of_piece(closure);
+  const auto end_piece = [&] { end([&] { return session_.end_piece(of_a_piece); }); };
   session_.begin_stroke(settings);
   for (const Sample& sample : stroke.samples) {
-    Outcome outcome = add(sample);
-    if (outcome != Outcome::drawn && drawn_in_piece_ > 0) {
-      end([&] { return session_.end_piece(of_a_piece); });
-      if (outcome == Outcome::disconnected) outcome = add(sample);
-    }
+    const Outcome outcome = add_in_pieces(
+        drawn_in_piece_ > 0, [&] { return add(sample); }, end_piece);
     if (outcome == Outcome::off_surface) ++result_.samples_off_surface;
     report_progress();
   }

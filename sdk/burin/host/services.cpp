@@ -1,6 +1,9 @@
-#include <burin/host/service_tables.h>
+#include <burin/abi/ext/log.h>
+#include <burin/host/services.h>
+#include <burin/version.h>
 
 #include <cstring>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -11,18 +14,18 @@ void BURIN_CALL write_log_line(const burin_host* host, burin_log_severity severi
 
 constexpr burin_log log_service{sizeof(burin_log), 0, write_log_line};
 
-const void* BURIN_CALL get_extension(const burin_host*, const char* id) {
+const void* BURIN_CALL get_extension(const burin_host* host, const char* id) {
   if (!id) return nullptr;
   if (std::strcmp(id, BURIN_EXT_LOG) == 0) return &log_service;
-  if (std::strcmp(id, BURIN_EXT_STAMPS) == 0) return &stamps_service;
-  if (std::strcmp(id, BURIN_EXT_LETTERING) == 0) return &lettering_service;
-  return nullptr;
+  const HostExtensions* extensions = services(host).extensions();
+  return extensions ? extensions->find(id) : nullptr;
 }
 
 }  // namespace
 
-HostServices::HostServices(Log log)
+HostServices::HostServices(Log log, std::unique_ptr<HostExtensions> extensions)
     : log_(log),
+      extensions_(std::move(extensions)),
       host_{.struct_size = sizeof(burin_host),
             .abi_major = BURIN_ABI_MAJOR,
             .abi_minor = BURIN_ABI_MINOR,

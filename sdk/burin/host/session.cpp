@@ -1,3 +1,4 @@
+#include <burin/abi/plugin.h>
 #include <burin/base/error.h>
 #include <burin/base/hash.h>
 #include <burin/deform/shown_paint.h>
@@ -33,6 +34,7 @@ struct Session::Impl {
   std::span<const Index> finish_piece(Closure closure);
   std::span<const Index> finish(Closure closure);
   std::span<const Index> apply(const VertexMoves& moves);
+  std::span<const Index> note_changed(std::span<const Index> moved, std::span<const Index> painted);
   void commit(std::span<const Index> displaced);
   void drop();
 
@@ -40,6 +42,7 @@ struct Session::Impl {
   template <class Body>
   auto guarded(const Body& body) {
     cost = {};
+    changed.clear();
     sorted_chart.reset();
     try {
       return body();
@@ -101,10 +104,15 @@ StrokeEvent Session::Impl::draw(const std::optional<CurveGround::Place>& at, dou
 std::span<const Index> Session::Impl::apply(const VertexMoves& moves) {
   cost.moved = moves.vertices.size();
   const std::span<const Index> moved = shown.move(surface, moves.vertices, moves.places);
-  if (moves.tints.empty()) return moved;
   std::vector<Index> painted;
-  paint.set(moves.vertices, moves.tints, painted);
+  if (!moves.tints.empty()) paint.set(moves.vertices, moves.tints, painted);
   std::ranges::sort(painted);
+  return note_changed(moved, painted);
+}
+
+/// Both ascending.
+std::span<const Index> Session::Impl::note_changed(std::span<const Index> moved,
+                                                   std::span<const Index> painted) {
   changed.clear();
   std::ranges::set_union(moved, painted, std::back_inserter(changed));
   return changed;
@@ -112,11 +120,9 @@ std::span<const Index> Session::Impl::apply(const VertexMoves& moves) {
 
 /// Finishes the piece being drawn, unless it is empty or kept.
 std::span<const Index> Session::Impl::finish_piece(Closure closure) {
-  changed.clear();
   if (stroke->piece_empty() || stroke->piece_kept()) return changed;
   StageClock clock(cost);
-  const std::span<const Index> seen = apply(stroke->finish(closure, {evaluator, paint.base(), cost, clock}));
-  if (seen.data() != changed.data()) changed.assign(seen.begin(), seen.end());
+  apply(stroke->finish(closure, {evaluator, paint.base(), cost, clock}));
   last_curve = stroke->curve();
   clock.lap(Stage::move);
   return changed;
@@ -153,9 +159,8 @@ void Session::Impl::drop() {
   std::vector<Vec3f> bases;
   bases.reserve(displaced.size());
   for (const Index vertex : displaced) bases.push_back(surface.positions[vertex]);
-  shown.move(surface, displaced, bases);
+  note_changed(shown.move(surface, displaced, bases), paint.drop());
   shown.take_displaced(surface);
-  paint.drop();
   stroke.reset();
 }
 
@@ -232,7 +237,12 @@ std::span<const Index> Session::end_stroke(Closure closure) {
   return impl_->guarded([&] { return impl_->finish(closure); });
 }
 
-void Session::cancel_stroke() { impl_->drop(); }
+void Session::cancel_stroke() {
+  impl_->changed.clear();
+  impl_->drop();
+}
+
+std::span<const Index> Session::changed() const { return impl_->changed; }
 
 const Chart& Session::chart() const {
   if (!impl_->sorted_chart) impl_->sorted_chart = impl_->last_live ? impl_->last_live->sorted() : Chart{};
@@ -248,7 +258,8 @@ bool Session::undo() {
     const std::optional<UndoStep> step = impl_->journal.take();
     if (!step) return false;
     StageClock clock(impl_->cost);
-    impl_->shown.move(impl_->surface, step->vertices, step->positions);
+    impl_->note_changed(impl_->shown.move(impl_->surface, step->vertices, step->positions),
+                        step->paint.vertices);
     impl_->cost.moved = step->vertices.size();
     clock.lap(Stage::move);
     impl_->commit(step->vertices);

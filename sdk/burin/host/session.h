@@ -1,50 +1,19 @@
 #pragma once
-#include <burin/chart/stroke_chart.h>
-#include <burin/deform/accumulate.h>
-#include <burin/deform/overlap.h>
+#include <burin/base/error.h>
+#include <burin/chart/chart.h>
 #include <burin/deform/paint.h>
 #include <burin/host/brush_library.h>
 #include <burin/host/event_cost.h>
-#include <burin/stroke/recording.h>
-#include <burin/stroke/symmetry.h>
+#include <burin/host/stroke_settings.h>
+#include <burin/stroke/curve.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 namespace burin {
-
-/// Least StrokeSettings::dab_spacing.
-inline constexpr double least_dab_spacing = 0.01;
-
-/// What a stroke is drawn with.
-struct StrokeSettings {
-  std::string brush;    ///< id, "org.burin.groove"
-  double radius = 0;    ///< object units, > 0
-  double strength = 1;  ///< factor on the brush's displacement
-  Cap cap = Cap::round;
-  Join join = Join::round;         ///< smooth, miter and overlap chart the stroke afresh with every sample
-  std::optional<Overlap> overlap;  ///< what holds where the stroke overlaps itself; none: as the brush says
-  Accumulate accumulate = Accumulate::from_base;  ///< from_current: sheets add up, whatever `overlap` says
-  /// 0..1: how much of the surface's relief the stroke feels. 1: every bump. Less: what is wider than about a
-  /// third of (1 - follow) radii; displacement goes along the normals of that smoother surface and adds to
-  /// the relief.
-  double follow = 0;
-  double pressure_width = 0;  ///< 0..1, share of the width that the pen's pressure decides
-  ParamSettings params;       ///< what differs from the brush's defaults
-  /// What of the pen varies radius, strength and parameters; "radius" acts besides the pressure width.
-  std::vector<Dynamic> dynamics;
-  PenFields fields;        ///< what the pen really reports
-  std::uint64_t seed = 0;  ///< of random numbers: the brush's, and PenSource::random
-  Symmetry symmetry;       ///< where else it is drawn
-  double dab_spacing = 0;  ///< radii from dab to dab, for a row of dabs instead of one stroke; 0: a stroke
-  bool clamp_to_radius = false;  ///< no vertex goes farther than one radius
-};
 
 /// When a sample is to be seen. A stroke is the same whenever that is; who shows fewer samples pays for
 /// fewer.
@@ -101,7 +70,8 @@ class Session {
   /// The next sample: where a ray meets the surface, or the closest place to a point that is at most one
   /// radius away. Times must not fall; samples that come several at a time and have one time stamp should be
   /// given times of their own first, see spread_times(). Throws Error when the brush fails or returns a value
-  /// that is not finite.
+  /// that is not finite; ContractError for a time that falls, and for a pen that is not as
+  /// StrokeSettings::fields has it: pressure other than 1, say, of a pen that reports none.
   StrokeEvent add_sample(const Ray& ray, double time, const Pen& pen, Show show = Show::now);
   StrokeEvent add_sample(const Vec3d& position, double time, const Pen& pen, Show show = Show::now);
 
@@ -118,8 +88,13 @@ class Session {
   /// Returns the vertices that the end changed, as StrokeEvent::changed, valid until the next call.
   std::span<const Index> end_stroke(Closure closure = Closure::open);
 
-  /// Drops the open stroke, if there is one.
+  /// Drops the open stroke, if there is one: changed() are the vertices that are shown as before it again.
   void cancel_stroke();
+
+  /// Vertices that the last call of a function that is not const changed, as StrokeEvent::changed: those of
+  /// undo() and cancel_stroke(), and those of a stroke that was dropped since the call threw. Valid until the
+  /// next call. set_paint() may change all, and is not told here.
+  std::span<const Index> changed() const;
 
   /// The chart of the open stroke, or of the last one; of its last piece.
   const Chart& chart() const;

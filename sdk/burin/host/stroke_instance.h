@@ -7,7 +7,7 @@
 #include <burin/deform/stroke_passes.h>
 #include <burin/host/event_cost.h>
 #include <burin/host/image_chart.h>
-#include <burin/host/session.h>
+#include <burin/host/stroke_settings.h>
 #include <burin/stroke/foot_line.h>
 #include <burin/stroke/symmetry.h>
 

@@ -2,14 +2,12 @@
 #include <burin/base/vector.h>
 #include <burin/surface/picker.h>
 
-#include <Eigen/Core>
-
 namespace burin {
 
 /// A view with OpenGL's conventions: clip = projection * view * (position, 1), z towards the viewer.
 struct Camera {
-  Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
-  Eigen::Matrix4d projection = Eigen::Matrix4d::Identity();
+  Mat4d view = Mat4d::Identity();
+  Mat4d projection = Mat4d::Identity();
   int width = 0, height = 0;  ///< viewport, pixels
 };
 

@@ -48,7 +48,7 @@ struct DrivenStroke {
   double radius = 1;       ///< object units
   std::uint64_t seed = 0;  ///< of PenSource::random, together with the target's name
   /// From a symmetric image of a stroke back to the one drawn by hand, whose direction of travel counts.
-  Eigen::Matrix3f to_hand = Eigen::Matrix3f::Identity();
+  Mat3f to_hand = Mat3f::Identity();
 };
 
 /// The dynamics of one target that the recording can drive. The value is a function of the place on the
@@ -78,7 +78,7 @@ class TargetDynamics {
 
   std::vector<Dynamic> dynamics_;
   double radius_ = 1;
-  Eigen::Matrix3f to_hand_ = Eigen::Matrix3f::Identity();
+  Mat3f to_hand_ = Mat3f::Identity();
   std::uint64_t noise_key_ = 0;
 };
 

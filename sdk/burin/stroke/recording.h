@@ -1,20 +1,14 @@
 #pragma once
 #include <burin/stroke/camera.h>
 #include <burin/stroke/dynamics.h>
+#include <burin/stroke/param_setting.h>
 #include <burin/stroke/pen.h>
 
-#include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace burin {
-
-/// A brush parameter as files and scripts give it: bool, number, text (file path or choice), or numbers
-/// (a colour's four, a curve's x0 y0 x1 y1 ...).
-using ParamSetting = std::variant<bool, double, std::string, std::vector<double>>;
-using ParamSettings = std::map<std::string, ParamSetting>;
 
 enum class StrokeSpace {
   object,  ///< samples are places near the surface, object units

@@ -17,7 +17,7 @@ bool finite(const ParamSetting& setting) {
   return true;
 }
 
-bool invertible(const Eigen::Matrix4d& matrix) {
+bool invertible(const Mat4d& matrix) {
   return matrix.allFinite() && Eigen::FullPivLU<Eigen::Matrix4d>(matrix).isInvertible();
 }
 

@@ -56,11 +56,11 @@ void reject_fault(std::string_view fault) {
   if (!fault.empty()) throw Error(std::string(fault));
 }
 
-Eigen::Matrix4d parse_matrix(const Json& camera, const char* name) {
+Mat4d parse_matrix(const Json& camera, const char* name) {
   const std::vector<double> elements = numbers(member(camera, name), name);
   if (elements.size() != 16)
     throw Error(fmt::format("{} has {} numbers, a matrix needs 16", name, elements.size()));
-  return Eigen::Map<const Eigen::Matrix4d>(elements.data());  // both are column-major
+  return Eigen::Map<const Mat4d>(elements.data());  // both are column-major
 }
 
 int parse_extent(const Json& value) {

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json matrix_json(const Eigen::Matrix4d& matrix) {
+Json matrix_json(const Mat4d& matrix) {
   return std::vector<double>(matrix.data(), matrix.data() + 16);  // both are column-major
 }
 

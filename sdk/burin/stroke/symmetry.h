@@ -18,7 +18,7 @@ struct Symmetry {
 
 /// One image of a stroke.
 struct SymmetryInstance {
-  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
+  Mat3d linear = Mat3d::Identity();
   Vec3d centre = Vec3d::Zero();
   std::uint32_t index = 0;  ///< 0 = as drawn by hand
   bool mirrored = false;    ///< turns left into right

@@ -13,8 +13,6 @@ constexpr int most_iterations = 24;
 /// A step below this share of the support ends the iterations: floats tell no more.
 constexpr double small_step = 1e-7;
 
-using Vec2d = Eigen::Vector2d;
-
 double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Square of the radius of the circle through the corners.

@@ -10,7 +10,6 @@
 namespace burin {
 namespace {
 
-using Vec2d = Eigen::Vector2d;
 using Corners = std::span<const Index>;
 
 /// Three corners of a polygon, as it counts them.

@@ -4,6 +4,7 @@
 #include <burin/deform/brush_stroke.h>
 #include <burin/host/brush_library.h>
 #include <burin/host/param_snapshot.h>
+#include <burin/services/stamp_services.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -71,7 +72,7 @@ void evaluate_all(const BrushStroke& brush, const burin_stroke_context& context,
 void evaluate(benchmark::State& state, const char* id, const ParamSettings& settings) {
   const SphereStroke& stroke = sphere_stroke(static_cast<std::size_t>(state.range(0)));
   Columns columns(stroke);
-  BrushLibrary library;
+  BrushLibrary library(nullptr, stamp_services());
   library.load_folder(BURIN_BRUSHES);
   const BrushEntry& entry = library.find(id);
   const BrushPtr brush = library.create(entry);

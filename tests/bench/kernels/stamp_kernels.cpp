@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 #include <burin/abi/ext/stamps.h>
 #include <burin/host/services.h>
+#include <burin/services/stamp_services.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -21,7 +22,7 @@ void fill_places(std::vector<float>& u, std::vector<float>& v) {
 }
 
 void stamp_samples(benchmark::State& state) {
-  const HostServices services(nullptr);
+  const HostServices services(nullptr, stamp_services());
   const burin_host* host = services.abi();
   const auto& stamps = *static_cast<const burin_stamps*>(host->get_extension(host, BURIN_EXT_STAMPS));
   burin_stamp stamp{};

@@ -5,8 +5,6 @@
 
 namespace burin::paper {
 
-using Vec2d = Eigen::Vector2d;
-
 /// Plane coordinates (u, v) of a region's vertices, one row each.
 using Parameterization = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 

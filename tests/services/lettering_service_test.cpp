@@ -1,5 +1,6 @@
 #include <burin/host/services.h>
 #include <burin/plugin/lettering.h>
+#include <burin/services/stamp_services.h>
 #include <burin/stamp/font_search.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@ namespace {
 
 /// What the host refuses to set.
 std::string complaint(const char* font, const char* text, std::uint32_t em = 32) {
-  const HostServices services(nullptr);
+  const HostServices services(nullptr, stamp_services());
   try {
     plugin::Lettering(plugin::Host(services.abi()), font, text, em);
   } catch (const plugin::Error& error) {
@@ -31,7 +32,7 @@ float sample(const plugin::Lettering& lettering, float x, float y) {
 
 // Through the classes that brushes use.
 TEST(LetteringService, SetsALineThatIsSampledInEms) {
-  const HostServices services(nullptr);
+  const HostServices services(nullptr, stamp_services());
   const plugin::Lettering line(plugin::Host(services.abi()), "DejaVuSans.ttf", "HI", 64);
   EXPECT_NEAR(line.info().width, (1540 + 604) / 2048.0, 1e-6);
   EXPECT_NEAR(line.info().ascent, 1901 / 2048.0, 1e-6);

@@ -1,5 +1,5 @@
-#include <burin/host/service_tables.h>
 #include <burin/host/utf8_path.h>
+#include <burin/services/service_tables.h>
 #include <burin/stamp/font_search.h>
 #include <burin/stamp/lettering.h>
 
@@ -24,7 +24,7 @@ burin_status BURIN_CALL set(const burin_host* host, const char* font, const char
   if (!font || !text || !stamp || em < least_em || em > greatest_em) return BURIN_INVALID_ARGUMENT;
   return status_of(error, [&] {
     Lettering lettering = set_lettering(find_font(path_from_utf8(font)), text, em);
-    stamp->handle = services(host).stamps().add(std::move(lettering.image));
+    stamp->handle = stamps_of(host).add(std::move(lettering.image));
     fill_known_members(info_of(lettering), info);
   });
 }

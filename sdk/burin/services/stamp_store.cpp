@@ -1,5 +1,5 @@
 #include <burin/base/error.h>
-#include <burin/host/stamp_store.h>
+#include <burin/services/stamp_store.h>
 #include <fmt/format.h>
 
 #include <system_error>

@@ -1,5 +1,6 @@
-#include <burin/host/service_tables.h>
+#include <burin/abi/ext/log.h>
 #include <burin/host/utf8_path.h>
+#include <burin/services/service_tables.h>
 #include <burin/stamp/area_filter.h>
 #include <fmt/format.h>
 
@@ -29,7 +30,7 @@ burin_status BURIN_CALL open_with(const burin_host* host, const char* path,
   if (!is_wrap(known.wrap_u) || !is_wrap(known.wrap_v) || !std::isfinite(known.zero))
     return BURIN_INVALID_ARGUMENT;
   return status_of(error, [&] {
-    StampStore& stamps = services(host).stamps();
+    StampStore& stamps = stamps_of(host);
     const auto [handle, filled] =
         stamps.open(path_from_utf8(path), {.wrap_u = static_cast<Wrap>(known.wrap_u),
                                            .wrap_v = static_cast<Wrap>(known.wrap_v),
@@ -54,7 +55,7 @@ burin_status BURIN_CALL open_stamp(const burin_host* host, const char* path, bur
 }
 
 void BURIN_CALL close_stamp(const burin_host* host, burin_stamp stamp) {
-  services(host).stamps().close(stamp.handle);
+  stamps_of(host).close(stamp.handle);
 }
 
 float at(const burin_floats& floats, std::size_t i) { return floats.data[i * floats.stride]; }
@@ -63,7 +64,7 @@ float at(const burin_floats& floats, std::size_t i) { return floats.data[i * flo
 template <class Value>
 burin_status sample_each(const burin_host* host, burin_stamp stamp, std::uint32_t channel,
                          std::uint32_t count, const burin_floats_out& values, const Value& value) {
-  const MipPyramid* pyramid = services(host).stamps().find(stamp.handle);
+  const MipPyramid* pyramid = stamps_of(host).find(stamp.handle);
   if (!pyramid) return BURIN_NOT_FOUND;
   if (channel >= static_cast<std::uint32_t>(pyramid->stamp().channels)) return BURIN_INVALID_ARGUMENT;
   for (std::size_t i = 0; i < count; ++i) {

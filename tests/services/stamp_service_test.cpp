@@ -1,8 +1,10 @@
 #include <burin/abi/ext/stamps.h>
 #include <burin/base/parallel.h>
 #include <burin/host/services.h>
+#include <burin/services/stamp_services.h>
 #include <burin/stamp/area_filter.h>
 #include <burin/stamp/float_image.h>
+#include <burin/stamp/stamp_file.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -44,8 +46,9 @@ class StampService : public ::testing::Test {
   void SetUp() override { logged.clear(); }
 
   HostServices services_{[](int severity, std::string_view line) {
-    logged.emplace_back(std::to_string(severity) + " " + std::string(line));
-  }};
+                           logged.emplace_back(std::to_string(severity) + " " + std::string(line));
+                         },
+                         stamp_services()};
   const burin_stamps* stamps_ =
       static_cast<const burin_stamps*>(services_.abi()->get_extension(services_.abi(), BURIN_EXT_STAMPS));
   burin_stamp stamp_{};

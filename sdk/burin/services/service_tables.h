@@ -1,8 +1,7 @@
 #pragma once
 #include <burin/abi/ext/lettering.h>
-#include <burin/abi/ext/log.h>
 #include <burin/abi/ext/stamps.h>
-#include <burin/host/services.h>
+#include <burin/services/stamp_extensions.h>
 
 #include <algorithm>
 #include <cstring>
@@ -12,11 +11,14 @@
 
 namespace burin {
 
-/// What HostServices hands out by id.
+/// What StampExtensions hands out by id.
 extern const burin_stamps stamps_service;
 extern const burin_lettering lettering_service;
 
-inline HostServices& services(const burin_host* host) { return *static_cast<HostServices*>(host->self); }
+/// The stamps of a host that handed out one of these tables.
+inline StampStore& stamps_of(const burin_host* host) {
+  return static_cast<StampExtensions*>(services(host).extensions())->stamps();
+}
 
 /// A struct of the caller's, whose version may know fewer members or more: those it does not know are zero.
 template <class Struct>

@@ -1,0 +1,52 @@
+# The headers of burin::host and of what it is made of that `cmake --install` lays out for applications: what
+# they include is among them. The rest is the library's own, free to change. `abi`, `math` and `plugin` are
+# public as a whole.
+set(burin_public_headers
+  base/error.h
+  base/float_image.h
+  base/progress.h
+  base/unset_vector.h
+  base/vector.h
+  chart/box_grid.h
+  chart/chart.h
+  chart/chart_frame.h
+  chart/chart_lookup.h
+  chart/chart_triangles.h
+  chart/stroke_shape.h
+  deform/accumulate.h
+  deform/bake.h
+  deform/overlap.h
+  deform/paint.h
+  host/brush_library.h
+  host/event_cost.h
+  host/host_extensions.h
+  host/replay.h
+  host/session.h
+  host/stroke_pieces.h
+  host/stroke_settings.h
+  services/stamp_services.h
+  stamp/float_image.h
+  stroke/camera.h
+  stroke/curve.h
+  stroke/dynamics.h
+  stroke/move_origin.h
+  stroke/param_setting.h
+  stroke/pen.h
+  stroke/recording.h
+  stroke/sample_times.h
+  stroke/stabiliser.h
+  stroke/stroke_file.h
+  stroke/symmetry.h
+  subdiv/refine.h
+  subdiv/sculpt_levels.h
+  surface/csr.h
+  surface/mesh_file.h
+  surface/picker.h
+  surface/point_set.h
+  surface/polygon_mesh.h
+  surface/surface.h
+  surface/surface_point.h
+  surface/triangle_mesh.h
+  surface/triangulate.h
+  surface/vertex_paint.h
+  surface/weld_mesh.h)

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// An image of measured values, rows from the top.
+struct FloatImage {
+  int width = 0, height = 0;
+  std::vector<std::string> channels;  ///< their names: {"Y"}, {"R", "G", "B"}
+  std::vector<float> texels;          ///< width * height * channels, interleaved
+};
+
+}  // namespace burin

@@ -1,0 +1,44 @@
+#pragma once
+#include <burin/chart/stroke_shape.h>
+#include <burin/deform/accumulate.h>
+#include <burin/deform/overlap.h>
+#include <burin/stroke/dynamics.h>
+#include <burin/stroke/param_setting.h>
+#include <burin/stroke/pen.h>
+#include <burin/stroke/symmetry.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// Least StrokeSettings::dab_spacing.
+inline constexpr double least_dab_spacing = 0.01;
+
+/// What a stroke is drawn with.
+struct StrokeSettings {
+  std::string brush;    ///< id, "org.burin.groove"
+  double radius = 0;    ///< object units, > 0
+  double strength = 1;  ///< factor on the brush's displacement
+  Cap cap = Cap::round;
+  Join join = Join::round;         ///< smooth, miter and overlap chart the stroke afresh with every sample
+  std::optional<Overlap> overlap;  ///< what holds where the stroke overlaps itself; none: as the brush says
+  Accumulate accumulate = Accumulate::from_base;  ///< from_current: sheets add up, whatever `overlap` says
+  /// 0..1: how much of the surface's relief the stroke feels. 1: every bump. Less: what is wider than about a
+  /// third of (1 - follow) radii; displacement goes along the normals of that smoother surface and adds to
+  /// the relief.
+  double follow = 0;
+  double pressure_width = 0;  ///< 0..1, share of the width that the pen's pressure decides
+  ParamSettings params;       ///< what differs from the brush's defaults
+  /// What of the pen varies radius, strength and parameters; "radius" acts besides the pressure width.
+  std::vector<Dynamic> dynamics;
+  PenFields fields;        ///< what the pen really reports; samples that have more are refused
+  std::uint64_t seed = 0;  ///< of random numbers: the brush's, and PenSource::random
+  Symmetry symmetry;       ///< where else it is drawn
+  double dab_spacing = 0;  ///< radii from dab to dab, for a row of dabs instead of one stroke; 0: a stroke
+  bool clamp_to_radius = false;  ///< no vertex goes farther than one radius
+};
+
+}  // namespace burin

@@ -1,0 +1,17 @@
+#pragma once
+#include <burin/host/services.h>
+#include <burin/services/stamp_store.h>
+
+namespace burin {
+
+/// The interfaces that stamp_services() makes, and the stamps that are open through them.
+class StampExtensions : public HostExtensions {
+ public:
+  const void* find(std::string_view id) const override;
+  StampStore& stamps() { return stamps_; }
+
+ private:
+  StampStore stamps_;
+};
+
+}  // namespace burin

@@ -1,0 +1,14 @@
+#include <burin/services/service_tables.h>
+#include <burin/services/stamp_services.h>
+
+namespace burin {
+
+const void* StampExtensions::find(std::string_view id) const {
+  if (id == BURIN_EXT_STAMPS) return &stamps_service;
+  if (id == BURIN_EXT_LETTERING) return &lettering_service;
+  return nullptr;
+}
+
+std::unique_ptr<HostExtensions> stamp_services() { return std::make_unique<StampExtensions>(); }
+
+}  // namespace burin

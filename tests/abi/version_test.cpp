@@ -1,0 +1,23 @@
+#include <burin/version.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace {
+
+TEST(Version, IsWhatItsPartsAre) {
+  EXPECT_EQ(std::string(BURIN_VERSION), std::to_string(BURIN_VERSION_MAJOR) + "." +
+                                            std::to_string(BURIN_VERSION_MINOR) + "." +
+                                            std::to_string(BURIN_VERSION_PATCH));
+  EXPECT_EQ(std::string(BURIN_VERSION), BURIN_PROJECT_VERSION);
+}
+
+TEST(Version, IsComparedPartByPart) {
+  EXPECT_TRUE(BURIN_VERSION_AT_LEAST(BURIN_VERSION_MAJOR, BURIN_VERSION_MINOR, BURIN_VERSION_PATCH));
+  EXPECT_TRUE(BURIN_VERSION_AT_LEAST(BURIN_VERSION_MAJOR, BURIN_VERSION_MINOR - 1, BURIN_VERSION_PATCH + 1));
+  EXPECT_FALSE(BURIN_VERSION_AT_LEAST(BURIN_VERSION_MAJOR, BURIN_VERSION_MINOR, BURIN_VERSION_PATCH + 1));
+  EXPECT_FALSE(BURIN_VERSION_AT_LEAST(BURIN_VERSION_MAJOR, BURIN_VERSION_MINOR + 1, 0));
+  EXPECT_FALSE(BURIN_VERSION_AT_LEAST(BURIN_VERSION_MAJOR + 1, 0, 0));
+}
+
+}  // namespace

@@ -1,0 +1,73 @@
+// The headers that are installed for applications: cmake/PublicHeaders.cmake names them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace burin::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+const fs::path root = BURIN_SOURCE_FOLDER;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Names all_of(const std::string& text, const std::regex& pattern) {
+  Names names;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
+    names.insert((*match)[1]);
+  return names;
+}
+
+/// "FOLDER/FILE.h".
+Names public_headers() {
+  static const std::regex line(R"(\n  (\w+/\w+\.h))");
+  return all_of(text_of(root / "cmake/PublicHeaders.cmake"), line);
+}
+
+Names included_by(const std::string& header) {
+  static const std::regex include(R"(#include <burin/([^>]+)>)");
+  return all_of(text_of(root / "sdk/burin" / header), include);
+}
+
+/// A header and all that it includes of Burin.
+void collect(const std::string& header, Names& all) {
+  if (!all.insert(header).second) return;
+  for (const std::string& next : included_by(header)) collect(next, all);
+}
+
+bool is_public_folder(const std::string& header) {
+  return header.starts_with("abi/") || header.starts_with("math/") || header == "version.h";
+}
+
+TEST(PublicHeaders, IncludeNothingThatIsNotInstalled) {
+  const Names headers = public_headers();
+  EXPECT_GE(headers.size(), 40u);
+  EXPECT_LE(headers.size(), 50u);
+  for (const std::string& header : headers) {
+    EXPECT_TRUE(fs::exists(root / "sdk/burin" / header)) << header;
+    for (const std::string& included : included_by(header))
+      EXPECT_TRUE(headers.contains(included) || is_public_folder(included)) << header << ": " << included;
+  }
+}
+
+TEST(PublicHeaders, OfASessionAreFew) {
+  Names headers;
+  collect("host/session.h", headers);
+  EXPECT_TRUE(headers.contains("base/error.h"));
+  EXPECT_LE(headers.size(), 25u);
+}
+
+}  // namespace
+}  // namespace burin::test
