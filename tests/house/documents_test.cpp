@@ -1,0 +1,84 @@
+// Documents name files of the repository, and link to them: these are there.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "support/shared_data.h"
+
+namespace burin::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// All first groups of the pattern.
+Names all_of(const std::string& text, const std::regex& pattern) {
+  Names names;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
+    names.push_back((*match)[1]);
+  return names;
+}
+
+/// Paths between backquotes: a folder, and a name with an extension.
+Names named_files(const std::string& text) {
+  static const std::regex path(R"(`((?:[\w.]+/)+[\w.]+\.(?:h|cpp|txt|cmake|md|json|obj|stroke|in))`)");
+  return all_of(text, path);
+}
+
+Names linked_files(const std::string& text) {
+  static const std::regex link(R"(\]\(([^)#\s:]+)(?:#[^)]*)?\))");
+  return all_of(text, link);
+}
+
+/// What a document names or links to that is not there. Names count from the root, or from the SDK's folders;
+/// links from the document.
+Names missing_files(const fs::path& root, const fs::path& document) {
+  const std::string text = text_of(root / document);
+  Names missing;
+  for (const std::string& name : named_files(text))
+    if (!fs::exists(root / name) && !fs::exists(root / "sdk" / name) &&
+        !fs::exists(root / "sdk/burin" / name))
+      missing.push_back(name);
+  for (const std::string& link : linked_files(text))
+    if (!fs::exists(root / document.parent_path() / link)) missing.push_back(link);
+  return missing;
+}
+
+TEST(Documents, NameFilesThatAreThere) {
+  const fs::path root = BURIN_SOURCE_FOLDER;
+  std::vector<fs::path> documents{"CONTRIBUTING.md"};
+  for (const auto& entry : fs::directory_iterator(root / "docs"))
+    if (entry.path().extension() == ".md") documents.push_back(fs::relative(entry.path(), root));
+  EXPECT_GT(documents.size(), 7u);
+  for (const fs::path& document : documents) EXPECT_EQ(missing_files(root, document), Names()) << document;
+}
+
+TEST(Documents, OfTheArchitectureNameManyFilesInFewLines) {
+  const std::string text = text_of(fs::path(BURIN_SOURCE_FOLDER) / "docs/architecture.md");
+  EXPECT_GT(named_files(text).size(), 80u);
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 200);
+}
+
+TEST(Documents, CatchFilesThatAreNot) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "sdk/burin/chart");
+  fs::create_directories(folder.path() / "docs");
+  std::ofstream(folder.path() / "sdk/burin/chart/front.h") << "";
+  std::ofstream(folder.path() / "docs/a.md") << "`chart/front.h` and `chart/gone.h`, [a](a.md#part), "
+                                                "[b](b.md), [c](https://example.org/x.md), `a.b`\n";
+  EXPECT_EQ(missing_files(folder.path(), "docs/a.md"), Names({"chart/gone.h", "b.md"}));
+}
+
+}  // namespace
+}  // namespace burin::test
