@@ -20,13 +20,11 @@ Tint tint_at(const Paint& paint, const SurfacePoint& point) {
   return tint;
 }
 
-using Bytes = std::array<std::uint8_t, 4>;
-
-Vec4f colour_of(const Bytes& bytes) {
+Vec4f colour_of(const PaintBytes& bytes) {
   return {from_srgb(bytes[0]), from_srgb(bytes[1]), from_srgb(bytes[2]), static_cast<float>(bytes[3]) / 255};
 }
 
-Bytes bytes_of(const Vec4f& colour) {
+PaintBytes bytes_of(const Vec4f& colour) {
   return {to_srgb(colour.x()), to_srgb(colour.y()), to_srgb(colour.z()),
           static_cast<std::uint8_t>(std::lround(255 * colour.w()))};
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include <burin/base/srgb.h>
+#include <burin/surface/over_clay.h>
 
 namespace burin {
 namespace {
@@ -187,7 +188,7 @@ void Painter::paint_row(int y, std::uint8_t* rgb) const {
 
 }  // namespace
 
-Vec3f clay(const SurfacePoint&) { return {0.56f, 0.41f, 0.32f}; }
+Vec3f clay(const SurfacePoint&) { return clay_colour; }
 
 Picture render(const Surface& surface, const Picker& picker, const Camera& camera, const Albedo& albedo,
                const Progress& progress) {

@@ -90,7 +90,7 @@ TEST_F(FilesPage, NamesWhatIsRead) {
 
 TEST_F(FilesPage, NamesWhatIsWritten) {
   const std::set<std::string> rows = first_cells("What is written");
-  EXPECT_EQ(rows, (std::set<std::string>{".ply", ".glb", ".off"}));
+  EXPECT_EQ(rows, (std::set<std::string>{".ply", ".glb", ".obj", ".off"}));
   std::vector<std::vector<Vec3f>> saved;
   for (const std::string& row : rows) {
     burin_output({"replay", stroke, "--mesh", file_for(".obj"), "--save-mesh", folder.path("saved" + row)});
@@ -101,7 +101,7 @@ TEST_F(FilesPage, NamesWhatIsWritten) {
   const ProcessResult refused =
       burin({"replay", stroke, "--mesh", file_for(".obj"), "--save-mesh", folder.path("a.fbx")});
   EXPECT_EQ(refused.err,
-            "burin: " + folder.path("a.fbx") + ": meshes are written as .ply, .glb or .off files\n");
+            "burin: " + folder.path("a.fbx") + ": meshes are written as .ply, .glb, .obj or .off files\n");
 }
 
 }  // namespace

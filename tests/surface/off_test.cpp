@@ -64,7 +64,7 @@ TEST(WriteOff, ComesBackBitForBit) {
   const TriangleMesh mesh = test::torus(30, 20);
   VertexPaint paint;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-    paint.colours.push_back({static_cast<std::uint8_t>(i), 7, 200, static_cast<std::uint8_t>(i / 2)});
+    paint.colours.push_back({static_cast<std::uint8_t>(i), 7, static_cast<std::uint8_t>(i / 2), 255});
   write_mesh(path, mesh, paint);
   const PolygonMesh back = read_mesh(path);
   EXPECT_EQ(back.positions, mesh.positions);

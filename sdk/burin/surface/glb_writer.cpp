@@ -1,8 +1,9 @@
 // A GLB file [Khronos, glTF 2.0] of one node, mesh and primitive.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/base/srgb.h>
 #include <burin/surface/mesh_formats.h>
+#include <burin/surface/over_clay.h>
+#include <burin/surface/smooth_normals.h>
 #include <burin/surface/weld.h>
 
 #include <Eigen/Geometry>
@@ -84,7 +85,7 @@ class Contents {
     return number;
   }
 
-  static constexpr int unsigned_int = 5125, floating = 5126;
+  static constexpr int unsigned_byte = 5121, unsigned_int = 5125, floating = 5126;
 };
 
 Json bounds(const Vec3f& corner) { return {corner.x(), corner.y(), corner.z()}; }
@@ -107,6 +108,10 @@ Json attributes(Contents& contents, const TriangleMesh& mesh, const VertexPaint&
   Json& positions = contents.json["accessors"].back();
   positions["min"] = bounds(box.min());
   positions["max"] = bounds(box.max());
+  const std::vector<Vec3f> normals = smooth_normals(mesh);
+  add("NORMAL", "VEC3", [&](std::size_t i) {
+    for (const float coordinate : normals[vertices.source[i]]) put(contents.bytes, coordinate);
+  });
   if (!vertices.uv.empty())
     add("TEXCOORD_0", "VEC2", [&](std::size_t i) {
       put(contents.bytes, vertices.uv[i].x());
@@ -114,10 +119,17 @@ Json attributes(Contents& contents, const TriangleMesh& mesh, const VertexPaint&
     });
   if (!paint.colours.empty())
     add("COLOR_0", "VEC4", [&](std::size_t i) {
-      const auto& colour = paint.colours[vertices.source[i]];
-      for (std::size_t channel = 0; channel < 3; ++channel) put(contents.bytes, from_srgb(colour[channel]));
-      put(contents.bytes, static_cast<float>(colour[3]) / 255);
+      for (const float channel : over_clay(paint.colours[vertices.source[i]])) put(contents.bytes, channel);
+      put(contents.bytes, 1.0F);  // assimp 5.2 takes three numbers for a colour that cannot be seen
     });
+  if (shows_clay(paint.colours)) {
+    attributes["_INK"] = contents.add("VEC4", Contents::unsigned_byte, count, [&] {
+      for (const Index source : vertices.source)
+        for (const std::uint8_t channel : paint.colours[source])
+          contents.bytes.push_back(static_cast<char>(channel));
+    });
+    contents.json["accessors"].back()["normalized"] = true;
+  }
   if (!paint.masks.empty())
     add("_MASK", "SCALAR", [&](std::size_t i) { put(contents.bytes, paint.masks[vertices.source[i]]); });
   return attributes;

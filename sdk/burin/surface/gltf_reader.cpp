@@ -5,6 +5,7 @@
 #include <burin/surface/colour_byte.h>
 #include <burin/surface/gltf_document.h>
 #include <burin/surface/mesh_formats.h>
+#include <burin/surface/over_clay.h>
 #include <burin/surface/unused_count.h>
 #include <fmt/format.h>
 
@@ -172,7 +173,11 @@ class GltfReader {
     }
     if (const Values colours = values("COLOR_0", 3); colours.size() > 0) {
       file_.mesh.paint.colours.resize(first, {0, 0, 0, 0});
-      for (std::size_t i = 0; i < count; ++i) add_colour(colours, i);
+      std::vector<PaintBytes> shown =
+          colours_of(colours, [](double light) { return to_srgb(static_cast<float>(light)); });
+      if (const Values ink = values("_INK", 4); ink.size() > 0)
+        shown = ink_unless_painted_over(shown, colours_of(ink, colour_byte));
+      file_.mesh.paint.colours.insert(file_.mesh.paint.colours.end(), shown.begin(), shown.end());
     }
     if (const Values masks = values("_MASK", 1); masks.size() > 0) {
       file_.mesh.paint.masks.resize(first, 1);
@@ -182,13 +187,17 @@ class GltfReader {
     }
   }
 
-  /// Linear in the file.
-  void add_colour(const Values& colours, std::size_t vertex) {
-    const double* numbers = colours.numbers.data() + colours.components * vertex;
-    std::array<std::uint8_t, 4> bytes{0, 0, 0, 255};
-    for (std::size_t i = 0; i < colours.components; ++i)
-      bytes[i] = i < 3 ? to_srgb(static_cast<float>(numbers[i])) : colour_byte(numbers[i]);
-    file_.mesh.paint.colours.push_back(bytes);
+  /// `encode` makes the file's red, green and blue, 0 to 1, sRGB.
+  template <class Encode>
+  static std::vector<PaintBytes> colours_of(const Values& values, const Encode& encode) {
+    std::vector<PaintBytes> colours(values.size(), {0, 0, 0, 255});
+    for (std::size_t i = 0; i < values.numbers.size(); ++i) {
+      const std::size_t channel = i % values.components;
+      const double value = values.numbers[i];
+      if (channel < 4)
+        colours[i / values.components][channel] = channel < 3 ? encode(value) : colour_byte(value);
+    }
+    return colours;
   }
 
   void finish_optional() {

@@ -99,8 +99,9 @@ Writer writer_for(const fs::path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".ply") return write_ply;
   if (extension == ".glb") return write_glb;
+  if (extension == ".obj") return write_obj;
   if (extension == ".off") return write_off;
-  throw FileError(path.string(), "meshes are written as .ply, .glb or .off files");
+  throw FileError(path.string(), "meshes are written as .ply, .glb, .obj or .off files");
 }
 
 }  // namespace

@@ -19,8 +19,9 @@ namespace burin {
 ///
 /// Colours are sRGB. Of PLY files those of the vertices are read: red, green, blue (integers to 255, ushort
 /// to 65535, floating point to 1), alpha, the coverage, 1 where it is missing, and mask, 0 to 1; of OBJ files
-/// three numbers behind the coordinates, to 1, or to 255 where any is above 1. Texture coordinates as
-/// PlyTexture says, and of OBJ files.
+/// three numbers behind the coordinates, to 1, or to 255 where any is above 1. What write_mesh() keeps of
+/// colours that cover the clay in part is preferred to what they look like, unless the two do not go
+/// together. Texture coordinates as PlyTexture says, and of OBJ files.
 PolygonMesh read_mesh(const std::filesystem::path& path);
 
 /// Whether a file holds points instead of a mesh: a PLY file without faces. Throws FileError like read_mesh.
@@ -29,15 +30,22 @@ bool holds_points(const std::filesystem::path& path);
 /// Reads such a file, in its order. Throws FileError: as read_mesh, or without normals (nx, ny, nz).
 PointSet read_points(const std::filesystem::path& path);
 
-/// Writes a mesh whole or not at all, in the format that the extension names: .ply, .glb or .off. Positions
-/// are counted from `origin`, which is added. Throws FileError; ContractError for arrays of another length
-/// than the positions or triangles.
-/// - PLY: binary, little-endian; properties red, green, blue, alpha and mask where they are painted; texture
-///   coordinates as properties s and t of the vertices where triangles agree at them, else as lists texcoord
-///   of the faces; coordinates are doubles where the origin is not zero.
-/// - GLB: positions, TEXCOORD_0, COLOR_0 (linear, with the coverage as alpha) and _MASK; vertices are split
+/// Writes a mesh whole or not at all, in the format that the extension names: .ply, .glb, .obj or .off.
+/// Positions are counted from `origin`, which is added. Colours are what they look like over clay, opaque,
+/// and beside these, where any lets the clay be seen, as they are, which read_mesh() reads back bit for bit.
+/// Throws FileError; ContractError for arrays of another length than the positions or triangles.
+/// - PLY: binary, little-endian; properties red, green, blue, ink_red, ink_green, ink_blue, ink_alpha and
+/// mask
+///   where they are painted; texture coordinates as properties s and t of the vertices where triangles agree
+///   at them, else as lists texcoord of the faces; coordinates are doubles where the origin is not zero.
+/// - GLB: positions, smooth normals, TEXCOORD_0, COLOR_0 (linear, opaque), _INK (sRGB and coverage) and
+/// _MASK; vertices are split
 ///   where triangles disagree on texture coordinates. The origin is the translation of the node.
-/// - OFF: text, with colours where they are painted; masks and texture coordinates have no place in it.
+/// - OBJ: text; texture coordinates, and what colours look like where they are painted; colours themselves
+/// and
+///   masks have no place in it.
+/// - OFF: text, with what colours look like where they are painted; themselves, masks and texture coordinates
+///   have no place in it.
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint = {},
                 const Vec3d& origin = Vec3d::Zero());
 

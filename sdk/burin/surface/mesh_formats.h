@@ -32,6 +32,8 @@ FilePoints read_ply_points(const std::filesystem::path& path);
 /// The writers behind write_mesh, likewise.
 void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint,
                const Vec3d& origin);
+void write_obj(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint,
+               const Vec3d& origin);
 void write_off(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint,
                const Vec3d& origin);
 void write_glb(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint,

@@ -1,5 +1,6 @@
 #include <burin/base/file.h>
 #include <burin/surface/mesh_formats.h>
+#include <burin/surface/over_clay.h>
 #include <fmt/format.h>
 
 #include <iterator>
@@ -22,7 +23,7 @@ void write_off(const std::filesystem::path& path, const TriangleMesh& mesh, cons
             : fmt::format_to(std::back_inserter(line), "{} ", coordinate);
       }
       if (coloured)
-        for (const std::uint8_t channel : paint.colours[i])
+        for (const std::uint8_t channel : bytes_over_clay(paint.colours[i]))
           fmt::format_to(std::back_inserter(line), "{} ", channel);
       line.back() = '\n';
       out << line;

@@ -1,4 +1,5 @@
 #include <burin/surface/colour_byte.h>
+#include <burin/surface/over_clay.h>
 #include <burin/surface/ply_paint.h>
 #include <fmt/format.h>
 
@@ -8,7 +9,8 @@ namespace burin {
 namespace {
 
 /// In the order of Slot.
-constexpr const char* names[] = {"red", "green", "blue", "alpha", "mask"};
+constexpr const char* names[] = {"red",       "green",    "blue",      "alpha", "ink_red",
+                                 "ink_green", "ink_blue", "ink_alpha", "mask"};
 
 bool has(const PlyElement& element, std::string_view name) {
   return std::ranges::any_of(element.properties, [&](const PlyProperty& property) {
@@ -26,15 +28,19 @@ double greatest_channel(PlyType type) {
 PlyPaint::PlyPaint(const PlyElement& vertices)
     : vertices_(vertices), slots_(vertices.properties.size(), Slot::none) {
   const bool coloured = has(vertices, "red") && has(vertices, "green") && has(vertices, "blue");
+  const bool inked = coloured && has(vertices, "ink_red") && has(vertices, "ink_green") &&
+                     has(vertices, "ink_blue") && has(vertices, "ink_alpha");
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const PlyProperty& property = vertices.properties[i];
     const auto name = std::ranges::find(names, property.name) - names;
     const auto slot = static_cast<Slot>(name);
-    if (name == std::ssize(names) || property.count_type || (slot != Slot::mask && !coloured)) continue;
+    if (name == std::ssize(names) || property.count_type) continue;
+    if (slot != Slot::mask && !(slot < Slot::ink_red ? coloured : inked)) continue;
     slots_[i] = slot;
   }
-  if (coloured) paint.colours.assign(vertices.count, {0, 0, 0, 255});
-  if (has(vertices, "mask")) paint.masks.resize(vertices.count);
+  if (coloured) paint_.colours.assign(vertices.count, {0, 0, 0, 255});
+  if (inked) ink_.resize(vertices.count);
+  if (has(vertices, "mask")) paint_.masks.resize(vertices.count);
 }
 
 std::string PlyPaint::take(std::size_t index, std::uint64_t vertex, double value) {
@@ -46,11 +52,17 @@ std::string PlyPaint::take(std::size_t index, std::uint64_t vertex, double value
   if (!(value >= -rounding && value <= greatest + rounding))
     return fmt::format("its {} is {}, not from 0 to {}", property.name, value, greatest);
   if (slot == Slot::mask) {
-    paint.masks[vertex] = static_cast<float>(std::clamp(value, 0.0, 1.0));
-  } else {
-    paint.colours[vertex][static_cast<std::size_t>(slot)] = colour_byte(value / greatest);
+    paint_.masks[vertex] = static_cast<float>(std::clamp(value, 0.0, 1.0));
+    return {};
   }
+  const auto channel = static_cast<std::size_t>(slot);
+  (slot < Slot::ink_red ? paint_.colours : ink_)[vertex][channel % 4] = colour_byte(value / greatest);
   return {};
+}
+
+VertexPaint PlyPaint::finish() {
+  if (!ink_.empty()) paint_.colours = ink_unless_painted_over(paint_.colours, std::move(ink_));
+  return std::move(paint_);
 }
 
 }  // namespace burin

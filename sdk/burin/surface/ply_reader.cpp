@@ -136,7 +136,7 @@ class PlyReader {
           file_.places.push_back(place);
           if (axes_of_normal == 3) normals_.push_back(normal.cast<float>());
         });
-    file_.mesh.paint = std::move(painted.paint);
+    file_.mesh.paint = painted.finish();
   }
 
   static bool is_used(PlyTexture::Slot slot) { return slot != PlyTexture::Slot::none; }

@@ -1,5 +1,6 @@
 #include <burin/base/file.h>
 #include <burin/surface/mesh_formats.h>
+#include <burin/surface/over_clay.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,6 +26,10 @@ void put(std::string& bytes, const Vec2f& uv) {
   for (const float coordinate : uv) put(bytes, coordinate);
 }
 
+void put_bytes(std::string& bytes, const PaintBytes& colour, std::size_t channels) {
+  for (std::size_t i = 0; i < channels; ++i) bytes.push_back(static_cast<char>(colour[i]));
+}
+
 /// Texture coordinates one a vertex, zero where no triangle has any; empty where triangles disagree.
 std::vector<Vec2f> vertex_uv(const TriangleMesh& mesh) {
   if (mesh.triangle_uv.empty()) return {};
@@ -44,7 +49,11 @@ std::vector<Vec2f> vertex_uv(const TriangleMesh& mesh) {
 class PlyContents {
  public:
   PlyContents(const TriangleMesh& mesh, const VertexPaint& paint, const Vec3d& origin)
-      : mesh_(mesh), paint_(paint), origin_(origin), vertex_uv_(vertex_uv(mesh)) {}
+      : mesh_(mesh),
+        paint_(paint),
+        origin_(origin),
+        vertex_uv_(vertex_uv(mesh)),
+        inked_(shows_clay(paint.colours)) {}
 
   std::string header() const {
     std::string text =
@@ -53,7 +62,10 @@ class PlyContents {
       text += fmt::format("property {} {}\n", is_far() ? "double" : "float", axis);
     if (!vertex_uv_.empty()) text += "property float s\nproperty float t\n";
     if (!paint_.colours.empty())
-      for (const char* channel : {"red", "green", "blue", "alpha"})
+      for (const char* channel : {"red", "green", "blue"})
+        text += fmt::format("property uchar {}\n", channel);
+    if (inked_)
+      for (const char* channel : {"ink_red", "ink_green", "ink_blue", "ink_alpha"})
         text += fmt::format("property uchar {}\n", channel);
     if (!paint_.masks.empty()) text += "property float mask\n";
     text += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", mesh_.triangles.size());
@@ -67,8 +79,8 @@ class PlyContents {
       is_far() ? put(bytes, coordinate + origin_[axis]) : put(bytes, coordinate);
     }
     if (!vertex_uv_.empty()) put(bytes, vertex_uv_[vertex]);
-    if (!paint_.colours.empty())
-      for (const std::uint8_t channel : paint_.colours[vertex]) bytes.push_back(static_cast<char>(channel));
+    if (!paint_.colours.empty()) put_bytes(bytes, bytes_over_clay(paint_.colours[vertex]), 3);
+    if (inked_) put_bytes(bytes, paint_.colours[vertex], 4);
     if (!paint_.masks.empty()) put(bytes, paint_.masks[vertex]);
   }
 
@@ -88,6 +100,7 @@ class PlyContents {
   const VertexPaint& paint_;
   const Vec3d& origin_;
   std::vector<Vec2f> vertex_uv_;
+  bool inked_;  ///< colours are not what they look like
 };
 
 /// Chunk by chunk: neither a call of the stream for every number nor the whole file in memory.

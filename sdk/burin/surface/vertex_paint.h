@@ -5,10 +5,13 @@
 
 namespace burin {
 
+/// A colour: red, green and blue in sRGB, and coverage, how much of the clay below it hides.
+using PaintBytes = std::array<std::uint8_t, 4>;
+
 /// What is painted on the vertices of a mesh, in their order; each array may be empty.
 struct VertexPaint {
-  std::vector<std::array<std::uint8_t, 4>> colours;  ///< sRGB and coverage
-  std::vector<float> masks;                          ///< 0 = protected .. 1 = free
+  std::vector<PaintBytes> colours;
+  std::vector<float> masks;  ///< 0 = protected .. 1 = free
 
   bool empty() const { return colours.empty() && masks.empty(); }
 };
