@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "axes_option.h"
 #include "chart_check.h"
 #include "checkerboard.h"
 #include "command.h"
@@ -41,6 +42,7 @@ struct ChartCommandOptions {
   std::optional<double> follow;
   bool check = false;
   MeshOptions mesh;
+  AxesOptions axes;
   ViewOptions view;
   bool json = false;
 };
@@ -186,6 +188,7 @@ void run(const ChartCommandOptions& options) {
   check_output_path(options.csv);
   check_output_path(options.png);
   Recording recording = read_whole_strokes(options.strokes);
+  turn(recording, turn_of_strokes(options.axes, options.mesh.path));
   mend_times(recording);
   const RecordedStroke& stroke = chosen_stroke(options, recording);
   const TraceOptions trace = trace_options(options, stroke);
@@ -233,6 +236,7 @@ void add_chart(CLI::App& app) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   add_mesh_options(command, options->mesh);
+  add_drawing_axes_options(command, options->axes);
   command.get_option("--mesh")->description(
       "surface, cage or point set (PLY without faces, with nx, ny, nz)");
   add_view_options(command, options->view);

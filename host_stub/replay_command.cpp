@@ -10,6 +10,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "axes_option.h"
 #include "bake_option.h"
 #include "brush_folder.h"
 #include "brush_params.h"
@@ -34,6 +35,7 @@ namespace {
 struct ReplayOptions {
   std::vector<std::string> strokes, params;
   ReplayMeshOptions mesh;
+  AxesOptions axes;
   BakeOptions bake;
   StrokeOverrides overrides;
   ViewOptions view;
@@ -41,9 +43,13 @@ struct ReplayOptions {
   bool json = false;
 };
 
-std::vector<Recording> read_recordings(const std::vector<std::string>& paths) {
+std::vector<Recording> read_recordings(const ReplayOptions& options) {
+  const Eigen::Matrix3d rotation = turn_of_strokes(options.axes, options.mesh.mesh.path);
   std::vector<Recording> recordings;
-  for (const std::string& path : paths) recordings.push_back(read_whole_strokes(path));
+  for (const std::string& path : options.strokes) {
+    recordings.push_back(read_whole_strokes(path));
+    turn(recordings.back(), rotation);
+  }
   return recordings;
 }
 
@@ -93,14 +99,19 @@ void warn_of_lost_paint(const Session& session, const ReplayMesh& mesh) {
     warn("--sculpt-level is below the finest level, which takes no colours and masks: they are lost");
 }
 
-/// Of the first recording in screen space.
 void check_mesh_path(const std::string& path) {
   check_output_path(path);
   if (!path.empty()) check_mesh_format(path);
 }
 
+/// What places of the mesh file become in the file that is saved.
+Eigen::Matrix3d turn_to_save(const ReplayOptions& options) {
+  return turn_of_saved(options.axes, options.mesh.mesh.path, options.save_mesh);
+}
+
 void check_options(const ReplayOptions& options, const BrushLibrary& library) {
   check_mesh_path(options.save_mesh);
+  turn_to_save(options);
   check_output_path(options.png);
   check_report_folder(options.report);
   check_bake_path(options.bake);
@@ -134,7 +145,11 @@ void write_pictures(const ReplayOptions& options, Session& session, const Replay
 
 void save_mesh(const ReplayOptions& options, const Session& session, const ReplayMesh& mesh) {
   if (options.save_mesh.empty()) return;
-  write_mesh(options.save_mesh, mesh.saved(session), mesh.saved_paint(session), mesh.origin());
+  const Eigen::Matrix3d rotation = turn_to_save(options);
+  TriangleMesh saved = mesh.saved(session);
+  if (!rotation.isIdentity(0))
+    for (Vec3f& position : saved.positions) position = (rotation.cast<float>() * position).eval();
+  write_mesh(options.save_mesh, saved, mesh.saved_paint(session), rotation * mesh.origin());
 }
 
 /// What text looks like a number stays text where the brush takes text.
@@ -150,7 +165,7 @@ void run(ReplayOptions& options) {
   load_brushes(library);
   check_options(options, library);
   options.overrides.params = read_params(options, library);
-  std::vector<Recording> recordings = read_recordings(options.strokes);
+  std::vector<Recording> recordings = read_recordings(options);
   ReplayMesh mesh(options.mesh, {.baked = options.bake.asked(), .saved = !options.save_mesh.empty()});
   for (Recording& recording : recordings) move_origin(recording, mesh.origin());
   options.overrides.symmetry.centre -= mesh.origin();
@@ -184,6 +199,7 @@ void add_replay(CLI::App& app) {
       ->required()
       ->type_name("FILE.stroke");
   add_replay_mesh_options(command, options->mesh);
+  add_axes_options(command, options->axes);
   StrokeOverrides& overrides = options->overrides;
   command.add_option("--brush", overrides.brush, "instead of the recorded brush")->type_name("ID");
   command.add_option("--radius", overrides.radius, "object units, instead of the recorded one")
@@ -204,7 +220,7 @@ void add_replay(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
       .add_option("--save-mesh", options->save_mesh,
-                  "surface to write, with what is painted on it: .ply, .glb or .off")
+                  "surface to write, with what is painted on it: .ply, .glb, .obj or .off")
       ->type_name("FILE");
   add_bake_options(command, options->bake);
   command.add_option("--png", options->png, "picture of the result, the strokes filling it")

@@ -14,4 +14,14 @@ void move_origin(Recording& recording, const Vec3d& origin) {
     for (Sample& sample : stroke.samples) sample.position -= origin;
 }
 
+void turn(Recording& recording, const Eigen::Matrix3d& rotation) {
+  if (rotation.isIdentity(0)) return;  // Not even -0 becomes 0.
+  if (recording.camera)
+    recording.camera->view.leftCols<3>() =
+        (recording.camera->view.leftCols<3>() * rotation.transpose()).eval();
+  if (recording.space == StrokeSpace::screen) return;
+  for (RecordedStroke& stroke : recording.strokes)
+    for (Sample& sample : stroke.samples) sample.position = (rotation * sample.position).eval();
+}
+
 }  // namespace burin
