@@ -1,5 +1,5 @@
-// Baked maps applied by Blender's Displace modifier, where Blender is installed (./dev bench-blender installs
-// it).
+// Baked maps applied by Blender's Displace modifier and by the displacement of Cycles, where Blender is
+// installed.
 
 #include <burin/surface/mesh_file.h>
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "command.h"
+#include "programs.h"
 
 namespace burin::test {
 namespace {
@@ -56,7 +57,7 @@ std::vector<Vec3f> read_points(const std::string& path) {
 
 /// Greatest distance of Blender's vertices from Burin's, in parts of the greatest displacement.
 double error_of(const CommandFolder& folder, const std::vector<std::string>& options,
-                const std::string& direction) {
+                const std::string& script, const std::string& direction) {
   const std::string mesh = folder.write("pipe.obj", half_pipe(160)), map = folder.path("map.exr");
   std::vector<std::string> arguments = {"replay",      folder.write("a.stroke", slanted_stroke()),
                                         "--mesh",      mesh,
@@ -66,7 +67,7 @@ double error_of(const CommandFolder& folder, const std::vector<std::string>& opt
   arguments.insert(arguments.end(), options.begin(), options.end());
   burin_output(arguments);
   const ProcessResult result = run_process({"blender", "--background", "--factory-startup", "--python",
-                                            BURIN_TESTS "/host_stub/blender_displace.py", "--", mesh, map,
+                                            BURIN_TESTS "/host_stub/programs/" + script, "--", mesh, map,
                                             direction, folder.path("points")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const std::vector<Vec3f> base = read_mesh(mesh).positions,
@@ -79,20 +80,31 @@ double error_of(const CommandFolder& folder, const std::vector<std::string>& opt
     off = std::max(off, (points[i] - moved[i]).norm());
   }
   EXPECT_GT(depth, 0.05F);
-  std::cout << direction << ": off by at most " << 100 * off / depth << " % of " << depth << "\n";
+  std::cout << script << ' ' << direction << ": off by at most " << 100 * off / depth << " % of " << depth
+            << "\n";
   return double{off} / double{depth};
 }
 
+const std::vector<std::string> heights = {"--brush", "org.burin.groove"};
+
+std::vector<std::string> vectors(const std::string& axes) {
+  return {"--brush",        "org.burin.vdm-trail", "--param", "stamp=" BURIN_SAMPLES "/stamps/thorn.exr",
+          "--bake-vectors", "--bake-axes",         axes};
+}
+
 TEST(BlenderDisplace, GivesTheSurfaceThatBurinHas) {
-  if (run_process({"sh", "-c", "command -v blender"}).exit_code != 0)
-    GTEST_SKIP() << "blender is not installed (./dev bench-blender installs it)";
+  if (!is_installed("blender")) GTEST_SKIP() << not_installed("blender");
   const CommandFolder folder;
-  EXPECT_LT(error_of(folder, {"--brush", "org.burin.groove"}, "NORMAL"), 0.005);
-  EXPECT_LT(error_of(folder,
-                     {"--brush", "org.burin.vdm-trail", "--param", "stamp=" BURIN_SAMPLES "/stamps/thorn.exr",
-                      "--bake-vectors", "--bake-axes", "object"},
-                     "RGB_TO_XYZ"),
-            0.005);
+  EXPECT_LT(error_of(folder, heights, "blender_displace.py", "NORMAL"), 0.005);
+  EXPECT_LT(error_of(folder, vectors("object"), "blender_displace.py", "RGB_TO_XYZ"), 0.005);
+}
+
+TEST(CyclesDisplacement, GivesTheSurfaceThatBurinHas) {
+  if (!is_installed("blender")) GTEST_SKIP() << not_installed("blender");
+  const CommandFolder folder;
+  EXPECT_LT(error_of(folder, heights, "cycles_displace.py", "NORMAL"), 0.005);
+  EXPECT_LT(error_of(folder, vectors("object"), "cycles_displace.py", "OBJECT"), 0.005);
+  EXPECT_LT(error_of(folder, vectors("cycles"), "cycles_displace.py", "TANGENT"), 0.005);
 }
 
 }  // namespace
