@@ -1,4 +1,5 @@
 #include <burin/base/file.h>
+#include <burin/subdiv/refine.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/triangulate.h>
 #include <fmt/format.h>
@@ -14,8 +15,9 @@
 namespace burin::test {
 namespace {
 
-/// The first cells of the rows of the table below a heading of docs/files.md, without their code marks.
-std::set<std::string> first_cells(const std::string& heading) {
+/// The first cells of the rows of the table below a heading of docs/files.md, without their code marks; of
+/// rows that begin so.
+std::set<std::string> first_cells(const std::string& heading, const std::string& begin = "| `.") {
   const std::string page = read_file(std::filesystem::path(BURIN_SOURCE_FOLDER) / "docs/files.md");
   std::istringstream lines(page.substr(page.find("\n## " + heading + "\n")));
   std::set<std::string> cells;
@@ -23,7 +25,7 @@ std::set<std::string> first_cells(const std::string& heading) {
   std::getline(lines, line);
   std::getline(lines, line);
   while (std::getline(lines, line) && !line.starts_with("## ")) {
-    if (!line.starts_with("| `.")) continue;
+    if (!line.starts_with(begin)) continue;
     std::string cell = line.substr(2, line.find(" |", 2) - 2);
     std::erase(cell, '`');
     cells.insert(cell);
@@ -53,6 +55,21 @@ std::string gltf_of(const CommandFolder& folder, const std::string& glb) {
   json["buffers"][0]["uri"] = "a.bin";
   folder.write("a.bin", bytes.substr(28 + size));
   return json.dump();
+}
+
+/// A box without lid, with creases of different sharpness, and a tag more; refined twice.
+TriangleMesh refined_box(const CommandFolder& folder, std::string tag) {
+  const std::vector<std::pair<std::string, std::string>> values = {
+      {" a b ", " 2 3 "}, {" v ", " 0 "},          {" face", " 0"},
+      {" rule", " 0"},    {" method", " chaikin"}, {" sharpness", " 3"}};
+  for (const auto& [name, value] : values)
+    if (const std::size_t at = tag.find(name); at != std::string::npos) tag.replace(at, name.size(), value);
+  const std::string box =
+      "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+      "f 4 3 2 1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nt crease 4/2/0 0 1 1 2 1 2.5\n";
+  const PolygonMesh cage = read_mesh(folder.write("box.obj", box + tag + "\n"));
+  EXPECT_EQ(cage.not_used, "") << tag;
+  return refine(cage, SubdivisionScheme::catmull_clark, 2);
 }
 
 class FilesPage : public testing::Test {
@@ -102,6 +119,24 @@ TEST_F(FilesPage, NamesWhatIsWritten) {
       burin({"replay", stroke, "--mesh", file_for(".obj"), "--save-mesh", folder.path("a.fbx")});
   EXPECT_EQ(refused.err,
             "burin: " + folder.path("a.fbx") + ": meshes are written as .ply, .glb, .obj or .off files\n");
+}
+
+TEST_F(FilesPage, NamesTheTagsOfObj) {
+  const std::set<std::string> rows = first_cells("Subdivision tags of OBJ", "| `t ");
+  EXPECT_EQ(rows.size(), 5u);
+  const TriangleMesh plain = refined_box(folder, "");
+  for (const std::string& row : rows) {
+    const TriangleMesh tagged = refined_box(folder, row);
+    EXPECT_NE(std::pair(tagged.positions, tagged.triangles), std::pair(plain.positions, plain.triangles))
+        << row;
+  }
+}
+
+/// What the table says is what AxesOption tests.
+TEST_F(FilesPage, NamesTheAxes) {
+  EXPECT_EQ(first_cells("Which way is up", "| "),
+            (std::set<std::string>{"option", "---", "none, or --axes as-is", "--axes z-up",
+                                   "--axes z-up:as-is", "--axes y-up:z-up", "--axes as-is:z-up"}));
 }
 
 }  // namespace

@@ -172,6 +172,19 @@ TEST(ReadObj, ReadsTagsAsTheShapesOfOpenSubdivHaveThem) {
   EXPECT_EQ(mesh.crease_method, CreaseMethod::chaikin);
 }
 
+TEST(ReadObj, TakesSharpnessesOfVerticesAsOpenSubdivCountsThem) {
+  const auto creases = [](const std::string& tag) {
+    return read_mesh(MeshFile("a.obj", three_vertices + "f 1 2 3\n" + tag).path()).creases;
+  };
+  const std::vector<CreaseEdge> four = creases("t crease 4/4/0 0 1 1 2 2 9 3 9\n");
+  ASSERT_EQ(four.size(), 2u);
+  EXPECT_EQ(four[0].sharpness, 2);
+  EXPECT_EQ(four[1].sharpness, 3);
+  EXPECT_EQ(creases("t crease 4/1/0 0 1 1 2 5\n")[1].sharpness, 5);
+  EXPECT_EQ(obj_message(three_vertices + "f 1 2 3\nt crease 4/3/0 0 1 1 2 5 5 5\n"),
+            "a.obj:5: tag crease: takes one sharpness for all, or one each");
+}
+
 TEST(ReadObj, RejectsBrokenTags) {
   const std::string begin = three_vertices + "f 1 2 3\n";
   EXPECT_EQ(obj_message(begin + "t crease 2/1/0 0 3 1\n"),

@@ -88,12 +88,15 @@ constexpr const char* sharpness_missing = "takes one sharpness for all, or one e
 std::string give_creases(const std::vector<long long>& vertices, const Sharpness& sharpness,
                          std::size_t vertex_count, PolygonMesh& mesh) {
   if (vertices.empty() || vertices.size() % 2 != 0) return "takes vertices by pairs";
-  if (!sharpness.fits(vertices.size() / 2)) return sharpness_missing;
+  // OpenSubdiv's own shapes (regression/common/far_utils.h) count sharpnesses as vertices, of which that of a
+  // pair's first holds.
+  const bool by_vertex = sharpness.fits(vertices.size());
+  if (!by_vertex && !sharpness.fits(vertices.size() / 2)) return sharpness_missing;
   for (const long long vertex : vertices)
     if (std::string fault = wrong_index(vertex, "vertex", vertex_count); !fault.empty()) return fault;
   for (std::size_t i = 0; i < vertices.size(); i += 2)
-    mesh.creases.push_back(
-        {static_cast<Index>(vertices[i]), static_cast<Index>(vertices[i + 1]), sharpness.of(i / 2)});
+    mesh.creases.push_back({static_cast<Index>(vertices[i]), static_cast<Index>(vertices[i + 1]),
+                            sharpness.of(by_vertex ? i : i / 2)});
   return {};
 }
 

@@ -11,7 +11,9 @@ namespace burin {
 /// The tags of a subdivision surface in an OBJ file, as OpenSubdiv's regression shapes have them:
 /// `t NAME I/R/S`, then I integers, R real numbers and S words.
 ///
-///   crease 2/1/0 a b sharpness       also several pairs, with one sharpness for all or one each
+///   crease 2/1/0 a b sharpness       also several pairs, with one sharpness for all, one each or one a
+///   vertex,
+///                                    of which that of a pair's first counts
 ///   corner 1/1/0 v sharpness         also several, likewise
 ///   hole 1/0/0 face                  also several
 ///   interpolateboundary 1/0/0 rule   0 no boundary faces, 1 edges and corners, 2 edges only
