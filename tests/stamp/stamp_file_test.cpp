@@ -213,7 +213,7 @@ TEST_F(WrittenStamp, WrapsAsTheOptionsSayElseAsTheFileDoes) {
 
 TEST_F(WrittenStamp, RefusesOtherTexels) {
   OIIO::ImageSpec spec(2, 2, 1, OIIO::TypeUInt32);
-  const std::string rest = "; those of a stamp are half, float, uint16 or uint8";
+  const std::string rest = ", which no stamp is made of";
   EXPECT_EQ(complaint(write(spec, std::vector<unsigned>(4, 7))),
             " channel 'Y' holds texels of type uint" + rest);
   spec = {2, 2, 3, OIIO::TypeFloat};
@@ -221,8 +221,8 @@ TEST_F(WrittenStamp, RefusesOtherTexels) {
   spec.channelnames = {"R", "G", "B"};
   EXPECT_EQ(complaint(write(spec, std::vector<float>(12, 7))),
             " channel 'G' holds texels of type uint" + rest);
-  EXPECT_EQ(complaint(write({2, 2, 1, OIIO::TypeInt16}, std::vector<std::int16_t>(4, 7), "a.tif")),
-            " channel 'Y' holds texels of type int16" + rest);
+  EXPECT_EQ(complaint(write({2, 2, 1, OIIO::TypeDesc::DOUBLE}, std::vector<double>(4, 7), "a.tif")),
+            " channel 'Y' holds texels of type double" + rest);
 }
 
 TEST_F(WrittenStamp, RefusesOtherFormats) {

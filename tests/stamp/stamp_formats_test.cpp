@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <functional>
 #include <limits>
 
@@ -199,6 +200,25 @@ TEST_F(StampFormats, FillsWholeNumbersThatHoldNoData) {
   EXPECT_FLOAT_EQ(read_stamp(bytes, {.clean = true}).texels[1], 20 / 255.0f);
 }
 
+TEST_F(StampFormats, ReadsWholeNumbersOf32BitsAndWithASign) {
+  const auto is_signed = [](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_INT); };
+  expect_near(read_stamp(write_tiff(3, 1, 32, bytes_of<std::uint32_t>({0, 858993459, 4294967295}))).texels,
+              {0, 0.2f, 1});
+  expect_near(
+      read_stamp(write_tiff(3, 1, 32, bytes_of<std::int32_t>({-2147483647, 0, 429496730}), is_signed)).texels,
+      {-1, 0, 0.2f});
+  expect_near(
+      read_stamp(write_tiff(3, 1, 16, bytes_of<std::int16_t>({-32767, 8192, 32767}), is_signed)).texels,
+      {-1, 8192 / 32767.0f, 1});
+  const auto lost = [&](TIFF* tiff) {
+    is_signed(tiff);
+    no_data("-32768", false)(tiff);
+  };
+  const fs::path file = write_tiff(3, 1, 16, bytes_of<std::int16_t>({100, -32768, 300}), lost);
+  EXPECT_NE(complaint(file), "accepted");
+  EXPECT_FLOAT_EQ(read_stamp(file, {.clean = true}).texels[1], 200 / 32767.0f);
+}
+
 TEST_F(StampFormats, LeavesOutMasksAndSmallerCopiesOfATiff) {
   const fs::path file = path("overviews.tif");
   const auto kind = [](std::uint32_t number) {
@@ -352,6 +372,38 @@ TEST_F(StampFormats, RefusesEveryTruncationOfEveryFormat) {
     write_file_whole(path("early.tif"), [&](std::ostream& out) { out << early << bytes.substr(0, kept); });
     EXPECT_EQ(complaint(path("early.tif")),
               kept == 64 ? "accepted" : ": is cut off: texels lie beyond its end");
+  }
+}
+
+/// OpenEXR would ask for gigabytes before it reads a texel.
+TEST_F(StampFormats, AsksForNoMoreThanAnExrHeaderMay) {
+  OIIO::ImageSpec spec(1, 8, 1, OIIO::TypeFloat);
+  spec.attribute("compression", "none");
+  const auto with = [&](const std::string& member, std::size_t at, std::uint32_t number) {
+    write_image(path("a.exr"), spec, std::vector<float>(256));
+    std::string bytes = read_file(path("a.exr"));
+    const std::size_t begin = bytes.find(member);
+    EXPECT_NE(begin, bytes.npos) << member;
+    std::memcpy(bytes.data() + begin + member.size() + 4 + at, &number, 4);
+    write_file_whole(path("a.exr"), [&](std::ostream& out) { out << bytes; });
+    return complaint(path("a.exr"));
+  };
+  const std::string window = "dataWindow\0box2i\0"s, tiles = "tiles\0tiledesc\0"s;
+  EXPECT_EQ(with(window, 12, 7), "accepted");
+  EXPECT_TRUE(with(window, 12, 2000000000).starts_with(": is too large: 1 x 2000000001 texels"));
+  EXPECT_TRUE(with(window, 12, 100000000).starts_with(": asks for 400 MB of memory in "));
+  EXPECT_EQ(with(window, 12, 15000000), ": is cut off: it tells of more chunks than it has room for");
+  EXPECT_TRUE(with(window, 8, 1000000000).starts_with(": is too large: 1000000001 x 8 texels"));
+  spec.attribute("compression", "piz");
+  EXPECT_TRUE(with(window, 8, 999999).starts_with(": asks for 128 MB of memory in "));
+  spec = OIIO::ImageSpec(16, 16, 1, OIIO::TypeFloat);
+  spec.tile_width = spec.tile_height = 16;
+  EXPECT_EQ(with(tiles, 0, 16), "accepted");
+  EXPECT_TRUE(with(tiles, 0, 4000000000).starts_with(": is too large: 4000000000 x 16 texels"));
+  const std::string whole = read_file(path("a.exr"));
+  for (const std::size_t size : {7u, 40u, 100u}) {
+    write_file_whole(path("cut.exr"), [&](std::ostream& out) { out << whole.substr(0, size); });
+    EXPECT_EQ(complaint(path("cut.exr")), ": is damaged: its header has no end");
   }
 }
 

@@ -14,12 +14,19 @@
 namespace burin {
 namespace {
 
+/// What whole numbers were divided by; 1 for others.
+double greatest_of(const std::string& texel_type) {
+  constexpr std::pair<const char*, double> types[] = {
+      {"uint8", 255}, {"uint16", 65535}, {"int16", 32767}, {"uint", 4294967295}, {"int", 2147483647}};
+  const auto found =
+      std::ranges::find(types, texel_type, [](const auto& type) { return std::string(type.first); });
+  return found == std::end(types) ? 1 : found->second;
+}
+
 /// Makes NaN of what stands for nothing: values equal to no_data but for the rounding of its text.
 void drop_no_data(StoredImage& stored) {
   if (!stored.no_data) return;
-  const bool whole = stored.file.texel_type == "uint8" || stored.file.texel_type == "uint16";
-  const double unit = !whole ? 1 : stored.file.texel_type == "uint8" ? 255 : 65535;
-  const double none = *stored.no_data / unit, rounding = std::abs(none) * 1e-5;
+  const double none = *stored.no_data / greatest_of(stored.file.texel_type), rounding = std::abs(none) * 1e-5;
   const bool at_the_end = std::abs(none) >= double{std::numeric_limits<float>::max()};
   for (float& value : stored.image.texels) {
     const double number = double{value};

@@ -34,12 +34,13 @@ struct StampFile {
   std::size_t not_finite = 0;  ///< values that were filled
 };
 
-/// Reads an image of half, float, uint16 or uint8 texels from an EXR, TIFF, PNG or JPEG file, told by its
-/// first bytes. docs/stamp_files.md has all that is read, in short:
+/// Reads an image of half, float or whole texels, of 8, 16 or 32 bits, from an EXR, TIFF, PNG or JPEG file,
+/// told by its first bytes. docs/stamp_files.md has all that is read, in short:
 /// - of the channels one, three or four, chosen by their names (choose_channels); grey with alpha is grey;
 /// - of EXR the display window, 0 where the data window leaves it out, and the largest of several mip levels;
-/// - whole numbers as fractions of their largest, 65535 or 255, and as linear: a stamp is data, so no sRGB
-///   curve or gamma is undone and colour is not multiplied by alpha;
+/// - whole numbers as fractions of their largest, 255, 65535 or 4294967295, with a sign 32767 or 2147483647,
+///   and as linear: a stamp is data, so no sRGB curve or gamma is undone and colour is not multiplied by
+///   alpha;
 /// - upright, where the file tells how it is turned; a place on a page is left out;
 /// - black as 0, also where the file has white as 0; what it marks as no data as not finite.
 /// Throws FileError: not readable, truncated, other texels, channels or formats, several images or layers and

@@ -2,6 +2,7 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
+#include <burin/stamp/exr_header.h>
 #include <burin/stamp/image_limits.h>
 #include <burin/stamp/jpeg_size.h>
 #include <burin/stamp/png_reader.h>
@@ -142,16 +143,18 @@ ChosenChannels chosen_channels(const std::string& path, const std::vector<Part>&
   return chosen;
 }
 
-void expect_texels(const std::string& path, const ChosenChannels& chosen) {
+void expect_texels(const std::string& path, const ChosenChannels& chosen, std::string_view format) {
   const OIIO::ImageSpec& spec = chosen.part.spec;
   if (spec.deep) throw FileError(path, "holds deep texels; a stamp has one value a texel and channel");
   if (spec.full_depth > 1 || spec.depth > 1) throw FileError(path, "holds a volume, not an image");
-  constexpr std::array known = {OIIO::TypeDesc::HALF, OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::UINT16,
-                                OIIO::TypeDesc::UINT8};
+  using Type = OIIO::TypeDesc;
+  const std::vector<unsigned char> known =
+      format == "openexr" ? std::vector<unsigned char>{Type::HALF, Type::FLOAT}
+                          : std::vector<unsigned char>{Type::HALF,  Type::FLOAT,  Type::UINT8, Type::UINT16,
+                                                       Type::INT16, Type::UINT32, Type::INT32};
   for (const int c : chosen.channels)
-    if (const OIIO::TypeDesc type = spec.channelformat(c); !std::ranges::count(known, type.basetype))
-      throw FileError(path, fmt::format("channel {} holds texels of type {}; those of a stamp are half, "
-                                        "float, uint16 or uint8",
+    if (const Type type = spec.channelformat(c); !std::ranges::count(known, type.basetype))
+      throw FileError(path, fmt::format("channel {} holds texels of type {}, which no stamp is made of",
                                         quoted_word(spec.channel_name(c)), type.c_str()));
 }
 
@@ -215,7 +218,7 @@ StampFile describe(ImageFile& file, const ChosenChannels& chosen) {
 
 StoredImage read_chosen(ImageFile& file, const StampOptions& options) {
   ChosenChannels chosen = chosen_channels(file.path(), file.parts(), options);
-  expect_texels(file.path(), chosen);
+  expect_texels(file.path(), chosen, file.format());
   OIIO::ImageSpec& spec = chosen.part.spec;
   set_window(spec, file.format());
   const auto [first, last] = std::ranges::minmax(chosen.channels);
@@ -297,6 +300,7 @@ StoredImage read_stored_image(const fs::path& path, const StampOptions& options)
   if (format == "png") return read_png(path, options);
   if (format == "tiff") return read_tiff(path, bytes, options);
   if (format == "jpeg") return read_jpeg(path, bytes, options);
+  expect_exr_header(path, bytes);
   ImageFile file(path, "openexr", bytes);
   return read_chosen(file, options);
 }
