@@ -208,6 +208,24 @@ TEST(ReadGltf, RefusesWhatItCannotRead) {
             "a.gltf: is not glTF: a member is of another type");
 }
 
+/// A small file that shows the same vertices so often that they take gigabytes.
+TEST(ReadGltf, IsNotLedToAskForMuchMemoryByASmallFile) {
+  const auto message = [](std::size_t vertices, std::size_t indices) {
+    Document document;
+    document.bytes.resize(100000);
+    const auto vertex_places =
+        document.accessor({{"componentType", floating}, {"type", "VEC3"}, {"count", vertices}});
+    const auto triangle_corners =
+        document.accessor({{"componentType", ubyte}, {"type", "SCALAR"}, {"count", indices}});
+    for (int i = 0; i < 1000; ++i)
+      document.primitive({{"POSITION", vertex_places}})["indices"] = triangle_corners;
+    return document.message();
+  };
+  EXPECT_NE(message(100000, 3).find("vertices that a file of this size may"), std::string::npos);
+  EXPECT_NE(message(3, 100000).find("corners that a file of this size may"), std::string::npos);
+  EXPECT_EQ(message(3, 3), "no error");
+}
+
 TEST(WriteGlb, ComesBack) {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "a.glb";

@@ -16,7 +16,8 @@ TEST(WriteObj, ComesBackBitForBitWithItsColours) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
     paint.colours.push_back({static_cast<std::uint8_t>(i), 7, static_cast<std::uint8_t>(200 - i), 255});
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    mesh.triangle_uv.push_back({Vec2f(0.1F, 0.25F), Vec2f(static_cast<float>(i % 50) / 50, 0), Vec2f(1, 0.7F)});
+    mesh.triangle_uv.push_back(
+        {Vec2f(0.1F, 0.25F), Vec2f(static_cast<float>(i % 50) / 50, 0), Vec2f(1, 0.7F)});
   write_mesh(folder.path() / "a.obj", mesh, paint);
   const PolygonMesh back = read_mesh(folder.path() / "a.obj");
   EXPECT_EQ(back.positions, mesh.positions);

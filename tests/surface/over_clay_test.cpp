@@ -59,7 +59,8 @@ TEST_F(SavedInk, ComesBackBitForBit) {
     paint.colours.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(7 * i), 200,
                              static_cast<std::uint8_t>(i < 256 ? i : 0)});
   for (const char* name : {"a.ply", "a.glb"}) {
-    EXPECT_NE(saved(name, paint).find(std::string(name) == "a.ply" ? "ink_alpha" : "_INK"), std::string::npos);
+    EXPECT_NE(saved(name, paint).find(std::string(name) == "a.ply" ? "ink_alpha" : "_INK"),
+              std::string::npos);
     EXPECT_EQ(read_mesh(folder.path() / name).paint.colours, paint.colours) << name;
   }
 }
@@ -86,7 +87,8 @@ TEST_F(SavedInk, IsReadAsCoverageInAlphaFromOldFiles) {
   const std::string text =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\nelement face 1\n"
-      "property list uchar int vertex_indices\nend_header\n0 0 0 1 2 3 0\n1 0 0 4 5 6 128\n0 1 0 7 8 9 255\n3 "
+      "property list uchar int vertex_indices\nend_header\n0 0 0 1 2 3 0\n1 0 0 4 5 6 128\n0 1 0 7 8 9 "
+      "255\n3 "
       "0 1 2\n";
   write_file_whole(folder.path() / "old.ply", [&](std::ostream& out) { out << text; });
   EXPECT_EQ(read_mesh(folder.path() / "old.ply").paint.colours,
@@ -102,8 +104,7 @@ TEST_F(SavedInk, GivesWayToColoursThatAnotherProgramPainted) {
       "1 0 0 30 40 50 255 0 0 128\n0 1 0 197 172 153 9 9 9 0\n3 0 1 2\n";
   write_file_whole(folder.path() / "other.ply", [&](std::ostream& out) { out << text; });
   const PolygonMesh back = read_mesh(folder.path() / "other.ply");
-  EXPECT_EQ(back.paint.colours,
-            (std::vector<PaintBytes>{{255, 0, 0, 128}, {30, 40, 50, 255}, {9, 9, 9, 0}}));
+  EXPECT_EQ(back.paint.colours, (std::vector<PaintBytes>{{255, 0, 0, 128}, {30, 40, 50, 255}, {9, 9, 9, 0}}));
   EXPECT_EQ(back.not_used, "");
 }
 

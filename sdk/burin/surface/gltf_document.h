@@ -30,6 +30,9 @@ class GltfDocument {
   };
   Values values(const nlohmann::json& accessor_index) const;
 
+  /// Bytes of the file and of its buffers.
+  std::size_t size() const { return size_; }
+
   [[noreturn]] void fail(std::string_view place, std::string_view what) const;
 
  private:

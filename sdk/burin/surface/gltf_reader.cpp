@@ -19,7 +19,13 @@ namespace {
 using Json = nlohmann::json;
 using Values = GltfDocument::Values;
 
-constexpr std::size_t most_vertices = std::size_t{1} << 28;
+/// A scene shows one mesh as often as it likes, but a small file must not ask for all memory that there is.
+std::size_t most_vertices(std::size_t file_bytes) {
+  constexpr std::size_t always = std::size_t{1} << 22, ever = std::size_t{1} << 28, times_file = 64;
+  return std::min(ever, std::max(always, times_file * file_bytes));
+}
+constexpr std::size_t most_corners_a_vertex = 8;
+
 constexpr int deepest = 1000;  ///< nodes within nodes
 
 class GltfReader {
@@ -113,11 +119,17 @@ class GltfReader {
     const std::size_t first = file_.places.size();
     const Values places = document_.values(attributes["POSITION"]);
     if (places.components != 3) document_.fail("POSITION", "has not three coordinates");
-    if (places.size() > most_vertices - first)
-      document_.fail("meshes", fmt::format("hold more than {} vertices", most_vertices));
+    const std::size_t most = most_vertices(document_.size());
+    if (places.size() > most - first)
+      document_.fail("meshes",
+                     fmt::format("hold more than the {} vertices that a file of this size may", most));
     for (std::size_t i = 0; i < places.size(); ++i)
       file_.places.push_back(placed * Eigen::Map<const Vec3d>(places.numbers.data() + 3 * i));
-    add_triangles(corners_of(primitive, places.size()), mode, first, placed.linear().determinant() < 0);
+    const std::vector<std::size_t> corners = corners_of(primitive, places.size());
+    if (file_.mesh.face_vertices.size() + 3 * corners.size() > most_corners_a_vertex * most)
+      document_.fail("meshes", fmt::format("hold more than the {} corners that a file of this size may",
+                                           most_corners_a_vertex * most));
+    add_triangles(corners, mode, first, placed.linear().determinant() < 0);
     read_attributes(attributes, first);
     for (const auto& attribute : attributes.items())
       if (attribute.key() == "NORMAL") unused_.add("normal", "normals", places.size());

@@ -17,7 +17,8 @@ std::vector<Vec3f> smooth_normals(const TriangleMesh& mesh) {
       sums[first[triangle[corner]]].add(next, previous);
     }
   std::vector<Vec3f> normals(first.size());
-  std::ranges::transform(first, normals.begin(), [&](Index at) -> Vec3f { return sums[at].unit().cast<float>(); });
+  std::ranges::transform(first, normals.begin(),
+                         [&](Index at) -> Vec3f { return sums[at].unit().cast<float>(); });
   return normals;
 }
 
