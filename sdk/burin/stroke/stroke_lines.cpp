@@ -130,8 +130,9 @@ RecordedStroke parse_settings(const Json& begin) {
 
 Column column_named(const Json& name) {
   if (!name.is_string()) throw Error("fields must be a list of names");
+  const auto& text = name.get_ref<const std::string&>();
   const auto found = std::find_if(column_names.begin(), column_names.end(),
-                                  [&](const auto& known) { return known.first == name; });
+                                  [&](const auto& known) { return known.first == text; });
   return found == column_names.end() ? Column::unknown : found->second;
 }
 
