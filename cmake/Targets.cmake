@@ -18,6 +18,10 @@ if(BURIN_SANITIZE)
   endif()
 endif()
 
+if(BURIN_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 # Headers of others that most sources have, parsed once for all libraries and once for all tests. Not with a
 # compiler launcher: a cache as ccache could not keep what is compiled with them, and such builds show which
 # sources do not name all headers that they use.

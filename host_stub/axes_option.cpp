@@ -56,7 +56,8 @@ void add_axes_options(CLI::App& command, AxesOptions& options) {
             options.mesh = parse_axes("--axes", text.substr(0, colon));
             if (colon != std::string::npos) options.saved = parse_axes("--axes", text.substr(colon + 1));
           },
-          "which way is up in the mesh and is to be in what is saved, each as-is (not turned), y-up or z-up;\n"
+          "which way is up in the mesh and is to be in what is saved, each as-is (not turned), y-up or "
+          "z-up;\n"
           "saved as the mesh unless given, but a .glb y-up where the mesh's is given")
       ->type_name("MESH[:SAVED]");
   add_stroke_axes(command, options.strokes);

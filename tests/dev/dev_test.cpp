@@ -26,20 +26,25 @@ class NotingMachine {
     write("programs/dpkg-query", "case \"$4\" in " + installed + ") echo 'install ok installed' ;; esac");
     write("programs/sudo", "exec \"$@\"");
     for (const char* name :
-         {"programs/apt-get", "programs/cmake", "programs/ctest", "build/release/bin/burin"})
-      write(name, "echo \"${0##*/} $*\" >>'" + calls() + "'");
+         {"programs/apt-get", "programs/cmake", "programs/ctest", "programs/npm", "build/release/bin/burin"})
+      write(name, note());
+    write("build/fuzz/bin/burin_fuzz", note());
+    write("build/fuzz/bin/burin_fuzz_seeds", "[ $# = 2 ] || printf 'one\\ntwo\\n'");
   }
 
   /// The calls that the command of `./dev` makes, a line each.
   std::string calls_of(const std::string& command) const {
-    fs::remove(calls());
+    write_file_whole(calls(), [](std::ostream&) {});
     const std::string path = "PATH=" + (folder_.path() / "programs").string() + ":/usr/bin:/bin";
-    run_process({"/usr/bin/env", path, "bash", folder_.path() / "dev", command});
+    run_process({"/usr/bin/env", path, "bash", "-c", (folder_.path() / "dev").string() + " " + command});
     return read_file(calls());
   }
 
  private:
   std::string calls() const { return folder_.path() / "calls"; }
+
+  /// A script that notes its call.
+  std::string note() const { return "echo \"${0##*/} $*\" >>'" + calls() + "'"; }
 
   void write(const fs::path& name, const std::string& script) const {
     const fs::path path = folder_.path() / name;
@@ -86,6 +91,32 @@ TEST(Dev, TestInstallsAndBuildsAll) {
   EXPECT_TRUE(words_of(line_with("cmake --preset", calls)).contains("-DBURIN_TESTS=ON")) << calls;
   EXPECT_FALSE(words_of(line_with("cmake --build", calls)).contains("--target")) << calls;
   EXPECT_NE(line_with("ctest --preset release", calls), "") << calls;
+}
+
+TEST(Dev, FuzzBuildsWithClangAndTriesEveryReaderOrOne) {
+  const NotingMachine machine("none");
+  const std::string calls = machine.calls_of("fuzz");
+  const auto installed = words_of(line_with("apt-get install", calls));
+  for (const char* package : {"clang-16", "libclang-rt-16-dev", "libopenimageio-dev"})
+    EXPECT_TRUE(installed.contains(package)) << package;
+  EXPECT_TRUE(
+      line_with("cmake --build --preset fuzz", calls).ends_with(" --target burin_fuzz burin_fuzz_seeds"));
+  EXPECT_NE(calls.find("burin_fuzz build/fuzz/corpus/one -max_total_time=60 "), std::string::npos) << calls;
+  EXPECT_NE(calls.find("burin_fuzz build/fuzz/corpus/two "), std::string::npos) << calls;
+  const std::string of_one = machine.calls_of("fuzz two --minutes 7");
+  EXPECT_EQ(of_one.find("corpus/one"), std::string::npos) << of_one;
+  EXPECT_NE(of_one.find("burin_fuzz build/fuzz/corpus/two -max_total_time=420 "), std::string::npos)
+      << of_one;
+  EXPECT_EQ(machine.calls_of("fuzz three").find("max_total_time"), std::string::npos);
+  EXPECT_EQ(machine.calls_of("fuzz --minutes x"), "");
+}
+
+TEST(Dev, ProgramsAreInstalledForTheTestsThatNeedThem) {
+  const std::string calls = NotingMachine("none").calls_of("programs");
+  const auto installed = words_of(line_with("apt-get install", calls));
+  for (const char* package : {"blender", "python3-numpy", "meshlab", "xvfb", "xauth", "assimp-utils"})
+    EXPECT_TRUE(installed.contains(package)) << package;
+  EXPECT_TRUE(line_with("npm ci", calls).starts_with("npm ci --prefix tests/host_stub/programs ")) << calls;
 }
 
 TEST(Dev, DemoLeavesTheTestsInTheBuildTreeOfADeveloper) {

@@ -101,9 +101,10 @@ TEST_F(AxesOption, TurnsWhatIsFarAwayWithItsDigits) {
     text += fmt::format("v {} {} {}\n", place.x() + 448256.0, place.y() + 64.0, place.z() - 5411840.0);
   for (const Triangle& triangle : mesh.triangles)
     text += fmt::format("f {} {} {}\n", triangle[0] + 1, triangle[1] + 1, triangle[2] + 1);
-  const std::string stroke = "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{\"brush\":\"org.burin."
-                             "groove\",\"radius\":0.3},\"fields\":[\"x\",\"y\",\"z\"]}\n"
-                             "[448256.0,64,-5411839]\n[448256.3,64,-5411839]\n{\"end\":true}\n";
+  const std::string stroke =
+      "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{\"brush\":\"org.burin."
+      "groove\",\"radius\":0.3},\"fields\":[\"x\",\"y\",\"z\"]}\n"
+      "[448256.0,64,-5411839]\n[448256.3,64,-5411839]\n{\"end\":true}\n";
   burin_output({"replay", folder.write("far.stroke", stroke), "--mesh", folder.write("far.obj", text),
                 "--axes", "y-up:z-up", "--save-mesh", folder.path("far.ply")});
   const PolygonMesh saved = read_mesh(folder.path("far.ply"));
@@ -120,9 +121,8 @@ TEST_F(AxesOption, TurnsWhatIsFarAwayWithItsDigits) {
 TEST_F(AxesOption, RefusesWhatItCannotKnow) {
   EXPECT_EQ(refused({"--axes", "as-is:z-up", "--save-mesh", folder.path("a.ply")}),
             "burin: --axes: which way is up in '" + y_mesh + "' is not known; --axes y-up or z-up tells\n");
-  EXPECT_EQ(refused({"--stroke-axes", "z-up"}),
-            "burin: --stroke-axes: which way is up in '" + y_mesh +
-                "' is not known; --axes y-up or z-up tells\n");
+  EXPECT_EQ(refused({"--stroke-axes", "z-up"}), "burin: --stroke-axes: which way is up in '" + y_mesh +
+                                                    "' is not known; --axes y-up or z-up tells\n");
   EXPECT_NE(refused({"--axes", "x-up"}).find("--axes: takes as-is, y-up or z-up, not 'x-up'"),
             std::string::npos);
   EXPECT_NE(refused({"--axes", "y-up:"}).find("takes as-is, y-up or z-up, not ''"), std::string::npos);

@@ -1,5 +1,5 @@
-// Meshes that replay saves, painted in part and masked, as other programs see them: the same triangles, the same
-// way up, and the colours that Burin's pictures have.
+// Meshes that replay saves, painted in part and masked, as other programs see them: the same triangles, the
+// same way up, and the colours that Burin's pictures have.
 
 #include <burin/base/srgb.h>
 #include <burin/surface/mesh_file.h>
@@ -100,7 +100,8 @@ void run_well(const std::vector<std::string>& command) {
 class SavedForOthers : public testing::Test {
  protected:
   SavedForOthers() {
-    for (Vec3f& place : mesh.positions) place = place.cwiseProduct(Vec3f(1, 0.7F, 1.3F)) + Vec3f(0.2F, 0.1F, 0);
+    for (Vec3f& place : mesh.positions)
+      place = place.cwiseProduct(Vec3f(1, 0.7F, 1.3F)) + Vec3f(0.2F, 0.1F, 0);
     saved("a.ply", "y-up");
     const PolygonMesh own = read_mesh(folder.path("a.ply"));
     expected = expected_of(own);
@@ -112,7 +113,8 @@ class SavedForOthers : public testing::Test {
   std::string saved(const std::string& name, const std::string& axes) {
     burin_output({"replay", stroke, "--mesh", folder.write("body.obj", obj_text(mesh)), "--axes", axes,
                   "--brush", "org.burin.dashed-line", "--param", "width=0.8", "--param", "height=0.1",
-                  "--param", "colour=0.05,0.2,0.5,0.5", "--param", "mask=1", "--save-mesh", folder.path(name)});
+                  "--param", "colour=0.05,0.2,0.5,0.5", "--param", "mask=1", "--save-mesh",
+                  folder.path(name)});
     return folder.path(name);
   }
 

@@ -1,0 +1,76 @@
+#include "readers.h"
+
+#include <burin/base/error.h>
+#include <burin/stamp/stamp_file.h>
+#include <burin/stroke/import.h>
+#include <burin/stroke/stroke_file.h>
+#include <burin/subdiv/refine.h>
+#include <burin/surface/defects.h>
+#include <burin/surface/mesh_file.h>
+#include <burin/surface/point_set.h>
+#include <burin/surface/weld_mesh.h>
+
+#include <algorithm>
+
+namespace burin::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As the commands load a mesh: joined, once as it is and once as a cage.
+void load_mesh(const fs::path& path) {
+  if (holds_points(path)) {
+    make_point_surface(read_points(path), default_links);
+    return;
+  }
+  const PolygonMesh apart = read_mesh(path);
+  const PolygonMesh mesh = weld(apart, find_welds(apart, rounding_tolerance(apart)));
+  TriangleMesh triangles = refine(mesh, natural_scheme(mesh), 0);
+  find_defects(triangles);
+  make_surface(std::move(triangles));
+  refine(mesh, natural_scheme(mesh), 1);
+}
+
+void load_stamp(const fs::path& path) {
+  read_stamp(path, {.clean = true});
+  read_stamp(path);
+}
+
+Camera camera() { return framing_camera({-1, -1, -1}, {1, 1, 1}, {0, 0, -1}, {0, 1, 0}, 640, 480, 0.6); }
+
+constexpr Reader all[] = {
+    {"obj", ".obj", load_mesh},
+    {"ply", ".ply", load_mesh},
+    {"stl", ".stl", load_mesh},
+    {"off", ".off", load_mesh},
+    {"gltf", ".gltf", load_mesh},
+    {"glb", ".glb", load_mesh},
+    {"stroke", ".stroke", [](const fs::path& path) { read_strokes(path); }},
+    {"pointer", ".json", [](const fs::path& path) { import_pointer_events(path, camera()); }},
+    {"svc", ".svc", [](const fs::path& path) { import_svc(path, camera()); }},
+    {"mypaint", ".dat", [](const fs::path& path) { import_mypaint_events(path, camera()); }},
+    {"exr", ".exr", load_stamp},
+    {"png", ".png", load_stamp},
+    {"tiff", ".tif", load_stamp},
+    {"jpeg", ".jpg", load_stamp},
+};
+
+}  // namespace
+
+std::span<const Reader> readers() { return all; }
+
+const Reader* reader_named(const std::string& name) {
+  const auto found = std::ranges::find(all, name, &Reader::name);
+  return found == std::end(all) ? nullptr : found;
+}
+
+bool accepts(const Reader& reader, const fs::path& path) {
+  try {
+    reader.read(path);
+  } catch (const Error&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace burin::fuzz
