@@ -3,8 +3,8 @@
  * The chart gives each node x near the stroke the coordinates (t, d): t is the arc length along the
  * stroke at the nearest point, d the geodesic distance to it, positive on the left of the direction of
  * travel. At every node stands a right-handed frame (e1, e2, n): e1 along the stroke, n the outward
- * normal, e2 = n x e1 in the direction of growing d. Beyond an end, in a round cap, t and d continue the
- * frame of that end: the distance to the stroke is hypot(t, d) before it and hypot(t - length, d) after.
+ * normal, e2 = n x e1 in the direction of growing d. In round caps t and d are normal coordinates of the
+ * end's frame: the distance to the stroke is hypot(t, d) before its begin and hypot(t - length, d) after.
  *
  * Chart, frames and displacement belong to the base surface: the surface as it was before the stroke, and as
  * smooth as the stroke feels it. Relief that is narrow against the radius is left out of it, as far as the

@@ -15,13 +15,15 @@ namespace burin {
 struct Chart {
   std::vector<Index> vertex;         ///< of the surface, ascending; once for each of its sheets
   std::vector<std::uint32_t> sheet;  ///< 0, 1, ... at each vertex, in the order of t
-  std::vector<double> t;         ///< arc length along the stroke, object units; beyond [0, length] in round
-                                 ///< caps, in [0, length) of a closed stroke
+  std::vector<double> t;         ///< arc length along the stroke, object units; in [0, length) of a closed
+                                 ///< one, and beyond [0, length] in round caps, where t and d are geodesic
+                                 ///< normal coordinates around the end
   std::vector<float> d;          ///< signed geodesic distance to the stroke, object units, |d| <= radius
   std::vector<Vec3f> e1;         ///< unit, at right angles to the normal, along the stroke
   std::vector<Vec3f> normal;     ///< unit, of the surface; of a stroke on the base surface, of that
   std::vector<float> stretch;    ///< J = |dP/dt|, 1 on the stroke; 1 everywhere in charts of first order
-  std::vector<float> curvature;  ///< k: geodesic curvature of the line of constant d, 1 / length
+  std::vector<float> curvature;  ///< k: geodesic curvature of the line of constant d, 1 / length; in round
+                                 ///< caps both are as DistanceRay has them
   double length = 0;             ///< of the stroke, object units
   bool closed = false;           ///< t goes around
 

@@ -7,7 +7,7 @@ namespace burin {
 constexpr float least_stretch = 0.15F;
 
 /// What the front knows at a node of the chart: the Fermi coordinates of the stroke, in which the metric is
-/// J^2 dt^2 + dd^2, and how they go on.
+/// J^2 dt^2 + dd^2, and how they go on. Beyond round ends its members mean what DistanceRay says.
 struct ChartFrame {
   double t = 0;              ///< arc length along the stroke, object units
   float d = 0;               ///< signed geodesic distance to it

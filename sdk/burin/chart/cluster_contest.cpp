@@ -1,5 +1,5 @@
 #include <burin/chart/cluster_contest.h>
-#include <burin/chart/frame_on_circles.h>
+#include <burin/chart/frame_told.h>
 
 #include <cmath>
 #include <utility>
@@ -118,13 +118,14 @@ void ClusterContest::find_rivals(const LiveChart& nodes, Index slot, std::vector
   if (!chosen_[slot]) rivals.clear();
 }
 
-ChartFrame ClusterContest::told_by(const LiveChart& nodes, Index slot, const GroundPlace& place) const {
+ChartFrame ClusterContest::told_by(const LiveChart& nodes, const StrokePath& path, Index slot,
+                                   const GroundPlace& place) const {
   const BasePatch patch = base_->patch(nodes.nodes().vertex[slot]);
   const ChartFrame frame = nodes.nodes().frame(slot);
   const FrameStep step =
       step_along_edge(patch.position, patch.normal, frame.e1, place.position, place.normal);
   const float gauss = (patch.gauss_curvature() + place.gauss_curvature) / 2;
-  return frame_on_circles(frame, step, place.normal, gauss);
+  return frame_told(frame, path.ray(frame.t, static_cast<double>(frame.d)), step, place.normal, gauss);
 }
 
 }  // namespace burin

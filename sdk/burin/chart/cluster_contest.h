@@ -30,8 +30,10 @@ class ClusterContest {
   /// slots on several threads at once.
   void find_rivals(const LiveChart& nodes, Index slot, std::vector<Index>& rivals);
 
-  /// The frame of a place of the base surface from that of the slot's node, along the straight way.
-  ChartFrame told_by(const LiveChart& nodes, Index slot, const GroundPlace& place) const;
+  /// The frame of a place of the base surface from that of the slot's node on this stroke, along the straight
+  /// way.
+  ChartFrame told_by(const LiveChart& nodes, const StrokePath& path, Index slot,
+                     const GroundPlace& place) const;
 
  private:
   bool is_contested(const LiveChart& nodes, Index slot) const;

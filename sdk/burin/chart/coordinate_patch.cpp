@@ -10,15 +10,26 @@ CoordinatePatch::Feet CoordinatePatch::Quadratic::slope(const Feet& at) const {
   return {x + xx * at.x + xy * at.y, y + xy * at.x + yy * at.y};
 }
 
-CoordinatePatch::CoordinatePatch(const BasePatch& patch, const ChartFrame& frame)
+CoordinatePatch::CoordinatePatch(const BasePatch& patch, const ChartFrame& frame, const DistanceRay& ray)
     : patch_(patch), axis_y_(patch.axis_y()), of_node_(frame) {
   const Vec3f e2 = patch.normal.cross(frame.e1);
-  const Vec2f u(frame.e1.dot(patch.axis_x), frame.e1.dot(axis_y_));
-  const Vec2f v(e2.dot(patch.axis_x), e2.dot(axis_y_));
-  const float k = frame.curvature, j = 1 / frame.stretch, bend = k * j;
-  t_terms_ = {j * u.x(), j * u.y(), 2 * bend * u.x() * v.x(), bend * (u.x() * v.y() + u.y() * v.x()),
-              2 * bend * u.y() * v.y()};
-  d_terms_ = {v.x(), v.y(), -k * u.x() * u.x(), -k * u.x() * u.y(), -k * u.y() * u.y()};
+  const Vec2f e1_flat(frame.e1.dot(patch.axis_x), frame.e1.dot(axis_y_));
+  const Vec2f e2_flat(e2.dot(patch.axis_x), e2.dot(axis_y_));
+  // Across the ray and along it.
+  const Vec2f u = ray.left * e1_flat - ray.ahead * e2_flat, v = ray.ahead * e1_flat + ray.left * e2_flat;
+  const float k = frame.curvature, j = 1 / frame.stretch, twist = k * j;
+  const Quadratic beside{j * u.x(), j * u.y(), 2 * twist * u.x() * v.x(),
+                         twist * (u.x() * v.y() + u.y() * v.x()), 2 * twist * u.y() * v.y()};
+  const float bend = bend_across(ray, k, j);
+  const Quadratic away{v.x(), v.y(), -bend * u.x() * u.x(), -bend * u.x() * u.y(), -bend * u.y() * u.y()};
+  t_terms_ = sum(ray.left, beside, ray.ahead, away);
+  d_terms_ = sum(ray.left, away, -ray.ahead, beside);
+}
+
+CoordinatePatch::Quadratic CoordinatePatch::sum(float a, const Quadratic& of_a, float b,
+                                                const Quadratic& of_b) {
+  return {a * of_a.x + b * of_b.x, a * of_a.y + b * of_b.y, a * of_a.xx + b * of_b.xx,
+          a * of_a.xy + b * of_b.xy, a * of_a.yy + b * of_b.yy};
 }
 
 /// In space, of a vector along the patch's axes and its normal.

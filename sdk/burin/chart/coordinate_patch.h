@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/base/vector.h>
 #include <burin/chart/chart_frame.h>
+#include <burin/chart/distance_ray.h>
 #include <burin/surface/base_patch.h>
 #include <burin/surface/unit_tangent.h>
 
@@ -10,7 +11,8 @@ namespace burin {
 
 /// t and d around a node of a base surface's chart, from its frame: the quadratics over the node's BasePatch
 /// that agree to second order with the Fermi coordinates of the stroke, where J hardly varies along it. A
-/// step of u along e1 and v along e2 adds u / J (1 + k v) to t and v - k u^2 / 2 to d.
+/// step of u along e1 and v along e2 adds u / J (1 + k v) to t and v - k u^2 / 2 to d; around round ends,
+/// what ray_step() says.
 class CoordinatePatch {
  public:
   /// Points are taken several at a time.
@@ -28,7 +30,8 @@ class CoordinatePatch {
     Lanes certain;  ///< 1, or 0 where lines of the stroke meet and e1 is to be the node's own
   };
 
-  CoordinatePatch(const BasePatch& patch, const ChartFrame& frame);
+  /// `ray`: of the frame.
+  CoordinatePatch(const BasePatch& patch, const ChartFrame& frame, const DistanceRay& ray = {});
 
   Frames at(const Feet& feet) const;
 
@@ -41,6 +44,7 @@ class CoordinatePatch {
     Lanes value(const Feet& at) const;
     Feet slope(const Feet& at) const;
   };
+  static Quadratic sum(float a, const Quadratic& of_a, float b, const Quadratic& of_b);
   Lanes component(int i, const Lanes& x, const Lanes& y, const Lanes& z) const;
 
   BasePatch patch_;

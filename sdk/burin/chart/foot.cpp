@@ -158,7 +158,7 @@ ArcFoot on_arcs(const SurfaceCurve& curve, const Foot& start, const Vec3f& x) {
 }  // namespace
 
 ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve,
-                      const GeodesicCurvature& curvature, Foot foot) {
+                      const GeodesicCurvature& curvature, const StrokePath& path, Foot foot) {
   const bool begin = at_begin(curve, foot), end = at_end(curve, foot);
   bool at_corner = false;
   if (!begin && !end) {
@@ -189,10 +189,16 @@ ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve,
     frame.stretch = stretch_around_corners;
     return frame;
   }
-  // Beyond its ends the stroke goes on as a geodesic.
+  const float gauss = vertex.gauss_curvature;
+  if (const DistanceRay ray = path.ray(frame.t, static_cast<double>(frame.d)); ray.from_end()) {
+    const auto [of_circles, stretch] = shape_around_end(ray.length, gauss);
+    frame.curvature = stretch > least_stretch ? of_circles : 0;
+    frame.stretch = std::max(stretch, least_stretch);
+    return frame;
+  }
+  // Where it does not end round the stroke goes on as a geodesic.
   const float k = beyond ? 0 : (1 - foot.s) * curvature[foot.segment] + foot.s * curvature[next];
   const float d = frame.d;
-  const float gauss = vertex.gauss_curvature;
   // On the inside of a bend whose centre is nearer than the seed the coordinates fold, and count as straight.
   if (k * d < 0.5F) {
     frame.curvature = k / (1 - k * d) + gauss * d;

@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/chart/chart_frame.h>
 #include <burin/chart/chart_ground.h>
+#include <burin/chart/stroke_path.h>
 #include <burin/stroke/geodesic_curvature.h>
 #include <burin/stroke/surface_curve.h>
 
@@ -30,8 +31,9 @@ struct NearestFoot {
 /// segment that found the vertex need not be the one that the vertex projects onto.
 NearestFoot nearest_from(const SurfaceCurve& curve, const Foot& start, const Vec3f& x);
 
-/// The frame at a vertex, from its foot. Curvature and stretch to second order in the distance.
+/// The frame at a vertex, from its foot on the curve of this path. Curvature and stretch to second order in
+/// the distance.
 ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve,
-                      const GeodesicCurvature& curvature, Foot foot);
+                      const GeodesicCurvature& curvature, const StrokePath& path, Foot foot);
 
 }  // namespace burin

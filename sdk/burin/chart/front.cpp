@@ -73,7 +73,8 @@ CurveChange Front::replace_curve(const SurfaceCurve& curve, std::size_t unchange
 
   const double finest = finest_share * ground_.scale();
   const std::size_t bent = stroke_.curvature.update(curve, curvature_window * stroke_.radius, unchanged);
-  stroke_.path.update(curve, stroke_.curvature, stroke_.radius, finest, std::min(bent, unchanged));
+  stroke_.path.update(curve, stroke_.curvature, stroke_.radius, finest, std::min(bent, unchanged),
+                      stroke_.extensions);
   CurveChange change{};
   change.first_sample = stroke_.samples.update(curve, stroke_.radius, finest, stroke_.extensions, unchanged);
   change.unchanged_t = change.first_sample > 0 && unchanged > 0

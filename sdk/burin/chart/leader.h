@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/chart/circle_step.h>
+#include <burin/chart/distance_ray.h>
 #include <burin/chart/front_node.h>
 #include <burin/chart/stroke_path.h>
 
@@ -42,6 +43,7 @@ class Leader {
         d_(q.frame.d),
         curvature_(q.frame.curvature),
         inverse_stretch_(1 / q.frame.stretch),
+        ray_(path.ray(q.frame.t, static_cast<double>(q.frame.d))),
         g_(q.g()),
         shortfall_(shortfall_of(q, path)) {}
 
@@ -54,24 +56,33 @@ class Leader {
   /// Whether the way to x may end at this g or less; if not there is no need to follow it.
   bool may_reach(const Vec3f& x, float g) const { return g_ + least_progress * (x - position_).norm() <= g; }
 
-  /// The way to x. Lines of constant d are taken for circles, and the edge with its length in the tangent
-  /// plane of the node.
+  /// The way to x. Beside the stroke lines of constant d are taken for circles; the edge is taken with its
+  /// length in the tangent plane of the node.
   Way to(const Vec3f& x) const {
     const Vec3f chord = x - position_;
     const float ahead = chord.dot(e1_), beside = chord.dot(e2_);
     const float length = chord.norm(), flat = std::sqrt(ahead * ahead + beside * beside);
     const float scale = flat > 0 ? length / flat : 0;
-    const CircleStep step = circle_step(scale * ahead, scale * beside, curvature_, d_);
-    const double t = t_ + static_cast<double>(step.along * inverse_stretch_);
-    const auto told = static_cast<float>(path_->distance(t, static_cast<double>(d_ + step.across), x));
+    const Vec2f change = step(scale * ahead, scale * beside);
+    const double t = t_ + static_cast<double>(change.x());
+    const auto told = static_cast<float>(path_->distance(t, static_cast<double>(d_ + change.y()), x));
     return {distance_along(g_, shortfall_, length, told), std::min(t, t_), std::max(t, t_), length};
   }
 
  private:
+  /// What a step (u, v) adds to t and d.
+  Vec2f step(float u, float v) const {
+    if (ray_.from_end()) return ray_step(ray_, curvature_, inverse_stretch_, u, v);
+    const CircleStep step = circle_step(u, v, curvature_, d_);
+    return {step.along * inverse_stretch_, step.across};
+  }
+
   const StrokePath* path_;
   Vec3f position_, e1_, e2_;
   double t_;
-  float d_, curvature_, inverse_stretch_, g_, shortfall_;
+  float d_, curvature_, inverse_stretch_;
+  DistanceRay ray_;
+  float g_, shortfall_;
 };
 
 }  // namespace burin

@@ -116,7 +116,10 @@ void LiveCarrier::carry(const Event& event, Index slot, Carried& carried) {
   range.last_t = nowhere;
   if (event.on_base) contest_.find_rivals(event.nodes, slot, carried.rivals);
   if (event.on_base && !carried.rivals.empty()) return carry_contested(event, slot, patch, carried);
-  const CoordinatePatch coordinates(patch, event.nodes.nodes().frame(slot));
+  const ChartFrame of_node = event.nodes.nodes().frame(slot);
+  const DistanceRay ray =
+      event.on_base ? event.on_base->path.ray(of_node.t, static_cast<double>(of_node.d)) : DistanceRay{};
+  const CoordinatePatch coordinates(patch, of_node, ray);
   constexpr Index lanes = CoordinatePatch::lanes;
   CoordinatePatch::Feet feet{CoordinatePatch::Lanes::Zero(), CoordinatePatch::Lanes::Zero()};
   for (Index begin = range.begin, end = begin + range.size; begin < end; begin += lanes) {
@@ -145,7 +148,7 @@ void LiveCarrier::carry_contested(const Event& event, Index slot, const BasePatc
     ChartFrame nearest;
     double least = std::numeric_limits<double>::infinity();
     for (const Index rival : carried.rivals) {
-      const ChartFrame told = contest_.told_by(event.nodes, rival, vertex);
+      const ChartFrame told = contest_.told_by(event.nodes, path, rival, vertex);
       const double distance = path.distance(told.t, static_cast<double>(told.d), vertex.position);
       range.last_t = std::max(range.last_t, told.t + stroke_.radius / 8);
       if (distance >= least) continue;

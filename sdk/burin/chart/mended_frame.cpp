@@ -38,7 +38,7 @@ MendedFrame mended_frame(const FrontStroke& stroke, const GroundPlace& vertex, c
       std::max(frame.t, stroke.curve.segment_end(last_segment) + seen_by_curvature * stroke.radius);
   // Through a thin part or across a fold the straight line is no way on the surface.
   if (vertex.normal.dot(stroke.curve.points[foot.segment].normal) < least_cosine) return {frame, depends_to};
-  ChartFrame of_stroke = frame_from(vertex, stroke.curve, stroke.curvature, foot);
+  ChartFrame of_stroke = frame_from(vertex, stroke.curve, stroke.curvature, stroke.path, foot);
   of_stroke.t = stroke.samples.unwrapped(of_stroke.t, frame.t);
   const double share = (excess - stroke.path.doubt()) / (blended * stroke.radius);
   const bool other_side = of_stroke.d * frame.d < 0;

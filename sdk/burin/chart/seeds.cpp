@@ -119,7 +119,7 @@ void Seeds::renew(const FrontStroke& on, Index index, ChartNodes& nodes) {
       if (offers_[i].foot.distance <= best->distance) best = &offers_[i].foot;
     const FrontNode& node = nodes[entry.node];
     const auto [foot, last_segment] = nearest_from(on.curve, *best, node.position);
-    seed = {foot.distance, frame_from((*ground_)[node.vertex()], on.curve, on.curvature, foot)};
+    seed = {foot.distance, frame_from((*ground_)[node.vertex()], on.curve, on.curvature, on.path, foot)};
     depend(index, last_segment);
   }
   if (seed == entry.seed) return;

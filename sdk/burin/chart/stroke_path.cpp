@@ -9,9 +9,11 @@ constexpr double places_a_radius = 64, doubt_a_radius = 0.003;
 }  // namespace
 
 void StrokePath::update(const SurfaceCurve& curve, const GeodesicCurvature& curvature, double radius,
-                        double finest, std::size_t unchanged) {
+                        double finest, std::size_t unchanged, const Extensions& extensions) {
   length_ = curve.length();
   closed_ = curve.closed;
+  round_begin_ = !closed_ && extensions.begin == 0;
+  round_end_ = !closed_ && extensions.end == 0;
   spacing_ = std::max(radius / places_a_radius, finest);
   places_a_unit_ = 1 / spacing_;
   doubt_ = doubt_a_radius * radius;

@@ -1,12 +1,15 @@
 #pragma once
 #include <burin/base/vector.h>
 #include <burin/chart/closed_length.h>
+#include <burin/chart/distance_ray.h>
+#include <burin/chart/stroke_samples.h>
 #include <burin/stroke/geodesic_curvature.h>
 #include <burin/stroke/surface_curve.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace burin {
@@ -17,9 +20,9 @@ class StrokePath {
  public:
   /// Takes the places of another curve, of at least one point, and of this curvature; 1/64 of the radius
   /// apart but no finer than `finest`, object units. The first `unchanged` points and their curvatures are
-  /// those before, and so is the radius, or the path was cleared.
+  /// those before, and so are radius and extensions, or the path was cleared.
   void update(const SurfaceCurve& curve, const GeodesicCurvature& curvature, double radius, double finest,
-              std::size_t unchanged);
+              std::size_t unchanged, const Extensions& extensions = {});
   void clear() { places_.clear(); }
 
   bool closed() const { return closed_; }
@@ -34,8 +37,22 @@ class StrokePath {
   /// How far beyond the ends of an open stroke t lies, object units, >= 0.
   double beyond(double t) const { return beyond_ends(t, length_, closed_); }
 
-  /// The distance from the stroke that the coordinates (t, d) tell: |d|, and beyond the ends that to the end,
-  /// as on the plane.
+  /// Whether the stroke ends in a round cap there, and does not go on straight.
+  bool round_begin() const { return round_begin_; }
+  bool round_end() const { return round_end_; }
+
+  /// On which the distance of the coordinates (t, d) is told.
+  DistanceRay ray(double t, double d) const {
+    if ((t >= 0 && t <= length_) || closed_ || !(t < 0 ? round_begin_ : round_end_)) return {};
+    const double past = t < 0 ? t : t - length_, length = std::sqrt(past * past + d * d);
+    // Coordinates that are no numbers have no ray either.
+    if (!(length > std::numeric_limits<float>::min())) return {};
+    const double inverse = 1 / length;
+    return {static_cast<float>(past * inverse), static_cast<float>(d * inverse), static_cast<float>(length),
+            static_cast<float>(inverse)};
+  }
+
+  /// The distance from the stroke that the coordinates (t, d) tell: |d|, and beyond the ends that to the end.
   double told_distance(double t, double d) const {
     const double past = beyond(t);
     return past > 0 ? std::sqrt(past * past + d * d) : std::abs(d);
@@ -82,7 +99,7 @@ class StrokePath {
 
   std::vector<Place> places_;  ///< [i] at i times the spacing, and straight on beyond the end
   double length_ = 0, spacing_ = 0, places_a_unit_ = 0, doubt_ = 0;
-  bool closed_ = false;
+  bool closed_ = false, round_begin_ = false, round_end_ = false;
 };
 
 }  // namespace burin

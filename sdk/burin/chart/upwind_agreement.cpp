@@ -22,16 +22,21 @@ constexpr float apart_in_t = 2, apart_in_d = 0.5F, least_apart_in_d = 0.02F, oth
 void UpwindFrames::keep_agreeing() {
   left_out_.fill(false);
   focal_.fill(false);
-  const auto placed_d = [](const Arms& arms) {
+  const auto placed_t = [this](const Arms& arms) {
+    const Lanes t = arms.t + arms.u;
+    return near_ends_ ? Lanes(arms.rays.from_end.select(arms.told_t, t)) : t;
+  };
+  const auto placed_d = [this](const Arms& arms) {
     const Lanes &u = arms.u, &v = arms.v, &k = arms.curvature;
     const Lanes size = ((k * u).square() + (1 - k * v).square()).sqrt();
-    return (arms.d + (2 * v - k * (u.square() + v.square())) / (1 + size)).eval();
+    const Lanes d = arms.d + (2 * v - k * (u.square() + v.square())) / (1 + size);
+    return near_ends_ ? Lanes(arms.rays.from_end.select(arms.told_d, d)) : d;
   };
-  Lanes t_low = arms_[0].t + arms_[0].u, t_high = t_low, d_low = placed_d(arms_[0]), d_high = d_low,
+  Lanes t_low = placed_t(arms_[0]), t_high = t_low, d_low = placed_d(arms_[0]), d_high = d_low,
         shortest = arms_[0].length;
   for (std::size_t i = 1; i < most_arms_; ++i) {
     const Arms& arms = arms_[i];
-    const Lanes t = arms.t + arms.u, d = placed_d(arms);
+    const Lanes t = placed_t(arms), d = placed_d(arms);
     t_low = t_low.min(t);
     t_high = t_high.max(t);
     d_low = d_low.min(d);

@@ -1,15 +1,16 @@
 // Second order. In Fermi coordinates (t, d) along the stroke, with k the geodesic curvature of the lines of
 // constant d, J the stretch of t and K the Gauss curvature, a step of the vector (u, v) from q to x changes
 //   k by K v + k^2 v,  J by -J (k v + K v^2 / 2),  the angle of e1 by k u,  t by u / J,  d by v
-// per unit of length. k and J come first, from q alone; they vary along t as well, which q cannot know, so
-// the mean over the arms is taken where the line through their values over u has u = 0. Then e1, t and d are
-// integrated by the trapezoidal rule between the frames of q and x, which needs no derivative of k or J.
+// per unit of length; beyond round ends to the like around these. k and J come first, from q alone; they vary
+// along t as well, which q cannot know, so the mean over the arms is taken where the line through their
+// values over u has u = 0. Then e1, t and d are integrated by the trapezoidal rule between the frames of q
+// and x, which needs no derivative of k or J.
 //
 // Around corners, where k is beyond that, lines of constant d are circles, and each arm tells the frame at x
 // by itself. Where parts of the stroke meet, the arm holds that places x nearest to the stroke, and those
 // that agree with it.
-#include <burin/chart/frame_on_circles.h>
 #include <burin/chart/frame_step.h>
+#include <burin/chart/frame_told.h>
 #include <burin/chart/leader.h>
 #include <burin/chart/upwind_frames.h>
 #include <burin/surface/unit_tangent.h>
@@ -136,14 +137,14 @@ void UpwindFrames::walk_exactly(Arms& arms, Eigen::Index lane) const {
   arms.carried.set(lane, e1);
 }
 
-/// An arm along the geodesic from the stroke knows most of x; what it has to add for its way u along the
-/// stroke is what is uncertain.
+/// An arm along the geodesic from the stroke knows most of x; what it has to add for its way across is what
+/// is uncertain.
 void UpwindFrames::weigh_second() {
   constexpr float sideways = 0.3F;
   for (std::size_t i = 0; i < most_arms_; ++i) {
     Arms& arms = arms_[i];
     arms.weight =
-        squared_unit_ * arms.counts / (arms.u.square() + sideways * (arms.length + epsilon_).square());
+        squared_unit_ * arms.counts / (arms.across.square() + sideways * (arms.length + epsilon_).square());
   }
 }
 
@@ -155,15 +156,16 @@ void UpwindFrames::find_shapes() {
         ku = weights, ju = weights, turn = weights, least = Lanes::Constant(1);
   for (std::size_t i = 0; i < most_arms_; ++i) {
     const Arms& arms = arms_[i];
-    const Lanes w = arms.weight, wu = w * arms.u, squared_v = arms.v.square();
-    const Lanes straight = 1 - arms.curvature * arms.v;
-    const Lanes stretch = arms.stretch * (straight - arms.gauss * squared_v / 2);
-    const Lanes curvature = arms.curvature / straight + arms.gauss * arms.v;
-    turn = turn.max(arms.curvature.square() * (arms.u.square() + squared_v));
+    const Lanes w = arms.weight, wu = w * arms.across, squared_v = arms.out.square();
+    const Lanes straight = 1 - arms.curvature * arms.out;
+    Lanes stretch = arms.stretch * (straight - arms.gauss * squared_v / 2);
+    Lanes curvature = arms.curvature / straight + arms.gauss * arms.out;
+    if (near_ends_) find_round_shapes(arms, curvature, stretch);
+    turn = turn.max(arms.curvature.square() * (arms.across.square() + squared_v));
     least = least.min(stretch);
     weights += w;
     u += wu;
-    uu += wu * arms.u;
+    uu += wu * arms.across;
     vv += w * squared_v;
     k += w * curvature;
     j += w * stretch;
@@ -189,8 +191,9 @@ void UpwindFrames::find_tangents() {
   for (std::size_t i = 0; i < most_arms_; ++i) {
     const Arms& arms = arms_[i];
     // Turned by a mean of both curvatures; cos and sin of small angles, within 1e-7 up to half a radian.
-    const Lanes curvature = arms.curvature + arms.share_at_x * (curvature_ - arms.curvature);
-    const Lanes angle = curvature * arms.u, squared = angle.square();
+    Lanes angle = (arms.curvature + arms.share_at_x * (curvature_ - arms.curvature)) * arms.u;
+    if (near_ends_) turn_with_rays(arms, angle);
+    const Lanes squared = angle.square();
     const Lanes cosine = arms.weight * (1 - squared * (0.5F - squared * (1 / 24.F - squared / 720)));
     const Lanes sine = arms.weight * angle * (1 - squared * (1 / 6.F - squared / 120));
     ahead.x += cosine * arms.carried.x;
@@ -225,9 +228,13 @@ void UpwindFrames::find_coordinates() {
     const Lanes cosine = dot(arms.carried, e1_), sine = dot(arms.carried, right);
     const Lanes u = arms.u * cosine + arms.v * sine, v = arms.v * cosine - arms.u * sine;
     weights += arms.weight;
-    const Lanes along = arms.u / arms.stretch;
-    t += arms.weight * (arms.t + along + arms.share_at_x * (u * inverse_stretch - along));
-    d += arms.weight * (arms.d + arms.v + arms.share_at_x * (v - arms.v));
+    Lanes t_at_q = arms.u / arms.stretch, d_at_q = arms.v, t_at_x = u * inverse_stretch, d_at_x = v;
+    if (near_ends_) {
+      go_along_rays(arms.rays, arms.stretch.inverse(), arms.u, arms.v, t_at_q, d_at_q);
+      go_along_rays(rays_, inverse_stretch, u, v, t_at_x, d_at_x);
+    }
+    t += arms.weight * (arms.t + t_at_q + arms.share_at_x * (t_at_x - t_at_q));
+    d += arms.weight * (arms.d + d_at_q + arms.share_at_x * (d_at_x - d_at_q));
   }
   const Lanes inverse = weights.inverse();
   t_ = t * inverse;
@@ -254,14 +261,20 @@ void UpwindFrames::find_first_order() {
     e1_.set(lane, unit_tangent(e1.get(lane), normal_.get(lane)));
 }
 
-/// The frame that one arm by itself tells, taking lines of constant d for circles. t relative to the origin.
+/// The frame that one arm by itself tells, taking lines of constant d beside the stroke for circles. t
+/// relative to the origin.
 ChartFrame UpwindFrames::told_by(const Arms& arms, Eigen::Index lane) const {
   const ChartFrame at_q{.t = static_cast<double>(arms.t[lane]),
                         .d = arms.d[lane],
                         .curvature = arms.curvature[lane],
                         .stretch = arms.stretch[lane]};
   const FrameStep step{Vec2f(arms.u[lane], arms.v[lane]), arms.carried.get(lane)};
-  return frame_on_circles(at_q, step, normal_.get(lane), arms.gauss[lane]);
+  const Rays& rays = arms.rays;
+  const bool from_end = near_ends_ && rays.from_end[lane];
+  const DistanceRay ray =
+      from_end ? DistanceRay{rays.ahead[lane], rays.left[lane], rays.length[lane], rays.inverse_length[lane]}
+               : DistanceRay{};
+  return frame_told(at_q, ray, step, normal_.get(lane), arms.gauss[lane]);
 }
 
 /// Means of what the arms of one node tell by themselves.
@@ -293,6 +306,7 @@ void UpwindFrames::find_on_circles(Eigen::Index lane) {
 const std::array<ChartFrame, UpwindFrames::capacity>& UpwindFrames::compute() {
   fill_up();
   for (std::size_t i = 0; i < most_arms_; ++i) walk(arms_[i]);
+  find_ends();
   keep_agreeing();
   weigh_second();
   if (order_ == 1) {

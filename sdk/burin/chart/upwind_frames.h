@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/chart/distance_ray.h>
 #include <burin/chart/front_node.h>
 #include <burin/chart/stroke_path.h>
 
@@ -17,6 +18,9 @@ namespace burin {
 /// Of the arms of a node those count that go with the one that places it nearest to the stroke: where fronts
 /// of different parts of the stroke meet, the mean of their coordinates would mean nothing. Arms agree that
 /// place x at about the same t, the same d, and with the same direction of the stroke.
+///
+/// Beyond round ends of the stroke the same steps of second order go along the rays from there; see
+/// DistanceRay.
 class UpwindFrames {
  public:
   static constexpr std::size_t capacity = 8;
@@ -64,6 +68,11 @@ class UpwindFrames {
     }
     Vec3f get(Eigen::Index lane) const { return {x[lane], y[lane], z[lane]}; }
   };
+  /// The rays of frames; see DistanceRay.
+  struct Rays {
+    Eigen::Array<bool, static_cast<int>(capacity), 1> from_end;
+    Lanes ahead, left, length, inverse_length;
+  };
   /// The arms of the same number of all nodes, [lane].
   struct Arms {
     Lanes3 normal, e1;  ///< at q
@@ -74,9 +83,14 @@ class UpwindFrames {
     Lanes g, shortfall;  ///< see distance_along()
     Lanes counts;        ///< 0..1
 
-    Lanes length;    ///< |x - q|, object units
-    Lanes u, v;      ///< the step from q to x in the basis (e1, e2) of q
-    Lanes3 carried;  ///< e1 of q transported to x
+    Lanes length;       ///< |x - q|, object units
+    Lanes u, v;         ///< the step from q to x in the basis (e1, e2) of q
+    Lanes3 carried;     ///< e1 of q transported to x
+    Lanes across, out;  ///< the parts of the step across the ray of q and along it
+    /// Near ends only: the rays at q, and where those that are around a round end place x: `told_length` from
+    /// that end.
+    Rays rays;
+    Lanes told_t, told_d, told_length;
     Lanes weight;
     Lanes share_at_x;  ///< of the step over which x's k and J hold, not q's: half of it, but for steps past
                        ///< an end
@@ -85,9 +99,28 @@ class UpwindFrames {
   void fill_up();
   void walk(Arms& arms) const;
   void walk_exactly(Arms& arms, Eigen::Index lane) const;
+  /// An end of the stroke.
+  struct End {
+    Lanes t;            ///< relative to the nodes' origins
+    Lanes most, least;  ///< how far beyond it the nodes may lie, by any of their arms
+    float outward = 1;
+    bool round = true;
+  };
+  void find_ends();
+  void find_end(End& end, double t, float outward, bool round) const;
+  void find_rays(Arms& arms) const;
+  static Rays rays_to(const Lanes& past, const Lanes& d);
+  static Lanes turn_across(const Rays& rays, const Lanes& curvature, const Lanes& inverse_stretch,
+                           const Lanes& u, const Lanes& v);
+  void turn_with_rays(const Arms& arms, Lanes& angle) const;
+  static void find_round_shapes(const Arms& arms, Lanes& curvature, Lanes& stretch);
+  static void go_along_rays(const Rays& rays, const Lanes& inverse_stretch, const Lanes& u, const Lanes& v,
+                            Lanes& t, Lanes& d);
   void pass_ends();
-  void pass_end(double end, float outward);
-  void pass_end(Eigen::Index lane, float t_end, float outward);
+  void pass_end(const End& end, const Lanes& t, const Lanes& d);
+  void pass_end(const End& end, Eigen::Index lane);
+  void place_beyond(const End& end, Eigen::Index lane, float past, float d);
+  void shape_at_end(const End& end, Eigen::Index lane, float beyond, float d, float gauss);
   void keep_agreeing();
   void keep_agreeing(Eigen::Index lane);
   void leave_out(std::size_t arm, Eigen::Index lane);
@@ -117,6 +150,10 @@ class UpwindFrames {
   std::array<bool, capacity> focal_{};     ///< near a corner or a focal point
   std::array<bool, capacity> left_out_{};  ///< where arms do not agree
   std::array<bool, capacity> at_end_{};    ///< where t passes an end of the stroke
+  bool near_ends_ = false;                 ///< whether a node may be beyond an end
+  std::array<End, 2> ends_;
+  Lanes past_, past_d_;  ///< signed way beyond the round end around which a node is, and d there; else 0
+  Rays rays_;            ///< of the nodes; near ends only
   std::array<ChartFrame, capacity> frames_;
 };
 
