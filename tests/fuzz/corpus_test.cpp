@@ -26,21 +26,35 @@ class Damage {
   }
 
  private:
-  std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+  std::size_t below(std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_);
+  }
 
   void once(std::string& bytes) {
     const std::size_t at = below(bytes.size());
     switch (below(6)) {
-      case 0: bytes.resize(at); break;
-      case 1: bytes[at] = static_cast<char>(below(256)); break;
-      case 2: bytes[at] = static_cast<char>(bytes[at] ^ 1 << below(8)); break;
-      case 3: bytes.erase(at, 1 + below(8)); break;
-      case 4: bytes.insert(at, bytes.substr(below(bytes.size()), 1 + below(32))); break;
-      default: bytes.replace(at, std::min<std::size_t>(4, bytes.size() - at), numbers[below(std::size(numbers))]);
+      case 0:
+        bytes.resize(at);
+        break;
+      case 1:
+        bytes[at] = static_cast<char>(below(256));
+        break;
+      case 2:
+        bytes[at] = static_cast<char>(bytes[at] ^ 1 << below(8));
+        break;
+      case 3:
+        bytes.erase(at, 1 + below(8));
+        break;
+      case 4:
+        bytes.insert(at, bytes.substr(below(bytes.size()), 1 + below(32)));
+        break;
+      default:
+        bytes.replace(at, std::min<std::size_t>(4, bytes.size() - at), numbers[below(std::size(numbers))]);
     }
   }
 
-  static constexpr const char* numbers[] = {"4294967295", "-1", "1e308", "nan", "\xff\xff\xff\xff", "\x7f\xff\xff\xff"};
+  static constexpr const char* numbers[] = {"4294967295",      "-1", "1e308", "nan", "\xff\xff\xff\xff",
+                                            "\x7f\xff\xff\xff"};
   std::mt19937 random_;
 };
 

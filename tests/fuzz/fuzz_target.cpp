@@ -1,5 +1,5 @@
-// The readers under libFuzzer [llvm.org/docs/LibFuzzer]: the variable BURIN_FUZZ_READER names the one. They read
-// files, so each input becomes one, in the memory that Linux has as a folder.
+// The readers under libFuzzer [llvm.org/docs/LibFuzzer]: the variable BURIN_FUZZ_READER names the one. They
+// read files, so each input becomes one, in the memory that Linux has as a folder.
 #include <unistd.h>
 
 #include <cstddef>
@@ -31,7 +31,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
       fs::path("/dev/shm") / ("burin-fuzz-" + std::to_string(getpid()) + reader.extension);
   static const int removes = std::atexit([] { fs::remove(file); });
   static_cast<void>(removes);
-  std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
   burin::fuzz::accepts(reader, file);
   return 0;
 }

@@ -21,14 +21,17 @@ const Greedy greedy_files[] = {
     {"ply", "ply\nformat binary_little_endian 1.0\nelement vertex 4294967295\n" + ply_vertices +
                 "element face 4294967295\nproperty list uint int vertex_indices\nend_header\n"},
     {"ply", "ply\nformat ascii 1.0\nelement vertex 3\n" + ply_vertices +
-                "element face 1\nproperty list uint int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n4294967295 0\n"},
-    {"ply", "ply\nformat ascii 1.0\nelement nothing 4000000000\nelement vertex 0\n" + ply_vertices + "end_header\n"},
+                "element face 1\nproperty list uint int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 "
+                "0\n4294967295 0\n"},
+    {"ply",
+     "ply\nformat ascii 1.0\nelement nothing 4000000000\nelement vertex 0\n" + ply_vertices + "end_header\n"},
     {"stl", std::string(80, ' ') + "\xff\xff\xff\xff" + std::string(50, '\0')},
     {"off", "OFF\n4294967295 4294967295 4294967295\n0 0 0\n4294967295 0 1 2\n"},
     {"obj", "v 0 0 0\nf 4294967295 1 -2147483648\n"},
     {"obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nt crease 2147483647/2147483647/2147483647 0 1 2\n"},
-    {"gltf", R"({"asset":{"version":"2.0"},"accessors":[{"componentType":5126,"type":"VEC3","count":4000000000}],)"
-             R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]})"},
+    {"gltf",
+     R"({"asset":{"version":"2.0"},"accessors":[{"componentType":5126,"type":"VEC3","count":4000000000}],)"
+     R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]})"},
     {"glb", std::string("glTF\2\0\0\0\xff\xff\xff\xff\xff\xff\xff\xffJSON", 20)},
     {"svc", "1000000000\n1 1 0 1 0 900 1\n"},
     {"pointer", R"({"x":[1e308],"y":[1],"time":[0],"pointerId":[4294967295]})"},

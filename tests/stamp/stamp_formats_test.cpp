@@ -396,6 +396,10 @@ TEST_F(StampFormats, AsksForNoMoreThanAnExrHeaderMay) {
   EXPECT_TRUE(with(window, 8, 1000000000).starts_with(": is too large: 1000000001 x 8 texels"));
   spec.attribute("compression", "piz");
   EXPECT_TRUE(with(window, 8, 999999).starts_with(": asks for 128 MB of memory in "));
+  constexpr auto size_before = static_cast<std::size_t>(-4);
+  for (const std::string& member : {"lineOrder\0lineOrder\0"s, "channels\0chlist\0"s})
+    EXPECT_EQ(with(member, size_before, 24), ": is damaged: its header has an attribute of a wrong size");
+  EXPECT_EQ(with("channels\0chlist\0"s, size_before, 2000000000), ": is damaged: its header has no end");
   spec = OIIO::ImageSpec(16, 16, 1, OIIO::TypeFloat);
   spec.tile_width = spec.tile_height = 16;
   EXPECT_EQ(with(tiles, 0, 16), "accepted");

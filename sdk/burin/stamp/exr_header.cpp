@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <string>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -12,7 +13,8 @@ namespace {
 /// Numbers, least byte first, and texts that a zero ends.
 class HeaderReader {
  public:
-  explicit HeaderReader(const std::filesystem::path& path) : path_(path.string()), in_(path, std::ios::binary) {}
+  explicit HeaderReader(const std::filesystem::path& path)
+      : path_(path.string()), in_(path, std::ios::binary) {}
 
   std::uint32_t number() {
     std::uint32_t number = 0;
@@ -39,9 +41,11 @@ class HeaderReader {
   std::streamoff at() { return in_.tellg(); }
   void go_to(std::streamoff place) { in_.seekg(place); }
 
- private:
-  [[noreturn]] void fail() const { throw FileError(path_, "is damaged: its header has no end"); }
+  [[noreturn]] void fail(const char* what = "has no end") const {
+    throw FileError(path_, std::string("is damaged: its header ") + what);
+  }
 
+ private:
   std::string path_;
   std::ifstream in_;
 };
@@ -90,13 +94,66 @@ void read_value(HeaderReader& in, const std::string& name, const std::string& ty
   }
 }
 
+/// Of the types that have one; 0 for others.
+std::uint32_t size_of(const std::string& type) {
+  constexpr std::pair<const char*, std::uint32_t> sizes[] = {{"box2f", 16},
+                                                             {"box2i", 16},
+                                                             {"chromaticities", 32},
+                                                             {"compression", 1},
+                                                             {"deepImageState", 1},
+                                                             {"double", 8},
+                                                             {"envmap", 1},
+                                                             {"float", 4},
+                                                             {"int", 4},
+                                                             {"keycode", 28},
+                                                             {"lineOrder", 1},
+                                                             {"m33d", 72},
+                                                             {"m33f", 36},
+                                                             {"m44d", 128},
+                                                             {"m44f", 64},
+                                                             {"rational", 8},
+                                                             {"tiledesc", 9},
+                                                             {"timecode", 8},
+                                                             {"v2d", 16},
+                                                             {"v2f", 8},
+                                                             {"v2i", 8},
+                                                             {"v3d", 24},
+                                                             {"v3f", 12},
+                                                             {"v3i", 12}};
+  const auto found =
+      std::ranges::find(sizes, type, [](const auto& entry) { return std::string(entry.first); });
+  return found == std::end(sizes) ? 0 : found->second;
+}
+
+/// The library reads values by their types, whatever size the file gives them, and what follows from where
+/// they end: texts of several lengths and a small picture of the image among them.
+void expect_inner_sizes(HeaderReader& in, const std::string& type, std::uint64_t size) {
+  const std::streamoff begin = in.at();
+  std::uint64_t used = size;
+  if (type == "preview") {
+    const std::uint64_t width = in.number(), height = in.number();
+    used = 8 + 4 * std::min<std::uint64_t>(width, size) * std::min<std::uint64_t>(height, size);
+  } else if (type == "stringvector") {
+    for (used = 0; used < size; in.go_to(begin + static_cast<std::streamoff>(used))) used += 4 + in.number();
+  } else if (type == "chlist") {
+    count_channels(in);
+    used = static_cast<std::uint64_t>(in.at() - begin);
+  }
+  if (used != size) in.fail("has an attribute of a wrong size");
+  in.go_to(begin);
+}
+
 /// Up to the empty name that ends it; false where the header is empty itself.
-bool read_part(HeaderReader& in, Part& part) {
+bool read_part(HeaderReader& in, std::uint64_t file_bytes, Part& part) {
   bool any = false;
   for (std::string name = in.text(); !name.empty(); name = in.text(), any = true) {
     const std::string type = in.text();
     const std::uint32_t size = in.number();
     const std::streamoff begin = in.at();
+    if (size > file_bytes - static_cast<std::uint64_t>(begin)) in.fail();
+    if (const std::uint32_t fixed = size_of(type); fixed > 0 && size != fixed)
+      in.fail("has an attribute of a wrong size");
+    expect_inner_sizes(in, type, size);
     read_value(in, name, type, part);
     in.go_to(begin + size);
   }
@@ -122,7 +179,7 @@ void expect_exr_header(const std::filesystem::path& path, std::uint64_t file_byt
   HeaderReader in(path);
   in.number();
   const bool several = (in.number() & several_parts) != 0;
-  for (Part part; read_part(in, part); part = {}) {
+  for (Part part; read_part(in, file_bytes, part); part = {}) {
     expect_part(path.string(), part, file_bytes);
     if (!several) break;
   }
