@@ -160,13 +160,14 @@ TEST_P(JoinedStrokes, HaveFewHoles) {
             GetParam().most);
 }
 
-// What is aimed at is none; these are what is reached. Sharp corners lack the outside where `smooth` puts the
-// legs together, and `overlap` has no leg in a bend: a loop tighter than the radius is all bend. (Distances
-// are others than to the stroke where it bends.)
+// What is aimed at is none, which `overlap` reaches: its legs and the bends between them are all of the
+// stroke. `smooth` leaves a rim outside of corners that are no half turns, where its lines of constant d are
+// circles around the place in which the legs would meet. (Distances are others than to the stroke where it
+// bends.)
 INSTANTIATE_TEST_SUITE_P(DrawnStrokes, JoinedStrokes,
-                         testing::Values(JoinedHoles{Join::smooth, "smooth", 5},
-                                         JoinedHoles{Join::miter, "miter", 0.2},
-                                         JoinedHoles{Join::overlap, "overlap", 90}),
+                         testing::Values(JoinedHoles{Join::smooth, "smooth", 1.5},
+                                         JoinedHoles{Join::miter, "miter", 0.1},
+                                         JoinedHoles{Join::overlap, "overlap", 0}),
                          [](const auto& joined) { return joined.param.name; });
 
 TEST(DrawnStrokes, HaveExactDistancesAtTheBrushesOwnScale) {

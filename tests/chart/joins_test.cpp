@@ -165,6 +165,9 @@ TEST_P(Joins, OverlapGivesEachLegItsOwnSheet) {
   for (const ChartTriangle& triangle : triangles_of(scene.surface, chart)) {
     if (triangle.spread.maxCoeff() > 5 * edge) continue;  // at the border of a sheet, to another
     if (triangle.middle.norm() < 0.4 * radius) continue;
+    // Outside of the corner, beyond the rims of both legs, the corner has nodes of its own.
+    const auto [off, inner] = place_of(triangle.middle, turn);
+    if (!inner && off < 0.75 * radius && triangle.middle.norm() > 0.92 * radius) continue;
     expect_sound(triangle);
   }
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <tuple>
 
 namespace burin {
@@ -17,6 +19,7 @@ constexpr double corner_length = 0.5;
 void JoinedLegs::begin(const ChartOptions& options) {
   options_ = options;
   charted_.clear();
+  charted_bends_.clear();
   front_leg_.reset();
 }
 
@@ -29,9 +32,10 @@ void JoinedLegs::place(const SurfaceCurve& curve, double unchanged_t, Front& fro
   charted_.resize(legs.size());
   settled_ = pushes_ = 0;
   for (std::size_t leg = 0; leg < legs.size(); ++leg) {
-    if (curve.closed || !as_charted(leg, legs[leg], unchanged_t)) chart(curve, leg, legs[leg], front);
+    if (curve.closed || !charted_[leg].is(legs[leg], unchanged_t)) chart(curve, leg, legs[leg], front);
     nodes.insert(nodes.end(), charted_[leg].nodes.begin(), charted_[leg].nodes.end());
   }
+  chart_bends(curve, unchanged_t);
   if (options_.join != Join::overlap) put_together(nodes, curve.closed);
   if (options_.join == Join::smooth) smooth_long_bends(curve, nodes);
   // Joins move coordinates: some now lie beyond the stroke.
@@ -39,6 +43,16 @@ void JoinedLegs::place(const SurfaceCurve& curve, double unchanged_t, Front& fro
     return static_cast<double>(std::abs(node.frame.d)) > node.half_width ||
            (options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
   });
+  add_bends(curve, nodes);
+}
+
+/// Smooth joins have coordinates of their own around corners that are no half turns.
+bool JoinedLegs::is_filled(const Bend& corner) const {
+  return options_.join != Join::smooth || bounded_half(corner.turn) < std::abs(corner.turn) / 2;
+}
+
+bool JoinedLegs::is_corner(const Bend& bend) const {
+  return bend.end - bend.begin < corner_length * options_.radius;
 }
 
 void JoinedLegs::find_corners(const SurfaceCurve& curve) {
@@ -46,9 +60,8 @@ void JoinedLegs::find_corners(const SurfaceCurve& curve) {
   curvature.update(curve, Front::curvature_window * options_.radius);
   bends_.update(curve, curvature, options_.radius);
   for (const Bend& bend : bends_.all()) {
-    const bool is_short = bend.end - bend.begin < corner_length * options_.radius;
     const bool miterable = miter_reach(bend.turn, options_.radius) > 0;
-    if (options_.join != Join::overlap && !is_short) continue;
+    if (options_.join != Join::overlap && !is_corner(bend)) continue;
     if (options_.join == Join::miter && !miterable) continue;
     if (!curve.closed && (bend.begin <= 0 || bend.end >= curve.length())) continue;
     const Vec3d from = point_at(curve, bend.begin).at.position.cast<double>();
@@ -105,10 +118,6 @@ const Corner* JoinedLegs::corner_before(std::size_t leg, bool closed) const {
   return leg > 0 ? &corners_[leg - 1] : nullptr;
 }
 
-bool JoinedLegs::as_charted(std::size_t leg, const Leg& now, double unchanged_t) const {
-  return charted_[leg].leg == now && now.end < unchanged_t;
-}
-
 /// The last leg of a stroke that grows goes on with the front where that stands.
 void JoinedLegs::chart(const SurfaceCurve& curve, std::size_t leg, const Leg& now, Front& front) {
   const bool whole = cuts_.empty();
@@ -116,20 +125,64 @@ void JoinedLegs::chart(const SurfaceCurve& curve, std::size_t leg, const Leg& no
   const bool goes_on =
       front_leg_ && !curve.closed && front_leg_->begin == now.begin && front_leg_->reach == now.reach;
   if (!goes_on) front.restart(options_.radius, options_.order, now.reach);
+  front_leg_ = now;
+  charted_[leg] = chart_with(front, part, now);
+  for (PlacedNode& node : charted_[leg].nodes) node.leg = static_cast<Index>(leg);
+  if (options_.cap == Cap::butt)
+    std::erase_if(charted_[leg].nodes, [&](const PlacedNode& node) {
+      const double t = node.frame.t - now.begin;
+      const bool inner_end = options_.join != Join::overlap && (t < 0 ? now.corner_before : now.corner_after);
+      return beyond_end(t, part) && !inner_end;
+    });
+}
+
+/// The chart of a part of the stroke by a front that is at it or fresh.
+JoinedLegs::ChartedLeg JoinedLegs::chart_with(Front& front, const SurfaceCurve& part, const Leg& now) {
   front.update(part);
   settled_ += front.settled();
   pushes_ += front.pushes();
-  front_leg_ = now;
-  charted_[leg] = {now, {}};
+  ChartedLeg charted{now, {}};
   const std::vector<std::vector<const FrontNode*>> inside = front.inside();
+  charted.nodes.reserve(inside[0].size());
   for (const FrontNode* node : inside[0]) {
     ChartFrame frame = node->frame;
-    const bool inner_end =
-        options_.join != Join::overlap && (frame.t < 0 ? now.corner_before : now.corner_after);
-    if (options_.cap == Cap::butt && beyond_end(frame.t, part) && !inner_end) continue;
     const double half_width = front.half_width(frame.t);
-    frame.t += whole ? 0 : now.begin;
-    charted_[leg].nodes.push_back({node->vertex(), static_cast<Index>(leg), frame, half_width});
+    frame.t += now.begin;
+    charted.nodes.push_back({node->vertex(), 0, frame, half_width});
+  }
+  return charted;
+}
+
+void JoinedLegs::chart_bends(const SurfaceCurve& curve, double unchanged_t) {
+  charted_bends_.resize(cuts_.size());
+  for (std::size_t i = 0; i < cuts_.size(); ++i) {
+    const double loop = cuts_[i].begin < 0 ? curve.length() : 0;
+    const Leg now{cuts_[i].begin + loop, cuts_[i].end + loop, {}, true, true};
+    if (!curve.closed && charted_bends_[i].is(now, unchanged_t)) continue;
+    if (!bend_front_) bend_front_.emplace(ground_);
+    bend_front_->restart(options_.radius, options_.order);
+    charted_bends_[i] = chart_with(*bend_front_, part_of(curve, now.begin, now.end), now);
+  }
+}
+
+/// Bends that are legs of their own, and of corners what their legs leave.
+void JoinedLegs::add_bends(const SurfaceCurve& curve, std::vector<PlacedNode>& nodes) const {
+  const auto add = [&](std::size_t i, const auto& counts) {
+    std::ranges::copy_if(charted_bends_[i].nodes, std::back_inserter(nodes), [&](const PlacedNode& node) {
+      return counts(node) && !(options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
+    });
+  };
+  for (std::size_t i = 0; i < cuts_.size(); ++i)
+    if (!is_corner(cuts_[i])) add(i, [](const PlacedNode&) { return true; });
+  std::vector<Index> held;
+  held.reserve(nodes.size());
+  for (const PlacedNode& node : nodes) held.push_back(node.vertex);
+  std::ranges::sort(held);
+  for (std::size_t i = 0; i < cuts_.size(); ++i) {
+    if (!is_corner(cuts_[i]) || !is_filled(cuts_[i])) continue;
+    const std::size_t first = nodes.size();
+    add(i, [&](const PlacedNode& node) { return !std::ranges::binary_search(held, node.vertex); });
+    if (options_.join == Join::smooth) smooth_bend(curve, cuts_[i], std::span(nodes).subspan(first));
   }
 }
 
@@ -172,15 +225,17 @@ void JoinedLegs::put_together(std::vector<PlacedNode>& nodes, bool closed) const
 }
 
 void JoinedLegs::smooth_long_bends(const SurfaceCurve& curve, std::vector<PlacedNode>& nodes) const {
-  for (const Bend& bend : bends_.all()) {
-    if (bend.end - bend.begin < corner_length * options_.radius) continue;
-    const double reach = span(curve, bend), length = curve.length();
-    for (PlacedNode& node : nodes) {
-      const double t = node.frame.t;
-      const double loops = curve.closed ? std::round((t - bend.middle) / length) : 0;
-      node.frame.t = smoothed_t(bends_, bend, reach, t - loops * length, static_cast<double>(node.frame.d)) +
-                     loops * length;
-    }
+  for (const Bend& bend : bends_.all())
+    if (!is_corner(bend)) smooth_bend(curve, bend, nodes);
+}
+
+void JoinedLegs::smooth_bend(const SurfaceCurve& curve, const Bend& bend, std::span<PlacedNode> nodes) const {
+  const double reach = span(curve, bend), length = curve.length();
+  for (PlacedNode& node : nodes) {
+    const double t = node.frame.t;
+    const double loops = curve.closed ? std::round((t - bend.middle) / length) : 0;
+    node.frame.t = smoothed_t(bends_, bend, reach, t - loops * length, static_cast<double>(node.frame.d)) +
+                   loops * length;
   }
 }
 
