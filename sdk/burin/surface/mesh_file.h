@@ -34,18 +34,17 @@ PointSet read_points(const std::filesystem::path& path);
 /// Positions are counted from `origin`, which is added. Colours are what they look like over clay, opaque,
 /// and beside these, where any lets the clay be seen, as they are, which read_mesh() reads back bit for bit.
 /// Throws FileError; ContractError for arrays of another length than the positions or triangles.
-/// - PLY: binary, little-endian; properties red, green, blue, ink_red, ink_green, ink_blue, ink_alpha and
-/// mask
-///   where they are painted; texture coordinates as properties s and t of the vertices where triangles agree
-///   at them, else as lists texcoord of the faces; coordinates are doubles where the origin is not zero.
-/// - GLB: positions, smooth normals, TEXCOORD_0, COLOR_0 (linear, opaque), _INK (sRGB and coverage) and
-/// _MASK; vertices are split
-///   where triangles disagree on texture coordinates. The origin is the translation of the node.
-/// - OBJ: text; texture coordinates, and what colours look like where they are painted; colours themselves
-/// and
-///   masks have no place in it.
-/// - OFF: text, with what colours look like where they are painted; themselves, masks and texture coordinates
-///   have no place in it.
+/// - PLY: binary, little-endian. Properties red, green, blue, ink_red, ink_green, ink_blue, ink_alpha
+///   and mask where they are painted; texture coordinates as properties s and t of the vertices where
+///   triangles agree at them, else as lists texcoord of the faces. Coordinates are doubles where the
+///   origin is not zero.
+/// - GLB: positions, smooth normals, TEXCOORD_0, COLOR_0 (linear, opaque), _INK (sRGB and coverage)
+///   and _MASK. Vertices are split where triangles disagree on texture coordinates. The origin is the
+///   node's translation.
+/// - OBJ: text, with texture coordinates and what colours look like where they are painted. Colours
+///   themselves and masks have no place in it.
+/// - OFF: text, with what colours look like where they are painted. Colours themselves, masks and
+///   texture coordinates have no place in it.
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const VertexPaint& paint = {},
                 const Vec3d& origin = Vec3d::Zero());
 
