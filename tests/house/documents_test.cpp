@@ -1,14 +1,15 @@
 // Documents name files of the repository, and link to them: these are there.
+#include <burin/base/file.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <regex>
 #include <string>
 #include <vector>
 
+#include "all_matches.h"
 #include "support/shared_data.h"
 
 namespace burin::test {
@@ -17,34 +18,21 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// All first groups of the pattern.
-Names all_of(const std::string& text, const std::regex& pattern) {
-  Names names;
-  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
-    names.push_back((*match)[1]);
-  return names;
-}
-
 /// Paths between backquotes: a folder, and a name with an extension.
 Names named_files(const std::string& text) {
   static const std::regex path(R"(`((?:[\w.]+/)+[\w.]+\.(?:h|cpp|txt|cmake|md|json|obj|stroke|in))`)");
-  return all_of(text, path);
+  return all_matches<Names>(text, path);
 }
 
 Names linked_files(const std::string& text) {
   static const std::regex link(R"(\]\(([^)#\s:]+)(?:#[^)]*)?\))");
-  return all_of(text, link);
+  return all_matches<Names>(text, link);
 }
 
 /// What a document names or links to that is not there. Names count from the root, or from the SDK's folders;
 /// links from the document.
 Names missing_files(const fs::path& root, const fs::path& document) {
-  const std::string text = text_of(root / document);
+  const std::string text = read_file(root / document);
   Names missing;
   for (const std::string& name : named_files(text))
     if (!fs::exists(root / name) && !fs::exists(root / "sdk" / name) &&
@@ -65,7 +53,7 @@ TEST(Documents, NameFilesThatAreThere) {
 }
 
 TEST(Documents, OfTheArchitectureNameManyFilesInFewLines) {
-  const std::string text = text_of(fs::path(BURIN_SOURCE_FOLDER) / "docs/architecture.md");
+  const std::string text = read_file(fs::path(BURIN_SOURCE_FOLDER) / "docs/architecture.md");
   EXPECT_GT(named_files(text).size(), 80u);
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 200);
 }

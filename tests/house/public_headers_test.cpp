@@ -1,14 +1,13 @@
 // The headers that are installed for applications: cmake/PublicHeaders.cmake names them.
+#include <burin/base/file.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 #include <string>
-#include <vector>
+
+#include "all_matches.h"
 
 namespace burin::test {
 namespace {
@@ -18,27 +17,15 @@ using Names = std::set<std::string>;
 
 const fs::path root = BURIN_SOURCE_FOLDER;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-Names all_of(const std::string& text, const std::regex& pattern) {
-  Names names;
-  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
-    names.insert((*match)[1]);
-  return names;
-}
-
 /// "FOLDER/FILE.h".
 Names public_headers() {
   static const std::regex line(R"(\n  (\w+/\w+\.h))");
-  return all_of(text_of(root / "cmake/PublicHeaders.cmake"), line);
+  return all_matches<Names>(read_file(root / "cmake/PublicHeaders.cmake"), line);
 }
 
 Names included_by(const std::string& header) {
   static const std::regex include(R"(#include <burin/([^>]+)>)");
-  return all_of(text_of(root / "sdk/burin" / header), include);
+  return all_matches<Names>(read_file(root / "sdk/burin" / header), include);
 }
 
 /// A header and all that it includes of Burin.
