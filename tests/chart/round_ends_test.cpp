@@ -101,19 +101,6 @@ TEST_P(RoundEnds, HaveNormalCoordinatesAroundTheEnd) {
   }
 }
 
-TriangleMesh mesh_of(const test::HeightField& field) {
-  constexpr int cells = 173;  // 20 edges in the radius
-  return test::shuffled(test::patch({.u_min = -1.3,
-                                     .u_max = 1.3,
-                                     .v_min = -1.3,
-                                     .v_max = 1.3,
-                                     .cells_u = cells,
-                                     .cells_v = cells,
-                                     .seed = 7},
-                                    [&](double x, double y) { return Vec3d(x, y, field(x, y).f); }),
-                        3);
-}
-
 Vec3d along_great_circle(double s) { return {std::sin(0.6 * (s - 0.5)), 0, std::cos(0.6 * (s - 0.5))}; }
 Vec3d around_pole(double s) { return Vec3d(0.6 * std::cos(3 * s), 0.6 * std::sin(3 * s), 0.8); }
 Vec3d up_a_cylinder(double s) { return {std::cos(0.2 * s * s), std::sin(0.2 * s * s), 0.6 * (s - 0.5)}; }
@@ -136,7 +123,15 @@ Case on_great_circle(const char* name, double follow, double mean, double most) 
 
 Case on_field(const char* name, test::Height (*field)(double, double), double follow, double mean,
               double most) {
-  return {name, [=] { return mesh_of(field); }, over(field), on_height_field(field), 0.3, follow, mean, most,
+  constexpr int cells = 173;  // 20 edges in the radius
+  return {name,
+          [=] { return test::field_mesh(field, cells); },
+          over(field),
+          on_height_field(field),
+          0.3,
+          follow,
+          mean,
+          most,
           5};
 }
 

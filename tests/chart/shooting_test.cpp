@@ -24,16 +24,7 @@ class Shooting : public testing::TestWithParam<Height (*)(double, double)> {
   ChartErrors errors(double edge, const ChartOptions& options) const {
     const test::ShootingOracle oracle(GetParam(), test::s_curve());
     const int cells = static_cast<int>(std::lround(2.6 / edge));
-    const Surface surface = make_surface(
-        test::shuffled(test::patch({.u_min = -1.3,
-                                    .u_max = 1.3,
-                                    .v_min = -1.3,
-                                    .v_max = 1.3,
-                                    .cells_u = cells,
-                                    .cells_v = cells,
-                                    .seed = 7},
-                                   [](double x, double y) { return Vec3d(x, y, GetParam()(x, y).f); }),
-                       3));
+    const Surface surface = make_surface(test::field_mesh(GetParam(), cells));
     const Picker picker(surface);
     std::vector<Vec3d> samples;
     for (int i = 0; i < 200; ++i) samples.push_back(oracle.place(i / 199.));

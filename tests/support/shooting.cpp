@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/shapes.h"
+
 namespace burin::test {
 namespace {
 
@@ -30,6 +32,18 @@ State integrate(const HeightField& field, State s, double length, int steps) {
 Vec3d lifted(const Height& h, const Vec2d& v) { return {v.x(), v.y(), h.fx * v.x() + h.fy * v.y()}; }
 
 }  // namespace
+
+TriangleMesh field_mesh(const HeightField& field, int cells) {
+  return shuffled(patch({.u_min = -1.3,
+                         .u_max = 1.3,
+                         .v_min = -1.3,
+                         .v_max = 1.3,
+                         .cells_u = cells,
+                         .cells_v = cells,
+                         .seed = 7},
+                        [&](double x, double y) { return Vec3d(x, y, field(x, y).f); }),
+                  3);
+}
 
 ShootingOracle::ShootingOracle(HeightField field, PlaneCurve curve)
     : field_(std::move(field)), curve_(std::move(curve)), lengths_{0} {

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/base/vector.h>
+#include <burin/surface/triangle_mesh.h>
 
 #include <functional>
 #include <optional>
@@ -12,6 +13,9 @@ struct Height {
   double f, fx, fy, fxx, fxy, fyy;
 };
 using HeightField = std::function<Height(double x, double y)>;
+
+/// Shuffled, irregular triangles of a height field over [-1.3, 1.3]^2, with so many cells along either side.
+TriangleMesh field_mesh(const HeightField& field, int cells);
 
 /// A plane curve (x, y)(s), s in [0, 1], below the stroke, with its derivative.
 struct PlaneCurve {
