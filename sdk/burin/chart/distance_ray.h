@@ -18,18 +18,22 @@ struct DistanceRay {
   bool from_end() const { return length > 0; }
 };
 
-/// A step in parts along the ray and at right angles to it; object units.
+/// A step in parts at right angles to the ray and along it; object units. Here and below a ray is a
+/// DistanceRay with floats, or several rays side by side with as many numbers.
+template <class Real>
 struct RayParts {
-  float across, out;
+  Real across, out;
 };
 
-inline RayParts in_parts(const DistanceRay& ray, float u, float v) {
+template <class Ray, class Real>
+RayParts<Real> in_parts(const Ray& ray, const Real& u, const Real& v) {
   return {ray.left * u - ray.ahead * v, ray.ahead * u + ray.left * v};
 }
 
 /// Of lines at right angles to the ray in the plane of t and d that are straight on the surface, against it;
 /// 1 / length.
-inline float bend_across(const DistanceRay& ray, float curvature, float inverse_stretch) {
+template <class Ray, class Real>
+Real bend_across(const Ray& ray, const Real& curvature, const Real& inverse_stretch) {
   return curvature + (inverse_stretch * inverse_stretch - 1) * ray.inverse_length;
 }
 
@@ -44,8 +48,9 @@ inline Vec2f ray_step(const DistanceRay& ray, float curvature, float inverse_str
 }
 
 /// By how much e1 turns to the left against parallel transport on a step across the ray; 1 / length.
-inline float turn_across(const DistanceRay& ray, float curvature, float stretch) {
-  return curvature + (1 / stretch - 1) * ray.inverse_length;
+template <class Ray, class Real>
+Real turn_across(const Ray& ray, const Real& curvature, const Real& inverse_stretch) {
+  return curvature + (inverse_stretch - 1) * ray.inverse_length;
 }
 
 /// `curvature` and `stretch` of the frames around an end, for one or several at a time.

@@ -10,9 +10,10 @@ namespace burin {
 /// The frame that one at q beyond a round end tells of x; the rest as frame_told() has it.
 inline ChartFrame frame_around_end(const ChartFrame& at_q, const DistanceRay& ray, const FrameStep& step,
                                    const Vec3f& normal, float gauss) {
-  const Vec2f change = ray_step(ray, at_q.curvature, 1 / at_q.stretch, step.step.x(), step.step.y());
+  const float inverse_stretch = 1 / at_q.stretch;
+  const Vec2f change = ray_step(ray, at_q.curvature, inverse_stretch, step.step.x(), step.step.y());
   const float turn =
-      turn_across(ray, at_q.curvature, at_q.stretch) * in_parts(ray, step.step.x(), step.step.y()).across;
+      turn_across(ray, at_q.curvature, inverse_stretch) * in_parts(ray, step.step.x(), step.step.y()).across;
   const float to = Vec2f(ray.length * ray.ahead + change.x(), at_q.d + change.y()).norm();
   ChartFrame frame{.t = at_q.t + static_cast<double>(change.x()),
                    .d = at_q.d + change.y(),

@@ -55,17 +55,17 @@ void UpwindFrames::find_rays(Arms& arms) const {
   if (ends_[0].round) past += (arms.t - ends_[0].t).min(0);
   if (ends_[1].round) past += (arms.t - ends_[1].t).max(0);
   arms.rays = rays_to(past, arms.d);
-  const auto& [from_end, ahead, left, length, inverse_length] = arms.rays;
-  const Lanes &u = arms.u, &v = arms.v, &k = arms.curvature;
-  arms.across = from_end.select(left * u - ahead * v, u);
-  arms.out = from_end.select(ahead * u + left * v, v);
+  const Rays& rays = arms.rays;
+  const RayParts<Lanes> parts = in_parts(rays, arms.u, arms.v);
+  arms.across = rays.from_end.select(parts.across, arms.u);
+  arms.out = rays.from_end.select(parts.out, arms.v);
   // As ray_step() has it.
-  const Lanes inverse = arms.stretch.inverse(), bend = k + (inverse.square() - 1) * inverse_length;
-  const Lanes beside = arms.across * inverse * (1 + k * arms.out),
+  const Lanes inverse = arms.stretch.inverse(), bend = bend_across(rays, arms.curvature, inverse);
+  const Lanes beside = arms.across * inverse * (1 + arms.curvature * arms.out),
               away = arms.out - bend * arms.across.square() / 2;
-  const Lanes t = left * beside + ahead * away;
+  const Lanes t = rays.left * beside + rays.ahead * away;
   arms.told_t = arms.t + t;
-  arms.told_d = arms.d + left * away - ahead * beside;
+  arms.told_d = arms.d + rays.left * away - rays.ahead * beside;
   arms.told_length = ((past + t).square() + arms.told_d.square()).sqrt();
 }
 
@@ -81,16 +81,12 @@ UpwindFrames::Rays UpwindFrames::rays_to(const Lanes& past, const Lanes& d) {
   return rays;
 }
 
-/// By which e1 turns to the left at the rate of a frame.
-UpwindFrames::Lanes UpwindFrames::turn_across(const Rays& rays, const Lanes& curvature,
-                                              const Lanes& inverse_stretch, const Lanes& u, const Lanes& v) {
-  return (curvature + (inverse_stretch - 1) * rays.inverse_length) * (rays.left * u - rays.ahead * v);
-}
-
 /// By which e1 turns on the steps to or from frames around an end; others stay.
 void UpwindFrames::turn_with_rays(const Arms& arms, Lanes& angle) const {
-  const Lanes at_q = turn_across(arms.rays, arms.curvature, arms.stretch.inverse(), arms.u, arms.v),
-              at_x = turn_across(rays_, curvature_, stretch_.inverse(), arms.u, arms.v);
+  const auto turn = [&](const Rays& rays, const Lanes& curvature, const Lanes& stretch) -> Lanes {
+    return turn_across(rays, curvature, Lanes(stretch.inverse())) * in_parts(rays, arms.u, arms.v).across;
+  };
+  const Lanes at_q = turn(arms.rays, arms.curvature, arms.stretch), at_x = turn(rays_, curvature_, stretch_);
   angle = (arms.rays.from_end || rays_.from_end).select(at_q + arms.share_at_x * (at_x - at_q), angle);
 }
 
@@ -106,8 +102,8 @@ void UpwindFrames::find_round_shapes(const Arms& arms, Lanes& curvature, Lanes& 
 /// What steps of frames around an end add to t and d, to first order; those of others stay.
 void UpwindFrames::go_along_rays(const Rays& rays, const Lanes& inverse_stretch, const Lanes& u,
                                  const Lanes& v, Lanes& t, Lanes& d) {
-  const Lanes beside = (rays.left * u - rays.ahead * v) * inverse_stretch,
-              away = rays.ahead * u + rays.left * v;
+  const auto [across, away] = in_parts(rays, u, v);
+  const Lanes beside = across * inverse_stretch;
   t = rays.from_end.select(rays.left * beside + rays.ahead * away, t);
   d = rays.from_end.select(rays.left * away - rays.ahead * beside, d);
 }

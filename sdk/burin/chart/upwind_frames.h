@@ -110,8 +110,6 @@ class UpwindFrames {
   void find_end(End& end, double t, float outward, bool round) const;
   void find_rays(Arms& arms) const;
   static Rays rays_to(const Lanes& past, const Lanes& d);
-  static Lanes turn_across(const Rays& rays, const Lanes& curvature, const Lanes& inverse_stretch,
-                           const Lanes& u, const Lanes& v);
   void turn_with_rays(const Arms& arms, Lanes& angle) const;
   static void find_round_shapes(const Arms& arms, Lanes& curvature, Lanes& stretch);
   static void go_along_rays(const Rays& rays, const Lanes& inverse_stretch, const Lanes& u, const Lanes& v,
