@@ -52,13 +52,26 @@ def copy_last_commit():
     return run("cmake", "-G", "Ninja", "-B", str(BUILD), "-DCMAKE_BUILD_TYPE=Release", "-DBURIN_WERROR=OFF")
 
 
-def builds(folder):
-    return run("cmake", "--build", str(BUILD), "--target", f"{folder}_test", "host_test")
+def builds(test):
+    return run("cmake", "--build", str(BUILD), "--target", test)
 
 
-def passes(folder):
-    names = dict.fromkeys([f"{folder}_test", "host_test"])
-    return all(run(str(BUILD / "bin" / name), "--gtest_brief=1", seconds=LONGEST) for name in names)
+def passes(test):
+    return run(str(BUILD / "bin" / test), "--gtest_brief=1", "--gtest_fail_fast", seconds=LONGEST)
+
+
+def tests_of(folder):
+    return list(dict.fromkeys([f"{folder}_test", "host_test"]))
+
+
+def is_noticed(folder):
+    """Whether a test of the folder fails now; None where it does not compile."""
+    for test in tests_of(folder):
+        if not builds(test):
+            return None
+        if not passes(test):
+            return True
+    return False
 
 
 def places(folder):
@@ -85,7 +98,7 @@ def is_caught(folder, path, offset, operator):
     text = path.read_text(encoding="utf-8")
     path.write_text(text[:offset] + CHANGES[operator] + text[offset + len(operator):], encoding="utf-8")
     try:
-        caught = None if not builds(folder) else not passes(folder)
+        caught = is_noticed(folder)
         if caught is not None:
             print("caught" if caught else "NOT CAUGHT", told(path, text, offset, operator), flush=True)
         return caught
@@ -105,7 +118,8 @@ def main():
     if unknown or options.count < 1:
         parser.error(f"no folder '{unknown[0]}'" if unknown else "--count must be above 0")
     folders = options.folders or tested
-    if not copy_last_commit() or not all(builds(folder) and passes(folder) for folder in folders):
+    if not copy_last_commit() or not all(
+            builds(test) and passes(test) for folder in folders for test in tests_of(folder)):
         print("mutate: the tests fail without a change", file=sys.stderr)
         return 2
     left = [(folder, *place) for folder in folders for place in places(folder)]
