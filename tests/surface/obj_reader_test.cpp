@@ -70,6 +70,40 @@ TEST(ReadObj, ReadsTextureCoordinatesOfCorners) {
                     .corner_uv.empty());
 }
 
+// As ZBrush writes it. Its mask of ff is free.
+TEST(ReadObj, ReadsPolypaintFromComments) {
+  const std::string faces = "f 1 2 3\n";
+  const PolygonMesh mesh = read_mesh(
+      MeshFile("a.obj", three_vertices +
+                            "# 64 entries per MRGB line\n#MRGB ff102030\r\n#MRGB 00FFfeFd33000000\n" + faces)
+          .path());
+  EXPECT_EQ(mesh.paint.colours,
+            (std::vector<PaintBytes>{{16, 32, 48, 255}, {255, 254, 253, 255}, {0, 0, 0, 255}}));
+  EXPECT_EQ(mesh.paint.masks, (std::vector<float>{1, 0, 0.2F}));
+  EXPECT_TRUE(mesh.not_used.empty()) << mesh.not_used;
+  const MeshFile free("a.obj", three_vertices + "#MRGB ff102030ff102030ff102030\n" + faces);
+  EXPECT_TRUE(read_mesh(free.path()).paint.masks.empty());
+}
+
+TEST(ReadObj, PassesOverPolypaintThatIsNotOfAllVertices) {
+  for (const char* digits : {"ff102030", "ff102030ff102030ff1020", "ff102030ff102030ff10203g",
+                             "ff102030ff102030ff102030ff102030", "-f102030ff102030ff102030", ""}) {
+    const MeshFile file("a.obj", three_vertices + "#MRGB " + digits + "\nf 1 2 3\n");
+    const PolygonMesh mesh = read_mesh(file.path());
+    EXPECT_TRUE(mesh.paint.empty()) << digits;
+    EXPECT_EQ(mesh.not_used, "1 line of polypaint") << digits;
+  }
+}
+
+TEST(ReadObj, TakesColoursBehindCoordinatesBeforePolypaint) {
+  const MeshFile file("a.obj",
+                      "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\n"
+                      "#MRGB ff0000ffff0000ffff0000ff\nf 1 2 3\n");
+  const PolygonMesh mesh = read_mesh(file.path());
+  EXPECT_EQ(mesh.paint.colours, (std::vector<PaintBytes>(3, {255, 0, 0, 255})));
+  EXPECT_EQ(mesh.not_used, "1 line of polypaint");
+}
+
 TEST(ReadObj, ReadsTextureCoordinatesThatAreNoNumbers) {
   const PolygonMesh mesh =
       read_mesh(MeshFile("a.obj", three_vertices + "vt nan 0\nvt 1 -inf\nf 1/1 2/2 3/1\n").path());

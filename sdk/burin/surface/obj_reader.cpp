@@ -4,6 +4,7 @@
 #include <burin/base/quoted_word.h>
 #include <burin/surface/file_colours.h>
 #include <burin/surface/mesh_formats.h>
+#include <burin/surface/obj_polypaint.h>
 #include <burin/surface/obj_tags.h>
 #include <burin/surface/place_line.h>
 #include <burin/surface/text_lines.h>
@@ -36,6 +37,7 @@ class ObjReader {
     check_indices();
     give_texture_coordinates();
     colours_.give(file_.mesh.paint, file_.places.size(), std::nullopt, unused_);
+    give_polypaint(ObjPolypaint(text));
     const std::string fault = tags_.give(file_.mesh, file_.places.size(), line_);
     if (!fault.empty()) fail(fault);
     unused_.add("other tag", "other tags", tags_.unknown());
@@ -167,6 +169,15 @@ class ObjReader {
       return unused_.add("texture coordinate (faces go without)", "texture coordinates (faces go without)",
                          uv_.size());
     for (const Index texture : corner_textures_) file_.mesh.corner_uv.push_back(uv_[texture]);
+  }
+
+  /// Colours behind the coordinates come first.
+  void give_polypaint(const ObjPolypaint& polypaint) {
+    if (polypaint.empty()) return;
+    if (file_.mesh.paint.empty() && polypaint.is_of(file_.places.size()))
+      file_.mesh.paint = polypaint.paint();
+    else
+      unused_.add("line of polypaint", "lines of polypaint", polypaint.lines());
   }
 
   static constexpr double no_alpha = 1e9;  ///< clamped: all is covered
