@@ -66,10 +66,10 @@ function(burin_interface_library name)
   burin_install_library(${name})
 endfunction()
 
-# burin_library(NAME LINK (public) ... PRIVATE ...): a folder of the SDK, all its sources.
+# burin_library(NAME LINK (public) ... PRIVATE ...): a folder of the SDK, all its sources and those of its rooms.
 function(burin_library name)
   cmake_parse_arguments(ARG "" "" "LINK;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
   add_library(burin_${name} STATIC ${sources})
   add_library(burin::${name} ALIAS burin_${name})
   set_target_properties(burin_${name} PROPERTIES EXPORT_NAME ${name})
@@ -91,16 +91,16 @@ function(burin_brush_plugin name)
   burin_install_brush(burin_brush_${name})
 endfunction()
 
-# burin_test(NAME LINK ... [LABELS ...] [COST n]): the folder's *_test.cpp as one GoogleTest program NAME_test,
-# one CTest entry a test. CTest starts tests of higher cost (0 unless given) first: long ones belong there, so
-# that none is left to run alone.
+# burin_test(NAME LINK ... [LABELS ...] [COST n]): the *_test.cpp of the folder and its rooms as one GoogleTest
+# program NAME_test, one CTest entry a test. CTest starts tests of higher cost (0 unless given) first: long ones
+# belong there, so that none is left to run alone.
 function(burin_test folder)
   cmake_parse_arguments(ARG "" "COST" "LINK;LABELS" ${ARGN})
   if(NOT ARG_COST)
     set(ARG_COST 0)
   endif()
   set(name ${folder}_test)
-  file(GLOB sources CONFIGURE_DEPENDS *_test.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *_test.cpp)
   add_executable(${name} ${sources})
   burin_use_precompiled(${name} burin_test_headers)
   if(TARGET burin_test_headers)

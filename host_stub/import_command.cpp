@@ -1,6 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/stroke/import.h>
+#include <burin/stroke/files/import.h>
 #include <burin/stroke/move_origin.h>
 #include <burin/stroke/stroke_file.h>
 #include <fmt/format.h>
@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "mesh_input.h"
-#include "options.h"
-#include "output_file.h"
-#include "view.h"
+#include "input/mesh_input.h"
+#include "options/options.h"
+#include "options/view.h"
+#include "system/output_file.h"
 
 namespace burin::command {
 namespace {

@@ -9,9 +9,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "brush_folder.h"
 #include "command.h"
-#include "console.h"
+#include "input/brush_folder.h"
+#include "system/console.h"
 
 namespace burin::command {
 namespace {

@@ -4,8 +4,8 @@
 #include <iostream>
 
 #include "command.h"
-#include "console.h"
-#include "platform.h"
+#include "system/console.h"
+#include "system/platform.h"
 
 namespace {
 

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "mesh_input.h"
-#include "output_file.h"
-#include "painted.h"
-#include "render.h"
-#include "view.h"
+#include "input/mesh_input.h"
+#include "options/view.h"
+#include "pictures/painted.h"
+#include "pictures/render.h"
+#include "system/output_file.h"
 
 namespace burin::command {
 namespace {

@@ -1,6 +1,6 @@
 #include <burin/base/quoted_word.h>
+#include <burin/stamp/files/stamp_file.h>
 #include <burin/stamp/seam.h>
-#include <burin/stamp/stamp_file.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "console.h"
-#include "output_file.h"
-#include "stamp_preview.h"
+#include "pictures/stamp_preview.h"
+#include "system/console.h"
+#include "system/output_file.h"
 
 namespace burin::command {
 namespace {

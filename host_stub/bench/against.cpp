@@ -9,7 +9,7 @@
 
 #include "bench/regression.h"
 #include "bench/run_suite.h"
-#include "platform.h"
+#include "system/platform.h"
 
 namespace burin {
 namespace {

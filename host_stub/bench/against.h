@@ -9,7 +9,7 @@
 
 #include "bench/bootstrap.h"
 #include "bench/suite.h"
-#include "console.h"
+#include "system/console.h"
 
 namespace burin {
 

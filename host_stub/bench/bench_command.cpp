@@ -16,11 +16,11 @@
 #include "bench/result_text.h"
 #include "bench/run_case.h"
 #include "bench/run_suite.h"
-#include "brush_folder.h"
 #include "command.h"
-#include "options.h"
-#include "output_file.h"
-#include "report_folder.h"
+#include "input/brush_folder.h"
+#include "options/options.h"
+#include "report/report_folder.h"
+#include "system/output_file.h"
 
 namespace burin::command {
 namespace {

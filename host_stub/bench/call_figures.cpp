@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "figures.h"
+#include "report/figures.h"
 
 namespace burin {
 namespace {

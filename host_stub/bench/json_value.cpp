@@ -1,4 +1,4 @@
-#include "json_value.h"
+#include "bench/json_value.h"
 
 #include <burin/base/error.h>
 #include <burin/base/file.h>

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "console.h"
+#include "system/console.h"
 
 namespace burin {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "html_text.h"
+#include "report/html_text.h"
 
 namespace burin {
 namespace {

@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "base64.h"
 #include "bench/plot.h"
 #include "bench/report_figures.h"
 #include "bench/scaling.h"
-#include "html_text.h"
-#include "report_folder.h"
+#include "report/base64.h"
+#include "report/html_text.h"
+#include "report/report_folder.h"
 
 namespace burin {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bench/plot.h"
-#include "html_text.h"
+#include "report/html_text.h"
 
 namespace burin {
 namespace {

@@ -11,14 +11,14 @@
 #include "bench/regression.h"
 #include "bench/straight_stroke.h"
 #include "bench/suite_params.h"
-#include "name_file.h"
-#include "painted.h"
-#include "platform.h"
-#include "radius_fit.h"
-#include "render.h"
-#include "replay_pictures.h"
-#include "report_folder.h"
-#include "stroke_input.h"
+#include "input/name_file.h"
+#include "input/radius_fit.h"
+#include "input/stroke_input.h"
+#include "pictures/painted.h"
+#include "pictures/render.h"
+#include "replay/replay_pictures.h"
+#include "report/report_folder.h"
+#include "system/platform.h"
 
 namespace burin {
 namespace {

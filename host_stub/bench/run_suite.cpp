@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "bench/regression.h"
-#include "child_process.h"
-#include "platform.h"
+#include "system/child_process.h"
+#include "system/platform.h"
 
 namespace burin {
 namespace {

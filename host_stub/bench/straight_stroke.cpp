@@ -1,13 +1,13 @@
 #include "bench/straight_stroke.h"
 
 #include <burin/base/error.h>
-#include <burin/surface/parallel_transport.h>
+#include <burin/surface/geometry/parallel_transport.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "radius_fit.h"
+#include "input/radius_fit.h"
 
 namespace burin {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "bench/json_value.h"
-#include "stroke_choices.h"
+#include "options/stroke_choices.h"
 
 namespace burin {
 namespace fs = std::filesystem;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh_input.h"
+#include "input/mesh_input.h"
 
 namespace burin {
 

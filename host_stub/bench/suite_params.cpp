@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "brush_params.h"
+#include "input/brush_params.h"
 
 namespace burin {
 

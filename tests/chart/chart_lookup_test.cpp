@@ -1,6 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/chart/chart_lookup.h>
-#include <burin/chart/stroke_chart.h>
+#include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ struct Scene {
         picker(surface),
         curve(test::traced(surface, picker, radius, samples)),
         chart((closed ? test::close(curve) : void(),
-               StrokeCharter(surface).chart(curve, {radius, Cap::round, order}))),
+               StrokeChartBuilder(surface).chart(curve, {radius, Cap::round, order}))),
         lookup(surface, chart) {}
 
   Vec3f vertex(std::size_t node) const { return surface.positions[chart.vertex[node]]; }
@@ -368,7 +368,7 @@ TEST(ChartLookup, KnowsWhereAPointOfAPointSetIs) {
   const Surface surface = make_point_surface(test::plane_points(1, 0.04, 51));
   const Picker picker(surface);
   const SurfaceCurve curve = test::traced(surface, picker, 0.3, {{-0.5, 0.1, 0}, {0.5, 0.1, 0}});
-  const Chart chart = StrokeCharter(surface).chart(curve, {0.3, Cap::butt});
+  const Chart chart = StrokeChartBuilder(surface).chart(curve, {0.3, Cap::butt});
   const ChartLookup lookup(surface, chart);
   EXPECT_THROW(lookup.find(0.5, 0), ContractError);
   const auto places = lookup.at(*picker.closest({0.123F, 0.234F, 0}, 0.1F));

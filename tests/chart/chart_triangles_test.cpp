@@ -1,5 +1,5 @@
 #include <burin/chart/chart_triangles.h>
-#include <burin/chart/stroke_chart.h>
+#include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST(ChartTriangles, AreThoseOfTheRegionOnceForEachSheet) {
                                            {0.4, -0.2, 0},
                                            {0, -0.2, 0},
                                            {-0.6, -0.2, 0}});
-  const Chart chart = StrokeCharter(surface).chart(curve, {radius, Cap::round});
+  const Chart chart = StrokeChartBuilder(surface).chart(curve, {radius, Cap::round});
   const std::vector<int> counts = counted(surface, chart, edge);
   std::size_t once = 0, twice = 0, none = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -84,7 +84,7 @@ TEST(ChartTriangles, GoOnAcrossTheSeamOfAClosedStroke) {
   }
   SurfaceCurve curve = test::traced(surface, picker, 0.3, samples);
   test::close(curve);
-  const Chart chart = StrokeCharter(surface).chart(curve, {0.3, Cap::round});
+  const Chart chart = StrokeChartBuilder(surface).chart(curve, {0.3, Cap::round});
   const std::vector<int> counts = counted(surface, chart, 0.05);
   std::size_t inside = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -132,7 +132,7 @@ TEST(ChartTriangles, AreNotOfPointSets) {
   const Surface surface = make_point_surface(test::plane_points(1, 0.1, 51));
   const Picker picker(surface);
   const SurfaceCurve curve = test::traced(surface, picker, 0.3, {{-0.5, 0.1, 0}, {0.5, 0.1, 0}});
-  const Chart chart = StrokeCharter(surface).chart(curve, {0.3, Cap::butt});
+  const Chart chart = StrokeChartBuilder(surface).chart(curve, {0.3, Cap::butt});
   EXPECT_GT(chart.size(), 20U);
   EXPECT_TRUE(chart_triangles(surface, chart).empty());
 }

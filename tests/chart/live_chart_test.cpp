@@ -1,5 +1,5 @@
 #include <burin/chart/live_chart.h>
-#include <burin/chart/stroke_chart.h>
+#include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -99,10 +99,10 @@ TEST(LiveChart, TellsWhatAnAssignedChartChanges) {
 TEST(LiveChart, FollowsAGrowingStroke) {
   const Surface surface = make_surface(test::shuffled(test::sphere(5, 0.2, 3), 4));
   const Picker picker(surface);
-  StrokeCharter charter(surface), fresh(surface);
+  StrokeChartBuilder builder(surface), fresh(surface);
   for (const Cap cap : {Cap::round, Cap::butt}) {
     const ChartOptions options{.radius = 0.25, .cap = cap};
-    charter.begin(options);
+    builder.begin(options);
     CurveTracer tracer(surface, picker, options.radius);
     std::size_t most_computed = 0, nodes = 0;
     for (int i = 0; i < 60; ++i) {
@@ -110,7 +110,7 @@ TEST(LiveChart, FollowsAGrowingStroke) {
       const Vec3f place = Vec3d(std::cos(a), std::sin(a), 0.6 + 0.01 * i).normalized().cast<float>();
       const std::size_t unchanged = tracer.final_points();
       tracer.add(*picker.closest(place, 0.1f), 0, {});
-      const LiveChart& live = charter.draw(tracer.curve(), unchanged);
+      const LiveChart& live = builder.draw(tracer.curve(), unchanged);
       if (i > 20) most_computed = std::max(most_computed, live.computed().size());
       const Chart expected = fresh.chart(tracer.curve(), options);
       nodes = expected.size();

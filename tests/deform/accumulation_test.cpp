@@ -2,7 +2,7 @@
 #include "support/shapes.h"
 
 #include <burin/deform/accumulation.h>
-#include <burin/surface/unit_tangent.h>
+#include <burin/surface/geometry/unit_tangent.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 #include <burin/abi/brush.h>
-#include <burin/deform/stroke_nodes.h>
+#include <burin/deform/evaluate/stroke_nodes.h>
 #include <burin/surface/surface.h>
 
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "deform_fixtures.h"
 
 #include <burin/deform/stroke_passes.h>
-#include <burin/surface/surroundings.h>
-#include <burin/surface/unit_tangent.h>
+#include <burin/surface/geometry/unit_tangent.h>
+#include <burin/surface/topology/surroundings.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

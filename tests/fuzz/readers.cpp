@@ -1,13 +1,13 @@
 #include "readers.h"
 
 #include <burin/base/error.h>
-#include <burin/stamp/stamp_file.h>
-#include <burin/stroke/import.h>
+#include <burin/stamp/files/stamp_file.h>
+#include <burin/stroke/files/import.h>
 #include <burin/stroke/stroke_file.h>
 #include <burin/subdiv/refine.h>
-#include <burin/surface/defects.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/point_set.h>
+#include <burin/surface/topology/defects.h>
 #include <burin/surface/weld_mesh.h>
 
 #include <algorithm>

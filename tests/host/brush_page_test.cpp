@@ -1,7 +1,7 @@
 // docs/brushes.md is what the brushes say of themselves.
 #include <burin/abi/plugin.h>
 #include <burin/base/file.h>
-#include <burin/deform/offered.h>
+#include <burin/deform/evaluate/supported_inputs.h>
 #include <burin/deform/overlap.h>
 #include <fmt/format.h>
 
@@ -116,8 +116,8 @@ TEST(BrushPage, IsWhatTheBrushesSay) {
 TEST(BrushPage, HasAPictureOfEachBrush) {
   for (const BrushEntry& brush : test::brushes().brushes()) {
     if (brush.module.parent_path() != test::brushes_folder) continue;
-    if (brush.descriptor->inputs_read & ~offered_inputs ||
-        brush.descriptor->outputs_written & ~offered_outputs)
+    if (brush.descriptor->inputs_read & ~supported_inputs ||
+        brush.descriptor->outputs_written & ~supported_outputs)
       continue;
     const fs::path picture = fs::path(BURIN_SAMPLES) / "gallery" / (brush.module.stem().string() + ".png");
     ASSERT_TRUE(fs::is_regular_file(picture)) << picture << ": ./dev gallery draws it";

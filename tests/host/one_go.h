@@ -1,9 +1,9 @@
 #pragma once
-#include <burin/chart/stroke_chart.h>
-#include <burin/deform/evaluate.h>
-#include <burin/deform/stroke_nodes.h>
+#include <burin/chart/stroke_chart_builder.h>
+#include <burin/deform/evaluate/evaluate.h>
+#include <burin/deform/evaluate/stroke_nodes.h>
 #include <burin/deform/stroke_passes.h>
-#include <burin/host/param_snapshot.h>
+#include <burin/host/plugin/param_snapshot.h>
 
 #include "sessions.h"
 
@@ -44,15 +44,15 @@ inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& cur
   LiveChart chart(base.vertex_count());
   StrokeNodes nodes(chart, {radius, entry.descriptor->inputs_read, varying, &dynamics});
   const SurfaceLevels levels(base);
-  StrokeCharter charter(base, &levels);
-  chart.assign(charter.chart(curve, {.radius = radius, .cap = settings.cap, .follow = settings.follow}));
+  StrokeChartBuilder builder(base, &levels);
+  chart.assign(builder.chart(curve, {.radius = radius, .cap = settings.cap, .follow = settings.follow}));
   const std::vector<Index> vertices = nodes.follow(curve, 0).vertices;
   const FootLine foot(curve, radius);
   const NodeSource source{.surface = base,
                           .nodes = nodes,
                           .radius = static_cast<float>(radius),
                           .foot = &foot,
-                          .base = charter.base()};
+                          .base = builder.base()};
   NodeOutputs outputs;
   outputs.resize(chart.nodes().size(), paints(*entry.descriptor));
   EvaluatedInstance instance{source, context, static_cast<float>(settings.strength), outputs};

@@ -1,5 +1,5 @@
 #include <burin/base/parallel.h>
-#include <burin/surface/normals.h>
+#include <burin/surface/geometry/normals.h>
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "command.h"
+#include "run_command.h"
 #include "support/point_shapes.h"
 
 namespace burin::test {

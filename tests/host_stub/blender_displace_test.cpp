@@ -10,8 +10,8 @@
 #include <fstream>
 #include <numbers>
 
-#include "command.h"
 #include "programs.h"
+#include "run_command.h"
 
 namespace burin::test {
 namespace {

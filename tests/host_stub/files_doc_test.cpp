@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "command.h"
+#include "run_command.h"
 #include "support/point_shapes.h"
 #include "support/shapes.h"
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "command.h"
+#include "run_command.h"
 #include "support/shapes.h"
 
 namespace burin::test {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "command.h"
+#include "run_command.h"
 
 namespace burin::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "command.h"
+#include "run_command.h"
 #include "support/shapes.h"
 
 namespace burin::test {

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <thread>
 
-#include "bench_suite.h"
-#include "command.h"
+#include "host_stub/bench/bench_suite.h"
+#include "run_command.h"
 
 namespace burin::test {
 namespace {

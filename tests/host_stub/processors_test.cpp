@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "command.h"
+#include "run_command.h"
 
 namespace burin {
 namespace {

@@ -7,8 +7,8 @@
 #include <initializer_list>
 #include <numbers>
 
-#include "command.h"
 #include "picture_file.h"
+#include "run_command.h"
 #include "support/shapes.h"
 
 namespace burin::test {

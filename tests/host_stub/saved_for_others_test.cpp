@@ -10,8 +10,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "command.h"
 #include "programs.h"
+#include "run_command.h"
 #include "support/shapes.h"
 
 namespace burin::test {

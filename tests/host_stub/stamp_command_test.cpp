@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "command.h"
 #include "picture_file.h"
+#include "run_command.h"
 
 namespace burin::test {
 namespace {

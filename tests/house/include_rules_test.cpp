@@ -2,20 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
+#include "plant.h"
 #include "support/shared_data.h"
 
 namespace burin::test {
 namespace {
 
-namespace fs = std::filesystem;
 using Faults = std::vector<std::string>;
-
-void plant(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream(file) << text;
-}
 
 TEST(IncludeRules, HoldInTheRepository) {
   EXPECT_GT(count_includes(BURIN_SOURCE_FOLDER), 100u);

@@ -2,6 +2,7 @@
 #include <burin/base/file.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -19,7 +20,7 @@ const fs::path root = BURIN_SOURCE_FOLDER;
 
 /// "FOLDER/FILE.h".
 Names public_headers() {
-  static const std::regex line(R"(\n  (\w+/\w+\.h))");
+  static const std::regex line(R"(\n  ([\w/]+\.h))");
   return all_matches<Names>(read_file(root / "cmake/PublicHeaders.cmake"), line);
 }
 
@@ -47,6 +48,11 @@ TEST(PublicHeaders, IncludeNothingThatIsNotInstalled) {
     for (const std::string& included : included_by(header))
       EXPECT_TRUE(headers.contains(included) || is_public_folder(included)) << header << ": " << included;
   }
+}
+
+TEST(PublicHeaders, StandAtTheTopOfTheirFolders) {
+  for (const std::string& header : public_headers())
+    EXPECT_EQ(std::count(header.begin(), header.end(), '/'), 1) << header;
 }
 
 TEST(PublicHeaders, OfASessionAreFew) {

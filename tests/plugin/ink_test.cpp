@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ink_brush.h"
+#include "plugin/brushes/ink_brush.h"
 
 namespace burin {
 namespace {

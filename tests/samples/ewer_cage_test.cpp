@@ -1,8 +1,8 @@
 #include <burin/subdiv/refine.h>
-#include <burin/surface/defects.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
+#include <burin/surface/topology/defects.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 #include <burin/base/file.h>
-#include <burin/stamp/stamp_file.h>
+#include <burin/stamp/files/stamp_file.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include <burin/stamp/stamp_file.h>
+#include <burin/stamp/files/stamp_file.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

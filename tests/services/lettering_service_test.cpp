@@ -1,7 +1,7 @@
-#include <burin/host/services.h>
+#include <burin/host/plugin/services.h>
 #include <burin/plugin/lettering.h>
 #include <burin/services/stamp_services.h>
-#include <burin/stamp/font_search.h>
+#include <burin/stamp/lettering/font_search.h>
 #include <gtest/gtest.h>
 
 #include <string>

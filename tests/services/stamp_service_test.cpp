@@ -1,10 +1,10 @@
 #include <burin/abi/ext/stamps.h>
 #include <burin/base/parallel.h>
-#include <burin/host/services.h>
+#include <burin/host/plugin/services.h>
 #include <burin/services/stamp_services.h>
 #include <burin/stamp/area_filter.h>
+#include <burin/stamp/files/stamp_file.h>
 #include <burin/stamp/float_image.h>
-#include <burin/stamp/stamp_file.h>
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,5 +1,5 @@
 #include <burin/stamp/area_filter.h>
-#include <burin/stamp/stamp_file.h>
+#include <burin/stamp/files/stamp_file.h>
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,5 +1,5 @@
+#include <burin/stroke/curve/surface_curve.h>
 #include <burin/stroke/dynamics.h>
-#include <burin/stroke/surface_curve.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
+#include <burin/stroke/curve/pen_spline.h>
 #include <burin/stroke/dynamics.h>
 #include <burin/stroke/pen_angles.h>
-#include <burin/stroke/pen_spline.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

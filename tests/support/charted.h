@@ -1,9 +1,9 @@
 #pragma once
-#include <burin/chart/stroke_chart.h>
-#include <burin/stroke/surface_curve.h>
+#include <burin/chart/stroke_chart_builder.h>
+#include <burin/stroke/curve/surface_curve.h>
+#include <burin/surface/base_surface/surface_levels.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
-#include <burin/surface/surface_levels.h>
 
 #include <utility>
 #include <vector>
@@ -15,13 +15,13 @@ namespace burin::test {
 /// A surface and what strokes at the brush's own scale need of it.
 struct Charted {
   explicit Charted(TriangleMesh mesh)
-      : surface(make_surface(std::move(mesh))), picker(surface), levels(surface), charter(surface, &levels) {}
+      : surface(make_surface(std::move(mesh))), picker(surface), levels(surface), builder(surface, &levels) {}
 
   /// The curve of samples near the surface, and its chart.
   Chart chart(const ChartOptions& options, const std::vector<Vec3d>& samples) {
-    charter.begin(options);
-    curve = traced(CurveGround(surface, picker, charter.base()), picker, options.radius, samples);
-    return charter.draw(curve).sorted();
+    builder.begin(options);
+    curve = traced(CurveGround(surface, picker, builder.base()), picker, options.radius, samples);
+    return builder.draw(curve).sorted();
   }
 
   /// The same of places that rays meet.
@@ -35,7 +35,7 @@ struct Charted {
   Surface surface;
   Picker picker;
   SurfaceLevels levels;
-  StrokeCharter charter;
+  StrokeChartBuilder builder;
   SurfaceCurve curve;  ///< of the last chart
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/stroke/surface_curve.h>
+#include <burin/stroke/curve/surface_curve.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
 

@@ -1,6 +1,6 @@
 #include "support/viewed_stroke.h"
 
-#include <burin/surface/normals.h>
+#include <burin/surface/geometry/normals.h>
 
 #include <algorithm>
 

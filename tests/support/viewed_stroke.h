@@ -1,6 +1,6 @@
 #pragma once
 #include <burin/base/vector.h>
-#include <burin/stroke/surface_curve.h>
+#include <burin/stroke/curve/surface_curve.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
 

@@ -1,5 +1,5 @@
 #include <burin/surface/picker.h>
-#include <burin/surface/ray_triangle.h>
+#include <burin/surface/picking/ray_triangle.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 #include <burin/base/error.h>
-#include <burin/surface/normals.h>
+#include <burin/surface/geometry/normals.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/point_set.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include <burin/surface/defects.h>
 #include <burin/surface/mesh_file.h>
+#include <burin/surface/topology/defects.h>
 #include <burin/surface/triangulate.h>
 #include <gtest/gtest.h>
 

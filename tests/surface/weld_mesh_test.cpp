@@ -1,4 +1,4 @@
-#include <burin/surface/defects.h>
+#include <burin/surface/topology/defects.h>
 #include <burin/surface/triangulate.h>
 #include <burin/surface/weld_mesh.h>
 #include <gtest/gtest.h>

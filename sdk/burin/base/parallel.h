@@ -8,7 +8,7 @@
 #include <functional>
 
 #if defined(__SANITIZE_THREAD__)
-#include <burin/base/traced_threads.h>
+#include <burin/base/tsan_parallel_for.h>
 #endif
 
 namespace burin {
@@ -28,7 +28,7 @@ void parallel_blocks(std::size_t count, std::size_t grain, const Body& body) {
     body(begin, begin + grain < count ? begin + grain : count);
   };
 #if defined(__SANITIZE_THREAD__)
-  traced_threads(blocks, thread_count(), run);
+  tsan_parallel_for(blocks, thread_count(), run);
 #else
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1), [&](const auto& range) {
     for (std::size_t block = range.begin(); block != range.end(); ++block) run(block);

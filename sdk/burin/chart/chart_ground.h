@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/surface/base_surface.h>
+#include <burin/surface/base_surface/base_surface.h>
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/chart/chart_lookup.h>
-#include <burin/chart/closed_length.h>
-#include <burin/surface/unit_tangent.h>
+#include <burin/chart/path/closed_length.h>
+#include <burin/surface/geometry/unit_tangent.h>
 
 #include <algorithm>
 #include <cmath>

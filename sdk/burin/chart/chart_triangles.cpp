@@ -1,5 +1,5 @@
 #include <burin/chart/chart_triangles.h>
-#include <burin/chart/closed_length.h>
+#include <burin/chart/path/closed_length.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include <burin/deform/accumulation.h>
-#include <burin/deform/displacement.h>
-#include <burin/surface/normals.h>
-#include <burin/surface/surroundings.h>
-#include <burin/surface/unit_tangent.h>
+#include <burin/deform/evaluate/displacement.h>
+#include <burin/surface/geometry/normals.h>
+#include <burin/surface/geometry/unit_tangent.h>
+#include <burin/surface/topology/surroundings.h>
 
 #include <algorithm>
 #include <cmath>

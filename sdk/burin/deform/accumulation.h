@@ -1,7 +1,7 @@
 #pragma once
-#include <burin/deform/brush_stroke.h>
-#include <burin/deform/current_base.h>
-#include <burin/deform/evaluate.h>
+#include <burin/deform/evaluate/brush_stroke.h>
+#include <burin/deform/evaluate/current_base.h>
+#include <burin/deform/evaluate/evaluate.h>
 #include <burin/deform/stroke_passes.h>
 
 #include <span>

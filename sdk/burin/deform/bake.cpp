@@ -1,10 +1,10 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/deform/bake.h>
-#include <burin/deform/base_frames.h>
-#include <burin/deform/pad_islands.h>
-#include <burin/deform/uv_raster.h>
-#include <burin/surface/triangle_shape.h>
+#include <burin/deform/bake/base_frames.h>
+#include <burin/deform/bake/pad_islands.h>
+#include <burin/deform/bake/uv_raster.h>
+#include <burin/surface/geometry/triangle_shape.h>
 #include <fmt/format.h>
 
 #include <algorithm>

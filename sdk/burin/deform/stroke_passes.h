@@ -1,8 +1,8 @@
 #pragma once
-#include <burin/deform/blend.h>
-#include <burin/deform/brush_stroke.h>
-#include <burin/deform/evaluate.h>
-#include <burin/deform/pass_places.h>
+#include <burin/deform/blend/blend.h>
+#include <burin/deform/evaluate/brush_stroke.h>
+#include <burin/deform/evaluate/evaluate.h>
+#include <burin/deform/evaluate/pass_places.h>
 
 #include <span>
 #include <vector>

@@ -1,13 +1,13 @@
 #include <burin/abi/ext/log.h>
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
-#include <burin/deform/error_text.h>
-#include <burin/deform/offered.h>
-#include <burin/deform/plugin_call.h>
+#include <burin/deform/evaluate/error_text.h>
+#include <burin/deform/evaluate/plugin_call.h>
+#include <burin/deform/evaluate/supported_inputs.h>
 #include <burin/host/brush_library.h>
-#include <burin/host/plugin_module.h>
-#include <burin/host/search_path.h>
-#include <burin/host/services.h>
+#include <burin/host/plugin/plugin_module.h>
+#include <burin/host/plugin/search_path.h>
+#include <burin/host/plugin/services.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,12 +41,12 @@ const BrushEntry* find_entry(const std::vector<BrushEntry>& brushes, std::string
   return found == brushes.end() ? nullptr : &*found;
 }
 
-void check_offered(const BrushEntry& entry) {
+void check_supported(const BrushEntry& entry) {
   const burin_brush_descriptor& brush = *entry.descriptor;
-  if (const std::uint64_t inputs = brush.inputs_read & ~offered_inputs)
+  if (const std::uint64_t inputs = brush.inputs_read & ~supported_inputs)
     throw Error(fmt::format("{}: brush {} reads what this host does not offer: {}", entry.module.string(),
                             brush.id, input_names(inputs)));
-  if (const std::uint64_t outputs = brush.outputs_written & ~offered_outputs)
+  if (const std::uint64_t outputs = brush.outputs_written & ~supported_outputs)
     throw Error(fmt::format("{}: brush {} writes what this host does not take: {}", entry.module.string(),
                             brush.id, output_names(outputs)));
 }
@@ -125,7 +125,7 @@ const BrushEntry& BrushLibrary::find(std::string_view id) const {
 }
 
 BrushPtr BrushLibrary::create(const BrushEntry& entry) const {
-  check_offered(entry);
+  check_supported(entry);
   const auto plugin = std::find_if(impl_->modules.begin(), impl_->modules.end(),
                                    [&](const auto& module) { return module->path() == entry.module; });
   const burin_brush_factory& factory = (*plugin)->factory();

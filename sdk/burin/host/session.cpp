@@ -1,11 +1,11 @@
 #include <burin/abi/plugin.h>
 #include <burin/base/error.h>
 #include <burin/base/hash.h>
-#include <burin/deform/shown_paint.h>
-#include <burin/deform/shown_surface.h>
-#include <burin/deform/undo_journal.h>
-#include <burin/host/open_stroke.h>
+#include <burin/deform/shown/shown_paint.h>
+#include <burin/deform/shown/shown_surface.h>
+#include <burin/deform/shown/undo_journal.h>
 #include <burin/host/session.h>
+#include <burin/host/session/open_stroke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ struct Session::Impl {
   Impl(Surface given, const BrushLibrary& library)
       : surface(std::move(given)),
         picker(surface),
-        charters(surface, picker),
+        builders(surface, picker),
         shown(surface),
         paint(surface.vertex_count()),
         brushes(&library) {}
@@ -54,7 +54,7 @@ struct Session::Impl {
 
   Surface surface;
   Picker picker;
-  Charters charters;
+  ChartBuilders builders;
   ShownSurface shown;
   ShownPaint paint;
   const BrushLibrary* brushes;
@@ -150,7 +150,7 @@ void Session::Impl::commit(std::span<const Index> displaced) {
     farthest = std::max(farthest, (shown.positions()[vertex] - surface.positions[vertex]).squaredNorm());
   shown.commit(surface, displaced);
   picker.update(displaced);
-  charters.moved(displaced, std::sqrt(static_cast<double>(farthest)));
+  builders.moved(displaced, std::sqrt(static_cast<double>(farthest)));
 }
 
 void Session::Impl::drop() {
@@ -200,7 +200,7 @@ void Session::begin_stroke(const StrokeSettings& settings) {
   impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open already");
     const BrushEntry& entry = impl_->brushes->find(settings.brush);
-    impl_->stroke.emplace(impl_->surface, impl_->picker, impl_->charters, impl_->brush(entry),
+    impl_->stroke.emplace(impl_->surface, impl_->picker, impl_->builders, impl_->brush(entry),
                           *entry.descriptor, settings);
     impl_->last_live = &impl_->stroke->live();
     impl_->paint.prepare(entry.descriptor->outputs_written);

@@ -1,10 +1,10 @@
 #pragma once
 #include <burin/abi/brush.h>
-#include <burin/plugin/complete.h>
+#include <burin/plugin/detail/complete.h>
+#include <burin/plugin/detail/param_values.h>
+#include <burin/plugin/detail/views.h>
 #include <burin/plugin/error.h>
-#include <burin/plugin/param_values.h>
 #include <burin/plugin/stroke.h>
-#include <burin/plugin/views.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,9 +1,9 @@
 #pragma once
 #include <burin/plugin/batch.h>
-#include <burin/plugin/host.h>
+#include <burin/plugin/detail/host.h>
+#include <burin/plugin/detail/param_list.h>
+#include <burin/plugin/detail/param_values.h>
 #include <burin/plugin/outputs.h>
-#include <burin/plugin/param_list.h>
-#include <burin/plugin/param_values.h>
 #include <burin/plugin/stroke.h>
 
 #include <cstdint>
@@ -47,7 +47,7 @@ struct StrokeStart {
 ///     explicit Ripple(StrokeStart& start);                     // if it prepares something
 ///     void evaluate(const Batch& in, const Outputs& out) const override;
 ///   };
-///   BURIN_PLUGIN(Ripple);                                      // burin/plugin/entry.h
+///   BURIN_PLUGIN(Ripple);                                      // once per module, at global scope
 ///
 /// Every stroke has an object of its own, made when the stroke begins and destroyed when it ends: files and
 /// tables that the stroke needs are members. Exceptions are welcome everywhere and reach the user as text.

@@ -1,6 +1,6 @@
 #pragma once
 #include <burin/plugin/batch.h>
-#include <burin/plugin/views.h>
+#include <burin/plugin/detail/views.h>
 
 #include <cstddef>
 

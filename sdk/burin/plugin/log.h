@@ -1,6 +1,6 @@
 #pragma once
 #include <burin/abi/ext/log.h>
-#include <burin/plugin/host.h>
+#include <burin/plugin/detail/host.h>
 
 #include <string>
 

@@ -12,7 +12,7 @@
 ///                                     .hard = {0, 10}, .soft = {0, 1}, .initial = 0.3f, .dynamic =
 ///                                     true};
 ///   static constexpr ChoiceParam profile{.id = "profile", .name = "Profile", .choices = {"round", "v"}};
-///   static constexpr auto params = param_list(depth, profile);   // burin/plugin/param_list.h
+///   static constexpr auto params = param_list(depth, profile);
 ///
 /// `id` is what files and scripts store ([a-z0-9_]+, never to change), `name` and `help` are for people.
 /// `dynamic` lets the host vary the value along the stroke (pen pressure, say). Mistakes, such as a default

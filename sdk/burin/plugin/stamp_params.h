@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/plugin/param_values.h>
+#include <burin/plugin/detail/param_values.h>
 #include <burin/plugin/params.h>
 #include <burin/plugin/stamps.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <burin/abi/stroke.h>
 #include <burin/math/elementary.h>
-#include <burin/plugin/complete.h>
+#include <burin/plugin/detail/complete.h>
 
 #include <algorithm>
 #include <cmath>

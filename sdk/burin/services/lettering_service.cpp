@@ -1,7 +1,7 @@
-#include <burin/host/utf8_path.h>
+#include <burin/host/plugin/utf8_path.h>
 #include <burin/services/service_tables.h>
-#include <burin/stamp/font_search.h>
-#include <burin/stamp/lettering.h>
+#include <burin/stamp/lettering/font_search.h>
+#include <burin/stamp/lettering/lettering.h>
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/host/services.h>
+#include <burin/host/plugin/services.h>
 #include <burin/services/stamp_store.h>
 
 namespace burin {

@@ -1,5 +1,5 @@
 #include <burin/abi/ext/log.h>
-#include <burin/host/utf8_path.h>
+#include <burin/host/plugin/utf8_path.h>
 #include <burin/services/service_tables.h>
 #include <burin/stamp/area_filter.h>
 #include <fmt/format.h>

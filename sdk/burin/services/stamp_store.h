@@ -1,6 +1,6 @@
 #pragma once
+#include <burin/stamp/files/stamp_file.h>
 #include <burin/stamp/mip_pyramid.h>
-#include <burin/stamp/stamp_file.h>
 
 #include <array>
 #include <atomic>

@@ -1,5 +1,5 @@
 #include <burin/base/error.h>
-#include <burin/stamp/encode_image.h>
+#include <burin/stamp/files/encode_image.h>
 #include <burin/stamp/float_image.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/subdiv/check_cage.h>
 #include <burin/surface/csr.h>
-#include <burin/surface/vertex_star.h>
+#include <burin/surface/topology/vertex_star.h>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include <burin/base/counting_sort.h>
 #include <burin/subdiv/detail_frames.h>
 #include <burin/subdiv/refined_topology.h>
-#include <burin/surface/normals.h>
+#include <burin/surface/geometry/normals.h>
 
 #include <Eigen/Geometry>
 

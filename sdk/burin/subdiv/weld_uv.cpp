@@ -1,5 +1,5 @@
 #include <burin/subdiv/weld_uv.h>
-#include <burin/surface/weld.h>
+#include <burin/surface/topology/weld.h>
 
 #include <bit>
 

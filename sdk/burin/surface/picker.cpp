@@ -1,5 +1,5 @@
-#include <burin/surface/pick_scene.h>
 #include <burin/surface/picker.h>
+#include <burin/surface/picking/pick_scene.h>
 
 namespace burin {
 

@@ -1,5 +1,5 @@
-#include <burin/surface/area_vector.h>
-#include <burin/surface/quad_cuts.h>
+#include <burin/surface/geometry/area_vector.h>
+#include <burin/surface/geometry/quad_cuts.h>
 #include <burin/surface/triangulate.h>
 
 #include <Eigen/Geometry>

@@ -4,8 +4,8 @@
 // 3. pairs: of rim edges between the same two places, one each way where faces agree on the outside;
 // 4. vertices: those at the ends of a pair are one.
 // Every pair turns two rim edges into one inner edge, so what was a manifold stays one.
-#include <burin/surface/point_tree.h>
-#include <burin/surface/weld.h>
+#include <burin/surface/points/point_tree.h>
+#include <burin/surface/topology/weld.h>
 #include <burin/surface/weld_mesh.h>
 
 #include <Eigen/Geometry>

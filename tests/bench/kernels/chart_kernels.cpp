@@ -2,7 +2,7 @@
 // with them, so that whatever slows the machine down slows both.
 #include <benchmark/benchmark.h>
 #include <burin/base/parallel.h>
-#include <burin/chart/stroke_chart.h>
+#include <burin/chart/stroke_chart_builder.h>
 
 #include "bare_dijkstra.h"
 #include "measure.h"
@@ -20,14 +20,14 @@ const SphereStroke& stroke_of(const benchmark::State& state) {
 /// Measures charts and Dijkstra's algorithm in turn.
 template <class Prepare>
 void measure_charts(benchmark::State& state, const SphereStroke& stroke, const SurfaceCurve& curve,
-                    StrokeCharter& charter, const ChartOptions& options, const Prepare& prepare) {
+                    StrokeChartBuilder& builder, const ChartOptions& options, const Prepare& prepare) {
   BareDijkstra dijkstra(stroke.surface);
   std::vector<double> chart_seconds, dijkstra_seconds;
   double nodes = 0, vertices = 0;
   run_and_count(state, [&] {
     prepare();
     Chart chart;
-    chart_seconds.push_back(seconds_of([&] { chart = charter.chart(curve, options); }));
+    chart_seconds.push_back(seconds_of([&] { chart = builder.chart(curve, options); }));
     nodes = static_cast<double>(chart.size());
     dijkstra_seconds.push_back(seconds_of([&] {
       vertices = static_cast<double>(dijkstra.run(stroke.curve, static_cast<float>(stroke.radius)).size());
@@ -48,9 +48,9 @@ void measure_charts(benchmark::State& state, const SphereStroke& stroke, const S
 void whole_chart(benchmark::State& state) {
   const SphereStroke& stroke = stroke_of(state);
   const ThreadLimit limit(static_cast<std::size_t>(state.range(2)));
-  StrokeCharter charter(stroke.surface);
+  StrokeChartBuilder builder(stroke.surface);
   const ChartOptions options{.radius = stroke.radius, .order = static_cast<int>(state.range(1))};
-  measure_charts(state, stroke, stroke.curve, charter, options, [] {});
+  measure_charts(state, stroke, stroke.curve, builder, options, [] {});
 }
 BENCHMARK(whole_chart)
     ->Name("chart")
@@ -64,13 +64,13 @@ void base_chart(benchmark::State& state) {
   const SphereStroke& stroke = stroke_of(state);
   const ThreadLimit limit(static_cast<std::size_t>(state.range(1)));
   const SurfaceLevels levels(stroke.surface);
-  StrokeCharter charter(stroke.surface, &levels);
+  StrokeChartBuilder builder(stroke.surface, &levels);
   const ChartOptions options{.radius = stroke.radius, .follow = 0};
-  charter.begin(options);
-  const SurfaceCurve curve = on_base(stroke, charter.base());
+  builder.begin(options);
+  const SurfaceCurve curve = on_base(stroke, builder.base());
   // Nodes are forgotten when the radius changes.
-  measure_charts(state, stroke, curve, charter, options,
-                 [&] { charter.begin({.radius = 2 * stroke.radius, .follow = 0}); });
+  measure_charts(state, stroke, curve, builder, options,
+                 [&] { builder.begin({.radius = 2 * stroke.radius, .follow = 0}); });
 }
 BENCHMARK(base_chart)
     ->ArgNames({"nodes", "threads"})
@@ -80,11 +80,11 @@ BENCHMARK(base_chart)
 
 void chart_speedup(benchmark::State& state) {
   const SphereStroke& stroke = stroke_of(state);
-  StrokeCharter charter(stroke.surface);
+  StrokeChartBuilder builder(stroke.surface);
   const auto seconds_on = [&](std::size_t threads) {
     const ThreadLimit limit(threads);
     return seconds_of(
-        [&] { benchmark::DoNotOptimize(charter.chart(stroke.curve, {.radius = stroke.radius}).size()); });
+        [&] { benchmark::DoNotOptimize(builder.chart(stroke.curve, {.radius = stroke.radius}).size()); });
   };
   std::vector<double> one, two;
   run_and_count(state, [&] {

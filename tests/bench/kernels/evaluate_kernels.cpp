@@ -1,9 +1,9 @@
 // The stock brushes over whole charts, batch by batch on one thread.
 #include <benchmark/benchmark.h>
-#include <burin/chart/stroke_chart.h>
-#include <burin/deform/brush_stroke.h>
+#include <burin/chart/stroke_chart_builder.h>
+#include <burin/deform/evaluate/brush_stroke.h>
 #include <burin/host/brush_library.h>
-#include <burin/host/param_snapshot.h>
+#include <burin/host/plugin/param_snapshot.h>
 #include <burin/services/stamp_services.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr std::size_t batch_size = 1024;
 /// What the stock brushes read and write, a number for each node.
 struct Columns {
   explicit Columns(const SphereStroke& stroke) : radius(static_cast<float>(stroke.radius)) {
-    const Chart chart = StrokeCharter(stroke.surface).chart(stroke.curve, {.radius = stroke.radius});
+    const Chart chart = StrokeChartBuilder(stroke.surface).chart(stroke.curve, {.radius = stroke.radius});
     for (const double each : chart.t) t.push_back(static_cast<float>(each));
     d = chart.d;
     up.resize(d.size());

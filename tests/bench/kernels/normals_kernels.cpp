@@ -1,8 +1,8 @@
 // Vertex normals of a stroke's region anew, as every event of a stroke has them computed.
 #include <benchmark/benchmark.h>
 #include <burin/base/parallel.h>
-#include <burin/chart/stroke_chart.h>
-#include <burin/surface/normals.h>
+#include <burin/chart/stroke_chart_builder.h>
+#include <burin/surface/geometry/normals.h>
 
 #include "sphere_stroke.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 void normals(benchmark::State& state) {
   const SphereStroke& stroke = sphere_stroke(static_cast<std::size_t>(state.range(0)));
-  const Chart chart = StrokeCharter(stroke.surface).chart(stroke.curve, {.radius = stroke.radius});
+  const Chart chart = StrokeChartBuilder(stroke.surface).chart(stroke.curve, {.radius = stroke.radius});
   const ThreadLimit limit(static_cast<std::size_t>(state.range(1)));
   std::vector<Vec3f> result(stroke.surface.vertex_count());
   for ([[maybe_unused]] const auto _ : state) {

@@ -1,6 +1,6 @@
 #pragma once
-#include <burin/stroke/surface_curve.h>
-#include <burin/surface/base_surface.h>
+#include <burin/stroke/curve/surface_curve.h>
+#include <burin/surface/base_surface/base_surface.h>
 #include <burin/surface/surface.h>
 
 #include <cstddef>

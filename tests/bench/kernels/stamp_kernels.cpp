@@ -1,7 +1,7 @@
 // Stamp samples through the service that brushes have.
 #include <benchmark/benchmark.h>
 #include <burin/abi/ext/stamps.h>
-#include <burin/host/services.h>
+#include <burin/host/plugin/services.h>
 #include <burin/services/stamp_services.h>
 
 #include <cmath>

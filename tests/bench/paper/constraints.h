@@ -1,6 +1,6 @@
 #pragma once
 #include <burin/chart/chart.h>
-#include <burin/stroke/surface_curve.h>
+#include <burin/stroke/curve/surface_curve.h>
 
 #include <Eigen/SparseCore>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "support/region.h"
+#include "support/oracles/region.h"
 
 namespace burin::paper {
 

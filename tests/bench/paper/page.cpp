@@ -3,7 +3,7 @@
 #include <burin/base/file.h>
 #include <fmt/format.h>
 
-#include "host_stub/base64.h"
+#include "host_stub/report/base64.h"
 #include "support/shared_data.h"
 
 namespace burin::paper {

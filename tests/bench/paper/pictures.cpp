@@ -4,10 +4,10 @@
 #include <array>
 #include <optional>
 
-#include "host_stub/checkerboard.h"
-#include "host_stub/curve_overlay.h"
-#include "host_stub/render.h"
-#include "host_stub/view.h"
+#include "host_stub/options/view.h"
+#include "host_stub/pictures/checkerboard.h"
+#include "host_stub/pictures/curve_overlay.h"
+#include "host_stub/pictures/render.h"
 
 namespace burin::paper {
 namespace {

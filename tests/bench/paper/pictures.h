@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/stamp/picture.h>
+#include <burin/stamp/files/picture.h>
 
 #include "subject.h"
 

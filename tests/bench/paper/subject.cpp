@@ -64,7 +64,8 @@ test::Region region_of(const Surface& surface, const SurfaceCurve& curve, const 
 
 Subject make_subject(const Scene& scene, SurfaceCurve curve, double radius) {
   Subject subject{&scene, radius, std::move(curve), {}, {}};
-  subject.chart = nearest_sheets(StrokeCharter(scene.surface).chart(subject.curve, {radius, Cap::round}));
+  subject.chart =
+      nearest_sheets(StrokeChartBuilder(scene.surface).chart(subject.curve, {radius, Cap::round}));
   subject.region = region_of(scene.surface, subject.curve, subject.chart);
   return subject;
 }

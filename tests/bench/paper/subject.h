@@ -1,11 +1,11 @@
 #pragma once
-#include <burin/chart/stroke_chart.h>
+#include <burin/chart/stroke_chart_builder.h>
 #include <burin/surface/picker.h>
 
 #include <string>
 
 #include "flat_triangle.h"
-#include "support/exact_geodesic.h"
+#include "support/oracles/exact_geodesic.h"
 
 namespace burin::paper {
 

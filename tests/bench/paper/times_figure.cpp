@@ -23,11 +23,11 @@ struct Timing {
 
 /// The best of three runs; finding the region is part of it.
 double chart_time(const Subject& subject) {
-  StrokeCharter charter(subject.scene->surface);
+  StrokeChartBuilder builder(subject.scene->surface);
   double best = 1e300;
   for (int run = 0; run < 3; ++run) {
     Stopwatch watch;
-    charter.chart(subject.curve, {subject.radius, Cap::round});
+    builder.chart(subject.curve, {subject.radius, Cap::round});
     best = std::min(best, watch.lap());
   }
   return 1000 * best;

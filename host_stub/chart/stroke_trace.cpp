@@ -1,0 +1,39 @@
+#include "chart/stroke_trace.h"
+
+#include <utility>
+
+namespace burin {
+namespace {
+
+std::optional<CurveGround::Place> place(const CurveGround& ground, const Recording& recording,
+                                        const Vec3d& position, double radius) {
+  if (recording.space == StrokeSpace::object)
+    return ground.closest(position.cast<float>(), static_cast<float>(radius));
+  return ground.pick(pixel_ray(*recording.camera, position.x(), position.y()));
+}
+
+}  // namespace
+
+std::vector<SurfaceCurve> trace_stroke(const CurveGround& ground, const Recording& recording,
+                                       const RecordedStroke& stroke, const TraceOptions& options) {
+  std::vector<SurfaceCurve> pieces;
+  CurveTracer tracer(ground, options.radius, options.width);
+  const auto end_piece = [&](Closure of_piece) {
+    if (auto closed = tracer.closed_curve(of_piece))
+      pieces.push_back(*std::move(closed));
+    else if (!tracer.curve().points.empty())
+      pieces.push_back(tracer.curve());
+    tracer = CurveTracer(ground, options.radius, options.width);
+  };
+  // Of a stroke that breaks, only pieces that come back by themselves close.
+  const Closure of_a_piece = options.closure == Closure::automatic ? options.closure : Closure::open;
+  for (const Sample& sample : stroke.samples) {
+    const auto at = place(ground, recording, sample.position, options.radius);
+    if (!at || !tracer.connects(*at)) end_piece(of_a_piece);
+    if (at) tracer.add(*at, sample.time, sample.pen);
+  }
+  end_piece(pieces.empty() ? options.closure : of_a_piece);
+  return pieces;
+}
+
+}  // namespace burin

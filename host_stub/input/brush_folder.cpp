@@ -1,0 +1,40 @@
+#include "input/brush_folder.h"
+
+#include <burin/deform/evaluate/plugin_call.h>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "system/console.h"
+#include "system/platform.h"
+
+namespace burin {
+namespace {
+
+/// At the end of the process.
+void tell_of_exit_in_plugin() {
+  const std::string plugin = PluginCall::running();
+  if (plugin.empty()) return;
+  std::fputs(fmt::format("burin: {} called exit()\n", plugin).c_str(), stderr);
+  std::_Exit(2);
+}
+
+}  // namespace
+
+std::filesystem::path own_brush_folder() {
+  const std::filesystem::path beside = executable_folder() / "brushes";
+  if (std::filesystem::is_directory(beside)) return beside;
+  return executable_folder().parent_path() / "lib" / "burin" / "brushes";
+}
+
+void load_brushes(BrushLibrary& library) {
+  keep_plugins_off_standard_output();
+  std::atexit(tell_of_exit_in_plugin);
+  library.load_search_path(own_brush_folder());
+  // Once more, since what was registered last runs first: before anything ends that brushes on other threads
+  // still work with.
+  std::atexit(tell_of_exit_in_plugin);
+}
+
+}  // namespace burin

@@ -1,0 +1,25 @@
+#include "input/brush_params.h"
+
+#include <burin/abi/plugin.h>
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+bool has_param(const burin_brush_descriptor& brush, std::string_view name,
+               std::initializer_list<burin_param_type> types) {
+  return std::any_of(brush.params, brush.params + brush.param_count, [&](const burin_param_info* param) {
+    return param->id == name && std::ranges::find(types, param->type) != types.end();
+  });
+}
+
+}  // namespace
+
+bool has_param(const BrushLibrary& brushes, const std::optional<std::string>& brush, std::string_view name,
+               std::initializer_list<burin_param_type> types) {
+  return std::ranges::any_of(brushes.brushes(), [&](const BrushEntry& entry) {
+    return (!brush || *brush == entry.descriptor->id) && has_param(*entry.descriptor, name, types);
+  });
+}
+
+}  // namespace burin

@@ -1,0 +1,12 @@
+#pragma once
+#include <burin/stamp/files/picture.h>
+#include <burin/stroke/curve/surface_curve.h>
+
+namespace burin {
+
+/// Draws the visible part of a curve as a dark line over a picture that was rendered with this camera. What
+/// lies at most `depth` (object units) below the surface is visible too.
+void draw_curve(Picture& picture, const Camera& camera, const Picker& picker, const SurfaceCurve& curve,
+                double depth);
+
+}  // namespace burin

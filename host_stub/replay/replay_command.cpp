@@ -1,0 +1,234 @@
+#include <burin/base/error.h>
+#include <burin/host/replay.h>
+#include <burin/services/stamp_services.h>
+#include <burin/stroke/move_origin.h>
+#include <burin/surface/mesh_file.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "input/brush_folder.h"
+#include "input/brush_params.h"
+#include "input/name_file.h"
+#include "input/radius_fit.h"
+#include "input/stroke_input.h"
+#include "options/axes_option.h"
+#include "options/bake_option.h"
+#include "options/options.h"
+#include "options/sculpt_options.h"
+#include "options/view.h"
+#include "pictures/painted.h"
+#include "pictures/render.h"
+#include "replay/replay_mesh.h"
+#include "replay/replay_report.h"
+#include "report/report_folder.h"
+#include "system/output_file.h"
+#include "system/platform.h"
+
+namespace burin::command {
+namespace {
+
+struct ReplayOptions {
+  std::vector<std::string> strokes, params;
+  ReplayMeshOptions mesh;
+  AxesOptions axes;
+  BakeOptions bake;
+  StrokeOverrides overrides;
+  ViewOptions view;
+  std::string save_mesh, png, report;
+  bool json = false;
+};
+
+std::vector<Recording> read_recordings(const ReplayOptions& options) {
+  const Eigen::Matrix3d rotation = turn_of_strokes(options.axes, options.mesh.mesh.path);
+  std::vector<Recording> recordings;
+  for (const std::string& path : options.strokes) {
+    recordings.push_back(read_whole_strokes(path));
+    turn(recordings.back(), rotation);
+  }
+  return recordings;
+}
+
+/// Of all strokes that have one, object units.
+std::vector<double> radii(const ReplayOptions& options, const std::vector<Recording>& recordings) {
+  std::vector<double> radii;
+  for (const Recording& recording : recordings)
+    for (const RecordedStroke& stroke : recording.strokes)
+      if (const auto& radius = options.overrides.radius ? options.overrides.radius : stroke.radius)
+        radii.push_back(*radius);
+  return radii;
+}
+
+bool draws(const ReplayOptions& options) { return !options.png.empty() || !options.report.empty(); }
+
+ReplaySummary replay_all(Session& session, const ReplayOptions& options,
+                         const std::vector<Recording>& recordings, StrokeWitness& witness) {
+  ReplaySummary summary{
+      options.strokes, {}, session.surface().vertex_count(), seconds_since_process_start(), 0};
+  ProgressBar bar;
+  ReplayObserver observer{bar.progress(), {}};
+  if (draws(options)) observer.piece_ended = [&](const Session& done) { witness.piece_ended(done); };
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    naming_file(options.strokes[i],
+                [&] { add_result(summary, replay(session, recordings[i], options.overrides, observer)); });
+  }
+  summary.peak_memory = peak_memory();
+  return summary;
+}
+
+void warn_of_left_out(const ReplaySummary& summary) {
+  const ReplayResult& result = summary.result;
+  if (result.left_open > 0) {
+    warn(fmt::format(
+        "closed strokes that stay open, as they leave the surface on the way or are too short: {}",
+        result.left_open));
+  }
+  if (result.standing_clocks > 0) {
+    warn(fmt::format("strokes whose time stamps are all equal, taken as without times: {}",
+                     result.standing_clocks));
+  }
+  if (result.samples_drawn == 0) warn("no stroke meets the surface");
+}
+
+void warn_of_lost_paint(const Session& session, const ReplayMesh& mesh) {
+  if (mesh.has_levels() && !paint_in_source_order(session.surface(), session.paint()).empty())
+    warn("--sculpt-level is below the finest level, which takes no colours and masks: they are lost");
+}
+
+void check_mesh_path(const std::string& path) {
+  check_output_path(path);
+  if (!path.empty()) check_mesh_format(path);
+}
+
+/// What places of the mesh file become in the file that is saved.
+Eigen::Matrix3d turn_to_save(const ReplayOptions& options) {
+  return turn_of_saved(options.axes, options.mesh.mesh.path, options.save_mesh);
+}
+
+void check_options(const ReplayOptions& options, const BrushLibrary& library) {
+  check_mesh_path(options.save_mesh);
+  turn_to_save(options);
+  check_output_path(options.png);
+  check_report_folder(options.report);
+  check_bake_path(options.bake);
+  if (options.overrides.brush) naming_file("--brush", [&] { library.find(*options.overrides.brush); });
+}
+
+/// The summary is then of the finest level.
+void finish(ReplayMesh& mesh, const Session& session, ReplaySummary& summary) {
+  if (!mesh.has_levels()) return;
+  mesh.finish(session);
+  summary.result.hash = mesh.result_hash();
+  summary.surface_vertices = mesh.before().positions.size();
+  summary.peak_memory = peak_memory();
+}
+
+/// Also of the finest level, on which nothing is painted.
+void write_pictures(const ReplayOptions& options, Session& session, const ReplayMesh& mesh,
+                    const StrokeWitness& witness, const Camera& camera, const ReplaySummary& summary,
+                    const Json& json) {
+  ProgressBar bar;
+  const Picture result = mesh.has_levels() ? draw_mesh(mesh.result(session), camera, bar.progress())
+                                           : render(session.surface(), session.picker(), camera,
+                                                    painted(session.paint()), bar.progress());
+  if (!options.png.empty()) write_png(options.png, result);
+  if (options.report.empty()) return;
+  ReplayPictures pictures = draw_replay(session, witness, camera, bar.progress());
+  pictures.after = result;
+  if (mesh.has_levels()) pictures.before = draw_mesh(mesh.before(), camera, bar.progress());
+  write_report(options.report, summary, json, pictures);
+}
+
+void save_mesh(const ReplayOptions& options, const Session& session, const ReplayMesh& mesh) {
+  if (options.save_mesh.empty()) return;
+  const Eigen::Matrix3d rotation = turn_to_save(options);
+  TriangleMesh saved = mesh.saved(session);
+  if (!rotation.isIdentity(0))
+    for (Vec3f& position : saved.positions) position = (rotation.cast<float>() * position).eval();
+  write_mesh(options.save_mesh, saved, mesh.saved_paint(session), rotation * mesh.origin());
+}
+
+/// What text looks like a number stays text where the brush takes text.
+ParamSettings read_params(const ReplayOptions& options, const BrushLibrary& library) {
+  return parse_param_settings(options.params, [&](const std::string& name) {
+    return has_param(library, options.overrides.brush, name,
+                     {BURIN_PARAM_TEXT, BURIN_PARAM_FILE, BURIN_PARAM_CHOICE});
+  });
+}
+
+void run(ReplayOptions& options) {
+  BrushLibrary library(log_on_console, stamp_services());
+  load_brushes(library);
+  check_options(options, library);
+  options.overrides.params = read_params(options, library);
+  std::vector<Recording> recordings = read_recordings(options);
+  ReplayMesh mesh(options.mesh, {.baked = options.bake.asked(), .saved = !options.save_mesh.empty()});
+  for (Recording& recording : recordings) move_origin(recording, mesh.origin());
+  options.overrides.symmetry.centre -= mesh.origin();
+  Session session(mesh.take_surface(), library);
+  session.set_paint(mesh.take_paint());
+  warn_of_radii(options.mesh.mesh.path, session.surface(), radii(options, recordings));
+  StrokeWitness witness;
+  ReplaySummary summary = replay_all(session, options, recordings, witness);
+  finish(mesh, session, summary);
+  warn_of_left_out(summary);
+  warn_of_lost_paint(session, mesh);
+  Json json = {{"mesh", mesh.json()}};
+  json.update(summary_json(summary));
+  save_mesh(options, session, mesh);
+  if (options.bake.asked()) {
+    json["bake"] = write_map(options.bake, mesh.before(), mesh.result(session).positions);
+  }
+  if (draws(options)) {
+    const Camera camera = replay_view(session.surface(), witness.extent(), recordings, options.view);
+    write_pictures(options, session, mesh, witness, camera, summary, json);
+  }
+  write_result(options.json ? json_text(json) : mesh.text() + "\n" + summary_text(summary) + "\n");
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app) {
+  const auto options = std::make_shared<ReplayOptions>();
+  CLI::App& command = *app.add_subcommand("replay", "draw recorded strokes on a surface with a brush");
+  command.add_option("stroke_files", options->strokes, "recorded strokes")
+      ->required()
+      ->type_name("FILE.stroke");
+  add_replay_mesh_options(command, options->mesh);
+  add_axes_options(command, options->axes);
+  StrokeOverrides& overrides = options->overrides;
+  command.add_option("--brush", overrides.brush, "instead of the recorded brush")->type_name("ID");
+  command.add_option("--radius", overrides.radius, "object units, instead of the recorded one")
+      ->check(positive_number());
+  command.add_option("--strength", overrides.strength, "factor on the brush's displacement")
+      ->check(finite_number());
+  add_sculpt_options(command, overrides);
+  add_stroke_options(command, overrides.closure, overrides.pressure_width, overrides.join);
+  add_follow_option(command, overrides.follow);
+  add_input_options(command, overrides.dynamics, overrides.stabilising);
+  command
+      .add_option("--show-every", overrides.show_every,
+                  "show every so many samples, as where several come at a time; 0: each stroke at its end")
+      ->capture_default_str();
+  command.add_option("--param", options->params, "parameter of the brush, repeatable")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      .add_option("--save-mesh", options->save_mesh,
+                  "surface to write, with what is painted on it: .ply, .glb, .obj or .off")
+      ->type_name("FILE");
+  add_bake_options(command, options->bake);
+  command.add_option("--png", options->png, "picture of the result, the strokes filling it")
+      ->type_name("FILE");
+  add_view_options(command, options->view);
+  command.add_option("--report", options->report, "folder for a report with pictures")->type_name("FOLDER");
+  command.add_flag("--json", options->json, "write JSON to the standard output");
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace burin::command

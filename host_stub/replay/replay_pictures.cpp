@@ -1,0 +1,71 @@
+#include "replay/replay_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pictures/curve_overlay.h"
+#include "pictures/painted.h"
+#include "pictures/render.h"
+
+namespace burin {
+namespace {
+
+double widest_in(const Chart& chart) {
+  double widest = 0;
+  for (const float d : chart.d) widest = std::max(widest, std::abs(static_cast<double>(d)));
+  return widest;
+}
+
+std::optional<Camera> recorded_camera(const std::vector<Recording>& recordings) {
+  for (const Recording& recording : recordings) {
+    if (recording.space == StrokeSpace::screen) return recording.camera;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void StrokeExtent::piece_ended(const Session& session) {
+  widest_ = std::max(widest_, widest_in(session.chart()));
+  curves_.push_back(session.curve());
+}
+
+void StrokeWitness::piece_ended(const Session& session) {
+  if (!checkerboard_) checkerboard_.emplace(session.surface());
+  const double widest = widest_in(session.chart());
+  if (widest > 0) checkerboard_->add(session.chart(), widest);
+  extent_.piece_ended(session);
+}
+
+Vec3f StrokeWitness::colour(const SurfacePoint& point) const {
+  return checkerboard_ ? (*checkerboard_)(point) : clay(point);
+}
+
+Camera replay_view(const Surface& surface, const StrokeExtent& extent,
+                   const std::vector<Recording>& recordings, const ViewOptions& options) {
+  const std::optional<Camera> recorded = recorded_camera(recordings);
+  if (recorded && !options.direction) return fit_into(*recorded, options.width);
+  return stroke_view(surface, extent.curves(), extent.widest(), options);
+}
+
+ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const Camera& camera,
+                           const Progress& progress) {
+  ReplayPictures pictures;
+  while (session.undo()) {
+  }
+  pictures.before = render(session.surface(), session.picker(), camera, painted(session.paint()), progress);
+  const Albedo checkers = [&](const SurfacePoint& point) { return witness.colour(point); };
+  pictures.chart = render(session.surface(), session.picker(), camera, checkers, progress);
+  // Later strokes run where earlier ones had moved the surface, perhaps below what the picture shows.
+  for (const SurfaceCurve& curve : witness.extent().curves()) {
+    draw_curve(pictures.chart, camera, session.picker(), curve, witness.extent().widest());
+  }
+  return pictures;
+}
+
+Picture draw_mesh(TriangleMesh mesh, const Camera& camera, const Progress& progress) {
+  const Surface surface = make_surface(std::move(mesh), progress);
+  return render(surface, Picker(surface), camera, clay, progress);
+}
+
+}  // namespace burin

@@ -1,0 +1,131 @@
+#include <burin/chart/carry/cluster_contest.h>
+#include <burin/chart/frames/propagate_frame.h>
+
+#include <cmath>
+#include <utility>
+
+namespace burin {
+
+template <class Visit>
+void ClusterContest::for_each_around(const LiveChart& nodes, Index node, const Visit& visit) const {
+  for (const Index around : base_->neighbours()[node])
+    for (Index slot = nodes.first(around); slot != no_index; slot = nodes.next(slot)) visit(slot);
+}
+
+/// Of the visits of the stroke to a slot's cluster, a rival's node goes with the one next to it along the
+/// stroke.
+bool ClusterContest::is_of_visit(const LiveChart& nodes, Index slot, Index rival) const {
+  const std::vector<double>& t = nodes.nodes().t;
+  for (Index other = nodes.first(nodes.nodes().vertex[slot]); other != no_index; other = nodes.next(other))
+    if (std::abs(t[other] - t[rival]) < std::abs(t[slot] - t[rival])) return false;
+  return true;
+}
+
+/// There nodes have their frames from the stroke itself, not from each other, and fronts of several parts of
+/// it may meet unseen.
+bool ClusterContest::is_near_stroke(const LiveChart& nodes, Index slot) const {
+  constexpr double most_spacings = 3;
+  return std::abs(static_cast<double>(nodes.nodes().d[slot])) < most_spacings * base_->spacing();
+}
+
+bool ClusterContest::is_contested(const LiveChart& nodes, Index slot) const {
+  // Beyond this turn over a spacing of base nodes quadratics are not good enough, radians.
+  constexpr double most_turn = 0.3;
+  const Chart& chart = nodes.nodes();
+  const bool turns = std::abs(static_cast<double>(chart.curvature[slot])) * base_->spacing() > most_turn;
+  if (turns || nodes.contested(slot)) return true;
+  if (!is_near_stroke(nodes, slot)) return false;
+  bool jumps = false;
+  for_each_around(nodes, chart.vertex[slot], [&](Index rival) {
+    constexpr double most_spacings = 4;
+    const bool far_along = std::abs(chart.t[rival] - chart.t[slot]) > most_spacings * base_->spacing();
+    jumps = jumps || (far_along && is_near_stroke(nodes, rival) && is_of_visit(nodes, slot, rival));
+  });
+  return jumps;
+}
+
+std::span<const Index> ClusterContest::update(const LiveChart& nodes) {
+  affected_.clear();
+  looked_at_.clear();
+  contested_.resize(nodes.nodes().size());
+  chosen_.resize(nodes.nodes().size());
+  is_looked_at_.resize(nodes.nodes().size());
+  was_near_.resize(nodes.nodes().size());
+  node_of_.resize(nodes.nodes().size(), no_index);
+  for (const Index slot : nodes.removed()) leave(nodes, slot);
+  for (const Index slot : nodes.computed()) {
+    if (!nodes.changed(slot) || nodes.vacant(slot)) continue;
+    leave(nodes, slot);
+    look_at(nodes, slot);
+    look_around(nodes, nodes.nodes().vertex[slot], is_near_stroke(nodes, slot));
+  }
+  for (const Index slot : looked_at_) follow(nodes, slot);
+  return affected_;
+}
+
+void ClusterContest::look_at(const LiveChart& nodes, Index slot) {
+  if (is_looked_at_[slot] || nodes.vacant(slot)) return;
+  is_looked_at_[slot] = 1;
+  looked_at_.push_back(slot);
+}
+
+/// Forgets what a slot had before the event.
+void ClusterContest::leave(const LiveChart& nodes, Index slot) {
+  const Index node = std::exchange(node_of_[slot], no_index);
+  if (node == no_index) return;
+  const bool was = std::exchange(contested_[slot], 0) != 0;
+  affect_around(nodes, node, was);
+  count_ -= was ? 1 : 0;
+  look_around(nodes, node, was_near_[slot] != 0);
+}
+
+/// What of the neighbours is to be looked at again after a change at the node.
+void ClusterContest::look_around(const LiveChart& nodes, Index node, bool is_near_stroke) {
+  if (!is_near_stroke) return;
+  for (Index slot = nodes.first(node); slot != no_index; slot = nodes.next(slot)) look_at(nodes, slot);
+  for_each_around(nodes, node, [&](Index around) { look_at(nodes, around); });
+}
+
+void ClusterContest::follow(const LiveChart& nodes, Index slot) {
+  is_looked_at_[slot] = 0;
+  was_near_[slot] = is_near_stroke(nodes, slot);
+  const Index node = nodes.nodes().vertex[slot];
+  const bool is_new = std::exchange(node_of_[slot], node) == no_index;
+  const bool now = is_contested(nodes, slot), was = std::exchange(contested_[slot], now) != 0;
+  count_ = count_ + (now ? 1 : 0) - (was ? 1 : 0);
+  if (is_new || now != was) affect_around(nodes, node, now || was);
+}
+
+/// What a change at the node affects: its other visits, which may have other rivals now, and all around it,
+/// or what had something to choose only.
+void ClusterContest::affect_around(const LiveChart& nodes, Index node, bool all) {
+  if (count_ == 0 && !all) return;
+  for (Index slot = nodes.first(node); slot != no_index; slot = nodes.next(slot)) affected_.push_back(slot);
+  for_each_around(nodes, node, [&](Index slot) {
+    if (all || contested_[slot] || chosen_[slot]) affected_.push_back(slot);
+  });
+}
+
+void ClusterContest::find_rivals(const LiveChart& nodes, Index slot, std::vector<Index>& rivals) {
+  rivals.clear();
+  chosen_[slot] = 0;
+  if (!any()) return;
+  rivals.push_back(slot);
+  for_each_around(nodes, nodes.nodes().vertex[slot], [&](Index rival) {
+    if ((contested_[slot] || contested_[rival]) && is_of_visit(nodes, slot, rival)) rivals.push_back(rival);
+  });
+  chosen_[slot] = rivals.size() > 1 || contested_[slot];
+  if (!chosen_[slot]) rivals.clear();
+}
+
+ChartFrame ClusterContest::told_by(const LiveChart& nodes, const StrokePath& path, Index slot,
+                                   const GroundPlace& place) const {
+  const BasePatch patch = base_->patch(nodes.nodes().vertex[slot]);
+  const ChartFrame frame = nodes.nodes().frame(slot);
+  const FrameStep step =
+      step_along_edge(patch.position, patch.normal, frame.e1, place.position, place.normal);
+  const float gauss = (patch.gauss_curvature() + place.gauss_curvature) / 2;
+  return propagate_frame(frame, path.ray(frame.t, static_cast<double>(frame.d)), step, place.normal, gauss);
+}
+
+}  // namespace burin

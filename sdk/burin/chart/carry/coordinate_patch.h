@@ -1,0 +1,68 @@
+#pragma once
+#include <burin/base/vector.h>
+#include <burin/chart/chart_frame.h>
+#include <burin/chart/path/distance_ray.h>
+#include <burin/surface/base_surface/base_patch.h>
+#include <burin/surface/geometry/unit_tangent.h>
+
+#include <array>
+
+namespace burin {
+
+/// t and d around a node of a base surface's chart, from its frame: the quadratics over the node's BasePatch
+/// that agree to second order with the Fermi coordinates of the stroke, where J hardly varies along it. A
+/// step of u along e1 and v along e2 adds u / J (1 + k v) to t and v - k u^2 / 2 to d; around round ends,
+/// what ray_step() says.
+class CoordinatePatch {
+ public:
+  /// Points are taken several at a time.
+  static constexpr int lanes = 8;
+  using Lanes = Eigen::Array<float, lanes, 1>;
+
+  /// Places on the patch.
+  using Feet = BasePatch::Local<Lanes>;
+
+  /// The frames there.
+  struct Frames {
+    Lanes t;  ///< beyond the node's
+    Lanes d, stretch;
+    Lanes e1_x, e1_y, e1_z;
+    Lanes certain;  ///< 1, or 0 where lines of the stroke meet and e1 is to be the node's own
+  };
+
+  /// `ray`: of the frame.
+  CoordinatePatch(const BasePatch& patch, const ChartFrame& frame, const DistanceRay& ray = {});
+
+  Frames at(const Feet& feet) const;
+
+  /// One of the frames at these feet. Curvature is not told.
+  ChartFrame frame(const Frames& frames, const Feet& feet, int lane) const;
+
+ private:
+  struct Quadratic {
+    float x, y, xx, xy, yy;  ///< first and second derivatives
+    Lanes value(const Feet& at) const;
+    Feet slope(const Feet& at) const;
+  };
+  static Quadratic sum(float a, const Quadratic& of_a, float b, const Quadratic& of_b);
+  Lanes component(int i, const Lanes& x, const Lanes& y, const Lanes& z) const;
+
+  BasePatch patch_;
+  Vec3f axis_y_;
+  ChartFrame of_node_;
+  Quadratic t_terms_, d_terms_;
+};
+
+inline ChartFrame CoordinatePatch::frame(const Frames& frames, const Feet& feet, int lane) const {
+  ChartFrame frame;
+  frame.t = of_node_.t + static_cast<double>(frames.t[lane]);
+  frame.d = frames.d[lane];
+  frame.e1 = {frames.e1_x[lane], frames.e1_y[lane], frames.e1_z[lane]};
+  frame.stretch = frames.stretch[lane];
+  if (!(frames.certain[lane] > 0))
+    frame.e1 =
+        unit_tangent(of_node_.e1, patch_.normal_at(BasePatch::Local<float>{feet.x[lane], feet.y[lane]}));
+  return frame;
+}
+
+}  // namespace burin

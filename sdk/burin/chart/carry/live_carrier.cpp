@@ -1,0 +1,187 @@
+#include <burin/base/parallel.h>
+#include <burin/chart/carry/coordinate_patch.h>
+#include <burin/chart/carry/live_carrier.h>
+#include <burin/chart/frames/mended_frame.h>
+#include <burin/chart/path/closed_length.h>
+#include <burin/chart/path/curve_parts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+namespace {
+
+bool same_width(const SurfaceCurve& curve) {
+  return std::ranges::all_of(curve.points, [](const CurvePoint& point) { return point.width == 1; });
+}
+
+}  // namespace
+
+const SurfaceCurve& LiveCarrier::widened(const SurfaceCurve& curve) {
+  if (same_width(curve)) return curve;
+  widened_ = curve;
+  const double margin = stroke_.base_radius - stroke_.radius;
+  for (CurvePoint& point : widened_.points)
+    point.width = static_cast<float>((stroke_.radius * static_cast<double>(point.width) + margin) /
+                                     stroke_.base_radius);
+  return widened_;
+}
+
+void LiveCarrier::update(const LiveChart& nodes, const FrontStroke* on_base, const SurfaceCurve& curve,
+                         LiveChart& vertices) {
+  uniform_ = same_width(curve);
+  const std::span<const Index> affected = on_base ? contest_.update(nodes) : std::span<const Index>();
+  const double from = unchanged_up_to(nodes);
+  length_ = nodes.nodes().length;
+  vertices.begin_event(length_, nodes.nodes().closed, from);
+  ranges_.resize(std::max(ranges_.size(), nodes.nodes().size()));
+  for (const Index slot : nodes.removed())
+    if (nodes.vacant(slot)) vacate(slot, vertices);
+  find_stale(nodes, affected, from);
+  make_room(nodes, vertices);
+  constexpr std::size_t slots_a_block = 16;
+  std::vector<Carried> carried((stale_.size() + slots_a_block - 1) / slots_a_block);
+  const Event event{nodes, on_base, curve, vertices};
+  parallel_blocks(stale_.size(), slots_a_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) carry(event, stale_[i], carried[begin / slots_a_block]);
+  });
+  for (const Carried& block : carried) {
+    vertices.note(block.rewritten);
+    for (const Index slot : block.gone) vertices.remove(slot);
+    for (const auto& [slot, frame, normal] : block.others) vertices.set(slot, vertex_[slot], frame, normal);
+  }
+}
+
+/// Vertices of a lower t than this are in the stroke or not as before, where their coordinates are; those of
+/// contested clusters, where what these depend on is as before.
+double LiveCarrier::unchanged_up_to(const LiveChart& nodes) const {
+  if (nodes.nodes().closed) return nowhere;
+  const double ends = std::min(length_, nodes.nodes().length);
+  return uniform_ && !contest_.any() ? ends : std::min(ends, nodes.computed_from());
+}
+
+void LiveCarrier::find_stale(const LiveChart& nodes, std::span<const Index> affected, double from) {
+  stale_.clear();
+  is_stale_.resize(ranges_.size());
+  const auto add = [&](Index slot) {
+    if (is_stale_[slot] || nodes.vacant(slot)) return;
+    is_stale_[slot] = 1;
+    stale_.push_back(slot);
+  };
+  for (const Index slot : nodes.computed())
+    if (nodes.changed(slot)) add(slot);
+  for (const Index slot : affected) add(slot);
+  const auto last_t = [this](Index slot) { return ranges_[slot].last_t; };
+  for (const Index slot : near_end_.find(from, carried_, static_cast<Index>(ranges_.size()), last_t))
+    if (last_t(slot) >= from) add(slot);
+  carried_ = stale_;
+  for (const Index slot : stale_) is_stale_[slot] = 0;
+}
+
+/// A slot of the base chart keeps as many slots as its cluster has vertices.
+void LiveCarrier::make_room(const LiveChart& nodes, LiveChart& vertices) {
+  for (const Index slot : stale_) {
+    Range& range = ranges_[slot];
+    const Index node = nodes.nodes().vertex[slot];
+    if (range.node == node) continue;
+    vacate(slot, vertices);
+    range.node = node;
+    range.size = 0;
+    Index size = 0;
+    base_->for_each_vertex(node, [&](Index) { ++size; });
+    if (size <= range.room) continue;
+    range.begin = static_cast<Index>(vertex_.size());
+    range.room = size;
+    vertex_.resize(vertex_.size() + size);
+    foot_.resize(vertex_.size());
+  }
+  vertices.reserve(static_cast<Index>(vertex_.size()));
+}
+
+/// Vertices do not move while a stroke is drawn, so their feet stay.
+void LiveCarrier::find_feet(const BasePatch& patch, Range& range) {
+  base_->for_each_vertex(range.node, [&](Index vertex) {
+    const Index slot = range.begin + range.size++;
+    vertex_[slot] = vertex;
+    foot_[slot] = patch.foot(surface_->positions[vertex]);
+  });
+}
+
+/// Carries the vertices of one node over.
+void LiveCarrier::carry(const Event& event, Index slot, Carried& carried) {
+  Range& range = ranges_[slot];
+  const BasePatch patch = base_->patch(range.node);
+  if (range.size == 0) find_feet(patch, range);
+  range.last_t = nowhere;
+  if (event.on_base) contest_.find_rivals(event.nodes, slot, carried.rivals);
+  if (event.on_base && !carried.rivals.empty()) return carry_contested(event, slot, patch, carried);
+  const ChartFrame of_node = event.nodes.nodes().frame(slot);
+  const DistanceRay ray =
+      event.on_base ? event.on_base->path.ray(of_node.t, static_cast<double>(of_node.d)) : DistanceRay{};
+  const CoordinatePatch coordinates(patch, of_node, ray);
+  constexpr Index lanes = CoordinatePatch::lanes;
+  CoordinatePatch::Feet feet{CoordinatePatch::Lanes::Zero(), CoordinatePatch::Lanes::Zero()};
+  for (Index begin = range.begin, end = begin + range.size; begin < end; begin += lanes) {
+    const int count = static_cast<int>(std::min(lanes, end - begin));
+    for (int lane = 0; lane < count; ++lane) {
+      feet.x[lane] = foot_[begin + static_cast<Index>(lane)].x;
+      feet.y[lane] = foot_[begin + static_cast<Index>(lane)].y;
+    }
+    const CoordinatePatch::Frames frames = coordinates.at(feet);
+    for (int lane = 0; lane < count; ++lane) {
+      ChartFrame frame = coordinates.frame(frames, feet, lane);
+      const Index at = begin + static_cast<Index>(lane);
+      if (event.nodes.nodes().closed) frame.t = wrapped_t(frame.t, event.nodes.nodes().length);
+      range.last_t = std::max(range.last_t, frame.t);
+      place(event, at, frame, patch, carried);
+    }
+  }
+}
+
+/// The same where the node's frame does not hold for all of its cluster.
+void LiveCarrier::carry_contested(const Event& event, Index slot, const BasePatch& patch, Carried& carried) {
+  Range& range = ranges_[slot];
+  const StrokePath& path = event.on_base->path;
+  for (Index at = range.begin; at < range.begin + range.size; ++at) {
+    const GroundPlace vertex{patch.place(foot_[at]), patch.normal_at(foot_[at]), patch.gauss_curvature()};
+    ChartFrame nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index rival : carried.rivals) {
+      const ChartFrame told = contest_.told_by(event.nodes, path, rival, vertex);
+      const double distance = path.distance(told.t, static_cast<double>(told.d), vertex.position);
+      range.last_t = std::max(range.last_t, told.t + stroke_.radius / 8);
+      if (distance >= least) continue;
+      least = distance;
+      nearest = told;
+    }
+    const MendedFrame mended = mended_frame(*event.on_base, vertex, nearest);
+    range.last_t = std::max(range.last_t, mended.depends_to);
+    place(event, at, mended.frame, patch, carried);
+  }
+}
+
+/// Puts the vertex of a slot where it is now.
+void LiveCarrier::place(const Event& event, Index at, const ChartFrame& frame, const BasePatch& patch,
+                        Carried& carried) {
+  if (!within(frame, event.curve)) {
+    if (!event.vertices.vacant(at)) carried.gone.push_back(at);
+  } else if (!event.vertices.rewrite(at, frame, carried.rewritten)) {
+    carried.others.push_back({at, frame, patch.normal_at(foot_[at])});
+  }
+}
+
+bool LiveCarrier::within(const ChartFrame& frame, const SurfaceCurve& curve) const {
+  const double beyond = beyond_ends(frame.t, length_, curve.closed);
+  if (beyond > 0 && stroke_.cap == Cap::butt) return false;
+  const double width = uniform_ ? 1 : static_cast<double>(point_at(curve, frame.t).width);
+  const double half_width = stroke_.radius * width, d = static_cast<double>(frame.d);
+  return beyond * beyond + d * d <= half_width * half_width;
+}
+
+void LiveCarrier::vacate(Index slot, LiveChart& vertices) {
+  for (Index i = 0; i < ranges_[slot].size; ++i) vertices.remove(ranges_[slot].begin + i);
+  ranges_[slot].last_t = nowhere;
+}
+
+}  // namespace burin

@@ -1,0 +1,114 @@
+#pragma once
+#include <burin/chart/front/front_node.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace burin {
+
+/// A priority queue of nodes by (key, node) for keys that mostly rise. Entries wait in buckets of equal width
+/// of g, linked lists, and only those of the lowest bucket are sorted [Denardo and Fox 1979].
+class BucketQueue {
+ public:
+  struct Entry {
+    FrontKey key;
+    Index node;
+    float g() const { return g_of(key); }
+    bool operator<(const Entry& other) const {
+      return key != other.key ? key < other.key : node < other.node;
+    }
+  };
+
+  /// Empties the queue. Keys whose g is `longest` or more share the last bucket.
+  void restart(float longest) {
+    buckets_a_unit_ = static_cast<float>(buckets - 1) / longest;
+    first_.assign(buckets, no_index);
+    links_.clear();
+    free_ = no_index;
+    sorted_.clear();
+    lowest_ = buckets;
+    size_ = 0;
+  }
+
+  bool empty() const { return size_ == 0; }
+
+  void push(FrontKey key, Index node) {
+    const Entry entry{key, node};
+    const auto bucket =
+        static_cast<Index>(std::min(entry.g() * buckets_a_unit_, static_cast<float>(buckets - 1)));
+    ++size_;
+    if (bucket == lowest_) return insert_sorted(entry);
+    link(bucket, entry);
+    if (bucket < lowest_) open(bucket);
+  }
+
+  /// The lowest entry. The queue must not be empty.
+  const Entry& top() {
+    if (sorted_.empty()) open(next_bucket());
+    return sorted_.back();
+  }
+
+  /// Takes out top().
+  void pop() {
+    sorted_.pop_back();
+    --size_;
+  }
+
+ private:
+  struct Link {
+    Entry entry;
+    Index next;
+  };
+  static constexpr Index buckets = 8192;
+
+  void link(Index bucket, const Entry& entry) {
+    Index place = free_;
+    if (place != no_index) {
+      free_ = links_[place].next;
+    } else {
+      place = static_cast<Index>(links_.size());
+      links_.emplace_back();
+    }
+    links_[place] = {entry, first_[bucket]};
+    first_[bucket] = place;
+  }
+
+  void insert_sorted(const Entry& entry) {
+    auto place = sorted_.end();
+    while (place != sorted_.begin() && *(place - 1) < entry) --place;
+    sorted_.insert(place, entry);
+  }
+
+  Index next_bucket() const {
+    Index bucket = lowest_;
+    while (first_[bucket] == no_index) ++bucket;
+    return bucket;
+  }
+
+  /// Makes a bucket the sorted one; what is left of the one that was goes back.
+  void open(Index bucket) {
+    for (const Entry& entry : sorted_) link(lowest_, entry);
+    sorted_.clear();
+    lowest_ = bucket;
+    for (Index place = first_[bucket]; place != no_index;) {
+      sorted_.push_back(links_[place].entry);
+      const Index next = links_[place].next;
+      links_[place].next = free_;
+      free_ = place;
+      place = next;
+    }
+    first_[bucket] = no_index;
+    std::ranges::sort(sorted_, [](const Entry& a, const Entry& b) { return b < a; });
+  }
+
+  float buckets_a_unit_ = 0;  ///< of g
+  std::vector<Index> first_;  ///< [bucket] into links_
+  std::vector<Link> links_;
+  Index free_ = no_index;      ///< into links_
+  std::vector<Entry> sorted_;  ///< of bucket lowest_, descending
+  Index lowest_ = buckets;
+  std::size_t size_ = 0;
+};
+
+}  // namespace burin

@@ -1,0 +1,252 @@
+// Front propagation over the edge graph [Dijkstra 1959], as in section 4 of R. Schmidt, Stroke
+// Parameterization, 2013. Nodes are settled in the order of the distance at which the frames upwind of them
+// place them. Along the edges of the graph distances are up to 41 % too long, and where fronts of two parts
+// of the stroke meet the wrong one would win.
+#include <burin/chart/frames/mended_frame.h>
+#include <burin/chart/front/front_part.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+
+void FrontPart::restart(VertexRange own) {
+  own_ = own;
+  nodes_.restart(own);
+  seeds_.restart(own);
+  // Nodes inside are within the radius, and within a corner of it where the stroke's width goes on straight
+  // beyond its ends.
+  queue_.restart(static_cast<float>(1.5 * stroke_->radius));
+  of_sample_.clear();
+  touched_.clear();
+  waiting_.clear();
+  taken_back_ = 0;
+  border_.clear();
+  reported_.clear();
+  copies_.clear();
+  frames_.clear();
+  frames_.set(4 * std::numeric_limits<float>::epsilon() * static_cast<float>(stroke_->radius), stroke_->order,
+              stroke_->path);
+}
+
+/// Lists a settled node under the last sample that it depends on.
+void FrontPart::list(Index node) {
+  FrontNode& listed = nodes_[node];
+  const Index sample = stroke_->samples.at(static_cast<double>(listed.depends_to));
+  if (listed.listed && listed.listed_at == sample) return;
+  of_sample_[sample].push_back(node);
+  listed.listed = true;
+  listed.listed_at = sample;
+}
+
+/// The stroke up to there has a say in a node that a way leads on to: where the way ends it is held against
+/// the stroke.
+float FrontPart::dependence(const Leader::Way& way) const {
+  // Samples and places of the stroke are no farther apart.
+  const double to_next = stroke_->radius / 8;
+  // What the stroke's curvature was at its begin matters beyond that.
+  const bool at_begin = way.least_t < static_cast<double>(way.length);
+  const double most = at_begin ? std::max(way.most_t, seen_by_curvature * stroke_->radius) : way.most_t;
+  return static_cast<float>(most + to_next);
+}
+
+void FrontPart::touch(Index node) {
+  if (nodes_[node].touched) return;
+  nodes_[node].touched = true;
+  touched_.push_back(node);
+}
+
+void FrontPart::reach(Index node, float g) {
+  FrontNode& reached = nodes_[node];
+  if (g >= reached.g()) return;
+  reached.set_g(g);
+  queue_.push(reached.key, node);
+  ++pushes_;
+}
+
+void FrontPart::reach_from(Index from, const Leader& leader, Index index) {
+  FrontNode& node = nodes_[index];
+  add_arm(node, from);
+  const FrontKey key = node.key;
+  const Leader::Way way = leader.to(node.position);
+  node.depends_to = std::max(node.depends_to, dependence(way));
+  reach(index, way.g);
+  if (!node.gathered) return;
+  // What was about to be settled without this arm waits again.
+  leave_gathered(index);
+  if (node.key == key) queue_.push(key, index);
+}
+
+void FrontPart::add_arm(FrontNode& node, Index from) {
+  const auto known = node.arms.begin() + std::min<std::size_t>(node.arm_count, FrontNode::most_arms);
+  if (std::find(node.arms.begin(), known, from) != known) return;
+  if (node.arm_count < FrontNode::most_arms) node.arms[node.arm_count] = from;
+  if (node.arm_count <= FrontNode::most_arms) ++node.arm_count;
+}
+
+/// Nodes are settled several at a time. One that depends on another of these is settled later.
+void FrontPart::advance(float limit) {
+  const auto goes_on = [&] { return !queue_.empty() && queue_.top().g() < limit; };
+  while (goes_on()) {
+    while (goes_on() && frames_.size() < UpwindFrames::capacity) settle_or_gather_next();
+    settle_gathered();
+  }
+}
+
+void FrontPart::settle_or_gather_next() {
+  const BucketQueue::Entry next = queue_.top();
+  queue_.pop();
+  const FrontNode& node = nodes_[next.node];
+  const bool waits = node.state == NodeState::open || node.stale;
+  if (!waits || node.gathered || node.key != next.key) return;
+  if (node.seed != no_index && seed_holds(seeds_[node.seed].distance, node.g()))
+    settle_as_seed(next.node);
+  else
+    gather(next.node);
+}
+
+void FrontPart::gather(Index index) {
+  find_upwind(index);
+  const double origin = nodes_[upwind_[0]].frame.t;
+  FrontNode& node = nodes_[index];
+  node.gathered = true;
+  gathered_[frames_.size()] = index;
+  frames_.add_node(node);
+  for (const Index from : upwind_)
+    frames_.add_arm(nodes_[from], stroke_->samples.unwrapped(nodes_[from].frame.t, origin));
+}
+
+/// Lists the upwind nodes that lead here in the order of vertex and t: sums need an order.
+void FrontPart::find_upwind(Index index) {
+  const FrontNode& node = nodes_[index];
+  upwind_.clear();
+  const auto insert = [this](Index q) {
+    const auto before = [this](Index a, Index b) {
+      const FrontNode &x = nodes_[a], &y = nodes_[b];
+      return x.vertex() != y.vertex() ? x.vertex() < y.vertex() : x.frame.t < y.frame.t;
+    };
+    upwind_.push_back(q);
+    for (std::size_t i = upwind_.size() - 1; i > 0 && before(upwind_[i], upwind_[i - 1]); --i)
+      std::swap(upwind_[i], upwind_[i - 1]);
+  };
+  const auto counts = [&](Index around) {
+    const FrontNode& from = nodes_[around];
+    return from.state == NodeState::inside && is_upwind(from, node) && leads_to(from, index);
+  };
+  if (node.arm_count <= FrontNode::most_arms) {
+    for (std::size_t i = 0; i < node.arm_count; ++i)
+      if (counts(node.arms[i])) insert(node.arms[i]);
+    return;
+  }
+  for_each_around(index, [&](Index around) {
+    if (counts(around)) insert(around);
+  });
+}
+
+void FrontPart::settle_gathered() {
+  if (frames_.size() == 0) return;
+  const std::array<ChartFrame, UpwindFrames::capacity> frames = frames_.compute();
+  const std::size_t count = frames_.size();
+  frames_.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    // Taken back by one before it, a node is waiting in the queue again.
+    if (gathered_[i] == no_index) continue;
+    FrontNode& node = nodes_[gathered_[i]];
+    const GroundPlace vertex{node.position, node.normal, node.gauss};
+    const auto [frame, depends_to] = mended_frame(*stroke_, vertex, frames[i]);
+    node.contested = frames_.contested(i) || !(frame == frames[i]);
+    node.depends_to = std::max(node.depends_to, static_cast<float>(depends_to));
+    settle(gathered_[i], frame);
+  }
+}
+
+void FrontPart::settle_as_seed(Index index) {
+  nodes_[index].contested = false;
+  settle(index, seeds_[nodes_[index].seed].frame);
+}
+
+void FrontPart::settle(Index index, ChartFrame frame) {
+  ++settled_;
+  touch(index);
+  FrontNode& node = nodes_[index];
+  node.gathered = false;
+  frame.t = stroke_->samples.wrapped(frame.t);
+  node.depends_to = std::max(node.depends_to, static_cast<float>(frame.t + stroke_->radius / 8));
+  if (node.stale) return settle_again(index, frame);
+  node.frame = frame;
+  node.sample = stroke_->samples.at(frame.t);
+  list(index);
+  node.state = within_stroke(index) ? NodeState::inside : NodeState::outside;
+  if (node.state == NodeState::outside) return;
+  lead_on(index);
+  if (waiting_.empty()) return;
+  take_back_marked();
+  reach_waiting();
+}
+
+bool FrontPart::within_stroke(Index index) {
+  const FrontNode& node = nodes_[index];
+  const StrokeSamples& samples = stroke_->samples;
+  const double t = node.frame.t, d = static_cast<double>(node.frame.d), beyond = stroke_->path.beyond(t);
+  const bool extended = beyond > 0 && beyond <= (t < 0 ? stroke_->extensions.begin : stroke_->extensions.end);
+  const double distance = extended ? std::abs(d) : stroke_->path.told_distance(t, d);
+  // Coordinates have gone astray whose foot is not in the node's own visit.
+  return distance <= samples.half_width(t) && nodes_.holds(index, node.sample);
+}
+
+/// Reaches the open nodes around a node just settled inside that it leads on to, and marks those downwind
+/// that were settled without it. Nodes that wait will ask by themselves.
+void FrontPart::lead_on(Index index) {
+  const Index vertex = nodes_[index].vertex(), sample = nodes_[index].sample;
+  const Leader leader(nodes_[index], stroke_->path);
+  bool border = false;
+  for (const Index neighbour : ground_->neighbours(vertex)) {
+    if (!own_.holds(neighbour)) {
+      border = true;
+      continue;
+    }
+    const Index found = nodes_.at(neighbour, sample);
+    if (found == no_index) continue;
+    const FrontNode& to = nodes_[found];
+    if (to.state == NodeState::open) {
+      if (!to.waiting) reach_from(index, leader, found);
+    } else if (is_upwind(nodes_[index], to)) {
+      lead_to_settled(index, leader, found);
+    }
+  }
+  if (border && owns(nodes_[index])) {
+    nodes_[index].border = true;
+    border_.push_back(index);
+  }
+}
+
+std::vector<const FrontNode*> FrontPart::inside() {
+  std::vector<Index> vertices;
+  for (Index node = 0; node < nodes_.size(); ++node)
+    if (nodes_[node].state == NodeState::inside && owns(nodes_[node])) inside_.insert(nodes_[node].vertex());
+  inside_.drain(vertices);
+  std::vector<const FrontNode*> nodes;
+  nodes.reserve(vertices.size());
+  for (const Index vertex : vertices) {
+    const std::size_t first = nodes.size();
+    for (Index node = nodes_.first(vertex); node != no_index; node = nodes_[node].next)
+      if (nodes_[node].state == NodeState::inside) nodes.push_back(&nodes_[node]);
+    if (nodes.size() > first + 1)
+      std::ranges::sort(nodes.begin() + static_cast<std::ptrdiff_t>(first), nodes.end(), {},
+                        [](const FrontNode* node) { return node->frame.t; });
+  }
+  return nodes;
+}
+
+/// A node that was settled without an upwind one that leads to it.
+void FrontPart::lead_to_settled(Index from, const Leader& leader, Index index) {
+  FrontNode& node = nodes_[index];
+  const Leader::Way way = leader.to(node.position);
+  if (way.g < node.g()) return mark(index);
+  add_arm(node, from);
+  node.depends_to = std::max(node.depends_to, dependence(way));
+  make_stale(index);
+}
+
+}  // namespace burin

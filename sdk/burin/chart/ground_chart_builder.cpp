@@ -1,0 +1,109 @@
+// Stroke charts on one ground [R. Schmidt, Stroke Parameterization, 2013]: seeds from the stroke's segments,
+// then the front.
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/chart/ground_chart_builder.h>
+#include <burin/chart/path/closed_length.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+Chart chart_of(const SurfaceCurve& curve, std::size_t nodes) {
+  Chart chart;
+  chart.length = curve.length();
+  chart.closed = curve.closed;
+  chart.resize(nodes);
+  return chart;
+}
+
+/// Sets node i. Nodes of one vertex by rising t, and after the nodes before it from `first` on.
+void set(Chart& chart, std::size_t first, std::size_t i, Index vertex, const ChartFrame& frame,
+         const Vec3f& normal) {
+  const bool same = i > first && chart.vertex[i - 1] == vertex;
+  chart.set(i, vertex, same ? chart.sheet[i - 1] + 1 : 0, frame, normal);
+}
+
+}  // namespace
+
+std::size_t parts_for(const SurfaceCurve& curve, double radius) {
+  // A point of the curve stands for half an edge.
+  constexpr double least_nodes = 8000;
+  const double points = static_cast<double>(curve.points.size());
+  const double edge = 2 * curve.length() / std::max(points, 1.);
+  const double nodes = edge > 0 ? points / 2 * (2 * radius / edge) : 0;
+  return std::clamp<std::size_t>(static_cast<std::size_t>(std::min(nodes / least_nodes, 1e3)), 1,
+                                 thread_count());
+}
+
+void GroundChartBuilder::begin(const ChartOptions& options) {
+  options_ = options;
+  front_.restart(options_.radius, options_.order);
+  legs_.begin(options);
+  live_.clear();
+}
+
+bool GroundChartBuilder::in_one_piece(const SurfaceCurve& curve) {
+  if (options_.radius == 0) throw ContractError("there is no stroke chart to extend");
+  if (curve.points.empty()) throw ContractError("a stroke chart needs a curve of at least one point");
+  in_legs_ = options_.join != Join::round || curve.closed;
+  return !in_legs_;
+}
+
+Chart GroundChartBuilder::update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t parts) {
+  if (!in_one_piece(curve)) return joined(curve, unchanged);
+  front_.update(curve, unchanged, parts);
+  return plain(curve);
+}
+
+const LiveChart& GroundChartBuilder::draw(const SurfaceCurve& curve, std::size_t unchanged) {
+  if (!in_one_piece(curve)) {
+    live_.assign(joined(curve, unchanged));
+    return live_;
+  }
+  front_.update(curve, unchanged, parts_for(curve, options_.radius));
+  live_.begin_event(curve.length(), false, front_.unchanged_t());
+  front_.for_each_touched([&](Index slot, const FrontNode& node) {
+    const bool cut_off = options_.cap == Cap::butt && beyond_end(node.frame.t, curve);
+    if (node.state == NodeState::inside && !cut_off)
+      live_.set(slot, node.vertex(), node.frame, node.normal, node.contested);
+    else
+      live_.remove(slot);
+  });
+  return live_;
+}
+
+Chart GroundChartBuilder::plain(const SurfaceCurve& curve) {
+  std::vector<std::vector<const FrontNode*>> inside = front_.inside();
+  if (options_.cap == Cap::butt)
+    for (auto& nodes : inside)
+      std::erase_if(nodes, [&](const FrontNode* node) { return beyond_end(node->frame.t, curve); });
+  std::vector<std::size_t> begins{0};
+  for (const auto& nodes : inside) begins.push_back(begins.back() + nodes.size());
+  Chart chart = chart_of(curve, begins.back());
+  parallel_blocks(inside.size(), 1, [&](std::size_t part, std::size_t) {
+    for (std::size_t i = 0; i < inside[part].size(); ++i)
+      set(chart, begins[part], begins[part] + i, inside[part][i]->vertex(), inside[part][i]->frame,
+          inside[part][i]->normal);
+  });
+  return chart;
+}
+
+Chart GroundChartBuilder::joined(const SurfaceCurve& curve, std::size_t unchanged) {
+  std::vector<PlacedNode> nodes;
+  const double unchanged_t = unchanged > 0 ? curve.points[unchanged - 1].t : -1;
+  legs_.place(curve, unchanged_t, front_, nodes);
+  if (curve.closed)
+    for (PlacedNode& node : nodes) node.frame.t = wrapped_t(node.frame.t, curve.length());
+  std::ranges::sort(nodes, {}, [](const PlacedNode& node) { return std::pair(node.vertex, node.frame.t); });
+  Chart chart = chart_of(curve, nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    set(chart, 0, i, nodes[i].vertex, nodes[i].frame, ground_[nodes[i].vertex].normal);
+  return chart;
+}
+
+}  // namespace burin

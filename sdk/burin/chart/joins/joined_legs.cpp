@@ -1,0 +1,242 @@
+#include <burin/chart/joins/joined_legs.h>
+#include <burin/chart/path/curve_parts.h>
+#include <burin/math/elementary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
+#include <tuple>
+
+namespace burin {
+namespace {
+
+/// A bend shorter than this share of the radius is a corner.
+constexpr double corner_length = 0.5;
+
+}  // namespace
+
+void JoinedLegs::begin(const ChartOptions& options) {
+  options_ = options;
+  charted_.clear();
+  charted_bends_.clear();
+  front_leg_.reset();
+}
+
+void JoinedLegs::place(const SurfaceCurve& curve, double unchanged_t, Front& front,
+                       std::vector<PlacedNode>& nodes) {
+  cuts_.clear();
+  corners_.clear();
+  if (options_.join != Join::round) find_corners(curve);
+  const std::vector<Leg> legs = legs_of(curve);
+  charted_.resize(legs.size());
+  settled_ = pushes_ = 0;
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+    if (curve.closed || !charted_[leg].is(legs[leg], unchanged_t)) chart(curve, leg, legs[leg], front);
+    nodes.insert(nodes.end(), charted_[leg].nodes.begin(), charted_[leg].nodes.end());
+  }
+  chart_bends(curve, unchanged_t);
+  if (options_.join != Join::overlap) put_together(nodes, curve.closed);
+  if (options_.join == Join::smooth) smooth_long_bends(curve, nodes);
+  // Joins move coordinates: some now lie beyond the stroke.
+  std::erase_if(nodes, [&](const PlacedNode& node) {
+    return static_cast<double>(std::abs(node.frame.d)) > node.half_width ||
+           (options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
+  });
+  add_bends(curve, nodes);
+}
+
+/// Smooth joins have coordinates of their own around corners that are no half turns.
+bool JoinedLegs::is_filled(const Bend& corner) const {
+  return options_.join != Join::smooth || bounded_half(corner.turn) < std::abs(corner.turn) / 2;
+}
+
+bool JoinedLegs::is_corner(const Bend& bend) const {
+  return bend.end - bend.begin < corner_length * options_.radius;
+}
+
+void JoinedLegs::find_corners(const SurfaceCurve& curve) {
+  GeodesicCurvature curvature;
+  curvature.update(curve, Front::curvature_window * options_.radius);
+  bends_.update(curve, curvature, options_.radius);
+  for (const Bend& bend : bends_.all()) {
+    const bool miterable = miter_reach(bend.turn, options_.radius) > 0;
+    if (options_.join != Join::overlap && !is_corner(bend)) continue;
+    if (options_.join == Join::miter && !miterable) continue;
+    if (!curve.closed && (bend.begin <= 0 || bend.end >= curve.length())) continue;
+    const Vec3d from = point_at(curve, bend.begin).at.position.cast<double>();
+    const double chord = (point_at(curve, bend.end).at.position.cast<double>() - from).norm();
+    const double way = std::min(chord / 2 / math::cos(bounded_half(bend.turn)), options_.radius);
+    cuts_.push_back(bend);
+    corners_.push_back({bend.begin + way, bend.end - way, bend.middle, bend.turn, span(curve, bend)});
+  }
+}
+
+/// Enough for |grad t| within 1/2 and 2 at right angles, but not into another bend's half nor beyond an end.
+double JoinedLegs::span(const SurfaceCurve& curve, const Bend& bend) const {
+  const double length = curve.length();
+  double span = 4 * options_.radius * math::tan(bounded_half(bend.turn));
+  span = curve.closed ? std::min(span, length / 2) : std::min({span, bend.middle, length - bend.middle});
+  for (const Bend& other : bends_.all()) {
+    double gap = std::abs(other.middle - bend.middle);
+    if (curve.closed) gap = std::min(gap, length - gap);
+    if (other.middle != bend.middle) span = std::min(span, gap / 2);
+  }
+  return span;
+}
+
+std::vector<JoinedLegs::Leg> JoinedLegs::legs_of(const SurfaceCurve& curve) const {
+  std::vector<Leg> legs;
+  const auto add = [&](double begin, double end) {
+    const std::size_t leg = legs.size();
+    const Corner *before = corner_before(leg, curve.closed), *after = corner_after(leg, curve.closed);
+    legs.push_back(
+        {begin, std::max(begin, end), {reach(before), reach(after)}, before != nullptr, after != nullptr});
+  };
+  if (cuts_.empty()) {
+    add(0, curve.length());
+    return legs;
+  }
+  if (!curve.closed) add(0, cuts_.front().begin);
+  for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) add(cuts_[i].end, cuts_[i + 1].begin);
+  add(cuts_.back().end, curve.closed ? cuts_.front().begin + curve.length() : curve.length());
+  return legs;
+}
+
+double JoinedLegs::reach(const Corner* corner) const {
+  if (!corner || options_.join != Join::miter) return 0;
+  return 1.1 * miter_reach(corner->turn, options_.radius) + corner_length * options_.radius;
+}
+
+const Corner* JoinedLegs::corner_after(std::size_t leg, bool closed) const {
+  if (closed && !corners_.empty()) return &corners_[(leg + 1) % corners_.size()];
+  return leg < corners_.size() ? &corners_[leg] : nullptr;
+}
+
+const Corner* JoinedLegs::corner_before(std::size_t leg, bool closed) const {
+  if (closed && !corners_.empty()) return &corners_[leg];
+  return leg > 0 ? &corners_[leg - 1] : nullptr;
+}
+
+/// The last leg of a stroke that grows goes on with the front where that stands.
+void JoinedLegs::chart(const SurfaceCurve& curve, std::size_t leg, const Leg& now, Front& front) {
+  const bool whole = cuts_.empty();
+  const SurfaceCurve part = whole ? curve : part_of(curve, now.begin, now.end);
+  const bool goes_on =
+      front_leg_ && !curve.closed && front_leg_->begin == now.begin && front_leg_->reach == now.reach;
+  if (!goes_on) front.restart(options_.radius, options_.order, now.reach);
+  front_leg_ = now;
+  charted_[leg] = chart_with(front, part, now);
+  for (PlacedNode& node : charted_[leg].nodes) node.leg = static_cast<Index>(leg);
+  if (options_.cap == Cap::butt)
+    std::erase_if(charted_[leg].nodes, [&](const PlacedNode& node) {
+      const double t = node.frame.t - now.begin;
+      const bool inner_end = options_.join != Join::overlap && (t < 0 ? now.corner_before : now.corner_after);
+      return beyond_end(t, part) && !inner_end;
+    });
+}
+
+/// The chart of a part of the stroke by a front that is at it or fresh.
+JoinedLegs::ChartedLeg JoinedLegs::chart_with(Front& front, const SurfaceCurve& part, const Leg& now) {
+  front.update(part);
+  settled_ += front.settled();
+  pushes_ += front.pushes();
+  ChartedLeg charted{now, {}};
+  const std::vector<std::vector<const FrontNode*>> inside = front.inside();
+  charted.nodes.reserve(inside[0].size());
+  for (const FrontNode* node : inside[0]) {
+    ChartFrame frame = node->frame;
+    const double half_width = front.half_width(frame.t);
+    frame.t += now.begin;
+    charted.nodes.push_back({node->vertex(), 0, frame, half_width});
+  }
+  return charted;
+}
+
+void JoinedLegs::chart_bends(const SurfaceCurve& curve, double unchanged_t) {
+  charted_bends_.resize(cuts_.size());
+  for (std::size_t i = 0; i < cuts_.size(); ++i) {
+    const double loop = cuts_[i].begin < 0 ? curve.length() : 0;
+    const Leg now{cuts_[i].begin + loop, cuts_[i].end + loop, {}, true, true};
+    if (!curve.closed && charted_bends_[i].is(now, unchanged_t)) continue;
+    if (!bend_front_) bend_front_.emplace(ground_);
+    bend_front_->restart(options_.radius, options_.order);
+    charted_bends_[i] = chart_with(*bend_front_, part_of(curve, now.begin, now.end), now);
+  }
+}
+
+/// Bends that are legs of their own, and of corners what their legs leave.
+void JoinedLegs::add_bends(const SurfaceCurve& curve, std::vector<PlacedNode>& nodes) const {
+  const auto add = [&](std::size_t i, const auto& counts) {
+    std::ranges::copy_if(charted_bends_[i].nodes, std::back_inserter(nodes), [&](const PlacedNode& node) {
+      return counts(node) && !(options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
+    });
+  };
+  for (std::size_t i = 0; i < cuts_.size(); ++i)
+    if (!is_corner(cuts_[i])) add(i, [](const PlacedNode&) { return true; });
+  std::vector<Index> held;
+  held.reserve(nodes.size());
+  for (const PlacedNode& node : nodes) held.push_back(node.vertex);
+  std::ranges::sort(held);
+  for (std::size_t i = 0; i < cuts_.size(); ++i) {
+    if (!is_corner(cuts_[i]) || !is_filled(cuts_[i])) continue;
+    const std::size_t first = nodes.size();
+    add(i, [&](const PlacedNode& node) { return !std::ranges::binary_search(held, node.vertex); });
+    if (options_.join == Join::smooth) smooth_bend(curve, cuts_[i], std::span(nodes).subspan(first));
+  }
+}
+
+/// At each corner a vertex keeps the node of the leg on whose side of the bisector it lies: that goes less
+/// far beyond the corner.
+void JoinedLegs::put_together(std::vector<PlacedNode>& nodes, bool closed) const {
+  if (corners_.empty()) return;
+  std::ranges::sort(nodes, {}, [](const PlacedNode& n) { return std::tuple(n.vertex, n.leg, n.frame.t); });
+  const double near = 4 * options_.radius;
+  const auto keeps = [&](const PlacedNode& node, std::size_t first, std::size_t last, const Corner* corner,
+                         bool first_leg) {
+    if (!corner) return true;
+    const double beyond = first_leg ? node.frame.t - corner->first : corner->second - node.frame.t;
+    if (beyond < -near) return true;
+    for (std::size_t i = first; i < last; ++i) {
+      const bool neighbour = first_leg ? nodes[i].leg == node.leg + 1 : nodes[i].leg + 1 == node.leg;
+      const double other = first_leg ? corner->second - nodes[i].frame.t : nodes[i].frame.t - corner->first;
+      if (neighbour && other > -near) return first_leg ? beyond <= other : beyond < other;
+    }
+    return beyond <= 0 || on_own_side(*corner, first_leg, node.frame);
+  };
+  std::vector<PlacedNode> kept;
+  for (std::size_t first = 0; first < nodes.size();) {
+    std::size_t last = first;
+    while (last < nodes.size() && nodes[last].vertex == nodes[first].vertex) ++last;
+    for (std::size_t i = first; i < last; ++i) {
+      PlacedNode node = nodes[i];
+      const Corner *before = corner_before(node.leg, closed), *after = corner_after(node.leg, closed);
+      if (!keeps(node, first, last, after, true) || !keeps(node, first, last, before, false)) continue;
+      if (options_.join == Join::smooth) {
+        const Vec3f normal = ground_[node.vertex].normal;
+        if (after) node.frame = smoothed(*after, true, node.frame, normal);
+        if (before) node.frame = smoothed(*before, false, node.frame, normal);
+      }
+      kept.push_back(node);
+    }
+    first = last;
+  }
+  nodes = std::move(kept);
+}
+
+void JoinedLegs::smooth_long_bends(const SurfaceCurve& curve, std::vector<PlacedNode>& nodes) const {
+  for (const Bend& bend : bends_.all())
+    if (!is_corner(bend)) smooth_bend(curve, bend, nodes);
+}
+
+void JoinedLegs::smooth_bend(const SurfaceCurve& curve, const Bend& bend, std::span<PlacedNode> nodes) const {
+  const double reach = span(curve, bend), length = curve.length();
+  for (PlacedNode& node : nodes) {
+    const double t = node.frame.t;
+    const double loops = curve.closed ? std::round((t - bend.middle) / length) : 0;
+    node.frame.t = smoothed_t(bends_, bend, reach, t - loops * length, static_cast<double>(node.frame.d)) +
+                   loops * length;
+  }
+}
+
+}  // namespace burin

@@ -1,0 +1,41 @@
+#include <burin/chart/path/curve_parts.h>
+#include <burin/chart/path/stroke_path.h>
+
+namespace burin {
+namespace {
+
+constexpr double places_a_radius = 64, doubt_a_radius = 0.003;
+
+}  // namespace
+
+void StrokePath::update(const SurfaceCurve& curve, const GeodesicCurvature& curvature, double radius,
+                        double finest, std::size_t unchanged, const Extensions& extensions) {
+  length_ = curve.length();
+  closed_ = curve.closed;
+  round_begin_ = !closed_ && extensions.begin == 0;
+  round_end_ = !closed_ && extensions.end == 0;
+  spacing_ = std::max(radius / places_a_radius, finest);
+  places_a_unit_ = 1 / spacing_;
+  doubt_ = doubt_a_radius * radius;
+  // Places before the last point that is as it was stay, but for the one that stood in for the end.
+  const auto t = [this](std::size_t place) { return static_cast<double>(place) * spacing_; };
+  if (!places_.empty()) places_.pop_back();
+  while (!places_.empty() && (unchanged == 0 || t(places_.size() - 1) >= curve.points[unchanged - 1].t))
+    places_.pop_back();
+  const auto at = [&](double way) -> Place {
+    const std::size_t from = segment_at(curve, way), to = curve.next(from);
+    const double begin = curve.points[from].t, extent = curve.segment_end(from) - begin;
+    const float s = extent > 0 ? static_cast<float>(std::clamp((way - begin) / extent, 0., 1.)) : 0;
+    const Vec3f &a = curve.points[from].at.position, &b = curve.points[to].at.position;
+    return {a + s * (b - a), curvature[from] + s * (curvature[to] - curvature[from])};
+  };
+  const auto last = static_cast<std::size_t>(length_ * places_a_unit_);
+  while (places_.size() <= last) places_.push_back(at(t(places_.size())));
+  // The end lies between the last place and the one after it, which stands in for it.
+  const Place &before = places_.back(), end = at(length_);
+  const double share = length_ * places_a_unit_ - static_cast<double>(last);
+  const auto on = share > 1e-6 ? static_cast<float>(1 / share) : 0;
+  places_.push_back({before.position + on * (end.position - before.position), end.curvature});
+}
+
+}  // namespace burin

@@ -1,0 +1,69 @@
+// Visits of a stroke to a vertex: its run of samples in reach is cut at the maxima of the straight distance
+// that are higher by a share of the disc than what lies on either side, in the order of the samples. A hand's
+// tremble is lower than that.
+#include <burin/chart/path/visit.h>
+
+namespace burin {
+namespace {
+
+/// By how much of the disc's radius the stroke must go away, and come back, for another visit.
+constexpr float least_turn = 0.1F;
+
+}  // namespace
+
+Visits::Found Visits::find(Index sample, Index floor) const {
+  const Index count = samples_->size();
+  Index begin = run_begin(sample, floor), most = count, told_by = no_index;
+  for (;;) {
+    const Visit visit = from(begin, most);
+    if (samples_->steps(begin, sample) < visit.length) return {visit, told_by};
+    told_by = visit.told_by;
+    most -= visit.length;
+    begin = (begin + visit.length) % count;
+  }
+}
+
+/// Where a closed stroke is in reach all the way the run begins after its farthest sample.
+Index Visits::run_begin(Index sample, Index floor) const {
+  const bool closed = samples_->closed();
+  Index begin = sample;
+  while (closed || begin > floor) {
+    const Index before = (begin == 0 ? samples_->size() : begin) - 1;
+    if (!any(before)) break;
+    begin = before;
+    if (begin == sample) return (farthest() + 1) % samples_->size();
+  }
+  return begin;
+}
+
+Index Visits::farthest() const {
+  Index farthest = 0;
+  for (Index sample = 1; sample < samples_->size(); ++sample)
+    if (distance(sample) > distance(farthest)) farthest = sample;
+  return farthest;
+}
+
+Visit Visits::from(Index begin, Index most) const {
+  const Index count = samples_->size();
+  float low = distance(begin), high = low, last = low;
+  Index length = 1, up_to_high = 1, at = begin, told_by = no_index;
+  for (;; ++length) {
+    const float turn = least_turn * samples_->disc(at);
+    const bool went_away = high - low >= turn, comes_back = went_away && last < high;
+    if (length == most) return {begin, length, true, told_by};
+    if (++at == count) {
+      if (!samples_->closed()) return {begin, length, false, comes_back ? count : told_by};
+      at = 0;
+    }
+    if (!any(at)) return {begin, length, true, comes_back ? at : told_by};
+    last = distance(at);
+    if (went_away && high - last >= turn) return {begin, up_to_high, true, at};
+    if (last < low) low = high = last;
+    if (last < high) continue;
+    if (comes_back) told_by = at;
+    high = last;
+    up_to_high = length + 1;
+  }
+}
+
+}  // namespace burin

@@ -1,0 +1,23 @@
+#pragma once
+#include <burin/abi/param.h>
+#include <burin/deform/evaluate/node_dynamics.h>
+
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// The parameters as one batch sees them: those that dynamics drive hold a number for each element.
+class BatchParams {
+ public:
+  /// `params`: the values before dynamics. The result is valid until the next call.
+  const burin_params& fill(const burin_params& params, const NodeDynamics& dynamics,
+                           std::span<const Index> nodes);
+
+ private:
+  std::vector<burin_param_value> values_;
+  std::vector<float> numbers_;  ///< parameter after parameter, one an element
+  burin_params params_{};
+};
+
+}  // namespace burin

@@ -1,0 +1,17 @@
+#include <burin/deform/evaluate/plugin_call.h>
+
+#include <utility>
+
+namespace burin {
+
+thread_local PluginCall::Plugin PluginCall::current{nullptr, nullptr};
+
+PluginCall::PluginCall(const char* kind, const char* name) : before_(std::exchange(current, {kind, name})) {}
+
+PluginCall::~PluginCall() { current = before_; }
+
+std::string PluginCall::running() {
+  return current.name ? std::string(current.kind) + " " + current.name : std::string();
+}
+
+}  // namespace burin

@@ -1,0 +1,137 @@
+#include <burin/abi/stroke.h>
+#include <burin/base/parallel.h>
+#include <burin/deform/evaluate/stroke_nodes.h>
+
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace burin {
+namespace {
+
+NodePen node_pen(const PenAt& at, std::uint64_t inputs) {
+  NodePen pen;
+  if (inputs & BURIN_INPUT_PRESSURE) pen.pressure = at.pen.pressure;
+  if (inputs & BURIN_INPUT_TILT) {
+    pen.tilt_x = at.pen.tilt_x;
+    pen.tilt_y = at.pen.tilt_y;
+  }
+  if (inputs & BURIN_INPUT_TWIST) pen.twist = at.pen.twist;
+  if (inputs & BURIN_INPUT_SPEED) pen.speed = static_cast<float>(at.speed);
+  if (inputs & BURIN_INPUT_TIME) pen.time = static_cast<float>(at.time);
+  return pen;
+}
+
+}  // namespace
+
+StrokeChanges StrokeNodes::follow(const SurfaceCurve& curve, double end_zone, double same_pen_up_to) {
+  ++event_;
+  collect(same_pen_up_to);
+  compare_pens(curve);
+  altered_listed_ = true;
+  changes_.vertices.assign(chart_->altered().begin(), chart_->altered().end());
+  stale_in_.resize(chart().size());
+  for (std::size_t i = 0; i < asked_.size(); ++i)
+    if (chart_->changed(asked_[i]) || differs_[i] || chart().t[asked_[i]] >= end_zone) add_stale(asked_[i]);
+  add_zone(end_zone, chart_->computed_from());
+  if (reads_.inputs & (BURIN_INPUT_SHEET | BURIN_INPUT_VISIT_COUNT)) add_other_sheets();
+  return finished();
+}
+
+StrokeChanges StrokeNodes::in_zone(double end_zone) {
+  ++event_;
+  altered_listed_ = false;
+  stale_in_.resize(chart().size());
+  add_zone(end_zone, std::numeric_limits<double>::infinity());
+  return finished();
+}
+
+/// Whose number of sheets may be another one.
+void StrokeNodes::add_other_sheets() {
+  for (const Index vertex : chart_->altered())
+    for (Index slot = chart_->first(vertex); slot != no_index; slot = chart_->next(slot)) add_stale(slot);
+}
+
+/// What was computed, and what lies before it where the pen may be another one all the same: samples on top
+/// of each other leave the curve as it was.
+void StrokeNodes::collect(double same_pen_up_to) {
+  asked_.assign(chart_->computed().begin(), chart_->computed().end());
+  const bool varies = reads_.varying != 0 || dynamics_.any();
+  if (!varies || same_pen_up_to >= chart_->computed_from()) return;
+  std::vector<bool> computed(chart().size());
+  for (const Index slot : asked_) computed[slot] = true;
+  for (Index slot = 0; slot < chart().size(); ++slot) {
+    const double t = chart().t[slot];
+    const bool between = t >= same_pen_up_to && t < chart_->computed_from();
+    if (between && !chart_->vacant(slot) && !computed[slot]) asked_.push_back(slot);
+  }
+}
+
+/// Brings pens, half widths and dynamics up to date, and notes which differ.
+void StrokeNodes::compare_pens(const SurfaceCurve& curve) {
+  differs_.assign(asked_.size(), 0);
+  const bool widths = reads_.varying & BURIN_INPUT_RADIUS, pens = reads_.varying & ~BURIN_INPUT_RADIUS;
+  if (widths) half_width_.resize(chart().size());
+  if (pens) pen_.resize(chart().size());
+  dynamics_.resize(chart().size());
+  if (!widths && !pens && !dynamics_.any()) return;
+  const double loop = curve.closed ? curve.length() : 0;
+  parallel_blocks(asked_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Index slot = asked_[i];
+      const PenAt at = pen_at(curve, chart().t[slot]);
+      const auto note = [&](auto& values, const auto& value) {
+        differs_[i] |= !(values[slot] == value);
+        values[slot] = value;
+      };
+      if (widths) note(half_width_, static_cast<float>(reads_.radius * at.width));
+      if (pens) note(pen_, node_pen(at, reads_.varying));
+      if (dynamics_.any()) differs_[i] |= dynamics_.update(slot, at, loop);
+    }
+  });
+}
+
+void StrokeNodes::add_stale(Index slot) {
+  if (stale_in_[slot] == event_) return;
+  stale_in_[slot] = event_;
+  changes_.stale.push_back(slot);
+  add_vertex(slot);
+}
+
+void StrokeNodes::add_vertex(Index slot) {
+  if (altered_listed_ && chart_->changed(slot)) return;
+  const Index place = chart_->place_of(slot);
+  if (altered_listed_ && chart_->is_altered(place)) return;
+  if (place >= vertex_in_.size()) vertex_in_.resize(chart_->place_count());
+  if (vertex_in_[place] == event_) return;
+  vertex_in_[place] = event_;
+  changes_.vertices.push_back(chart().vertex[slot]);
+}
+
+/// Nodes from the begin of the end zone on, below a t.
+void StrokeNodes::add_zone(double end_zone, double up_to) {
+  const auto count = static_cast<Index>(chart().size());
+  for (const Index slot :
+       zone_.find(end_zone, chart_->computed(), count, [this](Index s) { return t_of(s); })) {
+    const double t = t_of(slot);
+    if (t >= end_zone && t < up_to) add_stale(slot);
+  }
+}
+
+/// Of a node; neither more nor less than any number where the slot is vacant.
+double StrokeNodes::t_of(Index slot) const {
+  return chart_->vacant(slot) ? std::numeric_limits<double>::quiet_NaN() : chart().t[slot];
+}
+
+StrokeChanges StrokeNodes::finished() { return std::exchange(changes_, {}); }
+
+std::uint64_t pen_inputs_present(const PenFields& fields) {
+  std::uint64_t inputs = 0;
+  if (fields.pressure) inputs |= BURIN_INPUT_PRESSURE;
+  if (fields.tilt) inputs |= BURIN_INPUT_TILT;
+  if (fields.twist) inputs |= BURIN_INPUT_TWIST;
+  if (fields.time) inputs |= BURIN_INPUT_SPEED | BURIN_INPUT_TIME;
+  return inputs;
+}
+
+}  // namespace burin

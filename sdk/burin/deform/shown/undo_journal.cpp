@@ -1,0 +1,24 @@
+#include <burin/deform/shown/undo_journal.h>
+
+#include <utility>
+
+namespace burin {
+
+void UndoJournal::record(std::span<const Index> vertices, std::span<const Vec3f> positions_of_surface,
+                         PaintStep paint) {
+  UndoStep step;
+  step.vertices.assign(vertices.begin(), vertices.end());
+  step.positions.reserve(vertices.size());
+  for (const Index vertex : vertices) step.positions.push_back(positions_of_surface[vertex]);
+  step.paint = std::move(paint);
+  steps_.push_back(std::move(step));
+}
+
+std::optional<UndoStep> UndoJournal::take() {
+  if (steps_.empty()) return std::nullopt;
+  UndoStep step = std::move(steps_.back());
+  steps_.pop_back();
+  return step;
+}
+
+}  // namespace burin

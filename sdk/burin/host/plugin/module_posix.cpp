@@ -1,0 +1,34 @@
+#if !defined(_WIN32)
+#include <burin/base/error.h>
+#include <burin/host/plugin/module.h>
+#include <dlfcn.h>
+
+#include <string>
+#include <string_view>
+
+namespace burin {
+namespace {
+
+/// dlerror() most often begins with the path, which the message already has.
+std::string load_error(const std::string& path) {
+  const char* text = dlerror();
+  std::string_view reason = text ? text : "cannot be loaded";
+  if (reason.starts_with(path + ": ")) reason.remove_prefix(path.size() + 2);
+  return std::string(reason);
+}
+
+}  // namespace
+
+Module::Module(const std::filesystem::path& path) {
+  // Absolute, since a bare name would be looked for among the system's libraries.
+  const std::string file = std::filesystem::absolute(path).string();
+  handle_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!handle_) throw FileError(path.string(), load_error(file));
+}
+
+Module::~Module() { dlclose(handle_); }
+
+const void* Module::symbol(const char* name) const { return dlsym(handle_, name); }
+
+}  // namespace burin
+#endif

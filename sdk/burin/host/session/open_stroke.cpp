@@ -1,0 +1,237 @@
+#include <burin/base/error.h>
+#include <burin/base/sort_unique.h>
+#include <burin/deform/blend/blend.h>
+#include <burin/host/session/open_stroke.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace burin {
+namespace {
+
+const StrokeSettings& checked(const StrokeSettings& settings) {
+  // Brushes compute in floats.
+  const auto radius = static_cast<float>(settings.radius), strength = static_cast<float>(settings.strength);
+  if (!(std::isfinite(radius) && radius > 0))
+    throw ContractError(fmt::format("a stroke's radius must be above 0, not {}", settings.radius));
+  if (!(settings.pressure_width >= 0 && settings.pressure_width <= 1))
+    throw ContractError(
+        fmt::format("a stroke's pressure width must be from 0 to 1, not {}", settings.pressure_width));
+  if (!(settings.follow >= 0 && settings.follow <= 1))
+    throw ContractError(
+        fmt::format("how much a stroke follows must be from 0 to 1, not {}", settings.follow));
+  if (!std::isfinite(strength)) throw ContractError("a stroke's strength is not finite");
+  if (!(settings.dab_spacing == 0 || settings.dab_spacing >= least_dab_spacing))
+    throw ContractError(fmt::format("the spacing of dabs must be 0, or at least {} radii, not {}",
+                                    least_dab_spacing, settings.dab_spacing));
+  return settings;
+}
+
+/// What a pen that does not report it must hold, see Pen, would else be dropped silently.
+void check_pen(const Pen& pen, const PenFields& fields) {
+  const Pen neutral;
+  const auto check = [](bool reported, bool is_neutral, const char* field, float value) {
+    if (!reported && !is_neutral)
+      throw ContractError(fmt::format(
+          "the pen's {} is {}, but StrokeSettings::fields says that it reports none", field, value));
+  };
+  check(fields.pressure, pen.pressure == neutral.pressure, "pressure", pen.pressure);
+  check(fields.tilt, pen.tilt_x == neutral.tilt_x, "tilt", pen.tilt_x);
+  check(fields.tilt, pen.tilt_y == neutral.tilt_y, "tilt", pen.tilt_y);
+  check(fields.twist, pen.twist == neutral.twist, "twist", pen.twist);
+}
+
+/// Everything that changed in any instance, each vertex once.
+std::vector<Index> all_vertices(const std::vector<StrokeChanges>& changes) {
+  std::vector<Index> vertices = changes.front().vertices;
+  if (changes.size() == 1) return vertices;
+  for (std::size_t i = 1; i < changes.size(); ++i)
+    vertices.insert(vertices.end(), changes[i].vertices.begin(), changes[i].vertices.end());
+  sort_unique(vertices);
+  return vertices;
+}
+
+}  // namespace
+
+OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, ChartBuilders& builders,
+                       const burin_brush& brush, const burin_brush_descriptor& descriptor,
+                       const StrokeSettings& settings)
+    : surface_(&surface),
+      picker_(&picker),
+      builders_(&builders),
+      settings_(checked(settings)),
+      params_(descriptor, settings.params),
+      narrowest_(StrokeWidth(settings.pressure_width, settings.dynamics,
+                             {.fields = settings.fields, .radius = settings.radius, .seed = settings.seed})
+                     .narrowest()),
+      brush_stroke_(brush, descriptor, context(0, {}), params_.abi()),
+      images_(symmetry_instances(settings_.symmetry)),
+      last_time_(-std::numeric_limits<double>::infinity()) {
+  begin_instances();
+}
+
+void OpenStroke::begin_instances() {
+  for (const SymmetryInstance& image : images_)
+    instances_.emplace_back(*surface_, *picker_, *builders_, settings_, image, brush_stroke_,
+                            instances_.empty() ? nullptr : &instances_.front());
+  if (settings_.accumulate == Accumulate::from_current) accumulate();
+  if (passes_look_around()) look_around();
+}
+
+void OpenStroke::begin_piece() {
+  piece_kept_ = false;
+  passes_.reset();
+  accumulation_.reset();
+  instances_.clear();
+  begin_instances();
+}
+
+/// Passes that look at neighbours need what the one before left there.
+void OpenStroke::look_around() {
+  std::vector<const LiveChart*> charts;
+  for (const StrokeInstance& instance : instances_) charts.push_back(&instance.live());
+  passes_.emplace(*surface_, brush_stroke_, std::move(charts), blend_options());
+}
+
+void OpenStroke::accumulate() {
+  if (brush_stroke_.plan().passes > 1)
+    throw Error(fmt::format("{}: works in several passes, which start from the surface before the stroke",
+                            brush().id));
+  accumulation_.emplace(*surface_, brush_stroke_, settings_.dab_spacing > 0 ? 0 : settings_.radius);
+}
+
+bool OpenStroke::passes_look_around() const {
+  return brush().inputs_read & BURIN_INPUT_LAPLACIAN && brush_stroke_.plan().passes > 1;
+}
+
+BlendOptions OpenStroke::blend_options() const {
+  const bool adds_up = settings_.accumulate == Accumulate::from_current;
+  const Overlap chosen =
+      over_passes(settings_.overlap.value_or(overlap_of(brush())), brush_stroke_.plan().passes);
+  BlendOptions options{.overlap = adds_up ? Overlap::add : chosen, .radius = settings_.radius};
+  if (settings_.clamp_to_radius) options.limit = settings_.radius;
+  return options;
+}
+
+void OpenStroke::trace(const CurveGround::Place& at, double time, const Pen& pen) {
+  if (!std::isfinite(time) || time < last_time_)
+    throw ContractError(fmt::format("time goes from {} to {}", last_time_, time));
+  check_pen(pen, settings_.fields);
+  last_time_ = time;
+  instances_.front().trace(at, time, pen);
+  for (std::size_t i = 1; i < instances_.size(); ++i) {
+    StrokeInstance& instance = instances_[i];
+    const Vec3f position = instance.image()(at.at.position.cast<double>()).cast<float>();
+    const auto image = instance.ground().closest(position, static_cast<float>(settings_.radius));
+    if (image && instance.connects(*image)) instance.trace(*image, time, pen);
+  }
+}
+
+VertexMoves OpenStroke::draw(const StrokeTools& tools) {
+  if (std::ranges::none_of(instances_, &StrokeInstance::has_news)) return {};
+  std::vector<StrokeChanges> changes;
+  for (StrokeInstance& instance : instances_)
+    changes.push_back(instance.empty() ? StrokeChanges{}
+                                       : instance.draw(brush_stroke_.plan().end_influence, tools.cost));
+  tools.clock.lap(Stage::chart);
+  return go_on(changes, 0, tools);
+}
+
+VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
+  for (StrokeInstance& instance : instances_)
+    if (!instance.empty()) instance.close(closure);
+  tools.clock.lap(Stage::curve);
+  const bool news = std::ranges::any_of(instances_, &StrokeInstance::has_news);
+  std::vector<StrokeChanges> changes;
+  for (StrokeInstance& instance : instances_)
+    changes.push_back(instance.empty()
+                          ? StrokeChanges{}
+                          : instance.finish(news, brush_stroke_.plan().end_influence, tools.cost));
+  tools.clock.lap(Stage::chart);
+  return go_on(changes, BURIN_STROKE_FINAL, tools);
+}
+
+burin_stroke_context OpenStroke::context(std::uint64_t flags, const SurfaceCurve& curve) const {
+  burin_stroke_context context{};
+  context.struct_size = sizeof(burin_stroke_context);
+  context.flags = flags | (curve.closed ? BURIN_STROKE_CLOSED : 0);
+  context.pen_present = pen_inputs_present(settings_.fields);
+  context.seed = settings_.seed;
+  context.length = curve.length();
+  context.radius_min = settings_.radius * narrowest_;
+  context.radius_max = settings_.radius;
+  context.object_scale = surface_->scale;
+  return context;
+}
+
+/// Evaluates what is stale, and tells where the vertices concerned go.
+VertexMoves OpenStroke::go_on(const std::vector<StrokeChanges>& changes, std::uint64_t flags,
+                              const StrokeTools& tools) {
+  std::vector<Index> vertices = all_vertices(changes);
+  evaluate(changes, flags, tools, vertices);
+  tools.clock.lap(Stage::evaluate);
+  VertexMoves moves = blend(std::move(vertices), tools.paint);
+  tools.clock.lap(Stage::blend);
+  return moves;
+}
+
+void OpenStroke::evaluate(const std::vector<StrokeChanges>& changes, std::uint64_t flags,
+                          const StrokeTools& tools, std::vector<Index>& vertices) {
+  const auto strength = static_cast<float>(settings_.strength);
+  std::vector<EvaluatedInstance> evaluated;
+  for (StrokeInstance& instance : instances_) {
+    instance.outputs().resize(instance.live().nodes().size(), paints(brush()));
+    const std::uint64_t mirrored = instance.image().mirrored ? BURIN_STROKE_MIRRORED : 0;
+    evaluated.push_back({instance.source(tools.paint), context(flags | mirrored, instance.curve()), strength,
+                         instance.outputs()});
+  }
+  if (passes_) {
+    vertices = passes_->update(tools.evaluator, evaluated, std::move(vertices));
+    tools.cost.evaluated += vertices.size();
+    return;
+  }
+  if (accumulation_) {
+    const std::vector<Index> changed = vertices;
+    for (std::size_t i = 0; i < evaluated.size(); ++i)
+      accumulation_->update(tools.evaluator, evaluated[i], instances_[i].live(), changed, vertices);
+    sort_unique(vertices);
+    tools.cost.evaluated += vertices.size();
+    return;
+  }
+  for (std::size_t i = 0; i < evaluated.size(); ++i) {
+    const std::vector<Index>& stale = changes[i].stale;
+    const NodeOutputs& outputs =
+        tools.evaluator.evaluate(brush_stroke_, evaluated[i].context, evaluated[i].source, stale, strength);
+    for (std::size_t k = 0; k < stale.size(); ++k) evaluated[i].outputs.take(stale[k], outputs, k);
+    tools.cost.evaluated += stale.size();
+  }
+}
+
+std::vector<InstanceSheets> OpenStroke::piece_sheets() const {
+  std::vector<InstanceSheets> sheets;
+  for (const StrokeInstance& instance : instances_) sheets.push_back(instance.sheets());
+  return sheets;
+}
+
+VertexMoves OpenStroke::blend(std::vector<Index> vertices, const Paint& paint) const {
+  const std::vector<InstanceSheets> piece = piece_sheets();
+  const StrokeSheets stroke{piece, &earlier_};
+  VertexMoves moves;
+  moves.vertices = std::move(vertices);
+  moves.places.resize(moves.vertices.size());
+  blend_sheets(*surface_, stroke, moves.vertices, blend_options(), brush().id, moves.places);
+  if (!paints(brush())) return moves;
+  moves.tints.resize(moves.vertices.size());
+  blend_tints(paint, stroke, moves.vertices, blend_options(), moves.tints);
+  return moves;
+}
+
+void OpenStroke::keep_piece() {
+  earlier_.add(piece_sheets(), settings_.radius);
+  piece_kept_ = true;
+}
+
+}  // namespace burin

@@ -1,0 +1,167 @@
+#include <burin/host/session/stroke_instance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+namespace {
+
+/// A t that all nodes reach.
+constexpr double everywhere = -std::numeric_limits<double>::infinity();
+
+/// One that none reaches.
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+
+DrivenStroke driven_stroke(const StrokeSettings& settings, const SymmetryInstance& image) {
+  return {settings.fields, settings.radius, settings.seed, image.linear.transpose().cast<float>()};
+}
+
+}  // namespace
+
+InstanceChartBuilders& ChartBuilders::operator[](std::size_t instance) {
+  while (builders_.size() <= instance) builders_.push_back({StrokeChartBuilder(*surface_, &levels_), {}, {}});
+  return builders_[instance];
+}
+
+void ChartBuilders::moved(std::span<const Index> vertices, double distance) {
+  levels_.moved(vertices);
+  for (InstanceChartBuilders& builders : builders_) builders.stroke.moved(vertices, distance);
+}
+
+LiveDabs& ChartBuilders::dabs(std::size_t instance) {
+  std::unique_ptr<LiveDabs>& dabs = (*this)[instance].dabs;
+  if (!dabs) dabs = std::make_unique<LiveDabs>(*surface_, *picker_);
+  return *dabs;
+}
+
+LiveChart& ChartBuilders::image(std::size_t instance) {
+  std::unique_ptr<LiveChart>& image = (*this)[instance].image;
+  if (!image) image = std::make_unique<LiveChart>(surface_->vertex_count());
+  image->clear();
+  return *image;
+}
+
+StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, ChartBuilders& builders,
+                               const StrokeSettings& settings, const SymmetryInstance& image,
+                               const BrushStroke& brush, const StrokeInstance* original)
+    : surface_(&surface),
+      image_(image),
+      width_(settings.pressure_width, settings.dynamics, driven_stroke(settings, image)),
+      dynamics_(brush.descriptor(), brush.params(), settings.dynamics, driven_stroke(settings, image)),
+      reads_(read_inputs(settings, brush.descriptor().inputs_read)),
+      original_(original),
+      tracer_(begun(surface, picker, builders, settings, image), settings.radius, width_) {
+  if (original) image_chart_.emplace(surface, picker, image, settings.radius, builders.image(image.index));
+  nodes_.emplace(live(), reads_);
+}
+
+/// Begins the stroke's chart; returns where its curve is to run.
+CurveGround StrokeInstance::begun(const Surface& surface, const Picker& picker, ChartBuilders& builders,
+                                  const StrokeSettings& settings, const SymmetryInstance& image) {
+  if (settings.dab_spacing > 0) {
+    dabs_ = &builders.dabs(image.index);
+    base_ = builders[image.index].stroke.base_for(settings.radius, settings.follow);
+    dabs_->begin(settings.radius, settings.dab_spacing * settings.radius, base_);
+    return {surface, picker, base_};
+  }
+  builder_ = &builders[image.index].stroke;
+  builder_->begin(
+      {.radius = settings.radius, .cap = settings.cap, .join = settings.join, .follow = settings.follow});
+  base_ = builder_->base();
+  return {surface, picker, base_};
+}
+
+ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const {
+  std::uint64_t varying = pen_inputs_present(settings.fields);
+  if (width_.varies()) varying |= BURIN_INPUT_RADIUS;
+  // Sheets fade over a share of their half width.
+  return {settings.radius, inputs, varying & (inputs | BURIN_INPUT_RADIUS), &dynamics_};
+}
+
+void StrokeInstance::trace(const CurveGround::Place& at, double time, const Pen& pen) {
+  const PenWay::Change change = tracer_.add(at, time, pen);
+  const bool pen_matters = width_.varies() || reads_.varying != 0 || dynamics_.any();
+  traced_ |= change == PenWay::Change::way || (change == PenWay::Change::pen && pen_matters);
+}
+
+StrokeChanges StrokeInstance::draw(double end_influence, EventCost& cost) {
+  const std::size_t unchanged = drawn_points_;
+  const double length_before = drawn_length_;
+  drawn_points_ = tracer_.final_points();
+  drawn_length_ = curve().length();
+  traced_ = false;
+  chart(unchanged, cost);
+  const double same_up_to = unchanged > 0 ? curve().points[unchanged - 1].t : everywhere;
+  // A dab knows nothing of the stroke's length.
+  double end_zone = dabs_ ? nowhere : std::min(length_before, drawn_length_) - end_influence;
+  if (reads_foot()) end_zone = std::min(end_zone, other_feet_from(std::min(same_up_to, length_before)));
+  return nodes_->follow(curve(), end_zone, same_up_to);
+}
+
+/// The t from which on feet may be others, when the curve is up to some other t as before. Beyond the begin
+/// all have the begin's.
+double StrokeInstance::other_feet_from(double same_curve_up_to) const {
+  const double from = same_curve_up_to - reads_.radius;
+  return from > 0 ? from : everywhere;
+}
+
+StrokeChanges StrokeInstance::finish(bool news, double end_influence, EventCost& cost) {
+  if (closed_curve_) {
+    chart(0, cost);
+    return nodes_->follow(curve(), everywhere);
+  }
+  if (news) return draw(end_influence, cost);
+  return nodes_->in_zone(dabs_ ? nowhere : curve().length() - end_influence);
+}
+
+NodeSource StrokeInstance::source(const Paint& paint) const {
+  return {.surface = *surface_,
+          .nodes = *nodes_,
+          .radius = static_cast<float>(reads_.radius),
+          .paint = &paint,
+          .foot = foot_ ? &*foot_ : nullptr,
+          .places = nullptr,
+          .symmetry = image_.index,
+          .mirrored = image_.mirrored,
+          .dab_t = dab_t(),
+          .base = base_};
+}
+
+std::span<const float> StrokeInstance::dab_t() const {
+  if (!dabs_) return {};
+  return image_chart_ && image_chart_->reflects() ? original_->dab_t() : dabs_->along();
+}
+
+/// Curves of images are traced on their own part of the surface, which may not be what the original's is.
+bool StrokeInstance::runs_like_original() const {
+  const SurfaceCurve &here = curve(), &there = original_->curve();
+  return here.closed == there.closed && std::abs(here.length() - there.length()) <= 1e-4 * reads_.radius;
+}
+
+void StrokeInstance::chart(std::size_t unchanged, EventCost& cost) {
+  if (!image_chart_) {
+    chart_own(unchanged, cost);
+  } else if (image_chart_->has_images_of(original_->live()) && runs_like_original()) {
+    image_chart_->reflect(original_->live());
+  } else {
+    chart_own(image_chart_->own_is_behind() ? 0 : unchanged, cost);
+    image_chart_->copy(own_live());
+  }
+  if (!reads_foot()) return;
+  const bool reflects = image_chart_ && image_chart_->reflects();
+  foot_.emplace(reflects ? image_chart_->image_of(original_->curve()) : curve(), reads_.radius);
+}
+
+void StrokeInstance::chart_own(std::size_t unchanged, EventCost& cost) {
+  if (dabs_) {
+    dabs_->draw(curve(), unchanged);
+    cost.settled += dabs_->settled();
+  } else {
+    builder_->draw(curve(), unchanged);
+    cost.settled += builder_->settled();
+    cost.pushes += builder_->pushes();
+  }
+}
+
+}  // namespace burin

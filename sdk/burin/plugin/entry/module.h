@@ -1,0 +1,178 @@
+#pragma once
+#include <burin/abi/plugin.h>
+#include <burin/plugin/brush.h>
+#include <burin/plugin/entry/checks.h>
+#include <burin/plugin/error.h>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <utility>
+
+/// The C side of a plugin module. Every template here has a tag that is local to the module (BURIN_PLUGIN
+/// makes it), because some systems share the static data of equally named types between loaded modules.
+namespace burin::plugin::detail {
+
+template <class B>
+constexpr auto params_of() {
+  if constexpr (requires { B::params; })
+    return B::params;
+  else
+    return std::array<burin_param_info, 0>{};
+}
+
+/// The descriptor of brush B, checked and built by the compiler.
+template <class Tag, class B>
+struct Declaration {
+  static_assert(std::derived_from<B, Brush>);
+  static_assert(checks::reverse_dns(B::info.id), "BrushInfo::id must read like \"org.example.ripple\"");
+  static_assert(checks::present(B::info.name) && checks::present(B::info.vendor) &&
+                    checks::present(B::info.version),
+                "BrushInfo needs name, vendor and version");
+
+  static_assert(B::info.overlap >= BURIN_OVERLAP_STRONGEST && B::info.overlap <= BURIN_OVERLAP_AVERAGE,
+                "BrushInfo::overlap must be one of BURIN_OVERLAP_STRONGEST .. BURIN_OVERLAP_AVERAGE");
+
+  static constexpr auto params = params_of<B>();
+  static_assert(
+      checks::params(params),
+      "a parameter lacks id or name, its id is used twice or not of [a-z0-9_], its default or soft range "
+      "is outside of the hard range, its soft range is infinite, a range of whole numbers is not whole, "
+      "its choices are equal, its colour is not within 0..1, or its knots do not rise");
+
+  template <std::size_t... I>
+  static constexpr std::array<const burin_param_info*, sizeof...(I)> pointers(std::index_sequence<I...>) {
+    return {&params[I]...};
+  }
+  static constexpr auto param_pointers = pointers(std::make_index_sequence<params.size()>());
+
+  static constexpr burin_brush_descriptor descriptor{sizeof(burin_brush_descriptor),
+                                                     static_cast<std::uint32_t>(params.size()),
+                                                     B::info.id,
+                                                     B::info.name,
+                                                     B::info.vendor,
+                                                     B::info.version,
+                                                     B::info.help,
+                                                     B::info.features.data(),
+                                                     param_pointers.data(),
+                                                     B::info.inputs,
+                                                     B::info.outputs,
+                                                     B::info.overlap,
+                                                     0};
+};
+
+/// A burin_brush that makes a B for every stroke.
+template <class Tag, class B>
+class Instance {
+ public:
+  Instance(const burin_host* host, const std::string& module_path) : host_(host), module_path_(module_path) {}
+
+  static const burin_brush* create(const burin_host* host, const std::string& module_path) {
+    return &(new Instance(host, module_path))->abi_;
+  }
+
+ private:
+  static constexpr const burin_brush_descriptor& descriptor = Declaration<Tag, B>::descriptor;
+
+  static const Instance* from(const burin_brush* brush) { return static_cast<const Instance*>(brush->self); }
+
+  static void BURIN_CALL destroy(const burin_brush* brush) { delete from(brush); }
+
+  static const void* BURIN_CALL get_extension(const burin_brush*, const char*) { return nullptr; }
+
+  static burin_status BURIN_CALL begin(const burin_brush* brush, const burin_stroke_context* context,
+                                       const burin_params* params, burin_stroke_plan* plan, void** stroke,
+                                       burin_text* error) noexcept {
+    return guarded(error, [&] {
+      const Instance* self = from(brush);
+      StrokeStart start{Stroke(*context), Params(descriptor, params), self->host_, self->module_path_};
+      auto made = make_stroke(start);
+      if (BURIN_HAS(plan, burin_stroke_plan, passes)) plan->passes = start.passes;
+      if (BURIN_HAS(plan, burin_stroke_plan, end_influence)) plan->end_influence = start.end_influence;
+      *stroke = made.release();
+    });
+  }
+
+  static std::unique_ptr<B> make_stroke(StrokeStart& start) {
+    if constexpr (std::constructible_from<B, StrokeStart&>)
+      return std::make_unique<B>(start);
+    else
+      return std::make_unique<B>();
+  }
+
+  static burin_status BURIN_CALL evaluate(const burin_brush*, void* stroke,
+                                          const burin_stroke_context* context, const burin_batch* batch,
+                                          const burin_outputs* outputs, burin_text* error) noexcept {
+    return guarded(error, [&] {
+      static_cast<const B*>(stroke)->evaluate(Batch(descriptor, *context, *batch), Outputs(*outputs));
+    });
+  }
+
+  static void BURIN_CALL end(const burin_brush*, void* stroke) { delete static_cast<B*>(stroke); }
+
+  const Host host_;
+  const std::string module_path_;
+  const burin_brush abi_{sizeof(burin_brush), 0, this, destroy, get_extension, begin, evaluate, end};
+};
+
+/// Everything behind the exported symbol of a module that holds Brushes.
+template <class Tag, class... Brushes>
+class Module {
+ public:
+  static constexpr burin_plugin_entry entry() {
+    return {sizeof(burin_plugin_entry), BURIN_ABI_MAJOR, BURIN_ABI_MINOR, 0, init, deinit, get_factory};
+  }
+
+ private:
+  static_assert(checks::all_differ({Brushes::info.id...}), "two brushes of the module have the same id");
+
+  /// What init and deinit count; a lock of its own since a host may have several loaders.
+  struct State {
+    std::mutex lock;
+    int users = 0;
+    std::string path;
+  };
+  static inline State state_;
+
+  static burin_status BURIN_CALL init(const char* plugin_path, burin_text* error) noexcept {
+    return guarded(error, [&] {
+      const std::lock_guard guard(state_.lock);
+      if (state_.users == 0) state_.path = plugin_path ? plugin_path : "";
+      ++state_.users;
+    });
+  }
+
+  static void BURIN_CALL deinit() noexcept {
+    const std::lock_guard guard(state_.lock);
+    if (state_.users > 0) --state_.users;
+  }
+
+  static const void* BURIN_CALL get_factory(const char* factory_id) noexcept {
+    const std::lock_guard guard(state_.lock);
+    return state_.users > 0 && std::string_view(factory_id) == BURIN_BRUSH_FACTORY ? &factory_ : nullptr;
+  }
+
+  static const burin_brush* BURIN_CALL create(const burin_brush_factory*, const burin_host* host,
+                                              const char* brush_id, burin_text* error) noexcept {
+    const burin_brush* brush = nullptr;
+    guarded(error, [&] {
+      const std::string_view id = brush_id;
+      const bool found = ((id == Declaration<Tag, Brushes>::descriptor.id &&
+                           (brush = Instance<Tag, Brushes>::create(host, state_.path))) ||
+                          ...);
+      if (!found) throw Error("this plugin has no brush '" + std::string(id) + "'", BURIN_NOT_FOUND);
+    });
+    return brush;
+  }
+
+  static constexpr const burin_brush_descriptor* descriptors_[] = {&Declaration<Tag, Brushes>::descriptor...};
+  static constexpr burin_brush_factory factory_{sizeof(burin_brush_factory), sizeof...(Brushes), descriptors_,
+                                                create};
+};
+
+}  // namespace burin::plugin::detail

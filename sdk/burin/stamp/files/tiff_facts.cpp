@@ -1,0 +1,75 @@
+#include <burin/base/error.h>
+#include <burin/stamp/files/tiff_facts.h>
+#include <tiffio.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <string_view>
+
+namespace burin {
+namespace {
+
+int keep_silent(TIFF*, void*, const char*, const char*, va_list) { return 1; }
+
+struct Close {
+  void operator()(TIFF* tiff) const { TIFFClose(tiff); }
+};
+using Tiff = std::unique_ptr<TIFF, Close>;
+
+/// The library has no complaints on the terminal.
+Tiff open(const std::filesystem::path& path) {
+  TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
+  TIFFOpenOptionsSetErrorHandlerExtR(options, keep_silent, nullptr);
+  TIFFOpenOptionsSetWarningHandlerExtR(options, keep_silent, nullptr);
+  Tiff tiff(TIFFOpenExt(path.string().c_str(), "r", options));
+  TIFFOpenOptionsFree(options);
+  if (!tiff) throw FileError(path.string(), "is damaged: its first directory cannot be read");
+  return tiff;
+}
+
+/// GDAL writes the number as text.
+std::optional<double> no_data_value(TIFF* tiff) {
+  std::uint32_t size = 0;
+  const char* text = nullptr;
+  if (!TIFFGetField(tiff, TIFFTAG_GDAL_NODATA, &size, &text) || !text) return std::nullopt;
+  const std::string_view number(text, size);
+  const std::size_t begin = std::min(number.find_first_not_of(' '), number.size());
+  double value = 0;
+  const auto [end, error] = std::from_chars(text + begin, text + size, value);
+  if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+bool is_cut_off(TIFF* tiff, std::uintmax_t file_bytes) {
+  const std::uint32_t pieces = TIFFIsTiled(tiff) ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
+  for (std::uint32_t i = 0; i < pieces; ++i) {
+    const std::uint64_t begin = TIFFGetStrileOffset(tiff, i), size = TIFFGetStrileByteCount(tiff, i);
+    if (begin > file_bytes || size > file_bytes - begin) return true;
+  }
+  return false;
+}
+
+bool is_part_of_first(TIFF* tiff) {
+  std::uint32_t kind = 0;
+  TIFFGetField(tiff, TIFFTAG_SUBFILETYPE, &kind);
+  return (kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) != 0;
+}
+
+}  // namespace
+
+TiffFacts read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_bytes) {
+  const Tiff tiff = open(path);
+  TiffFacts facts;
+  std::uint16_t meaning = PHOTOMETRIC_MINISBLACK;
+  TIFFGetField(tiff.get(), TIFFTAG_PHOTOMETRIC, &meaning);
+  facts.white_is_zero = meaning == PHOTOMETRIC_MINISWHITE;
+  facts.numbers = meaning <= PHOTOMETRIC_PALETTE || meaning == PHOTOMETRIC_YCBCR;
+  facts.no_data = no_data_value(tiff.get());
+  facts.cut_off = is_cut_off(tiff.get(), file_bytes);
+  while (!facts.more_images && TIFFReadDirectory(tiff.get()))
+    facts.more_images = !is_part_of_first(tiff.get());
+  return facts;
+}
+
+}  // namespace burin

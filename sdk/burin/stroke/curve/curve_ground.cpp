@@ -1,0 +1,119 @@
+#include <burin/stroke/curve/curve_ground.h>
+#include <burin/surface/geometry/normals.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+
+CurveGround::Place CurveGround::place(const SurfacePoint& at) const {
+  if (!base_) return {at, normal_at(*surface_, at), at};
+  Place place = on_base(base_->node_of(at.corners[0]), at.position);
+  place.on_surface = at;
+  return place;
+}
+
+std::optional<CurveGround::Place> CurveGround::pick(const Ray& ray) const {
+  const std::optional<SurfacePoint> at = picker_->pick(ray);
+  if (!at) return {};
+  constexpr float flattest = 0.3F;  // sine of the angle between ray and base surface
+  const Vec3f direction = ray.direction.stableNormalized();
+  return settled(*at, [&](const Place& place) -> Vec3f {
+    const float slope = direction.dot(place.normal);
+    const float below = (place.at.position - at->position).dot(place.normal);
+    return at->position + below / std::copysign(std::max(std::abs(slope), flattest), slope) * direction;
+  });
+}
+
+std::optional<CurveGround::Place> CurveGround::closest(const Vec3f& position, float reach) const {
+  const std::optional<SurfacePoint> at = picker_->closest(position, reach);
+  if (!at) return {};
+  return settled(*at, [&](const Place& place) -> Vec3f {
+    return position - (position - place.at.position).dot(place.normal) * place.normal;
+  });
+}
+
+/// The foot of on_plane(place), where what is looked for meets the tangent plane of a place, is a better
+/// place: Newton's method, from the point's own foot, which it is to stay near. The surface itself needs none
+/// of it.
+template <class OnPlane>
+CurveGround::Place CurveGround::settled(const SurfacePoint& at, const OnPlane& on_plane) const {
+  constexpr int rounds = 3;
+  constexpr double farthest = 8;  // spacings
+  const Place foot = this->place(at);
+  if (!base_) return foot;
+  Place place = foot;
+  for (int round = 0; round < rounds; ++round) {
+    place = on_base(place.at.corners[0], on_plane(place));
+    const auto off = static_cast<double>((place.at.position - foot.at.position).norm());
+    if (!(off <= farthest * base_->spacing())) return foot;
+  }
+  place.on_surface = at;
+  return place;
+}
+
+namespace {
+
+/// Whether the surface is nowhere farther from the chord than a quarter of it; is_near(point, reach) goes
+/// from one point of it to the next.
+template <class IsNear>
+bool runs_near(const Vec3f& from, const Vec3f& to, double scale, const IsNear& is_near) {
+  const Vec3f chord = to - from;
+  // Places are rounded, so that those of tiny steps need not lie within a share of the step.
+  const float rounding = 4 * std::numeric_limits<float>::epsilon() *
+                         std::max(from.cwiseAbs().maxCoeff(), static_cast<float>(scale));
+  const float reach = std::max(chord.norm() / 4, rounding);
+  return from == to || std::ranges::all_of(std::array{0.25F, 0.5F, 0.75F},
+                                           [&](float s) { return is_near(from + s * chord, reach); });
+}
+
+}  // namespace
+
+bool CurveGround::connects(const Place& from, const Place& to) const {
+  SurfacePoint near = from.at;
+  const auto is_near_base = [&](const Vec3f& point, float reach) {
+    const std::optional<Place> place = closest(point, reach, near);
+    if (place) near = place->at;
+    return place.has_value();
+  };
+  const auto is_near_surface = [this](const Vec3f& point, float reach) {
+    return picker_->closest(point, reach).has_value();
+  };
+  return (base_ && runs_near(from.at.position, to.at.position, scale(), is_near_base)) ||
+         runs_near(from.on_surface.position, to.on_surface.position, scale(), is_near_surface);
+}
+
+CurveGround::Place CurveGround::on_base(Index near, const Vec3f& point) const {
+  const BasePoint found = base_->project(near, point);
+  SurfacePoint at;
+  at.corners.fill(found.node);
+  at.weights = {1, 0, 0};
+  at.position = found.position;
+  return {at, found.normal, {}};
+}
+
+std::optional<CurveGround::Place> CurveGround::closest(const Vec3f& point, float reach,
+                                                       const SurfacePoint& near) const {
+  if (!base_) {
+    const std::optional<SurfacePoint> at = picker_->closest(point, reach);
+    if (!at) return {};
+    return place(*at);
+  }
+  // Places on the base surface are right to a small share of its spacing.
+  constexpr double slack = 0.1;
+  const Place place = on_base(near.corners[0], point);
+  const double distance = static_cast<double>((place.at.position - point).norm());
+  if (!(distance <= static_cast<double>(reach) + slack * base_->spacing())) return {};
+  return place;
+}
+
+double CurveGround::point_spacing(const SurfacePoint& at) const {
+  if (base_) return base_->spacing() / 2;
+  const auto& c = at.corners;
+  const Vec3f &a = surface_->positions[c[0]], &b = surface_->positions[c[1]], &d = surface_->positions[c[2]];
+  return static_cast<double>(((b - a).norm() + (d - b).norm() + (a - d).norm()) / 6);
+}
+
+}  // namespace burin

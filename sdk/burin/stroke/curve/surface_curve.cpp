@@ -1,0 +1,195 @@
+// Surface curves: samples joined by centripetal Catmull-Rom splines [Barry and Goldman 1988; Yuksel et al.
+// 2011], brought onto the ground by closest points.
+#include <burin/math/elementary.h>
+#include <burin/stroke/curve/surface_curve.h>
+#include <burin/surface/geometry/unit_tangent.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+/// One segment of the spline in Hermite form over [0, 1].
+struct HermiteSegment {
+  Vec3d from, to, tangent_from, tangent_to;
+
+  Vec3d position(double s) const {
+    const double s2 = s * s, s3 = s2 * s;
+    return (2 * s3 - 3 * s2 + 1) * from + (s3 - 2 * s2 + s) * tangent_from + (3 * s2 - 2 * s3) * to +
+           (s3 - s2) * tangent_to;
+  }
+  Vec3d velocity(double s) const {
+    const double s2 = s * s;
+    return 6 * (s2 - s) * (from - to) + (3 * s2 - 4 * s + 1) * tangent_from + (3 * s2 - 2 * s) * tangent_to;
+  }
+};
+
+/// The tangent at b of the spline through a, b, c with centripetal knots, per unit of the knot interval.
+Vec3d knot_tangent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const double before = std::sqrt((b - a).norm()), after = std::sqrt((c - b).norm());
+  return (b - a) / before - (c - a) / (before + after) + (c - b) / after;
+}
+
+/// The same at a, of the parabola through the three: the spline's tangent where it begins, or, in reverse,
+/// where it ends.
+Vec3d end_tangent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const double near = std::sqrt((b - a).norm()), far = std::sqrt((c - b).norm());
+  const Vec3d first = (b - a) / near, second = (c - b) / far;
+  return first + near / (near + far) * (first - second);
+}
+
+/// The segment from b to c; a or d may be missing.
+HermiteSegment spline_segment(const Vec3d* a, const Vec3d& b, const Vec3d& c, const Vec3d* d) {
+  const double interval = std::sqrt((c - b).norm());
+  const Vec3d chord = c - b;
+  const Vec3d at_b = a   ? Vec3d(interval * knot_tangent(*a, b, c))
+                     : d ? Vec3d(interval * end_tangent(b, c, *d))
+                         : chord;
+  const Vec3d at_c = d   ? Vec3d(interval * knot_tangent(b, c, *d))
+                     : a ? Vec3d(-interval * end_tangent(c, b, *a))
+                         : chord;
+  return {b, c, at_b, at_c};
+}
+
+/// Of the circular arc that turns from the one tangent to the other over the chord. At a corner, the chord.
+double arc_length(const CurvePoint& from, const Vec3f& to, const Vec3f& tangent) {
+  const double chord = (to - from.at.position).cast<double>().norm();
+  const double turn = (tangent - from.tangent).cast<double>().squaredNorm();
+  constexpr double corner = 0.25;
+  return turn < corner ? chord * (1 + turn / 24) : chord;
+}
+
+PenAt pen_of(const CurvePoint& point) {
+  return {.pen = point.pen,
+          .time = point.time,
+          .speed = point.speed,
+          .width = point.width,
+          .t = point.t,
+          .tangent = point.tangent,
+          .normal = point.normal};
+}
+
+/// CurvePoint::speed after a step from this point.
+double faded_speed(const CurvePoint& from, double length, double seconds) {
+  const double faded = -math::expm1(-seconds / speed_fading_time);
+  const double weight = seconds > 0 ? faded / seconds : 1 / speed_fading_time;
+  return from.speed * (1 - faded) + length * weight;
+}
+
+}  // namespace
+
+CurveTracer::CurveTracer(const CurveGround& ground, double radius, StrokeWidth width)
+    : ground_(ground),
+      radius_(radius),
+      width_(std::move(width)),
+      min_spacing_(std::max(radius / 1000, ground.scale() * 1e-5)),
+      max_spacing_(std::max(radius / 8, min_spacing_)),
+      way_(radius, min_spacing_ / 2) {}
+
+bool CurveTracer::connects(const CurveGround::Place& place) const {
+  return knots_.empty() || ground_.connects(knots_.back().place, place);
+}
+
+PenWay::Change CurveTracer::add(const CurveGround::Place& place, double time, const Pen& pen) {
+  if (knots_.empty()) first_time_ = time;
+  const PenWay::Change change = way_.add(knots_, {.place = place, .time = time - first_time_, .pen = pen});
+  if (change != PenWay::Change::none) retrace_tail();
+  return change;
+}
+
+void CurveTracer::retrace_tail() {
+  curve_.points.resize(final_points_);
+  const std::size_t last = knots_.size() - 1;
+  const std::size_t kept = final_points_;
+  if (last == 0) append(knots_[0].place, Vec3d::Zero(), knots_[0].time, knots_[0].pen);
+  for (std::size_t segment = final_segments_; segment < last; ++segment) {
+    trace_segment(segment);
+    if (segment + 2 < way_.taken()) {
+      final_points_ = curve_.points.size();
+      final_segments_ = segment + 1;
+    }
+  }
+  set_widths(kept);
+}
+
+void CurveTracer::set_widths(std::size_t from_point) {
+  if (!width_.varies()) return;
+  const double loop = curve_.closed ? curve_.length() : 0;
+  for (std::size_t i = from_point; i < curve_.points.size(); ++i) {
+    CurvePoint& point = curve_.points[i];
+    point.width = width_.at(pen_of(point), loop);
+  }
+}
+
+/// Traces from a knot to the next; of a closed curve, from the last knot towards the first.
+void CurveTracer::trace_segment(std::size_t k) {
+  const PenKnot &from = knots_[k], &to = *neighbour(k, 1, true);
+  const PenKnot *before = neighbour(k, 1, false), *after = neighbour(k, 2, true);
+  const auto place = [](const PenKnot* knot) {
+    return knot ? Vec3d(knot->position().cast<double>()) : Vec3d(Vec3d::Zero());
+  };
+  const Vec3d place_before = place(before), place_after = place(after);
+  const HermiteSegment spline = spline_segment(before ? &place_before : nullptr, place(&from), place(&to),
+                                               after ? &place_after : nullptr);
+  const PenSpline pens = pen_spline(k);
+  const double chord = (spline.to - spline.from).norm();
+
+  if (k == 0) append(from.place, spline.velocity(0), from.time, from.pen);
+  double s = 0;
+  for (;;) {
+    const double speed = std::max(spline.velocity(s).norm(), chord / 4);
+    const double step = spacing(curve_.points.back().at) / speed;
+    s += step;
+    if (s > 1 - step / 2) break;
+    const auto at =
+        ground_.closest(spline.position(s).cast<float>(), static_cast<float>(chord), curve_.points.back().at);
+    if (at) append(*at, spline.velocity(s), pens.time(s), pens.pen(s));
+  }
+  if (k + 1 == knots_.size()) return;
+  append(to.place, spline.velocity(1), to.time, to.pen);
+  knots_[k + 1].point = curve_.points.size() - 1;
+}
+
+/// The knot so many steps after or before; none beyond the ends of an open curve.
+const PenKnot* CurveTracer::neighbour(std::size_t knot, std::size_t steps, bool forward) const {
+  const std::size_t count = knots_.size();
+  if (!curve_.closed && (forward ? knot + steps >= count : knot < steps)) return nullptr;
+  return &knots_[(forward ? knot + steps : knot + count - steps) % count];
+}
+
+double CurveTracer::spacing(const SurfacePoint& at) const {
+  return std::clamp<double>(ground_.point_spacing(at), min_spacing_, max_spacing_);
+}
+
+/// Time does not go on from the last knot of a closed curve to the first, the pen does.
+PenSpline CurveTracer::pen_spline(std::size_t k) const {
+  const PenKnot *before = neighbour(k, 1, false), *after = neighbour(k, 2, true);
+  const auto interval = [](const PenKnot* a, const PenKnot* b) {
+    return a && b ? std::sqrt((b->position() - a->position()).cast<double>().norm()) : 0;
+  };
+  const PenKnot &from = knots_[k], &to = *neighbour(k, 1, true);
+  const MonotoneCubic::Intervals intervals{interval(before, &from), interval(&from, &to),
+                                           interval(&to, after)};
+  const MonotoneCubic::Intervals in_order{k > 0 ? intervals.before : 0, intervals.within,
+                                          k + 2 < knots_.size() ? intervals.after : 0};
+  const PenKnot &first = before ? *before : from, &last = after ? *after : to;
+  return {{in_order, first.time, from.time, to.time, last.time},
+          {intervals, first.pen, from.pen, to.pen, last.pen}};
+}
+
+void CurveTracer::append(const CurveGround::Place& place, const Vec3d& direction, double time,
+                         const Pen& pen) {
+  const SurfacePoint& at = place.at;
+  const Vec3f tangent = unit_tangent(direction.cast<float>(), place.normal);
+  CurvePoint point{.at = at, .normal = place.normal, .tangent = tangent, .time = time, .pen = pen};
+  if (!curve_.points.empty()) {
+    const CurvePoint& before = curve_.points.back();
+    const double length = arc_length(before, at.position, point.tangent);
+    point.t = before.t + length;
+    point.speed = faded_speed(before, length, time - before.time);
+  }
+  curve_.points.push_back(point);
+}
+
+}  // namespace burin

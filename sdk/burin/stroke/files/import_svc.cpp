@@ -1,0 +1,66 @@
+#include <burin/base/error.h>
+#include <burin/math/elementary.h>
+#include <burin/stroke/files/import.h>
+#include <burin/stroke/files/number_lines.h>
+#include <burin/stroke/files/pen_events.h>
+#include <burin/stroke/files/recording_faults.h>
+#include <burin/stroke/pen_angles.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace burin {
+namespace {
+
+constexpr double tenth_of_degree = std::numbers::pi / 1800;
+
+/// Tablets give where the pen's upper end points: clockwise from the tablet's top, and above its plane.
+void set_tilt(Pen& pen, double azimuth, double altitude) {
+  const double level = math::cos(altitude);
+  set_upper_end(pen, {level * math::sin(azimuth), -level * math::cos(azimuth), math::sin(altitude)});
+}
+
+PenEvent parse_event(std::string_view line) {
+  std::array<double, 7> numbers{};
+  parse_numbers(line, "seven numbers: x y time pen_down azimuth altitude pressure", numbers);
+  const auto [x, y, time, pen_down, azimuth, altitude, pressure] = numbers;
+  if (pen_down != 0 && pen_down != 1) throw Error("pen_down must be 0 or 1");
+  if (!(altitude >= 0 && altitude <= 900)) throw Error("altitude must lie in 0..900 tenths of a degree");
+  PenEvent event;
+  event.contact = pen_down == 1;
+  event.sample.time = time;
+  event.sample.position = {x, -y, 0};
+  event.sample.pen.pressure = static_cast<float>(pressure);
+  set_tilt(event.sample.pen, azimuth * tenth_of_degree, altitude * tenth_of_degree);
+  if (const std::string_view fault = fault_of(event.sample); !fault.empty()) throw Error(std::string(fault));
+  return event;
+}
+
+std::size_t parse_count(std::string_view line) {
+  double count = 0;
+  parse_numbers(line, "one number: of the lines that follow", {&count, 1});
+  constexpr double most = 1e9;
+  if (!(count >= 0 && count <= most) || count != std::floor(count))
+    throw Error("the number of the lines that follow must be whole");
+  return static_cast<std::size_t>(count);
+}
+
+}  // namespace
+
+Import import_svc(const std::filesystem::path& path, const Camera& camera) {
+  std::size_t count = 0;
+  std::vector<PenEvent> events;
+  for_each_line(path, [&](std::string_view line, std::size_t number) {
+    if (number == 1)
+      count = parse_count(line);
+    else
+      events.push_back(parse_event(line));
+  });
+  if (events.size() != count)
+    throw FileError(path.string(), "1", fmt::format("{} lines are told, {} follow", count, events.size()));
+  return import_of(path, events, {.time = true, .pressure = true, .tilt = true}, camera);
+}
+
+}  // namespace burin

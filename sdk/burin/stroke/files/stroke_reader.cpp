@@ -1,0 +1,139 @@
+#include <burin/base/error.h>
+#include <burin/base/file.h>
+#include <burin/stroke/files/stroke_lines.h>
+#include <burin/stroke/stroke_file.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace burin {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Takes the lines of a file in order.
+class Reader {
+ public:
+  explicit Reader(std::string path) : path_(std::move(path)) {}
+
+  /// `complete`: the line had its newline.
+  void take_line(std::string_view text, bool complete);
+
+  Recording finish();
+
+ private:
+  std::optional<Json> parse(std::string_view text, bool complete);
+  void take(const Json& line);
+  void take_object(const Json& line);
+  void take_begin(const Json& line);
+  void take_end(const Json& line);
+  void take_sample(const Json& line);
+  [[noreturn]] void reject(std::string_view what) const {
+    throw FileError(path_, std::to_string(line_), what);
+  }
+
+  std::string path_;
+  std::size_t line_ = 0;
+  bool header_seen_ = false;
+  bool open_ = false;  ///< within a stroke
+  std::vector<Column> columns_;
+  Recording recording_;
+};
+
+void Reader::take_line(std::string_view text, bool complete) {
+  ++line_;
+  if (text.find_first_not_of(" \t\r") == text.npos) return;
+  const std::optional<Json> line = parse(text, complete);
+  if (!line) {
+    recording_.cut_off_at = line_;
+    return;
+  }
+  try {
+    take(*line);
+  } catch (const Error& error) {
+    reject(error.what());
+  }
+}
+
+/// Nothing for a line that was cut off.
+std::optional<Json> Reader::parse(std::string_view text, bool complete) {
+  // The parser would take a zero byte for the end of its input.
+  std::size_t column = text.find('\0') + 1;
+  try {
+    if (column == 0) return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    column = error.byte;
+  } catch (const Json::out_of_range&) {
+    reject("a number is too large");
+  }
+  if (complete) reject(fmt::format("malformed JSON at column {}", column));
+  return std::nullopt;
+}
+
+void Reader::take(const Json& line) {
+  if (!header_seen_) {
+    if (!line.is_object() || !line.contains("burin_stroke"))
+      throw Error("the header {\"burin_stroke\": 1, ...} must come first");
+    HeaderLine header = parse_header(line);
+    recording_.space = header.space;
+    recording_.camera = header.camera;
+    header_seen_ = true;
+  } else if (line.is_array()) {
+    take_sample(line);
+  } else if (line.is_object()) {
+    take_object(line);
+  } else {
+    throw Error("the line is neither an object nor a sample");
+  }
+}
+
+void Reader::take_object(const Json& line) {
+  if (line.contains("burin_stroke")) throw Error("a second header");
+  if (line.contains("begin")) take_begin(line);
+  if (line.contains("end")) take_end(line);
+}
+
+void Reader::take_begin(const Json& line) {
+  if (open_) throw Error("a stroke begins before the one before has its end");
+  BeginLine begin = parse_begin(line, recording_.space);
+  recording_.strokes.push_back(std::move(begin.stroke));
+  columns_ = std::move(begin.columns);
+  open_ = true;
+}
+
+void Reader::take_end(const Json& line) {
+  if (line["end"] != true) throw Error("end must be true");
+  if (!open_) throw Error("an end outside a stroke");
+  open_ = false;
+}
+
+void Reader::take_sample(const Json& line) {
+  if (!open_) throw Error("a sample outside a stroke");
+  const Sample sample = parse_sample(line, columns_);
+  std::vector<Sample>& samples = recording_.strokes.back().samples;
+  if (!samples.empty() && sample.time < samples.back().time)
+    throw Error(fmt::format("time falls from {} to {}", samples.back().time, sample.time));
+  samples.push_back(sample);
+}
+
+Recording Reader::finish() {
+  if (!header_seen_) throw FileError(path_, "1", "the header {\"burin_stroke\": 1, ...} is missing");
+  if (open_ && !recording_.cut_off_at) recording_.cut_off_at = line_;
+  return std::move(recording_);
+}
+
+}  // namespace
+
+Recording read_strokes(const std::filesystem::path& path) {
+  const std::string text = read_file(path);
+  Reader reader(path.string());
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    reader.take_line(std::string_view(text).substr(begin, end - begin), end < text.size());
+    begin = end + 1;
+  }
+  return reader.finish();
+}
+
+}  // namespace burin

@@ -1,0 +1,138 @@
+#include <burin/base/error.h>
+#include <burin/stroke/files/recording_faults.h>
+#include <burin/stroke/stroke_file.h>
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace burin {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json matrix_json(const Mat4d& matrix) {
+  return std::vector<double>(matrix.data(), matrix.data() + 16);  // both are column-major
+}
+
+Json camera_json(const Camera& camera) {
+  return {{"view", matrix_json(camera.view)},
+          {"projection", matrix_json(camera.projection)},
+          {"viewport", {camera.width, camera.height}}};
+}
+
+Json settings_json(const RecordedStroke& stroke) {
+  Json settings = Json::object();
+  if (stroke.brush) settings["brush"] = *stroke.brush;
+  if (stroke.radius) settings["radius"] = *stroke.radius;
+  settings["strength"] = stroke.strength;
+  if (stroke.follow) settings["follow"] = *stroke.follow;
+  settings["closed"] = stroke.closed;
+  settings["params"] = Json::object();
+  for (const auto& [id, setting] : stroke.params)
+    std::visit([&, &name = id](const auto& value) { settings["params"][name] = value; }, setting);
+  for (const Dynamic& dynamic : stroke.dynamics)
+    settings["dynamics"].push_back(
+        {{"target", dynamic.target}, {"source", source_name(dynamic.source)}, {"curve", dynamic.curve}});
+  return settings;
+}
+
+std::vector<std::string> field_names(const PenFields& fields, StrokeSpace space) {
+  std::vector<std::string> names;
+  if (fields.time) names.insert(names.end(), {"time"});
+  names.insert(names.end(), {"x", "y"});
+  if (space == StrokeSpace::object) names.insert(names.end(), {"z"});
+  if (fields.pressure) names.insert(names.end(), {"pressure"});
+  if (fields.tilt) names.insert(names.end(), {"tilt_x", "tilt_y"});
+  if (fields.twist) names.insert(names.end(), {"twist"});
+  return names;
+}
+
+/// The line, or ContractError for text that is not UTF-8.
+std::string dump(const Json& line) {
+  try {
+    return line.dump();
+  } catch (const Json::type_error&) {
+    throw ContractError("stroke file: a text is not valid UTF-8");
+  }
+}
+
+/// Appends the shortest text that is read back as the same double. "-0" would be read as the integer 0.
+void append(std::string& line, double value) {
+  const bool negative_zero = value == 0 && std::signbit(value);
+  line += negative_zero ? std::string("-0.0,") : fmt::format("{},", value);
+}
+
+/// The shortest text of a float, read as a double and rounded, is that float again. All of them were tried;
+/// the one exception is 7.0385307e-26, which goes with the other small ones as a double.
+void append(std::string& line, float value) {
+  if (std::abs(value) < 1e-20f) return append(line, static_cast<double>(value));
+  line += fmt::format("{},", value);
+}
+
+void expect_no_fault(std::string_view fault) {
+  if (!fault.empty()) throw ContractError(fmt::format("stroke file: {}", fault));
+}
+
+}  // namespace
+
+StrokeWriter::StrokeWriter(const std::filesystem::path& path, StrokeSpace space,
+                           const std::optional<Camera>& camera)
+    : path_(path), space_(space) {
+  if (space == StrokeSpace::screen && !camera)
+    throw ContractError("stroke file: screen space needs a camera");
+  if (camera) expect_no_fault(fault_of(*camera));
+  Json header = {{"burin_stroke", 1}, {"space", space == StrokeSpace::screen ? "screen" : "object"}};
+  if (camera) header["camera"] = camera_json(*camera);
+  out_.open(path, std::ios::binary | std::ios::trunc);
+  if (!out_) throw FileError(path_.string(), std::strerror(errno));
+  write_line(dump(header));
+}
+
+void StrokeWriter::begin(const RecordedStroke& stroke) {
+  if (open_) throw ContractError("stroke file: begin within a stroke");
+  expect_no_fault(fault_of(stroke));
+  write_line(dump({{"begin", settings_json(stroke)}, {"fields", field_names(stroke.fields, space_)}}));
+  fields_ = stroke.fields;
+  last_time_ = -std::numeric_limits<double>::infinity();
+  open_ = true;
+}
+
+void StrokeWriter::add(const Sample& sample) {
+  if (!open_) throw ContractError("stroke file: a sample outside a stroke");
+  expect_no_fault(fault_of(sample));
+  if (fields_.time && sample.time < last_time_) throw ContractError("stroke file: time falls");
+  std::string line = "[";
+  if (fields_.time) append(line, sample.time);
+  append(line, sample.position.x());
+  append(line, sample.position.y());
+  if (space_ == StrokeSpace::object) append(line, sample.position.z());
+  if (fields_.pressure) append(line, sample.pen.pressure);
+  if (fields_.tilt) {
+    append(line, sample.pen.tilt_x);
+    append(line, sample.pen.tilt_y);
+  }
+  if (fields_.twist) append(line, sample.pen.twist);
+  line.back() = ']';
+  write_line(std::move(line));
+  last_time_ = sample.time;
+}
+
+void StrokeWriter::end() {
+  if (!open_) throw ContractError("stroke file: an end outside a stroke");
+  write_line(dump({{"end", true}}));
+  open_ = false;
+}
+
+/// One write and one flush, so that the system usually gets a line whole or not at all.
+void StrokeWriter::write_line(std::string line) {
+  line += '\n';
+  out_.write(line.data(), static_cast<std::streamsize>(line.size()));
+  out_.flush();
+  if (!out_) throw FileError(path_.string(), "writing failed");
+}
+
+}  // namespace burin

@@ -1,0 +1,392 @@
+// Base surfaces by moving least squares over clusters [Lancaster and Salkauskas 1981]. The height over the
+// plane across the mean normal is a weighted least-squares quadratic in (x, y), whose value in the middle
+// keeps heights of third degree and nearly removes waves shorter than the reach; twice, since a second time
+// removes as much of what came through and adds as little to the loss of longer waves. What is left after the
+// first time is so smooth that clusters of the next level, a quarter as many, tell it to the second.
+// Clusters count by their area as seen along the normal, which is what an integral over (x, y) asks for
+// however steep the relief is.
+#include <burin/base/parallel.h>
+#include <burin/base/sort_unique.h>
+#include <burin/surface/base_surface/base_surface.h>
+#include <burin/surface/base_surface/cell_set.h>
+#include <burin/surface/geometry/quadratic_fit.h>
+#include <burin/surface/topology/connected_nodes.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+namespace {
+
+/// Over which heights are fitted, in radii, and over which paraboloids are, and are blended, in spacings.
+constexpr double reach_over_radius = 0.55, ring_over_spacing = 2.1, blend_over_spacing = 1.6;
+
+/// The latter two in edges, where nodes are far from each other.
+constexpr double ring_over_edge = 1.4, blend_over_edge = 1.3;
+
+/// Edges that the radius has at least on the level that is smoothed once, where it is coarser than the
+/// nodes'.
+constexpr double fewest_coarse_edges = 4.2;
+
+/// Members of a cluster lie within this share of a spacing of its mean, and seldom farther.
+constexpr double cluster_extent = 0.75;
+
+/// Normals of the base surface that differ by more (cosine) do not belong to one patch.
+constexpr float same_side = 0.2F;
+
+double squared_distance(const Vec3f& a, const Vec3f& b) { return static_cast<double>((a - b).squaredNorm()); }
+
+/// The normal of a height over a plane that has these slopes.
+Vec3f tilted(const Vec3f& normal, const Vec3f& axis_x, const Vec3f& axis_y,
+             const QuadraticFit::Terms& height) {
+  return (normal - static_cast<float>(height[1]) * axis_x - static_cast<float>(height[2]) * axis_y)
+      .normalized();
+}
+
+}  // namespace
+
+bool BaseSurface::set_radius(double radius) {
+  const auto coarsest = [&](double edges) {
+    std::size_t level = levels_->size() - 1;
+    while (level > 0 && !(levels_->spacing(level) * edges <= radius)) --level;
+    return level;
+  };
+  level_ = coarsest(fewest_edges);
+  coarse_level_ = std::clamp(coarsest(fewest_coarse_edges), level_, level_ + 1);
+  if (level_ == 0 && !(levels_->spacing(0) * fewest_own_edges <= radius)) return false;
+  const double reach = reach_over_radius * radius;
+  if (reach == reach_) return true;
+  group_level_ = std::min(level_ + 2, levels_->size() - 1);
+  reach_ = reach;
+  widest_ = 0;
+  ring_ = ring_over_spacing * spacing();
+  means_.restart(node_count());
+  once_.restart(levels_->neighbours(coarse_level_).rows());
+  twice_.restart(node_count());
+  patches_.restart(node_count());
+  return true;
+}
+
+void BaseSurface::forget(std::span<const Index> moved_vertices, double distance) {
+  if (reach_ == 0) return;
+  // What is smoothed lies within about half a reach of where it was.
+  const double around = 3 * std::max(levels_->spacing(group_level_), widest_.load());
+  CellSet near(2.5 * reach_ + ring_ + around + distance);
+  for (const Index vertex : moved_vertices) near.add(surface_->positions[vertex]);
+  const auto stale = [&](const auto& at) { return near.holds(at.position); };
+  means_.forget_if(stale);
+  once_.forget_if(stale);
+  twice_.forget_if(stale);
+  patches_.forget_if(stale);
+}
+
+namespace {
+
+void append(std::vector<Index>& to, const std::vector<Index>& what) {
+  to.insert(to.end(), what.begin(), what.end());
+}
+
+}  // namespace
+
+/// Stage by stage, so that few threads have to make what another is making already.
+void BaseSurface::prepare(std::span<const Ball> balls) {
+  Missing missing;
+  for (const Ball& ball : balls) {
+    const Missing here = missing_in(ball);
+    append(missing.once, here.once);
+    append(missing.twice, here.twice);
+    append(missing.patches, here.patches);
+  }
+  const auto make_all = [&](std::vector<Index>& groups, std::size_t level, const auto& make) {
+    sort_unique(groups);
+    parallel_blocks(groups.size(), 1, [&](std::size_t i, std::size_t) {
+      make(levels_->first_member(group_level_, groups[i], level));
+    });
+  };
+  make_all(missing.once, coarse_level_, [this](Index cluster) { once(cluster); });
+  make_all(missing.twice, level_, [this](Index node) { twice(node); });
+  make_all(missing.patches, level_, [this](Index node) { patch(node); });
+}
+
+BaseSurface::Missing BaseSurface::missing_in(const Ball& ball) const {
+  const double of_patches = ball.radius + spacing(), of_twice = of_patches + ring_,
+               of_once = of_twice + reach_;
+  Missing missing;
+  const auto look_at = [&](Index group) {
+    const double away = squared_distance(levels_->mean(group_level_, group).position, ball.middle);
+    const auto needs = [&](double within, const auto& known, std::size_t level) {
+      return away <= within * within && !known.find(levels_->first_member(group_level_, group, level));
+    };
+    if (needs(of_once, once_, coarse_level_)) missing.once.push_back(group);
+    if (needs(of_twice, twice_, level_)) missing.twice.push_back(group);
+    if (needs(of_patches, patches_, level_)) missing.patches.push_back(group);
+    return away <= of_once * of_once;
+  };
+  const std::array start{levels_->ancestor(level_, ball.near, group_level_)};
+  look_at(start[0]);
+  ConnectedNodes connected;
+  connected.find(levels_->neighbours(group_level_), start, look_at);
+  return missing;
+}
+
+BaseSurface::Sample BaseSurface::mean(Index node) {
+  const auto of_levels = [&] {
+    const ClusterMean mean = levels_->mean(level_, node);
+    return Sample{mean.position, mean.area, mean.spread};
+  };
+  if (level_ > 0) return of_levels();  // which keep them
+  if (const Sample* known = means_.find(node)) return *known;
+  const Sample sample = of_levels();
+  means_.put(node, sample);
+  return sample;
+}
+
+BaseSurface::Sample BaseSurface::once(Index cluster) {
+  if (const Sample* known = once_.find(cluster)) return *known;
+  return make_group(
+      once_, cluster, {coarse_level_, level_, reach_},
+      [this](Index member) {
+        const ClusterMean mean = levels_->mean(coarse_level_, member);
+        return Sample{mean.position, mean.area};
+      },
+      [this](Index node) { return mean(node); },
+      [this](const Sample& origin, Index, const SurfaceSamples& samples) {
+        const Sample from{origin.position, normal_around(origin.position, samples)};
+        const Sample at = smoothed(from, samples);
+        return Sample{at.position, std::max(origin.up.dot(at.up), 0.F) * at.up};
+      });
+}
+
+/// From where the coarse cluster's tangent plane has the node.
+BaseSurface::Sample BaseSurface::twice(Index node) {
+  if (const Sample* known = twice_.find(node)) return *known;
+  return make_group(
+      twice_, node, {level_, coarse_level_, reach_},
+      [this](Index member) {
+        const Sample beside = once(levels_->ancestor(level_, member, coarse_level_));
+        const Vec3f before = mean(member).position, normal = beside.up.stableNormalized();
+        return Sample{before - (before - beside.position).dot(normal) * normal, normal};
+      },
+      [this](Index cluster) { return once(cluster); },
+      [this](const Sample& origin, Index, const SurfaceSamples& samples) {
+        return smoothed(origin, samples);
+      });
+}
+
+BasePatch BaseSurface::patch(Index node) {
+  if (const BasePatch* known = patches_.find(node)) return *known;
+  const auto ring = [this](Index member) { return std::max(ring_, ring_over_edge * edge(member)); };
+  double widest = ring_;
+  levels_->for_each_member(group_level_, levels_->ancestor(level_, node, group_level_), level_,
+                           [&](Index member) { widest = std::max(widest, ring(member)); });
+  return make_group(
+      patches_, node, {level_, level_, widest}, [this](Index member) { return twice(member); },
+      [this](Index member) { return twice(member); },
+      [&](const Sample& origin, Index member, const SurfaceSamples& samples) {
+        return fitted(origin, ring(member), samples);
+      });
+}
+
+/// The mean of the node's edges: more than the spacing where the surface itself is coarser. 0: it has none.
+double BaseSurface::edge(Index node) {
+  const std::span<const Index> around = neighbours()[node];
+  if (around.empty()) return 0;
+  const Vec3f here = twice(node).position;
+  double sum = 0;
+  for (const Index other : around) sum += std::sqrt(squared_distance(twice(other).position, here));
+  const double mean = sum / static_cast<double>(around.size());
+  note_width(mean);
+  return mean;
+}
+
+void BaseSurface::note_width(double width) {
+  double known = widest_.load();
+  while (known < width && !widest_.compare_exchange_weak(known, width)) {
+  }
+}
+
+/// Makes the values of all members of the wanted one's group, which have most of their samples in common.
+template <class Value, class OriginOf, class SampleOf, class Make>
+Value BaseSurface::make_group(OnDemand<Value>& values, Index wanted, const Making& making,
+                              const OriginOf& origin_of, const SampleOf& sample_of, const Make& make) {
+  const Index group = levels_->ancestor(making.level, wanted, group_level_);
+  std::vector<Index> members;
+  std::vector<Sample> origins;
+  levels_->for_each_member(group_level_, group, making.level, [&](Index member) {
+    members.push_back(member);
+    origins.push_back(origin_of(member));
+  });
+  const SurfaceSamples samples = samples_around(group, origins, making, sample_of);
+  Value of_wanted{};
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Value value = make(origins[i], members[i], samples);
+    if (members[i] == wanted) of_wanted = value;
+    values.put(members[i], value);
+  }
+  return of_wanted;
+}
+
+/// Those of clusters that are connected within a ball which holds what is within reach of any origin.
+template <class SampleOf>
+SurfaceSamples BaseSurface::samples_around(Index group, std::span<const Sample> origins, const Making& making,
+                                           const SampleOf& sample_of) {
+  Eigen::AlignedBox3f box;
+  for (const Sample& origin : origins) box.extend(origin.position);
+  const Vec3f middle = box.center();
+  double extent = 0;
+  for (const Sample& origin : origins) extent = std::max(extent, squared_distance(origin.position, middle));
+  note_width(std::sqrt(extent));
+  const double about = making.reach + std::sqrt(extent);
+  // Going from group to group is going in strides.
+  const double farthest = about + cluster_extent * levels_->spacing(group_level_);
+  std::vector<Sample> samples;
+  ConnectedNodes connected;
+  for (const Index other :
+       connected.find(levels_->neighbours(group_level_), std::array{group}, [&](Index one) {
+         return squared_distance(levels_->mean(group_level_, one).position, middle) <= farthest * farthest;
+       })) {
+    levels_->for_each_member(group_level_, other, making.sample_level, [&](Index member) {
+      const Sample sample = sample_of(member);
+      if (squared_distance(sample.position, middle) <= about * about) samples.push_back(sample);
+    });
+  }
+  return SurfaceSamples(samples);
+}
+
+/// The direction of the area near by. Zero where it cancels out.
+Vec3f BaseSurface::normal_around(const Vec3f& origin, const SurfaceSamples& samples) const {
+  const auto whole = static_cast<float>(reach_ * reach_);
+  Vec3f area = Vec3f::Zero();
+  for (const SurfaceSamples::Block& block : samples.blocks()) {
+    const SurfaceSamples::Lanes counts = (4 * block.from(origin).squared_length() <= whole).cast<float>();
+    area += Vec3f((counts * block.up.x).sum(), (counts * block.up.y).sum(), (counts * block.up.z).sum());
+  }
+  return area.squaredNorm() > 0 ? Vec3f(area.normalized()) : Vec3f(Vec3f::Zero());
+}
+
+/// A point brought onto the paraboloid that fits the samples around it best, over the plane across its `up`,
+/// and the paraboloid's normal: zero where `up` is.
+BaseSurface::Sample BaseSurface::smoothed(const Sample& origin, const SurfaceSamples& samples) const {
+  using Lanes = SurfaceSamples::Lanes;
+  if (origin.up.isZero(0)) return origin;
+  const auto whole = static_cast<float>(reach_ * reach_);
+  const Vec3f normal = origin.up, axis_x = normal.unitOrthogonal(), axis_y = normal.cross(axis_x);
+  QuadraticFit fit(reach_);
+  float spread = 0, area = 0;
+  for (const SurfaceSamples::Block& block : samples.blocks()) {
+    const SurfaceSamples::Vectors way = block.from(origin.position);
+    const Lanes squared = way.squared_length();
+    if (!(squared.minCoeff() <= whole)) continue;
+    // Where a sheet turns away, what is connected beyond it is another one.
+    const Lanes seen = block.up.dot(normal).max(0.F) * (squared <= whole).cast<float>();
+    fit.add(way.dot(axis_x), way.dot(axis_y), way.dot(normal), seen);
+    spread += (seen * block.spread).sum();
+    area += seen.sum();
+  }
+  const QuadraticFit::Terms height = fit.solve();
+  // The mean of a height over a cluster is more than that of its middle by half the spread times its
+  // Laplacian.
+  const double of_means = area > 0 ? static_cast<double>(spread / area) / 2 * (height[3] + height[5]) : 0;
+  return {origin.position + static_cast<float>(height[0] - of_means) * normal,
+          tilted(normal, axis_x, axis_y, height)};
+}
+
+/// The paraboloid over its tangent plane. Where the normal changes much by that, over a second one.
+BasePatch BaseSurface::fitted(const Sample& origin, double ring, const SurfaceSamples& samples) const {
+  using Lanes = SurfaceSamples::Lanes;
+  constexpr float slight = 0.9999F;  // cosine
+  const auto whole = static_cast<float>(ring * ring);
+  Vec3f normal = origin.up.isZero(0) ? Vec3f::UnitZ() : origin.up;
+  for (int round = 0;; ++round) {
+    const Vec3f axis_x = normal.unitOrthogonal(), axis_y = normal.cross(axis_x);
+    QuadraticFit fit(ring);
+    for (const SurfaceSamples::Block& block : samples.blocks()) {
+      const SurfaceSamples::Vectors way = block.from(origin.position);
+      const Lanes counts =
+          (way.squared_length() <= whole && block.up.dot(origin.up) > same_side).cast<float>();
+      if (counts.maxCoeff() > 0) fit.add(way.dot(axis_x), way.dot(axis_y), way.dot(normal), counts);
+    }
+    const QuadraticFit::Terms height = fit.solve();
+    const Vec3f before = normal;
+    normal = tilted(normal, axis_x, axis_y, height);
+    if (round == 0 && normal.dot(before) < slight) continue;
+    return {origin.position,
+            normal,
+            (axis_x - axis_x.dot(normal) * normal).normalized(),
+            static_cast<float>(height[3]),
+            static_cast<float>(height[4]),
+            static_cast<float>(height[5])};
+  }
+}
+
+Index BaseSurface::nearest(Index near, const Vec3f& point) {
+  for (;;) {
+    const Vec3f normal = patch(near).normal;
+    const auto squared = [&](Index node) {
+      const BasePatch at = patch(node);
+      return at.normal.dot(normal) > 0 ? squared_distance(at.position, point)
+                                       : std::numeric_limits<double>::infinity();
+    };
+    const std::span<const Index> around = neighbours()[near];
+    const auto best = std::ranges::min_element(around, {}, squared);
+    if (best == around.end() || !(squared(*best) < squared(near))) return near;
+    near = *best;
+  }
+}
+
+/// Where one of these nodes is missing: whoever asks for a place is going to draw there.
+void BaseSurface::prepare_around(std::span<const Index> nodes) {
+  const double radius = reach_ / static_cast<double>(reach_over_radius);
+  for (const Index node : nodes)
+    if (!patches_.find(node)) prepare(std::array{Ball{levels_->mean(level_, node).position, radius, node}});
+}
+
+std::vector<Index> BaseSurface::two_rings(Index node) const {
+  std::vector<Index> nodes{node};
+  for (const Index one : neighbours()[node]) {
+    nodes.push_back(one);
+    nodes.insert(nodes.end(), neighbours()[one].begin(), neighbours()[one].end());
+  }
+  sort_unique(nodes);
+  return nodes;
+}
+
+std::vector<BaseSurface::Weighted> BaseSurface::around(Index node, const Vec3f& place) {
+  const double reach = std::max(blend_over_spacing * spacing(), blend_over_edge * edge(node));
+  const Vec3f normal = patch(node).normal;
+  std::vector<Weighted> weighted;
+  for (const Index other : two_rings(node)) {
+    const BasePatch at = patch(other);
+    if (!(at.normal.dot(normal) > same_side)) continue;
+    const double weight = bump_weight(squared_distance(at.position, place) / (reach * reach));
+    if (weight > 0) weighted.push_back({at, weight});
+  }
+  return weighted;
+}
+
+BasePoint BaseSurface::project(Index near, const Vec3f& point) {
+  prepare_around(std::array{near});
+  const Index node = nearest(near, point);
+  const BasePatch own = patch(node);
+  // Paraboloids go on where the surface ends.
+  constexpr double farthest = 2;  // spacings, or edges, that a place may be from its node
+  const auto extent = static_cast<float>(farthest * std::max(spacing(), edge(node)));
+  const BasePatch::Local<float> foot = own.foot_within(point, extent);
+  const Vec3f middle = own.place(foot);
+  Vec3d position = Vec3d::Zero(), normal = Vec3d::Zero();
+  double weights = 0;
+  prepare_around(two_rings(node));
+  for (const auto& [at, weight] : around(node, middle)) {
+    const BasePatch::Local<float> there = at.foot_within(point, extent);
+    position += weight * at.place(there).cast<double>();
+    normal += weight * at.normal_at(there).cast<double>();
+    weights += weight;
+  }
+  if (!(weights > 0 && normal.squaredNorm() > 0)) return {middle, own.normal_at(foot), node};
+  return {(position / weights).cast<float>(), normal.normalized().cast<float>(), node};
+}
+
+}  // namespace burin

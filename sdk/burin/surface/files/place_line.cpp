@@ -1,0 +1,23 @@
+#include <burin/base/quoted_word.h>
+#include <burin/surface/files/place_line.h>
+#include <burin/surface/files/text_lines.h>
+
+#include <cmath>
+#include <limits>
+
+namespace burin {
+
+std::string take_place(std::string_view& line, Vec3d& place) {
+  for (double& coordinate : place) {
+    const std::string_view word = next_word(line);
+    if (word.empty()) return "a vertex needs three coordinates";
+    const auto value = real_number(word);
+    if (!value) return quoted_word(word) + " is not a coordinate";
+    if (!(std::abs(*value) <= std::numeric_limits<float>::max()))
+      return "the coordinate " + quoted_word(word) + " is not finite";
+    coordinate = *value;
+  }
+  return {};
+}
+
+}  // namespace burin

@@ -1,0 +1,83 @@
+#include <burin/surface/files/text_lines.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+namespace burin {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+constexpr std::string_view blanks = " \t\v\f\r";
+
+template <class Number>
+std::from_chars_result read_whole(std::string_view word, Number& value) {
+  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+  auto result = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (result.ptr != word.data() + word.size()) result.ec = std::errc::invalid_argument;
+  return result;
+}
+
+}  // namespace
+
+TextLines::TextLines(std::string_view text) : text_(text) {
+  if (text.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
+}
+
+std::optional<std::string_view> TextLines::next() {
+  if (at_ >= text_.size()) return std::nullopt;
+  const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+  const std::string_view line = text_.substr(at_, end - at_);
+  at_ = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
+  at_ = std::min(at_, text_.size());
+  number_ = ++last_;
+  return line;
+}
+
+std::optional<std::string_view> TextLines::next_joined() {
+  joined_.clear();
+  std::size_t first = 0;
+  for (auto line = next(); line; line = next()) {
+    if (first == 0) first = number_;
+    number_ = first;
+    const std::size_t comment = line->find('#');
+    const bool commented = comment != std::string_view::npos;
+    std::string_view text = line->substr(0, comment);
+    text = text.substr(0, text.find_last_not_of(blanks) + 1);
+    const bool goes_on = !commented && text.ends_with('\\');
+    if (!goes_on && joined_.empty()) return text;
+    joined_ += goes_on ? text.substr(0, text.size() - 1) : text;
+    if (!goes_on) return joined_;
+    joined_ += ' ';
+  }
+  if (first == 0) return std::nullopt;
+  return joined_;
+}
+
+std::string_view next_word(std::string_view& line) {
+  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  const std::string_view word = line.substr(0, line.find_first_of(blanks));
+  line.remove_prefix(word.size());
+  return word;
+}
+
+std::optional<double> real_number(std::string_view word) {
+  double value = 0;
+  const auto [end, error] = read_whole(word, value);
+  if (error == std::errc::result_out_of_range) {
+    const bool tiny = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
+    const double size = tiny ? 0 : std::numeric_limits<double>::infinity();
+    return word.starts_with('-') ? -size : size;
+  }
+  if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+std::optional<long long> whole_number(std::string_view word) {
+  long long value = 0;
+  const auto [end, error] = read_whole(word, value);
+  if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+}  // namespace burin

@@ -1,0 +1,140 @@
+#include <burin/base/error.h>
+#include <burin/base/lower_case.h>
+#include <burin/base/quoted_word.h>
+#include <burin/surface/files/little_endian.h>
+#include <burin/surface/files/mesh_formats.h>
+#include <burin/surface/files/place_line.h>
+#include <burin/surface/files/text_lines.h>
+#include <burin/surface/files/unused_count.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace burin {
+namespace {
+
+constexpr std::size_t header_bytes = 84;  ///< 80 of text and the number of triangles
+constexpr std::size_t triangle_bytes = 50;
+
+/// Bytes of a binary file with as many triangles as it announces; nothing where it cannot be one.
+std::optional<std::size_t> binary_size(std::string_view bytes) {
+  if (bytes.size() < header_bytes) return std::nullopt;
+  return header_bytes + std::size_t{triangle_bytes} * little_endian(bytes, header_bytes - 4);
+}
+
+/// Binary files may begin with "solid" too: then they have a zero byte near, which no text has.
+bool looks_like_text(std::string_view bytes) {
+  const std::string_view begin = bytes.substr(0, 512);
+  TextLines lines(begin);
+  std::string_view word;
+  for (auto line = lines.next(); line && word.empty(); line = lines.next()) word = next_word(*line);
+  return in_lower_case(std::string(word)) == "solid" && begin.find('\0') == std::string_view::npos;
+}
+
+FileMesh read_binary(std::string_view bytes, const std::filesystem::path& path) {
+  const std::size_t size = *binary_size(bytes);
+  if (bytes.size() < size)
+    throw FileError(path.string(), fmt::format("is cut off: its {} triangles need {} bytes, it has {}",
+                                               little_endian(bytes, header_bytes - 4), size, bytes.size()));
+  FileMesh file;
+  for (std::size_t at = header_bytes; at < size; at += triangle_bytes) {
+    for (std::size_t corner = 1; corner <= 3; ++corner) {
+      Vec3d place;
+      for (int axis = 0; axis < 3; ++axis)
+        place[axis] =
+            std::bit_cast<float>(little_endian(bytes, at + 12 * corner + 4 * static_cast<std::size_t>(axis)));
+      file.places.push_back(place);
+    }
+    file.mesh.face_sizes.push_back(3);
+  }
+  UnusedCount unused;
+  unused.add("normal", "normals", file.mesh.face_sizes.size());
+  unused.add("byte behind the triangles", "bytes behind the triangles", bytes.size() - size);
+  file.mesh.not_used = unused.text();
+  return file;
+}
+
+/// The text form: words in any case; normals, which some programs write as no numbers, are not looked at.
+class TextReader {
+ public:
+  TextReader(std::string_view text, const std::filesystem::path& path) : lines_(text), path_(path.string()) {}
+
+  FileMesh read() {
+    while (auto line = lines_.next())
+      for (auto word = next_word(*line); !word.empty(); word = next_word(*line)) read_word(word, *line);
+    if (in_solid_ || corners_ > 0) fail("the file is cut off: its solid does not end");
+    unused_.add("normal", "normals", file_.mesh.face_sizes.size());
+    file_.mesh.not_used = unused_.text();
+    return std::move(file_);
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view what) const {
+    throw FileError(path_, std::to_string(lines_.number()), what);
+  }
+
+  /// Takes what belongs to the word off the rest of its line.
+  void read_word(std::string_view word, std::string_view& rest) {
+    const std::string key = in_lower_case(std::string(word));
+    if (key == "vertex") return read_vertex(rest);
+    if (key == "endloop") return end_loop();
+    if (key == "outer" || key == "endfacet") return skip(key == "outer" ? 1 : 0, rest);
+    if (key == "facet") return skip(4, rest);
+    if (key == "solid" || key == "endsolid") {
+      in_solid_ = key == "solid";
+      rest = {};
+      return;
+    }
+    if (key == "color" || key == "colour") {
+      unused_.add("colour", "colours");
+      rest = {};
+      return;
+    }
+    fail(fmt::format("{} is not a word of an STL file", quoted_word(word)));
+  }
+
+  static void skip(int words, std::string_view& rest) {
+    while (words-- > 0) next_word(rest);
+  }
+
+  void read_vertex(std::string_view& rest) {
+    Vec3d place;
+    if (const std::string fault = take_place(rest, place); !fault.empty()) fail(fault);
+    file_.places.push_back(place);
+    ++corners_;
+  }
+
+  void end_loop() {
+    if (corners_ < 3) fail(fmt::format("a face of {} corners", corners_));
+    file_.mesh.face_sizes.push_back(corners_);
+    corners_ = 0;
+  }
+
+  TextLines lines_;
+  std::string path_;
+  FileMesh file_;
+  UnusedCount unused_;
+  bool in_solid_ = false;
+  Index corners_ = 0;  ///< of the loop that is being read
+};
+
+FileMesh read_soup(std::string_view bytes, const std::filesystem::path& path) {
+  const std::optional<std::size_t> binary = binary_size(bytes);
+  if (binary != bytes.size() && looks_like_text(bytes)) return TextReader(bytes, path).read();
+  if (!binary) throw FileError(path.string(), "is not an STL file: neither text nor binary");
+  return read_binary(bytes, path);
+}
+
+}  // namespace
+
+FileMesh read_stl(const std::filesystem::path& path) {
+  const std::string bytes = read_mesh_bytes(path);
+  FileMesh file = read_soup(bytes, path);
+  file.mesh.face_vertices.resize(file.places.size());
+  std::iota(file.mesh.face_vertices.begin(), file.mesh.face_vertices.end(), Index{0});
+  return file;
+}
+
+}  // namespace burin

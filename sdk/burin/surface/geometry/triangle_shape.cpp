@@ -1,0 +1,12 @@
+#include <burin/surface/geometry/triangle_shape.h>
+
+#include <Eigen/Geometry>
+
+namespace burin {
+
+bool has_area(const TriangleMesh& mesh, const Triangle& triangle) {
+  const auto corner = [&](int i) -> Vec3d { return mesh.positions[triangle[i]].cast<double>(); };
+  return !(corner(1) - corner(0)).cross(corner(2) - corner(0)).isZero(0);
+}
+
+}  // namespace burin

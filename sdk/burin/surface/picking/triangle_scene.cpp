@@ -1,0 +1,153 @@
+#include <burin/surface/picking/closest_point.h>
+#include <burin/surface/picking/pick_scene.h>
+#include <burin/surface/picking/ray_triangle.h>
+#include <burin/surface/picking/triangle_tree.h>
+
+#include <cmath>
+#include <limits>
+
+namespace burin {
+namespace {
+
+using Box = TriangleTree::Box;
+
+/// The nearest hit of a ray; of equally near triangles the lowest.
+class NearestHit {
+ public:
+  /// Boxes count as a little larger than they are, by what rounding may lead the ray past a triangle that it
+  /// meets: 1e-12 of the extent of everything, where doubles err by some 1e-16.
+  NearestHit(const Surface& surface, const Box& whole, const Ray& ray) : surface_(surface), ray_(ray) {
+    const Vec3d origin = ray.origin.cast<double>();
+    const double extent =
+        std::max({origin.lpNorm<Eigen::Infinity>(), whole.min().cast<double>().lpNorm<Eigen::Infinity>(),
+                  whole.max().cast<double>().lpNorm<Eigen::Infinity>()});
+    for (int axis = 0; axis < 3; ++axis) {
+      const double along = ray.direction[axis], slack = std::copysign(1e-12 * extent, along);
+      // A huge number for a direction across the axis: an infinity would make NaN of 0.
+      inverse_[axis] = along != 0 ? 1 / along : std::numeric_limits<double>::max();
+      origin_in_[axis] = origin[axis] + slack;
+      origin_out_[axis] = origin[axis] - slack;
+    }
+  }
+
+  /// Where the ray enters the box.
+  double nearest(const Box& box) const {
+    double enter = 0, leave = infinity;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool up = inverse_[axis] >= 0;
+      const double near = up ? box.min()[axis] : box.max()[axis],
+                   far = up ? box.max()[axis] : box.min()[axis];
+      enter = std::max(enter, (near - origin_in_[axis]) * inverse_[axis]);
+      leave = std::min(leave, (far - origin_out_[axis]) * inverse_[axis]);
+    }
+    return enter <= leave ? enter : infinity;
+  }
+
+  /// Up to a little beyond the hit, as its distance is rounded to a float.
+  bool reaches(double distance) const { return distance < infinity && distance <= distance_ * (1 + 1e-6); }
+
+  void meet(Index begin, Index end) {
+    for (Index triangle = begin; triangle < end; ++triangle)
+      if (const auto hit = ray_.meet(surface_, triangle)) keep_nearest(triangle, *hit);
+  }
+
+  std::optional<SurfacePoint> point() const {
+    if (triangle_ == no_index) return std::nullopt;
+    return point_on(surface_, triangle_, hit_.u, hit_.v);
+  }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  void keep_nearest(Index triangle, const TriangleHit& hit) {
+    const auto distance = static_cast<float>(hit.distance);
+    if (!(distance < distance_ || (distance == distance_ && triangle < triangle_))) return;
+    triangle_ = triangle;
+    hit_ = hit;
+    distance_ = distance;
+  }
+
+  const Surface& surface_;
+  TriangleRay ray_;
+  Vec3d origin_in_, origin_out_, inverse_;
+  Index triangle_ = no_index;
+  TriangleHit hit_{};
+  /// In lengths of the ray's direction. A float, so that hits on a common edge are equally near.
+  float distance_ = std::numeric_limits<float>::infinity();
+};
+
+/// The closest point to a query; of equally close triangles the lowest.
+class ClosestPoint {
+ public:
+  ClosestPoint(const Surface& surface, const Vec3f& query, double max_distance)
+      : surface_(surface), query_(query.cast<double>()), squared_distance_(max_distance * max_distance) {}
+
+  /// Squared.
+  double nearest(const Box& box) const {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double outside = std::max({box.min()[axis] - query_[axis], query_[axis] - box.max()[axis], 0.0});
+      sum += outside * outside;
+    }
+    return sum;
+  }
+
+  /// A little farther than the closest point, so that rounding hides no equally close triangle.
+  bool reaches(double squared_distance) const { return squared_distance <= squared_distance_ * (1 + 1e-9); }
+
+  void meet(Index begin, Index end) {
+    for (Index triangle = begin; triangle < end; ++triangle) {
+      const TrianglePoint found = closest_point(surface_, triangle, query_);
+      const bool nearer = found.squared_distance < squared_distance_;
+      const bool same = found.squared_distance == squared_distance_;
+      if (!nearer && !(same && triangle < triangle_)) continue;
+      squared_distance_ = found.squared_distance;
+      triangle_ = triangle;
+      u_ = found.u;
+      v_ = found.v;
+    }
+  }
+
+  std::optional<SurfacePoint> point() const {
+    if (triangle_ == no_index) return std::nullopt;
+    return point_on(surface_, triangle_, u_, v_);
+  }
+
+ private:
+  const Surface& surface_;
+  Vec3d query_;
+  double squared_distance_;
+  Index triangle_ = no_index;
+  double u_ = 0, v_ = 0;
+};
+
+class TriangleScene : public PickScene {
+ public:
+  explicit TriangleScene(const Surface& surface) : surface_(surface), tree_(surface) {}
+
+  std::optional<SurfacePoint> pick(const Ray& ray) const override {
+    return found(NearestHit(surface_, tree_.box(), ray));
+  }
+  std::optional<SurfacePoint> closest(const Vec3f& position, float max_distance) const override {
+    return found(ClosestPoint(surface_, position, max_distance));
+  }
+  void update(std::span<const Index> moved_vertices) override { tree_.update(moved_vertices); }
+
+ private:
+  template <class Query>
+  std::optional<SurfacePoint> found(Query query) const {
+    tree_.search(query);
+    return query.point();
+  }
+
+  const Surface& surface_;
+  TriangleTree tree_;
+};
+
+}  // namespace
+
+std::unique_ptr<PickScene> make_triangle_scene(const Surface& surface) {
+  return std::make_unique<TriangleScene>(surface);
+}
+
+}  // namespace burin
