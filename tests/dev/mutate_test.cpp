@@ -11,7 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A project of one folder with two operators, of which its test looks at the first only.
+/// A project of one folder with two operators, of which its test looks at the first only, and a room with
+/// another.
 class TwoOperators {
  public:
   TwoOperators() {
@@ -25,7 +26,11 @@ class TwoOperators {
     write("sdk/burin/two/two.cpp",
           "// Sums a + b.\nint sum(int a, int b) { return a + b; }\n"
           "bool less(int a, int b) { return a < b; }\n");
-    write("tests/two/two_test.cpp", "int sum(int, int);\nint main() { return sum(1, 2) == 3 ? 0 : 1; }\n");
+    write("sdk/burin/two/room/room.h",
+          "// Takes b from a.\ninline int take(int a, int b) { return a - b; }\n");
+    write("tests/two/two_test.cpp",
+          "#include \"../../sdk/burin/two/room/room.h\"\nint sum(int, int);\n"
+          "int main() { return sum(1, 2) == 3 && take(2, 1) == 1 ? 0 : 1; }\n");
     write("tests/host/host_test.cpp", "int main() {}\n");
     fs::create_directories(folder_.path() / "tests/mutate");
     fs::copy(fs::path(BURIN_SOURCE_FOLDER) / "tests/mutate/mutate.py", script());
@@ -71,8 +76,14 @@ TEST(Mutate, TellsWhichChangeOfAnOperatorNoTestNotices) {
       << both.out;
   EXPECT_NE(("\n" + both.out).find("\nNOT CAUGHT sdk/burin/two/two.cpp:3: '<' as '<='"), std::string::npos)
       << both.out;
-  EXPECT_NE(both.out.find("seed 1: 1 of 2 changes were caught"), std::string::npos) << both.out;
+  EXPECT_NE(both.out.find("seed 1: 2 of 3 changes were caught"), std::string::npos) << both.out;
   EXPECT_EQ(project.mutate({"three"}).exit_code, 2);
+  const ProcessResult room = project.mutate({"two/room"});
+  EXPECT_EQ(room.exit_code, 0) << room.err;
+  EXPECT_EQ(room.out,
+            "caught sdk/burin/two/room/room.h:2: '-' as '+'\n"
+            "seed 1: 1 of 1 changes were caught\n");
+  EXPECT_EQ(project.mutate({"two/attic"}).exit_code, 2);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 usage: mutate.py [FOLDER...] [--count N] [--seed S]
 
-FOLDER: of sdk/burin; all without. Works on a copy of the last commit in build/mutate. A change counts as
+FOLDER: of sdk/burin, as chart, or a room of one, as chart/front; all without. Works on a copy of the last commit in build/mutate. A change counts as
 caught when the tests of its folder or those of `host` fail, or do not end. Changes that do not compile are
 drawn anew. Prints the others, which are equivalent or ask for a test. Exit code 0: at least 95 percent were
 caught; 1: fewer; 2: the usage is wrong or the unchanged tests fail.
@@ -61,7 +61,7 @@ def passes(test):
 
 
 def tests_of(folder):
-    return list(dict.fromkeys([f"{folder}_test", "host_test"]))
+    return list(dict.fromkeys([f"{folder.split('/')[0]}_test", "host_test"]))
 
 
 def is_noticed(folder):
@@ -114,7 +114,8 @@ def main():
     parser.add_argument("--count", type=int, default=20, metavar="N")
     parser.add_argument("--seed", type=int, default=1, metavar="S")
     options = parser.parse_args()
-    unknown = [folder for folder in options.folders if folder not in tested]
+    unknown = [folder for folder in options.folders
+               if folder.split("/")[0] not in tested or not (HERE / "sdk/burin" / folder).is_dir()]
     if unknown or options.count < 1:
         parser.error(f"no folder '{unknown[0]}'" if unknown else "--count must be above 0")
     folders = options.folders or tested
