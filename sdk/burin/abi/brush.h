@@ -1,13 +1,13 @@
-/* burin/abi/brush.h - a brush: its descriptor, its life, its evaluation.
+/* burin/abi/brush.h - a brush: its descriptor, its lifetime and its evaluation.
  *
- * A brush is a pointwise function over the stroke chart. It never sees the mesh; what it needs of a
- * node's surroundings it declares as an input. Life of a brush and of its strokes:
+ * A brush is a pointwise function over the stroke chart. It never sees the mesh; it declares what it needs
+ * of a node's surroundings as inputs. Calls during the lifetime of a brush:
  *
  *   create -> { begin -> evaluate* -> end }* -> destroy
  *
  * Several strokes of one brush may be open at once, each with a `stroke` of its own; evaluate may run
- * on many threads at once for one stroke. A stroke is a pure function of context, parameters and
- * batch: the host may evaluate nodes in any split and order, and again whenever it likes.
+ * on many threads at once for one stroke. evaluate is a pure function of context, parameters and batch:
+ * the host may split nodes into batches as it likes, evaluate them in any order and evaluate them again.
  */
 #ifndef BURIN_ABI_BRUSH_H
 #define BURIN_ABI_BRUSH_H
@@ -19,22 +19,23 @@
 extern "C" {
 #endif
 
-/* What holds at a place that a stroke visits several times, crossing itself, coming back, as a row of dabs,
- * in pieces, or in its symmetric images: how what the brush does in each of these sheets becomes one. But
- * for strongest and add, which take all of every sheet, sheets fade in over the outer three quarters of their
- * half width, so that nothing jumps where one begins. */
+/* How the results of several visits are combined. A stroke visits a vertex several times when it crosses
+ * itself, comes back, is a row of dabs, consists of pieces or has symmetric images. Each visit has a node
+ * of its own at the vertex, called a sheet. STRONGEST and ADD take every sheet in full. In the other modes a
+ * sheet fades in over the outer three quarters of its half width, so that the result is continuous at its
+ * rim. */
 typedef int32_t burin_overlap;
 enum {
-  BURIN_OVERLAP_UNKNOWN = 0,   /* the brush does not say: as strongest */
-  BURIN_OVERLAP_STRONGEST = 1, /* the highest rise and the deepest cut; of colours and masks the most cover */
+  BURIN_OVERLAP_UNKNOWN = 0,   /* the brush does not say; the host uses STRONGEST */
+  BURIN_OVERLAP_STRONGEST = 1, /* highest rise plus deepest cut; greatest coverage of colours and masks */
   BURIN_OVERLAP_LATEST = 2,    /* the sheet drawn last lies on top: for patterns, which do not mix */
-  BURIN_OVERLAP_MAX = 3,       /* the sheet that moves the place farthest outward; the most of a colour */
-  BURIN_OVERLAP_MIN = 4,       /* the one that moves it farthest inward; the least */
-  BURIN_OVERLAP_ADD = 5,       /* the sum */
-  BURIN_OVERLAP_AVERAGE = 6    /* the mean */
+  BURIN_OVERLAP_MAX = 3,       /* the sheet that moves the vertex farthest outward; the most of a colour */
+  BURIN_OVERLAP_MIN = 4,       /* the sheet that moves it farthest inward; the least of a colour */
+  BURIN_OVERLAP_ADD = 5,       /* the sum of all sheets */
+  BURIN_OVERLAP_AVERAGE = 6    /* the mean of all sheets */
 };
 
-/* Owned by the plugin; lives from init to deinit. Ids and texts are UTF-8. */
+/* Describes a brush. Owned by the plugin; lives from init to deinit. Ids and texts are UTF-8. */
 typedef struct burin_brush_descriptor {
   uint32_t struct_size;
   uint32_t param_count;
@@ -51,45 +52,47 @@ typedef struct burin_brush_descriptor {
   uint32_t reserved;                     /* since 1.1: 0 */
 } burin_brush_descriptor;
 
-/* What a stroke needs of the host, told at begin() since it may follow from the parameters.
- * The host sets struct_size and the defaults; the brush changes what differs. */
+/* What a stroke needs of the host. It may depend on the parameters, so begin() returns it. The host sets
+ * struct_size and the defaults; the brush changes the members that differ. */
 typedef struct burin_stroke_plan {
   uint32_t struct_size;
-  uint32_t passes;      /* >= 1, default 1: evaluate runs over the whole stroke once a pass, and inputs
-                           (position, laplacian, displacement) are those after the pass before */
+  uint32_t passes;      /* >= 1, default 1: evaluate runs over the whole stroke once per pass, and the
+                           inputs position, laplacian and displacement are those after the previous pass */
   double end_influence; /* how far back from the end (object units, >= 0, default 0) the result depends
                            on context.length or BURIN_STROKE_FINAL; infinity is allowed. When either
-                           changes, the host evaluates anew all nodes with
-                           t > (length before) - end_influence, round cap included */
+                           changes, the host evaluates again all nodes with
+                           t > (previous length) - end_influence, round cap included */
 } burin_stroke_plan;
 
+/* A brush and its functions. Made by burin_brush_factory.create. */
 typedef struct burin_brush {
   uint32_t struct_size;
   uint32_t reserved;
-  void* self; /* the plugin's own */
+  void* self; /* for the plugin's use; the host does not touch it */
 
   /* Frees the brush. [main-thread, no stroke open] */
   void(BURIN_CALL* destroy)(const struct burin_brush* brush);
 
-  /* The brush's optional ability with this id ("burin.NAME/1", see ext/), or null. Lives as long as the
-   * brush. [any thread, concurrent] */
+  /* Returns the brush's optional interface with this id ("burin.NAME/1", see ext/), or null. It lives as
+   * long as the brush. [any thread, concurrent] */
   const void*(BURIN_CALL* get_extension)(const struct burin_brush* brush, const char* id);
 
-  /* Begins a stroke: checks parameters, opens files. On BURIN_OK *stroke may be anything, also null; it
-   * is handed to evaluate and end. On failure nothing stays open. context is that of an empty stroke;
-   * numbers in params have stride 0 and are the values before input dynamics.
+  /* Begins a stroke: checks parameters, opens files. On BURIN_OK *stroke may have any value, null included;
+   * the host passes it to evaluate and end. On failure the brush must leave nothing open. context is that of
+   * an empty stroke; numbers in params have stride 0 and are the values before input dynamics.
    * [stroke-thread, brush created] */
   burin_status(BURIN_CALL* begin)(const struct burin_brush* brush, const burin_stroke_context* context,
                                   const burin_params* params, burin_stroke_plan* plan, void** stroke,
                                   burin_text* error);
 
-  /* Computes the outputs of every element of the batch; touches nothing else.
+  /* Computes the outputs of every element of the batch and changes nothing else.
    * [any thread, concurrent, between begin and end] */
   burin_status(BURIN_CALL* evaluate)(const struct burin_brush* brush, void* stroke,
                                      const burin_stroke_context* context, const burin_batch* batch,
                                      const burin_outputs* outputs, burin_text* error);
 
-  /* Ends a stroke that began, in success and failure alike. [stroke-thread, after the last evaluate] */
+  /* Ends a stroke whose begin returned BURIN_OK, whether or not evaluate failed since.
+   * [stroke-thread, after the last evaluate] */
   void(BURIN_CALL* end)(const struct burin_brush* brush, void* stroke);
 } burin_brush;
 

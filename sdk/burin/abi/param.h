@@ -1,4 +1,4 @@
-/* burin/abi/param.h - typed parameters: how a brush declares them, how their values arrive. */
+/* burin/abi/param.h - typed parameters: how a brush declares them and receives their values. */
 #ifndef BURIN_ABI_PARAM_H
 #define BURIN_ABI_PARAM_H
 
@@ -8,20 +8,21 @@
 extern "C" {
 #endif
 
+/* The type of a parameter, and how its value is passed. */
 typedef int32_t burin_param_type;
 enum {
   BURIN_PARAM_UNKNOWN = 0,
   BURIN_PARAM_FLOAT = 1,
-  BURIN_PARAM_INT = 2,    /* travels as a float holding a whole number, |value| <= 2^24 */
-  BURIN_PARAM_BOOL = 3,   /* travels as 0 or 1 */
-  BURIN_PARAM_CHOICE = 4, /* travels as the index into `choices` */
+  BURIN_PARAM_INT = 2,    /* a float holding a whole number, |value| <= 2^24 */
+  BURIN_PARAM_BOOL = 3,   /* a float, 0 or 1 */
+  BURIN_PARAM_CHOICE = 4, /* a float holding the index into `choices` */
   BURIN_PARAM_COLOUR = 5, /* four floats, linear RGBA, 0..1 */
   BURIN_PARAM_FILE = 6,   /* a path, UTF-8 */
-  BURIN_PARAM_CURVE = 7,  /* knots (x, y), x rising, straight lines between, constant beyond the ends */
+  BURIN_PARAM_CURVE = 7,  /* knots (x, y), x increasing, linear between knots, constant beyond the ends */
   BURIN_PARAM_TEXT = 8    /* a line of UTF-8 text, may be empty */
 };
 
-/* What a number measures, so that a host can show and scale it. */
+/* The unit of a number, so that a host can show and scale it. */
 typedef int32_t burin_param_unit;
 enum {
   BURIN_UNIT_UNKNOWN = 0,
@@ -32,9 +33,9 @@ enum {
   BURIN_UNIT_TIME = 5    /* seconds */
 };
 
-/* All text is the plugin's, UTF-8, and lives as long as the descriptor that holds this.
- * Values outside the hard range are never delivered; the soft range is what a slider spans. Types other
- * than FLOAT and INT know their range and ignore both. */
+/* Declares a parameter. All text belongs to the plugin, is UTF-8 and lives as long as the descriptor that
+ * points to this struct. The host never passes values outside the hard range; the soft range is what a
+ * slider spans. Types other than FLOAT and INT have a range of their own and ignore both. */
 typedef struct burin_param_info {
   uint32_t struct_size;
   burin_param_type type;
@@ -46,26 +47,26 @@ typedef struct burin_param_info {
   float soft_min, soft_max;    /* FLOAT, INT: finite, within the hard range */
   float default_number;        /* FLOAT, INT, BOOL, CHOICE */
   float default_colour[4];     /* COLOUR */
-  const char* default_file;    /* FILE: null when the user must give one; "" when none is needed */
+  const char* default_file;    /* FILE: null when the user must choose one; "" when none is needed */
   const char* const* choices;  /* CHOICE: stable ids, ended by a null pointer */
   const float* default_knots;  /* CURVE: x0 y0 x1 y1 ... */
   uint32_t default_knot_count; /* CURVE: pairs, at least 1 */
   uint32_t dynamic;            /* 1: may vary along the stroke (input dynamics); 0: constant */
-  const char* default_text;    /* TEXT: null stands for "" */
+  const char* default_text;    /* TEXT: null means "" */
 } burin_param_info;
 
-/* FROZEN. One parameter's value; which member counts follows from the declared type. */
+/* FROZEN. The value of one parameter, in the member that belongs to its declared type. */
 typedef struct burin_param_value {
-  burin_floats number;    /* FLOAT, INT, BOOL, CHOICE: a number an element, or stride 0 */
+  burin_floats number;    /* FLOAT, INT, BOOL, CHOICE: one number per element, or stride 0 */
   burin_floats colour[4]; /* COLOUR */
   const char* text;       /* TEXT: the text; FILE: a path, absolute or relative to the working directory, or
-                             "" for none where the default is that; UTF-8, never null */
+                             "" for none if that is the default; UTF-8, never null */
   const float* knots;     /* CURVE: x0 y0 x1 y1 ... */
   uint32_t knot_count;    /* CURVE: pairs */
   uint32_t reserved;
 } burin_param_value;
 
-/* An immutable snapshot of all parameters, in the order of the descriptor. Valid during the call. */
+/* The values of all parameters, in the order of the descriptor. Immutable; valid during the call. */
 typedef struct burin_params {
   uint32_t struct_size;
   uint32_t count; /* equals the descriptor's param_count */

@@ -16,9 +16,10 @@ extern "C" {
 #define BURIN_EXPORT
 #endif
 
-/* Name of the exported symbol, a `const burin_plugin_entry`. */
+/* The name of the exported symbol, a `const burin_plugin_entry`. */
 #define BURIN_PLUGIN_SYMBOL "burin_plugin"
 
+/* The id of burin_brush_factory. */
 #define BURIN_BRUSH_FACTORY "burin.brush-factory/1"
 
 /* Lists and creates the brushes of a module. Owned by the plugin; lives from init to deinit. */
@@ -27,31 +28,33 @@ typedef struct burin_brush_factory {
   uint32_t brush_count;
   const burin_brush_descriptor* const* brushes; /* brush_count pointers */
 
-  /* A new brush of the descriptor with this id, or null and a text. The host outlives the brush.
-   * [main-thread] */
+  /* Creates a brush of the descriptor with this id. On failure returns null and writes a text. The host
+   * outlives the brush. [main-thread] */
   const burin_brush*(BURIN_CALL* create)(const struct burin_brush_factory* factory, const burin_host* host,
                                          const char* brush_id, burin_text* error);
 } burin_brush_factory;
 
+/* The functions of a plugin module. */
 typedef struct burin_plugin_entry {
   uint32_t struct_size;
   uint32_t abi_major; /* BURIN_ABI_MAJOR at the time of compilation */
   uint32_t abi_minor;
   uint32_t reserved;
 
-  /* Called before anything else; may be called again, each call that returned BURIN_OK being paired with
-   * one deinit (counted: only the first does work). plugin_path is the file of the module, UTF-8, for
-   * finding resources beside it. [main-thread] */
+  /* The host calls this before anything else, and may call it several times. Each call that returned
+   * BURIN_OK is paired with one deinit; the plugin counts them, and only the first initialises.
+   * plugin_path is the file of the module, UTF-8, for finding resources beside it. [main-thread] */
   burin_status(BURIN_CALL* init)(const char* plugin_path, burin_text* error);
 
   /* Undoes one init. [main-thread, every brush destroyed before the last] */
   void(BURIN_CALL* deinit)(void);
 
-  /* The factory with this id (BURIN_BRUSH_FACTORY), or null. [main-thread, between init and deinit] */
+  /* Returns the factory with this id (BURIN_BRUSH_FACTORY), or null.
+   * [main-thread, between init and deinit] */
   const void*(BURIN_CALL* get_factory)(const char* factory_id);
 } burin_plugin_entry;
 
-/* The module defines it: const burin_plugin_entry burin_plugin = { ... }; */
+/* Defined by the plugin module: const burin_plugin_entry burin_plugin = { ... }; */
 BURIN_EXPORT extern const burin_plugin_entry burin_plugin;
 
 #ifdef __cplusplus

@@ -1,15 +1,16 @@
 /* burin/abi/stroke.h - what evaluate() sees: the stroke as a whole, a batch of chart nodes, outputs.
  *
- * The chart gives each node x near the stroke the coordinates (t, d): t is the arc length along the
+ * The chart gives each node near the stroke the coordinates (t, d): t is the arc length along the
  * stroke at the nearest point, d the geodesic distance to it, positive on the left of the direction of
- * travel. At every node stands a right-handed frame (e1, e2, n): e1 along the stroke, n the outward
- * normal, e2 = n x e1 in the direction of growing d. In round caps t and d are normal coordinates of the
- * end's frame: the distance to the stroke is hypot(t, d) before its begin and hypot(t - length, d) after.
+ * travel. Every node has a right-handed frame (e1, e2, n): e1 along the stroke, n the outward normal,
+ * e2 = n x e1 in the direction of increasing d. In round caps t and d are geodesic normal coordinates in the
+ * frame of the end: the distance to the stroke is hypot(t, d) before its start and hypot(t - length, d)
+ * after its end.
  *
- * Chart, frames and displacement belong to the base surface: the surface as it was before the stroke, and as
- * smooth as the stroke feels it. Relief that is narrow against the radius is left out of it, as far as the
- * stroke does not follow it; displacement along the frames of the base adds to such relief. The fine surface
- * has all of it: the vertices as they are. Of a stroke that follows every bump both are the same.
+ * Chart, frames and displacement refer to the base surface: the surface before the stroke, smoothed as far
+ * as the stroke's `follow` setting says. Relief that is narrow compared with the radius is missing from it,
+ * and displacement along the frames of the base surface is added to that relief. The fine surface has all
+ * relief: it is the vertices themselves. For a stroke that follows every bump both surfaces are the same.
  */
 #ifndef BURIN_ABI_STROKE_H
 #define BURIN_ABI_STROKE_H
@@ -20,7 +21,7 @@
 extern "C" {
 #endif
 
-/* Inputs a brush may read; bits of burin_brush_descriptor.inputs_read. */
+/* Inputs that a brush may read: bits of burin_brush_descriptor.inputs_read. */
 #define BURIN_INPUT_T (UINT64_C(1) << 0)
 #define BURIN_INPUT_D (UINT64_C(1) << 1)
 #define BURIN_INPUT_RADIUS (UINT64_C(1) << 2)
@@ -48,38 +49,38 @@ extern "C" {
 #define BURIN_INPUT_FINE_NORMAL (UINT64_C(1) << 24)
 #define BURIN_INPUT_FINE_MEAN_CURVATURE (UINT64_C(1) << 25)
 
-/* Outputs a brush may write; bits of burin_brush_descriptor.outputs_written. */
+/* Outputs that a brush may write: bits of burin_brush_descriptor.outputs_written. */
 #define BURIN_OUTPUT_DISPLACEMENT (UINT64_C(1) << 0)
 #define BURIN_OUTPUT_MASK (UINT64_C(1) << 1)
 #define BURIN_OUTPUT_COLOUR (UINT64_C(1) << 2)
 
 /* Bits of burin_stroke_context.flags. */
-#define BURIN_STROKE_CLOSED (UINT64_C(1) << 0)   /* t lives modulo length; only with BURIN_STROKE_FINAL */
-#define BURIN_STROKE_FINAL (UINT64_C(1) << 1)    /* the pen is up: length will not change any more */
+#define BURIN_STROKE_CLOSED (UINT64_C(1) << 0)   /* t is periodic in length; only with BURIN_STROKE_FINAL */
+#define BURIN_STROKE_FINAL (UINT64_C(1) << 1)    /* the pen is up: length does not change any more */
 #define BURIN_STROKE_MIRRORED (UINT64_C(1) << 2) /* a symmetry instance that is a mirror image: d, e2 and */
                                                  /* `across` point to the right of the direction of travel */
 #define BURIN_STROKE_DAB (UINT64_C(1) << 3)      /* one dab of a stroke of dabs: length is 0, t and d are */
-                                                 /* normal coordinates around it, and there are no ends; */
-                                                 /* always with BURIN_STROKE_FINAL, never _CLOSED */
+                                                 /* geodesic normal coordinates around it, and it has no */
+                                                 /* ends; always with BURIN_STROKE_FINAL, never _CLOSED */
 
-/* Constant during a call. */
+/* The stroke as a whole. Constant during a call. */
 typedef struct burin_stroke_context {
   uint32_t struct_size;
   uint32_t pass;        /* 0 .. burin_stroke_plan.passes - 1 */
-  uint64_t flags;       /* BURIN_STROKE_*; a bit that is not known is to be ignored */
-  uint64_t pen_present; /* BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME: what the recording really has */
-  uint64_t seed;        /* key of the counter-based generator, with node id and channel */
-  double length;        /* arc length of the stroke so far */
-  double radius_min;    /* bounds of the radius along the stroke, however it will go on: from begin on */
-  double radius_max;    /* the same two numbers in every call of a stroke */
-  double object_scale;  /* diagonal of the surface's bounding box */
-  double dab_t; /* of a dab (BURIN_STROKE_DAB): arc length along the stroke at which it lies, else 0 */
+  uint64_t flags;       /* BURIN_STROKE_*; brushes ignore bits that they do not know */
+  uint64_t pen_present; /* BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME: the inputs that the pen reports */
+  uint64_t seed;        /* key of the counter-based random generator, with node id and channel */
+  double length;        /* arc length of the stroke so far, object units */
+  double radius_min;    /* bounds of the radius along the whole stroke, object units, including the part */
+  double radius_max;    /* not drawn yet: the same in every call of a stroke, begin included */
+  double object_scale;  /* diagonal of the surface's bounding box, object units */
+  double dab_t; /* for a dab (BURIN_STROKE_DAB) its arc length along the stroke, object units; else 0 */
 } burin_stroke_context;
 
-/* Chart nodes, one element each. An array that the brush did not declare in inputs_read is null, and
- * so is an array that the host's version does not know. The host refuses a brush at creation when it
- * reads an input that this host does not offer; what is declared and offered is always filled.
- * Pen inputs that the recording lacks (context.pen_present) are filled with the stated neutral value. */
+/* The chart nodes to evaluate, one element per node. An array is null if the brush did not declare it in
+ * inputs_read or if the host's version does not know it. A host refuses to create a brush that reads an input
+ * that it does not supply; it always fills what is declared and supplied. Pen inputs that the pen does not
+ * report (context.pen_present) are filled with the stated neutral value. */
 typedef struct burin_batch {
   uint32_t struct_size;
   uint32_t count; /* elements; usually 256 .. 4096, at least 1 */
@@ -88,45 +89,47 @@ typedef struct burin_batch {
   burin_floats d;              /* signed geodesic distance to the stroke; |d| <= radius */
   burin_floats radius;         /* half width of the stroke at t */
   burin_floats stretch;        /* J = |dP/dt| at constant d; 1 on the stroke */
-  burin_floats footprint_t;    /* size of the node's cell along t, object units */
-  burin_floats footprint_d;    /* the same across */
-  burin_vectors position;      /* base surface; from the second pass on, as the pass before displaced it */
+  burin_floats footprint_t;    /* size of the node's cell along the stroke, object units */
+  burin_floats footprint_d;    /* size of the node's cell across the stroke, object units */
+  burin_vectors position;      /* base surface; from the second pass on, displaced by the previous passes */
   burin_vectors normal;        /* base surface, unit, outward */
   burin_vectors e1;            /* unit, tangent to the base surface; e2 = normal x e1 */
   burin_floats mean_curvature; /* base surface, 1/length, positive where convex seen from outside */
-  burin_vectors laplacian;     /* umbrella: mean of the neighbours minus the node, current fine surface */
-  burin_vectors displacement;  /* by the passes before: x along e1, y along e2, z along the normal */
-  burin_floats mask;           /* 0 = protected .. 1 = free */
-  burin_colours colour;        /* the surface's so far */
-  burin_indices sheet;         /* which pass of a self-overlapping stroke, by rising t, from 0 */
-  burin_indices visit_count;   /* number of sheets at this place, at least 1 */
-  burin_indices node_id;       /* stable name of the vertex: counter of the random generator */
-  burin_indices symmetry;      /* symmetry instance, 0 = drawn by hand */
+  burin_vectors laplacian;     /* umbrella: mean of the neighbours minus the vertex, current fine surface */
+  burin_vectors displacement;  /* by the previous passes: x along e1, y along e2, z along the normal */
+  burin_floats mask;           /* current mask of the vertex: 0 = protected .. 1 = free */
+  burin_colours colour;        /* current colour of the vertex */
+  burin_indices sheet;         /* number of the visit to the vertex, in the order of t, from 0 */
+  burin_indices visit_count;   /* how often the stroke visits the vertex (number of sheets), at least 1 */
+  burin_indices node_id;       /* stable number of the vertex: counter for the random generator */
+  burin_indices symmetry;      /* symmetry instance, 0 = the stroke as drawn */
   burin_floats pressure;       /* at t: 0..1; neutral 1 */
   burin_floats tilt_x, tilt_y; /* at t: radians from upright; neutral 0 */
   burin_floats twist;          /* at t: radians, 0..2 pi; neutral 0 */
-  burin_floats speed;          /* at t: object units a second; neutral 0 */
+  burin_floats speed;          /* at t: object units per second; neutral 0 */
   burin_floats time;           /* at t: seconds since the stroke began; neutral 0 */
-  burin_vectors foot;          /* at t: mean place of the stroke's points within one radius either side */
-  burin_vectors foot_normal; /* the same of their normals, unit: with foot a plane that the stroke lies in */
-  burin_vectors fine_position; /* fine surface; from the second pass on, as the pass before displaced it */
+  burin_vectors foot;          /* at t: mean position of the curve within one radius before and after */
+  burin_vectors
+      foot_normal; /* at t: mean normal over the same part, unit; foot and foot_normal are a plane */
+  burin_vectors fine_position; /* fine surface; from the second pass on, displaced by the previous passes */
   burin_vectors fine_normal;   /* fine surface, unit, outward */
   burin_floats fine_mean_curvature; /* fine surface, 1/length, positive where convex seen from outside */
 } burin_batch;
 
-/* Filled with zero (colour: the colour so far; mask: the mask so far) before evaluate is called. An
- * output that the brush did not declare in outputs_written has null data. Every value written must be
- * finite: the host rejects the stroke otherwise. The host multiplies displacement by the strength of
- * the stroke and by the node's mask. From the colour so far it goes to the one written by the same product,
- * within 0..1, and from the mask so far by the strength alone: so strength 0 leaves every surface untouched.
+/* Where a brush writes its results. The host fills displacement with zero and colour and mask with their
+ * current values before it calls evaluate. An output that the brush did not declare in outputs_written has
+ * null data. Every value written must be finite, else the stroke fails. The host multiplies displacement by
+ * the strength of the stroke and by the node's mask. It interpolates from the current colour to the written
+ * one by the same product, clamped to 0..1, and from the current mask to the written one by the strength
+ * alone. So strength 0 leaves every surface unchanged.
  */
 typedef struct burin_outputs {
   uint32_t struct_size;
-  uint32_t count;             /* equals the batch's */
-  burin_floats_out along;     /* displacement from the base surface along e1, object units; all three
-                               * together at most 1000 radii long, or the stroke fails */
-  burin_floats_out across;    /* the same along e2 */
-  burin_floats_out up;        /* the same along the normal */
+  uint32_t count;             /* equals the count of the batch */
+  burin_floats_out along;     /* displacement from the base surface along e1, object units; the vector
+                               * of all three is at most 1000 radii long, else the stroke fails */
+  burin_floats_out across;    /* displacement along e2, object units */
+  burin_floats_out up;        /* displacement along the normal, object units */
   burin_floats_out mask;      /* 0..1 */
   burin_floats_out colour[4]; /* linear RGBA, 0..1 */
 } burin_outputs;

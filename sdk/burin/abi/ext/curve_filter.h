@@ -1,4 +1,4 @@
-/* burin/abi/ext/curve_filter.h - brush ability: moves the stroke itself before a chart is made of it. */
+/* burin/abi/ext/curve_filter.h - brush interface: moves the curve of the stroke before it gets a chart. */
 #ifndef BURIN_ABI_EXT_CURVE_FILTER_H
 #define BURIN_ABI_EXT_CURVE_FILTER_H
 
@@ -10,7 +10,7 @@ extern "C" {
 
 #define BURIN_EXT_CURVE_FILTER "burin.curve-filter/1"
 
-/* Points of the stroke's surface curve, in order. */
+/* Points of the stroke's surface curve, in the order of t. */
 typedef struct burin_curve_points {
   uint32_t struct_size;
   uint32_t count;
@@ -20,17 +20,18 @@ typedef struct burin_curve_points {
   burin_vectors e1;       /* unit, tangent to surface and curve */
 } burin_curve_points;
 
+/* The interface; burin_brush.get_extension returns it. */
 typedef struct burin_curve_filter {
   uint32_t struct_size;
   uint32_t reserved;
 
-  /* How far ahead (object units, >= 0) the moved curve depends on the drawn one; may be infinite: the host
-   * then filters finished strokes only. The same all through a stroke.
+  /* Returns how far ahead (object units, >= 0) the moved curve depends on the drawn one. It may be infinite;
+   * the host then filters finished strokes only. The value does not change during a stroke.
    * [stroke-thread, between begin and end] */
   double(BURIN_CALL* lookahead)(const burin_brush* brush, void* stroke);
 
-  /* Writes for every point the offset along e1 (along) and e2 (across), object units, that moves it; the
-   * host brings the moved points back onto the surface. Offsets arrive as zero.
+  /* Writes the offset of every point along e1 (along) and e2 (across), object units. The host fills both
+   * with zero before the call, and projects the moved points onto the surface.
    * [stroke-thread, between begin and end] */
   burin_status(BURIN_CALL* filter)(const burin_brush* brush, void* stroke,
                                    const burin_stroke_context* context, const burin_params* params,

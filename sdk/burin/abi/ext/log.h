@@ -19,11 +19,12 @@ enum {
   BURIN_LOG_ERROR = 4
 };
 
+/* The service; burin_host.get_extension returns it. */
 typedef struct burin_log {
   uint32_t struct_size;
   uint32_t reserved;
 
-  /* Takes one line of UTF-8 text, copied before the call returns. Never fails.
+  /* Writes one line of UTF-8 text to the log. The line is copied before the call returns. Never fails.
    * [any thread, concurrent] */
   void(BURIN_CALL* write)(const burin_host* host, burin_log_severity severity, const char* line);
 } burin_log;

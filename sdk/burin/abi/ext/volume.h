@@ -1,5 +1,5 @@
-/* burin/abi/ext/volume.h - brush ability: solids in stroke space (t, d, h), h the height over the base
- * surface along its normal, positive outside. */
+/* burin/abi/ext/volume.h - brush interface: solids in stroke space (t, d, h), where h is the height above
+ * the base surface along its normal, positive outside. */
 #ifndef BURIN_ABI_EXT_VOLUME_H
 #define BURIN_ABI_EXT_VOLUME_H
 
@@ -11,19 +11,20 @@ extern "C" {
 
 #define BURIN_EXT_VOLUME "burin.volume/1"
 
+/* The interface; burin_brush.get_extension returns it. */
 typedef struct burin_volume {
   uint32_t struct_size;
   uint32_t reserved;
 
-  /* Bounds of h (object units) outside of which the solid is empty.
+  /* Writes bounds of h (object units) outside which the solid is empty.
    * [stroke-thread, between begin and end] */
   burin_status(BURIN_CALL* bounds)(const burin_brush* brush, void* stroke,
                                    const burin_stroke_context* context, const burin_params* params,
                                    double* h_min, double* h_max, burin_text* error);
 
-  /* Writes the signed distance to the solid (object units, negative inside) at every place (t, d, h) of
-   * a batch of batch->count; of the batch's arrays those declared in inputs_read are filled. A lower
-   * bound of the distance will do away from the solid.
+  /* Writes the signed distance to the solid (object units, negative inside) at the batch->count points
+   * (t, d, h). The host fills the arrays of the batch that the brush declared in inputs_read. Away from the
+   * solid a lower bound of the distance is enough.
    * [any thread, concurrent, between begin and end] */
   burin_status(BURIN_CALL* distance)(const burin_brush* brush, void* stroke,
                                      const burin_stroke_context* context, const burin_batch* batch,
