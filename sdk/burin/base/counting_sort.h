@@ -10,11 +10,11 @@
 
 namespace burin {
 
-/// Sorts `count` items by small whole numbers, on all threads, stable: so one result for any number of
-/// threads. keys(i, emit) calls emit(key) for every key of item i, each below `buckets`: an item may have
-/// none or several. place(i, position) is then called for each of them, concurrently: positions run from 0 by
-/// key, of one key by i. Returns where each bucket begins, and the end of the last. Takes 4 bytes a bucket
-/// for each thread, up to 4 of them.
+/// Stable counting sort of `count` items by integer keys, on up to 4 threads. The result does not depend on
+/// the number of threads. keys(i, emit) must call emit(key) for every key of item i, each below `buckets`; an
+/// item may have none or several. place(i, position) is then called once per emitted key, concurrently, with
+/// the position of the item in the order of keys, and of i among equal keys. Returns the first position of
+/// each bucket, followed by the total. Runs in O(keys + buckets); needs 4 bytes per bucket and thread.
 template <class Keys, class Place>
 std::vector<Index> counting_sort(std::size_t count, std::size_t buckets, const Keys& keys,
                                  const Place& place) {
@@ -46,7 +46,7 @@ std::vector<Index> counting_sort(std::size_t count, std::size_t buckets, const K
   return offsets;
 }
 
-/// Sorts by bits [first_bit, end_bit) of the keys, stable.
+/// Stable least-significant-digit radix sort by the bits [first_bit, end_bit) of the keys, 11 bits per pass.
 inline void radix_sort(UnsetVector<std::uint64_t>& keys, int first_bit, int end_bit) {
   constexpr int digit_bits = 11;
   UnsetVector<std::uint64_t> sorted(keys.size());

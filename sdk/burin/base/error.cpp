@@ -1,3 +1,4 @@
+// Composes the messages of errors.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <fmt/format.h>

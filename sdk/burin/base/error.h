@@ -11,8 +11,9 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Something is wrong with a file. The message reads "PATH:PLACE: WHAT", or "PATH: WHAT" without a place;
-/// the path is made printable (quoted_word.h), the words of the file in WHAT are for the thrower to quote.
+/// A file cannot be read or written, or its content is wrong. The message is "PATH:PLACE: WHAT", or
+/// "PATH: WHAT" without a place (a line, for example). The constructor makes the path printable; callers
+/// quote text from the file in WHAT with quoted_word().
 class FileError : public Error {
  public:
   FileError(std::string_view path, std::string_view what);

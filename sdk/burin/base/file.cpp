@@ -1,3 +1,5 @@
+// Reads whole files, and writes files so that a reader sees the old or the new content, never a part: into a
+// temporary file, which a rename then puts in place.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
@@ -13,10 +15,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The system keeps here what processes have open, devices and pipes among them, under names of links.
+/// The folder in which Linux shows the open files of processes, pipes and devices included, as symbolic
+/// links.
 constexpr std::string_view open_files = "/proc/";
 
-/// Where the path's links lead, also to where nothing is yet. A link to an open file stays as it is.
+/// The path after following symbolic links; its last component need not exist. Links below /proc/ are not
+/// followed.
 fs::path behind_links(const fs::path& path) {
   constexpr int most_links = 40;
   fs::path at = path;
@@ -25,13 +29,13 @@ fs::path behind_links(const fs::path& path) {
     if (at.string().starts_with(open_files) || !fs::is_symlink(fs::symlink_status(at, error))) return at;
     const fs::path target = fs::read_symlink(at, error);
     if (error) throw FileError(path.string(), error.message());
-    at = at.parent_path() / target;  // the target alone where that is absolute
+    at = at.parent_path() / target;  // operator/ returns the target alone if that is absolute
   }
   throw FileError(path.string(), "too many links");
 }
 
-/// Whether what is at the path is to be written to instead of being replaced. Throws FileError for what takes
-/// no file.
+/// Whether the path is a pipe, character device or open file, which is written to instead of being replaced.
+/// Throws FileError for folders, block devices and sockets.
 bool is_stream(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -49,7 +53,7 @@ bool is_stream(const fs::path& path) {
   }
 }
 
-/// `to`: the name to open, `shown`: that of messages.
+/// `to`: the path to open; `shown`: the path for messages.
 void write_stream(const fs::path& to, const fs::path& shown,
                   const std::function<void(std::ostream&)>& write) {
   std::ofstream out(to, std::ios::binary | std::ios::trunc);

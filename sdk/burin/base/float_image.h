@@ -4,10 +4,10 @@
 
 namespace burin {
 
-/// An image of measured values, rows from the top.
+/// An image of floating-point values, rows from the top.
 struct FloatImage {
   int width = 0, height = 0;
-  std::vector<std::string> channels;  ///< their names: {"Y"}, {"R", "G", "B"}
+  std::vector<std::string> channels;  ///< names of the channels: {"Y"}, {"R", "G", "B"}
   std::vector<float> texels;          ///< width * height * channels, interleaved
 };
 

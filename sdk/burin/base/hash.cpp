@@ -1,3 +1,4 @@
+// Hashes bytes with XXH3 of the xxHash library.
 #include <burin/base/hash.h>
 #include <fmt/format.h>
 #include <xxhash.h>

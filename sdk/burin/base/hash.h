@@ -5,7 +5,7 @@
 
 namespace burin {
 
-/// XXH3 64-bit of `size` bytes: names a result, so that two runs can be told equal.
+/// The XXH3 64-bit hash of `size` bytes. Equal results of two runs have equal hashes.
 std::uint64_t hash_bytes(const void* bytes, std::size_t size);
 
 /// The hash as 16 hexadecimal digits.

@@ -7,9 +7,9 @@
 
 namespace burin {
 
-/// A set of indices that is filled in any order and emptied in ascending order without sorting: a bit an
-/// index, and a bit for each word of those. Emptying costs in proportion to the indices and to 1/4096 of
-/// the range between the lowest and the highest.
+/// A set of indices that is filled in any order and drained in ascending order without sorting: a bitmap with
+/// a second bitmap of its words that are not zero. insert() is O(1). drain() is O(n + r / 4096) for n indices
+/// and a range r between the lowest and the highest. One thread.
 class IndexSet {
  public:
   explicit IndexSet(Index count);

@@ -8,11 +8,12 @@
 
 namespace burin {
 
-/// Values of indices 0 .. count - 1 that are made when somebody first asks for them, and kept. Each must
-/// follow from its index alone. Takes the memory of those that were made and of some beside them.
+/// A cache of values for the indices 0 .. count - 1. The value of an index must depend on the index alone, so
+/// that it does not matter who computes it. Memory is allocated in pages of 256 values when one of them is
+/// stored.
 ///
-/// find() and put() may be called on several threads at once. Where two make the same value at the same time,
-/// one of the two is kept.
+/// find() and put() may be called on several threads at once. If two threads put the same value at the same
+/// time, the cache keeps one of the two.
 template <class T>
 class OnDemand {
  public:
@@ -22,14 +23,14 @@ class OnDemand {
   OnDemand& operator=(const OnDemand&) = delete;
   ~OnDemand() { restart(0); }
 
-  /// Forgets all values.
+  /// Forgets all values and sets the number of indices. One thread.
   void restart(std::size_t count) {
     for (std::size_t page = 0; page < page_count_; ++page) delete pages_[page].load();
     page_count_ = (count + page_size - 1) / page_size;
     pages_ = std::make_unique<std::atomic<Page*>[]>(page_count_);
   }
 
-  /// The value, or null where nobody has put it.
+  /// The value of an index, or null if it has not been put.
   const T* find(std::size_t index) const {
     const Page* page = pages_[index / page_size].load(std::memory_order_acquire);
     const std::size_t place = index % page_size;
@@ -47,7 +48,7 @@ class OnDemand {
     page.states[place].store(State::made, std::memory_order_release);
   }
 
-  /// Forgets the values for which `stale(value)` holds. On one thread.
+  /// Forgets the values for which `stale(value)` is true. One thread.
   template <class Stale>
   void forget_if(const Stale& stale) {
     for (std::size_t number = 0; number < page_count_; ++number) {

@@ -13,13 +13,13 @@
 
 namespace burin {
 
-/// Threads that loops of this process may run on now.
+/// The number of threads that parallel loops of this process may use now.
 inline std::size_t thread_count() {
   return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
 }
 
-/// Calls body(begin, end) for blocks that together cover [0, count), each at most `grain` long, on all
-/// threads. The blocks are the same for any number of threads; bodies must not depend on each other.
+/// Calls body(begin, end) for consecutive blocks of [0, count), each at most `grain` long, on all threads.
+/// The blocks are the same for any number of threads; the calls must be independent of each other.
 template <class Body>
 void parallel_blocks(std::size_t count, std::size_t grain, const Body& body) {
   const std::size_t blocks = (count + grain - 1) / grain;
@@ -36,7 +36,7 @@ void parallel_blocks(std::size_t count, std::size_t grain, const Body& body) {
 #endif
 }
 
-/// Sorts on all threads. Elements that compare equal must be the same bits, for one result.
+/// Sorts on all threads. Elements that compare equal must be identical, since their order is not defined.
 template <class Iterator, class Less = std::less<>>
 void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
 #if defined(__SANITIZE_THREAD__)
@@ -46,7 +46,7 @@ void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
 #endif
 }
 
-/// While it lives, loops of this process run on at most this many threads.
+/// Limits the threads of parallel loops in this process during its lifetime.
 class ThreadLimit {
  public:
   explicit ThreadLimit(std::size_t threads)

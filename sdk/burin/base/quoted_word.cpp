@@ -1,3 +1,4 @@
+// Makes text from files printable for messages.
 #include <burin/base/quoted_word.h>
 #include <burin/base/utf8.h>
 #include <fmt/format.h>
@@ -7,7 +8,8 @@ namespace {
 
 constexpr std::size_t longest = 40;  ///< bytes
 
-/// Takes a character, or a byte that is none, off the front of a text that is not empty.
+/// Removes a character, or a byte that is not UTF-8, from the front of a text, which must not be empty.
+/// `plain`: whether it can be shown as it is.
 std::string_view take_character(std::string_view& text, bool& plain) {
   std::string_view rest = text;
   const auto code = take_code_point(rest);

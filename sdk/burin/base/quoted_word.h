@@ -4,12 +4,12 @@
 
 namespace burin {
 
-/// A word of a file as messages show it: between quotes, at most 40 bytes of it, so that a message stays a
-/// line of bounded length, and with control characters and what is no UTF-8 as \xHH.
+/// A word of a file for a message: in quotes, truncated to 40 bytes, so that a message is a line of bounded
+/// length. Control characters and bytes that are not UTF-8 become \xHH.
 std::string quoted_word(std::string_view word);
 
-/// A text of any length with the same characters as \xHH, so that it can neither steer a terminal nor break a
-/// line.
+/// A text of any length in which control characters and bytes that are not UTF-8 become \xHH, so that it can
+/// neither control a terminal nor break a line.
 std::string printable(std::string_view text);
 
 }  // namespace burin

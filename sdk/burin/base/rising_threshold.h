@@ -8,15 +8,16 @@
 
 namespace burin {
 
-/// Which of many slots have a value of at least a threshold that mostly rises, at a cost in proportion to
-/// these and to the slots whose values change. Where it falls all slots are looked at.
+/// Lists the slots whose value is at least a threshold, for a threshold that mostly rises. A call costs
+/// O(listed + changed) slots. When the threshold falls by more than the slack, a call visits all slots.
 class RisingThreshold {
  public:
-  /// `slack`: by how much the threshold may fall from one call to the next for nothing.
+  /// `slack`: how far the threshold may fall from one call to the next without a visit to all slots.
   explicit RisingThreshold(double slack) : slack_(slack) {}
 
-  /// The slots below `count` that have a value(slot) of `threshold` or more, and some others. `changed` names
-  /// at least all whose values changed since the last call. Valid until the next call.
+  /// Returns all slots below `count` whose value(slot) is `threshold` or more, and those within the slack
+  /// below it. `changed` must contain all slots whose values changed since the last call, new slots included.
+  /// The span is valid until the next call.
   template <class Value>
   std::span<const Index> find(double threshold, std::span<const Index> changed, Index count,
                               const Value& value) {
@@ -43,7 +44,7 @@ class RisingThreshold {
 
  private:
   double slack_;
-  double from_ = -std::numeric_limits<double>::infinity();  ///< all slots from here on are listed
+  double from_ = -std::numeric_limits<double>::infinity();  ///< all slots with at least this value are listed
   std::vector<Index> slots_;
   std::vector<std::uint8_t> listed_;  ///< [slot]
 };

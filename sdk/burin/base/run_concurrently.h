@@ -6,8 +6,8 @@
 
 namespace burin {
 
-/// Where several threads wait for each other, again and again, for times far shorter than a scheduler's
-/// slice: by spinning, at first.
+/// A reusable barrier for threads that wait for each other for times far shorter than a scheduler's time
+/// slice. It spins first and then yields.
 class StepBarrier {
  public:
   explicit StepBarrier(std::size_t threads) : threads_(threads) {}
@@ -29,9 +29,9 @@ class StepBarrier {
   std::atomic<std::size_t> arrived_{0}, step_{0};
 };
 
-/// Calls body(i) for i in [0, count) on threads of their own, all at once, so that bodies may wait for each
-/// other. For work of milliseconds. A body that throws, or a thread that cannot be started, ends the process:
-/// the others would wait for ever.
+/// Calls body(i) for i in [0, count) concurrently, each on a thread of its own (body(0) on the caller's), so
+/// that bodies may wait for each other. Starting threads pays off for work of milliseconds. If a body throws
+/// or a thread cannot be started, the process ends, since the other bodies would wait forever.
 template <class Body>
 void run_concurrently(std::size_t count, const Body& body) noexcept {
   std::vector<std::jthread> others;

@@ -1,3 +1,4 @@
+// Creates a temporary file exclusively, and renames it over the target.
 #include <burin/base/error.h>
 #include <burin/base/scratch_file.h>
 #include <fmt/format.h>
@@ -12,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Short, so that a file of the longest name that the system allows can be written.
+/// A short name, so that the longest file name that the system allows can be the target.
 std::string random_name() {
   std::random_device random;
   return fmt::format(".burin-{:08x}{:08x}.partial", random(), random());
@@ -24,7 +25,7 @@ ScratchFile::ScratchFile(fs::path target, fs::path shown)
     : target_(std::move(target)), shown_(std::move(shown)) {
   for (;;) {
     path_ = target_.parent_path() / random_name();
-    // "x": fails where a file of this name is.
+    // Mode "x" fails if a file of this name exists.
     if (std::FILE* made = std::fopen(path_.string().c_str(), "wbx")) {
       std::fclose(made);
       break;

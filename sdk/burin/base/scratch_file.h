@@ -3,12 +3,12 @@
 
 namespace burin {
 
-/// A new empty file that is to replace another: beside it, under a name that no file has, and removed at the
-/// end of its life unless it did.
+/// A new empty temporary file that is going to replace another file. It is in the same folder under a random
+/// name. The destructor removes it unless replace_target() was called.
 class ScratchFile {
  public:
-  /// `target`: what it is to replace, `shown`: the name of that in messages. Who may read the target may read
-  /// this, and nobody else. Throws FileError.
+  /// `target`: the file to replace; `shown`: its name in messages. If the target exists, the temporary file
+  /// gets its permissions, and the owner's permission to write. Throws FileError.
   ScratchFile(std::filesystem::path target, std::filesystem::path shown);
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
@@ -16,7 +16,7 @@ class ScratchFile {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Takes the target's place, and its mode where there is one. Throws FileError.
+  /// Renames the temporary file to the target and keeps the target's mode, if it exists. Throws FileError.
   void replace_target();
 
  private:

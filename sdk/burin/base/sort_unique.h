@@ -6,7 +6,7 @@
 
 namespace burin {
 
-/// Puts indices in ascending order, each once.
+/// Sorts indices in ascending order and removes duplicates.
 inline void sort_unique(std::vector<Index>& indices) {
   std::sort(indices.begin(), indices.end());
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());

@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// Linear light as an sRGB byte [IEC 61966-2-1]; outside 0..1 it is cut.
+/// Encodes linear light as an sRGB byte [IEC 61966-2-1]; clamps it to 0..1.
 inline std::uint8_t to_srgb(float light) {
   const float x = std::clamp(light, 0.0f, 1.0f);
   const float encoded =
@@ -16,7 +16,7 @@ inline std::uint8_t to_srgb(float light) {
   return static_cast<std::uint8_t>(std::lround(255 * encoded));
 }
 
-/// Its inverse: linear light, 0..1.
+/// Decodes an sRGB byte to linear light, 0..1.
 inline float from_srgb(std::uint8_t byte) {
   const float x = static_cast<float>(byte) / 255;
   return x <= 0.04045f ? x / 12.92f

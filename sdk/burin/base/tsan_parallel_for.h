@@ -9,8 +9,9 @@
 
 namespace burin {
 
-/// Calls run(block) for all blocks below `blocks` on threads of its own, `allowed` at most: for builds with
-/// the thread sanitizer, which cannot see into the system's oneTBB and would take its tasks for races.
+/// Calls run(block) for all blocks below `blocks` on up to `allowed` threads, at most 4. Builds with the
+/// thread sanitizer use it instead of oneTBB: the system's oneTBB is not instrumented, so the sanitizer would
+/// report false races. Rethrows one of the exceptions thrown.
 template <class Run>
 void tsan_parallel_for(std::size_t blocks, std::size_t allowed, const Run& run) {
   std::atomic<std::size_t> next{0};

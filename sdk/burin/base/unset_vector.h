@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// Leaves numbers unset that a vector would set to 0.
+/// An allocator that leaves elements uninitialised where std::vector would set them to 0.
 template <class T>
 struct UnsetAllocator : std::allocator<T> {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -25,8 +25,8 @@ struct UnsetAllocator : std::allocator<T> {
   }
 };
 
-/// For long arrays that all threads fill: resize() touches no memory, so that threads share the cost of
-/// getting it from the system.
+/// A vector for long arrays that all threads fill: resize() does not touch the memory, so that the threads
+/// share the cost of page faults.
 template <class T>
 using UnsetVector = std::vector<T, UnsetAllocator<T>>;
 

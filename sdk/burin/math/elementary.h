@@ -1,12 +1,13 @@
 #pragma once
-/// Elementary functions whose bits are the same on every processor, with every compiler and C library: they
-/// are made of + - * /, square roots and exact functions alone, all of which IEEE 754 rounds in one way only.
-/// Those of <cmath> are not: the C library chooses among variants by what the processor offers.
+/// Elementary functions that give the same bits on every processor, with every compiler and C library. They
+/// use only + - * /, square roots and exact functions, whose results IEEE 754 defines to the last bit. The
+/// functions of <cmath> do not: the C library chooses among variants by the processor's instruction sets.
 ///
-/// Compile with -ffp-contract=off, as burin_add_brush() does. Errors are below 1 unit in the last place, for
-/// tan, expm1 and hypot below 4, for pow below 1 + |y log(x)|; floats are rounded from doubles.
+/// Compile with -ffp-contract=off, as burin_add_brush() does. Errors are below 1 unit in the last place,
+/// below 4 for tan, expm1 and hypot, and below 1 + |y log(x)| for pow; float results are rounded from double.
+/// All functions may be called on any thread.
 ///
-/// Polynomials and reductions are those of fdlibm, of which this notice is to be kept:
+/// Polynomials and argument reductions are those of fdlibm, whose notice must be kept:
 /// Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunSoft, a Sun
 /// Microsystems, Inc. business. Permission to use, copy, modify, and distribute this software is freely
 /// granted, provided that this notice is preserved.
@@ -16,7 +17,7 @@
 namespace burin::math {
 namespace detail {
 
-/// A polynomial by Horner's rule, the coefficient of x^0 first.
+/// The value of a polynomial by Horner's rule, the coefficient of x^0 first.
 template <typename... Rest>
 constexpr double polynomial(double x, double first, Rest... rest) {
   if constexpr (sizeof...(rest) == 0)
@@ -25,14 +26,15 @@ constexpr double polynomial(double x, double first, Rest... rest) {
     return first + x * polynomial(x, rest...);
 }
 
-/// An angle as a quarter of the circle and high + low from its middle axis, at most pi / 4 away.
+/// An angle in radians as quarters * pi / 2 + high + low, where |high + low| is at most pi / 4.
 struct Reduced {
   double quarters, high, low;
 
   bool odd() const { return std::fmod(quarters, 2) != 0; }
 };
 
-/// Beyond 2^20 the angle is taken modulo the double next to 2 pi: the error grows with it, by 2^-54 of it.
+/// Reduces an angle. From 2^20 on it first takes the remainder modulo the double nearest to 2 pi, so the
+/// error grows with the angle: by 2^-54 times its value.
 inline Reduced reduced(double angle) {
   constexpr double pi2_first = 0x1.921fb544p+0, pi2_second = 0x1.0b4611a6p-34,
                    pi2_rest = 0x1.3198a2e037073p-69;
@@ -60,7 +62,7 @@ inline double cos_near_0(double x, double low) {
   return w + (((1 - w) - half) + (z * r - x * low));
 }
 
-/// The sine of the angle turned on by `quarters` of the circle.
+/// The sine of angle + quarters * pi / 2.
 inline double turned_sin(double angle, int quarters) {
   const Reduced r = reduced(angle);
   if (std::isnan(r.quarters)) return r.quarters;
@@ -80,7 +82,7 @@ inline double expm1_near_0(double high, double low) {
 
 inline constexpr double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;
 
-/// atan for 0 <= x < 7 / 16, as what is missing to x.
+/// x - atan(x) for 0 <= x < 7 / 16.
 inline double atan_missing(double x) {
   const double z = x * x;
   return x * z *
@@ -90,7 +92,7 @@ inline double atan_missing(double x) {
                     -3.65315727442169155270e-02, 1.62858201153657823623e-02);
 }
 
-/// atan(x) from high + low, the arc that x was turned by, and the small tangent that is left.
+/// The arc high + low plus atan(left), where `left` is small.
 inline double atan_from(double high, double low, double left) {
   return high - ((atan_missing(left) - low) - left);
 }
@@ -118,7 +120,7 @@ inline double tan(double angle) {
 
 inline double atan(double x) { return std::copysign(detail::atan_of_positive(std::abs(x)), x); }
 
-/// Angle of (x, y) from the x axis, -pi to pi.
+/// The angle of the vector (x, y) from the x axis, -pi to pi.
 inline double atan2(double y, double x) {
   constexpr double pi_high = 3.1415926535897931160e+00, pi_low = 1.2246467991473531772e-16;
   if (std::isnan(x) || std::isnan(y)) return x + y;
@@ -136,7 +138,7 @@ inline double exp(double x) {
   return std::ldexp(1 + rest, static_cast<int>(twos));
 }
 
-/// exp(x) - 1, exact near 0 too.
+/// exp(x) - 1, accurate near 0, too.
 inline double expm1(double x) { return std::abs(x) < 0.34 ? detail::expm1_near_0(x, 0) : exp(x) - 1; }
 
 /// The natural logarithm.
@@ -158,7 +160,7 @@ inline double log(double x) {
 /// x to the power of y; x >= 0.
 inline double pow(double x, double y) { return y == 0 ? 1 : exp(y * log(x)); }
 
-/// Length of (x, y), whose squares must be within the range of doubles.
+/// The length of (x, y). The squares of x and y must not overflow or underflow.
 inline double hypot(double x, double y) { return std::sqrt(x * x + y * y); }
 
 inline float sin(float angle) { return static_cast<float>(sin(double{angle})); }

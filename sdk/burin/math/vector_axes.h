@@ -1,5 +1,5 @@
 #pragma once
-/// Which ways the channels of a vector displacement map point.
+/// The axes of the channels of a vector displacement map.
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -8,16 +8,16 @@
 
 namespace burin::math {
 
-/// x is to the right on the image (along its texture coordinate u, the tangent), y up on it (along v, the
-/// bitangent), z outward (along the normal).
+/// Where a map stores x, y and z: x points to the right on the image (along texture coordinate u, the
+/// tangent), y up on it (along v, the bitangent), z outward (along the normal).
 struct VectorAxes {
-  std::array<std::size_t, 3> channel = {0, 1, 2};  ///< that holds x, y, z
-  std::array<float, 3> sign = {1, 1, 1};           ///< of x, y, z in it: 1 or -1
+  std::array<std::size_t, 3> channel = {0, 1, 2};  ///< channel that holds x, y, z
+  std::array<float, 3> sign = {1, 1, 1};           ///< factor of x, y, z in that channel: 1 or -1
 };
 
-/// The axes that channels red, green and blue hold, each once, "-" before one that is held negated:
-/// "x,y,z", "x,z,-y". Or the name of a program: "blender" (its sculpt brushes: x,y,z), "cycles" and "mudbox"
-/// (x,z,y). Nothing for any other text.
+/// Parses the axes that the channels red, green and blue hold: each axis once, with "-" before one that is
+/// stored negated, as in "x,y,z" or "x,z,-y". Or the name of a program: "blender" (its sculpt brushes:
+/// x,y,z), "cycles" and "mudbox" (x,z,y). Returns nothing for any other text.
 inline std::optional<VectorAxes> vector_axes(std::string_view text) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 3> programs = {
       {{"blender", "x,y,z"}, {"cycles", "x,z,y"}, {"mudbox", "x,z,y"}}};
