@@ -1,3 +1,4 @@
+// Rays through pixels, and a camera that frames a box.
 #include <burin/base/error.h>
 #include <burin/math/elementary.h>
 #include <burin/stroke/camera.h>
@@ -10,7 +11,7 @@
 namespace burin {
 namespace {
 
-/// World axes to eye axes: rows are right, up, backwards.
+/// The rotation from world axes to eye axes; its rows are right, up and backwards.
 Eigen::Matrix3d eye_axes(const Vec3d& direction, const Vec3d& up) {
   const Vec3d back = -direction.normalized();
   Vec3d right = up.cross(back);
@@ -21,7 +22,7 @@ Eigen::Matrix3d eye_axes(const Vec3d& direction, const Vec3d& up) {
   return axes;
 }
 
-/// OpenGL's perspective matrix; tan_x, tan_y: tangents of half the fields of view.
+/// OpenGL's perspective matrix; tan_x and tan_y are the tangents of half the fields of view.
 Eigen::Matrix4d perspective(double tan_x, double tan_y, double near, double far) {
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
   matrix(0, 0) = 1 / tan_x;
@@ -32,7 +33,7 @@ Eigen::Matrix4d perspective(double tan_x, double tan_y, double near, double far)
   return matrix;
 }
 
-/// The corners of the box seen from its middle, in eye axes, one a column.
+/// The corners of a box relative to its centre, in eye axes, one per column.
 Eigen::Matrix<double, 3, 8> box_corners(const Eigen::Matrix3d& axes, const Vec3d& half) {
   Eigen::Matrix<double, 3, 8> corners;
   for (int i = 0; i < 8; ++i) {
@@ -61,7 +62,7 @@ Ray pixel_ray(const Camera& camera, double x, double y) {
   const Eigen::Vector4d near = to_world * Eigen::Vector4d(ndc_x, ndc_y, -1, 1);
   const Eigen::Vector4d far = to_world * Eigen::Vector4d(ndc_x, ndc_y, 1, 1);
   const Vec3d origin = near.head<3>() / near.w();
-  // Not far / far.w - origin: far.w is 0 for a far plane at infinity, else positive.
+  // This scales far / far.w - origin by far.w, which is 0 for a far plane at infinity and positive otherwise.
   const Vec3d direction = far.head<3>() - far.w() * origin;
   return {origin.cast<float>(), direction.normalized().cast<float>()};
 }
@@ -78,7 +79,7 @@ Camera framing_camera(const Vec3d& box_min, const Vec3d& box_max, const Vec3d& d
   const double tan_x = tan_y * width / height;
   const double reach = half.norm() > 0 ? half.norm() : 1;
 
-  // The least distance at which every corner is within the frame, and none behind the eye.
+  // The least distance at which every corner is within the frame and none is behind the eye.
   double distance = corners.row(2).maxCoeff() + 0.01 * reach;
   for (const auto& corner : corners.colwise()) {
     const double aside = std::max(std::abs(corner.x()) / tan_x, std::abs(corner.y()) / tan_y);

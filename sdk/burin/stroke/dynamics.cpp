@@ -1,3 +1,6 @@
+// Evaluates dynamics: the value of a source at a point of the curve, a piecewise linear function of it, and
+// the product or sum over all dynamics of a target. The random source is value noise whose lattice values
+// come from a hash.
 #include <burin/base/hash.h>
 #include <burin/math/elementary.h>
 #include <burin/stroke/dynamics.h>
@@ -38,15 +41,15 @@ bool is_there(PenSource source, const PenFields& fields) {
   }
 }
 
-/// Where the upper end of a pen of unit height lies over its tip.
+/// The horizontal offset of the upper end of a pen of unit height from its tip.
 Vec2d lean(const Pen& pen) {
-  // The tangent of a float beyond 90 degrees by rounding would point the other way.
+  // A float that rounding put beyond 90 degrees would have a tangent of the wrong sign.
   constexpr double flat = std::numbers::pi / 2;
   return {math::tan(std::clamp(double{pen.tilt_x}, -flat, flat)),
           math::tan(std::clamp(double{pen.tilt_y}, -flat, flat))};
 }
 
-/// Straight lines between knots x0 y0 x1 y1 ..., constant beyond them.
+/// Interpolates linearly between the knots x0 y0 x1 y1 ...; the value is constant beyond them.
 double piecewise_linear(std::span<const double> knots, double x) {
   if (x <= knots[0]) return knots[1];
   for (std::size_t i = 2; i < knots.size(); i += 2) {
@@ -57,14 +60,15 @@ double piecewise_linear(std::span<const double> knots, double x) {
   return knots.back();
 }
 
-/// 0..1, the same for every run and machine: bits of a hash keyed by stroke and target, counted by cell.
+/// A random number in 0..1 that is the same in every run and on every machine: bits of a hash of the key (of
+/// stroke and target) and the number of the cell.
 double random_number(std::uint64_t key, std::int64_t cell) {
   const std::array<std::uint64_t, 2> counter{key, static_cast<std::uint64_t>(cell)};
   return std::ldexp(static_cast<double>(hash_bytes(counter.data(), sizeof(counter)) >> 11), -53);
 }
 
-/// Value noise with level tangents at the cells' borders. Of a closed stroke the cells are as many as best
-/// keep their extent of one radius, and the last is followed by the first.
+/// Value noise in cells of one radius, with zero slope at the borders of cells. For a closed stroke the
+/// number of cells is rounded to a whole one, and the noise is periodic.
 double value_noise(std::uint64_t key, double t, double radius, double loop) {
   const double around = loop > 0 ? std::max(1., std::round(loop / radius)) : 0;
   const double place = loop > 0 ? t / loop * around : t / radius, cell = std::floor(place);

@@ -11,63 +11,65 @@
 
 namespace burin {
 
-/// What of the pen, or of the stroke's course, drives a value along the stroke. Angles lie in -pi..pi.
+/// A quantity of the pen or of the curve that drives a value along the stroke. Angles lie in -pi..pi.
 enum class PenSource {
   pressure,        ///< 0..1
   tilt,            ///< radians from upright, 0..pi/2
   tilt_direction,  ///< of the pen's upper end, radians from the x axis to the y axis of the tilts; upright: 0
-  direction,       ///< of travel, radians; see travel_direction()
-  speed,           ///< radii a second, so that the units of the mesh do not matter; as CurvePoint::speed
+  direction,       ///< direction of travel, radians; see travel_direction()
+  speed,           ///< CurvePoint::speed in radii per second, so that the units of the mesh do not matter
   time,            ///< seconds since the first sample
-  t,               ///< radii along the stroke from its begin
+  t,               ///< arc length from the start of the stroke, in radii
   random,          ///< 0..1, smooth noise along the stroke: a new value every radius
 };
 
-/// "tilt_direction", as files and command lines have it.
+/// The name of a source in files and on command lines, such as "tilt_direction".
 std::string_view source_name(PenSource source);
+/// The source with this name, or nothing.
 std::optional<PenSource> source_named(std::string_view name);
-/// All of them, "pressure, tilt, ...".
+/// The names of all sources: "pressure, tilt, ...".
 std::string source_names();
 
-/// Lets a source drive a value. What the curve gives multiplies the value, but is added to an angle; several
-/// dynamics of one target act together. A source that the recording lacks leaves the target alone.
+/// Lets a source drive a value. The curve maps the source to a factor of the value, or to a summand if the
+/// value is an angle. Several dynamics of one target are combined. A dynamic whose source the recording lacks
+/// has no effect.
 struct Dynamic {
   std::string target;  ///< "radius", "strength" or the id of a dynamic parameter of the brush
   PenSource source = PenSource::pressure;
-  std::vector<double> curve;  ///< x0 y0 x1 y1 ..., x rising; straight lines between, constant beyond
+  std::vector<double> curve;  ///< x0 y0 x1 y1 ..., x increasing; linear between knots, constant beyond
 
   bool operator==(const Dynamic&) const = default;
 };
 
-/// Those of `theirs` whose target none of `mine` has, then `mine`.
+/// The dynamics of `theirs` whose targets do not occur in `mine`, followed by `mine`.
 std::vector<Dynamic> replaced(const std::vector<Dynamic>& theirs, const std::vector<Dynamic>& mine);
 
-/// The stroke whose values are driven.
+/// What TargetDynamics needs of the stroke whose values are driven.
 struct DrivenStroke {
-  PenFields fields;        ///< what the recording has
+  PenFields fields;        ///< fields that the pen reports
   double radius = 1;       ///< object units
-  std::uint64_t seed = 0;  ///< of PenSource::random, together with the target's name
-  /// From a symmetric image of a stroke back to the one drawn by hand, whose direction of travel counts.
+  std::uint64_t seed = 0;  ///< seed of PenSource::random, combined with the target's name
+  /// Maps a symmetric image of a stroke back to the stroke as drawn, whose direction of travel is used.
   Mat3f to_hand = Mat3f::Identity();
 };
 
-/// The dynamics of one target that the recording can drive. The value is a function of the place on the
-/// curve alone. Any thread.
+/// The dynamics of one target whose sources the recording has. Values depend only on the point of the curve.
+/// Any thread.
 class TargetDynamics {
  public:
   TargetDynamics() = default;  ///< none
 
-  /// Takes those of `dynamics` with this target. They must be without fault.
+  /// Selects the dynamics with this target. fault_of() must accept each of them.
   TargetDynamics(std::span<const Dynamic> dynamics, std::string_view target, const DrivenStroke& stroke);
 
   bool empty() const { return dynamics_.empty(); }
 
-  /// Product of the curves, each held within [low, high] first; 1 without any. `loop`: the length of a
-  /// closed curve, around which the noise closes; 0 for an open one.
+  /// The product of the curves' values, each clamped to [low, high]; 1 without any. `loop`: the length of a
+  /// closed curve, over which the noise is periodic, or 0 for an open one.
   double product(const PenAt& at, double loop, double low = -most, double high = most) const;
-  /// Their sum; 0 without any.
+  /// The sum of the curves' values; 0 without any.
   double sum(const PenAt& at, double loop) const;
-  /// What the product does not fall below anywhere when low >= 0.
+  /// A lower bound of product() along any stroke, for low >= 0.
   double least_product(double low, double high) const;
 
  private:
@@ -82,24 +84,25 @@ class TargetDynamics {
   std::uint64_t noise_key_ = 0;
 };
 
-/// Angle from the object's x axis, projected onto the tangent plane, to the tangent, counter-clockwise seen
-/// from outside: -pi..pi. Where the normal is within 0.001 radians of the x axis, from the y axis instead.
+/// The angle from the object's x axis, projected onto the tangent plane, to the tangent, counter-clockwise
+/// seen from outside, -pi..pi. If the normal is within 0.001 radians of the x axis, the y axis takes its
+/// place.
 double travel_direction(const Vec3f& tangent, const Vec3f& normal);
 
-/// The width of a stroke along its curve, a share of the radius: what the pen's pressure decides of it and
-/// what the dynamics of "radius" make of it.
+/// The width of a stroke along its curve as a share of the radius, from the pen's pressure and the dynamics
+/// of "radius". Any thread.
 class StrokeWidth {
  public:
   StrokeWidth() = default;  ///< 1 everywhere
 
-  /// `pressure_width`: 0..1, share of the width that the pressure decides, where there is one: the width is
-  /// 1 - pressure_width * (1 - pressure). Curves of "radius" are held within 0.02..1, and so is the product.
+  /// `pressure_width`: 0..1. If the pen reports pressure, the width is 1 - pressure_width * (1 - pressure),
+  /// multiplied by the curves of "radius". Each curve and the product are clamped to 0.02..1.
   StrokeWidth(double pressure_width, std::span<const Dynamic> dynamics, const DrivenStroke& stroke);
 
   bool varies() const { return pressure_width_ > 0 || !dynamics_.empty(); }
-  /// No width is smaller.
+  /// A lower bound of the width.
   double narrowest() const;
-  /// `loop`: as TargetDynamics takes it.
+  /// `loop`: see TargetDynamics::product().
   float at(const PenAt& at, double loop) const;
 
  private:

@@ -1,3 +1,4 @@
+// Translates and rotates recordings.
 #include <burin/stroke/move_origin.h>
 
 namespace burin {
@@ -15,7 +16,7 @@ void move_origin(Recording& recording, const Vec3d& origin) {
 }
 
 void turn(Recording& recording, const Eigen::Matrix3d& rotation) {
-  if (rotation.isIdentity(0)) return;  // Not even -0 becomes 0.
+  if (rotation.isIdentity(0)) return;  // multiplying by the identity would turn -0 into 0
   if (recording.camera)
     recording.camera->view.leftCols<3>() =
         (recording.camera->view.leftCols<3>() * rotation.transpose()).eval();

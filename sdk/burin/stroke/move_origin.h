@@ -3,15 +3,15 @@
 
 namespace burin {
 
-/// Counts the places of a recording, or those that its camera sees, from `origin` on, as the positions of a
-/// mesh far away are (PolygonMesh::origin).
+/// Makes the positions of a recording, or its camera, relative to `origin`, like the positions of a mesh that
+/// is far from the coordinate origin (PolygonMesh::origin).
 void move_origin(Recording& recording, const Vec3d& origin);
 
-/// Turns the places of a recording, or those that its camera sees, about the origin. The tilts and the twist
-/// of the pen are told in axes of their own and stay.
+/// Rotates the positions of a recording, or the world that its camera sees, about the origin. Tilts and twist
+/// of the pen have axes of their own and do not change.
 void turn(Recording& recording, const Eigen::Matrix3d& rotation);
 
-/// A camera that sees what the given one sees, of a surface whose positions are counted from `origin` on.
+/// The camera for positions relative to `origin` that shows what the given camera shows.
 Camera seen_from(Camera camera, const Vec3d& origin);
 
 }  // namespace burin

@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// A brush parameter as files and scripts give it: bool, number of any type, text (file path or choice), or
-/// numbers (a colour's four, a curve's x0 y0 x1 y1 ...).
+/// The value of a brush parameter in files and settings: a bool, a number of any type, a text (a text, file
+/// path or choice), or a list of numbers (the four of a colour, or x0 y0 x1 y1 ... of a curve).
 struct ParamSetting : std::variant<bool, double, std::string, std::vector<double>> {
   using variant::variant;
   template <std::integral Whole>

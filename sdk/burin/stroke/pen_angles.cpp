@@ -1,3 +1,4 @@
+// Converts the tilts of a pen to a direction and back, and interpolates pens.
 #include <burin/math/elementary.h>
 #include <burin/stroke/pen_angles.h>
 
@@ -10,8 +11,8 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// Tilts that differ by less than a tenth of a radian are mixed one by one: that is the same direction to
-/// second order, and what lies between points of a curve is asked for at every node.
+/// Whether the tilts differ by less than 0.1 radians. Interpolating such tilts as numbers gives the same
+/// direction to second order and is faster, which matters since every node interpolates a pen.
 bool close_tilts(const Pen& a, const Pen& b) {
   constexpr float close = 0.1F;
   return std::abs(a.tilt_x - b.tilt_x) < close && std::abs(a.tilt_y - b.tilt_y) < close;

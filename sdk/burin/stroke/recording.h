@@ -10,23 +10,25 @@
 
 namespace burin {
 
+/// The space of a recording's samples.
 enum class StrokeSpace {
-  object,  ///< samples are places near the surface, object units
-  screen,  ///< samples are pixels from the top left; z is not used
+  object,  ///< positions near the surface, object units
+  screen,  ///< pixels from the top left corner of the viewport; z is not used
 };
 
+/// One event of the pen.
 struct Sample {
   double time = 0;  ///< seconds
   Vec3d position = Vec3d::Zero();
   Pen pen;
 };
 
-/// One stroke as it was drawn. What the file leaves open is empty and must come from elsewhere.
+/// One stroke of a recording. Settings that the file does not have are empty; the caller must supply them.
 struct RecordedStroke {
   std::optional<std::string> brush;
   std::optional<double> radius;  ///< object units, > 0
   double strength = 1;
-  std::optional<double> follow;  ///< 0..1, how much of the relief it feels, see StrokeSettings
+  std::optional<double> follow;  ///< 0..1, how much of the relief the stroke follows, see StrokeSettings
   bool closed = false;
   ParamSettings params;
   std::vector<Dynamic> dynamics;
@@ -34,13 +36,13 @@ struct RecordedStroke {
   std::vector<Sample> samples;  ///< finite as floats, pressure 0..1, time not falling
 };
 
-/// A `.stroke` file.
+/// The content of a `.stroke` file.
 struct Recording {
   StrokeSpace space = StrokeSpace::object;
-  std::optional<Camera> camera;  ///< always there for StrokeSpace::screen
+  std::optional<Camera> camera;  ///< never empty for StrokeSpace::screen
   std::vector<RecordedStroke> strokes;
-  /// The recorder stopped in the middle, at this line (from 1): a last line that was cut off has been left
-  /// out, or the last stroke has no end and holds the samples that were written.
+  /// The line (from 1) at which the file was cut off: either this last line was incomplete and left out, or
+  /// the last stroke has no end and holds the samples that were written.
   std::optional<std::size_t> cut_off_at;
 };
 

@@ -1,3 +1,4 @@
+// Spreads the equal time stamps of tablets that deliver samples in packets, in O(samples).
 #include <burin/stroke/sample_times.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ std::vector<Packet> packets_of(std::span<Sample> samples) {
   return packets;
 }
 
-/// Seconds from sample to sample where those of a packet fill the time since the packet before.
+/// The interval in seconds of samples that would fill the time from the packet before to this one evenly.
 double interval_within(const Packet& before, const Packet& packet) {
   return (packet.front().time - before.front().time) / static_cast<double>(packet.size());
 }

@@ -5,17 +5,17 @@
 
 namespace burin {
 
-/// Whether all of several samples have the same time stamp, which then tells nothing.
+/// Whether there are several samples and all have the same time stamp, so that times are useless.
 bool clock_stands(std::span<const Sample> samples);
 
-/// Gives samples of equal time stamps times of their own, for tablets whose samples come several at a time:
-/// a stamp is the time of the last sample of its packet, and those before it are as far apart as the packets
-/// of the stroke mostly have it, or as the time since the packet before allows. Stamps that occur once stay
-/// as they are, to the bit, and so do all of a clock that stands. Times must not fall.
+/// Spreads equal time stamps, for tablets that deliver samples in packets. The stamp is the time of the last
+/// sample of its packet. The samples before it get the median interval of the stroke's packets, or less if
+/// the time since the packet before is too short. Stamps that occur once keep their bits, and so do all
+/// stamps if clock_stands(). Times must not fall.
 void spread_times(std::span<Sample> samples);
 
-/// Spreads the times of all strokes. Those whose clock stands are then strokes without times; returns how
-/// many.
+/// Spreads the times of all strokes. Strokes for which clock_stands() become strokes without times; returns
+/// their number.
 std::size_t mend_times(Recording& recording);
 
 }  // namespace burin

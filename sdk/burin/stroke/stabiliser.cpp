@@ -1,3 +1,5 @@
+// Filters against the tremor of the hand: a string whose end moves along a tractrix, and an exponential mean.
+// Both integrate a straight, even motion between two samples exactly.
 #include <burin/math/elementary.h>
 #include <burin/stroke/pen_angles.h>
 #include <burin/stroke/stabiliser.h>
@@ -8,8 +10,8 @@
 namespace burin {
 namespace {
 
-/// How far the pen goes from `place` along the unit `way` until the string to the brush is taut, if it does
-/// before `most`.
+/// The distance that the pen moves from `place` along the unit vector `way` until the string to the brush is
+/// taut, at most `most`.
 double slack(const Vec3d& brush, const Vec3d& place, const Vec3d& way, double length, double most) {
   const Vec3d string = place - brush;
   const double along = string.dot(way), missing = length * length - string.squaredNorm();
@@ -17,8 +19,9 @@ double slack(const Vec3d& brush, const Vec3d& place, const Vec3d& way, double le
   return std::clamp(-along + std::sqrt(std::max(along * along + missing, 0.)), 0., most);
 }
 
-/// Where the brush is after the pen went from `from` to `to`. Once the string is taut, the angle a between it
-/// and the way falls as da/ds = -sin(a) / length, so tan(a / 2) falls as exp(-s / length).
+/// The position of the brush after the pen moved from `from` to `to`. Once the string is taut, the angle a
+/// between it and the motion decreases as da/ds = -sin(a) / length, so tan(a / 2) decreases as
+/// exp(-s / length).
 Vec3d pulled(const Vec3d& brush, const Vec3d& from, const Vec3d& to, double length) {
   const double distance = (to - from).norm();
   if (distance == 0) return brush;
@@ -35,8 +38,8 @@ Vec3d pulled(const Vec3d& brush, const Vec3d& from, const Vec3d& to, double leng
   return to - length * (cosine * way + sine / side * across);
 }
 
-/// Weights of the exact response y = x1 - past (x0 - y0) - ramp (x1 - x0) to an input that goes straight from
-/// x0 to x1.
+/// The exact response of the exponential filter to an input that moves linearly from x0 to x1:
+/// y = x1 - past (x0 - y0) - ramp (x1 - x0), where y0 is the output before.
 struct Response {
   Response(double seconds, double time_constant)
       : past(math::exp(-seconds / time_constant)),

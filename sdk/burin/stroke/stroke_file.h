@@ -6,23 +6,23 @@
 
 namespace burin {
 
-/// Reads a `.stroke` file (JSON Lines, UTF-8). Blank lines, keys and fields that are not known are passed
-/// over. A last line without its newline that is no valid JSON is a recording cut off by a crash: left out,
-/// with `cut_off_at` set, as it is when the last stroke has no end. Anything else that is wrong throws
-/// FileError "PATH:LINE: ...": malformed JSON, wrong arity, a value that is not finite, time that falls
+/// Reads a `.stroke` file (docs/stroke_format.md). Ignores blank lines and unknown keys and fields. A last
+/// line without newline that is not valid JSON was cut off by a crash of the recorder: it is left out and
+/// `cut_off_at` is set, as it is when the last stroke has no end. All other errors throw FileError
+/// "PATH:LINE: ...": malformed JSON, a wrong number of values, a value that is not finite, time that falls
 /// within a stroke, a missing header or camera, a sample outside a stroke.
 Recording read_strokes(const std::filesystem::path& path);
 
-/// Writes a `.stroke` file line by line as samples arrive, each line handed to the system before the call
-/// returns: a crash of the process loses at most the line being written. Numbers are read back bit for bit.
-/// Throws FileError; ContractError, with nothing written, for what read_strokes would not accept. One
-/// thread.
+/// Writes a `.stroke` file line by line as samples arrive. Each call passes its line to the operating system
+/// before it returns, so that a crash of the process loses at most the line being written. read_strokes()
+/// reads the numbers back bit for bit. Throws FileError; ContractError, without writing, for values that
+/// read_strokes() would refuse. One thread.
 class StrokeWriter {
  public:
   /// Creates or replaces the file. StrokeSpace::screen needs a camera.
   StrokeWriter(const std::filesystem::path& path, StrokeSpace space, const std::optional<Camera>& camera);
 
-  /// Opens a stroke with the settings and fields of `stroke`; its samples are not written.
+  /// Begins a stroke with the settings and fields of `stroke`. Does not write its samples.
   void begin(const RecordedStroke& stroke);
   void add(const Sample& sample);
   void end();

@@ -1,3 +1,4 @@
+// Lists the elements of the symmetry group of mirror planes and rotations as matrices.
 #include <burin/base/error.h>
 #include <burin/math/elementary.h>
 #include <burin/stroke/symmetry.h>
@@ -23,7 +24,7 @@ Eigen::Matrix3d rotation(const Symmetry& symmetry, int step) {
   return turned;
 }
 
-/// The mirrorings that the bits of a number choose among those there are.
+/// The product of the mirrorings at those axes whose bits are set in `chosen`.
 Eigen::Matrix3d mirroring(const std::vector<int>& axes, std::size_t chosen) {
   Vec3d signs = Vec3d::Ones();
   for (std::size_t i = 0; i < axes.size(); ++i)
@@ -31,7 +32,8 @@ Eigen::Matrix3d mirroring(const std::vector<int>& axes, std::size_t chosen) {
   return signs.asDiagonal();
 }
 
-/// Two mirrorings may make a half turn, which may be among the radial copies too.
+/// Whether an image is in the list already. Two mirrorings may equal a half turn, which may also be a radial
+/// copy.
 bool has_image(const std::vector<SymmetryInstance>& instances, const Eigen::Matrix3d& linear) {
   return std::ranges::any_of(instances, [&](const SymmetryInstance& instance) {
     return (instance.linear - linear).cwiseAbs().maxCoeff() < 1e-9;

@@ -1,4 +1,5 @@
-// Strokes that go around: when the pen came back, and the periodic spline through its samples.
+// Closed strokes: detects that the pen came back to its start, and traces the periodic centripetal Catmull-
+// Rom spline through the samples. O(points) per closed curve, since the seam changes all speeds.
 #include <burin/math/elementary.h>
 #include <burin/stroke/curve/surface_curve.h>
 
@@ -71,7 +72,8 @@ void CurveTracer::retrace_closed() {
   set_widths(0);
 }
 
-/// The pen did not rest before the first sample but came around: its fading mean goes on over the seam.
+/// Adds to the speed of all points what the pen's motion before the seam contributes: a closed curve
+/// continues from its end, whereas append() assumes that the pen rested before the first sample.
 void CurveTracer::set_speed_around(double at_seam, double seam_time) {
   const double at_first = at_seam / -math::expm1(-seam_time / speed_fading_time);
   for (CurvePoint& point : curve_.points)

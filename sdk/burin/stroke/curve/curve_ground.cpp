@@ -1,3 +1,6 @@
+// Projects picks and positions onto the surface itself or onto its base surface. On the base surface a few
+// Newton iterations find the point whose tangent plane the ray or the position's normal line meets; each
+// costs one projection, independent of the size of the surface.
 #include <burin/stroke/curve/curve_ground.h>
 #include <burin/surface/geometry/normals.h>
 
@@ -35,9 +38,9 @@ std::optional<CurveGround::Place> CurveGround::closest(const Vec3f& position, fl
   });
 }
 
-/// The foot of on_plane(place), where what is looked for meets the tangent plane of a place, is a better
-/// place: Newton's method, from the point's own foot, which it is to stay near. The surface itself needs none
-/// of it.
+/// Newton's method: on_plane(place) is the solution on the tangent plane of a place, and its projection onto
+/// the base surface is a better place. The method starts at the projection of `at`, and returns that
+/// projection if an iterate goes farther than 8 spacings from it. The surface itself needs no iteration.
 template <class OnPlane>
 CurveGround::Place CurveGround::settled(const SurfacePoint& at, const OnPlane& on_plane) const {
   constexpr int rounds = 3;
@@ -56,12 +59,12 @@ CurveGround::Place CurveGround::settled(const SurfacePoint& at, const OnPlane& o
 
 namespace {
 
-/// Whether the surface is nowhere farther from the chord than a quarter of it; is_near(point, reach) goes
-/// from one point of it to the next.
+/// Whether the ground is within a quarter of the chord's length of three points of the chord. Calls
+/// is_near(point, reach) for the points in the order along the chord.
 template <class IsNear>
 bool runs_near(const Vec3f& from, const Vec3f& to, double scale, const IsNear& is_near) {
   const Vec3f chord = to - from;
-  // Places are rounded, so that those of tiny steps need not lie within a share of the step.
+  // Positions are rounded to floats, so tiny steps need a tolerance that does not shrink with the step.
   const float rounding = 4 * std::numeric_limits<float>::epsilon() *
                          std::max(from.cwiseAbs().maxCoeff(), static_cast<float>(scale));
   const float reach = std::max(chord.norm() / 4, rounding);
@@ -101,7 +104,7 @@ std::optional<CurveGround::Place> CurveGround::closest(const Vec3f& point, float
     if (!at) return {};
     return place(*at);
   }
-  // Places on the base surface are right to a small share of its spacing.
+  // Positions on the base surface are accurate to a small share of its spacing.
   constexpr double slack = 0.1;
   const Place place = on_base(near.corners[0], point);
   const double distance = static_cast<double>((place.at.position - point).norm());

@@ -6,41 +6,44 @@
 
 namespace burin {
 
-/// Where the curves of strokes run: on a surface itself, or on its base surface at the brush's scale. There
-/// a point's corners are the nearest node, three times. Looked at, not owned.
+/// The ground of the curves of strokes: a surface itself, or its base surface at the brush's scale. A point
+/// of a base surface has its nearest node as all three corners. Does not own what its constructor is given.
 class CurveGround {
  public:
-  /// `base`: null: on the surface itself.
+  /// `base`: null for the surface itself.
   CurveGround(const Surface& surface, const Picker& picker, BaseSurface* base = nullptr)
       : surface_(&surface), picker_(&picker), base_(base) {}
 
+  /// A point of the ground.
   struct Place {
     SurfacePoint at;
     Vec3f normal;             ///< unit
-    SurfacePoint on_surface;  ///< the point of the surface that it is the place of, where it is of one
+    SurfacePoint on_surface;  ///< the point of the surface that was projected to it, if there is one
   };
 
-  /// Where a point of the surface is on the ground.
+  /// The point of the ground that belongs to a point of the surface.
   Place place(const SurfacePoint& at) const;
 
-  /// Where a ray that meets the surface meets the ground, so that bumps do not shift what the pen points at,
-  /// from whatever side it is seen. Rays at less than 17 degrees to the base surface end before it, nearer to
-  /// where they meet the surface. Nothing where the ray misses.
+  /// Intersects a ray that meets the surface with the ground, so that bumps do not shift the point that the
+  /// pen points at, whatever the direction of view. A ray at less than 17 degrees to the base surface ends
+  /// nearer to its intersection with the surface. Returns nothing if the ray misses the surface.
   std::optional<Place> pick(const Ray& ray) const;
 
-  /// The ground nearest to a position of which the surface is not farther than `reach`, so that bumps do not
-  /// draw it to their tops.
+  /// The point of the ground that is closest to a position, so that bumps do not attract it to their tops.
+  /// Returns nothing if the surface is farther than `reach` (object units) from the position.
   std::optional<Place> closest(const Vec3f& position, float reach) const;
 
-  /// Whether a pen may go from one place to the other without leaving the ground: no point of the chord is
-  /// farther than a quarter of it from the ground, or none of the chord between the surface's own points from
-  /// the surface, which tells where relief as wide as the brush makes the base surface ragged.
+  /// Whether a pen can move from one point to the other without leaving the ground. Three points of the chord
+  /// must be within a quarter of its length of the ground. Failing that, the same must hold for the chord
+  /// between the points of the surface itself, since relief as wide as the brush makes the base surface
+  /// ragged.
   bool connects(const Place& from, const Place& to) const;
 
-  /// The ground nearest to a point not farther than `reach` from it, found from a place near by.
+  /// The point of the ground closest to a point, found by a search that starts at `near`. Returns nothing if
+  /// it is farther than `reach` (object units).
   std::optional<Place> closest(const Vec3f& point, float reach, const SurfacePoint& near) const;
 
-  /// How far apart points of a curve are here: half an edge, object units.
+  /// The spacing of the points of a curve here: half an edge, object units.
   double point_spacing(const SurfacePoint& at) const;
 
   double scale() const { return surface_->scale; }

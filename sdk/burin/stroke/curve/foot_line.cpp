@@ -1,3 +1,5 @@
+// Moving averages by prefix sums: the integrals of positions and normals up to every point, so that a mean
+// over any interval is a difference of two integrals. O(points) to build, O(log points) per query.
 #include <burin/stroke/curve/foot_line.h>
 
 #include <algorithm>
@@ -26,14 +28,14 @@ FootPlane FootLine::at(double t) const {
   const Sum before = sum_to(from), after = sum_to(to);
   const Vec3d normal = after.normal - before.normal;
   const Vec3d position = (after.position - before.position) / (to - from);
-  // Normals that nearly cancel out say nothing.
+  // If the normals nearly cancel out, their mean has no reliable direction.
   const bool clear = normal.norm() > 0.1 * (to - from);
   const double within = closed_ ? middle - std::floor(middle / length) * length : middle;
   const Vec3d own = normal_[segment_at(within)];
   return {position.cast<float>(), (clear ? normal.normalized() : own).cast<float>()};
 }
 
-/// Of any t of a closed curve, of one within an open one.
+/// The integrals from the first point to t: any t of a closed curve, or t in [0, length] of an open one.
 FootLine::Sum FootLine::sum_to(double t) const {
   if (!closed_) return sum_within(t);
   const double turns = std::floor(t / t_.back());
@@ -41,7 +43,8 @@ FootLine::Sum FootLine::sum_to(double t) const {
   return {turns * sums_.back().position + rest.position, turns * sums_.back().normal + rest.normal};
 }
 
-/// Positions and normals are linear between points.
+/// The integrals from the first point to t, with t in [0, length]. Positions and normals are linear between
+/// points.
 FootLine::Sum FootLine::sum_within(double t) const {
   const std::size_t i = sums_.size() < t_.size() ? t_.size() - 2 : segment_at(t);
   if (i + 1 >= t_.size()) return sums_[i];
@@ -53,7 +56,7 @@ FootLine::Sum FootLine::sum_within(double t) const {
   return {sums_[i].position + integral(position_), sums_[i].normal + integral(normal_)};
 }
 
-/// The last point that does not lie beyond t, but not the last of all.
+/// The index of the segment that contains t: the last point at or before t, except the last point of all.
 std::size_t FootLine::segment_at(double t) const {
   const auto after = std::upper_bound(t_.begin(), t_.end(), t);
   const auto point = static_cast<std::size_t>(after - t_.begin());

@@ -5,21 +5,23 @@
 
 namespace burin {
 
-/// A plane that a stroke lies in around some t.
+/// The plane in which a stroke lies, on average, near some t.
 struct FootPlane {
   Vec3f position;  ///< object units
   Vec3f normal;    ///< unit
 };
 
-/// Means of a stroke's points and normals along it, for what is to level out bumps shorter than the radius.
+/// Moving averages of a stroke's points and normals along its arc length, for brushes that level out bumps
+/// shorter than the radius. Any thread.
 class FootLine {
  public:
-  /// Of a curve of at least one point; `reach`: how far on either side of t means go, object units, > 0.
-  /// Copies what it needs, in proportion to the points.
+  /// `curve`: at least one point; `reach`: half the length over which to average, object units, > 0. Copies
+  /// positions and normals in O(points).
   FootLine(const SurfaceCurve& curve, double reach);
 
-  /// The mean over [t - reach, t + reach], as far as the curve goes; beyond its ends that of the end. A
-  /// closed curve goes round. Where normals cancel out, that of the point at t.
+  /// The mean over the part of the curve in [t - reach, t + reach], in O(log points). A t beyond an end of an
+  /// open curve counts as the end; closed curves are periodic. If the normals cancel out, the normal is that
+  /// of the point at t.
   FootPlane at(double t) const;
 
  private:
@@ -30,10 +32,10 @@ class FootLine {
   Sum sum_within(double t) const;
   std::size_t segment_at(double t) const;
 
-  std::vector<double> t_;        ///< of the points, and of the first point again when the curve is closed
-  std::vector<Vec3d> position_;  ///< the same
-  std::vector<Vec3d> normal_;
-  std::vector<Sum> sums_;  ///< from the first point to each
+  std::vector<double> t_;        ///< [point] arc length; a closed curve has its first point again at the end
+  std::vector<Vec3d> position_;  ///< [point]
+  std::vector<Vec3d> normal_;    ///< [point]
+  std::vector<Sum> sums_;        ///< [point] integrals from the first point to this one
   double reach_;
   bool closed_;
 };

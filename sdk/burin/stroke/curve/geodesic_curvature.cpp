@@ -1,3 +1,6 @@
+// Estimates the geodesic curvature of a polyline on a surface as the derivative of the angle by which its
+// tangent turns against parallel transport: a local least-squares polynomial at each point (Savitzky and
+// Golay 1964, for uneven spacing). O(points in the window) per point that changed.
 #include <burin/math/elementary.h>
 #include <burin/stroke/curve/geodesic_curvature.h>
 #include <burin/surface/geometry/parallel_transport.h>
@@ -9,18 +12,19 @@
 namespace burin {
 namespace {
 
-/// A turn between neighbouring points that is a corner of the stroke, radians.
+/// A larger turn between neighbouring points, radians, is a corner of the stroke.
 constexpr double corner = 0.5;
 
-/// A window that has seen this much turn on one side, radians, sees a bend tighter than itself and goes on
-/// for some points only.
+/// After this much turn on one side, radians, the window contains a bend tighter than itself and is extended
+/// by a few points only.
 constexpr double bend = 0.7;
 constexpr int points_beyond_bend = 2;
 
-/// Twice as many points on a side of the window add nothing to the fit but the time that it takes.
+/// The number of points on a side of the window that is enough for the fit. Twice as many are thinned out,
+/// since they would cost time and add no accuracy.
 constexpr std::ptrdiff_t enough_points = 64;
 
-/// From point to point of those that count on one side of the window.
+/// The step from one used point to the next on one side of the window.
 std::size_t stride(const SurfaceCurve& curve, std::size_t point, double reach, bool forward) {
   if (curve.closed) return 1;
   const auto& points = curve.points;
@@ -37,7 +41,7 @@ double turn_between(const CurvePoint& a, const CurvePoint& b) {
   return math::atan2(sine, static_cast<double>(carried.dot(b.tangent)));
 }
 
-/// Least-squares polynomial through values over places around 0, in units of the reach.
+/// A least-squares polynomial fitted to values at abscissas around 0, which are scaled by the reach.
 class LocalFit {
  public:
   explicit LocalFit(double reach) : reach_(reach) {}
@@ -50,7 +54,7 @@ class LocalFit {
     ++count_;
   }
 
-  /// Of the polynomial of this degree, 1 to 3, or less where points are few.
+  /// The slope at 0 of the polynomial of this degree, 1 to 3, or of a lower degree if there are few points.
   double slope(Eigen::Index degree) const {
     const Eigen::Index terms = std::min<Eigen::Index>(degree + 1, count_ / 2);
     if (terms < 2) return 0;
@@ -71,7 +75,7 @@ std::size_t GeodesicCurvature::update(const SurfaceCurve& curve, double window, 
   const auto& points = curve.points;
   if (curve.closed) first_changed = 0;
   turn(curve, first_changed);
-  // A point whose window reaches beyond the last unchanged one may see the change, or the end.
+  // The estimate of a point may change if its window reaches beyond the last unchanged point.
   const double unchanged = first_changed > 0 ? points[first_changed - 1].t : 0;
   while (first_changed > 0 && points[first_changed - 1].t + window >= unchanged) --first_changed;
   curvature_.resize(points.size());
@@ -120,7 +124,7 @@ float GeodesicCurvature::slope_at(const SurfaceCurve& curve, double window, std:
   };
   walk(true);
   walk(false);
-  // Beside a sharp bend parabolas and cubics overshoot to the wrong side.
+  // Beside a sharp bend, parabolas and cubics overshoot to the wrong sign.
   return static_cast<float>(fit.slope(most_turned > bend / 2 ? 1 : to_end < reach ? 2 : 3));
 }
 

@@ -1,3 +1,4 @@
+// Interpolates the pen and the frame of a curve linearly between its points.
 #include <burin/stroke/curve/surface_curve.h>
 #include <burin/stroke/pen_angles.h>
 
@@ -17,7 +18,8 @@ PenAt place_between(const CurvePoint& a, const CurvePoint& b, double s, double t
           .normal = a.normal + share * (b.normal - a.normal)};
 }
 
-/// In the last part of a closed curve, between its last point and the first: time goes on as before it.
+/// Interpolates on the closing segment of a closed curve, between its last point and the first. Time advances
+/// at the rate of the segment before.
 PenAt pen_before_seam(const SurfaceCurve& curve, double t) {
   const CurvePoint &before = *(curve.points.end() - 2), &from = curve.points.back(), &to = curve.points[0];
   const double seconds = from.time - before.time, beyond = t - from.t;

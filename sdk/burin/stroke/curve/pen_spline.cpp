@@ -1,3 +1,5 @@
+// Steffen's monotone cubic interpolation (1990): Hermite cubics whose slopes are those of a parabola through
+// three samples, limited to twice the smaller secant slope and zero at local extrema. O(1) per segment.
 #include <burin/stroke/curve/pen_spline.h>
 #include <burin/stroke/pen_angles.h>
 
@@ -7,7 +9,7 @@
 namespace burin {
 namespace {
 
-/// Slope between two intervals of these extents and secants.
+/// The slope at the point between two intervals of these lengths and secant slopes.
 double inner_slope(double before, double after, double secant_before, double secant_after) {
   if (secant_before * secant_after <= 0) return 0;
   const double parabola = (secant_before * after + secant_after * before) / (before + after);
@@ -15,7 +17,7 @@ double inner_slope(double before, double after, double secant_before, double sec
   return std::copysign(std::min(std::abs(parabola), steepest), parabola);
 }
 
-/// Slope at the free end of an interval that has one neighbour.
+/// The slope at the free end of an interval that has one neighbour.
 double end_slope(double extent, double neighbour, double secant, double secant_neighbour) {
   const double share = extent / (extent + neighbour);
   const double parabola = secant * (1 + share) - secant_neighbour * share;
@@ -27,7 +29,7 @@ MonotoneCubic cubic(const MonotoneCubic::Intervals& intervals, const std::array<
   return {intervals, values[0], values[1], values[2], values[3]};
 }
 
-/// As they follow each other without a jump.
+/// The twists plus or minus whole turns so that successive ones differ by at most half a turn.
 std::array<double, 4> unwound_twists(const std::array<Pen, 4>& pens) {
   const double from = pens[1].twist, to = twist_near(pens[2].twist, from);
   return {twist_near(pens[0].twist, from), from, to, twist_near(pens[3].twist, to)};
@@ -68,7 +70,7 @@ double MonotoneCubic::at(double s) const {
   const double s2 = s * s, s3 = s2 * s;
   const double value =
       from_ + (3 * s2 - 2 * s3) * (to_ - from_) + (s3 - 2 * s2 + s) * slope_from_ + (s3 - s2) * slope_to_;
-  return std::clamp(value, std::min(from_, to_), std::max(from_, to_));  // but for rounding within already
+  return std::clamp(value, std::min(from_, to_), std::max(from_, to_));  // against rounding errors
 }
 
 PenCubic::PenCubic(const MonotoneCubic::Intervals& intervals, const Pen& first, const Pen& from,

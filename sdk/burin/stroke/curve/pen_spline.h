@@ -6,26 +6,27 @@
 namespace burin {
 
 /// The monotone cubic between two samples of a value [Steffen, A simple method for monotonic interpolation in
-/// one dimension, 1990]: smooth, never beyond the two, and level where the value turns. So a pen sampled
-/// seldom is the pen sampled often, to third order.
+/// one dimension, 1990]. It is continuously differentiable, stays between the two values and is level at
+/// local extrema of the samples. Except there, its error is of third order in the sampling interval.
 class MonotoneCubic {
  public:
-  /// Extents of three successive intervals of the parameter; 0 for one that is missing.
+  /// Lengths of three successive intervals of the parameter; 0 for a missing one.
   struct Intervals {
     double before = 0, within = 1, after = 0;
   };
-  /// Values at the four ends of the intervals. Those of a missing one are not looked at.
+  /// Takes the values at the four ends of the intervals, and ignores those of a missing interval.
   MonotoneCubic(const Intervals& intervals, double first, double from, double to, double last);
 
-  /// At a share of the interval in the middle, 0..1.
+  /// The value at a share s, 0..1, of the middle interval.
   double at(double s) const;
 
  private:
   double from_, to_;
-  double slope_from_, slope_to_;  ///< a unit of s
+  double slope_from_, slope_to_;  ///< per unit of s
 };
 
-/// The same of the pen. Its tilt is the direction of its upper end, and its twist goes the shorter way round.
+/// Monotone cubics of the fields of a pen. The tilt is interpolated as the direction of the pen's upper end,
+/// and the twist the shorter way round.
 class PenCubic {
  public:
   PenCubic(const MonotoneCubic::Intervals& intervals, const Pen& first, const Pen& from, const Pen& to,
@@ -38,12 +39,12 @@ class PenCubic {
   PenCubic(const MonotoneCubic::Intervals& intervals, const Pens& pens);
 
   Pen from_;
-  bool tilts_;  ///< from one sample to the other
+  bool tilts_;  ///< whether the tilt differs between the two samples
   MonotoneCubic pressure_, twist_;
   std::array<MonotoneCubic, 3> upper_;  ///< coordinates of the upper end
 };
 
-/// Time and pen between two samples of a stroke.
+/// Interpolates time and pen between two samples of a stroke.
 struct PenSpline {
   MonotoneCubic times;
   PenCubic pens;

@@ -1,3 +1,5 @@
+// A state machine with the states "moving" and "resting". Samples wait until it is known whether they become
+// knots. A call costs O(waiting samples + log knots).
 #include <burin/stroke/curve/pen_way.h>
 
 #include <algorithm>
@@ -45,7 +47,8 @@ PenWay::Change PenWay::add(std::vector<PenKnot>& knots, const PenKnot& sample) {
   return other_pen ? Change::pen : Change::none;
 }
 
-/// The last of those that wait gives way to the next as long as it is too near to the one before.
+/// Appends a sample to the waiting ones. It replaces the last one if that is nearer than the least step to
+/// the one before it, or while the pen trembles.
 void PenWay::wait(const PenKnot& anchor, const PenKnot& sample) {
   const auto before_last = [&]() -> const PenKnot& {
     return waiting_.size() > 1 ? waiting_[waiting_.size() - 2] : anchor;
@@ -67,7 +70,7 @@ void PenWay::go_on(std::vector<PenKnot>& knots) {
 }
 
 void PenWay::rest(std::vector<PenKnot>& knots) {
-  constexpr double straying = 1.5;  // of the distance from where it rests
+  constexpr double straying = 1.5;  // path length over distance from where the pen rests
   const PenKnot& anchor = knots.back();
   const double away = distance(anchor, waiting_.back());
   farthest_ = std::max(farthest_, away);

@@ -7,40 +7,43 @@
 
 namespace burin {
 
-/// A sample that a stroke's curve goes through.
+/// A sample that the curve of a stroke passes through.
 struct PenKnot {
   CurveGround::Place place;
-  double time = 0;  ///< since the first sample, seconds
+  double time = 0;  ///< seconds since the first sample
   Pen pen;
-  double way = 0;         ///< from the first knot, along straight lines from knot to knot, object units
-  std::size_t point = 0;  ///< of the curve, where it goes through the knot
+  double way = 0;         ///< length of the polyline of knots from the first knot to this one, object units
+  std::size_t point = 0;  ///< index of the curve's point at this knot
   const Vec3f& position() const { return place.at.position; }
 };
 
-/// Decides which samples lead a stroke on: all of a pen that moves, none of one that rests and trembles.
+/// Chooses the samples that become knots of the curve: all samples of a moving pen, none of a pen that rests
+/// and trembles.
 ///
-/// The pen comes to rest where it turns back, or where it went a tenth of the radius and is not half as far
-/// from where that way began. It goes on once it is a twentieth of the radius from where it rested. If until
-/// then it kept going away, as from a corner or back over its own way, all samples count, else only the last.
-/// Until it goes on its samples may be shown, but be taken back. Samples nearer to the one before than the
-/// least step count only once the pen is farther, so that a slow pen leaves no more of them than a fast one.
-/// All depends on the samples so far alone.
+/// The pen comes to rest where it reverses its direction, or where it moved a tenth of the radius and is less
+/// than half of that from where it was before. It moves again once it is a twentieth of the radius away from
+/// where it rested. If it went straight away from there, as after a corner or when it retraces its path, all
+/// samples since then become knots, else only the last one. Until then these samples are preliminary knots,
+/// which a later sample may remove. A sample nearer to the one before than the least step becomes a knot only
+/// when the pen is farther away, so that a slow pen makes no more knots than a fast one. The result depends
+/// on the samples so far only.
 class PenWay {
  public:
-  /// `radius`: of the stroke, `least_step`: between samples, object units.
+  /// `radius`: radius of the stroke; `least_step`: least distance between knots; object units.
   PenWay(double radius, double least_step);
 
+  /// What a sample changed.
   enum class Change {
     none,
     pen,  ///< time or pen of the last knot
-    way,  ///< its place, or other knots
+    way,  ///< the position of the last knot, or other knots
   };
 
-  /// Takes the next sample to the knots, which nobody else may add to or remove. Samples that do not count
-  /// give their pen to the last knot; one in the very place of the last knot gives its time, too.
+  /// Adds a sample to the knots, which no other code may add to or remove. A sample that does not become a
+  /// knot passes its pen to the last knot; a sample at the position of the last knot also passes its time.
   Change add(std::vector<PenKnot>& knots, const PenKnot& sample);
 
-  /// Knots that stay.
+  /// The number of final knots; those after them are preliminary.
   std::size_t taken() const { return taken_; }
 
  private:
@@ -54,10 +57,10 @@ class PenWay {
 
   double least_step_, zone_;
   std::size_t taken_ = 0;
-  std::vector<PenKnot> waiting_;  ///< samples since the last knot that stays; of a tremble only the last
+  std::vector<PenKnot> waiting_;  ///< samples since the last final knot; while the pen trembles only the last
   bool resting_ = false;
-  bool trembles_ = false;  ///< at rest, and went to and fro
-  double farthest_ = 0;    ///< from where it rests
+  bool trembles_ = false;  ///< the pen is at rest and went to and fro
+  double farthest_ = 0;    ///< greatest distance from where the pen rests, object units
 };
 
 }  // namespace burin

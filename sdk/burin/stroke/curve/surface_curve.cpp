@@ -1,5 +1,7 @@
-// Surface curves: samples joined by centripetal Catmull-Rom splines [Barry and Goldman 1988; Yuksel et al.
-// 2011], brought onto the ground by closest points.
+// Traces the curve of a stroke: a centripetal Catmull-Rom spline through the samples [Barry and Goldman 1988;
+// Yuksel, Schaefer and Keyser 2011], sampled half an edge apart and projected onto the ground by closest
+// points. A new sample traces only the
+// segments that are not final, so its cost does not depend on the length of the stroke.
 #include <burin/math/elementary.h>
 #include <burin/stroke/curve/surface_curve.h>
 #include <burin/surface/geometry/unit_tangent.h>
@@ -31,8 +33,8 @@ Vec3d knot_tangent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return (b - a) / before - (c - a) / (before + after) + (c - b) / after;
 }
 
-/// The same at a, of the parabola through the three: the spline's tangent where it begins, or, in reverse,
-/// where it ends.
+/// The tangent at a, per unit of the knot interval, of the parabola through a, b, c: the spline's tangent at
+/// its start or, with the points in reverse order, the reversed tangent at its end.
 Vec3d end_tangent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const double near = std::sqrt((b - a).norm()), far = std::sqrt((c - b).norm());
   const Vec3d first = (b - a) / near, second = (c - b) / far;
@@ -52,7 +54,8 @@ HermiteSegment spline_segment(const Vec3d* a, const Vec3d& b, const Vec3d& c, co
   return {b, c, at_b, at_c};
 }
 
-/// Of the circular arc that turns from the one tangent to the other over the chord. At a corner, the chord.
+/// The length of the circular arc over the chord from a point to `to` that turns from one tangent to the
+/// other, to second order in the turn. At a corner, the length of the chord.
 double arc_length(const CurvePoint& from, const Vec3f& to, const Vec3f& tangent) {
   const double chord = (to - from.at.position).cast<double>().norm();
   const double turn = (tangent - from.tangent).cast<double>().squaredNorm();
@@ -70,7 +73,7 @@ PenAt pen_of(const CurvePoint& point) {
           .normal = point.normal};
 }
 
-/// CurvePoint::speed after a step from this point.
+/// CurvePoint::speed after a step of this length and duration from a point.
 double faded_speed(const CurvePoint& from, double length, double seconds) {
   const double faded = -math::expm1(-seconds / speed_fading_time);
   const double weight = seconds > 0 ? faded / seconds : 1 / speed_fading_time;
@@ -122,7 +125,7 @@ void CurveTracer::set_widths(std::size_t from_point) {
   }
 }
 
-/// Traces from a knot to the next; of a closed curve, from the last knot towards the first.
+/// Appends the points from knot k to the next; on a closed curve the first knot follows the last.
 void CurveTracer::trace_segment(std::size_t k) {
   const PenKnot &from = knots_[k], &to = *neighbour(k, 1, true);
   const PenKnot *before = neighbour(k, 1, false), *after = neighbour(k, 2, true);
@@ -151,7 +154,7 @@ void CurveTracer::trace_segment(std::size_t k) {
   knots_[k + 1].point = curve_.points.size() - 1;
 }
 
-/// The knot so many steps after or before; none beyond the ends of an open curve.
+/// The knot so many steps after or before; null beyond the ends of an open curve.
 const PenKnot* CurveTracer::neighbour(std::size_t knot, std::size_t steps, bool forward) const {
   const std::size_t count = knots_.size();
   if (!curve_.closed && (forward ? knot + steps >= count : knot < steps)) return nullptr;
@@ -162,7 +165,8 @@ double CurveTracer::spacing(const SurfacePoint& at) const {
   return std::clamp<double>(ground_.point_spacing(at), min_spacing_, max_spacing_);
 }
 
-/// Time does not go on from the last knot of a closed curve to the first, the pen does.
+/// The spline of time and pen from knot k to the next. On a closed curve the pen continues across the seam,
+/// the time does not.
 PenSpline CurveTracer::pen_spline(std::size_t k) const {
   const PenKnot *before = neighbour(k, 1, false), *after = neighbour(k, 2, true);
   const auto interval = [](const PenKnot* a, const PenKnot* b) {

@@ -14,28 +14,27 @@
 
 namespace burin {
 
-/// Turns the samples of one stroke into its surface curve as they arrive. Between two samples the curve
-/// follows the centripetal Catmull-Rom spline of the samples, brought onto the surface by closest points;
-/// time and pen follow monotone cubics, which stay between the samples' values. What a pen at rest trembles,
-/// or a slow one creeps, is left out as PenWay tells. The curve depends on the ground, the samples so far and
-/// the radius only, not on when it was asked for: the part up to the last sample but one that stays is final,
-/// the rest is replaced by the next add(). Samples are places on the ground, or points of the surface. One
-/// thread.
+/// Turns the samples of one stroke into its curve on the surface as they arrive. Between two samples the
+/// curve follows the centripetal Catmull-Rom spline of the samples, projected onto the ground by closest
+/// points; time and pen follow monotone cubics, which stay between the samples' values. PenWay leaves out the
+/// tremor of a resting pen. The curve depends only on the ground, the samples so far and the radius. The part
+/// before the last final knot but one is final; the next add() replaces the rest, and costs what it replaces.
+/// Samples are points of the ground or of the surface. One thread.
 class CurveTracer {
  public:
-  /// `radius`: of the stroke, object units. Points are half an edge apart, but at least radius / 1000 and
-  /// at most radius / 8.
+  /// `radius`: radius of the stroke, object units. Points are half an edge apart, but at least radius / 1000
+  /// and 1e-5 of the surface's scale, and at most radius / 8 unless that is less.
   CurveTracer(const CurveGround& ground, double radius, StrokeWidth width = {});
   CurveTracer(const Surface& surface, const Picker& picker, double radius, StrokeWidth width = {})
       : CurveTracer(CurveGround(surface, picker), radius, std::move(width)) {}
 
-  /// Whether a place can follow the samples so far, as CurveGround::connects() says. Not so where the pen
-  /// jumps over a silhouette or a gap.
+  /// Whether CurveGround::connects() the last knot with a point. False where the pen jumps across a
+  /// silhouette or a gap.
   bool connects(const CurveGround::Place& place) const;
   bool connects(const SurfacePoint& point) const { return connects(ground_.place(point)); }
 
-  /// Appends a sample at this place, and says what that changed. A sample at the place of the one before only
-  /// updates time and pen.
+  /// Appends a sample at this point, and returns what changed. A sample at the position of the one before
+  /// only updates time and pen.
   PenWay::Change add(const CurveGround::Place& place, double time, const Pen& pen);
   PenWay::Change add(const SurfacePoint& point, double time, const Pen& pen) {
     return add(ground_.place(point), time, pen);
@@ -45,24 +44,25 @@ class CurveTracer {
 
   const SurfaceCurve& curve() const { return curve_; }
 
-  /// Whether the pen came back to where it began: the curve is at least four radii long, the place in its
-  /// last quarter that is nearest to the first sample is at most half a radius from it, and over half a
-  /// radius the curve arrives there within 60 degrees of the direction in which it began.
+  /// Whether the pen came back to its start. Three conditions hold: the curve is at least four radii long;
+  /// the point of its last quarter that is nearest to the first sample is at most half a radius away from it;
+  /// the direction of the curve over the last half radius before that point is within 60 degrees of its
+  /// direction over the first half radius.
   bool came_back() const;
 
-  /// The samples so far as a closed curve: the periodic spline, which goes on from the last sample to the
-  /// first. What the pen drew beyond the place where it came nearest to the first sample, if that is within
-  /// half a radius, is left out, and so are last samples on top of the first: nearer than half the mean
-  /// distance of samples, or than half an edge. Over the closing segment the pen moves at its mean speed.
-  /// Nothing where the closure leaves the curve open, the last sample does not connect with the first, or
-  /// fewer than three remain.
+  /// The curve of the samples so far as a periodic spline, which continues from the last sample to the first.
+  /// If the curve comes within half a radius of the first sample, samples after the nearest point are left
+  /// out. So are last samples that nearly coincide with the first: nearer than half the mean distance of
+  /// samples or than half an edge. On the closing segment the pen moves at its mean speed. Returns nothing if
+  /// `closure` does not ask for a closed curve, the last sample does not connect with the first, or fewer
+  /// than three samples remain.
   std::optional<SurfaceCurve> closed_curve(Closure closure) const;
 
-  /// Points of curve() that later samples leave as they are.
+  /// The number of points of curve() that later samples do not change.
   std::size_t final_points() const { return final_points_; }
 
  private:
-  /// Where the curve, in its last quarter, is nearest to the first knot.
+  /// The point in the last quarter of the curve that is nearest to the first knot.
   struct Return {
     std::size_t point;
     double distance;
@@ -92,7 +92,7 @@ class CurveTracer {
   std::size_t final_points_ = 0;
 };
 
-/// Between the points around t; at the ends beyond them.
+/// Interpolates pen and curve at arc length t, in O(log points). Beyond the ends they are those of the end.
 PenAt pen_at(const SurfaceCurve& curve, double t);
 
 }  // namespace burin

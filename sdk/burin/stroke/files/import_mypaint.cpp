@@ -1,3 +1,4 @@
+// Reads libmypaint's event recordings.
 #include <burin/base/error.h>
 #include <burin/stroke/files/import.h>
 #include <burin/stroke/files/number_lines.h>

@@ -1,3 +1,4 @@
+// Reads recordings of HTML PointerEvents from JSON.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/stroke/files/import.h>
@@ -14,10 +15,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Numbers take some twenty times as much memory as the library holds them.
+/// A limit below that of other files, since the JSON library needs about twenty times the memory of the text.
 constexpr std::uintmax_t most_json_bytes = std::uintmax_t{1} << 26;
 
-/// Reads the arrays of one file.
+/// The arrays of one file.
 class PointerEvents {
  public:
   explicit PointerEvents(const std::filesystem::path& path);
@@ -26,7 +27,7 @@ class PointerEvents {
   std::vector<PenEvent> events() const;
 
  private:
-  /// The array of this name as long as x, or empty when the file has none.
+  /// The array of this name, which must be as long as x, or an empty one if the file does not have it.
   std::vector<double> optional_column(const char* name) const;
   std::vector<double> column(const char* name) const;
   [[noreturn]] void reject(std::string_view place, std::string_view what) const {

@@ -1,3 +1,4 @@
+// Reads recordings of handwriting in SVC files.
 #include <burin/base/error.h>
 #include <burin/math/elementary.h>
 #include <burin/stroke/files/import.h>
@@ -16,7 +17,8 @@ namespace {
 
 constexpr double tenth_of_degree = std::numbers::pi / 1800;
 
-/// Tablets give where the pen's upper end points: clockwise from the tablet's top, and above its plane.
+/// Sets the tilt of a pen whose upper end points to `azimuth`, clockwise from the tablet's top, and
+/// `altitude` above its plane, both in radians.
 void set_tilt(Pen& pen, double azimuth, double altitude) {
   const double level = math::cos(altitude);
   set_upper_end(pen, {level * math::sin(azimuth), -level * math::cos(azimuth), math::sin(altitude)});

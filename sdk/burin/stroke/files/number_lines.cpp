@@ -1,3 +1,4 @@
+// Reads lines of numbers.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/stroke/files/number_lines.h>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
-/// Takes the next number off the text; false where there is none.
+/// Removes the next number from the front of the text. Returns false if there is none.
 bool take_number(std::string_view& text, double& value) {
   text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);

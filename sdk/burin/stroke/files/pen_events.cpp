@@ -1,3 +1,4 @@
+// Groups a recorder's events into strokes and fits these into a viewport.
 #include <burin/base/error.h>
 #include <burin/stroke/files/pen_events.h>
 #include <burin/stroke/files/recording_faults.h>
@@ -13,7 +14,7 @@ namespace {
 
 using Box = Eigen::AlignedBox2d;
 
-/// Gathers the runs of contact of each pointer.
+/// Makes one stroke of each run of events in which a pointer touches the tablet.
 class ContactRuns {
  public:
   ContactRuns(const PenFields& fields, ImportCounts& counts) : fields_(fields), counts_(counts) {}
@@ -49,7 +50,7 @@ void ContactRuns::take(const PenEvent& event) {
   samples.back().time = std::max(event.sample.time, earliest);
 }
 
-/// A pressure that is 0 although the pen touches the tablet is that of a recorder which has none.
+/// Removes the pressure of all strokes if it is 0 in all events in contact, since such a recorder has none.
 void drop_void_pressure(std::vector<RecordedStroke>& strokes, ImportCounts& counts) {
   const auto pressed = [](const RecordedStroke& stroke) {
     return !stroke.fields.pressure ||

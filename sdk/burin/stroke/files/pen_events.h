@@ -5,15 +5,15 @@
 
 namespace burin {
 
-/// A recorder's event, in its own pixels.
+/// An event of a recorder, in the recorder's pixels.
 struct PenEvent {
   Sample sample;
   bool contact = false;  ///< the pen touches the tablet
-  double pointer = 0;    ///< which of several
+  double pointer = 0;    ///< id of the pointer, for recorders that have several
 };
 
-/// The strokes among the events, in the camera's viewport, as import.h describes them. Throws FileError
-/// where there is none.
+/// Makes strokes of the events in the camera's viewport, by the rules in import.h. Throws FileError if there
+/// is no stroke.
 Import import_of(const std::filesystem::path& path, const std::vector<PenEvent>& events,
                  const PenFields& fields, const Camera& camera);
 

@@ -1,3 +1,4 @@
+// Checks the values of a recording.
 #include <burin/stroke/files/recording_faults.h>
 
 #include <Eigen/LU>
@@ -42,7 +43,7 @@ std::string_view fault_of(const Dynamic& dynamic) {
 }
 
 std::string_view fault_of(const RecordedStroke& settings) {
-  // Brushes compute in floats.
+  // Brushes compute in floats, so values are checked as floats.
   const auto radius = static_cast<float>(settings.radius.value_or(1));
   if (!(radius > 0 && std::isfinite(radius))) return "radius must be positive";
   if (!std::isfinite(static_cast<float>(settings.strength))) return "strength must be finite";

@@ -5,7 +5,8 @@
 
 namespace burin {
 
-/// What keeps a value out of a `.stroke` file, for reader and writer alike; empty when nothing does.
+/// The reason why a value is not allowed in a `.stroke` file, or an empty text if it is allowed. Reader and
+/// writer use these functions.
 std::string_view fault_of(const Camera& camera);
 std::string_view fault_of(const Dynamic& dynamic);
 std::string_view fault_of(const RecordedStroke& settings);

@@ -1,3 +1,4 @@
+// Parses the lines of a `.stroke` file.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <burin/stroke/files/recording_faults.h>
@@ -31,7 +32,7 @@ const Json& member(const Json& object, const char* name) {
   return *found;
 }
 
-/// As messages show it.
+/// A JSON value as messages show it.
 std::string word_of(const Json& value) {
   return quoted_word(value.is_string() ? value.get<std::string>() : value.dump());
 }

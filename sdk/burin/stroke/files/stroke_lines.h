@@ -6,7 +6,7 @@
 
 namespace burin {
 
-// The kinds of line of a `.stroke` file, from JSON. All throw Error that says what is wrong.
+// Parsers of the kinds of line of a `.stroke` file. All throw Error whose text says what is wrong.
 
 struct HeaderLine {
   StrokeSpace space = StrokeSpace::object;
@@ -14,7 +14,7 @@ struct HeaderLine {
 };
 HeaderLine parse_header(const nlohmann::json& line);
 
-/// Where a number of a sample goes.
+/// The member of Sample that a number of a sample line belongs to.
 enum class Column { unknown, time, x, y, z, pressure, tilt_x, tilt_y, twist };
 
 struct BeginLine {

@@ -1,3 +1,4 @@
+// Reads a `.stroke` file line by line, and checks the order of the lines.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/stroke/files/stroke_lines.h>
@@ -12,12 +13,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Takes the lines of a file in order.
+/// Parses the lines of a file in order.
 class Reader {
  public:
   explicit Reader(std::string path) : path_(std::move(path)) {}
 
-  /// `complete`: the line had its newline.
+  /// `complete`: whether the line ends with a newline.
   void take_line(std::string_view text, bool complete);
 
   Recording finish();
@@ -56,9 +57,9 @@ void Reader::take_line(std::string_view text, bool complete) {
   }
 }
 
-/// Nothing for a line that was cut off.
+/// Parses a line; returns nothing for a line that was cut off.
 std::optional<Json> Reader::parse(std::string_view text, bool complete) {
-  // The parser would take a zero byte for the end of its input.
+  // The parser would treat a zero byte as the end of its input.
   std::size_t column = text.find('\0') + 1;
   try {
     if (column == 0) return Json::parse(text);

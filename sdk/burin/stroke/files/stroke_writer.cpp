@@ -1,3 +1,4 @@
+// Writes a `.stroke` file line by line.
 #include <burin/base/error.h>
 #include <burin/stroke/files/recording_faults.h>
 #include <burin/stroke/stroke_file.h>
@@ -51,7 +52,7 @@ std::vector<std::string> field_names(const PenFields& fields, StrokeSpace space)
   return names;
 }
 
-/// The line, or ContractError for text that is not UTF-8.
+/// The line as JSON text. Throws ContractError for a text that is not UTF-8.
 std::string dump(const Json& line) {
   try {
     return line.dump();
@@ -60,14 +61,14 @@ std::string dump(const Json& line) {
   }
 }
 
-/// Appends the shortest text that is read back as the same double. "-0" would be read as the integer 0.
+/// Appends the shortest text that is read back as the same double. "-0" would be read back as the integer 0.
 void append(std::string& line, double value) {
   const bool negative_zero = value == 0 && std::signbit(value);
   line += negative_zero ? std::string("-0.0,") : fmt::format("{},", value);
 }
 
-/// The shortest text of a float, read as a double and rounded, is that float again. All of them were tried;
-/// the one exception is 7.0385307e-26, which goes with the other small ones as a double.
+/// Appends the shortest text of a float. Read as a double and rounded, it gives that float again: all floats
+/// were tried. The one exception, 7.0385307e-26, is among the small values that are written as doubles.
 void append(std::string& line, float value) {
   if (std::abs(value) < 1e-20f) return append(line, static_cast<double>(value));
   line += fmt::format("{},", value);
@@ -127,7 +128,7 @@ void StrokeWriter::end() {
   open_ = false;
 }
 
-/// One write and one flush, so that the system usually gets a line whole or not at all.
+/// Writes a line by one write and one flush, so that the system usually gets it whole or not at all.
 void StrokeWriter::write_line(std::string line) {
   line += '\n';
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));
