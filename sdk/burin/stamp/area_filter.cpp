@@ -1,3 +1,6 @@
+// Filters a stamp over an elliptic area: two neighbouring levels of the mip pyramid are averaged over the
+// ellipse and mixed. The filter is anisotropic, in the manner of the elliptical weighted average [Heckbert
+// 1989], with a constant weight over the ellipse. A sample visits at most about 64 by 64 texels per level.
 #include <burin/stamp/area_filter.h>
 
 #include <algorithm>
@@ -8,14 +11,15 @@
 namespace burin {
 namespace {
 
-/// Diameter, in texels of the level that it is taken from, of the narrowest ellipse that is taken from it.
+/// The width of an ellipse, in texels, above which coarser levels are used.
 constexpr double finest = 4;
-/// The longest ellipse in texels of the level, which bounds the cost of a sample.
+/// The length of an ellipse, in texels, above which coarser levels are used. On no level is an ellipse longer
+/// than twice that, which bounds the cost of a sample.
 constexpr double longest = 32;
-/// Least square of a half axis in texels: keeps a line or a point from having no area.
+/// The least square of a half axis, in texels squared, so that every ellipse has an area.
 constexpr double least = 1e-8;
 
-/// The points x with x^T A^-1 x <= 1 for the symmetric matrix A, in texels of a level.
+/// The points x with x^T A^-1 x <= 1 for the symmetric matrix A = (xx, xy; xy, yy), in texels of a level.
 struct Ellipse {
   double xx, xy, yy;
 };
@@ -37,7 +41,7 @@ Ellipse inscribed(const SampleArea& area, int width, int height) {
   return {ax * ax + bx * bx, ax * ay + bx * by, ay * ay + by * by};
 }
 
-/// With the shorter half axis, and the longer one if need be, drawn out to sqrt(least).
+/// The ellipse with both half axes extended to at least sqrt(least).
 Ellipse with_area(const Ellipse& e) {
   const auto [short_square, long_square] = half_axes(e);
   if (short_square >= least) return e;
@@ -46,22 +50,24 @@ Ellipse with_area(const Ellipse& e) {
   return {e.xx + gain * (long_square - e.xx), e.xy - gain * e.xy, e.yy + gain * (long_square - e.yy)};
 }
 
-/// What is left to be averaged of an ellipse in texels of the stamp when a texel of the level, the mean of
-/// stretch_x * stretch_y texels, is sampled bilinearly: in either direction the variances of box and tent,
-/// stretch^2 / 12 + stretch^2 / 6 less those at stretch 1, add up with that of an ellipse, half axis^2 / 4.
+/// The ellipse to average over on a level, for an ellipse in texels of the stamp. A texel of the level is
+/// already the mean of stretch_x * stretch_y texels and is interpolated bilinearly. The variances of that box
+/// and tent, stretch^2 / 12 + stretch^2 / 6 minus their values at stretch 1, are subtracted from the variance
+/// of the ellipse, which is (half axis)^2 / 4.
 Ellipse on_level(const Ellipse& e, double stretch_x, double stretch_y) {
   const auto done = [](double stretch) { return 1 - 1 / (stretch * stretch); };
   return with_area({e.xx / (stretch_x * stretch_x) - done(stretch_x), e.xy / (stretch_x * stretch_y),
                     e.yy / (stretch_y * stretch_y) - done(stretch_y)});
 }
 
-/// The finer of two levels and the share of the coarser.
+/// The finer of two levels to mix, and the weight of the coarser.
 struct LevelSpan {
   std::size_t level;
   double weight;
 };
 
-/// Between powers of two in proportion to the width, not to its logarithm: the same bits on any machine.
+/// The levels for an ellipse of this width in units of the finest level's width. The weight is linear in the
+/// width, not in its logarithm, so that it has the same bits on every machine.
 LevelSpan level_span(double width, std::size_t levels) {
   if (!(width > 1)) return {0, 0};
   const auto level = static_cast<std::size_t>(std::bit_cast<std::uint64_t>(width) >> 52) - 1023;
@@ -69,18 +75,18 @@ LevelSpan level_span(double width, std::size_t levels) {
   return {level, width / static_cast<double>(std::uint64_t{1} << level) - 1};
 }
 
-/// Without a call of std::floor, as in_period.
+/// The greatest whole number not above `place`. Does not call std::floor, which is slow on some processors.
 std::ptrdiff_t whole_below(double place) {
   const auto whole = static_cast<std::ptrdiff_t>(place);
   return place < static_cast<double>(whole) ? whole - 1 : whole;
 }
 
-/// One channel of a level; texel centres lie at whole numbers.
+/// One channel of a level, with texel centres at whole numbers.
 class Texels {
  public:
   Texels(const StampImage& image, int channel) : image_(image), first_(image.texels.data() + channel) {}
 
-  /// Mean from (begin, y) to (end, y) of the bilinear image.
+  /// The mean of the bilinear image over the line from (begin, y) to (end, y).
   double line_mean(double begin, double end, double y) const {
     const std::ptrdiff_t row = whole_below(y);
     const Line line{row_of(row), row_of(row + 1), y - static_cast<double>(row)};
@@ -96,7 +102,7 @@ class Texels {
   }
 
  private:
-  /// Two rows of texels, null where the image is black, and the weight of the second.
+  /// Two rows of texels, null outside a black wrap's borders, and the weight of the second.
   struct Line {
     const float *above, *below;
     double weight;
@@ -119,8 +125,8 @@ class Texels {
   const float* first_;
 };
 
-/// Mean of the bilinear image over the ellipse around (x, y): exact along lines, and across them by Gauss'
-/// rule of two points in every row of texels.
+/// The mean of the bilinear image over the ellipse around (x, y): exact integrals along lines, and
+/// Gauss-Legendre quadrature with two points per row of texels across them.
 double ellipse_mean(const Texels& texels, double x, double y, const Ellipse& e) {
   const double height = std::sqrt(e.yy), slope = e.xy / e.yy;
   const double half_chord = std::sqrt(e.xx - slope * e.xy);
@@ -146,7 +152,7 @@ double level_mean(const MipPyramid& pyramid, std::size_t index, int channel, flo
   const StampImage& stamp = pyramid.stamp();
   Ellipse e = on_level(on_stamp, static_cast<double>(stamp.width) / level.width(),
                        static_cast<double>(stamp.height) / level.height());
-  // The last level has no coarser one: there an ellipse of many images is made smaller.
+  // The last level has no coarser one, so an ellipse that covers many copies of the image is shrunk there.
   const double shrink = longest * longest / half_axes(e).long_square;
   if (shrink < 1) e = with_area({e.xx * shrink, e.xy * shrink, e.yy * shrink});
   const double width = level.width(), height = level.height();

@@ -1,3 +1,5 @@
+// Fills values that are not finite from the border of the finite region inwards, one ring of texels per
+// round. Each texel is visited a constant number of times: O(texels).
 #include <burin/stamp/clean.h>
 
 #include <algorithm>
@@ -37,7 +39,7 @@ class ChannelFill {
       }
   }
 
-  /// Those that have finite neighbours.
+  /// The bad texels that have finite neighbours.
   std::vector<std::ptrdiff_t> with_neighbours(const std::vector<std::ptrdiff_t>& bad) {
     std::vector<std::ptrdiff_t> front;
     for (const std::ptrdiff_t texel : bad) {
@@ -48,7 +50,7 @@ class ChannelFill {
     return front;
   }
 
-  /// Fills the front from what was finite before, and returns the next.
+  /// Fills the texels of the front from values that were finite before, and returns the next front.
   std::vector<std::ptrdiff_t> fill(const std::vector<std::ptrdiff_t>& front) {
     std::vector<float> means;
     for (const std::ptrdiff_t texel : front) {

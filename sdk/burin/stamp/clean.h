@@ -5,10 +5,10 @@
 
 namespace burin {
 
-/// Gives every value that is not finite the mean of the finite ones among the texel's eight neighbours in
-/// the same channel, neighbours across the border by the image's wrap among them; then those next to these,
-/// and so on. A channel without a finite value becomes 0. Returns the number of values filled. The image's
-/// range is not set anew.
+/// Replaces every value that is not finite by the mean of the finite values among the eight neighbours of the
+/// texel in the same channel, across the border according to the image's wrap. Texels without finite
+/// neighbours follow in further rounds. A channel without any finite value becomes 0. Returns the number of
+/// values replaced. Does not update the image's range. O(texels).
 std::size_t fill_not_finite(StampImage& image);
 
 }  // namespace burin

@@ -1,3 +1,4 @@
+// Writes EXR files.
 #include <burin/base/error.h>
 #include <burin/stamp/files/encode_image.h>
 #include <burin/stamp/float_image.h>
@@ -15,7 +16,7 @@ void write_exr(const std::filesystem::path& path, const FloatImage& image) {
   spec.channelnames = image.channels;
   spec.attribute("compression", "zip");
   spec.attribute("oiio:ColorSpace", "Linear");
-  // Left open it would be the time of writing, and no two files the same.
+  // Without this attribute the library stores the time of writing, so that no two files would be equal.
   spec.attribute("DateTime", "");
   write_encoded(path, "exr", spec, image.texels.data());
 }

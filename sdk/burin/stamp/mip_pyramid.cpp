@@ -1,3 +1,4 @@
+// Halves an image again and again by weighted means. O(texels) in all.
 #include <burin/base/parallel.h>
 #include <burin/stamp/mip_pyramid.h>
 
@@ -7,18 +8,18 @@
 namespace burin {
 namespace {
 
-/// Part of a texel that is a mean, by the texel it is taken from.
+/// A texel of the finer row and its weight in the mean of a coarser texel.
 struct Share {
   std::int64_t index;
   double weight;
 };
 
-/// For each texel between the borders of a row of `to` <= `from` texels the shares of the row of `from`
-/// texels.
+/// The shares of each texel of a row of `to` texels that covers a row of `from` >= `to` texels, rings left
+/// out.
 std::vector<std::vector<Share>> shares_within(std::int64_t from, std::int64_t to) {
   std::vector<std::vector<Share>> shares(static_cast<std::size_t>(to));
   for (std::int64_t index = 0; index < to; ++index) {
-    // In units of 1 / (from * to) of the row a texel of the one is `to` wide and of the other `from`.
+    // In units of 1 / (from * to) of the row a finer texel is `to` wide and a coarser one `from`.
     const std::int64_t begin = index * from, end = begin + from;
     for (std::int64_t i = begin / to; i * to < end; ++i) {
       const std::int64_t covered = std::min((i + 1) * to, end) - std::max(i * to, begin);
@@ -29,8 +30,8 @@ std::vector<std::vector<Share>> shares_within(std::int64_t from, std::int64_t to
   return shares;
 }
 
-/// The same with the ring of the coarser row, which comes from that of the finer one, or from the stamp's
-/// border where that has none.
+/// The shares of each texel of a coarser row, its ring included. The ring is a copy of the ring of the finer
+/// row, or of the stamp's border texels if the finer row has no ring.
 std::vector<std::vector<Share>> shares(int from, int from_ring, int to, bool ring) {
   std::vector<std::vector<Share>> all = shares_within(from, to);
   for (std::vector<Share>& texel : all)

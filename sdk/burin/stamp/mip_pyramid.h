@@ -5,20 +5,20 @@
 
 namespace burin {
 
-/// An image of a pyramid.
+/// One level of a pyramid.
 struct MipLevel {
   StampImage image;
-  /// Columns left and right, and rows above and below, that the image holds beyond the stamp's borders: 1
-  /// where the stamp is clamped and this is not the stamp itself, else 0.
+  /// The number of columns left and right, and of rows above and below, that the image holds outside the
+  /// stamp's borders: 1 if the stamp is clamped and this is not level 0, else 0.
   int ring_u = 0, ring_v = 0;
 
-  /// Texels from border to border.
+  /// The number of texels between the borders.
   int width() const { return image.width - 2 * ring_u; }
   int height() const { return image.height - 2 * ring_v; }
 };
 
-/// A stamp and ever smaller averages of it, for samples that cover more than one texel. Takes 4/3 of the
-/// stamp's memory.
+/// A stamp and successively halved averages of it (mipmaps), for samples that cover more than one texel.
+/// Needs 4/3 of the stamp's memory.
 struct MipPyramid {
   /// levels[0] is the stamp; each further one has half the width and height, rounded down and 1 at least; the
   /// last has one texel between its borders.
@@ -27,10 +27,11 @@ struct MipPyramid {
   const StampImage& stamp() const { return levels[0].image; }
 };
 
-/// Every texel of a level is the mean of the level before over the texel's area, where texels that lie in it
-/// in part count in part: so means stay what they are, of odd sizes too, and no texel reaches across the
-/// border [Guthe, Heckbert 2005, Non-power-of-two mipmap creation]. What lies beyond a clamped border is the
-/// same at any distance, so that means of it are means along the border: the ring.
+/// Builds the pyramid of a stamp. Every texel of a level is the mean of the level before over the texel's
+/// area; texels that lie in it partly count partly. So the mean of the image is preserved, for odd sizes too,
+/// and no texel reaches across the border [Guthe, Heckbert 2005, Non-power-of-two mipmap creation]. Outside a
+/// clamped border values do not change with the distance, so that their means are means along the border; the
+/// ring holds them. O(texels), on all threads.
 MipPyramid make_mip_pyramid(StampImage stamp);
 
 }  // namespace burin

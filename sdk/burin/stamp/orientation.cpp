@@ -1,3 +1,4 @@
+// Turns images by the orientation of EXIF and TIFF.
 #include <burin/stamp/orientation.h>
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 namespace burin {
 namespace {
 
-/// Whole numbers of a block of bytes; 0 beyond its end.
+/// The whole numbers in a block of TIFF or EXIF; numbers beyond its end are 0.
 class Numbers {
  public:
   explicit Numbers(std::string_view bytes) : bytes_(bytes), big_endian_(bytes.starts_with("MM")) {}

@@ -5,11 +5,11 @@
 
 namespace burin {
 
-/// How an image is stored that is to be seen upright: the numbers of EXIF and TIFF, 1 (upright) .. 8.
-/// Any other number leaves the image as it is. Turns width, height and texels; not the wrap.
+/// Turns an image upright that is stored with this orientation, a number of EXIF and TIFF: 1 (upright) .. 8.
+/// Any other number leaves the image unchanged. Changes width, height and texels, not the wrap.
 void set_upright(StampImage& image, int orientation);
 
-/// The orientation that a block of EXIF tells; 1 where it tells none or is damaged.
+/// The orientation stored in an EXIF block; 1 if it has none or is damaged.
 int exif_orientation(std::string_view exif);
 
 }  // namespace burin

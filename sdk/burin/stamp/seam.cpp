@@ -1,3 +1,4 @@
+// Compares steps across the border of an image with steps inside, to find whether the image tiles.
 #include <burin/stamp/seam.h>
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 namespace burin {
 namespace {
 
-/// A channel, with columns and rows exchanged or not, so that a seam is one in x.
+/// A channel whose columns and rows may be exchanged, so that both seams are measured in x.
 class Channel {
  public:
   Channel(const StampImage& image, int channel, bool exchanged)

@@ -1,3 +1,4 @@
+// Bilinear samples and the range of an image.
 #include <burin/stamp/stamp_image.h>
 
 #include <algorithm>
@@ -8,13 +9,14 @@
 namespace burin {
 namespace {
 
-/// Two neighbouring texels and the weight of the second. Where the image is black, no_texel.
+/// Two neighbouring texels, no_texel outside a black wrap's borders, and the weight of the second.
 struct TexelSpan {
   std::ptrdiff_t first, second;
   float weight;
 };
 
-/// In double, so that only the float coordinate itself limits the precision.
+/// The texels around a coordinate. Computes in double, so that only the float coordinate limits the
+/// precision.
 TexelSpan texel_span(float coordinate, int size, Wrap wrap) {
   const double place = wrapped_coordinate(coordinate, wrap, 1.0 / size) * size - 0.5;
   const int below = place < -1 ? -2 : place < 0 ? -1 : static_cast<int>(place);

@@ -10,19 +10,19 @@ namespace burin {
 struct StampImage {
   int width = 0, height = 0, channels = 0;
   std::vector<float> texels;                              ///< width * height * channels
-  float minimum = 0, maximum = 0;                         ///< over the first channel
+  float minimum = 0, maximum = 0;                         ///< of the first channel
   Wrap wrap_u = Wrap::periodic, wrap_v = Wrap::periodic;  ///< never unknown
 };
 
-/// Least and greatest value of a channel.
+/// The least and the greatest value of a channel.
 std::pair<float, float> channel_range(const StampImage& image, int channel);
 
-/// Sets minimum and maximum.
+/// Sets minimum and maximum from the texels.
 void set_range(StampImage& image);
 
-/// Bilinear sample of a channel: u to the right and v down, (0, 0) and (1, 1) the image's corners, texel
-/// centres at (i + 0.5) / width; beyond the corners as wrap_u and wrap_v say. NaN where u or v is not finite.
-/// Any thread.
+/// A bilinear sample of a channel. u runs to the right and v down; (0, 0) and (1, 1) are the image's corners,
+/// and texel centres are at (i + 0.5) / width. wrap_u and wrap_v define the values outside the image. Returns
+/// NaN if u or v is not finite. Any thread.
 float sample_bilinear(const StampImage& image, int channel, float u, float v);
 
 }  // namespace burin

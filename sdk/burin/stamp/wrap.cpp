@@ -1,3 +1,4 @@
+// Names of the wrap modes.
 #include <burin/stamp/wrap.h>
 
 #include <algorithm>

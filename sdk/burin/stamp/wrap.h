@@ -8,27 +8,29 @@
 
 namespace burin {
 
-/// What an image is beyond its borders in one direction. The numbers are those of burin_stamp_wrap.
+/// The values of an image outside its borders in one direction. The numbers are those of burin_stamp_wrap.
 enum class Wrap : std::int32_t {
-  unknown = 0,   ///< as the file says; periodic where it says nothing
-  periodic = 1,  ///< repeats with period 1
-  mirror = 2,    ///< repeats, every other time mirrored
-  clamp = 3,     ///< the texel at the border goes on
+  unknown = 0,   ///< the mode stored in the file, else periodic
+  periodic = 1,  ///< the image repeats with period 1
+  mirror = 2,    ///< the image repeats, every other copy mirrored
+  clamp = 3,     ///< the nearest texel at the border
   black = 4      ///< 0
 };
 
-/// "periodic", "mirror", "clamp", "black"; "unknown".
+/// The name of a wrap: "unknown", "periodic", "mirror", "clamp" or "black".
 std::string_view wrap_name(Wrap wrap);
 
-/// Wrap::unknown for any other text.
+/// The wrap with this name; Wrap::unknown for any other text.
 Wrap wrap_named(std::string_view name);
 
-/// Of "periodic,clamp", as texture files have it: u, then v. One word holds for both.
+/// The wraps in u and v from a text such as "periodic,clamp", which texture files store. A single word holds
+/// for both.
 std::pair<Wrap, Wrap> wraps_named(std::string_view names);
 
 constexpr std::ptrdiff_t no_texel = -1;
 
-/// The texel of a row of `size` that stands at any index, or no_texel where the image is black.
+/// The texel of a row of `size` texels that an index outside of the row refers to, or no_texel where the wrap
+/// is black.
 inline std::ptrdiff_t wrapped_index(std::ptrdiff_t index, std::ptrdiff_t size, Wrap wrap) {
   if (index >= 0 && index < size) return index;
   switch (wrap) {
@@ -47,8 +49,8 @@ inline std::ptrdiff_t wrapped_index(std::ptrdiff_t index, std::ptrdiff_t size, W
   }
 }
 
-/// The part of a finite coordinate in its period, 0..1. Without a call of std::floor, which costs more than
-/// all the rest of a sample where the machine has no instruction for it.
+/// The fractional part of a finite coordinate, 0..1. Does not call std::floor, which costs more than the rest
+/// of a sample on processors without an instruction for it.
 inline double in_period(float coordinate) {
   constexpr float first_whole = 8388608;  // from here on all floats are whole numbers
   if (!(std::abs(coordinate) < first_whole)) return 0;
@@ -56,8 +58,8 @@ inline double in_period(float coordinate) {
   return coordinate - (coordinate < whole ? whole - 1 : whole);
 }
 
-/// A coordinate where an image of this wrap holds the same: in its period, 0..1, or 0..2 where every other
-/// one is mirrored; else `margin` beyond 0..1 at most.
+/// An equivalent coordinate in the first period of an image: 0..1 for a periodic wrap, 0..2 for a mirrored
+/// one. For the other wraps it is clamped to at most `margin` outside 0..1.
 inline double wrapped_coordinate(float coordinate, Wrap wrap, double margin) {
   if (wrap == Wrap::periodic) return in_period(coordinate);
   if (wrap == Wrap::mirror) return 2 * in_period(coordinate / 2);

@@ -1,3 +1,4 @@
+// Encodes an image in memory and writes the file whole.
 #include <OpenImageIO/filesystem.h>
 #include <burin/base/error.h>
 #include <burin/base/file.h>

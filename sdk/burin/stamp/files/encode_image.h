@@ -5,8 +5,8 @@
 
 namespace burin {
 
-/// Writes an image file of the format that OpenImageIO knows by this name, whole or not at all. `texels` are
-/// as `spec` describes them. Throws FileError.
+/// Writes an image file in the format with this OpenImageIO name, whole or not at all. `spec` describes the
+/// layout of `texels`. Throws FileError.
 void write_encoded(const std::filesystem::path& path, const char* format, const OIIO::ImageSpec& spec,
                    const void* texels);
 

@@ -1,3 +1,5 @@
+// Reads the headers of an EXR file as OpenEXR lays them out, to check their sizes before the library
+// allocates.
 #include <burin/base/error.h>
 #include <burin/stamp/files/exr_header.h>
 #include <burin/stamp/files/image_limits.h>
@@ -10,7 +12,7 @@
 namespace burin {
 namespace {
 
-/// Numbers, least byte first, and texts that a zero ends.
+/// Reads the numbers of a header, which are little-endian, and its zero-terminated texts.
 class HeaderReader {
  public:
   explicit HeaderReader(const std::filesystem::path& path)
@@ -50,12 +52,12 @@ class HeaderReader {
   std::ifstream in_;
 };
 
-/// Of an image of the file.
+/// The sizes of one part (image) of the file.
 struct Part {
   std::uint64_t width = 0, height = 0, tile_width = 0, tile_height = 0, channels = 1, chunks = 0;
   std::uint8_t compression = 0;
 
-  /// Rows of a chunk, when it is no tile.
+  /// The number of rows of a chunk in a part without tiles, by its compression.
   std::uint64_t rows() const {
     constexpr std::uint64_t rows[] = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
     return rows[std::min<std::size_t>(compression, std::size(rows) - 1)];
@@ -94,7 +96,7 @@ void read_value(HeaderReader& in, const std::string& name, const std::string& ty
   }
 }
 
-/// Of the types that have one; 0 for others.
+/// The size of a value of this type in bytes, or 0 if the type has no fixed size.
 std::uint32_t size_of(const std::string& type) {
   constexpr std::pair<const char*, std::uint32_t> sizes[] = {{"box2f", 16},
                                                              {"box2i", 16},
@@ -125,8 +127,9 @@ std::uint32_t size_of(const std::string& type) {
   return found == std::end(sizes) ? 0 : found->second;
 }
 
-/// The library reads values by their types, whatever size the file gives them, and what follows from where
-/// they end: texts of several lengths and a small picture of the image among them.
+/// Checks that the sizes inside an attribute of variable size (a preview image, a list of texts or of
+/// channels) add up to the attribute's size. The library reads such values by their content and continues
+/// where they end, whatever size the file states.
 void expect_inner_sizes(HeaderReader& in, const std::string& type, std::uint64_t size) {
   const std::streamoff begin = in.at();
   std::uint64_t used = size;
@@ -143,7 +146,8 @@ void expect_inner_sizes(HeaderReader& in, const std::string& type, std::uint64_t
   in.go_to(begin);
 }
 
-/// Up to the empty name that ends it; false where the header is empty itself.
+/// Reads the attributes of one part, up to the empty name that ends them. Returns false if there are none,
+/// which ends the headers of a file of several parts.
 bool read_part(HeaderReader& in, std::uint64_t file_bytes, Part& part) {
   bool any = false;
   for (std::string name = in.text(); !name.empty(); name = in.text(), any = true) {

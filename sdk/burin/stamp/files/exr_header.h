@@ -4,9 +4,10 @@
 
 namespace burin {
 
-/// OpenEXR asks for memory as a file's header tells it, before anything of the image is read: for the places
-/// of all chunks, and for a chunk's texels. Throws FileError where that is more than a file of this size may
-/// ask for (expect_stamp_size), or where the header has no end. [openexr.com, OpenEXR File Layout]
+/// Checks the sizes in the header of an EXR file. OpenEXR allocates memory for the offsets of all chunks and
+/// for the texels of a chunk by the header alone, before it reads the image. Throws FileError if that is more
+/// than a file of this size may ask for (expect_stamp_size), or if the header is damaged or incomplete.
+/// [openexr.com, OpenEXR File Layout]
 void expect_exr_header(const std::filesystem::path& path, std::uint64_t file_bytes);
 
 }  // namespace burin

@@ -1,3 +1,4 @@
+// Checks the size of an image against that of its file.
 #include <burin/base/error.h>
 #include <burin/stamp/files/image_limits.h>
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Reads the markers of a JPEG file [ITU-T T.81].
 #include <burin/stamp/files/jpeg_size.h>
 
 #include <cstddef>
@@ -5,7 +6,7 @@
 namespace burin {
 namespace {
 
-/// The bytes of a file as numbers, 0 beyond its end.
+/// The bytes of a file as numbers; bytes beyond its end are 0.
 class Bytes {
  public:
   explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
@@ -22,13 +23,13 @@ class Bytes {
 
 constexpr std::uint32_t start_of_scan = 0xda, end_of_image = 0xd9;
 
-/// Frames of any kind, but not tables (C4, CC) nor an extension (C8).
+/// Whether a marker begins a frame: C0 to CF except the tables C4 and CC and the extension C8.
 bool begins_frame(std::uint32_t marker) {
   return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
 }
 
-/// Where the next marker stands behind compressed data, in which FF 00 is a byte FF, and FF D0 to D7 are
-/// marks.
+/// The position of the next marker after compressed data, in which FF 00 is a byte FF and FF D0 to FF D7 are
+/// restart markers.
 std::size_t behind_scan(const Bytes& file, std::size_t at) {
   for (; at + 1 < file.size(); ++at) {
     const std::uint32_t next = file.byte(at + 1);
@@ -43,7 +44,8 @@ std::size_t behind_scan(const Bytes& file, std::size_t at) {
 JpegSize jpeg_size(std::string_view bytes) {
   const Bytes file(bytes);
   JpegSize size;
-  // Segments FF MARKER LENGTH ..., from behind the file's first marker on; fill bytes FF may stand between.
+  // After the first marker the file consists of segments FF MARKER LENGTH ..., with fill bytes FF between
+  // them.
   for (std::size_t at = 2; at + 1 < file.size() && file.byte(at) == 0xff;) {
     const std::uint32_t marker = file.byte(at + 1);
     if (marker == 0xff) {

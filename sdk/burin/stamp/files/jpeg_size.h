@@ -4,13 +4,14 @@
 
 namespace burin {
 
-/// What the markers of a JPEG file tell: the size, before the library sets memory aside, which it does when
-/// it opens a progressive one, and whether the file has its end, which the library makes up where it is cut
-/// off.
+/// Facts from the markers of a JPEG file: the size, which must be checked before the library opens a
+/// progressive file and allocates memory for it, and whether the file has its end marker, which the library
+/// supplies silently if the file is cut off.
 struct JpegSize {
-  std::uint32_t width = 0, height = 0, components = 0;  ///< all 0 where there is no frame
+  std::uint32_t width = 0, height = 0, components = 0;  ///< all 0 without a frame
   bool has_end = false;
 };
+/// Reads the markers of a JPEG file in O(bytes).
 JpegSize jpeg_size(std::string_view bytes);
 
 }  // namespace burin

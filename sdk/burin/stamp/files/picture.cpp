@@ -1,3 +1,4 @@
+// Writes PNG files.
 #include <burin/base/error.h>
 #include <burin/stamp/files/encode_image.h>
 #include <burin/stamp/files/picture.h>

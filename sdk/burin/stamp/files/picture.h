@@ -5,7 +5,7 @@
 
 namespace burin {
 
-/// A picture for people: sRGB bytes, rows from the top.
+/// A picture for display: sRGB bytes, rows from the top.
 struct Picture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;  ///< width * height * 3

@@ -1,3 +1,4 @@
+// Reads PNG files with libpng directly, so that no colour conversion is applied.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
@@ -14,8 +15,8 @@
 namespace burin {
 namespace {
 
-/// libpng's reading of one file. The library reports errors by long jumps, which may only leave functions
-/// whose objects have nothing to clean up: everything that has is a member.
+/// Reads one file with libpng. The library reports errors by longjmp, which must not skip destructors of
+/// local objects. So all objects with destructors are members.
 class PngReader {
  public:
   PngReader(std::string path, std::string bytes)
@@ -48,7 +49,7 @@ class PngReader {
   }
 
  private:
-  // Long jumps end in the next three, which hold nothing but members.
+  // A longjmp returns to one of the next three functions, which have no local objects with destructors.
   bool read_header() {
     if (setjmp(png_jmpbuf(png_))) return false;
     png_read_info(png_, info_);
@@ -82,7 +83,7 @@ class PngReader {
   void set_texels() {
     const std::size_t values = std::size_t{image_.width} * image_.height * image_.channels;
     image_.texels.reserve(values);
-    const float unit = 1 / (image_.words ? 65535.0f : 255.0f);  // as OpenImageIO has it for other formats
+    const float unit = 1 / (image_.words ? 65535.0f : 255.0f);  // OpenImageIO's factor for other formats
     for (std::size_t i = 0; i < values; ++i) {
       const unsigned number = image_.words ? unsigned{raw_[2 * i]} << 8 | raw_[2 * i + 1] : raw_[i];
       image_.texels.push_back(static_cast<float>(number) * unit);

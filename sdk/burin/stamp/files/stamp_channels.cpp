@@ -1,3 +1,4 @@
+// Chooses the channels of a stamp by their names.
 #include <burin/base/error.h>
 #include <burin/base/lower_case.h>
 #include <burin/base/quoted_word.h>
@@ -21,7 +22,7 @@ std::string_view layer_of(std::string_view name) {
 
 std::string_view within_layer(std::string_view name) { return name.substr(name.rfind('.') + 1); }
 
-/// "'a', 'b', 'c'", no more than a line holds.
+/// A list of names for a message, "'a', 'b', 'c'", truncated to 12 names.
 template <class Names>
 std::string list_of(const Names& names) {
   constexpr std::size_t most = 12;
@@ -34,7 +35,7 @@ std::string list_of(const Names& names) {
   return list;
 }
 
-/// What the end of a channel's name says, and what stands before it.
+/// A channel's name split into its meaningful end and the prefix before it.
 struct Suffix {
   char axis;  ///< one of r g b x y z, a for alpha
   std::string prefix;
@@ -59,7 +60,7 @@ std::vector<Suffix> suffixes(std::string_view channel) {
   return found;
 }
 
-/// The channels of one layer, by what their names say.
+/// The channels of one layer, grouped by prefix and end of their names.
 class Layer {
  public:
   Layer(const std::vector<std::string>& names, std::vector<std::size_t> members)
@@ -93,7 +94,7 @@ class Layer {
     if (has("ry") || has("by")) refuse("they are luminance and chroma, neither heights nor vectors");
   }
 
-  /// Empty where no three channels are a vector.
+  /// The channels of a vector, or an empty list if no three channels are one.
   std::vector<std::size_t> choose_vector() const {
     std::vector<std::vector<std::size_t>> found;
     for (const auto& [prefix, axes] : by_suffix_)
@@ -102,7 +103,7 @@ class Layer {
         if (vector.empty()) continue;
         found.push_back(vector);
       }
-    // Prefixes are in order: that of none comes first.
+    // The map sorts prefixes, so the empty one comes first.
     const bool plain = found.size() > 1 && is_plain(found[0]) && !is_plain(found[1]);
     if (found.size() > 1 && !plain) refuse("several of its channels are vectors");
     return found.empty() ? std::vector<std::size_t>() : found.front();
@@ -134,7 +135,7 @@ class Layer {
 
   const std::vector<std::string>& names_;
   const std::vector<std::size_t> members_;
-  /// Of every prefix and axis the channels with such names.
+  /// [prefix][axis] the channels with such names.
   std::map<std::string, std::map<char, std::vector<std::size_t>>> by_suffix_;
 };
 

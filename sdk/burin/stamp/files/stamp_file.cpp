@@ -1,3 +1,5 @@
+// Reads a stamp: the stored image, then no-data values, orientation, wrap, values that are not finite, and
+// zero.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <burin/stamp/clean.h>
@@ -14,7 +16,7 @@
 namespace burin {
 namespace {
 
-/// What whole numbers were divided by; 1 for others.
+/// The number by which whole numbers of this type were divided; 1 for other types.
 double greatest_of(const std::string& texel_type) {
   constexpr std::pair<const char*, double> types[] = {
       {"uint8", 255}, {"uint16", 65535}, {"int16", 32767}, {"uint", 4294967295}, {"int", 2147483647}};
@@ -23,7 +25,7 @@ double greatest_of(const std::string& texel_type) {
   return found == std::end(types) ? 1 : found->second;
 }
 
-/// Makes NaN of what stands for nothing: values equal to no_data but for the rounding of its text.
+/// Replaces values that equal no_data, up to the rounding of its text, by NaN.
 void drop_no_data(StoredImage& stored) {
   if (!stored.no_data) return;
   const double none = *stored.no_data / greatest_of(stored.file.texel_type), rounding = std::abs(none) * 1e-5;
@@ -53,7 +55,7 @@ void expect_finite(const std::string& path, const StoredImage& stored) {
                   why);
 }
 
-/// Alpha, where there is one, keeps its zero.
+/// Subtracts `zero` from all channels but alpha.
 void move_zero(StampImage& image, float zero) {
   if (zero == 0) return;
   const auto channels = static_cast<std::size_t>(image.channels);

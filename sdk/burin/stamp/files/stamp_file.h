@@ -8,44 +8,46 @@
 
 namespace burin {
 
+/// Options for reading a stamp.
 struct StampOptions {
-  Wrap wrap_u = Wrap::unknown;  ///< unknown: as the file says, periodic where it says nothing
+  Wrap wrap_u = Wrap::unknown;  ///< unknown: the mode stored in the file, else periodic
   Wrap wrap_v = Wrap::unknown;
   bool clean = false;      ///< fill values that are not finite (fill_not_finite) instead of refusing the file
-  std::string layer = {};  ///< whose channels count, as choose_channels takes it
-  std::string channel = {};  ///< one, or three or four between commas, instead of those that names tell
-  float zero = 0;  ///< the file's value that is to be 0: half for whole numbers with a sign; not of alpha
+  std::string layer = {};  ///< layer to choose channels from, see choose_channels()
+  std::string channel = {};  ///< one name, or three or four separated by commas; empty: chosen by names
+  float zero = 0;            ///< the file's value that becomes 0; does not apply to alpha
 
   bool operator==(const StampOptions&) const = default;
 };
 
-/// What a file says of its image besides the texels.
+/// Facts about the image of a file besides its texels.
 struct StampFile {
   std::string format, texel_type;       ///< "openexr", "half"
-  std::string compression;              ///< empty where the file does not tell
-  std::vector<std::string> channels;    ///< those of the stamp, in its order
-  std::vector<std::string> unused;      ///< the file's others
+  std::string compression;              ///< empty if the file does not say
+  std::vector<std::string> channels;    ///< names of the stamp's channels, in its order
+  std::vector<std::string> unused;      ///< names of the file's other channels
   int tile_width = 0, tile_height = 0;  ///< 0: not tiled
   int mip_levels = 1;
-  Wrap wrap_u = Wrap::unknown, wrap_v = Wrap::unknown;  ///< unknown: the file does not tell
-  int orientation = 1;  ///< 1 .. 8, as EXIF and TIFF tell; the stamp is turned upright
-  /// Data window, in texels from the upper left corner of the image as it is stored.
+  Wrap wrap_u = Wrap::unknown, wrap_v = Wrap::unknown;  ///< unknown: the file does not say
+  int orientation = 1;  ///< 1 .. 8, a number of EXIF and TIFF; the stamp is turned upright
+  /// The data window, in texels from the upper left corner of the image as it is stored.
   int data_x = 0, data_y = 0, data_width = 0, data_height = 0;
-  std::size_t not_finite = 0;  ///< values that were filled
+  std::size_t not_finite = 0;  ///< number of values that were filled
 };
 
-/// Reads an image of half, float or whole texels, of 8, 16 or 32 bits, from an EXR, TIFF, PNG or JPEG file,
-/// told by its first bytes. docs/stamp_files.md has all that is read, in short:
-/// - of the channels one, three or four, chosen by their names (choose_channels); grey with alpha is grey;
-/// - of EXR the display window, 0 where the data window leaves it out, and the largest of several mip levels;
-/// - whole numbers as fractions of their largest, 255, 65535 or 4294967295, with a sign 32767 or 2147483647,
-///   and as linear: a stamp is data, so no sRGB curve or gamma is undone and colour is not multiplied by
-///   alpha;
-/// - upright, where the file tells how it is turned; a place on a page is left out;
-/// - black as 0, also where the file has white as 0; what it marks as no data as not finite.
-/// Throws FileError: not readable, truncated, other texels, channels or formats, several images or layers and
-/// none chosen, deep texels, too large (image_limits.h), a value that is not finite (named by channel, x, y)
-/// unless options.clean.
+/// Reads a stamp from an EXR, TIFF, PNG or JPEG file, whose format its first bytes determine. Texels are
+/// half, float or whole numbers of 8, 16 or 32 bits. docs/stamp_files.md has the details; in short:
+/// - One, three or four channels are read, chosen by their names (choose_channels); grey with alpha is grey.
+/// - Of EXR the display window is read, with 0 outside the data window, and the largest of several mip
+/// levels.
+/// - Whole numbers become fractions of their largest value: 255, 65535 or 4294967295, with a sign 32767 or
+///   2147483647. They are linear data: no sRGB curve or gamma is undone, and alpha multiplies nothing.
+/// - The image is turned upright by the orientation in the file; its position on a page is ignored.
+/// - Black is 0, also in files that store white as 0. Texels marked as no data are not finite.
+/// `file`: receives facts about the file; may be null.
+/// Throws FileError if the file is unreadable or truncated, has other texels, channels or a format not
+/// listed, several images or layers of which none is chosen, or deep texels, is too large (image_limits.h),
+/// or holds a value that is not finite (the message names channel, x and y) without options.clean.
 StampImage read_stamp(const std::filesystem::path& path, const StampOptions& options = {},
                       StampFile* file = nullptr);
 

@@ -1,3 +1,4 @@
+// Reads images with OpenImageIO (EXR, TIFF, JPEG) and libpng, after checks of sizes that the libraries lack.
 #include <OpenImageIO/imageio.h>
 #include <burin/base/error.h>
 #include <burin/base/file.h>
@@ -23,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The format by a file's first bytes, whatever its name: "openexr", "tiff", "png" or "jpeg".
+/// The format of a file by its first bytes, whatever its name: "openexr", "tiff", "png" or "jpeg".
 const char* format_of(const fs::path& path, std::uintmax_t size) {
   if (size == 0) throw FileError(path.string(), "is empty");
   std::array<char, 4> first{};
@@ -42,7 +43,7 @@ const char* format_of(const fs::path& path, std::uintmax_t size) {
   throw FileError(path.string(), "is no EXR, TIFF, PNG or JPEG image");
 }
 
-/// An image of a file: EXR has one or more, called parts.
+/// One image of a file. EXR files have one or more, called parts.
 struct Part {
   int index = 0;
   OIIO::ImageSpec spec;
@@ -70,14 +71,15 @@ class ImageFile {
   }
 
   int count_mip_levels(const Part& part) {
-    // Asked for a level that is not there of a part that it is not at, the library reads zeros from then on.
+    // If the library is asked for a missing level of a part other than the current one, it reads zeros
+    // afterwards.
     input_->seek_subimage(part.index, 0);
     int levels = 1;
     while (input_->seek_subimage(part.index, levels)) ++levels;
     return levels;
   }
 
-  /// The channels of a part from the first to the last of these, interleaved.
+  /// Reads the channels `first` to `last` of a part, interleaved.
   std::vector<float> read(const Part& part, int first, int last) {
     std::vector<float> values(part.spec.image_pixels() * static_cast<std::size_t>(last + 1 - first));
     if (!input_->read_image(part.index, 0, first, last + 1, OIIO::TypeFloat, values.data()))
@@ -90,7 +92,7 @@ class ImageFile {
   std::uintmax_t bytes() const { return bytes_; }
 
  private:
-  /// The library's complaint as one line.
+  /// Throws the library's error message as one line.
   [[noreturn]] void fail(std::string text) const {
     std::replace(text.begin(), text.end(), '\n', ' ');
     throw FileError(path_, text.empty() ? "not readable as an image" : printable(text));
@@ -101,7 +103,8 @@ class ImageFile {
   std::unique_ptr<OIIO::ImageInput> input_;
 };
 
-/// The names of all channels of all parts; those of a part among several begin with the part's name.
+/// The names of all channels of all parts. If there are several parts, names start with the name of their
+/// part.
 std::vector<std::string> channel_names(const std::vector<Part>& parts) {
   std::vector<std::string> names;
   for (const Part& part : parts) {
@@ -112,10 +115,10 @@ std::vector<std::string> channel_names(const std::vector<Part>& parts) {
   return names;
 }
 
-/// Where the channels that a stamp is made of stand.
+/// The channels that a stamp is made of, all of one part.
 struct ChosenChannels {
   Part part;
-  std::vector<int> channels;  ///< of the part
+  std::vector<int> channels;  ///< numbers within the part
   std::vector<std::string> names, unused;
 };
 
@@ -158,14 +161,14 @@ void expect_texels(const std::string& path, const ChosenChannels& chosen, std::s
                                         quoted_word(spec.channel_name(c)), type.c_str()));
 }
 
-/// What a reader of the file is to see. A page offset of TIFF tells where a picture stands on paper and moves
-/// nothing; only files that tell the size of a whole picture besides have a window.
+/// Removes the offset of an image that is not EXR and does not state the size of a whole picture: TIFF's page
+/// offset is a position on paper, not a data window.
 void set_window(OIIO::ImageSpec& spec, std::string_view format) {
   const bool whole = spec.full_width == spec.width && spec.full_height == spec.height;
   if (format != "openexr" && whole) spec.x = spec.y = spec.full_x = spec.full_y = 0;
 }
 
-/// The part of the data window that lies in the display window, in its place.
+/// The display window of an image: the data window where they overlap, else 0.
 std::vector<float> display_window(const OIIO::ImageSpec& spec, std::int64_t channels,
                                   std::vector<float> data) {
   if (spec.roi() == spec.roi_full()) return data;
@@ -182,7 +185,8 @@ std::vector<float> display_window(const OIIO::ImageSpec& spec, std::int64_t chan
   return display;
 }
 
-/// Of values of `stored` channels a texel those that are asked for, in their order.
+/// Selects channels, in their order, from values with `stored` channels per texel, the first of which is
+/// `first`.
 std::vector<float> picked(std::vector<float> values, std::size_t stored, int first,
                           const std::vector<int>& channels) {
   bool all = channels.size() == stored;
@@ -239,7 +243,7 @@ StoredImage read_chosen(ImageFile& file, const StampOptions& options) {
   return image;
 }
 
-/// The library turns bytes over where 0 is white, and nothing else.
+/// Inverts the values of an image in which 0 is white. For bytes the library has done that already.
 void make_black_zero(StoredImage& image) {
   if (image.file.texel_type == "uint8") return;
   const auto channels = static_cast<std::size_t>(image.image.channels);

@@ -5,16 +5,16 @@
 
 namespace burin {
 
-/// An image as its file stores it: not turned upright, its values as they are. The image's wrap and range are
-/// not set.
+/// An image as its file stores it: not turned upright, with no-data values in place. The image's wrap and
+/// range are not set.
 struct StoredImage {
   StampImage image;
   StampFile file;
-  std::optional<double> no_data;  ///< the value of texels that hold nothing
+  std::optional<double> no_data;  ///< the value that marks texels without data
 };
 
-/// The image of an EXR, TIFF, PNG or JPEG file of which the options choose the channels. Throws as
-/// read_stamp.
+/// Reads those channels of an EXR, TIFF, PNG or JPEG file that the options choose. Throws FileError for all
+/// reasons of read_stamp() but values that are not finite.
 StoredImage read_stored_image(const std::filesystem::path& path, const StampOptions& options);
 
 }  // namespace burin

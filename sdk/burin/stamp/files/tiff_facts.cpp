@@ -1,3 +1,4 @@
+// Reads tags of a TIFF file with libtiff.
 #include <burin/base/error.h>
 #include <burin/stamp/files/tiff_facts.h>
 #include <tiffio.h>
@@ -17,7 +18,7 @@ struct Close {
 };
 using Tiff = std::unique_ptr<TIFF, Close>;
 
-/// The library has no complaints on the terminal.
+/// Opens the file without messages of the library on the terminal.
 Tiff open(const std::filesystem::path& path) {
   TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
   TIFFOpenOptionsSetErrorHandlerExtR(options, keep_silent, nullptr);
@@ -28,7 +29,7 @@ Tiff open(const std::filesystem::path& path) {
   return tiff;
 }
 
-/// GDAL writes the number as text.
+/// The no-data value, which GDAL writes as text.
 std::optional<double> no_data_value(TIFF* tiff) {
   std::uint32_t size = 0;
   const char* text = nullptr;

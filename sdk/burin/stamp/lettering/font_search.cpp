@@ -1,3 +1,4 @@
+// Finds font files by name.
 #include <burin/base/error.h>
 #include <burin/stamp/lettering/font_search.h>
 
@@ -11,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder below the one that a variable of the environment names; nothing where it is not set.
+/// Appends the folder `below` the one that an environment variable names, if the variable is set.
 void add_below(std::vector<fs::path>& folders, const char* variable, const fs::path& below) {
   if (const char* value = std::getenv(variable); value && *value) folders.push_back(value / below);
 }

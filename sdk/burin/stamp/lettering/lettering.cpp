@@ -1,3 +1,4 @@
+// Rasterises a shaped line of text with FreeType.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/stamp/lettering/lettering.h>
@@ -42,7 +43,7 @@ Face open_face(FT_Library library, const std::string& path, std::string_view byt
   return opened;
 }
 
-/// Texels; columns to the right from the begin of the line, rows upward from the baseline.
+/// A box in texels: columns to the right from the start of the line, rows upward from the baseline.
 struct Box {
   std::int64_t left = std::numeric_limits<std::int64_t>::max(), bottom = left;
   std::int64_t right = std::numeric_limits<std::int64_t>::min(), top = right;
@@ -56,7 +57,7 @@ struct Box {
   }
 };
 
-/// The glyphs of a line as outlines in their places.
+/// Rasterises the glyphs of a line at their positions.
 class Typesetter {
  public:
   Typesetter(const std::string& path, FT_Library library, FT_Face face, const ShapedLine& line,
@@ -79,7 +80,7 @@ class Typesetter {
   }
 
  private:
-  /// 1/64 texels, FreeType's unit.
+  /// A length in FreeType's unit, 1/64 of a texel.
   FT_Pos place(std::int64_t font_units) const {
     return static_cast<FT_Pos>(std::llround(static_cast<double>(font_units) * 64 * em_ / line_.units_per_em));
   }

@@ -1,3 +1,4 @@
+// Shapes a line of text with HarfBuzz.
 #include <burin/base/error.h>
 #include <burin/base/utf8.h>
 #include <burin/stamp/lettering/shaped_line.h>
@@ -49,7 +50,7 @@ Buffer shaped(hb_font_t* font, std::string_view text) {
   Buffer buffer(hb_buffer_create());
   const int size = static_cast<int>(text.size());
   hb_buffer_add_utf8(buffer.get(), text.data(), size, 0, size);
-  // Not the one of the user's surroundings, which would be guessed: the same text looks the same everywhere.
+  // The library would guess the language from the user's locale; "und" makes text look the same everywhere.
   hb_buffer_set_language(buffer.get(), hb_language_from_string("und", -1));
   hb_buffer_guess_segment_properties(buffer.get());
   hb_shape(font, buffer.get(), nullptr, 0);
