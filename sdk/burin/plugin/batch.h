@@ -12,8 +12,9 @@
 
 namespace burin::plugin {
 
-/// The nodes of the chart to compute, one element each; burin/abi/stroke.h says what each input means.
-/// An input throws Error unless BrushInfo::inputs declares it, so ask for it once a batch, before the loop.
+/// The chart nodes to evaluate, one element per node; burin/abi/stroke.h describes each input and its unit.
+/// An accessor throws Error unless BrushInfo::inputs declares the input. Call it once per batch, before the
+/// loop. Valid during evaluate().
 class Batch {
  public:
   Batch(const burin_brush_descriptor& brush, const burin_stroke_context& context, const burin_batch& batch)
@@ -94,7 +95,7 @@ class Batch {
   Vectors vectors(const burin_vectors& values, std::uint64_t input, const char* name) const {
     return {floats(values.x, input, name), floats(values.y, input, name), floats(values.z, input, name)};
   }
-  /// A pen input has a neutral value, which stands in where the host does not know it.
+  /// A pen input, or its neutral value if the host does not know the input.
   Floats pen(const burin_floats& values, std::uint64_t input, const char* name, const float& neutral) const {
     require(true, input, name);
     return values.data ? Floats(values.data, values.stride) : Floats(&neutral, 0);

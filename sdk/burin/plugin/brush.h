@@ -11,7 +11,8 @@
 
 namespace burin::plugin {
 
-/// What a host shows of a brush, and what the brush reads and writes: `static constexpr BrushInfo info`.
+/// Describes a brush to the host: texts for people, and the inputs and outputs that the brush uses. A brush
+/// class has it as `static constexpr BrushInfo info`.
 struct BrushInfo {
   const char* id = nullptr;    ///< reverse DNS, "org.example.ripple": never changes
   const char* name = nullptr;  ///< for people
@@ -19,26 +20,28 @@ struct BrushInfo {
   const char* version = nullptr;  ///< of the brush, "1.2.0"
   const char* help = nullptr;     ///< one or two sentences
   TextList features{};            ///< tags such as "procedural", "stamp"
-  std::uint64_t inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS;
-  std::uint64_t outputs = BURIN_OUTPUT_DISPLACEMENT;
-  /// What holds where a stroke overlaps itself, unless the user chooses another.
+  std::uint64_t inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS;  ///< bits BURIN_INPUT_*
+  std::uint64_t outputs = BURIN_OUTPUT_DISPLACEMENT;                          ///< bits BURIN_OUTPUT_*
+  /// How results are combined where a stroke overlaps itself, unless the user chooses another mode.
   burin_overlap overlap = BURIN_OVERLAP_STRONGEST;
 };
 
-/// A stroke about to begin: what the constructor of a brush gets, and where it says what it needs.
+/// The argument of a brush's constructor: a stroke that is about to begin. The constructor may set the last
+/// two members to what the brush needs.
 struct StrokeStart {
   Stroke stroke;            ///< of length 0
-  Params params;            ///< every number uniform: the values before input dynamics
+  Params params;            ///< all numbers uniform: the values before input dynamics
   Host host;                ///< for Log and Stamp
   std::string module_path;  ///< the plugin's file, UTF-8, for files that lie beside it
 
-  /// How far back from the end (object units) results depend on Stroke::length() or finished(); may be
+  /// How far back from the end (object units, >= 0) results depend on Stroke::length() or finished(); may be
   /// infinite.
   double end_influence = 0;
-  std::uint32_t passes = 1;  ///< evaluations of the whole stroke, each on what the one before left
+  std::uint32_t passes =
+      1;  ///< number of evaluations of the whole stroke, each on the result of the previous
 };
 
-/// A brush while it draws one stroke. Derive a class, tell about it in static members, write one evaluate:
+/// A brush while it draws one stroke. Derive a class, describe it in static members and write evaluate():
 ///
 ///   class Ripple : public Brush {
 ///    public:
@@ -49,8 +52,9 @@ struct StrokeStart {
 ///   };
 ///   BURIN_PLUGIN(Ripple);                                      // once per module, at global scope
 ///
-/// Every stroke has an object of its own, made when the stroke begins and destroyed when it ends: files and
-/// tables that the stroke needs are members. Exceptions are welcome everywhere and reach the user as text.
+/// Every stroke has an object of its own, made when the stroke begins and destroyed when it ends. Files and
+/// tables that the stroke needs are members of it. Constructor and evaluate() may throw; the message reaches
+/// the user.
 class Brush {
  public:
   Brush() = default;
@@ -58,9 +62,9 @@ class Brush {
   Brush& operator=(const Brush&) = delete;
   virtual ~Brush() = default;
 
-  /// Computes the outputs of every element of the batch from that element's inputs alone. Runs on several
-  /// threads at once. All values written must be finite; the host scales displacement by the strength of
-  /// the stroke.
+  /// Computes the outputs of every element of the batch from the inputs of that element alone. Runs on
+  /// several threads at once. All values written must be finite; the host multiplies displacement by the
+  /// strength of the stroke and the node's mask.
   virtual void evaluate(const Batch& in, const Outputs& out) const = 0;
 };
 

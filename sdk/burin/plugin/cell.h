@@ -6,8 +6,8 @@
 
 namespace burin::plugin {
 
-/// A node of the chart and the part of the stroke that it stands for: a rectangle around (t, d) of the size
-/// footprint_t x footprint_d. What is finer than that, a brush must average or leave out. Object units.
+/// A node of the chart and its cell: the rectangle of footprint_t x footprint_d around (t, d). A brush must
+/// average or leave out details that are finer than the cell. Object units.
 struct Cell {
   float t, d, radius;
   float footprint_t, footprint_d;

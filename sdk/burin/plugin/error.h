@@ -11,8 +11,8 @@
 
 namespace burin::plugin {
 
-/// What a brush throws when it cannot go on; what() is the one line that the user will read. Any other
-/// exception reaches the host as well, as BURIN_ERROR with its what().
+/// The error that a brush throws when it cannot continue; what() is one line that the user reads. The host
+/// also receives any other std::exception, as BURIN_ERROR with its what().
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& line, burin_status status = BURIN_ERROR)
@@ -24,8 +24,8 @@ class Error : public std::runtime_error {
   burin_status status_;
 };
 
-/// Copies a line into the host's buffer: cut between characters where it is too long, control characters
-/// turned into spaces so that it stays one line.
+/// Copies a line into the host's buffer. Truncates a long line between characters, and replaces control
+/// characters by spaces so that it stays one line.
 inline void write_text(burin_text* text, std::string_view line) noexcept {
   if (!text || !BURIN_HAS(text, burin_text, data) || !text->data || text->capacity == 0) return;
   std::size_t size = std::min<std::size_t>(line.size(), text->capacity - 1);
@@ -36,7 +36,7 @@ inline void write_text(burin_text* text, std::string_view line) noexcept {
   text->data[size] = '\0';
 }
 
-/// Runs `body` for a call across the ABI: what it throws becomes a status and a text.
+/// Runs `body` for a call across the ABI, and turns an exception into a status and a text.
 template <class Body>
 burin_status guarded(burin_text* text, const Body& body) noexcept {
   try {

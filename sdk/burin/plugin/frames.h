@@ -6,7 +6,7 @@
 
 namespace burin::plugin {
 
-/// Components of a vector in the frame of its node.
+/// The components of a vector in the frame of its node: along e1, e2 and the normal.
 struct FrameComponents {
   float along, across, up;
 };
@@ -15,13 +15,14 @@ inline float dot(const Vectors& a, const Vectors& b, std::size_t i) {
   return a.x[i] * b.x[i] + a.y[i] * b.y[i] + a.z[i] * b.z[i];
 }
 
-/// The frames (e1, e2, n) of a batch's nodes. The brush declares BURIN_INPUT_NORMAL and BURIN_INPUT_E1.
+/// The frames (e1, e2, n) of a batch's nodes. The brush must declare BURIN_INPUT_NORMAL and BURIN_INPUT_E1.
 class Frames {
  public:
   explicit Frames(const Batch& in)
       : e1_(in.e1()), normal_(in.normal()), side_(in.stroke.mirrored() ? -1.0f : 1.0f) {}
 
-  /// Of vectors in object space, what Outputs takes and Batch::displacement() gives.
+  /// Converts vector i from object space to the frame of node i, in which Outputs and Batch::displacement()
+  /// are.
   FrameComponents components(const Vectors& vectors, std::size_t i) const {
     const float x = vectors.x[i], y = vectors.y[i], z = vectors.z[i];
     const float e2_x = normal_.y[i] * e1_.z[i] - normal_.z[i] * e1_.y[i];
@@ -32,7 +33,7 @@ class Frames {
 
  private:
   const Vectors e1_, normal_;
-  const float side_;  // of mirrored strokes e2 points to the right of the travel
+  const float side_;  // -1 for mirrored strokes, whose e2 points to the right of the direction of travel
 };
 
 }  // namespace burin::plugin

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cstddef>
 
-/// What a drawn figure does to the surface: raises it, colours it, protects it. A brush that draws by Ink
-/// declares ink::inputs, ink::outputs and, in its param_list, the four parameters.
+/// Draws figures on the surface: raises, colours and masks it. A brush that uses Ink declares ink::inputs,
+/// ink::outputs and, in its param_list, the four parameters below.
 namespace burin::plugin::ink {
 
 inline constexpr std::uint64_t inputs =
@@ -49,7 +49,7 @@ inline constexpr FloatParam mask{
     .initial = 0,
 };
 
-/// Writes the outputs of a batch, an element at a time.
+/// Writes the outputs of a batch, one element per call.
 class Ink {
  public:
   Ink(const Batch& in, const Outputs& out)
@@ -62,16 +62,17 @@ class Ink {
         mask_(out.mask()),
         colour_(out.colour()) {}
 
-  /// Width of the slope at an element, object units.
+  /// The width of the slope at an element, object units.
   float slope(std::size_t i, float footprint) const { return std::max(bevel_ * radius_[i], footprint); }
 
-  /// A figure whose outline is `distance` away (negative inside), seen through a cell of this size.
+  /// Draws a figure whose outline is `distance` away (negative inside) into a cell of this size; object
+  /// units.
   void draw(std::size_t i, float distance, float footprint) const {
     const float rise = smooth_step(-distance / std::max(slope(i, footprint), 1e-30f));
     draw_covered(i, coverage(distance, footprint), rise);
   }
 
-  /// A figure that covers this share of the cell and rises to `rise` (0..1) of its height there.
+  /// Draws a figure that covers this share of the cell (0..1) and has `rise` (0..1) of its height there.
   void draw_covered(std::size_t i, float covered, float rise) const {
     up_[i] = height_[i] * radius_[i] * rise;
     mask_[i] *= 1 - protects_ * covered;
@@ -79,7 +80,7 @@ class Ink {
   }
 
  private:
-  /// Over what is there, by [Porter and Duff 1984].
+  /// Lays the ink over the current colour with the operator "over" [Porter and Duff 1984].
   void lay_over(std::size_t i, float share) const {
     const float below = colour_.a[i] * (1 - share), whole = share + below;
     if (share <= 0 || whole <= 0) return;

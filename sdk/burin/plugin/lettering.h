@@ -6,11 +6,11 @@
 
 namespace burin::plugin {
 
-/// A line of text as a stamp that is 1 inside of letters; a member of a brush, as Stamp is.
+/// A line of text as a stamp that is 1 inside letters and 0 outside. A member of a brush, like Stamp.
 class Lettering {
  public:
-  /// `font`: path of a font file, or the name of one of the system's. `em`: texels to an em, 8 .. 512.
-  /// Throws Error: the host sets no text, no such font, or a character that the font lacks.
+  /// `font`: the path of a font file, or the file name of a system font. `em`: texels per em, 8 .. 512.
+  /// Throws Error if the host cannot set text, the font does not exist or it lacks a character.
   Lettering(const Host& host, const char* font, const char* text, std::uint32_t em)
       : stamp_(host, [&](const burin_stamps&, burin_stamp* stamp, burin_stamp_info*, burin_text* error) {
           const auto* lettering = host.service<burin_lettering>(BURIN_EXT_LETTERING);
@@ -19,11 +19,12 @@ class Lettering {
           return lettering->set(host.raw(), font, text, em, stamp, &info_, error);
         }) {}
 
-  /// Its measures, in ems.
+  /// The measures of the line, in ems.
   const burin_lettering_info& info() const { return info_; }
   const Stamp& stamp() const { return stamp_; }
 
-  /// Of a place x ems right of where the line begins and y above its baseline.
+  /// The position in the stamp of the point x ems to the right of the line's start and y ems above its
+  /// baseline.
   StampPlace place(float x, float y) const {
     return {(x - info_.left) / (info_.right - info_.left), (info_.top - y) / (info_.top - info_.bottom)};
   }

@@ -6,7 +6,7 @@
 
 namespace burin::plugin {
 
-/// Lines for the host's log; silent where the host keeps none. Any thread, concurrently.
+/// Writes lines to the host's log, or nothing if the host has no log. Any thread, concurrently.
 class Log {
  public:
   explicit Log(const Host& host) : host_(host.raw()) {

@@ -8,14 +8,16 @@
 
 namespace burin::plugin {
 
-/// Gradient noise in the plane [Perlin, "Improving noise", SIGGRAPH 2002]: 0 at all whole (x, y), with random
-/// slopes there, smooth between. Within [-1, 1], of mean 0 and root mean square 0.33. It is band-limited: 0.7
-/// % of its energy lies above one cycle a cell along either axis, 0.01 % above two.
+/// Gradient noise in the plane [Perlin, "Improving noise", SIGGRAPH 2002]: 0 at all integer (x, y), with
+/// random slopes there, smooth between. Its values are within [-1, 1], with mean 0 and root mean square 0.33.
+/// It is nearly band-limited: 0.7 % of its energy is above one cycle per cell along either axis, 0.01 % above
+/// two. O(1) per value.
 class GradientNoise {
  public:
   explicit constexpr GradientNoise(std::uint64_t seed) : random_(seed) {}
 
-  /// `period`: in x, cells, so that the noise at x and x + period is the same; 0 means none.
+  /// The noise at (x, y), in cells. `period`: the noise at x and x + period is the same; 0 means not
+  /// periodic.
   float operator()(double x, double y, std::int64_t period = 0) const {
     const double left = std::floor(x), low = std::floor(y);
     const auto u = static_cast<float>(x - left), v = static_cast<float>(y - low);
@@ -33,11 +35,12 @@ class GradientNoise {
     return rest < 0 ? rest + period : rest;
   }
 
-  /// From a to b with level tangents and no curvature at either.
+  /// Interpolates from a to b with zero slope and curvature at both ends.
   static float mix(float a, float b, float x) { return a + (b - a) * (x * x * x * (x * (x * 6 - 15) + 10)); }
 
-  /// The plane through 0 at lattice point (i, j) with a random unit gradient, at (u, v) from there. Rational
-  /// points of a quarter circle, turned by one of four quarters, need no sines: same bits everywhere.
+  /// The linear function that is 0 at lattice point (i, j) and has a random unit gradient, at the offset (u,
+  /// v) from there. The gradient is a rational point of a quarter circle, turned by a multiple of 90 degrees,
+  /// which needs no sines and so gives the same bits everywhere.
   float slope(std::int64_t i, std::int64_t j, float u, float v) const {
     const std::uint64_t bits = random_.bits(static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(j));
     const float s = static_cast<float>(bits >> 40) * 0x1p-24f;
@@ -50,28 +53,30 @@ class GradientNoise {
   Random random_;
 };
 
-/// Sum of gradient noises, octaves, each with cells half as long and `gain` as high as the one before. An
-/// octave fades out where the mesh cannot show it.
+/// A sum of octaves of gradient noise. Each octave has cells half as long as the one before and `gain` times
+/// its height. An octave fades out where the mesh is too coarse to show it. O(octaves) per value.
 class FractalNoise {
  public:
   struct Octaves {
     int count = 6;            ///< at least 1
     float gain = 0.5f;        ///< > 0
-    std::int64_t period = 0;  ///< in x, cells of the first octave; 0 means none
+    std::int64_t period = 0;  ///< period in x, cells of the first octave; 0 means not periodic
   };
 
   FractalNoise(std::uint64_t seed, const Octaves& octaves) : seed_(seed), octaves_(octaves) {}
 
-  /// At (x, y), measured in cells of the first octave as is the footprint of a node, its size in x and y.
-  /// Within [-1, 1].
+  /// The noise at (x, y) for a node whose cell has this size; all in cells of the first octave. Within [-1,
+  /// 1].
   float operator()(double x, double y, double footprint_x, double footprint_y) const {
     return shaped(x, y, footprint_x, footprint_y, [](float noise) { return noise; });
   }
 
-  /// The same with a function on every octave, whose values should have mean 0 and lie within [-1, 1].
+  /// The noise with a function applied to every octave. The function's values should have mean 0 and lie
+  /// within
+  /// [-1, 1].
   template <class Shape>
   float shaped(double x, double y, double footprint_x, double footprint_y, const Shape& shape) const {
-    double cells = 1;  // of this octave in one of the first
+    double cells = 1;  // cells of this octave per cell of the first
     float height = 1, sum = 0, heights = 0;
     for (int octave = 0; octave < octaves_.count; ++octave) {
       const auto index = static_cast<std::uint64_t>(octave);
@@ -87,7 +92,8 @@ class FractalNoise {
     return sum / heights;
   }
 
-  /// 1 while a cell is at least four nodes long, 0 from two nodes on. `footprint`: in cells.
+  /// The weight of an octave: 1 if a cell of the noise is at least four footprints long, 0 if it is at most
+  /// two. `footprint`: in cells of the octave.
   static float visibility(double footprint) { return smooth_step(static_cast<float>(2 - 4 * footprint)); }
 
  private:

@@ -8,13 +8,14 @@
 
 namespace burin::plugin {
 
-/// Where the results go, an element each; burin/abi/stroke.h says what each output means and what it holds
-/// before. An output throws Error unless BrushInfo::outputs declares it.
+/// Where a brush writes its results, one element per node; burin/abi/stroke.h describes each output and its
+/// value before the call. An accessor throws Error unless BrushInfo::outputs declares the output. Valid
+/// during evaluate().
 class Outputs {
  public:
   explicit Outputs(const burin_outputs& outputs) : outputs_(complete(outputs)) {}
 
-  /// Displacement from the base surface along e1, e2 and the normal, object units. Zero before.
+  /// The displacement from the base surface along e1, e2 and the normal, object units. Initially zero.
   FloatsOut along() const { return floats(outputs_.along, "displacement"); }
   FloatsOut across() const { return floats(outputs_.across, "displacement"); }
   FloatsOut up() const { return floats(outputs_.up, "displacement"); }

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-/// How a brush declares its parameters: constants of the class, one a parameter, and a list of them.
+/// A brush declares its parameters as constants of its class, one per parameter, and a list of them:
 ///
 ///   static constexpr FloatParam depth{.id = "depth", .name = "Depth", .unit = BURIN_UNIT_RADIUS,
 ///                                     .hard = {0, 10}, .soft = {0, 1}, .initial = 0.3f, .dynamic =
@@ -14,17 +14,17 @@
 ///   static constexpr ChoiceParam profile{.id = "profile", .name = "Profile", .choices = {"round", "v"}};
 ///   static constexpr auto params = param_list(depth, profile);
 ///
-/// `id` is what files and scripts store ([a-z0-9_]+, never to change), `name` and `help` are for people.
-/// `dynamic` lets the host vary the value along the stroke (pen pressure, say). Mistakes, such as a default
-/// outside of its range or an id used twice, stop the compiler.
+/// Files and scripts store `id` ([a-z0-9_]+, which must never change); `name` and `help` are for people.
+/// `initial` is the default. `dynamic` lets the host vary the value along the stroke, for example by pen
+/// pressure. Mistakes, such as a default outside its range or an id used twice, are compile errors.
 namespace burin::plugin {
 
-/// Without ends given, empty.
+/// A closed range of numbers; empty by default.
 struct Range {
   float low = 0, high = 0;
 };
 
-/// Up to 32 texts ended by a null pointer.
+/// Up to 32 texts, ended by a null pointer.
 class TextList {
  public:
   constexpr TextList() = default;
@@ -40,17 +40,19 @@ class TextList {
   std::size_t size_ = 0;
 };
 
+/// A number.
 struct FloatParam {
   const char* id = nullptr;
   const char* name = nullptr;
   const char* help = nullptr;
   burin_param_unit unit = BURIN_UNIT_NONE;
-  Range hard{0, 1};  ///< what the brush can compute with; ends may be infinite
-  Range soft{};      ///< what a slider spans; without it the hard range
+  Range hard{0, 1};  ///< values that the brush accepts; ends may be infinite
+  Range soft{};      ///< values that a slider spans; by default the hard range
   float initial = 0;
   bool dynamic = false;
 };
 
+/// A whole number.
 struct IntParam {
   const char* id = nullptr;
   const char* name = nullptr;
@@ -61,6 +63,7 @@ struct IntParam {
   bool dynamic = false;
 };
 
+/// A truth value.
 struct BoolParam {
   const char* id = nullptr;
   const char* name = nullptr;
@@ -69,15 +72,17 @@ struct BoolParam {
   bool dynamic = false;
 };
 
+/// One of several choices.
 struct ChoiceParam {
   const char* id = nullptr;
   const char* name = nullptr;
   const char* help = nullptr;
-  TextList choices{};  ///< stable ids; the value of the parameter is the index
+  TextList choices{};  ///< stable ids; the value of the parameter is an index into them
   int initial = 0;
   bool dynamic = false;
 };
 
+/// A colour.
 struct ColourParam {
   const char* id = nullptr;
   const char* name = nullptr;
@@ -86,13 +91,15 @@ struct ColourParam {
   bool dynamic = false;
 };
 
+/// The path of a file.
 struct FileParam {
   const char* id = nullptr;
   const char* name = nullptr;
   const char* help = nullptr;
-  const char* initial = nullptr;  ///< without it the user must give a file; "" when none is needed
+  const char* initial = nullptr;  ///< null if the user must choose a file; "" if none is needed
 };
 
+/// A line of text.
 struct TextParam {
   const char* id = nullptr;
   const char* name = nullptr;
@@ -100,11 +107,12 @@ struct TextParam {
   const char* initial = "";  ///< UTF-8, one line
 };
 
+/// A piecewise linear function.
 struct CurveParam {
   const char* id = nullptr;
   const char* name = nullptr;
   const char* help = nullptr;
-  std::span<const float> initial{};  ///< x0 y0 x1 y1 ... of an array that lives on, x rising
+  std::span<const float> initial{};  ///< x0 y0 x1 y1 ..., x increasing, of an array with static storage
 };
 
 }  // namespace burin::plugin

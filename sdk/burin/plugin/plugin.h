@@ -1,5 +1,5 @@
 #pragma once
-/// All that a brush author needs; see brush.h for where to start.
+/// Includes all headers for brush authors. Start reading at brush.h.
 #include <burin/plugin/brush.h>
 #include <burin/plugin/cell.h>
 #include <burin/plugin/detail/math.h>

@@ -8,8 +8,9 @@
 
 namespace burin::plugin {
 
-/// Samples a channel of the stamp that each element's tile shows: tile(i) is its Tile, stamp(tile) a
-/// reference to the Stamp. Writes into values 0 .. count - 1. Throws Error when the host refuses.
+/// Samples a channel of the stamp of each element's tile: tile(i) returns the Tile of element i, stamp(tile)
+/// a reference to its Stamp. Writes values 0 .. count - 1. Calls the host once per stamp and block of 256
+/// elements. Throws Error if the host cannot sample.
 template <class TileOf, class StampOf>
 void sample_tiles(std::size_t count, const TileOf& tile, const StampOf& stamp, const FloatsOut& values,
                   std::uint32_t channel = 0) {
@@ -26,7 +27,7 @@ void sample_tiles(std::size_t count, const TileOf& tile, const StampOf& stamp, c
     }
     for (std::size_t i = 0; i < size; ++i) {
       const Stamp* const one = shown[i];
-      if (!one) continue;  // sampled along with an earlier element
+      if (!one) continue;  // sampled together with an earlier element
       std::size_t found = 0;
       for (std::size_t k = i; k < size; ++k) {
         if (shown[k] != one) continue;

@@ -5,8 +5,8 @@
 
 namespace burin::plugin {
 
-/// Parameters for brushes with stamps: what to do with a file whose texels are not all finite, and which of
-/// its channels to take.
+/// Parameters of brushes with stamps: whether to fill texels that are not finite, and which channels of the
+/// file to use.
 inline constexpr BoolParam clean_stamp{
     .id = "clean",
     .name = "Clean",
@@ -24,7 +24,7 @@ inline constexpr TextParam stamp_channel{
     .help = "The channel of the image to take, or three between commas; else its names tell.",
 };
 
-/// The options as a brush has them, and what these parameters say. Valid as long as the parameters.
+/// The options of a brush with the values of these parameters set. Valid as long as `params`.
 inline StampOptions chosen(StampOptions options, const Params& params) {
   options.clean = params[clean_stamp].value();
   options.layer = params[stamp_layer];

@@ -13,32 +13,34 @@
 
 namespace burin::plugin {
 
-/// A place in a stamp: (0, 0) upper left, (1, 1) lower right; beyond that its wrap says what is there.
+/// A position in a stamp: (0, 0) upper left, (1, 1) lower right. The wrap defines the values outside.
 struct StampPlace {
   float u, v;
 };
 
-/// The part of a stamp that a node's cell covers: the ellipse inscribed in a parallelogram around `at` with
-/// these sides. Along and across are the cell's sides, footprint_t along e1 and footprint_d along e2.
+/// The area of a stamp that a node's cell covers: the ellipse inscribed in the parallelogram that is centred
+/// at `at` and has the sides `along` and `across`. These are the cell's sides, footprint_t along e1 and
+/// footprint_d along e2, in u and v.
 struct StampArea {
   StampPlace at;
   StampPlace along, across;
 };
 
+/// Options for opening an image.
 struct StampOptions {
-  burin_stamp_wrap wrap_u = BURIN_WRAP_UNKNOWN;  ///< unknown: as the file says, else periodic
+  burin_stamp_wrap wrap_u = BURIN_WRAP_UNKNOWN;  ///< unknown: the mode stored in the file, else periodic
   burin_stamp_wrap wrap_v = BURIN_WRAP_UNKNOWN;
   bool clean = false;  ///< fill texels that are not finite from their neighbours instead of refusing the file
-  const char* layer = "";    ///< of a file with several; empty: as the names of its channels tell
-  const char* channel = "";  ///< the same: one, or three or four between commas
-  float zero = 0;            ///< the file's value that is to be 0; not of alpha
+  const char* layer = "";    ///< layer of a file with several; empty: chosen by its name
+  const char* channel = "";  ///< one name, or three or four separated by commas; empty: chosen by their names
+  float zero = 0;            ///< the file's value that becomes 0; does not apply to alpha
 };
 
-/// An image file, open through the host while the object lives: a member of a brush, opened by the brush's
-/// constructor. Sampling is for any thread, concurrently.
+/// An image file that the host keeps open during the object's lifetime. Usually a member of a brush, opened
+/// by the brush's constructor. Sampling may run on any thread, concurrently.
 class Stamp {
  public:
-  /// Throws Error: the host has no stamps, or it cannot open the file (with the host's words).
+  /// Throws Error if the host has no stamps or cannot open the file; the text is the host's.
   Stamp(const Host& host, const char* path, const StampOptions& options = {})
       : Stamp(host,
               [&](const burin_stamps& stamps, burin_stamp* stamp, burin_stamp_info* info, burin_text* error) {
@@ -47,7 +49,7 @@ class Stamp {
                 return stamps.open_with(host.raw(), path, &raw, stamp, info, error);
               }) {}
 
-  /// A stamp that `open(burin_stamps, burin_stamp*, burin_stamp_info*, burin_text*)` opens.
+  /// Opens a stamp by calling `open(burin_stamps, burin_stamp*, burin_stamp_info*, burin_text*)`.
   template <class Open>
   Stamp(const Host& host, const Open& open) : host_(host.raw()) {
     const auto* stamps = host.service<burin_stamps>(BURIN_EXT_STAMPS);
@@ -71,14 +73,14 @@ class Stamp {
     if (stamp_.handle) service_.close(host_, stamp_);
   }
 
-  /// Size in texels, channels, range of the first channel, wrap.
+  /// Size in texels, number of channels, range of the first channel, wrap.
   const burin_stamp_info& info() const { return info_; }
 
   /// Height over width.
   float aspect() const { return static_cast<float>(info_.height) / static_cast<float>(info_.width); }
 
-  /// Writes into `values` the means of a channel over area(0) .. area(count - 1), each a StampArea.
-  /// Throws Error when the host refuses.
+  /// Writes the means of a channel over the areas area(0) .. area(count - 1), each a StampArea, into
+  /// `values`. Throws Error if the host cannot sample, as for an area that is not finite.
   template <class Area>
   void sample(std::size_t count, const Area& area, const FloatsOut& values, std::uint32_t channel = 0) const {
     Block block;
@@ -94,7 +96,7 @@ class Stamp {
   }
 
  private:
-  /// Areas to be sampled by one call, on the stack.
+  /// The areas of one call of the host, on the stack.
   class Block {
    public:
     static constexpr std::size_t capacity = 256;

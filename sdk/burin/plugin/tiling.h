@@ -12,25 +12,25 @@
 
 namespace burin::plugin {
 
-/// How tiles lie along and across a stroke. Lengths are multiples of the stroke's greatest radius.
+/// The arrangement of tiles along and across a stroke. Lengths are multiples of the stroke's greatest radius.
 struct TileLayout {
-  float length = 2;            ///< of a tile, along the stroke
-  float width = 2;             ///< of a tile, across it; the middle of row 0 runs along the stroke
-  float gap = 0;               ///< between tiles along the stroke; there u is beyond 0..1
-  bool narrow = false;         ///< tiles are narrower where the stroke is
-  bool single_row = false;     ///< row 0 alone; beyond its borders v is beyond 0..1
-  float offset_along = 0;      ///< by which the tiles are moved forward, tiles; not those of start and end
-  float offset_across = 0;     ///< by which the rows are moved to the right, tiles
-  bool mirror_along = false;   ///< every other tile along the stroke is mirrored, left side to the right
-  bool mirror_across = false;  ///< every other row is mirrored, upper side to the lower
-  bool flip_along = false;     ///< half of the tiles, at random, are mirrored
-  bool flip_across = false;    ///< the same upside down
-  bool fit = false;            ///< stretched so that an open stroke has whole tiles; a closed one always has
-  bool start = false;          ///< an open stroke begins with a tile of its own,
-  bool end = false;            ///< and ends with one
-  std::uint32_t choices = 1;   ///< stamps to choose from at random for the tiles between
+  float length = 2;            ///< length of a tile along the stroke
+  float width = 2;             ///< width of a tile across the stroke; row 0 is centred on the stroke
+  float gap = 0;               ///< gap between tiles along the stroke; u is outside 0..1 in it
+  bool narrow = false;         ///< tiles become narrower together with the stroke
+  bool single_row = false;     ///< there is row 0 only; v is outside 0..1 beside it
+  float offset_along = 0;      ///< forward shift of the tiles, except start and end tiles, in tiles
+  float offset_across = 0;     ///< shift of the rows to the right, in tiles
+  bool mirror_along = false;   ///< every other tile along the stroke is mirrored left to right
+  bool mirror_across = false;  ///< every other row is mirrored upside down
+  bool flip_along = false;     ///< half of the tiles, at random, are mirrored left to right
+  bool flip_across = false;    ///< half of the tiles, at random, are mirrored upside down
+  bool fit = false;            ///< tiles of an open stroke are stretched to a whole number, as on closed ones
+  bool start = false;          ///< an open stroke begins with a tile of its own
+  bool end = false;            ///< an open stroke ends with a tile of its own
+  std::uint32_t choices = 1;   ///< number of stamps to choose from at random for the other tiles
 
-  /// Rows that together are as wide as the stroke, wherever that is.
+  /// Sets the width so that this many rows together are as wide as the stroke everywhere.
   void span(int rows) {
     width = 2.0f / static_cast<float>(rows);
     narrow = true;
@@ -38,33 +38,32 @@ struct TileLayout {
   }
 };
 
-/// A node's place in its tile.
+/// The tile that contains a node, and the position of the node in it.
 struct Tile {
   enum Role { start, middle, end };
 
-  std::int64_t column;  ///< along the stroke, 0 the first; on a closed stroke those of one turn
-  std::int64_t row;     ///< across it, growing to the right
+  std::int64_t column;  ///< number along the stroke, 0 for the first; on a closed stroke within one turn
+  std::int64_t row;     ///< number across the stroke, increasing to the right
   Role role;
-  bool on_stroke;        ///< its middle is not beyond an end of the stroke
-  std::uint32_t choice;  ///< which of TileLayout::choices
-  StampArea area;        ///< (0, 0) .. (1, 1) within the tile, what is seen of it through the node's cell
+  bool on_stroke;        ///< whether the tile's middle is between the ends of the stroke
+  std::uint32_t choice;  ///< number of the stamp, below TileLayout::choices
+  StampArea area;        ///< the node's cell in the stamp; the tile is (0, 0) .. (1, 1)
   float cosine, sine;    ///< of the angle by which the stamp is turned
-  float right, top;      ///< -1 where the stamp is mirrored left to right, upside down; else 1
+  float right, top;      ///< -1 if the stamp is mirrored left to right or upside down; else 1
 
-  /// Of a vector in the stamp's frame (x to the right, y up): its components along e1 and e2.
+  /// The components along e1 and e2 of a vector in the stamp's frame (x to the right, y up).
   float along(float x, float y) const { return cosine * right * x - sine * top * y; }
   float across(float x, float y) const { return sine * right * x + cosine * top * y; }
 };
 
-/// Maps (t, d) to tiles: u grows along the stroke, v from its left to its right, as on an image that lies on
-/// the surface and is read in the direction of travel. Made once a batch.
+/// Maps (t, d) to tiles: u increases along the stroke and v from its left to its right, as on an image that
+/// lies on the surface and is read in the direction of travel. Make one per batch.
 ///
-/// Where the image is periodic, neighbours join without a seam, round a closed stroke too. Mirrored tiles
-/// join whatever the image is; open it with `options(layout)` so that filtering knows what is beyond its
-/// borders. Tiles depend on their place alone, so they stay as they are while a stroke grows
-/// (unless it is to `fit`): random numbers are keyed by column and row.
-/// Place within a tile: exact for the t given, but a t that comes as a float has an error of 2^-24 t, so
-/// 10 000 tiles from the start it is 1/1700 of a tile, and a seventh of that at 1400 tiles.
+/// Tiles of a periodic image join without a seam, also around a closed stroke. Mirrored tiles join whatever
+/// the image is; open it with `options(layout)` so that the filter knows the values outside its borders. A
+/// tile depends on its column and row only, also in its random choices, so it does not change while the
+/// stroke grows (unless `fit` is set). The position within a tile is exact for the given t. But t is a float
+/// with an error of 2^-24 t, which is 1/1700 of a tile 10 000 tiles from the start.
 class Tiling {
  public:
   Tiling(const TileLayout& layout, const Stroke& stroke)
@@ -80,13 +79,14 @@ class Tiling {
     tile_length_ = pitch_ * layout.length / (static_cast<double>(layout.length) + layout.gap);
   }
 
-  /// How far back from the end of a stroke its tiles depend on where that is; for StrokeStart.
+  /// How far back from the end of a stroke its tiles depend on the position of the end, object units. Assign
+  /// it to StrokeStart::end_influence.
   static double end_influence(const TileLayout& layout, const Stroke& stroke) {
     if (layout.fit || stroke.closed()) return std::numeric_limits<double>::infinity();
     return layout.end ? 2 * stroke.radius_max() * (static_cast<double>(layout.length) + layout.gap) : 0;
   }
 
-  /// With which a stamp for the tiles between start and end is to be opened.
+  /// The options with which to open a stamp for the tiles between start and end.
   static StampOptions options(const TileLayout& layout) {
     const auto wrap = [](bool alone, bool mirrored) -> burin_stamp_wrap {
       if (alone) return BURIN_WRAP_BLACK;
@@ -95,7 +95,8 @@ class Tiling {
     return {wrap(layout.gap > 0, layout.mirror_along), wrap(layout.single_row, layout.mirror_across)};
   }
 
-  /// The tile at a cell; its stamp is turned by `angle` (radians, from e1 towards e2) around its middle.
+  /// The tile that contains a cell. Its stamp is turned around its middle by `angle`, radians from e1 towards
+  /// e2.
   Tile at(const Cell& cell, float angle = 0) const {
     Tile tile{};
     const double x = column_at(cell.t, tile);
@@ -121,7 +122,7 @@ class Tiling {
     double x, y;
   };
 
-  /// From the stroke's (t, d) to the stamp's (right, up), whose unit is the stamp's size.
+  /// Maps vectors from the stroke's (t, d) to the stamp's (right, up), whose unit is the stamp's size.
   struct Frame {
     const Tile& tile;
     const double length, width;
@@ -132,7 +133,7 @@ class Tiling {
     }
   };
 
-  /// How many the stroke has of those that are stretched to fit; 0: no tile is.
+  /// The number of tiles along the stroke if they are stretched to fit; else 0.
   double whole_columns(double pitch) const {
     const bool whole = stroke_.closed() || (layout_.fit && stroke_.has_ends());
     if (!whole || stroke_.length() <= 0) return 0;
@@ -141,7 +142,7 @@ class Tiling {
     return starts_ && ends_ ? std::max(count, 2.0) : count;
   }
 
-  /// The tiles of a dab are told from those of others by where on its line it lies.
+  /// The key of random numbers. Dabs of a stroke have different keys, by their position along the line.
   static std::uint64_t key(const Stroke& stroke) {
     return stroke.dab() ? Random(stroke.seed()).bits(std::bit_cast<std::uint64_t>(stroke.dab_t()))
                         : stroke.seed();
@@ -149,13 +150,14 @@ class Tiling {
 
   static StampPlace sides(double u, double v) { return {static_cast<float>(u), static_cast<float>(v)}; }
 
-  /// Sets column and role; the place in the column, 0..1, beyond that before a start and after an end.
+  /// Sets column, role and on_stroke. Returns the position in the column, 0..1, or outside of it before a
+  /// start tile and after an end tile.
   double column_at(float t, Tile& tile) const {
     tile.role = Tile::middle;
     tile.on_stroke = true;
     if (stroke_.dab()) return t / pitch_ + 0.5;
     const double first = t / pitch_, length = stroke_.length() / pitch_;
-    // A stroke too short for both shows half of either.
+    // A stroke that is too short for both shows half of each.
     const double last = std::max(length - 1, starts_ ? std::min(1.0, length / 2) : 0.0);
     if (ends_ && first >= last) {
       tile.role = Tile::end;
@@ -193,10 +195,10 @@ class Tiling {
 
   const TileLayout layout_;
   const Stroke stroke_;
-  const double unit_;  // object units, of the layout's lengths
+  const double unit_;  // unit of the layout's lengths, object units
   const Random random_;
   const bool starts_, ends_;
-  double columns_;              // that fit the stroke; 0: they go on however long it gets
+  double columns_;              // number of columns stretched to fit the stroke; 0: not stretched
   double pitch_, tile_length_;  // along the stroke, object units
 };
 

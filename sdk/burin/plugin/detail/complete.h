@@ -7,7 +7,7 @@
 namespace burin::plugin {
 
 /// A copy of a struct that the host filled. Members beyond the host's struct_size, which an older host does
-/// not know, are zero or null: the default of every member whose comment in the ABI states no other.
+/// not know, are zero or null, which is their default unless their comment in the ABI states another one.
 template <class Struct>
 Struct complete(const Struct& from_host) noexcept {
   static_assert(std::is_trivially_copyable_v<Struct>);

@@ -4,15 +4,15 @@
 
 namespace burin::plugin {
 
-/// The application that runs the brush. Any thread; lives longer than every stroke.
+/// The application that runs the brush. Any thread; it outlives every stroke.
 class Host {
  public:
   explicit Host(const burin_host* host) : host_(host) {}
 
   const burin_host* raw() const { return host_; }
 
-  /// The host's service with this id, or null where the host withholds it. Service is the struct that the
-  /// header of the id under burin/abi/ext declares.
+  /// The host's service with this id, or null if the host does not have it. `Service` is the struct that the
+  /// header of the id in burin/abi/ext declares.
   template <class Service>
   const Service* service(const char* id) const {
     const auto get_extension = complete(*host_).get_extension;

@@ -3,8 +3,8 @@
 
 namespace burin::plugin {
 
-/// math::sin() and others. A brush that uses them instead of those of <cmath> gives the same bits on every
-/// processor.
+/// Elementary functions such as math::sin(). A brush that uses them instead of those of <cmath> gives the
+/// same bits on every processor.
 namespace math = burin::math;
 
 }  // namespace burin::plugin

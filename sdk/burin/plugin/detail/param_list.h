@@ -88,7 +88,8 @@ constexpr burin_param_info info_of(const CurveParam& param) {
 
 }  // namespace detail
 
-/// The parameters of a brush in the order in which people see them: `static constexpr auto params`.
+/// The parameters of a brush, in the order in which users see them. A brush class has the list as
+/// `static constexpr auto params`.
 template <class... Params>
 constexpr std::array<burin_param_info, sizeof...(Params)> param_list(const Params&... params) {
   return {detail::info_of(params)...};

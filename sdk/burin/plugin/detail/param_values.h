@@ -13,7 +13,8 @@
 
 namespace burin::plugin {
 
-/// A curve parameter: straight lines between knots, constant beyond the first and the last.
+/// The value of a curve parameter: linear between knots, constant beyond the first and the last. O(knots) per
+/// value.
 class Curve {
  public:
   Curve(const float* knots, std::size_t count) : knots_(knots), count_(count) {}
@@ -33,9 +34,9 @@ class Curve {
   std::size_t count_;
 };
 
-/// The values of a brush's parameters, asked for by their declarations: `in.params[depth][element]`.
-/// Asking costs a search, so ask once a batch. Valid until the call that got it returns.
-/// Throws Error for a declaration that the brush's param_list lacks.
+/// The values of a brush's parameters, accessed by their declarations: `in.params[depth][element]`. An access
+/// searches the list, so make it once per batch. Valid during the call that received it. Throws Error for a
+/// declaration that is missing from the brush's param_list.
 class Params {
  public:
   Params(const burin_brush_descriptor& brush, const burin_params* values)
@@ -50,7 +51,7 @@ class Params {
     const burin_param_value& value = find(param.id);
     return {view(value.colour[0]), view(value.colour[1]), view(value.colour[2]), view(value.colour[3])};
   }
-  /// Empty where no file was given.
+  /// The path of the file; empty if the user gave none.
   const char* operator[](const FileParam& param) const { return find(param.id).text; }
   const char* operator[](const TextParam& param) const { return find(param.id).text; }
   Curve operator[](const CurveParam& param) const {

@@ -6,8 +6,8 @@
 
 namespace burin::plugin {
 
-/// The values of one quantity for the elements of a batch, uniform or varying alike. Points into the
-/// host's buffers: valid until evaluate (or the constructor that got it) returns.
+/// A read-only view of one quantity for the elements of a batch, uniform or varying. It points into the
+/// host's buffers and is valid until evaluate(), or the constructor that received it, returns.
 template <class Stored, class Value = Stored>
 class View {
  public:
@@ -15,7 +15,8 @@ class View {
 
   Value operator[](std::size_t element) const { return static_cast<Value>(data_[element * stride_]); }
 
-  /// The value of what does not vary: a parameter that is not dynamic, any number while a stroke begins.
+  /// The value of a quantity that does not vary: a parameter that is not dynamic, or any number in a
+  /// constructor.
   Value value() const { return (*this)[0]; }
 
  private:
@@ -28,7 +29,8 @@ using Indices = View<std::uint32_t>;
 using Ints = View<float, int>;
 using Bools = View<float, bool>;
 
-/// Where an output goes, an element each. Points into the host's buffers, as View does.
+/// A view of an output, one element per node. It points into the host's buffers and is valid during
+/// evaluate().
 class FloatsOut {
  public:
   FloatsOut(float* data, std::size_t stride) : data_(data), stride_(stride) {}
@@ -45,15 +47,17 @@ class FloatsOut {
   std::size_t stride_;
 };
 
+/// Vectors as three arrays of components.
 struct Vectors {
   Floats x, y, z;
 };
 
-/// Linear RGB and coverage, each 0..1.
+/// Colours as four arrays: linear RGB and coverage, each 0..1.
 struct Colours {
   Floats r, g, b, a;
 };
 
+/// Colours to write: linear RGB and coverage, each 0..1.
 struct ColoursOut {
   FloatsOut r, g, b, a;
 };

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string_view>
 
-/// What the compiler checks of a brush's declarations, so that a host need never refuse them.
+/// Checks of a brush's declarations at compile time, so that a host never has to refuse them.
 namespace burin::plugin::checks {
 
 constexpr bool present(const char* text) { return text && *text; }
@@ -17,7 +17,8 @@ constexpr bool only(std::string_view text, std::string_view allowed) {
   return !text.empty() && text.find_first_not_of(allowed) == std::string_view::npos;
 }
 
-/// "org.example.ripple": parts of letters, digits, - and _ between dots.
+/// Whether an id is in reverse DNS order, as "org.example.ripple": letters, digits, - and _ separated by
+/// dots.
 constexpr bool reverse_dns(const char* id) {
   if (!present(id)) return false;
   const std::string_view text = id;
@@ -30,14 +31,14 @@ constexpr bool finite(float x) {
   return x >= std::numeric_limits<float>::lowest() && x <= std::numeric_limits<float>::max();
 }
 
-/// Default within the hard range and finite, soft range within the hard one and finite.
+/// Whether the default and the soft range are finite and within the hard range.
 constexpr bool ranges(const burin_param_info& info) {
   return info.hard_min <= info.soft_min && info.soft_min <= info.soft_max && info.soft_max <= info.hard_max &&
          finite(info.soft_min) && finite(info.soft_max) && info.hard_min <= info.default_number &&
          info.default_number <= info.hard_max && finite(info.default_number);
 }
 
-/// A whole number that a float holds exactly.
+/// Whether x is a whole number within the range in which floats hold all whole numbers.
 constexpr bool whole(float x) {
   constexpr float limit = 16777216;
   return -limit <= x && x <= limit && static_cast<float>(static_cast<int>(x)) == x;
@@ -58,7 +59,7 @@ constexpr bool shares(const float (&channels)[4]) {
   return std::all_of(channels, channels + 4, [](float x) { return x >= 0 && x <= 1; });
 }
 
-/// Knots (x, y), finite, x rising.
+/// Whether there are knots (x, y), all finite, with increasing x.
 constexpr bool rising(const float* knots, std::size_t count) {
   for (std::size_t i = 0; i < 2 * count; ++i)
     if (!finite(knots[i]) || (i >= 2 && i % 2 == 0 && !(knots[i - 2] < knots[i]))) return false;
@@ -91,7 +92,7 @@ constexpr bool all_differ(std::initializer_list<std::string_view> ids) {
   return true;
 }
 
-/// Every parameter well formed, every id used once.
+/// Whether every parameter is well formed and every id is used once.
 template <std::size_t N>
 constexpr bool params(const std::array<burin_param_info, N>& infos) {
   for (std::size_t i = 0; i < N; ++i) {

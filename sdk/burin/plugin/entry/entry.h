@@ -1,11 +1,11 @@
 #pragma once
 #include <burin/plugin/entry/module.h>
 
-/// Exports brush classes from a module: once a module, at global scope, in one source.
+/// Exports brush classes from a module. Use it once per module, at global scope.
 ///
 ///   BURIN_PLUGIN(Groove, Scales);
 ///
-/// The classes may live in anonymous namespaces.
+/// The classes may be in anonymous namespaces.
 #define BURIN_PLUGIN(...)                           \
   namespace {                                       \
   struct BurinModuleTag {};                         \

@@ -14,8 +14,9 @@
 #include <string_view>
 #include <utility>
 
-/// The C side of a plugin module. Every template here has a tag that is local to the module (BURIN_PLUGIN
-/// makes it), because some systems share the static data of equally named types between loaded modules.
+/// The C side of a plugin module. Every template here has a tag type that is local to the module
+/// (BURIN_PLUGIN defines it), because some systems share the static data of equally named types between
+/// loaded modules.
 namespace burin::plugin::detail {
 
 template <class B>
@@ -26,7 +27,7 @@ constexpr auto params_of() {
     return std::array<burin_param_info, 0>{};
 }
 
-/// The descriptor of brush B, checked and built by the compiler.
+/// The descriptor of brush B, checked and built at compile time.
 template <class Tag, class B>
 struct Declaration {
   static_assert(std::derived_from<B, Brush>);
@@ -66,7 +67,7 @@ struct Declaration {
                                                      0};
 };
 
-/// A burin_brush that makes a B for every stroke.
+/// A burin_brush that creates a B for every stroke.
 template <class Tag, class B>
 class Instance {
  public:
@@ -120,7 +121,7 @@ class Instance {
   const burin_brush abi_{sizeof(burin_brush), 0, this, destroy, get_extension, begin, evaluate, end};
 };
 
-/// Everything behind the exported symbol of a module that holds Brushes.
+/// The functions behind the exported symbol of a module with these brushes.
 template <class Tag, class... Brushes>
 class Module {
  public:
@@ -131,7 +132,7 @@ class Module {
  private:
   static_assert(checks::all_differ({Brushes::info.id...}), "two brushes of the module have the same id");
 
-  /// What init and deinit count; a lock of its own since a host may have several loaders.
+  /// The state that init and deinit count. It has a lock since a host may have several loaders.
   struct State {
     std::mutex lock;
     int users = 0;
