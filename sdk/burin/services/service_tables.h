@@ -11,16 +11,16 @@
 
 namespace burin {
 
-/// What StampExtensions hands out by id.
+/// The service tables that StampExtensions::find() returns.
 extern const burin_stamps stamps_service;
 extern const burin_lettering lettering_service;
 
-/// The stamps of a host that handed out one of these tables.
+/// The stamps of a host that returned one of these tables.
 inline StampStore& stamps_of(const burin_host* host) {
   return static_cast<StampExtensions*>(services(host).extensions())->stamps();
 }
 
-/// A struct of the caller's, whose version may know fewer members or more: those it does not know are zero.
+/// A copy of a struct that the caller filled. Members that the caller's version does not have are zero.
 template <class Struct>
 Struct known_members(const Struct& from_caller) {
   Struct whole{};
@@ -28,7 +28,7 @@ Struct known_members(const Struct& from_caller) {
   return whole;
 }
 
-/// Fills the members of *to that the caller's version has. `to` may be null.
+/// Copies those members to *to that the caller's version has. `to` may be null.
 template <class Struct>
 void fill_known_members(Struct from, Struct* to) {
   if (!to) return;
@@ -36,6 +36,7 @@ void fill_known_members(Struct from, Struct* to) {
   std::memcpy(to, &from, std::min<std::size_t>(to->struct_size, sizeof from));
 }
 
+/// Copies a line into the caller's buffer and truncates it if it is too long. `text` may be null.
 inline void copy_text(std::string_view line, burin_text* text) {
   if (!text || text->capacity == 0) return;
   const std::size_t size = std::min<std::size_t>(line.size(), text->capacity - 1);
@@ -43,7 +44,7 @@ inline void copy_text(std::string_view line, burin_text* text) {
   text->data[size] = '\0';
 }
 
-/// Status of work that may throw, with what was thrown as its text.
+/// Calls `work`, and turns an exception into a status and a text.
 template <class Work>
 burin_status status_of(burin_text* error, const Work& work) {
   try {

@@ -4,7 +4,7 @@
 
 namespace burin {
 
-/// The interfaces that stamp_services() makes, and the stamps that are open through them.
+/// The services that stamp_services() returns, and the stamps that are open through them.
 class StampExtensions : public HostExtensions {
  public:
   const void* find(std::string_view id) const override;

@@ -1,3 +1,4 @@
+// The host's service burin.stamps/1: checks arguments at the ABI, and samples open stamps.
 #include <burin/abi/ext/log.h>
 #include <burin/host/plugin/utf8_path.h>
 #include <burin/services/service_tables.h>
@@ -60,7 +61,8 @@ void BURIN_CALL close_stamp(const burin_host* host, burin_stamp stamp) {
 
 float at(const burin_floats& floats, std::size_t i) { return floats.data[i * floats.stride]; }
 
-/// Writes value(pyramid, i) for each i; refuses the first that is no number, as of a place that is none.
+/// Writes value(pyramid, i) for each i. Fails at the first NaN, which a position or area that is not finite
+/// gives.
 template <class Value>
 burin_status sample_each(const burin_host* host, burin_stamp stamp, std::uint32_t channel,
                          std::uint32_t count, const burin_floats_out& values, const Value& value) {

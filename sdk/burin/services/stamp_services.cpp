@@ -1,3 +1,4 @@
+// Finds the services of this folder by their ids.
 #include <burin/services/service_tables.h>
 #include <burin/services/stamp_services.h>
 

@@ -6,7 +6,8 @@
 namespace burin {
 
 /// Stamps and lettering for the brushes of a BrushLibrary: images from files, and lines of text as images.
-/// Without them brushes that need them cannot be created, or go without, and say so.
+/// Without these services a stroke of a brush that needs them fails with a message. The services may be
+/// called on any thread.
 std::unique_ptr<HostExtensions> stamp_services();
 
 }  // namespace burin

@@ -1,3 +1,5 @@
+// Stores stamps in a fixed array of slots, so that handles can be looked up without a lock. A handle contains
+// the number of the slot's use, so a closed handle is never mistaken for a new one.
 #include <burin/base/error.h>
 #include <burin/services/stamp_store.h>
 #include <fmt/format.h>
@@ -9,7 +11,7 @@ namespace burin {
 
 StampStore::Opened StampStore::open(const std::filesystem::path& path, const StampOptions& options) {
   const std::lock_guard lock(mutex_);
-  std::error_code unknown;  // left to read_stamp to explain
+  std::error_code unknown;  // ignored, since read_stamp() reports what is wrong with the path
   const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, unknown);
   if (Slot* slot = slot_of(canonical, options)) {
     ++slot->users;

@@ -11,36 +11,37 @@
 
 namespace burin {
 
-/// Stamps by handle, each with its pyramid, 4/3 of its texels. A file that is opened several times with the
-/// same options is held once, until its last close. Any thread; find takes no lock, but must not run beside
-/// the close of the same handle.
+/// Owns the open stamps, each with its mip pyramid (4/3 of the texels), and maps handles to them. A file that
+/// is opened several times with the same options is held once, until its last close. Any thread; find() is
+/// lock-free, but must not run concurrently with the close of the same handle.
 class StampStore {
  public:
-  /// What open found out.
+  /// The result of open().
   struct Opened {
     std::uint64_t handle;    ///< never 0
-    std::size_t filled = 0;  ///< values of the file that were not finite; 0 where it is held already
+    std::size_t filled = 0;  ///< number of values that were not finite; 0 if the file was open already
   };
 
-  /// Throws FileError as read_stamp, Error when `capacity` stamps are open already.
+  /// Opens a file. Throws the errors of read_stamp(), and Error if `capacity` stamps are open already.
   Opened open(const std::filesystem::path& path, const StampOptions& options = {});
 
-  /// Handle of an image that comes from no file, never 0. Throws Error when `capacity` stamps are open
-  /// already.
+  /// Adds an image that is not from a file, and returns its handle, never 0. Throws Error if `capacity`
+  /// stamps are open already.
   std::uint64_t add(StampImage image);
 
-  /// Gives back what open or add returned. A handle that is not open is ignored.
+  /// Closes a handle that open() or add() returned. Ignores a handle that is not open.
   void close(std::uint64_t handle);
 
-  /// Null for a handle that is not open.
+  /// The pyramid of a stamp, or null for a handle that is not open.
   const MipPyramid* find(std::uint64_t handle) const;
 
   static constexpr std::size_t capacity = 256;
 
  private:
   struct Slot {
-    std::atomic<std::uint64_t> handle{0};  ///< 0 = free; else times used * capacity + index of the slot
-    std::filesystem::path path;            ///< canonical; empty of what comes from no file
+    std::atomic<std::uint64_t> handle{
+        0};                      ///< 0 = free; else number of the use * capacity + index of the slot
+    std::filesystem::path path;  ///< canonical path; empty for an image that is not from a file
     StampOptions options;
     std::size_t users = 0;
     MipPyramid pyramid;
