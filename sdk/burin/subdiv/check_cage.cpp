@@ -1,3 +1,4 @@
+// Checks the topology of a cage by the faces around each vertex, in O(corners).
 #include <burin/base/error.h>
 #include <burin/subdiv/check_cage.h>
 #include <burin/surface/csr.h>
@@ -10,7 +11,7 @@
 namespace burin {
 namespace {
 
-/// Where each face begins in face_vertices, and the end of the last.
+/// The index of each face's first corner in face_vertices, followed by the number of corners.
 std::vector<Index> face_offsets(const PolygonMesh& cage) {
   std::vector<Index> offsets(cage.face_sizes.size() + 1, 0);
   std::inclusive_scan(cage.face_sizes.begin(), cage.face_sizes.end(), offsets.begin() + 1);
@@ -41,7 +42,7 @@ Csr incident_faces(const PolygonMesh& cage, const std::vector<Index>& face_begin
   return incident;
 }
 
-/// Gives the faces around any vertex of a cage.
+/// Finds the faces around a vertex of a cage.
 class CageStars {
  public:
   CageStars(const PolygonMesh& cage, std::vector<Index> face_begin)

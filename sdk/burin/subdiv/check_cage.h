@@ -3,9 +3,9 @@
 
 namespace burin {
 
-/// Throws Error when the cage cannot be refined: a face that names a vertex twice, an edge of more than two
-/// faces or of two that disagree on the outside, a vertex where separate fans of faces touch, a crease that
-/// is no edge. Faces and vertices are counted from 1 in the message.
+/// Throws Error if the cage cannot be refined: a face has a vertex twice, an edge has more than two faces or
+/// two with opposite orientation, several separate fans of faces share a vertex, or a crease is not an edge.
+/// The message counts faces and vertices from 1.
 void check_cage(const PolygonMesh& cage);
 
 }  // namespace burin

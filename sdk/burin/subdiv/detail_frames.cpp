@@ -1,3 +1,4 @@
+// Computes frames at the vertices of a refined level from the edges and faces around them.
 #include <burin/base/counting_sort.h>
 #include <burin/subdiv/detail_frames.h>
 #include <burin/subdiv/refined_topology.h>
@@ -8,15 +9,16 @@
 namespace burin {
 namespace {
 
-/// An edge of which less than this share lies across the normal has no direction of its own there.
+/// An edge whose component across the normal is a smaller share of its length has no reliable direction.
 constexpr double least_share = 1e-3;
 
-/// Sets `tangent` to the unit direction of `edge` across the unit `normal`, if it has one.
+/// Sets `tangent` to the unit direction of `edge` projected onto the plane of the unit `normal`. Returns
+/// false if the projection is too short.
 bool across(const Vec3d& normal, const Vec3d& edge, Vec3d& tangent) {
   tangent = edge - edge.dot(normal) * normal;
   if (!(tangent.squaredNorm() > least_share * least_share * edge.squaredNorm())) return false;
   tangent.normalize();
-  // Once more, as the first time leaves rounding errors of the longer edge.
+  // A second projection removes the rounding errors of the first, which are relative to the whole edge.
   tangent = (tangent - tangent.dot(normal) * normal).normalized();
   return true;
 }

@@ -1,3 +1,4 @@
+// Refines a cage uniformly with OpenSubdiv.
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/subdiv/refine.h>
@@ -10,7 +11,7 @@
 namespace burin {
 namespace {
 
-/// Positions of the last level. Holds those of two levels at a time.
+/// The positions of the last level. Keeps the positions of two levels in memory.
 std::vector<Vec3f> refined_positions(const PolygonMesh& cage, const TopologyRefiner& refiner) {
   std::vector<Vec3f> coarse = cage.positions, fine;
   for (int level = 1; level <= refiner.GetMaxLevel(); ++level) {

@@ -1,3 +1,5 @@
+// Wraps OpenSubdiv's topology refiner: makes it from a cage, applies its rules to positions and texture
+// coordinates, and triangulates its levels.
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/subdiv/check_cage.h>
@@ -15,7 +17,7 @@ namespace Sdc = OpenSubdiv::Sdc;
 
 constexpr std::size_t faces_a_block = 16384;
 
-/// A position or texture coordinate as OpenSubdiv's refiner wants to combine it.
+/// A position or texture coordinate with the interface that OpenSubdiv's refiner needs.
 template <class Vector>
 struct Refined {
   Vector value;
@@ -94,7 +96,7 @@ Triangle triangle(const Far::ConstIndexArray& face, int a, int b, int c) {
   return {static_cast<Index>(face[a]), static_cast<Index>(face[b]), static_cast<Index>(face[c])};
 }
 
-/// Takes out the triangles of the level's faces that are holes.
+/// Removes the triangles of the level's faces that are holes.
 void drop_holes(const TopologyLevel& level, std::size_t triangles_a_face, std::vector<Triangle>& triangles) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -102,7 +104,8 @@ void drop_holes(const TopologyLevel& level, std::size_t triangles_a_face, std::v
   triangles.resize(kept);
 }
 
-/// The level's faces but for holes as fans around their first corners, of what `corners(face)` numbers.
+/// Splits the level's faces, except holes, into fans of triangles around their first corners. corners(face)
+/// returns the vertices or texture coordinates of a face.
 template <class Corners>
 std::vector<Triangle> fans(const TopologyLevel& level, const Corners& corners) {
   const auto faces = static_cast<std::size_t>(level.GetNumFaces());

@@ -1,3 +1,6 @@
+// Multiresolution editing after Zorin, Schroeder and Sweldens (1997). A change of one level moves the coarser
+// levels by a weighted mean (analysis), then recomputes the details up to that level and the positions of the
+// finer ones (synthesis). O(vertices of the finest level) per change.
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/subdiv/detail_frames.h>
@@ -21,7 +24,7 @@ void for_each_vertex(std::size_t vertices, const Body& body) {
   });
 }
 
-/// One level above the cage: its vertices, and what they add to the level below.
+/// One level above the cage: the frames of its vertices and their details.
 struct FineLevel {
   explicit FineLevel(const TopologyLevel& level)
       : frames(level), details(static_cast<std::size_t>(level.GetNumVertices()), Vec3f::Zero()) {}
@@ -32,7 +35,8 @@ struct FineLevel {
     return (frames.at(base, vertex).transpose() * offset).cast<float>();
   }
 
-  /// Without detail the base's own bits, -0 too.
+  /// The position of a vertex: base position plus detail. Without detail it has the bits of the base, -0
+  /// included.
   Vec3f place(std::span<const Vec3f> base, Index vertex) const {
     if (details[vertex].isZero(0)) return base[vertex];
     const Vec3d offset = frames.at(base, vertex) * details[vertex].cast<double>();
@@ -43,7 +47,7 @@ struct FineLevel {
   std::vector<Vec3f> details;  ///< [vertex] in its frame, object units
 };
 
-/// How far the vertices of a level move, given how far those of the next one do.
+/// The moves of the vertices of a level, given those of the next finer level.
 std::vector<Vec3f> coarser_moves(const TopologyLevel& level, bool quads, const std::vector<Vec3f>& moves) {
   std::vector<Vec3f> coarse(static_cast<std::size_t>(level.GetNumVertices()));
   for_each_vertex(coarse.size(), [&](Index index) {
@@ -79,15 +83,16 @@ struct SculptLevels::Impl {
   FineLevel& fine(int level) { return levels[static_cast<std::size_t>(level) - 1]; }
   std::vector<Vec3f>& places(int level) { return positions[static_cast<std::size_t>(level)]; }
 
-  /// Puts a level where its details say, or where the level below is new.
+  /// Computes the positions of a level from the level below and its details.
   void compose(int level) {
     const std::vector<Vec3f> base = subdivided(level);
     for_each_vertex(base.size(),
                     [&](Index vertex) { places(level)[vertex] = fine(level).place(base, vertex); });
   }
 
-  /// Finds a level's details between the level below and where it is; those that still hold stay as they are.
-  /// The level then stands where the details say, so that composing it again gives the same bits.
+  /// Computes a level's details from the level below and its positions; details that are still right keep
+  /// their bits. Then sets the positions from the details, so that composing the level again gives the same
+  /// bits.
   void decompose(int level) {
     const std::vector<Vec3f> base = subdivided(level);
     for_each_vertex(base.size(), [&](Index vertex) {
@@ -98,7 +103,7 @@ struct SculptLevels::Impl {
     });
   }
 
-  /// Moves the vertices of all levels below one whose vertices moved.
+  /// Moves the vertices of all levels coarser than one whose vertices moved.
   void move_coarser(int level, std::vector<Vec3f> moves) {
     while (--level >= 0) {
       moves = coarser_moves(refiner->GetLevel(level), quads, moves);

@@ -1,3 +1,4 @@
+// Finds equal texture coordinates at a vertex by sorting.
 #include <burin/subdiv/weld_uv.h>
 #include <burin/surface/topology/weld.h>
 
@@ -6,7 +7,7 @@
 namespace burin {
 
 WeldedUv weld_uv(const PolygonMesh& cage) {
-  std::vector<Vec3f> places(cage.corner_uv.size());  // the vertex, u, v
+  std::vector<Vec3f> places(cage.corner_uv.size());  // the vertex number's bits as a float, u, v
   for (std::size_t corner = 0; corner < places.size(); ++corner) {
     const Vec2f& uv = cage.corner_uv[corner];
     places[corner] = {std::bit_cast<float>(cage.face_vertices[corner]), uv.x(), uv.y()};

@@ -5,14 +5,15 @@
 
 namespace burin {
 
-/// A cage's texture coordinates with those that are the same at a vertex numbered as one, which is how
-/// OpenSubdiv tells islands apart.
+/// A cage's texture coordinates in which equal ones at a vertex share one number. OpenSubdiv finds the
+/// islands by these numbers.
 struct WeldedUv {
   std::vector<Vec2f> values;
-  std::vector<Index> corners;  ///< [corner] its value
+  std::vector<Index> corners;  ///< [corner] index into values
 };
 
-/// The values in order of first appearance. The cage must have texture coordinates.
+/// Numbers the texture coordinates in the order of their first appearance. The cage must have texture
+/// coordinates.
 WeldedUv weld_uv(const PolygonMesh& cage);
 
 }  // namespace burin
