@@ -1,4 +1,4 @@
-// org.burin.arrow: one arrow as long as the stroke, the union of a circle, a rectangle and a triangle.
+// org.burin.arrow: draws one arrow as long as the stroke, the union of a circle, a rectangle and a triangle.
 
 #include <burin/plugin/plugin.h>
 
@@ -62,7 +62,7 @@ class Arrow : public Brush {
         shaft_(start.params[shaft].value()),
         head_length_(start.params[head_length].value() * static_cast<float>(start.stroke.radius_max())),
         head_width_(start.params[head_width].value()) {
-    // The head, and the slope that the shaft's end would have.
+    // The head, and the bevel of a shaft that ended there.
     start.end_influence = start.stroke.closed() ? std::numeric_limits<double>::infinity()
                                                 : head_length_ + 2 * start.stroke.radius_max();
   }
@@ -83,10 +83,10 @@ class Arrow : public Brush {
  private:
   float distance(Place p, float length, float radius) const {
     const float size = std::min(1.0f, length / head_length_);
-    if (size <= 0) return circle(p, tail_ * radius);  // the pen has not moved yet
+    if (size <= 0) return circle(p, tail_ * radius);  // before the pen moves
     const float head = size * head_length_, base = size * head_width_ * radius;
     const float half = std::min(size * shaft_ * radius, base);
-    const float narrow = length - head * half / base;  // where the head is as narrow as the shaft
+    const float narrow = length - head * half / base;  // t at which the head is as narrow as the shaft
     return join(join(circle(p, size * tail_ * radius), bar(p, narrow, half)),
                 triangle(p - Place{length - head, 0}, head, base));
   }

@@ -1,4 +1,5 @@
-// org.burin.bark: fractal noise that is drawn out along the stroke: bark with cracks, or plain roughness.
+// org.burin.bark: adds fractal noise that is stretched along the stroke, as bark with cracks or as plain
+// roughness.
 
 #include <burin/plugin/plugin.h>
 
@@ -104,12 +105,12 @@ class Bark : public Brush {
   }
 
  private:
-  /// Cracks run where the noise is 0. Of mean 0 like the noise, so that octaves fade without a change of
-  /// level.
+  /// Makes cracks where the noise is 0. The result has mean 0, like the noise, so that octaves fade without a
+  /// change of the mean height.
   float shaped(float n) const { return pattern_ == noise ? n : 0.6f - 0.16f / (std::abs(n) + 0.1f); }
 
   const int pattern_;
-  const double width_, length_;  // of the first octave's cells, object units; of open strokes
+  const double width_, length_;  // size of the first octave's cells on an open stroke, object units
   const int octaves_;
   const float gain_;
   const float fade_;  // share of the radius

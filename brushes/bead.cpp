@@ -1,5 +1,5 @@
-// org.burin.bead: a half-round moulding, or a string of round beads. Its cross-section is a half circle, on
-// which the surface is spread evenly: points move up and outwards.
+// org.burin.bead: raises a half-round moulding or a string of round beads. The surface is spread evenly over
+// the half circle of the cross-section, so points move up and outwards.
 
 #include <burin/plugin/plugin.h>
 
@@ -83,8 +83,8 @@ class Bead : public Brush {
   }
 
  private:
-  /// Along t from the middle of the nearest bead. An open stroke has beads from its start on as far as it
-  /// goes.
+  /// The offset along t from the middle of the nearest bead. The first bead of an open stroke is centred at
+  /// its start, the last one at or before its end.
   static float from_bead(const Stroke& stroke, float t, double period) {
     double bead = std::round(t / period);
     if (!stroke.closed()) bead = std::clamp(bead, 0.0, std::floor(stroke.length() / period));
@@ -93,7 +93,7 @@ class Bead : public Brush {
 
   const float width_;  // radii
   const int form_;
-  const double period_;  // from bead to bead of an open stroke, object units
+  const double period_;  // distance of beads on an open stroke, object units
 };
 
 }  // namespace

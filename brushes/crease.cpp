@@ -1,4 +1,4 @@
-// org.burin.crease: a sharp valley or ridge with raised sides.
+// org.burin.crease: cuts a sharp valley or folds up a sharp ridge, with raised sides.
 
 #include <burin/plugin/plugin.h>
 
@@ -79,7 +79,8 @@ class Crease : public Brush {
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float x = in.stroke.distance(t[i], d[i]) / radius[i], inside = std::max(1 - x, 0.0f);
       const float valley = math::pow(inside, exponents[i]);
-      const float side = 16 * x * x * inside * inside;  // 1 half way to the rim, level at either end
+      const float side =
+          16 * x * x * inside * inside;  // 1 half way to the rim, 0 with zero slope at both ends
       const float ends = end_factor(in.stroke, t[i], radius[i], taper_);
       const float pull = pinches[i] * inside * inside * ends;  // never beyond the middle
       along[i] = -pull * in.stroke.beyond(t[i]);

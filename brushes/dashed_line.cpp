@@ -1,4 +1,4 @@
-// org.burin.dashed-line: a line of dashes along the stroke, as relief, colour and mask.
+// org.burin.dashed-line: draws dashes along the stroke, as relief, colour and mask.
 
 #include <burin/plugin/plugin.h>
 
@@ -64,7 +64,7 @@ class DashedLine : public Brush {
       : dash_(start.params[dash].value() * start.stroke.radius_max()),
         period_(dash_ + start.params[gap].value() * start.stroke.radius_max()),
         caps_(start.params[caps].value()) {
-    // The cap of the start shows the first dash, however far that has grown.
+    // The cap of the start shows the first dash, which changes while it grows.
     start.end_influence =
         start.stroke.closed() ? std::numeric_limits<double>::infinity() : period_ + start.stroke.radius_max();
   }
@@ -81,7 +81,7 @@ class DashedLine : public Brush {
   }
 
  private:
-  /// To the nearest dash; the last one of an open stroke ends with it.
+  /// The distance to the nearest dash. The last dash of an open stroke ends with the stroke.
   float distance(const Stroke& stroke, double period, const Cell& cell, float half_width) const {
     const double t = stroke.along_line(cell.t), whole = dash_ * period / period_;
     double place = std::round((t - whole / 2) / period), dash_length = whole;

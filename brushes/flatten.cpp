@@ -1,5 +1,5 @@
-// org.burin.flatten: moves points, with all relief on them, straight to the plane that the stroke around
-// their foot lies in.
+// org.burin.flatten: moves points, with all relief on them, straight to the plane in which the stroke lies
+// near their foot.
 
 #include <burin/plugin/plugin.h>
 

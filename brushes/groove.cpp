@@ -1,4 +1,4 @@
-// org.burin.groove: pushes a profile into the surface along the stroke, fading out towards its ends.
+// org.burin.groove: pushes a profile into the surface along the stroke and fades it out towards the ends.
 
 #include <burin/plugin/plugin.h>
 
@@ -74,7 +74,7 @@ class Groove : public Brush {
   }
 
  private:
-  /// 1 in the middle (x = 0); falls to 0 at the rim (x = 1) with level tangent.
+  /// The profile: 1 in the middle (x = 0), falling to 0 with zero slope at the rim (x = 1).
   float shape(float x) const {
     const float inside = std::max(1 - x, 0.0f);
     switch (profile_) {

@@ -1,4 +1,4 @@
-// org.burin.patterned-fill: a band along the stroke filled with a pattern, as relief, colour and mask.
+// org.burin.patterned-fill: fills a band along the stroke with a pattern, as relief, colour and mask.
 
 #include <burin/plugin/plugin.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using namespace burin::plugin;
 
-/// Distance to the nearest of the lines x = 0, +-1, +-2...
+/// The distance to the nearest of the lines x = 0, +-1, +-2...
 float to_whole(float x) { return std::abs(x - std::round(x)); }
 
 class PatternedFill : public Brush {
@@ -98,7 +98,7 @@ class PatternedFill : public Brush {
     return border_ > 0 ? outline(band, border_ * radius) : std::numeric_limits<float>::max();
   }
 
-  /// To the pattern, in cells; it has the period 1 along x.
+  /// The distance to the pattern, in cells; the pattern has the period 1 along x.
   float in_cell(Place p) const {
     constexpr float sin45 = 0.70710678f, sin60 = 0.8660254f;
     switch (pattern_) {
@@ -106,7 +106,7 @@ class PatternedFill : public Brush {
         return sin45 * (to_whole(p.x + p.y) - fill_ / 2);
       case cross_hatch:
         return sin45 * (std::min(to_whole(p.x + p.y), to_whole(p.x - p.y)) - fill_ / 2);
-      case checker: {  // squares of half a cell: 0.25 in their middles, 0 on their sides
+      case checker: {  // squares of half a cell, with distance 0.25 in their middles and 0 on their sides
         const float x = 0.25f - to_whole(p.x), y = 0.25f - to_whole(p.y);
         return (x > 0) == (y > 0) ? -std::min(std::abs(x), std::abs(y)) : std::min(std::abs(x), std::abs(y));
       }
@@ -117,7 +117,8 @@ class PatternedFill : public Brush {
     }
   }
 
-  /// To the nearest figure of rows `pitch` apart, every other row moved by half a period.
+  /// The distance to the nearest figure in rows `pitch` apart, every other row of which is shifted by half a
+  /// period.
   template <class Figure>
   static float staggered(Place p, float pitch, const Figure& figure) {
     const float row = std::floor(p.y / pitch);

@@ -1,4 +1,4 @@
-// org.burin.patterned-line: a row of equal figures along the stroke, as relief, colour and mask.
+// org.burin.patterned-line: draws a row of equal figures along the stroke, as relief, colour and mask.
 
 #include <burin/plugin/plugin.h>
 
@@ -86,7 +86,8 @@ class PatternedLine : public Brush {
   }
 
  private:
-  /// To the nearer of the two figures that the node lies between, of those that the stroke has room for.
+  /// The distance to the nearer of the two figures around the node, among the figures that fit into the
+  /// stroke.
   float nearest(const Stroke& stroke, double length, const Cell& cell, float half_width) const {
     const double t = stroke.along_line(cell.t), place = std::round(t / length);
     const double last = std::max(std::floor(stroke.length() / length) - 1, 0.0);
@@ -98,7 +99,7 @@ class PatternedLine : public Brush {
     return join(to(place - 1), to(place));
   }
 
-  /// To a figure around the origin, one of a row.
+  /// The distance to a figure centred at the origin.
   float distance(Place p, float length, float half_width) const {
     const float half = fill_ * length / 2, stroke = line_ * half_width;
     switch (figure_) {
@@ -115,7 +116,7 @@ class PatternedLine : public Brush {
     }
   }
 
-  /// To a period of a sine curve, to first order; beyond its ends to them.
+  /// The distance to one period of a sine curve, to first order; outside the period, the distance to its end.
   static float wave(Place p, float length, float amplitude) {
     const float beyond = std::abs(p.x) - length / 2;
     if (beyond > 0) return math::hypot(beyond, p.y);
@@ -124,7 +125,8 @@ class PatternedLine : public Brush {
     return std::abs(p.y - amplitude * math::sin(k * p.x)) / math::hypot(1.0f, slope);
   }
 
-  /// A ring in the middle and halves of the links, seen from their sides, that join it to its neighbours.
+  /// The distance to a ring in the middle and to half of each of the side-on links that join it to its
+  /// neighbours.
   static float links(Place p, float length, float half_width, float thickness) {
     const float straight = std::max(0.35f * length - half_width, 0.0f);
     const float ring = outline(capsule(p, straight, half_width), thickness);

@@ -46,7 +46,7 @@ class Pinch : public Brush {
     const FloatsOut along = out.along(), across = out.across(), up = out.up();
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float inside = std::max(1 - in.stroke.distance(t[i], d[i]) / radius[i], 0.0f);
-      // x (1 - x)^2 is nowhere steeper than 1: points keep their order and their side of the stroke.
+      // The slope of x (1 - x)^2 is at most 1, so points keep their order and their side of the stroke.
       const float pull = amounts[i] * inside * inside;
       along[i] = -pull * in.stroke.beyond(t[i]);
       across[i] = -pull * d[i];

@@ -1,4 +1,4 @@
-// org.burin.rope: strands that wind around each other, or are plaited.
+// org.burin.rope: lays strands that wind around each other or are plaited.
 
 #include <burin/plugin/plugin.h>
 
@@ -78,7 +78,7 @@ class Rope : public Brush {
     const double turn_length = in.stroke.whole_period(turn_);
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float beyond = in.stroke.beyond(t[i]) / radius[i];
-      const float half_width = widths[i] * radius[i] * (1 - beyond * beyond);  // closes within caps
+      const float half_width = widths[i] * radius[i] * (1 - beyond * beyond);  // falls to 0 within the caps
       if (std::abs(d[i]) >= half_width) continue;
       const auto turns = static_cast<float>(t[i] / turn_length - std::floor(t[i] / turn_length));
       const float steepness = half_width / static_cast<float>(turn_length);
@@ -87,10 +87,11 @@ class Rope : public Brush {
   }
 
  private:
-  /// Height at y across a rope of half width 1: that of the highest strand, without a step at the rim.
+  /// The height at y across a rope of half width 1: that of the highest strand, limited so that it is 0 at
+  /// the rim.
   float surface(float turns, float y, float steepness) const {
     const float share = 1 / static_cast<float>(strands_);
-    // Strands touch each other, and with their tangents the rim.
+    // Strands touch each other, and the straight sides of their profiles reach the rim.
     const float sine = strands_ == 2 ? 1 : 0.8660254f;
     const float orbit = 1 / (1 + sine / 0.9f), thickness = sine * orbit;
     float highest = 0;
@@ -106,7 +107,7 @@ class Rope : public Brush {
 
   const int strands_;
   const bool plaited_;
-  const double turn_;  // of an open stroke, object units
+  const double turn_;  // length of a turn on an open stroke, object units
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// org.burin.smooth: moves every point towards the middle of its neighbours, several times.
+// org.burin.smooth: moves every point towards the mean of its neighbours, in several passes (Laplacian
+// smoothing).
 
 #include <burin/plugin/plugin.h>
 
@@ -62,7 +63,7 @@ class Smooth : public Brush {
     const Vectors moved = in.displacement();
     const FloatsOut along = out.along(), across = out.across(), up = out.up();
     const Frames frames(in);
-    const Vectors to_middle = in.laplacian();  // of the neighbours
+    const Vectors to_middle = in.laplacian();  // to the mean of the neighbours
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float step = amounts[i] * rim_factor(in.stroke, t[i], d[i], radius[i], fade_);
       const FrameComponents way = frames.components(to_middle, i);

@@ -1,4 +1,4 @@
-// org.burin.stitches: rows of thread that comes out of one hole of the surface and goes into the next.
+// org.burin.stitches: sews rows of thread that comes out of one hole of the surface and enters the next.
 
 #include <burin/plugin/plugin.h>
 
@@ -84,7 +84,7 @@ class Stitches : public Brush {
       const float x = std::min(in.stroke.distance(t[i], d[i]) / radius[i], 1.0f);
       const float between = 0.5f - 0.5f * math::cos(2 * std::numbers::pi_v<float> * tile.u / tile.length);
       const float cloth = puckers[i] * radius[i] * (1 - x * x) * (1 - x * x) * between;
-      // Holes, 1.4 half threads wide, stay within their tile.
+      // This limit keeps the holes, whose radius is 1.4 times that of the thread, within their tile.
       const float thickest = std::min(0.085f * tile.length, 0.21f * tile.width);
       up[i] = cloth + sewn(tile, std::min(threads[i] * radius[i], thickest));
     }
@@ -92,11 +92,12 @@ class Stitches : public Brush {
 
  private:
   struct Tile {
-    float u, v;           // from its start along the stroke and from the middle of its row, object units
-    float length, width;  // the same for its end and for its side
-    bool whole;           // its stitch fits into the stroke
+    float u, v;           // position from the tile's start and from the middle of its row, object units
+    float length, width;  // length of the tile and half width of its row, object units
+    bool whole;           // whether the stitch fits into the stroke
   };
-  /// From hole to hole: u in tiles, v in half rows. Its middle may cross over another thread.
+  /// The thread from one hole to another: u in tiles, v in half rows. Its middle may cross over another
+  /// thread.
   struct Segment {
     float u0, v0, u1, v1;
     bool crosses_over;
@@ -118,7 +119,7 @@ class Stitches : public Brush {
             static_cast<float>(period), half_row, whole};
   }
 
-  /// Depth of the holes and height of the thread, of half thickness r, over the cloth.
+  /// The height above the cloth: the thread, of half thickness r, or the depth of the holes.
   float sewn(const Tile& tile, float r) const {
     float holes = 0, highest = -10 * r;
     for (const Segment& s : stitch_) {
@@ -139,7 +140,7 @@ class Stitches : public Brush {
 
   const std::span<const Segment> stitch_;
   const float rows_;
-  const double length_;  // of an open stroke's tiles, object units
+  const double length_;  // length of a tile on an open stroke, object units
 };
 
 }  // namespace

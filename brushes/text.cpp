@@ -1,4 +1,4 @@
-// org.burin.text: a line of text along the stroke, as relief, colour and mask.
+// org.burin.text: sets a line of text along the stroke, as relief, colour and mask.
 
 #include <burin/plugin/plugin.h>
 
@@ -99,7 +99,7 @@ class Text : public Brush {
       lettering_.stamp().sample(in.size(), area, FloatsOut(values.data(), 1));
     };
     sample(false, covered);
-    sample(true, rise);  // the slope of a letter's edge is its blur
+    sample(true, rise);  // blurring a letter gives its edge a slope
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float fade = rim_factor(in.stroke, cells[i].t, cells[i].d, cells[i].radius, 0.1f);
       ink.draw_covered(i, covered[i] * fade, rise[i] * fade);
@@ -112,7 +112,7 @@ class Text : public Brush {
     return line;
   }
 
-  /// Texts in a row, object units; the first begins at `first`.
+  /// Texts in a row: the t of the first text's start and the distance from text to text, object units.
   struct Row {
     double first, pitch, count;
   };
@@ -127,11 +127,12 @@ class Text : public Brush {
     return {0, (length - width) / (count - 1), count};
   }
 
-  /// Where one text begins that leaves this much of the stroke free.
+  /// The start of a text that leaves the length `free` of the stroke unused.
   static double at(int align, double free) { return align == start ? 0 : align == end ? free : free / 2; }
 
-  /// The part of the lettering that a cell sees of the nearest text. On a mirror image of the stroke a text
-  /// runs against it, to be read there too; letters are lower where the stroke is narrower.
+  /// The area of the lettering that a cell covers in the nearest text. On a mirror image of the stroke the
+  /// text runs in the opposite direction, so that it stays readable. Letters become lower where the stroke is
+  /// narrower.
   StampArea seen(const Stroke& stroke, const Row& row, const Cell& cell) const {
     const burin_lettering_info& line = lettering_.info();
     const double from_first = cell.t - row.first;
@@ -148,7 +149,7 @@ class Text : public Brush {
   }
 
   const Lettering lettering_;
-  const float size_;           // of an em, radii
+  const float size_;           // size of an em, radii
   const double em_, spacing_;  // object units
   const float baseline_;       // radii
   const int align_;

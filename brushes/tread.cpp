@@ -1,5 +1,5 @@
-// org.burin.tread: the print of a tyre, tiles as wide as the stroke between one that begins and one that ends
-// it.
+// org.burin.tread: prints a tyre's tread, a row of tiles as wide as the stroke, with tiles of their own at
+// its start and end.
 
 #include <burin/plugin/plugin.h>
 
@@ -120,8 +120,8 @@ class Tread : public Brush {
   }
 
   TileLayout layout_;
-  std::vector<Stamp> stamps_;         // those to choose from first
-  std::size_t first_ = 0, last_ = 0;  // in stamps_, those of the ends
+  std::vector<Stamp> stamps_;         // stamps to choose from, then those of the ends
+  std::size_t first_ = 0, last_ = 0;  // indices of the stamps of start and end
 };
 
 }  // namespace

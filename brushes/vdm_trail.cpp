@@ -1,4 +1,4 @@
-// org.burin.vdm-trail: a trail of shapes from a vector displacement map, overhangs and all.
+// org.burin.vdm-trail: places shapes from a vector displacement map along the stroke, overhangs included.
 
 #include <burin/math/vector_axes.h>
 #include <burin/plugin/plugin.h>
@@ -103,7 +103,7 @@ class VdmTrail : public Brush {
     if (map_.info().channels < 3)
       throw Error(std::string(start.params[stamp]) + ": a vector displacement map has three channels");
     layout_.length = layout_.width / map_.aspect();
-    // A stamp is there from the moment on when the stroke reaches its middle.
+    // A stamp appears when the stroke reaches its middle.
     const double half_pitch = (layout_.length + layout_.gap) / 2 * start.stroke.radius_max();
     start.end_influence = std::max(Tiling::end_influence(layout_, start.stroke), half_pitch);
   }
@@ -132,10 +132,10 @@ class VdmTrail : public Brush {
  private:
   static TileLayout layout(const Params& params) {
     TileLayout layout;
-    layout.width = params[size].value();  // the length is known with the image
+    layout.width = params[size].value();  // the length follows from the image's aspect
     layout.gap = params[gap].value();
     layout.narrow = layout.single_row = true;
-    layout.offset_along = -0.5f;  // one stamp stands where the stroke begins
+    layout.offset_along = -0.5f;  // the first stamp is centred at the start of the stroke
     layout.mirror_along = params[mirror].value();
     layout.flip_across = params[flip].value();
     return layout;
