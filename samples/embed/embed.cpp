@@ -1,5 +1,5 @@
-// embed MESH STROKES BRUSHES OUT.ply: draws recorded strokes on a mesh as an application would that has a pen
-// and a renderer, saves the result, prints its hash and undoes the last stroke.
+// embed MESH STROKES BRUSHES OUT.ply: draws recorded strokes on a mesh like an application with a pen and a
+// renderer, saves the result, prints its hash and undoes the last stroke.
 #include <burin/host/session.h>
 #include <burin/host/stroke_pieces.h>
 #include <burin/stroke/stroke_file.h>
@@ -12,7 +12,7 @@
 
 using namespace burin;
 
-/// What the renderer holds: of each vertex of Session::surface(), by its number there.
+/// The buffers of the renderer, indexed by the vertices of Session::surface().
 struct Buffers {
   std::vector<Vec3f> positions, normals;
 
@@ -24,7 +24,7 @@ struct Buffers {
   }
 };
 
-/// Triangles whose vertices are joined along seams, where files have them several times.
+/// Loads a mesh and joins the vertices along seams, which files have several times.
 TriangleMesh load(const char* path) {
   PolygonMesh mesh = read_mesh(path);
   const std::vector<Index> welds = find_welds(mesh, rounding_tolerance(mesh));
@@ -36,15 +36,15 @@ void draw(Session& session, Buffers& shown, const RecordedStroke& recorded) {
   settings.brush = recorded.brush.value();
   settings.radius = recorded.radius.value();
   settings.strength = recorded.strength;
-  settings.params = recorded.params;  // else for example: settings.params["depth"] = 0.3
-  settings.fields = recorded.fields;  // what the pen reports: without this its pressure is refused
+  settings.params = recorded.params;  // or set single ones: settings.params["depth"] = 0.3
+  settings.fields = recorded.fields;  // what the pen reports; its pressure is refused otherwise
   StrokePieces stroke(session, settings);
   for (const Sample& sample : recorded.samples)
     shown.upload(session, stroke.add(sample.position, sample.time, sample.pen).changed);
   shown.upload(session, stroke.end());
 }
 
-/// Vertices of a session are sorted; files have them in the order in which they came.
+/// Saves the vertices in the order of the file; a session has an order of its own.
 void save(const char* path, TriangleMesh mesh, const Session& session) {
   for (Index vertex = 0; vertex < session.surface().vertex_count(); ++vertex)
     mesh.positions[session.surface().source_vertex[vertex]] = session.positions()[vertex];

@@ -1,3 +1,4 @@
+// Writes a cage as an OBJ file.
 #include "cage_file.h"
 
 #include <burin/base/file.h>
@@ -28,7 +29,8 @@ void write_cage(const std::filesystem::path& path, std::string_view title, const
                        cage.face_sizes.size());
     for (const Vec3f& p : cage.positions) out << fmt::format("v {:.4f} {:.4f} {:.4f}\n", p.x(), p.y(), p.z());
     write_faces(out, cage);
-    // The counts that OBJ tags open with: two whole numbers (vertices, from 0), one real number (sharpness).
+    // An OBJ tag starts with the counts of its values: here two integers (vertices, from 0) and one real
+    // (sharpness).
     for (const CreaseEdge& edge : cage.creases)
       out << fmt::format("t crease 2/1/0 {} {} {:.1f}\n", edge.a, edge.b, edge.sharpness);
   });

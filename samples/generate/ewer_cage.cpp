@@ -1,3 +1,5 @@
+// Builds the cage of the ewer: a surface of revolution with a lip, closed by grids of quads and joined to a
+// handle.
 #include <burin/math/elementary.h>
 
 #include "ewer_cage.h"
@@ -15,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int segments = 20;  // around the axis; a multiple of 4, for the caps
+constexpr int segments = 20;  // number around the axis; the caps need a multiple of 4
 constexpr int handle_segment = segments / 2;
 constexpr int cap_side = segments / 4;  // quads along one side of a cap's grid
 
@@ -24,7 +26,7 @@ struct ProfileRing {
   float crease;
 };
 
-// From the underside of the foot over the outside to the bottom of the mouth's hollow.
+// The rings run from the underside of the foot along the outside to the bottom of the mouth's hollow.
 constexpr std::array profile{
     ProfileRing{.270, -.970, 0}, ProfileRing{.370, -1.00, 3}, ProfileRing{.240, -.850, 0},
     ProfileRing{.400, -.720, 0}, ProfileRing{.555, -.575, 0}, ProfileRing{.665, -.410, 0},
@@ -53,7 +55,7 @@ Vec3f on_circle(double radius, double angle, double height) {
   return Vec3d(radius * math::cos(angle), height, -radius * math::sin(angle)).cast<float>();
 }
 
-/// Weight of the lip at an angle from its middle.
+/// The weight of the lip at an angle from its middle.
 double bell(double angle, double width) { return math::exp(-angle * angle / (width * width)); }
 
 Vec3f profile_position(int ring, int segment) {
@@ -68,8 +70,8 @@ Vec3f profile_position(int ring, int segment) {
   return on_circle(radius, angle, height);
 }
 
-/// The square [-1, 1]^2 to the unit disc, even in angle along each square around the middle
-/// [Shirley and Chiu 1997]; as radius and angle.
+/// Maps the square [-1, 1]^2 to the unit disc so that concentric squares become circles [Shirley and Chiu
+/// 1997]. Returns radius and angle; the radius may be negative.
 std::pair<double, double> concentric_disc(double u, double v) {
   if (u == 0 && v == 0) return {0, 0};
   if (std::abs(u) > std::abs(v)) return {u, pi / 4 * v / u};
@@ -105,7 +107,7 @@ class CageBuilder {
     return static_cast<Index>(cage_.positions.size() - 1);
   }
 
-  /// A root of the handle takes the place of the 2 x 2 faces around its middle.
+  /// Whether a root of the handle replaces this face: it replaces the 2 x 2 faces around its middle.
   static bool under_handle(int ring, int segment) {
     const bool across = segment == handle_segment - 1 || segment == handle_segment;
     const auto along = [ring](int root) { return ring == root - 1 || ring == root; };
@@ -125,7 +127,7 @@ class CageBuilder {
       }
   }
 
-  /// Place of a boundary vertex of the cap's grid among the segments of its ring.
+  /// The number of the ring's segment at a boundary vertex of the cap's grid.
   static int boundary_segment(int a, int b) {
     if (b == 0) return a;
     if (a == cap_side) return cap_side + b;
@@ -156,7 +158,7 @@ class CageBuilder {
       }
   }
 
-  // Around a square of 3 x 3 places: (up or outwards, along the segments).
+  // The border of a square of 3 x 3 vertices, as offsets (up or outwards, along the segments).
   static constexpr std::array<std::pair<int, int>, 8> around{
       {{-1, -1}, {-1, 0}, {-1, 1}, {0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}}};
 
@@ -188,7 +190,7 @@ class CageBuilder {
     }
   }
 
-  /// From the neck in an arch down to the shoulder, where the arch's outer side is the lower one.
+  /// Adds the handle, an arch from the neck down to the shoulder, where its outer side is the lower one.
   void add_handle() {
     Loop last = root_loop(upper_root_ring, 1);
     for (const HandleRing& ring : handle) {
@@ -199,7 +201,7 @@ class CageBuilder {
     bridge(last, root_loop(lower_root_ring, -1));
   }
 
-  /// The middles of the handle's roots.
+  /// Removes the vertices in the middles of the handle's roots.
   void drop_unused_vertices() {
     std::vector<Index> place(cage_.positions.size(), no_index);
     for (const Index vertex : cage_.face_vertices) place[vertex] = 0;
@@ -214,7 +216,7 @@ class CageBuilder {
     for (CreaseEdge& crease : cage_.creases) crease = {place[crease.a], place[crease.b], crease.sharpness};
   }
 
-  /// To the decimals that files have, so that the cage and its file are the same.
+  /// Rounds to the decimals of the file, so that the cage and its file are equal.
   void round_positions() {
     for (Vec3f& position : cage_.positions)
       position = (position.cast<double>() * 1e4).array().round().matrix().cast<float>() / 1e4f;

@@ -1,3 +1,5 @@
+// Simulates the motion of a hand along a path: a speed for each point, limited forwards and backwards by the
+// acceleration, then times, tremor, pressure and tilt at a fixed rate of reports.
 #include <burin/math/elementary.h>
 
 #include "pen_motion.h"
@@ -14,10 +16,10 @@ namespace burin::samples {
 
 namespace {
 
-constexpr std::size_t steps = 4000;  // of the path's parameter
+constexpr std::size_t steps = 4000;  // number of steps of the path's parameter
 constexpr double reports_per_second = 240;
 
-/// Sum of slow or fast sines with phases of its own, within about -1..1.
+/// A sum of three sines with random phases, within -1..1.
 class Waver {
  public:
   Waver(std::mt19937_64& random, std::array<double, 3> hertz) : hertz_(hertz) {
@@ -43,7 +45,7 @@ std::vector<Vec3d> path_points(const PenPath& path) {
   return points;
 }
 
-/// Curvature by the circle through a point and those some steps before and after it.
+/// The curvature of the circle through a point and the points 20 steps before and after it.
 double curvature(const std::vector<Vec3d>& points, std::size_t i) {
   constexpr std::size_t reach = 20;
   const Vec3d& before = points[i < reach ? 0 : i - reach];
@@ -53,7 +55,7 @@ double curvature(const std::vector<Vec3d>& points, std::size_t i) {
   return product > 0 ? 2 * a.cross(b).norm() / product : 0;
 }
 
-/// Speed at each point: no faster than its bend and the acceleration to and from its neighbours allow.
+/// The speed at each point, limited by the bend there and by the acceleration from and to its neighbours.
 std::vector<double> speeds(const std::vector<Vec3d>& points, const PenStyle& style) {
   const double rest = style.speed / 20;
   std::vector<double> speed(points.size());
@@ -77,7 +79,7 @@ std::vector<double> arrival_times(const std::vector<Vec3d>& points, const std::v
   return times;
 }
 
-/// Pressure 0..1: touches down within 80 ms, lifts off within 150 ms.
+/// The pressure, 0..1. The pen touches down within 80 ms and lifts off within 150 ms.
 float pressure_at(double time, double duration, double relative_speed, double waver) {
   const double touch = std::min({1., time / .08 + .08, (duration - time) / .15 + .05});
   return static_cast<float>(std::clamp(touch * (.82 - .25 * relative_speed + .05 * waver), 0., 1.));

@@ -8,28 +8,29 @@
 
 namespace burin::samples {
 
-/// A curve to draw: positions for u in [0, 1], in the units of the recording.
+/// A curve to draw: maps u in [0, 1] to positions in the units of the recording.
 using PenPath = std::function<Vec3d(double u)>;
 
+/// How a hand draws. Lengths are in the units of the recording.
 struct PenStyle {
-  double speed;         ///< on straight parts, units a second
-  double acceleration;  ///< greatest, units a second squared
-  double bend_radius;   ///< of bends at which the hand begins to slow down, units
+  double speed;         ///< on straight parts, units per second
+  double acceleration;  ///< greatest, units per second squared
+  double bend_radius;   ///< radius of bends below which the hand slows down, units
   double tremor;        ///< amplitude, units
   std::uint64_t seed;
 };
 
-/// What a tablet reports: where the pen is on the path and beside it.
+/// A report of a tablet: the pen's position on the path, and its offset from the path.
 struct PenEvent {
   double time;   ///< seconds
-  double u;      ///< on the path
-  Vec3d tremor;  ///< to be added to the place on the path
+  double u;      ///< parameter of the path
+  Vec3d tremor;  ///< offset to add to the position on the path
   Pen pen;
 };
 
-/// Draws the path as a hand does, reported 240 times a second: slower in bends by the one-third power law
-/// of hand movement [Lacquaniti, Terzuolo and Viviani 1983], from rest to rest, pressed down harder where it
-/// is slow, with the 8 to 12 Hz tremor of a hand. Events depend on the arguments alone.
+/// Simulates a hand that draws the path, with 240 reports per second. The hand moves from rest to rest, slows
+/// down in bends by the one-third power law of hand movement [Lacquaniti, Terzuolo and Viviani 1983], presses
+/// harder where it is slow, and trembles with 8 to 12 Hz. Events depend on the arguments alone.
 std::vector<PenEvent> draw(const PenPath& path, const PenStyle& style);
 
 }  // namespace burin::samples

@@ -1,3 +1,4 @@
+// Draws the sample strokes and writes them as files.
 #include "sample_strokes.h"
 
 #include <burin/base/error.h>
@@ -27,11 +28,11 @@ double smoothstep(double x) {
   return s * s * (3 - 2 * s);
 }
 
-/// To a decimal place, so that files stay small.
+/// A value rounded to a multiple of 1 / per_unit, so that files stay small.
 double rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
 float rounded(float value) { return static_cast<float>(rounded(static_cast<double>(value), 1e4)); }
 
-/// Where the ewer's body is at an angle around its axis and a height.
+/// The point of the ewer's body at an angle around its axis and a height.
 Vec3d on_body(const Picker& picker, double angle, double height) {
   const Vec3f outwards(static_cast<float>(math::cos(angle)), 0, static_cast<float>(-math::sin(angle)));
   const auto hit = picker.pick({Vec3f(0, static_cast<float>(height), 0), outwards});
@@ -39,9 +40,10 @@ Vec3d on_body(const Picker& picker, double angle, double height) {
   return hit->position.cast<double>();
 }
 
-// Angles run counter-clockwise seen from above; 0 is under the lip, pi under the handle.
+// The functions below return an angle and a height. Angles run counter-clockwise seen from above; 0 is under
+// the lip, pi under the handle.
 
-/// Around the shoulder from one side of the handle to the other, down there, and once more around the foot.
+/// A line around the shoulder from one side of the handle to the other, down there, and once around the foot.
 std::pair<double, double> meander_at(double u) {
   const double angle = pi + .55 + u * (4 * pi - 1.55);
   const double down = smoothstep((angle - (3 * pi - .95)) / .95);
@@ -54,12 +56,13 @@ std::pair<double, double> scale_band_at(double u) {
   return {angle, -.12 + .03 * math::cos(2 * angle)};
 }
 
-/// An S on its side, on the belly between lip and handle.
+/// An S lying on its side, on the belly between lip and handle.
 std::pair<double, double> wave_at(double u) {
   return {1.5 * pi + 1.4 * (u - .5), -.1 + .12 * math::sin(2 * pi * (u - .5))};
 }
 
-/// Cornu's spiral: curls one way at its start and the other way at its end. In its own units, about -1..1.
+/// The Cornu spiral, which curls one way at its start and the other way at its end, in units of its own,
+/// about -1..1.
 Vec3d scroll_at(double u) {
   constexpr int slices = 400;
   const double end = 1.75 * (2 * u - 1), slice = end / slices;
@@ -124,7 +127,7 @@ Camera side_camera(const Surface& ewer) {
   const Vec3d direction(-.35, -.25, -.9);
   Camera camera =
       framing_camera(low.cast<double>(), high.cast<double>(), direction, Vec3d::UnitY(), 1280, 960, pi / 6);
-  // The last bits of sines differ between machines.
+  // Rounding makes the file the same on all machines even where the last bits of sines differ.
   for (Mat4d* matrix : {&camera.view, &camera.projection})
     *matrix = matrix->unaryExpr([](double x) { return rounded(x, 1e9); });
   return camera;

@@ -5,11 +5,11 @@
 
 namespace burin::samples {
 
-/// Writes the strokes drawn on the ewer: meander.stroke (groove, once around the shoulder, down past the
+/// Writes the sample strokes on the ewer: meander.stroke (groove, once around the shoulder, down past the
 /// handle and once around the foot), scale_band.stroke (scales, around the belly between the two),
-/// wave.stroke (groove, a short S on the belly that one look takes in) and scroll.stroke (groove, an S-scroll
-/// recorded in pixels of a camera that looks at the belly). `ewer`: the refined cage; the object-space
-/// strokes lie on it.
+/// wave.stroke (groove, a short S on the belly, visible from one side) and scroll.stroke (groove, an S-scroll
+/// recorded in pixels of a camera that looks at the belly). `ewer`: the refined cage, on which the
+/// object-space strokes lie.
 void write_sample_strokes(const std::filesystem::path& folder, const Surface& ewer);
 
 }  // namespace burin::samples

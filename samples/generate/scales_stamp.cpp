@@ -1,3 +1,4 @@
+// Computes the stamp of overlapping scales.
 #include <burin/math/elementary.h>
 
 #include "scales_stamp.h"
@@ -15,13 +16,12 @@ namespace {
 
 constexpr int size = 256;        // texels each way
 constexpr int period = 64;       // texels
-constexpr int oversampling = 4;  // each way: the edges are steps
+constexpr int oversampling = 4;  // each way, since the edges of scales are steps
 
-// In periods.
-constexpr double scale_radius = .64;
+constexpr double scale_radius = .64;  // periods
 
-/// Height of the scale around the origin, 0 where it does not reach: a plate that rises towards its free
-/// edge, arched across, with a rounded rim and a low keel.
+/// The height of the scale around the origin, 0 outside of it: a plate that rises towards its free edge,
+/// arched across, with a rounded rim and a low keel.
 double scale_height(double u, double v) {
   const double along = u / scale_radius, across = v / scale_radius;
   const double rho = math::hypot(along, across);
@@ -31,7 +31,7 @@ double scale_height(double u, double v) {
   return (.55 + .40 * along - .22 * across * across + keel) * rim;
 }
 
-/// Highest of the scales in a lattice with one at (0, 0) and one at (1/2, 1/2) of every period.
+/// The height of the highest scale in a lattice that has scales at (0, 0) and (1/2, 1/2) of every period.
 double pattern_height(double u, double v) {
   double highest = 0;
   for (int row = -1; row <= 2; ++row)
@@ -50,7 +50,7 @@ double texel_height(int x, int y) {
   return sum / (oversampling * oversampling);
 }
 
-/// One period, spread to 0..1.
+/// The heights of one period, scaled to 0..1.
 std::vector<float> period_heights() {
   std::vector<float> heights;
   for (int y = 0; y < period; ++y)

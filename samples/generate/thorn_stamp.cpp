@@ -1,3 +1,4 @@
+// Computes the vector displacement map of a thorn.
 #include <burin/math/elementary.h>
 
 #include "thorn_stamp.h"
@@ -16,19 +17,19 @@ namespace {
 
 constexpr int size = 96;  // texels each way
 
-// In halves of the stamp's width.
+// Lengths are in halves of the stamp's width.
 constexpr double foot = .96;  // radius of the disc that is moved
 constexpr double bend_radius = .62;
-constexpr double bend_angle = 2.45;  // of the thorn's axis, from upright at its foot to its tip
+constexpr double bend_angle = 2.45;  // turn of the thorn's axis from its foot to its tip, radians
 
-/// Radius of the thorn at s, from 0 at its foot to 1 at its tip: flared, then slender, at last round.
+/// The radius of the thorn at s, from 0 at its foot to 1 at its tip: flared, then slender, then rounded.
 double thickness(double s) {
   const double flare = math::pow(1 - s, 5);
   return (.30 * (1 - .75 * s) * (1 - flare) + foot * flare) * std::sqrt(1 - math::pow(s, 6));
 }
 
-/// Where the disc's place (x, y) goes: circles around its middle become rings around the axis, a circle in
-/// the plane y = 0 through the origin.
+/// The position to which the point (x, y) of the disc moves: circles around the middle become rings around
+/// the thorn's axis, which is a circular arc in the plane y = 0 through the origin.
 std::array<double, 3> on_thorn(double x, double y) {
   const double rho = math::hypot(x, y);
   if (rho >= foot) return {x, y, 0};

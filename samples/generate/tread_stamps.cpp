@@ -1,3 +1,4 @@
+// Computes the stamps of a tyre's tread.
 #include "tread_stamps.h"
 
 #include <algorithm>
@@ -15,20 +16,20 @@ constexpr int size = 128;        // texels each way
 constexpr int oversampling = 4;  // each way
 
 // Lengths below are in half widths of the tread; y runs across it from -1 to 1, x along it with period 2.
-constexpr double slope = .06;  // of the blocks' sides
+constexpr double slope = .06;  // width of the sloping sides of blocks
 
 double smoothstep(double x) {
   const double s = std::clamp(x, 0., 1.);
   return s * s * (3 - 2 * s);
 }
 
-/// 0 at whole x, 1 between them.
+/// A triangle wave: 0 at integer x, 1 half way between them.
 double zigzag(double x) { return 2 * std::abs(x - std::round(x)); }
 
-/// Distance from the middle of slanting lines, two of them a period, at place x along them.
+/// The distance from the middle of slanting lines, of which there are two per period.
 double to_line(double x) { return std::abs(x - std::round(x)); }
 
-/// Distance into a block of the rubber, negative in the grooves between.
+/// The distance into a block of rubber, negative in the grooves between blocks.
 double into_block(double x, double y) {
   const double side = std::abs(y);
   const double round_groove = std::abs(side - .36 - .07 * zigzag(x + (y > 0 ? .5 : 0))) - .065;
@@ -40,7 +41,7 @@ double into_block(double x, double y) {
 
 double tread_height(double x, double y) { return smoothstep(into_block(x, y) / slope); }
 
-/// What a border that bulges to the right leaves at x, 0..2 within the tile.
+/// The share of the height that a border bulging to the right leaves at x, 0..2 within the tile.
 double rounded(double x, double y) { return smoothstep((1.75 - x - .9 * y * y) / .3); }
 
 void write_tile(const std::filesystem::path& path, const std::function<double(double x, double y)>& height) {
