@@ -65,15 +65,14 @@ class FractalNoise {
 
   FractalNoise(std::uint64_t seed, const Octaves& octaves) : seed_(seed), octaves_(octaves) {}
 
-  /// The noise at (x, y) for a node whose cell has this size; all in cells of the first octave. Within [-1,
-  /// 1].
+  /// The noise at (x, y) for a node whose cell has this size; all in cells of the first octave. The
+  /// value is within [-1, 1].
   float operator()(double x, double y, double footprint_x, double footprint_y) const {
     return shaped(x, y, footprint_x, footprint_y, [](float noise) { return noise; });
   }
 
-  /// The noise with a function applied to every octave. The function's values should have mean 0 and lie
-  /// within
-  /// [-1, 1].
+  /// The noise with a function applied to every octave. The function's values should have mean 0 and
+  /// lie within [-1, 1].
   template <class Shape>
   float shaped(double x, double y, double footprint_x, double footprint_y, const Shape& shape) const {
     double cells = 1;  // cells of this octave per cell of the first

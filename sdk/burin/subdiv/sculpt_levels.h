@@ -16,9 +16,8 @@ namespace burin {
 /// After a level was sculpted,
 /// - finer levels keep their details on the new shape;
 /// - vertices of coarser levels move by the weighted mean of the moves of the next level's vertices around
-/// them. The
-///   weights are the transpose of linear interpolation: 4 for the vertex itself, 2 along an edge, 1 across a
-///   quad. The remainder becomes detail.
+///   them; the weights are the transpose of linear interpolation: 4 for the vertex itself, 2 along an edge, 1
+///   across a quad; the remainder becomes detail.
 ///
 /// All levels are a function of the cage's positions and the details, bit for bit, so switching between
 /// levels changes nothing. Without details the levels equal those of refine(), bit for bit. One thread; calls

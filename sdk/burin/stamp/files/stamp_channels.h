@@ -14,9 +14,8 @@ struct ChannelChoice {
 /// Chooses channels by their names. A name is LAYER.CHANNEL, or CHANNEL alone, which belongs to the layer "".
 /// From one layer the function chooses, whatever the order and case of names, the first that exists of:
 /// - the only channel;
-/// - three channels whose names are r, g, b or red, green, blue or x, y, z, alone or after a common prefix as
-/// in
-///   "dispR", "disp.x", together with the alpha of that prefix; names without a prefix come first;
+/// - three channels whose names are r, g, b or red, green, blue or x, y, z, alone or after a common prefix
+///   ("dispR", "disp.x"), together with the alpha of that prefix; names without a prefix come first;
 /// - the only channel besides alpha (A, alpha);
 /// - Y, the luminance.
 /// `layer`: the layer to choose from: its full name, or the first or last words of its name, up to a dot, if

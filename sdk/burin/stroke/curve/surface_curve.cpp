@@ -1,7 +1,7 @@
 // Traces the curve of a stroke: a centripetal Catmull-Rom spline through the samples [Barry and Goldman 1988;
 // Yuksel, Schaefer and Keyser 2011], sampled half an edge apart and projected onto the ground by closest
-// points. A new sample traces only the
-// segments that are not final, so its cost does not depend on the length of the stroke.
+// points. A new sample traces only the segments that are not final, so its cost does not depend on the
+// length of the stroke.
 #include <burin/math/elementary.h>
 #include <burin/stroke/curve/surface_curve.h>
 #include <burin/surface/geometry/unit_tangent.h>
