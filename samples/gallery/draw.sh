@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws a picture of each stock brush into this folder: ./dev gallery [BRUSH...]; with names these alone.
+# ./dev gallery [BRUSH...]: draws a picture of each stock brush, or of the named ones, into this folder.
 set -euo pipefail
 cd "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 
@@ -12,8 +12,8 @@ replay() { "$burin" replay "$@" --show-every 0 >/dev/null; }
 
 is_wanted() { [[ "$wanted" = "  " || "$wanted" = *" $1 "* ]]; }
 
-# picture BRUSH STROKE [OPTION...]: the sample stroke drawn with org.burin.BRUSH and options of `burin replay`
-# on the surface that `surface` names.
+# picture BRUSH STROKE [OPTION...]: draws the sample stroke with org.burin.BRUSH and options of `burin replay`
+# on the surface in the variable `surface`.
 surface=(--mesh samples/meshes/ewer.obj --subdivide 6)
 picture() {
   local brush=$1 stroke=samples/strokes/$2.stroke
@@ -44,7 +44,7 @@ picture arrow wave --radius .15 --param colour=.5,.03,.02,1
 picture text wave --radius .15 --param text=Engraver --param size=1.6 --param align=middle --param height=.12 \
   --param bevel=.05
 
-# under OPTION...: from now on on a surface with something on it, for brushes that change what is there.
+# under OPTION...: sets `surface` to one with relief, for brushes that change the existing surface.
 under() {
   replay samples/strokes/wave.stroke --mesh samples/meshes/ewer.obj --subdivide 6 \
     --save-mesh "$work/under.ply" "$@"

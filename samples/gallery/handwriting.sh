@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Draws what a pen wrote with eight of the stock brushes: samples/gallery/handwriting.sh RECORDINGS PICTURES, a folder
-# of recordings, which the project does not hold, and one to leave a sheet of pictures of each recording in.
+# samples/gallery/handwriting.sh RECORDINGS PICTURES: draws each recording of a folder (which is not part of the
+# project) with eight of the stock brushes, and writes a sheet of pictures per recording to the other folder.
 set -euo pipefail
 cd "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 
@@ -14,7 +14,7 @@ burin=build/release/bin/burin
 printf '%s\n' 'v -1 -.75 0' 'v 1 -.75 0' 'v 1 .75 0' 'v -1 .75 0' 'f 1 2 3 4' >"$work/sheet.obj"
 surface=(--mesh "$work/sheet.obj" --subdivide 9)
 
-# picture RECORDING RADIUS BRUSH [OPTION...]: all strokes of the recording.
+# picture RECORDING RADIUS BRUSH [OPTION...]: draws all strokes of the recording.
 picture() {
   local recording=$1 radius=$2 brush=$3
   shift 3

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Draws rope, scales, text and beads over rough surfaces into samples/gallery/scans: three scans of a folder of
-# data, which the project does not hold, and a ring in fur, which this makes. samples/gallery/scans.sh FOLDER
+# samples/gallery/scans.sh FOLDER: draws rope, scales, text and beads over rough surfaces into samples/gallery/scans:
+# three scans from FOLDER, which is not part of the project, and a furry ring, which this script makes.
 set -euo pipefail
 cd "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 
@@ -8,7 +8,7 @@ data=${1:?usage: samples/gallery/scans.sh FOLDER, with colin27_head_t1_iso40_1mm
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# A ring whose hairs and tufts are noise drawn out along it; ASCII PLY.
+# Writes a ring whose hairs and tufts are noise stretched along it, as ASCII PLY.
 fur() {
   awk -v m=1000 -v n=420 '
     function hash(i, j, k) { k = sin(i * 127.1 + j * 311.7) * 43758.5453; return k - int(k) + (k < 0) }
@@ -40,7 +40,7 @@ fur() {
     }'
 }
 
-# pictures NAME MESH SUBDIVIDE RADIUS RADII FROM TOWARDS: the four brushes on one surface, along a straight stroke.
+# pictures NAME MESH SUBDIVIDE RADIUS RADII FROM TOWARDS: draws a straight stroke with the four brushes on one surface.
 pictures() {
   local name=$1 mesh=$2 subdivide=$3 radius=$4 radii=$5 from=$6 towards=$7 brush params
   for brush in rope scales text bead; do

@@ -38,8 +38,8 @@ std::optional<CurveGround::Place> CurveGround::closest(const Vec3f& position, fl
   });
 }
 
-/// Newton's method: on_plane(place) is the solution on the tangent plane of a place, and its projection onto
-/// the base surface is a better place. The method starts at the projection of `at`, and returns that
+/// Newton's method: on_plane(place) is the solution on the tangent plane at an estimate, and its projection
+/// onto the base surface is a better estimate. The method starts at the projection of `at`, and returns that
 /// projection if an iterate goes farther than 8 spacings from it. The surface itself needs no iteration.
 template <class OnPlane>
 CurveGround::Place CurveGround::settled(const SurfacePoint& at, const OnPlane& on_plane) const {
