@@ -1,4 +1,4 @@
-// Replays give the same bits on processors that differ in what they estimate and fuse.
+// Checks that replays give the same bits on processors with different estimate and fused instructions.
 #include "support/processors.h"
 
 #include <burin/base/file.h>

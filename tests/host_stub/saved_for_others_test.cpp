@@ -1,5 +1,5 @@
-// Meshes that replay saves, painted in part and masked, as other programs see them: the same triangles, the
-// same way up, and the colours that Burin's pictures have.
+// Checks that other programs read saved meshes, painted in part and masked, correctly: the same triangles,
+// the same up axis, and the colours of Burin's pictures.
 
 #include <burin/base/srgb.h>
 #include <burin/surface/mesh_file.h>

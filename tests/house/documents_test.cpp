@@ -1,4 +1,4 @@
-// Documents name files of the repository, and link to them: these are there.
+// Checks that the files which documents name or link to exist.
 #include <burin/base/file.h>
 #include <gtest/gtest.h>
 

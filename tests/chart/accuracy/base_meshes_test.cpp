@@ -1,6 +1,5 @@
-// Charts at the brush's own scale on meshes that are hard on it, all of them of the plane, where the exact
-// coordinates about an arc are polar ones: slivers, a density of edges that changes, holes, borders. In
-// percent of the radius.
+// Tests charts over base surfaces on difficult meshes of the plane: slivers, varying density, holes and
+// borders. The exact coordinates about an arc are polar. Errors are in percent of the radius.
 #include <gtest/gtest.h>
 
 #include <cmath>

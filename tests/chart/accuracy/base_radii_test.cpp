@@ -1,5 +1,5 @@
-// Charts at the brush's own scale where the scale changes: radii at which one level of the surface gives way
-// to the next, a width that varies along the stroke, and strokes much longer than their radius.
+// Tests charts over base surfaces where the scale changes: radii at which the level changes, a width that
+// varies along the stroke, and strokes that are much longer than their radius.
 #include <gtest/gtest.h>
 
 #include <cmath>

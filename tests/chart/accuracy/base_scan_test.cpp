@@ -1,5 +1,5 @@
-// Real scans at the brush's own scale: |d| against exact geodesics of the low-passed scan, whose vertices are
-// brought onto the base surface.
+// Compares |d| of charts over base surfaces of real scans with exact geodesics of the low-passed scan,
+// whose vertices are moved onto the base surface.
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/triangulate.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Charts at the brush's own scale where the surface comes near itself: thin plates, tubes thinner than the
+// Tests charts over base surfaces where the surface comes near itself: thin plates, tubes thinner than the
 // brush, parts in contact. Exact distances are those of the unrolled surface.
 #include <gtest/gtest.h>
 

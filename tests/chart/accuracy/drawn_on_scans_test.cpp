@@ -1,6 +1,6 @@
-// Charts of strokes as people draw them on real scans, all of whose relief they follow, against exact
-// geodesics of the polyhedron: each vertex near the stroke has a node, and the least distance among its nodes
-// is its distance to the curve.
+// Compares charts of hand-drawn strokes on real scans, with follow = 1, with exact geodesics of the
+// polyhedron: every vertex near the stroke has a node, and the least distance among its nodes is its
+// distance from the curve.
 #include <burin/chart/stroke_chart_builder.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/triangulate.h>

@@ -1,6 +1,6 @@
-// Charts of strokes as people draw them: hooks, corners, cusps, retraced and scrubbed lines, rests, loops and
-// spirals tighter than the radius. Each vertex near the stroke has a node, and the least distance among its
-// nodes is the exact geodesic distance to the curve.
+// Compares charts of hand-drawn strokes with exact distances: hooks, corners, cusps, retraced and scrubbed
+// lines, rests, loops and spirals tighter than the radius. Every vertex near the stroke has a node, and
+// the least distance among its nodes is the exact geodesic distance from the curve.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The oracle itself, on surfaces that unroll into the plane without stretching.
+// Tests the oracle exact_nodes() itself, on surfaces that unroll to the plane without distortion.
 #include "support/oracles/exact_geodesic.h"
 
 #include <burin/chart/stroke_chart_builder.h>

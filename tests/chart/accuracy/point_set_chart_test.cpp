@@ -1,4 +1,4 @@
-// The same charts on points with neighbours instead of triangles.
+// Tests charts on point sets, whose points have neighbours but no triangles.
 #include <burin/chart/dabs/dab.h>
 #include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>

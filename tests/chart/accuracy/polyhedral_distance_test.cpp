@@ -1,5 +1,5 @@
-// Against CGAL's Surface_mesh_shortest_path, which some releases let miss a shortest path: both lengths are
-// of ways on the surface, so the shorter one is right.
+// Compares the oracle with CGAL's Surface_mesh_shortest_path. Some releases of CGAL miss a shortest path.
+// Both lengths belong to paths on the surface, so the shorter one is right.
 #include "support/oracles/polyhedral_distance.h"
 
 #include <burin/surface/mesh_file.h>

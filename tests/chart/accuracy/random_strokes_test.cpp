@@ -1,5 +1,5 @@
-// Random strokes across meshes that are no manifolds, torn, folded, degenerate, or made of slivers: charts
-// stay finite and bounded, and grow to what they are in one go.
+// Tests random strokes on meshes that are non-manifold, torn, folded, degenerate or made of slivers:
+// charts stay finite and bounded, and a growing chart equals one that is computed at once.
 #include <burin/chart/chart_lookup.h>
 #include <burin/chart/joins/joins.h>
 #include <burin/chart/stroke_chart_builder.h>

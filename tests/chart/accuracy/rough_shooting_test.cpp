@@ -1,6 +1,6 @@
-// Charts at the brush's own scale against geodesic shooting on analytic surfaces that are rough: the exact
-// coordinates of a vertex are those of its foot on the smooth surface. Away from the ends, in percent of the
-// radius, which has 20 edges.
+// Compares charts over base surfaces with geodesic shooting on rough analytic surfaces: the exact
+// coordinates of a vertex are those of its foot point on the smooth surface. Errors are in percent of the
+// radius, which spans 20 edges, away from the ends.
 #include <gtest/gtest.h>
 
 #include <cmath>

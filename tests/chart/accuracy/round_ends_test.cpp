@@ -1,5 +1,6 @@
-// Beyond round ends (t, d) are geodesic normal coordinates around the end: against the logarithms of sphere
-// and cylinder, and against geodesics shot from the end on height fields; in percent of the radius.
+// Compares coordinates beyond round ends, where (t, d) are geodesic normal coordinates around the end,
+// with the logarithmic maps of sphere and cylinder, and with geodesics shot from the end on height fields.
+// Errors are in percent of the radius.
 #include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>
 

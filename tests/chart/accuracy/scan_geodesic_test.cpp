@@ -1,4 +1,4 @@
-// Real scans: |d| against exact geodesics of the polyhedron.
+// Compares |d| of charts on real scans with exact geodesics of the polyhedron.
 #include <burin/chart/stroke_chart_builder.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/triangulate.h>

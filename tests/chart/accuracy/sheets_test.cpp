@@ -1,5 +1,5 @@
-// Strokes that overlap themselves, on a plane: each visit's sheet has the coordinates of its own part of the
-// stroke.
+// Tests strokes that overlap themselves, on a plane: the sheet of each visit has the coordinates of its
+// own part of the stroke.
 #include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>
 

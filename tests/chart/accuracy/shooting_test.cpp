@@ -1,5 +1,6 @@
-// The chart against geodesic shooting on analytic surfaces with curvature of both signs: shuffled, jittered
-// triangulations with random diagonals, away from the ends, in percent of the radius.
+// Compares charts with geodesic shooting on analytic surfaces with curvature of both signs. Triangulations
+// are shuffled and jittered, with random diagonals. Errors are in percent of the radius, away from the
+// ends.
 #include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>
 

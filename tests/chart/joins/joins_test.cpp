@@ -1,5 +1,5 @@
-// Bends sharper than the radius, each join: on a plane, where lengths and angles can be read off the
-// triangles.
+// Tests every kind of join at bends sharper than the radius, on a plane, where lengths and angles can be
+// computed by hand.
 #include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Visits of a stroke to a vertex, by strokes in the plane.
+// Tests visits of a stroke to a vertex, with strokes in the plane.
 #include <burin/chart/path/visit.h>
 #include <gtest/gtest.h>
 

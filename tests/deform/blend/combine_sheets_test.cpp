@@ -1,4 +1,4 @@
-// The rule that makes one of the sheets of a vertex.
+// Tests the rules that combine the sheets of a vertex.
 #include <burin/deform/blend/combine_sheets.h>
 #include <burin/deform/blend/sheet_shares.h>
 #include <gtest/gtest.h>

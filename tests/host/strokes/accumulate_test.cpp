@@ -1,4 +1,4 @@
-// Strokes that go on from what they made themselves, through real brushes.
+// Tests strokes that accumulate on their own result, with real brushes.
 #include "host/sessions.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Strokes at the brush's own scale on surfaces that come near themselves, and on scans with faults: nothing
-// beyond the stroke moves, and nothing farther than the brush says.
+// Tests strokes over base surfaces on surfaces that come near themselves and on scans with defects:
+// nothing outside the stroke moves, and nothing moves farther than the brush displaces it.
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/triangulate.h>
 

@@ -1,5 +1,5 @@
-// Strokes at the brush's own scale over relief on shapes that bend themselves: what they add is what they add
-// to the bare shape, which is as if they had felt every bump of it.
+// Tests strokes over base surfaces, over relief on curved shapes: they add to the relief what they add to
+// the bare shape, and on the bare shape they add what strokes that follow all of the relief add.
 #include <cmath>
 #include <tuple>
 #include <utility>

@@ -1,4 +1,4 @@
-// Strokes at the brush's own scale over relief that an earlier stroke could have left.
+// Tests strokes over base surfaces, over relief that an earlier stroke could have left.
 #include <cmath>
 #include <tuple>
 #include <utility>

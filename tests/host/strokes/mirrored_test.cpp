@@ -1,4 +1,4 @@
-// Symmetric strokes of every brush, whichever way they overlap and accumulate.
+// Tests symmetric strokes with every brush, every kind of overlap and accumulation.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Where a stroke overlaps itself what a brush does has no steps that it does not have along a straight
-// stroke.
+// Checks that where a stroke overlaps itself the result of a brush has no steps that it does not have
+// along a straight stroke.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

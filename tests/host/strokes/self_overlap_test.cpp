@@ -1,4 +1,4 @@
-// Strokes that run over themselves, through real brushes.
+// Tests strokes that overlap themselves, with real brushes.
 #include <algorithm>
 #include <map>
 #include <numbers>

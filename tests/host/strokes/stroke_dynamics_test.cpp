@@ -1,4 +1,4 @@
-// Strokes whose radius, strength and parameters the pen drives, through the whole session.
+// Tests strokes whose radius, strength and parameters are driven by the pen, through the whole session.
 #include <burin/base/parallel.h>
 #include <burin/host/replay.h>
 

@@ -1,4 +1,4 @@
-// Strokes over strokes: what a brush adds to the relief of those before it.
+// Tests strokes over earlier strokes: what a brush adds to existing relief.
 #include <burin/host/replay.h>
 #include <burin/stroke/stroke_file.h>
 #include <burin/subdiv/refine.h>

@@ -1,4 +1,4 @@
-// Vector displacement maps as different programs write them, drawn by the vdm-trail brush.
+// Tests vector displacement maps in the conventions of different programs, drawn by the vdm-trail brush.
 
 #include <OpenImageIO/imageio.h>
 

@@ -1,4 +1,4 @@
-// Stamps as programs write them: what files say besides their texels.
+// Tests the metadata of stamp files, besides their texels, as various programs write them.
 
 #include <OpenImageIO/imageio.h>
 #include <burin/base/error.h>
