@@ -8,7 +8,7 @@
 namespace burin {
 
 /// Extrapolates a frame at q, beyond a round end of the stroke, to x. The parameters are those of
-/// frame_told().
+/// propagate_frame().
 inline ChartFrame propagate_around_end(const ChartFrame& at_q, const DistanceRay& ray, const FrameStep& step,
                                        const Vec3f& normal, float gauss) {
   const float inverse_stretch = 1 / at_q.stretch;

@@ -31,9 +31,9 @@ struct StrokeTools {
   StageClock& clock;
 };
 
-/// The open stroke of a session, with all its pieces and symmetric images. Surface, picker, charters, brush
-/// and descriptor must outlive the object, and no other stroke may use the charters. A function that throws
-/// leaves the stroke in an unspecified state; drop it.
+/// The open stroke of a session, with all its pieces and symmetric images. Surface, picker, chart builders,
+/// brush and descriptor must outlive the object, and no other stroke may use the chart builders. A function
+/// that throws leaves the stroke in an unspecified state; drop it.
 class OpenStroke {
  public:
   /// Starts a stroke of the brush. Throws Error as Session::begin_stroke().

@@ -25,8 +25,8 @@ struct InstanceChartBuilders {
   std::unique_ptr<LiveChart> image;  ///< created when the instance is first an image of another
 };
 
-/// The charters of a surface, created when a stroke first needs them, and the levels that they share. Surface
-/// and picker must outlive the object.
+/// The chart builders of a surface, created when a stroke first needs them, and the levels that they share.
+/// Surface and picker must outlive the object.
 class ChartBuilders {
  public:
   ChartBuilders(const Surface& surface, const Picker& picker)
@@ -112,7 +112,7 @@ class StrokeInstance {
   ReadInputs reads_;
   StrokeChartBuilder* builder_ = nullptr;
   BaseSurface* base_ = nullptr;  ///< the base surface on which the stroke runs; null: the surface itself
-  LiveDabs* dabs_ = nullptr;     ///< set instead of the charter in strokes of dabs
+  LiveDabs* dabs_ = nullptr;     ///< set instead of the chart builder in strokes of dabs
   const StrokeInstance* original_;
   std::optional<ImageChart> image_chart_;  ///< set if this is an image of another instance
   CurveTracer tracer_;
