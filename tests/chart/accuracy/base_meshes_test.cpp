@@ -37,7 +37,7 @@ struct Errors {
   std::size_t strayed = 0;  ///< nodes of vertices that are well outside
 };
 
-/// Of the vertices that `counts` lets count, by their place in the plane, away from the stroke's ends.
+/// The errors of the vertices for which counts(position in the plane) is true, away from the stroke's ends.
 Errors errors(
     TriangleMesh mesh, test::Relief relief, double height, double follow = 0,
     const std::function<bool(const Vec2d&)>& counts = [](const Vec2d&) { return true; }) {

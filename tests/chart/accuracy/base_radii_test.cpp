@@ -24,7 +24,8 @@ TriangleMesh square_of(const test::HeightField& field, double edge) {
 
 class BaseRadii : public testing::TestWithParam<test::Height (*)(double, double)> {};
 
-// From a coarse level's least to the next one's most. Small radii bend less with the surface.
+// Radii range from the least of one level to the greatest of the next. Small radii bend less with the
+// surface.
 TEST_P(BaseRadii, GiveExactCoordinatesOnEveryLevel) {
   const test::ShootingOracle oracle(GetParam(), test::s_curve());
   const auto samples = test::sampled(200, [&](double s) { return oracle.place(s); });

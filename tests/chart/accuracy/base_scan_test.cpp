@@ -106,7 +106,7 @@ TEST_P(BaseScan, IsChartedByTheDistancesOfTheLowPassedScan) {
             << " p99 " << own.p99 << "; against the scan itself: mean " << on_scan.mean << " p99 "
             << on_scan.p99 << "; following all relief, against the scan itself: mean " << all.mean << " p99 "
             << all.p99 << " % of the radius; " << own_scale.size() << " nodes\n";
-  // Where the scan folds more narrowly than the brush the two differ by several percent.
+  // The two differ by several percent where the scan has folds narrower than the brush.
   EXPECT_LE(own.mean, 0.5);
   EXPECT_LE(own.p99, 7);
 }

@@ -105,8 +105,8 @@ Tally draw_all(const Drawing& drawing) {
 
 constexpr double all_relief = 1, own_scale = 0;
 
-// What is aimed at is no hole at all; one in a million vertices is what is reached: at the rim, where a
-// distance that is told too long reaches the radius.
+// The target is no hole at all; one in a million vertices is reached. The holes are at the rim, where a
+// distance that is slightly too long exceeds the radius.
 void expect_right(const Tally& tally) {
   EXPECT_GT(tally.errors.vertices, 100'000U);
   EXPECT_LE(tally.errors.holes, 1U);

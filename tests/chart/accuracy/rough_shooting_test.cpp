@@ -18,7 +18,7 @@ namespace {
 
 constexpr double radius = 0.3, edge = radius / 20;
 
-/// How far a vertex over (x, y) stands off the smooth surface, object units.
+/// The height of a vertex over the smooth surface at (x, y), object units.
 using Roughness = std::function<double(double x, double y)>;
 
 /// An egg crate of six radii, whose crests bend like a ball of 2.3 radii.

@@ -52,7 +52,7 @@ TEST_P(Shooting, SecondOrderIsWithinItsBounds) {
   RecordProperty("t_mean", std::to_string(second.t.mean()));
 }
 
-// At the brush's own scale: a chart of the base surface, carried to the vertices.
+// Charts over the base surface, interpolated to the vertices, have errors within their bounds.
 TEST_P(Shooting, ChartsOfTheBaseSurfaceAreWithinTheirBounds) {
   for (const int edges : {16, 20, 34, 40}) {
     const ChartErrors carried = errors(radius / edges, {.radius = radius, .follow = 0});

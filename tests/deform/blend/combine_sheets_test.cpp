@@ -107,7 +107,7 @@ TEST(CombinedSheets, HaveNoStepWhereSheetsChangeALittle) {
                 5e-3)
           << name;
   }
-  // Of the same height, and sideways in opposite directions.
+  // The sheets have the same height and opposite sideways displacements.
   const Sheet left = sheet_of({-1, 0, 0.5f}, 0.9), right = sheet_of({1, 0, 0.5f}, 0.9);
   for (const auto& [name, overlap] : named_overlaps) {
     if (overlap == Overlap::latest) continue;

@@ -190,7 +190,7 @@ TEST_P(FollowFaultyScans, MovesNothingButTheStroke) {
       ASSERT_TRUE(after.allFinite());
       if (after == before[v]) continue;
       EXPECT_LE((after - before[v]).norm(), 0.26 * r);
-      // In a fold narrower than the brush a vertex may be a radius off the surface that the brush feels.
+      // A vertex in a fold narrower than the brush may be a radius off the base surface.
       EXPECT_LE(farthest_from(places, before[v]), 2 * r);
     }
   }

@@ -22,7 +22,7 @@ Place on_cylinder(double x, double y) {
   return {normal + y * Vec3d::UnitY(), normal};
 }
 
-/// In polar coordinates about the pole (0, 0, 1).
+/// The sphere in polar coordinates about the pole (0, 0, 1).
 Place on_sphere(double x, double y) {
   const double angle = std::hypot(x, y), share = angle > 0 ? std::sin(angle) / angle : 1;
   const Vec3d normal(share * x, share * y, std::cos(angle));

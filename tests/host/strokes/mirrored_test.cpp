@@ -89,7 +89,7 @@ class Mirrored : public testing::TestWithParam<BrushUse> {
   std::vector<Index> partner_;
 };
 
-/// But text, which is readable in mirrors.
+/// All stock brushes except text, which stays readable in mirror images.
 std::vector<BrushUse> brushes_that_mirror() {
   std::vector<BrushUse> uses;
   for (const BrushUse& use : test::stock_brush_uses)
