@@ -41,7 +41,7 @@ class Unfolding {
   const std::vector<double>& reached() const { return reached_; }
 
  private:
-  /// Frame: the side runs along x from its begin at 0, the triangle that the lines enter lies above, the
+  /// Frame: the side runs along x from its start at 0; the triangle that the lines enter lies above, the
   /// point below. Sides: 3 * triangle + i runs from its corner i to the next.
   struct Window {
     Index side;

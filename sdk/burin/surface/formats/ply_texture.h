@@ -19,7 +19,7 @@ class PlyTexture {
   static std::vector<Slot> vertex_slots(const PlyElement& vertices);
   static std::vector<Slot> face_slots(const PlyElement& faces);
 
-  /// Starts the vertices; `textured` tells whether any of their properties is a texture coordinate.
+  /// Starts the vertices; `textured` is whether any of their properties is a texture coordinate.
   void begin_vertices(std::size_t count, bool textured);
   void take(Slot slot, std::size_t vertex, double value);
 
