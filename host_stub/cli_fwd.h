@@ -1,7 +1,7 @@
 #pragma once
 
-/// CLI11's header alone takes longer to compile than most sources here: only sources that add options have
-/// it.
+/// Forward declarations of CLI11. Its header takes longer to compile than most sources here, so only sources
+/// that add options include it.
 namespace CLI {
 class App;
 class Validator;

@@ -3,8 +3,8 @@
 
 namespace burin::command {
 
-/// Each adds one subcommand, which runs while `app` parses the command line. What goes wrong in it leaves
-/// the parser as a burin::Error.
+/// Each function adds one subcommand, which runs while `app` parses the command line. Its errors leave the
+/// parser as burin::Error.
 void add_replay(CLI::App& app);
 void add_chart(CLI::App& app);
 void add_render(CLI::App& app);

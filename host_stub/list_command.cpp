@@ -56,7 +56,7 @@ const char* unit_name(burin_param_unit unit) {
 
 std::string text_or_empty(const char* text) { return text ? text : ""; }
 
-/// JSON knows no infinity: such a bound is null.
+/// A bound of a range; null if it is infinite, which JSON cannot express.
 Json bound(float value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json choices_json(const burin_param_info& param) {
@@ -113,7 +113,7 @@ Json brush_json(const BrushEntry& entry) {
           {"params", params}};
 }
 
-/// "0 .. 1, radius" or what stands in for a range.
+/// The range of a parameter, "0 .. 1 radius", or its choices; empty for other types.
 std::string range_text(const burin_param_info& param) {
   if (param.type == BURIN_PARAM_CHOICE) return choices_json(param).dump();
   if (param.type != BURIN_PARAM_FLOAT && param.type != BURIN_PARAM_INT) return "";

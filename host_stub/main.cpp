@@ -11,13 +11,14 @@ namespace {
 
 constexpr const char* output_failed = "standard output: writing failed";
 
-/// 2: bad input or usage; 1: a fault of the machine or of Burin.
+/// Reports an error and returns the exit code: 2 for bad input or usage, 1 for a fault of the machine or of
+/// Burin.
 int fail(int code, const char* what) {
   burin::say("", what);
   return code;
 }
 
-/// The help, which CLI11 prints itself.
+/// Lets CLI11 print the help; returns the exit code.
 int print_help(const CLI::App& app, const CLI::ParseError& error) {
   const int code = app.exit(error);
   std::cout.flush();
@@ -46,7 +47,7 @@ int run(CLI::App& app, int argc, char** argv) {
 int main(int argc, char** argv) {
   burin::open_standard_streams();
   CLI::App app("Burin draws recorded pen strokes on surfaces with brush plugins.", "burin");
-  // Not required of CLI11, which would then not name an unknown one.
+  // If CLI11 required a subcommand, its message would not give the name of an unknown one.
   app.require_subcommand(0, 1);
   burin::command::add_replay(app);
   burin::command::add_chart(app);

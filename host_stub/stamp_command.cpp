@@ -22,7 +22,7 @@ struct StampCommandOptions {
   bool json = false;
 };
 
-/// "MODE" or "MODE,MODE".
+/// Parses "MODE" or "MODE,MODE".
 void read_wrap(const std::string& text, StampOptions& options) {
   std::tie(options.wrap_u, options.wrap_v) = wraps_named(text);
   if (options.wrap_u == Wrap::unknown || options.wrap_v == Wrap::unknown)

@@ -14,13 +14,13 @@
 namespace burin {
 namespace {
 
-/// All events and ends: so a slower end of a stroke shows too.
+/// The mean time of all events and ends of a case, in which a slower end of a stroke shows too.
 double mean_stroke_ms(const CaseResult& result) {
   const std::vector<double>& seconds = result.stroke_seconds;
   return 1e3 * std::accumulate(seconds.begin(), seconds.end(), 0.0) / static_cast<double>(seconds.size());
 }
 
-/// Runs a build once and keeps the time; the hash must stay the same from round to round.
+/// Runs a build once and appends its time. The hash must be the same in every round.
 void run_round(const std::filesystem::path& burin, const Suite& suite, const std::string& name,
                std::size_t repeat, std::vector<double>& times, std::string& hash) {
   const CaseResult result = run_case_in_process(burin, suite, name, repeat);
@@ -39,7 +39,7 @@ Comparison compare(const Suite& suite, const std::string& name, const AgainstOpt
   std::vector<double> ratios;
   for (std::size_t round = 0; round < options.rounds; ++round) {
     report(progress, name, static_cast<double>(rounds_before + round) / all_rounds);
-    // The rounds are what repeats: one run of the strokes each unless more are asked for.
+    // Rounds are the repetition, so each runs the strokes once unless more repeats are requested.
     const std::size_t repeat = options.repeat.value_or(1);
     run_round(executable_file(), suite, name, repeat, comparison.this_ms, comparison.this_hash);
     run_round(options.other, suite, name, repeat, comparison.other_ms, comparison.other_hash);

@@ -12,7 +12,7 @@ namespace {
 
 using Texts = std::map<std::string, std::string>;
 
-/// Hash and counters by name, as text.
+/// The hash and the counters as text, by name.
 Texts facts(const CaseResult& result) {
   Texts facts = {{"hash", result.hash}};
   for (const auto& [name, count] : result.counters) facts[name] = std::to_string(count);

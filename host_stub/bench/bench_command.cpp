@@ -34,7 +34,7 @@ struct BenchOptions {
   bool json = false;
 };
 
-/// The suite with the cases that the options name, or all.
+/// The suite with the cases that the options select, or with all.
 Suite chosen_suite(const BenchOptions& options) {
   Suite suite = read_suite(options.suite);
   if (options.cases.empty()) return suite;
@@ -50,7 +50,7 @@ Suite chosen_suite(const BenchOptions& options) {
   return suite;
 }
 
-/// Where the pictures of a report are; nothing without a report.
+/// The folder for the pictures of a report; empty without a report.
 std::filesystem::path picture_folder(const BenchOptions& options) {
   return options.report.empty() ? std::filesystem::path()
                                 : std::filesystem::path(options.report) / "pictures";
@@ -67,7 +67,7 @@ SuiteResult run_here(const Suite& suite, const BenchOptions& options) {
   return {suite.name, {run_case(suite.path, one, repeat, picture, brushes, bar.progress())}};
 }
 
-/// A case that was asked for alone runs in this process: so run_case_in_process asks.
+/// Measures the suite. A single case runs in this process, which run_case_in_process() relies on.
 SuiteResult measure(const Suite& suite, const BenchOptions& options) {
   if (options.cases.size() == 1) return run_here(suite, options);
   ProgressBar bar;

@@ -21,7 +21,7 @@ std::vector<double> resampled_means(const std::vector<double>& values) {
   std::mt19937_64 random(1);
   std::vector<double> means, sample(values.size());
   for (std::size_t i = 0; i < resamples; ++i) {
-    // Not std::uniform_int_distribution, which is not the same everywhere.
+    // std::uniform_int_distribution is not used, since its results differ between standard libraries.
     for (double& value : sample) value = values[random() % values.size()];
     means.push_back(mean(sample));
   }

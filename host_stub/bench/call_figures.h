@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// Calls of a session, in the order in which they were made: what each took as a whole, and where.
+/// The total time, seconds, and the cost by stage of calls of a session, in the order of the calls.
 struct Calls {
   std::vector<double> seconds;
   std::vector<EventCost> costs;
@@ -17,7 +17,7 @@ struct Calls {
   void append(const Calls& more);
 };
 
-/// Figures of many times, milliseconds.
+/// Statistics of times, milliseconds.
 struct TimeFigures {
   double mean = 0;
   Percentiles at;
@@ -31,7 +31,7 @@ struct CallFigures {
 
 CallFigures call_figures(const Calls& calls);
 
-/// The times that 0, 1 ... 100 percent of all do not exceed, milliseconds; empty for none.
+/// The times, milliseconds, that 0, 1 ... 100 percent of all times do not exceed; empty without times.
 std::vector<double> distribution(std::vector<double> seconds);
 
 Json call_json(const CallFigures& figures);

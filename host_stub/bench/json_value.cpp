@@ -23,7 +23,7 @@ constexpr std::uintmax_t most_json_bytes = std::uintmax_t{1} << 26;
 }  // namespace
 
 std::string JsonValue::place_of(const std::string& name) const {
-  // Names of the formats need no quotes; whatever else a file has may.
+  // Names that the formats define need no quotes, unlike unexpected names in a file.
   const std::string quoted = quoted_word(name), shown = quoted.size() == name.size() + 2 ? name : quoted;
   return place_.empty() ? shown : place_ + "." + shown;
 }
@@ -106,7 +106,7 @@ double JsonValue::positive() const {
 }
 
 std::uint64_t JsonValue::whole(std::uint64_t least, std::uint64_t most) const {
-  // Signed literals that are not negative parse as unsigned ones.
+  // Literals that are not negative are parsed as unsigned numbers.
   if (json_->is_number_unsigned() && *json_ >= least && *json_ <= most) return json_->get<std::uint64_t>();
   reject(fmt::format("must be a whole number from {} to {}", least, most));
 }

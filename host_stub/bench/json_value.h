@@ -14,19 +14,19 @@
 
 namespace burin {
 
-/// A value in a JSON file that knows its place, so that whatever is wrong with it is said as
-/// "FILE: cases[2].radius: WHAT". All readers throw FileError. Copies share the file's content.
+/// A value in a JSON file with its path, so that errors read "FILE: cases[2].radius: WHAT". All functions
+/// that read a value throw FileError if it has another type. Copies share the file's content.
 class JsonValue {
  public:
-  /// Throws FileError when the file cannot be read or holds no JSON.
+  /// Reads a file. Throws FileError if it cannot be read or is not JSON.
   static JsonValue read(const std::filesystem::path& path);
 
-  /// The same of a text; `name` stands for the file in messages.
+  /// Parses a text; messages have `name` instead of a file. Throws FileError if it is not JSON.
   static JsonValue parse(std::string_view text, const std::string& name);
 
   [[noreturn]] void reject(std::string_view what) const;
 
-  /// Rejects an object with a member of any other name, by that member.
+  /// Throws FileError for the first member of the object that has any other name.
   void allow_only(std::initializer_list<std::string_view> names) const;
 
   JsonValue member(const std::string& name) const;
@@ -45,7 +45,7 @@ class JsonValue {
   std::uint64_t whole(std::uint64_t least, std::uint64_t most) const;
   std::vector<double> numbers() const;
 
-  /// What `names` has for this text; rejects other texts by naming them all.
+  /// The value that `names` has for this text. Throws FileError, which lists all names, for other texts.
   template <class Value>
   Value choice(const std::map<std::string, Value>& names) const {
     const auto found = names.find(text());

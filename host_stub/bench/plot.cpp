@@ -13,7 +13,7 @@ namespace {
 constexpr double width = 380, height = 230;
 constexpr double left = 48, right = 14, top = 12, bottom = 42;
 
-/// 1, 2 and 5 times powers of ten, or the powers alone where those are many.
+/// The ticks of a logarithmic axis: 1, 2 and 5 times powers of ten, or the powers alone on a long axis.
 std::vector<double> logarithmic_ticks(double low, double high) {
   const bool powers_alone = high / low > 500;
   std::vector<double> ticks;

@@ -5,26 +5,26 @@
 
 namespace burin {
 
-/// A direction of a plot and what it shows. Values beyond its ends are drawn at them.
+/// An axis of a plot. Values beyond its ends are drawn at the ends.
 struct Axis {
   std::string label;
-  double low = 0, high = 1;  ///< low < high, above 0 if logarithmic
+  double low = 0, high = 1;  ///< low < high; both above 0 if logarithmic
   bool logarithmic = false;
 
   double share(double value) const;  ///< 0 at low, 1 at high
   std::vector<double> ticks() const;
 };
 
-/// The axis that holds all values, which are positive, with some room at both ends. It spans a decade at
-/// least, so that small differences look small.
+/// A logarithmic axis that holds all values, which must be positive, with a margin at both ends. It spans at
+/// least a decade, so that small differences look small.
 Axis logarithmic_axis(std::string label, const std::vector<double>& values);
 
 struct PlotPoint {
   double x, y;
 };
 
-/// An SVG drawing of curves over two axes. Colours come from the page by class: c0 to c6 for stroke and
-/// fill, `grid`, `text`. Texts are escaped.
+/// An SVG plot of curves over two axes. Colours are defined by the page's CSS classes: c0 to c6 for stroke
+/// and fill, `grid`, `text`. Texts are escaped.
 class Plot {
  public:
   Plot(Axis x, Axis y);
@@ -32,10 +32,10 @@ class Plot {
   void line(const std::vector<PlotPoint>& points, std::string_view colour);
   void dashes(const PlotPoint& from, const PlotPoint& to);
 
-  /// With its tooltip.
+  /// Draws a dot with a tooltip.
   void dot(const PlotPoint& at, std::string_view colour, const std::string& title);
 
-  /// A text that begins at a place, a little above it.
+  /// Writes a text that starts at a point, a little above it.
   void note(const PlotPoint& at, const std::string& text);
 
   std::string svg() const;
@@ -49,7 +49,7 @@ class Plot {
   std::string marks_;
 };
 
-/// "0.02", "5", "300k", "20M".
+/// A number in short form: "0.02", "5", "300k", "20M".
 std::string short_number(double value);
 
 }  // namespace burin

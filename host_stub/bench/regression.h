@@ -3,7 +3,8 @@
 
 namespace burin {
 
-/// What was measured is not as it should be: no fault of a file or of the usage. The command ends with 1.
+/// A measurement that does not meet expectations, as opposed to an error of input or usage. The exit code is
+/// 1.
 class Regression : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -38,7 +38,7 @@ svg text{font:11px system-ui,sans-serif;fill:var(--soft)}
 .legend i{display:inline-block;width:.8em;height:.8em;border-radius:2px;margin-right:.4em}
 )";
 
-/// Fills and lines of the colours c0 to c6.
+/// The CSS rules for fills and lines of the colours c0 to c6.
 std::string colour_rules() {
   std::string css;
   for (int i = 0; i < 7; ++i)

@@ -6,15 +6,15 @@
 
 namespace burin {
 
-/// A result with what a report calls it.
+/// A result with its name in a report.
 struct NamedResult {
   std::string name;
   SuiteResult result;
 };
 
-/// Writes result.json and index.html, which needs nothing besides itself, into the folder, creating it where
-/// needed. `results`: oldest first, at least one; the report shows the last, and the way to it if there are
-/// more. Throws FileError.
+/// Writes result.json and index.html, which is self-contained, to the folder, which is created if needed.
+/// `results` holds at least one result, oldest first; the report shows the last one, and the history if there
+/// are more. Throws FileError.
 void write_bench_report(const std::string& folder, const std::vector<NamedResult>& results);
 
 }  // namespace burin

@@ -11,14 +11,14 @@
 namespace burin {
 namespace {
 
-/// Between two events of a pen that reports at 240 Hz.
+/// The time between two events of a pen that reports at 240 Hz.
 constexpr double pen_interval_ms = 1e3 / 240;
 
 std::string figure(const std::string& caption, const std::string& svg) {
   return fmt::format("<figure><figcaption>{}</figcaption>{}</figure>\n", escaped(caption), svg);
 }
 
-/// From the fastest event of all cases to the slowest.
+/// A time axis from the fastest to the slowest event of all cases.
 Axis time_axis(const SuiteResult& result) {
   std::vector<double> times;
   for (const CaseResult& one : result.cases)
@@ -71,7 +71,7 @@ std::string stage_legend() {
   return html + "</p>\n";
 }
 
-/// The results that have the case, by their number from 1.
+/// The results that have the case, with their numbers counted from 1.
 std::vector<std::pair<double, const CaseResult*>> past_of(const std::string& name,
                                                           const std::vector<SuiteResult>& results) {
   std::vector<std::pair<double, const CaseResult*>> past;

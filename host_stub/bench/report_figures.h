@@ -7,18 +7,18 @@
 
 namespace burin {
 
-// The figures of a report, as markup.
+// The figures of a report, as HTML.
 
-/// Share of the events that take at most so long, a plot a case on one scale.
+/// Cumulative distributions of event times, one plot per case on a common scale.
 std::string latency_figures(const SuiteResult& result);
 
-/// How the mean time of calls divides among the stages, a bar a case. `calls`: which of a case's.
+/// The mean time of calls by stage, one bar per case. `calls` selects the kind of calls.
 std::string stage_figure(const SuiteResult& result, CallFigures CaseResult::*calls);
 
-/// Cost over size with its power law.
+/// Cost over size with the fitted power law.
 std::string scaling_figure(const Scaling& scaling);
 
-/// p50 and p95 of events in one result after the other, a plot for each case of the last.
+/// p50 and p95 of events over the results, one plot per case of the last result.
 std::string history_figures(const std::vector<SuiteResult>& results);
 
 }  // namespace burin

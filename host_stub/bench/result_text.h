@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// Tables for the terminal: times, throughput and memory by case, then the exponents.
+/// Tables for the terminal: times, throughput and memory per case, then the exponents.
 std::string result_text(const SuiteResult& result, const std::vector<Scaling>& scalings);
 
 }  // namespace burin

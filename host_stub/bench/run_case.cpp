@@ -31,7 +31,7 @@ double seconds_since(Clock::time_point start) {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// 0 for no time.
+/// The rate count / seconds; 0 if no time passed.
 double rate(double count, double seconds) { return seconds > 0 ? count / seconds : 0; }
 
 std::size_t growth(std::size_t before, std::size_t after) { return after > before ? after - before : 0; }
@@ -41,7 +41,7 @@ std::uint64_t bytes(const Vector& items) {
   return items.size() * sizeof(typename Vector::value_type);
 }
 
-/// What the arrays of the surface hold.
+/// The memory of the surface's arrays, bytes.
 std::uint64_t surface_bytes(const Surface& surface) {
   return bytes(surface.positions) + bytes(surface.normals) + bytes(surface.triangles) +
          bytes(surface.gauss_curvature) + bytes(surface.neighbours.offsets) +
@@ -55,7 +55,7 @@ double chart_seconds(const Calls& calls) {
   return seconds;
 }
 
-/// One repeat.
+/// The results of one repeat.
 struct Drawn {
   std::uint64_t hash = 0;
   std::map<std::string, std::uint64_t> counters;
@@ -120,10 +120,10 @@ class CaseRunner {
   const BenchCase& case_;
   StrokeOverrides overrides_;
   const Progress& progress_;
-  Vec3d origin_ = Vec3d::Zero();  ///< where its positions are counted from
+  Vec3d origin_ = Vec3d::Zero();  ///< origin to which positions are relative
   std::optional<Session> session_;
   std::vector<Recording> recordings_;
-  StrokeExtent extent_;  ///< of the last repeat
+  StrokeExtent extent_;  ///< extent of the last repeat
   Calls events_, ends_, undos_;
   CaseResult result_;
 };

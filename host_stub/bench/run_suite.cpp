@@ -14,7 +14,7 @@
 namespace burin {
 namespace {
 
-/// The last line that a command wrote to stderr, without the name that it begins with.
+/// The last line that a command wrote to stderr, without the leading program name.
 std::string complaint(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   std::string line = text.substr(text.rfind('\n') + 1);

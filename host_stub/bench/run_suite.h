@@ -11,17 +11,18 @@
 
 namespace burin {
 
-/// Has a burin command run one case of a suite in a process of its own, so that memory, first touches and
-/// threads are the case's alone. `picture`: the file that it is to draw the result into; empty: none. What
-/// the process says goes to stderr. Throws Error or Regression, as the process did, with what it said last.
+/// Runs one case of a suite in a new process of a burin command, so that memory, first touches and threads
+/// are those of the case alone. `picture` is the file for a picture of the result; empty means none. The
+/// messages of the process go to stderr. Throws Error or Regression, as the process did, with its last
+/// message.
 CaseResult run_case_in_process(const std::filesystem::path& burin, const Suite& suite,
                                const std::string& case_name, std::optional<std::size_t> repeat,
                                const std::filesystem::path& picture = {});
 
-/// The picture of the case of this number in a folder; nothing in no folder.
+/// The picture file of the case with this number in a folder; empty if the folder is empty.
 std::filesystem::path picture_file(const std::filesystem::path& folder, std::size_t number);
 
-/// All cases, each in a process of this command, with pictures in this folder unless it is empty.
+/// Runs all cases, each in a new process of this command, with pictures in this folder unless it is empty.
 SuiteResult run_suite(const Suite& suite, std::optional<std::size_t> repeat,
                       const std::filesystem::path& pictures, const Progress& progress);
 

@@ -12,7 +12,7 @@
 namespace burin {
 namespace {
 
-constexpr double sample_rate = 240;  // a second
+constexpr double sample_rate = 240;  // samples per second
 
 Vec3f normal_at(const Surface& surface, const SurfacePoint& at) {
   Vec3f normal = Vec3f::Zero();
@@ -20,7 +20,7 @@ Vec3f normal_at(const Surface& surface, const SurfacePoint& at) {
   return normal.normalized();
 }
 
-/// Somebody who walks straight on over the surface.
+/// Traces an approximate geodesic over the surface step by step.
 class Walker {
  public:
   Walker(const Surface& surface, const Picker& picker, const Vec3d& from, const Vec3d& towards)
@@ -46,7 +46,7 @@ class Walker {
   }
 
  private:
-  /// The part of a direction at right angles to the normal, of unit length; zero where there is none.
+  /// The unit vector of a direction's tangential part; zero if there is none.
   static Vec3f along(const Vec3f& direction, const Vec3f& normal) {
     return (direction - normal.dot(direction) * normal).normalized();
   }

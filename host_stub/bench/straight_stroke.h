@@ -7,9 +7,10 @@
 
 namespace burin {
 
-/// A recording in object space of the stroke with this radius: from its first place straight on, that is, in
-/// steps of about an edge to closest points, the direction carried along by parallel transport. 240 samples a
-/// second. Throws Error when there is no surface within the size of the object, or it ends on the way.
+/// Makes a recording, in object space, of a straight stroke with this radius, object units. It follows the
+/// surface in steps of about an edge to closest points, with the direction parallel transported, at 240
+/// samples per second. Throws Error if there is no surface within the size of the object, or if the surface
+/// ends on the way.
 Recording make_straight_stroke(const Surface& surface, const Picker& picker, const StraightStroke& stroke,
                                double radius);
 

@@ -1,6 +1,6 @@
-// Holds a chart against distances that do not come from it. Along the edges of the mesh [Dijkstra 1959] no
-// distance is too short: a vertex that is within the stroke that way is within it. On planes and spheres the
-// distance to every segment of the curve is known.
+// Checks a chart against independent distances. Distances along the edges of the mesh [Dijkstra 1959] are
+// never too short, so a vertex within the stroke by them must have a node. On planes and spheres the exact
+// distance to every segment of the curve is known; with n vertices and m segments that part costs O(n m).
 #include "chart/chart_check.h"
 
 #include <burin/chart/path/closed_length.h>
@@ -23,18 +23,19 @@ namespace {
 /// How far a surface may be from a plane or a sphere, in radii of the stroke.
 constexpr double flat_enough = 1e-4;
 
-/// Of the points of the curve, in doubles.
+/// The position of a point of the curve, in doubles.
 Vec3d place(const SurfaceCurve& curve, std::size_t point) {
   return curve.points[point].at.position.cast<double>();
 }
 
-/// The vertices whose way along edges to a point of the curve is within the stroke's half width there.
+/// The vertices whose distance along edges to a point of the curve is within the stroke's half width at that
+/// point.
 std::vector<Index> vertices_under_pen(const Surface& surface, const SurfaceCurve& curve, double radius) {
-  // By what is left of the half width, the most first.
+  // The queue is ordered by the remaining half width, greatest first.
   std::priority_queue<std::pair<double, Index>> queue;
   std::unordered_map<Index, double> left_at;
   const auto reach = [&](Index vertex, double left) {
-    // At the very rim rounding decides.
+    // Vertices at the very rim are left out, since rounding decides there.
     if (left < 1e-5 * radius) return;
     const auto [entry, is_new] = left_at.try_emplace(vertex, left);
     if (!is_new && entry->second >= left) return;
@@ -58,11 +59,11 @@ std::vector<Index> vertices_under_pen(const Surface& surface, const SurfaceCurve
   return vertices;
 }
 
-/// The sphere nearest to the vertices by least squares of |x|^2 - 2 c x, or a plane where it is too large.
+/// A plane, or a sphere fitted by linear least squares of |x|^2 - 2 c . x.
 struct Shape {
   bool sphere = false;
-  Vec3d centre = Vec3d::Zero();  ///< of the sphere
-  double radius = 0;
+  Vec3d centre = Vec3d::Zero();  ///< centre of the sphere
+  double radius = 0;             ///< radius of the sphere, object units
 
   double distance(const Vec3d& x, const Vec3d& a, const Vec3d& b) const {
     return sphere ? on_sphere(x - centre, a - centre, b - centre) : on_plane(x, a, b);
@@ -122,7 +123,7 @@ double exact_distance(const Shape& shape, const SurfaceCurve& curve, const Vec3d
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < curve.segment_count(); ++i) {
     const Vec3d a = place(curve, i), b = place(curve, curve.next(i));
-    // No way on the surface is shorter than the straight line.
+    // Segments farther away along the straight line cannot be nearer along the surface.
     if ((x - a).norm() - (b - a).norm() <= least) least = std::min(least, shape.distance(x, a, b));
   }
   return least;

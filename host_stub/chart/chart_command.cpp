@@ -60,7 +60,7 @@ double chosen_radius(const ChartCommandOptions& options, const RecordedStroke& s
                   fmt::format("stroke {} has no radius: give one with --radius", options.stroke));
 }
 
-/// What is to become of the stroke, as replay() draws it.
+/// The options to trace the stroke with, as replay() does.
 TraceOptions trace_options(const ChartCommandOptions& options, const RecordedStroke& stroke) {
   const Closure recorded = stroke.closed ? Closure::closed : Closure::open;
   const double radius = chosen_radius(options, stroke);
@@ -70,7 +70,7 @@ TraceOptions trace_options(const ChartCommandOptions& options, const RecordedStr
           .width = StrokeWidth(options.pressure_width, stroke.dynamics, driven)};
 }
 
-/// The longest piece of the stroke, since one chart has one t.
+/// The longest piece of the stroke, since a chart has only one arc length t.
 SurfaceCurve chosen_curve(const ChartCommandOptions& options, const std::vector<SurfaceCurve>& pieces,
                           Closure closure) {
   if (pieces.empty()) {
@@ -89,8 +89,8 @@ SurfaceCurve chosen_curve(const ChartCommandOptions& options, const std::vector<
   });
 }
 
-/// The nodes of a chart for each vertex of the file: those of the vertex that it became. Sorted by the vertex
-/// and by sheet.
+/// Pairs of a vertex of the file and a node of the surface's vertex that it became, sorted by vertex and
+/// sheet.
 std::vector<std::pair<Index, std::size_t>> nodes_by_vertex(const LoadedSurface& loaded, const Chart& chart) {
   const Surface& surface = loaded.surface;
   std::vector<std::vector<Index>> of_joined(loaded.from.joined > 0 ? surface.vertex_count() : 0);
@@ -110,7 +110,7 @@ std::vector<std::pair<Index, std::size_t>> nodes_by_vertex(const LoadedSurface& 
   return nodes;
 }
 
-/// One row a node and vertex of the file; the shortest digits that read back as the same bits.
+/// Writes one row per node and vertex of the file, with the fewest digits that read back as the same bits.
 void write_csv(const std::string& path, const LoadedSurface& loaded, const Chart& chart) {
   write_file_whole(path, [&](std::ostream& out) {
     std::string line = "vertex,sheet,t,d,e1x,e1y,e1z\n";
@@ -131,7 +131,7 @@ Picture draw_chart(const Surface& surface, const Picker& picker, const SurfaceCu
   checkerboard.add(chart, radius);
   ProgressBar bar;
   Picture picture = render(surface, picker, camera, checkerboard, bar.progress());
-  draw_curve(picture, camera, picker, curve, radius);  // bumps do not hide what runs below them
+  draw_curve(picture, camera, picker, curve, radius);  // the depth of a radius shows the curve below bumps
   return picture;
 }
 

@@ -25,7 +25,7 @@ std::vector<SurfaceCurve> trace_stroke(const CurveGround& ground, const Recordin
       pieces.push_back(tracer.curve());
     tracer = CurveTracer(ground, options.radius, options.width);
   };
-  // Of a stroke that breaks, only pieces that come back by themselves close.
+  // If a stroke has several pieces, a piece closes only if it returns to its start by itself.
   const Closure of_a_piece = options.closure == Closure::automatic ? options.closure : Closure::open;
   for (const Sample& sample : stroke.samples) {
     const auto at = place(ground, recording, sample.position, options.radius);

@@ -12,7 +12,7 @@
 namespace burin {
 namespace {
 
-/// At the end of the process.
+/// Runs at the end of the process: reports a plugin that called exit().
 void tell_of_exit_in_plugin() {
   const std::string plugin = PluginCall::running();
   if (plugin.empty()) return;
@@ -32,8 +32,8 @@ void load_brushes(BrushLibrary& library) {
   keep_plugins_off_standard_output();
   std::atexit(tell_of_exit_in_plugin);
   library.load_search_path(own_brush_folder());
-  // Once more, since what was registered last runs first: before anything ends that brushes on other threads
-  // still work with.
+  // It is registered again because the last registered function runs first: before the destruction of
+  // anything that brushes on other threads still use.
   std::atexit(tell_of_exit_in_plugin);
 }
 

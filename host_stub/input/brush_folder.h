@@ -5,11 +5,11 @@
 
 namespace burin {
 
-/// Where the stock brushes of this program are: beside it in a build, in lib when installed.
+/// The folder of this program's stock brushes: beside the program in a build, in lib when installed.
 std::filesystem::path own_brush_folder();
 
-/// Loads the brushes of the search path and the stock brushes. What they print goes to stderr from here on,
-/// and one that calls exit() ends the program as an error that names it.
+/// Loads the brushes of the search path and the stock brushes. From then on everything that they print goes
+/// to stderr, and a brush that calls exit() ends the program with an error message that gives its id.
 void load_brushes(BrushLibrary& library);
 
 }  // namespace burin

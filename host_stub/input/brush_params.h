@@ -9,8 +9,7 @@
 
 namespace burin {
 
-/// Whether this brush has a parameter of this name and of one of these types; unless a brush is named,
-/// whether any has.
+/// Whether the brush, or without `brush` any brush, has a parameter with this name and one of these types.
 bool has_param(const BrushLibrary& brushes, const std::optional<std::string>& brush, std::string_view name,
                std::initializer_list<burin_param_type> types);
 

@@ -17,16 +17,16 @@
 namespace burin {
 namespace {
 
-/// Levels by which the options ask to refine.
+/// The number of levels to refine, from the options.
 int levels(const PolygonMesh& mesh, SubdivisionScheme scheme, const MeshOptions& options) {
   if (options.target_triangles) return level_for_triangles(mesh, scheme, *options.target_triangles);
   return options.subdivide.value_or(0);
 }
 
-/// Refined surfaces take about so much at the worst moment of their making.
+/// Peak memory per triangle, about, while a refined surface is made.
 constexpr double bytes_a_triangle = 150;
 
-/// What a level needs is known before it asks for memory until there is none.
+/// Throws Error if a level needs more memory than there is, before any is allocated.
 void check_size(const Cage& cage) {
   const std::size_t triangles = refined_triangle_count(cage.polygons, cage.scheme, cage.level);
   const double bytes = bytes_a_triangle * static_cast<double>(triangles);
@@ -37,7 +37,7 @@ void check_size(const Cage& cage) {
       cage.level, triangles, bytes / 1e9, limit / 1e9));
 }
 
-/// Joins what lies at the same places. Where the mesh is to be refined its file's vertices are gone.
+/// Joins vertices at the same positions (find_welds()), and keeps the original mesh as Cage::apart.
 void join_vertices(const MeshOptions& options, Cage& cage) {
   FromFile& from = cage.from;
   from.vertices = cage.polygons.positions.size();

@@ -11,69 +11,71 @@
 
 namespace burin {
 
-/// The surface that a command works on, as the command line names it.
+/// The surface of a command, from the command line.
 struct MeshOptions {
   std::string path;
-  std::optional<int> subdivide;                 ///< levels
-  std::optional<std::size_t> target_triangles;  ///< subdivide until there are at least so many
-  std::optional<SubdivisionScheme> scheme;      ///< the cage's natural one unless given
-  std::optional<double> weld;                   ///< tolerance, object units; that of rounding unless given
+  std::optional<int> subdivide;                 ///< number of levels
+  std::optional<std::size_t> target_triangles;  ///< least number of triangles to subdivide to
+  std::optional<SubdivisionScheme> scheme;      ///< default: the cage's natural scheme
+  std::optional<double> weld;                   ///< tolerance, object units; default: rounding_tolerance()
 };
 
 /// Adds --mesh, --subdivide, --target-triangles, --scheme and --weld.
 void add_mesh_options(CLI::App& command, MeshOptions& options);
 
-/// How a surface stands to the file that it comes from.
+/// The relation of a surface to its file.
 struct FromFile {
-  Vec3d origin = Vec3d::Zero();  ///< as PolygonMesh::origin
-  /// [vertex of the file] the vertex that it became when vertices were joined; empty where none were, and
-  /// of a mesh that was refined.
+  Vec3d origin = Vec3d::Zero();  ///< see PolygonMesh::origin
+  /// [vertex of the file] the vertex that it became when vertices were joined; empty if none were joined, and
+  /// for a mesh that was refined.
   std::vector<Index> vertex_of = {};
-  std::size_t vertices = 0;   ///< of the file
-  std::size_t joined = 0;     ///< so many of them became one with another
-  double tolerance = 0;       ///< object units
-  std::string not_used = {};  ///< as PolygonMesh::not_used
+  std::size_t vertices = 0;   ///< number of vertices of the file
+  std::size_t joined = 0;     ///< number of vertices that joining removed
+  double tolerance = 0;       ///< tolerance of joining, object units
+  std::string not_used = {};  ///< see PolygonMesh::not_used
 };
 
 struct LoadedSurface {
   Surface surface;
-  std::string defects;  ///< of a mesh that was not refined, counted; empty for none
-  Paint paint = {};     ///< on the surface's vertices, where the file has colours or masks
+  std::string defects;  ///< counts of the defects of a mesh that was not refined; empty if there are none
+  Paint paint = {};     ///< colours and masks of the surface's vertices, if the file has any
   FromFile from = {};
 };
 
-/// A mesh as its file has it, with vertices joined, though painted only where it is not to be refined, and
-/// how far the options ask to refine it.
+/// A mesh with joined vertices, and the refinement that the options request. It is painted only if it is not
+/// to be refined.
 struct Cage {
   PolygonMesh polygons;
   SubdivisionScheme scheme;
   int level;
   FromFile from;
-  /// With the vertices of the file, where those of a mesh that is not to be refined were joined.
+  /// The mesh with the vertices of the file, if vertices were joined and the mesh is not to be refined.
   std::optional<PolygonMesh> apart = {};
 };
 
-/// Warns of paint that refinement loses. Throws FileError, for a point set too.
+/// Reads a mesh and joins its vertices. Warns if refinement loses paint. Throws FileError, also for a point
+/// set.
 Cage read_cage(const MeshOptions& options);
 
-/// Makes triangles of a cage's `level` ready for strokes; texture coordinates are left behind. `paint`: of
-/// the vertices, or nothing.
+/// Makes a surface of a mesh, which is the refined level `level` of a cage; texture coordinates are dropped.
+/// `paint` has the colours and masks of the mesh's vertices and may be empty. Defects are counted on level 0
+/// only.
 LoadedSurface make_loaded(TriangleMesh mesh, int level, const VertexPaint& paint, FromFile from,
                           const Progress& progress);
 
-/// Reads the mesh, refines or triangulates it and makes it ready. Throws FileError, for a point set too.
+/// Reads the mesh, refines or triangulates it and makes the surface. Throws FileError, also for a point set.
 LoadedSurface load_surface(const MeshOptions& options, const Progress& progress);
 
-/// As load_surface, with a progress bar and a warning that counts the defects.
+/// Does what load_surface() does, with a progress bar and a warning that counts the defects.
 LoadedSurface load_surface_on_console(const MeshOptions& options);
 
-/// As load_surface_on_console, of a mesh or of a point set.
+/// Does what load_surface_on_console() does, and accepts a point set too.
 LoadedSurface load_mesh_or_points_on_console(const MeshOptions& options);
 
-/// File, vertices, triangles and defects, and what is told of the file.
+/// The file, its numbers of vertices and triangles, its defects, and the relation of the surface to it.
 Json mesh_json(const MeshOptions& options, const LoadedSurface& loaded);
 
-/// "FILE: 12 vertices, 34 triangles" or "FILE: 12 points", and what there is to tell of the file: "; 2 of 14
+/// "FILE: 12 vertices, 34 triangles" or "FILE: 12 points", followed by the relation to the file: "; 2 of 14
 /// vertices joined to others within 4e-06; not used: 14 normals; counted from (448256, 5.4e6, 0)".
 std::string mesh_text(const MeshOptions& options, const LoadedSurface& loaded);
 

@@ -5,7 +5,8 @@
 
 namespace burin {
 
-/// What `work()` returns; an error that does not name a file yet is said of the file at `path`.
+/// Returns the result of work(). An Error from it that is not a FileError is rethrown as a FileError for
+/// `path`.
 template <class Work>
 auto naming_file(std::string_view path, const Work& work) {
   try {

@@ -6,11 +6,11 @@
 
 namespace burin {
 
-/// Mean length of the edges or links of the surface, object units.
+/// The mean length of the edges or links of the surface, object units.
 double mean_edge_length(const Surface& surface);
 
-/// Warns of strokes that draw next to nothing, as their radius, object units, is less than half of the mean
-/// edge, or greater than the whole surface. `path`: of the surface's file.
+/// Warns if a radius, object units, is less than half of the mean edge or greater than the whole surface, so
+/// that strokes have hardly any effect. `path` is the surface's file.
 void warn_of_radii(const std::string& path, const Surface& surface, const std::vector<double>& radii);
 
 }  // namespace burin

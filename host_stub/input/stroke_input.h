@@ -5,8 +5,9 @@
 
 namespace burin {
 
-/// Reads a `.stroke` file that is whole and has a sample. Throws FileError; of a recording that was cut off
-/// the message says how to mend it, since a replay of half a stroke is no comparison.
+/// Reads a complete `.stroke` file with at least one sample. Throws FileError. For a truncated recording the
+/// message explains how to repair it; it is not drawn, since half a stroke could not be compared with other
+/// results.
 Recording read_whole_strokes(const std::string& path);
 
 }  // namespace burin

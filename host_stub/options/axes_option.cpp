@@ -30,7 +30,7 @@ bool is_gltf(const std::string& path) {
   return extension == ".glb" || extension == ".gltf";
 }
 
-/// Of the mesh file, which is where places are turned from or to.
+/// The axes of the mesh file. Throws Error if they are unknown.
 Axes known_axes(const AxesOptions& options, const std::string& mesh_path, const std::string& option) {
   if (options.mesh != Axes::as_is) return options.mesh;
   if (is_gltf(mesh_path)) return Axes::y_up;

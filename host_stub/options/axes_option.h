@@ -8,19 +8,19 @@
 
 namespace burin {
 
-/// Which way is up in a file. In each of these x points to the right and the axes are right-handed.
+/// The up axis of a file. x points to the right and axes are right-handed in every case.
 enum class Axes {
-  as_is,  ///< not known; nothing is turned
+  as_is,  ///< unknown; nothing is rotated
   y_up,
   z_up,
 };
 
-/// The axes of the files of a command, as the command line names them. Strokes are drawn in those of the mesh
-/// file, which all other options are in, too.
+/// The axes of the files of a command, from the command line. Strokes are drawn in the axes of the mesh file,
+/// and all other options refer to these.
 struct AxesOptions {
-  Axes mesh = Axes::as_is;     ///< glTF is y-up unless told otherwise
-  std::optional<Axes> saved;   ///< those of the mesh unless given; y-up of glTF where those are given
-  Axes strokes = Axes::as_is;  ///< those of the mesh
+  Axes mesh = Axes::as_is;     ///< axes of the mesh file; as_is means y-up for glTF
+  std::optional<Axes> saved;   ///< axes of the saved file; by default those of the mesh, or y-up for glTF
+  Axes strokes = Axes::as_is;  ///< axes of the recordings; as_is means those of the mesh
 };
 
 /// Adds --axes MESH[:SAVED] and --stroke-axes.
@@ -29,9 +29,9 @@ void add_axes_options(CLI::App& command, AxesOptions& options);
 /// Adds --axes MESH and --stroke-axes, for a command that saves no mesh.
 void add_drawing_axes_options(CLI::App& command, AxesOptions& options);
 
-/// Turns places and directions of recordings to those of the mesh file, or of that to those of the file to be
-/// saved: by a right angle about x, so that coordinates are exchanged and negated only. Throw Error where the
-/// axes of the mesh file would have to be known.
+/// The rotation from the axes of recordings to those of the mesh file, and from those of the mesh file to
+/// those of the saved file: the identity, or a right angle about x, which only exchanges and negates
+/// coordinates. Throw Error if the axes of the mesh file are needed but unknown.
 Eigen::Matrix3d turn_of_strokes(const AxesOptions& options, const std::string& mesh_path);
 Eigen::Matrix3d turn_of_saved(const AxesOptions& options, const std::string& mesh_path,
                               const std::string& saved_path);

@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// A map of the displacement to write, as the command line asks for it.
+/// The displacement map to write, from the command line.
 struct BakeOptions {
   std::string path;  ///< empty for none
   BakeSettings settings;
@@ -19,10 +19,10 @@ struct BakeOptions {
 /// Adds --bake, --bake-size and --bake-vectors.
 void add_bake_options(CLI::App& command, BakeOptions& options);
 
-/// Throws FileError when the map cannot come into being: said before long work, not after it.
+/// Throws FileError if the map cannot be created, so that a bad path fails before the work starts.
 void check_bake_path(const BakeOptions& options);
 
-/// Bakes and writes the map, and warns of what is wrong with it. Returns what it says of it in JSON. Throws
+/// Bakes and writes the map, and warns of its defects. Returns a JSON description of the map. Throws
 /// FileError.
 Json write_map(const BakeOptions& options, TriangleMesh base, std::span<const Vec3f> displaced);
 

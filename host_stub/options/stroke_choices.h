@@ -8,7 +8,7 @@
 
 namespace burin {
 
-// What command lines and suites call the ways to draw a stroke.
+// The names of stroke settings in command lines and suites.
 
 const std::map<std::string, Closure>& closure_names();
 const std::map<std::string, Join>& join_names();

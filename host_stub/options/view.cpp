@@ -13,7 +13,7 @@ namespace {
 
 const Vec3d front_from_above(-0.45, -0.4, -1.0);
 
-/// The wanted up, or another axis where the camera would look along it.
+/// The requested up vector, or another axis if the camera looks along it.
 Vec3d up_for(const Vec3d& direction, const ViewOptions& options) {
   const Vec3d up = options.up.value_or(Vec3d::UnitY());
   const bool along = direction.normalized().cross(up.normalized()).norm() < 1e-3;
@@ -60,7 +60,7 @@ Camera stroke_view(const Surface& surface, std::span<const SurfaceCurve> curves,
   }
   if (count == 0) return whole_view(surface, options);
   const Vec3d margin = Vec3d::Constant(1.5 * radius);
-  // Strokes that go around have no side to look at.
+  // Strokes that go around the object have no side from which to look.
   const bool one_sided = normals.norm() > 0.2 * static_cast<double>(count);
   return frame({box.min() - margin, box.max() + margin},
                options.direction.value_or(one_sided ? Vec3d(-normals) : front_from_above), options);

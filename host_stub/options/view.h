@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// How a command is to look at its surface.
+/// The view of a surface, from the command line.
 struct ViewOptions {
-  std::optional<Vec3d> direction;  ///< of sight; left open, the command chooses
-  std::optional<Vec3d> up;         ///< y unless given
+  std::optional<Vec3d> direction;  ///< direction of sight; the command chooses if not given
+  std::optional<Vec3d> up;         ///< default: y
   double field_of_view = 35;       ///< vertical, degrees
   int width = 1000, height = 750;  ///< pixels
 };
@@ -21,15 +21,16 @@ struct ViewOptions {
 /// Adds --view, --up, --fov, --width and --height.
 void add_view_options(CLI::App& command, ViewOptions& options);
 
-/// Shows the whole surface: along the direction of the options, or from the front, above and to the right.
+/// A camera that shows the whole surface along the direction of the options, or from the front, above and to
+/// the right.
 Camera whole_view(const Surface& surface, const ViewOptions& options);
 
-/// Shows strokes of this radius: along the direction of the options, or against the mean normal.
-/// `curves` hold at least one point, else the view is the whole one.
+/// A camera that shows strokes with this radius along the direction of the options, or against the mean
+/// normal. If `curves` have no point it shows the whole surface.
 Camera stroke_view(const Surface& surface, std::span<const SurfaceCurve> curves, double radius,
                    const ViewOptions& options);
 
-/// The same view with a viewport of at most `longest` pixels on its longer side.
+/// The camera with a viewport of at most `longest` pixels on its longer side.
 Camera fit_into(Camera camera, int longest);
 
 }  // namespace burin

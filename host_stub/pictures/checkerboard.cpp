@@ -12,8 +12,8 @@ namespace {
 
 constexpr double squares_a_radius = 4;
 
-/// Neighbours on one sheet are no farther from each other in t than so many edges, and in d than one and a
-/// little: d changes by no more than the distance, t by that over the stretch.
+/// The greatest differences of t and d, in edges, between neighbours on one sheet: d changes by at most the
+/// distance, t by the distance over the stretch.
 constexpr double edges_in_t = 4, edges_in_d = 1.25;
 
 double longest_edge(const Surface& surface, const SurfacePoint& point) {
@@ -51,7 +51,7 @@ Vec3f Checkerboard::operator()(const SurfacePoint& point) const {
   SheetTriangle sheet;
   const auto& weights = point.weights;
   if (!find_sheet(point, sheet)) {
-    // A rim, or a place where two sheets meet inside the triangle: nothing lies between them.
+    // At a rim, or where two sheets meet inside the triangle, coordinates cannot be interpolated.
     const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
     const Node* node = top(point.corners[static_cast<std::size_t>(nearest)]);
     return node ? colour(*node, node->t, static_cast<double>(node->d)) : clay(point);
@@ -65,7 +65,7 @@ Vec3f Checkerboard::operator()(const SurfacePoint& point) const {
   return colour(*sheet.corners[0], t, d);
 }
 
-/// The topmost sheet that all corners of the point's triangle lie on.
+/// Finds the topmost sheet on which all corners of the point's triangle lie.
 bool Checkerboard::find_sheet(const SurfacePoint& point, SheetTriangle& sheet) const {
   const double edge = longest_edge(*surface_, point);
   for (const Node* node = top(point.corners[0]); node; node = below(*node)) {
@@ -76,7 +76,7 @@ bool Checkerboard::find_sheet(const SurfacePoint& point, SheetTriangle& sheet) c
   return false;
 }
 
-/// Finds the corners from this one on.
+/// Finds the nodes of the corners from this one on. Returns whether all were found.
 bool Checkerboard::complete(const SurfacePoint& point, double edge, int corner, SheetTriangle& sheet) const {
   if (corner == 3) return true;
   const Node& first = *sheet.corners[0];

@@ -8,29 +8,30 @@
 
 namespace burin {
 
-/// Colours a surface by stroke charts: squares of a quarter of the radius in (t, d), warm on the left
-/// (d > 0) and cool on the right, clay where no chart reaches. An even number of squares goes around a closed
-/// stroke. On top is the last chart, and of a stroke that overlaps itself the sheet of the highest t.
-/// The surface must outlive it. Holds 4 bytes a vertex and 32 for each node of the charts.
+/// Colours a surface by stroke charts: squares of a quarter of the radius in (t, d), warm on the left (d > 0)
+/// and cool on the right; clay outside of the charts. A closed stroke has an even number of squares along its
+/// length. The last chart is on top, and in a stroke that overlaps itself the sheet with the highest t. The
+/// surface must outlive the object. Uses 4 bytes per vertex and 32 per node.
 class Checkerboard {
  public:
   explicit Checkerboard(const Surface& surface);
 
+  /// Adds a chart of a stroke with this radius, object units.
   void add(const Chart& chart, double radius);
 
-  /// Linear RGB. Any thread, concurrent, between two calls of add.
+  /// The colour at a point, linear RGB. May be called from several threads at once, but not during add().
   Vec3f operator()(const SurfacePoint& point) const;
 
  private:
   struct Scale {
-    double squares_t, squares_d;  ///< in an object unit
-    double length;                ///< of a closed stroke, object units; 0: open
+    double squares_t, squares_d;  ///< squares per object unit
+    double length;                ///< length of a closed stroke, object units; 0 for an open one
   };
   struct Node {
     double t;
     float d;
     std::uint32_t chart;
-    Index below;  ///< the vertex's next node, of a lower t or an earlier chart
+    Index below;  ///< the vertex's next node, with a lower t or of an earlier chart
   };
   /// Nodes of a triangle's corners that lie on one sheet, t unwrapped.
   struct SheetTriangle {
@@ -47,12 +48,12 @@ class Checkerboard {
   const Node* below(const Node& node) const { return node.below == no_index ? nullptr : &nodes_[node.below]; }
 
   const Surface* surface_;
-  std::vector<Index> first_;  ///< [vertex] of nodes_, or no_index
+  std::vector<Index> first_;  ///< [vertex] index of its topmost node in nodes_, or no_index
   std::vector<Node> nodes_;
   std::vector<Scale> scales_;  ///< [chart]
 };
 
-/// Linear RGB of the square that holds (t, d), both in squares.
+/// The colour, linear RGB, of the square that holds (t, d), which are in units of squares.
 Vec3f checker_colour(double t, double d);
 
 }  // namespace burin

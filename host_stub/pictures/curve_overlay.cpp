@@ -10,7 +10,8 @@ namespace {
 
 constexpr double line_radius = 1.2;  // pixels
 
-/// How much of each pixel the line covers, so that places drawn twice are no darker.
+/// The share of each pixel that the line covers. It is a maximum over dots, so that drawing twice does not
+/// darken.
 struct Coverage {
   int width, height;
   std::vector<float> share;
@@ -29,7 +30,7 @@ struct Coverage {
   }
 };
 
-/// Pixel of a position, or nothing behind the eye.
+/// The pixel coordinates of a position, or nothing behind the eye.
 std::optional<Eigen::Vector2d> project(const Camera& camera, const Vec3d& position) {
   const Eigen::Vector4d clip = camera.projection * camera.view * position.homogeneous();
   if (clip.w() <= 0) return std::nullopt;
@@ -37,11 +38,11 @@ std::optional<Eigen::Vector2d> project(const Camera& camera, const Vec3d& positi
                          (0.5 - 0.5 * clip.y() / clip.w()) * camera.height);
 }
 
-/// Draws lines that the surface hides where it does.
+/// Draws lines, except where the surface hides them.
 struct Pencil {
   const Camera& camera;
   const Picker& picker;
-  double depth;  // how far below the surface a place is still seen, object units
+  double depth;  // greatest depth below the surface at which a line is visible, object units
   Coverage coverage;
 
   bool sees(const Eigen::Vector2d& pixel, const Vec3d& position) const;
@@ -56,7 +57,7 @@ bool Pencil::sees(const Eigen::Vector2d& pixel, const Vec3d& position) const {
   return !hit || (hit->position - ray.origin).cast<double>().norm() > 0.99 * distance - depth;
 }
 
-/// The line from a to b as dots half a pixel apart.
+/// Draws the line from a to b as dots half a pixel apart.
 void Pencil::draw(const Vec3d& a, const Vec3d& b) {
   const auto from = project(camera, a), to = project(camera, b);
   if (!from || !to) return;

@@ -4,8 +4,8 @@
 
 namespace burin {
 
-/// Draws the visible part of a curve as a dark line over a picture that was rendered with this camera. What
-/// lies at most `depth` (object units) below the surface is visible too.
+/// Draws the visible part of a curve as a dark line over a picture that was rendered with this camera. Parts
+/// at most `depth` (object units) below the surface are visible too.
 void draw_curve(Picture& picture, const Camera& camera, const Picker& picker, const SurfaceCurve& curve,
                 double depth);
 

@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-/// Of clay, where nothing may be moved.
+/// The brightness of fully protected points.
 constexpr float protected_brightness = 0.35f;
 
 Tint tint_at(const Paint& paint, const SurfacePoint& point) {

@@ -6,15 +6,15 @@
 
 namespace burin {
 
-/// Clay that was painted: its colours over the clay by their coverage, and protected places dark. Looks at
-/// the paint, of the vertices of the surface that is drawn, while the picture is made.
+/// The albedo of painted clay: colours over the clay by their coverage; protected points are dark. The result
+/// refers to `paint`, which belongs to the vertices of the surface that is drawn.
 Albedo painted(const Paint& paint);
 
-/// What is painted on the vertices of the mesh that a surface was made of, in the surface's order.
+/// Converts the paint of the original mesh to the surface's vertex order.
 Paint paint_in_surface_order(const Surface& surface, const VertexPaint& paint);
 
-/// What is painted on a surface, in the order of the mesh that it was made of; without the colours where all
-/// are bare, without the masks where all are free.
+/// Converts the paint of a surface to the vertex order of the original mesh. Colours are left out if all
+/// vertices are bare, masks if all are free.
 VertexPaint paint_in_source_order(const Surface& surface, const Paint& paint);
 
 }  // namespace burin

@@ -1,3 +1,6 @@
+// Renders a surface by ray casting: each of four samples per pixel casts a primary ray, a shadow ray to an
+// area light and six rays for ambient occlusion. Rows are computed on all threads; noise depends on the pixel
+// alone.
 #include "pictures/render.h"
 
 #include <burin/base/parallel.h>
@@ -13,20 +16,21 @@
 namespace burin {
 namespace {
 
-constexpr int grid = 2;  // samples a pixel in each direction
+constexpr int grid = 2;  // samples per pixel in each direction
 constexpr int samples = grid * grid;
-constexpr int sky_rays = 6;  // a sample
+constexpr int sky_rays = 6;  // per sample
 constexpr float golden = 0.618034f;
 
 struct Hit {
   SurfacePoint point;
   Vec3f normal;       // smooth, towards the eye
-  Vec3f flat_normal;  // of the triangle, towards the eye
+  Vec3f flat_normal;  // normal of the triangle, towards the eye
   Vec3f to_eye;
-  float frame_height;  // of the picture where the hit is, object units: the scale for offsets
+  float
+      frame_height;  // height of the picture at the distance of the hit, object units; the scale for offsets
 };
 
-/// Two numbers in 0..1 that differ between close pixels. [Jimenez 2014], interleaved gradient noise.
+/// Two numbers in 0..1 that differ between close pixels: interleaved gradient noise [Jimenez 2014].
 Vec2f pixel_noise(int x, int y) {
   const auto noise = [](float a, float b) {
     const float inner = 0.06711056f * a + 0.00583715f * b;
@@ -37,7 +41,7 @@ Vec2f pixel_noise(int x, int y) {
   return {noise(column, row), noise(column + 47.0f, row + 17.0f)};
 }
 
-/// Cosine-weighted direction around `normal`, number `index` of all that a pixel sends.
+/// The cosine-weighted direction around `normal` with this index among all sky rays of a pixel.
 Vec3f sky_direction(const Vec3f& normal, int index, const Vec2f& noise) {
   const float share = (static_cast<float>(index) + noise.x()) / static_cast<float>(samples * sky_rays);
   const float angle = 2 * std::numbers::pi_v<float> * (static_cast<float>(index) * golden + noise.y());
@@ -50,7 +54,7 @@ Vec3f sky_direction(const Vec3f& normal, int index, const Vec2f& noise) {
 
 struct SkyLight {
   Vec3f colour = Vec3f::Zero();
-  float open = 0;  // 1: nothing near shades the place
+  float open = 0;  // share of the sky that is not occluded nearby
 };
 
 class Painter {
@@ -124,7 +128,7 @@ Vec3f Painter::sky(const Vec3f& direction) const {
   return (1 - height) * Vec3f(0.34f, 0.31f, 0.29f) + height * Vec3f(0.86f, 0.93f, 1.0f);
 }
 
-/// What is near shades the more the nearer it is.
+/// Light from the sky; nearer blockers occlude more.
 SkyLight Painter::sky_light(const Hit& hit, int sample, const Vec2f& noise) const {
   const float reach = 0.12f * hit.frame_height;
   const Vec3f origin = hit.point.position + 2e-4f * hit.frame_height * hit.flat_normal;
@@ -140,7 +144,7 @@ SkyLight Painter::sky_light(const Hit& hit, int sample, const Vec2f& noise) cons
   return light;
 }
 
-/// Towards a point of the key light, a disc: one point for each sample of a pixel.
+/// The direction to a point of the key light, which is a disc; each sample of a pixel has its own point.
 Vec3f Painter::to_key_light(int sample, const Vec2f& noise) const {
   const float angle = 2 * std::numbers::pi_v<float> * (noise.x() + static_cast<float>(sample) / samples);
   const float share = noise.y() + golden * static_cast<float>(sample);
@@ -158,7 +162,7 @@ Vec3f Painter::radiance(const Hit& hit, int sample, const Vec2f& noise) const {
   const float rim = edge * edge * edge * std::max(0.0f, 0.3f + n.dot(rim_));
   const float gloss = std::pow(std::max(0.0f, n.dot((key_ + hit.to_eye).normalized())), 30.0f);
   const SkyLight from_sky = sky_light(hit, sample, noise);
-  // Crevices dim the lamps too: untrue, but it lets relief be read.
+  // Crevices dim the lamps too, which is not physical but makes relief visible.
   const float relief = 0.25f + 0.75f * from_sky.open * from_sky.open;
   const Vec3f lamps = key * Vec3f(1.25f, 1.17f, 1.05f) + fill * Vec3f(0.09f, 0.11f, 0.15f);
   return albedo_(hit.point).cwiseProduct(relief * lamps + 0.36f * from_sky.colour) +

@@ -9,14 +9,14 @@
 
 namespace burin {
 
-/// Diffuse reflectance at a point of the surface, linear RGB, 0..1. Any thread, concurrent.
+/// Diffuse reflectance at a point of the surface, linear RGB, 0..1. Called on several threads at once.
 using Albedo = std::function<Vec3f(const SurfacePoint&)>;
 
-/// Of plain clay.
+/// The albedo of plain clay.
 Vec3f clay(const SurfacePoint& point);
 
-/// A picture of the surface as clay under a key light with shadows, a fill light, a rim light and a sky
-/// that crevices occlude, before a neutral ground that varies from row to row only. Four samples a pixel.
+/// Renders the surface under a key light with shadows, a fill light, a rim light and a sky with ambient
+/// occlusion, in front of a neutral background that varies from row to row only. Four samples per pixel.
 /// `picker` is that of `surface`. The picture does not depend on the number of threads.
 Picture render(const Surface& surface, const Picker& picker, const Camera& camera,
                const Albedo& albedo = clay, const Progress& progress = {});

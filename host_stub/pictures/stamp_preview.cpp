@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_pixels = 512;
 
-/// Values to bytes.
+/// Maps values linearly to bytes.
 struct ToneMap {
   float least, scale;
   std::uint8_t operator()(float value) const {
@@ -25,7 +25,7 @@ ToneMap tone_map(const StampImage& image, int shown) {
     least = std::min(least, low);
     greatest = std::max(greatest, high);
   }
-  // Where wrap is black there may be zeros besides.
+  // With black wrap there are zeros outside the stamp.
   if (image.wrap_u == Wrap::black || image.wrap_v == Wrap::black) {
     least = std::min(least, 0.0f);
     greatest = std::max(greatest, 0.0f);

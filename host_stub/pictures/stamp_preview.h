@@ -4,9 +4,9 @@
 
 namespace burin {
 
-/// Three by three times the stamp, as its wrap repeats it, each at most 512 pixels wide and high. The least
-/// value is shown as sRGB 0 and the greatest as 255, in proportion between them, over the channels shown
-/// together: the first three, or the one as grey; alpha is left out.
+/// A picture of the stamp tiled 3 x 3 according to its wrap; each tile is at most 512 pixels wide and high.
+/// Values are mapped linearly, the least to sRGB 0 and the greatest to 255, over all channels shown: the
+/// first three, or a single one as grey. Alpha is left out.
 Picture stamp_preview(const MipPyramid& stamp);
 
 }  // namespace burin

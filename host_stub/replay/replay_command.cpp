@@ -53,7 +53,7 @@ std::vector<Recording> read_recordings(const ReplayOptions& options) {
   return recordings;
 }
 
-/// Of all strokes that have one, object units.
+/// The radii of all strokes that have one, object units.
 std::vector<double> radii(const ReplayOptions& options, const std::vector<Recording>& recordings) {
   std::vector<double> radii;
   for (const Recording& recording : recordings)
@@ -104,7 +104,7 @@ void check_mesh_path(const std::string& path) {
   if (!path.empty()) check_mesh_format(path);
 }
 
-/// What places of the mesh file become in the file that is saved.
+/// The rotation from the axes of the mesh file to those of the saved file.
 Eigen::Matrix3d turn_to_save(const ReplayOptions& options) {
   return turn_of_saved(options.axes, options.mesh.mesh.path, options.save_mesh);
 }
@@ -118,7 +118,7 @@ void check_options(const ReplayOptions& options, const BrushLibrary& library) {
   if (options.overrides.brush) naming_file("--brush", [&] { library.find(*options.overrides.brush); });
 }
 
-/// The summary is then of the finest level.
+/// Completes the finest level of a mesh with levels; the summary then describes that level.
 void finish(ReplayMesh& mesh, const Session& session, ReplaySummary& summary) {
   if (!mesh.has_levels()) return;
   mesh.finish(session);
@@ -127,7 +127,7 @@ void finish(ReplayMesh& mesh, const Session& session, ReplaySummary& summary) {
   summary.peak_memory = peak_memory();
 }
 
-/// Also of the finest level, on which nothing is painted.
+/// Writes the pictures; on a mesh with levels they show the finest level, on which nothing is painted.
 void write_pictures(const ReplayOptions& options, Session& session, const ReplayMesh& mesh,
                     const StrokeWitness& witness, const Camera& camera, const ReplaySummary& summary,
                     const Json& json) {
@@ -152,7 +152,7 @@ void save_mesh(const ReplayOptions& options, const Session& session, const Repla
   write_mesh(options.save_mesh, saved, mesh.saved_paint(session), rotation * mesh.origin());
 }
 
-/// What text looks like a number stays text where the brush takes text.
+/// Parses parameter settings. A value that looks like a number stays text if the brush's parameter is text.
 ParamSettings read_params(const ReplayOptions& options, const BrushLibrary& library) {
   return parse_param_settings(options.params, [&](const std::string& name) {
     return has_param(library, options.overrides.brush, name,

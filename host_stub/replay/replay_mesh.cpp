@@ -21,7 +21,7 @@ void check_level(int sculpt_level, int finest) {
   }
 }
 
-/// Not a number is one in files, but has no place in others.
+/// Drops texture coordinates if any is not finite, since not all file formats can hold NaN.
 void drop_unless_finite(std::vector<Vec2f>& uv) {
   if (!std::ranges::all_of(uv, [](const Vec2f& corner) { return corner.allFinite(); })) uv = {};
 }
@@ -66,7 +66,7 @@ void ReplayMesh::load(Cage cage, const Uses& uses, const Progress& progress) {
 void ReplayMesh::load_levels(const Cage& cage, const Progress& progress) {
   levels_.emplace(cage.polygons, cage.scheme, cage.level, progress);
   drawn_ = make_loaded(levels_->mesh(drawn_level_), drawn_level_, {}, cage.from, progress);
-  // Levels without details are the refined cage, but have no texture coordinates.
+  // Levels without details equal the refined cage, but have no texture coordinates.
   before_ = cage.polygons.corner_uv.empty() ? levels_->mesh(levels_->finest())
                                             : refine(cage.polygons, cage.scheme, cage.level, progress);
 }
@@ -112,8 +112,8 @@ TriangleMesh ReplayMesh::saved(const Session& session) const {
 
 namespace {
 
-/// What vertices have after a stroke: what those that they became have, but their own where that is as it
-/// was.
+/// The values of the file's vertices after a stroke: a vertex takes the value of the vertex that it became,
+/// but keeps its own if that value did not change.
 template <class Value>
 std::vector<Value> apart_again(const std::vector<Value>& own, const std::vector<Value>& before,
                                const std::vector<Value>& after, const std::vector<Index>& vertex_of) {

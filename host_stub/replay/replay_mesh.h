@@ -11,58 +11,59 @@
 
 namespace burin {
 
-/// What a replay wants of its mesh.
+/// The options of a replay's mesh.
 struct ReplayMeshOptions {
   MeshOptions mesh;
-  std::optional<int> sculpt_level;  ///< the level that strokes are drawn on; the finest unless given
+  std::optional<int> sculpt_level;  ///< level on which strokes are drawn; default: the finest
 };
 
 /// Adds the options of add_mesh_options, and --sculpt-level.
 void add_replay_mesh_options(CLI::App& command, ReplayMeshOptions& options);
 
-/// The mesh of a replay: strokes are drawn on one level of it, and its result is the finest.
+/// The mesh of a replay. Strokes are drawn on one of its levels, and the result is the finest level.
 class ReplayMesh {
  public:
-  /// What is to become of the result.
+  /// The uses of the result.
   struct Uses {
-    bool baked = false;  ///< its displacement becomes a map
-    bool saved = false;
+    bool baked = false;  ///< its displacement is baked to a map
+    bool saved = false;  ///< it is saved to a file
   };
 
-  /// Reads and refines, with a progress bar and a warning that counts defects. Throws FileError: as
-  /// load_surface, a level above the finest, a mesh that cannot be baked.
+  /// Reads and refines the mesh, with a progress bar and a warning that counts defects. Throws FileError as
+  /// load_surface() does, and for a sculpt level above the finest, and for a mesh that cannot be baked.
   ReplayMesh(const ReplayMeshOptions& options, const Uses& uses);
 
-  /// The surface to draw on. To be called once.
+  /// The surface to draw on. May be called once.
   Surface take_surface() { return std::move(drawn_.surface); }
 
-  /// What is painted on it. To be called once.
+  /// The colours and masks of that surface. May be called once.
   Paint take_paint() { return std::move(drawn_.paint); }
 
   /// Whether strokes are drawn on a level below the finest.
   bool has_levels() const { return levels_.has_value(); }
 
-  /// Where there are levels: brings what the session drew up to the finest, and names that as
-  /// Session::result_hash does.
+  /// On a mesh with levels: transfers the result of the session to the finest level. result_hash() is the
+  /// hash of that level, as Session::result_hash().
   void finish(const Session& session);
   std::uint64_t result_hash() const;
 
-  /// The finest level in the order of the file or of the refinement, as the session left it; finished.
+  /// The finest level after the session, in the vertex order of the file or of the refinement. Requires
+  /// finish() on a mesh with levels.
   TriangleMesh result(const Session& session) const;
 
-  /// The same before any stroke, with its texture coordinates when it is to be baked or saved; without that
-  /// and without levels nothing.
+  /// The finest level before any stroke, with texture coordinates; empty if it is neither baked nor saved and
+  /// there are no levels.
   const TriangleMesh& before() const { return before_; }
 
-  /// The result with the vertices and texture coordinates of the file where it was not refined, and what is
-  /// painted on it; to be saved from origin() on.
+  /// The result and its paint for saving: with the vertices and texture coordinates of the file if the mesh
+  /// was not refined. Positions are relative to origin().
   TriangleMesh saved(const Session& session) const;
   VertexPaint saved_paint(const Session& session) const;
 
-  /// Where positions are counted from.
+  /// The origin to which positions are relative; see PolygonMesh::origin.
   const Vec3d& origin() const { return drawn_.from.origin; }
 
-  /// As mesh_json() and mesh_text(), of the level drawn on and of the finest.
+  /// The results of mesh_json() and mesh_text() for the level of the strokes and the finest level.
   const Json& json() const { return json_; }
   const std::string& text() const { return text_; }
 
@@ -75,7 +76,7 @@ class ReplayMesh {
   int drawn_level_ = 0;
   std::optional<SculptLevels> levels_;
   TriangleMesh before_;
-  std::optional<PolygonMesh> apart_;  ///< as Cage::apart, and with it its paint after joining
+  std::optional<PolygonMesh> apart_;  ///< see Cage::apart
   VertexPaint joined_paint_;
   Json json_;
   std::string text_;

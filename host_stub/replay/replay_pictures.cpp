@@ -56,7 +56,7 @@ ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const
   pictures.before = render(session.surface(), session.picker(), camera, painted(session.paint()), progress);
   const Albedo checkers = [&](const SurfacePoint& point) { return witness.colour(point); };
   pictures.chart = render(session.surface(), session.picker(), camera, checkers, progress);
-  // Later strokes run where earlier ones had moved the surface, perhaps below what the picture shows.
+  // Later strokes run on the surface that earlier ones moved, which may lie below the surface in the picture.
   for (const SurfaceCurve& curve : witness.extent().curves()) {
     draw_curve(pictures.chart, camera, session.picker(), curve, witness.extent().widest());
   }

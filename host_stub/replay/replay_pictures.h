@@ -11,29 +11,29 @@
 
 namespace burin {
 
-/// Where strokes went and how far they reached: what a camera must know to look at them.
+/// The curves of strokes and their greatest width, by which a camera is aimed.
 class StrokeExtent {
  public:
-  /// Takes note of the session's last stroke.
+  /// Records the session's last piece.
   void piece_ended(const Session& session);
 
   const std::vector<SurfaceCurve>& curves() const { return curves_; }
-  double widest() const { return widest_; }  ///< largest |d| of all charts, object units
+  double widest() const { return widest_; }  ///< greatest |d| of all charts, object units
 
  private:
   std::vector<SurfaceCurve> curves_;
   double widest_ = 0;
 };
 
-/// Remembers what strokes drew, for pictures of it.
+/// Records strokes for pictures of them.
 class StrokeWitness {
  public:
-  /// Takes note of the session's last stroke.
+  /// Records the session's last piece.
   void piece_ended(const Session& session);
 
   const StrokeExtent& extent() const { return extent_; }
 
-  /// Linear RGB; clay everywhere when nothing was drawn.
+  /// The colour at a point of the surface, linear RGB; clay if nothing was drawn.
   Vec3f colour(const SurfacePoint& point) const;
 
  private:
@@ -43,20 +43,20 @@ class StrokeWitness {
 
 struct ReplayPictures {
   Picture before, after;
-  Picture chart;  ///< the strokes' (t, d) and curves on the surface before
+  Picture chart;  ///< coordinates (t, d) and curves of the strokes on the surface before
 };
 
-/// How to look at what was drawn on a surface: as the first recording on a screen did unless the options name
-/// a direction, else at the strokes from above.
+/// The camera for pictures of a replay: that of the first recording in screen space, unless the options give
+/// a direction; else one that looks at the strokes from above.
 Camera replay_view(const Surface& surface, const StrokeExtent& extent,
                    const std::vector<Recording>& recordings, const ViewOptions& options);
 
-/// Draws the session's surface without its strokes, which are undone for it, and their charts; not the
-/// result.
+/// Undoes the session's strokes and draws the surface without them, plain and with their charts. The picture
+/// of the result is left empty.
 ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const Camera& camera,
                            const Progress& progress);
 
-/// A picture of plain clay.
+/// Draws a mesh as plain clay.
 Picture draw_mesh(TriangleMesh mesh, const Camera& camera, const Progress& progress);
 
 }  // namespace burin

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double bins_a_decade = 8;
 
-/// How many latencies fall into each bin of a logarithmic scale from the lowest to the highest.
+/// The number of latencies in each bin of a logarithmic scale from the lowest to the highest.
 std::vector<std::size_t> histogram(const std::vector<double>& sorted) {
   const auto bin = [&](double seconds) {
     return static_cast<std::size_t>(bins_a_decade *

@@ -6,8 +6,8 @@
 
 namespace burin {
 
-/// Writes before.png, after.png, chart.png, report.json and, last, index.html, which shows them, into the
-/// folder, creating it where needed. `json` is the content of report.json. Throws FileError.
+/// Writes before.png, after.png, chart.png, report.json (with the content `json`) and, last, index.html,
+/// which shows them, to the folder, which is created if needed. Throws FileError.
 void write_report(const std::string& folder, const ReplaySummary& summary, const Json& json,
                   const ReplayPictures& pictures);
 

@@ -9,16 +9,16 @@
 
 namespace burin {
 
-/// What a run of `burin replay` measured.
+/// The measurements of a run of `burin replay`.
 struct ReplaySummary {
-  std::vector<std::string> files;  ///< the recordings, in the order in which they were drawn
-  ReplayResult result;             ///< of all of them; latencies rising, no costs
+  std::vector<std::string> files;  ///< the recordings, in the order of drawing
+  ReplayResult result;             ///< merged result of all recordings; latencies ascending, no costs
   std::size_t surface_vertices = 0;
-  double seconds_to_first_event = 0;  ///< since the process started
+  double seconds_to_first_event = 0;  ///< since the start of the process
   std::size_t peak_memory = 0;        ///< bytes
 };
 
-/// Adds what one more recording gave.
+/// Adds the result of one more recording.
 void add_result(ReplaySummary& summary, ReplayResult result);
 
 Json summary_json(const ReplaySummary& summary);

@@ -5,7 +5,7 @@
 
 namespace burin {
 
-/// The surface with its vertices at `positions` and in the order of the mesh that it was made of.
+/// The surface as a mesh with its vertices at `positions`, in the vertex order of the original mesh.
 TriangleMesh in_source_order(const Surface& surface, std::span<const Vec3f> positions);
 
 }  // namespace burin

@@ -3,7 +3,7 @@
 
 namespace burin {
 
-/// The bytes as base64 with padding, to put files into pages [RFC 4648, section 4].
+/// Encodes bytes as base64 with padding [RFC 4648, section 4], to embed files in HTML pages.
 std::string base64(const std::string& bytes);
 
 }  // namespace burin

@@ -5,10 +5,10 @@
 
 namespace burin {
 
-/// Of seconds.
+/// Converts percentiles from seconds to milliseconds.
 Percentiles in_milliseconds(const Percentiles& seconds);
 
-/// p50, p95, p99 and max, in their unit.
+/// The percentiles p50, p95, p99 and max as JSON, in their unit.
 Json percentiles_json(const Percentiles& percentiles);
 
 }  // namespace burin

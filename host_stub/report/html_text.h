@@ -4,7 +4,7 @@
 
 namespace burin {
 
-/// The text as content or as a quoted attribute of HTML.
+/// Escapes a text for use as content or as a quoted attribute of HTML.
 std::string escaped(std::string_view text);
 
 }  // namespace burin

@@ -14,7 +14,7 @@ void check_report_folder(const std::string& folder) {
 }
 
 void make_report_folder(const std::string& folder) {
-  if (folder.empty()) return;  // that of relative names
+  if (folder.empty()) return;  // the empty path is the current folder
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw FileError(folder, error.message());

@@ -4,13 +4,13 @@
 
 namespace burin {
 
-/// Throws FileError when no folder can be at `folder`: a file stands there. An empty path is no report.
+/// Throws FileError if `folder` is an existing file. An empty path means no report.
 void check_report_folder(const std::string& folder);
 
-/// Creates the folder where needed. Throws FileError.
+/// Creates the folder if needed. Throws FileError.
 void make_report_folder(const std::string& folder);
 
-/// Writes the file whole. Throws FileError.
+/// Writes a file, wholly or not at all. Throws FileError.
 void write_text(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace burin

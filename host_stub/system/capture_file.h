@@ -5,15 +5,16 @@
 
 namespace burin {
 
-/// A nameless file that takes what a program writes, as pipes fill up and would have to be read in turn.
+/// A temporary file without a name that receives the output of a program. Unlike a pipe it never fills up, so
+/// it need not be read while the program runs.
 class CaptureFile {
  public:
-  /// Throws Error when the system gives none.
+  /// Throws Error if the file cannot be created.
   CaptureFile();
 
   std::FILE* stream() const { return stream_.get(); }
 
-  /// All of it, from its beginning.
+  /// The whole content.
   std::string text() const;
 
  private:

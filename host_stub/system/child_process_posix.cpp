@@ -19,7 +19,8 @@
 namespace burin {
 namespace {
 
-/// The child's part: nothing that takes memory or locks, since other threads of the parent may hold some.
+/// Runs in the child after fork(). It must not allocate memory or take locks, since other threads of the
+/// parent may have held locks at the fork.
 [[noreturn]] void become_program(char* const* arguments, int out, int err, int failure, pid_t parent) {
 #if defined(__linux__)
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -34,7 +35,7 @@ namespace {
   _exit(1);
 }
 
-/// What the child says through the pipe before it becomes the program: an error, or nothing.
+/// The error number that the child sends through the pipe if it cannot start the program; 0 if it could.
 int error_of_start(int failure) {
   int error = 0;
   while (read(failure, &error, sizeof error) < 0 && errno == EINTR) {
@@ -42,7 +43,7 @@ int error_of_start(int failure) {
   return error;
 }
 
-/// Not posix_spawn, which cannot tie the child's life to the parent's.
+/// Starts the program by fork(), since posix_spawn() cannot make the child end with its parent.
 pid_t start(std::vector<std::string> command, const CaptureFile& out, const CaptureFile& err) {
   std::vector<char*> arguments;
   for (std::string& argument : command) arguments.push_back(argument.data());

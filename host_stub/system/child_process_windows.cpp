@@ -12,7 +12,7 @@
 namespace burin {
 namespace {
 
-/// An argument as the C runtime of the started program takes it apart again.
+/// Quotes an argument by the rules by which the C runtime of the started program splits its command line.
 std::wstring quoted(const std::string& argument) {
   std::wstring text = L"\"";
   std::size_t backslashes = 0;

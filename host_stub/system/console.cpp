@@ -18,7 +18,7 @@ std::string json_text(const Json& json) {
 
 namespace {
 
-/// Where results go once plugins have the standard output to themselves.
+/// The original standard output, after plugins were given another one; null before.
 std::FILE* results = nullptr;
 
 }  // namespace

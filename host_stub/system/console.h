@@ -7,32 +7,33 @@
 
 namespace burin {
 
-/// A result in the order in which it was put together.
+/// JSON with members in insertion order.
 using Json = nlohmann::ordered_json;
 
-/// The text of a result, with a line end. Bytes that are no UTF-8, as file names may have them, are replaced.
+/// The text of a JSON value, with a line end. Bytes that are not UTF-8, as in some file names, are replaced.
 std::string json_text(const Json& json);
 
-/// Writes a result to the standard output. Everything but the help goes this way.
+/// Writes a result to the standard output. All output except the help uses this function.
 void write_result(std::string_view text);
 
-/// Whether all results could be written.
+/// Flushes the results; returns whether all could be written.
 bool flush_results();
 
-/// From here on what anybody writes to the standard output goes to stderr, but for results.
+/// Redirects everything that is written to the standard output from now on to stderr, except results.
 void keep_plugins_off_standard_output();
 
-/// "burin: KIND TEXT" on stderr as one line, cut where it is very long, with control characters as \\xHH.
+/// Writes "burin: KIND TEXT" to stderr as one line. Control characters are escaped as \\xHH, and a very long
+/// line is cut.
 void say(std::string_view kind, std::string_view text);
 
-/// "burin: warning: TEXT" on stderr.
+/// Writes "burin: warning: TEXT" to stderr.
 void warn(std::string_view text);
 
-/// What brushes have to say, as BrushLibrary takes it: "burin: LINE" on stderr, or "burin: warning: LINE".
+/// A BrushLibrary::Log that writes "burin: LINE" or "burin: warning: LINE" to stderr.
 void log_on_console(int severity, std::string_view line);
 
-/// Draws the progress of long work into one line of the terminal behind stderr, and nothing where stderr
-/// is none. The line is gone when the bar is.
+/// Shows the progress of long work in one line of the terminal, if stderr is a terminal. The destructor
+/// erases the line.
 class ProgressBar {
  public:
   ProgressBar();
@@ -40,7 +41,7 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
 
-  /// Valid as long as the bar; empty where there is nothing to draw on.
+  /// The function to report progress to; valid as long as the bar, empty if stderr is not a terminal.
   Progress progress();
 
  private:

@@ -3,8 +3,8 @@
 
 namespace burin {
 
-/// Throws FileError when a file cannot come into being at `path` (check_output): said before long work, not
-/// after it. An empty path is no file.
+/// Throws FileError if no file can be created at `path` (check_output), so that a bad path fails before the
+/// work starts. An empty path is ignored.
 void check_output_path(const std::string& path);
 
 }  // namespace burin

@@ -18,7 +18,7 @@
 namespace burin {
 namespace {
 
-/// A line "NAME: 123 kB" of what Linux knows of the process, bytes.
+/// The value, in bytes, of a line "NAME: 123 kB" in /proc/self/status.
 std::size_t process_status(std::string_view name) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
@@ -33,7 +33,8 @@ std::filesystem::path executable_file() { return std::filesystem::read_symlink("
 
 std::filesystem::path executable_folder() { return executable_file().parent_path(); }
 
-// Not getrusage: its maximum survives exec, so it may be that of the program that started this one.
+// getrusage() is not used, since its maximum survives exec() and may be that of the program that started this
+// one.
 std::size_t peak_memory() { return process_status("VmHWM"); }
 
 std::size_t resident_memory() {
@@ -60,7 +61,7 @@ double seconds_since_process_start() {
   std::ifstream stat("/proc/self/stat");
   std::string line;
   std::getline(stat, line);
-  // The name of the program may hold blanks: fields count from behind its closing parenthesis.
+  // The name of the program may contain blanks, so fields are counted from its closing parenthesis.
   std::istringstream fields(line.substr(line.rfind(')') + 1));
   std::string skipped;
   for (int field = 3; field < 22; ++field) fields >> skipped;

@@ -5,33 +5,33 @@
 
 namespace burin {
 
-/// What the operating system knows of this process.
+// Queries of the operating system about this process.
 
-/// The running program's file, and the folder that holds it.
+/// The file of the running program, and its folder.
 std::filesystem::path executable_file();
 std::filesystem::path executable_folder();
 
-/// The most physical memory that the process has held so far, bytes.
+/// The greatest physical memory of the process so far, bytes.
 std::size_t peak_memory();
 
-/// The physical memory that the process holds now, bytes, after free parts of the heap went back to the
+/// The current physical memory of the process, bytes, after free parts of the heap were returned to the
 /// system.
 std::size_t resident_memory();
 
-/// The physical memory that processes can have here, bytes; 0 where the system does not tell.
+/// The physical memory available to processes, bytes; 0 if unknown.
 std::size_t memory_limit();
 
-/// Since the system started the process, loading of libraries included.
+/// The time since the system started the process, including the loading of libraries.
 double seconds_since_process_start();
 
 bool stderr_is_terminal();
 
-/// Opens those of the three standard streams that the process was started without, so that no file takes
-/// their place. Writing to such a standard output fails.
+/// Opens the standard streams that are closed at the start of the process, so that no other file gets their
+/// descriptors. Writing to such a standard output fails.
 void open_standard_streams();
 
-/// Lets the process's standard output go to stderr, and returns what leads to where it went before. Null
-/// where the system has no more files: it is as before then.
+/// Redirects the standard output to stderr, and returns a stream to the original standard output. Returns
+/// null, and changes nothing, if no more files can be opened.
 std::FILE* divert_standard_output();
 
 }  // namespace burin

@@ -6,7 +6,8 @@
 namespace burin {
 namespace {
 
-/// How many of a range of floats an array's function rounds unlike the same of single floats.
+/// Counts the floats of a range for which an array function rounds differently from the same function of
+/// single floats.
 template <typename Ours, typename Exact>
 int differing(Ours ours, Exact exact) {
   int count = 0;

@@ -44,7 +44,7 @@ void write_text(const fs::path& path, const std::string& text) {
   write_file_whole(path, [&](std::ostream& out) { out << text; });
 }
 
-/// What writing to the path complains of, less the path.
+/// The error message of writing to the path, without the path.
 std::string complaint(const fs::path& path) {
   try {
     write_text(path, "text");

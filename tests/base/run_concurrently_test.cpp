@@ -13,12 +13,12 @@ constexpr std::size_t steps = 100;
 
 using Board = std::vector<std::uint64_t>;
 
-/// What body `own` writes next, having read what all wrote.
+/// The next value of body `own` after it has read the values of all.
 std::uint64_t after(const Board& board, std::size_t own) {
   return 3 * std::accumulate(board.begin(), board.end(), std::uint64_t{0}) + own;
 }
 
-/// What all have written last when each step waits for all of the one before.
+/// The final values if each step waits for all of the previous step.
 Board one_after_another(std::size_t bodies) {
   Board board(bodies), next(bodies);
   for (std::size_t step = 0; step < steps; ++step) {

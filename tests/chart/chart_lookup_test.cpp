@@ -230,7 +230,7 @@ TEST(ChartLookup, HasTheFieldOfAGreatCircle) {
       scene, [](const Vec3d& x) { return Vec3d(Vec3d(-x.y(), x.x(), 0).normalized()); }, 0.004);
 }
 
-// From the left through the origin, around, and down through it.
+// A stroke that runs from the left through the origin, around, and down through the origin.
 Scene crossing_itself() {
   std::vector<Vec3d> samples = {{-0.7, 0, 0}, {-0.35, 0, 0}, {0, 0, 0}};
   for (int i = 0; i <= 18; ++i) {
@@ -263,7 +263,7 @@ TEST(ChartLookup, HasBothSheetsOfACrossing) {
     }
     EXPECT_FALSE(scene.lookup.find(place.t, place.d, 1 - sheet).has_value());
   }
-  // Beside the crossing the field is that of the nearer run.
+  // The field beside the crossing is that of the nearer visit.
   EXPECT_GT(scene.lookup.field(*scene.picker.closest({0.05F, 0.01F, 0}, 1))->e1.x(), 0.9F);
   EXPECT_LT(scene.lookup.field(*scene.picker.closest({0.01F, 0.05F, 0}, 1))->e1.y(), -0.9F);
   expect_nodes_found(scene, 1e-6);
@@ -299,8 +299,8 @@ TEST(ChartLookup, GoesAcrossTheSeamOfAClosedStroke) {
   expect_nodes_found(scene, 1e-6);
 }
 
-// To the right along y = 0.12, back along y = -0.12: inside the bend the coordinates of the runs end where
-// these meet.
+// The stroke goes to the right along y = 0.12 and back along y = -0.12. Inside the bend the coordinates of
+// the two sides end where these meet.
 TEST(ChartLookup, EndsWhereTheRunsOfATightBendMeet) {
   for (const int order : {1, 2}) {
     const Scene scene(test::shuffled(test::plane(1, 0.02, 31), 32), 0.25,

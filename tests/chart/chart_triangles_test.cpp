@@ -15,8 +15,8 @@
 namespace burin {
 namespace {
 
-/// How many chart triangles each triangle of the surface has; each names nodes of its own corners, close to
-/// each other, and no node twice.
+/// Counts the chart triangles of each triangle of the surface, and checks that each has nodes of its own
+/// corners that are close to each other, and no node twice.
 std::vector<int> counted(const Surface& surface, const Chart& chart, double edge) {
   std::vector<int> counts(surface.triangles.size(), 0);
   std::set<std::pair<Index, Index>> used;
@@ -111,7 +111,7 @@ TEST(ChartTriangles, DoNotStandAroundALoopOfOneTriangle) {
   EXPECT_TRUE(chart_triangles(surface, chart).empty());
 }
 
-// Where the runs of a bend meet, a vertex of one node lies beside vertices of two.
+// A vertex with one node lies beside vertices with two, as where the visits of a bend meet.
 TEST(ChartTriangles, UseANodeOnce) {
   const Surface surface = make_surface({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   Chart chart;

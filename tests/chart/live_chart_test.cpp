@@ -95,7 +95,7 @@ TEST(LiveChart, TellsWhatAnAssignedChartChanges) {
   test::expect_same(live.sorted(), chart);
 }
 
-/// What draw() tells, followed event by event, is what chart() gives.
+/// The changes that draw() reports, applied event by event, give the result of chart().
 TEST(LiveChart, FollowsAGrowingStroke) {
   const Surface surface = make_surface(test::shuffled(test::sphere(5, 0.2, 3), 4));
   const Picker picker(surface);

@@ -125,9 +125,9 @@ TEST(StrokeChart, FollowsAGreatCircleOfTheSphere) {
   EXPECT_LE(error.d_mean, 5e-4);
 }
 
-// To the right along the upper run of a hairpin, back along the lower one: between them both have the
-// vertices on the right. Far from the bend they are two visits and every vertex has the sheets of the runs it
-// is near.
+// The stroke goes to the right along the upper side of a hairpin and back along the lower one. Between the
+// two sides vertices have both on their right. Far from the bend the sides are two visits, and every vertex
+// has the sheets of the sides that it is near.
 TEST(StrokeChart, KeepsASheetForEachRunOfAHairpin) {
   Scene scene(test::shuffled(test::plane(1, 0.02, 31), 32));
   const double radius = 0.25;
@@ -256,7 +256,8 @@ TEST(StrokeChart, ExtendsAcrossItself) {
   expect_extension_equals_fresh_charts(scene, samples, 0.2);
 }
 
-// From any curve to any other: seeds come, go and change all over the surface.
+// The chart is extended from any curve to any other, so that seeds appear, disappear and change all over the
+// surface.
 TEST(StrokeChart, ExtendsToAnyOtherCurve) {
   const std::uint32_t seed = 47;
   SCOPED_TRACE(seed);

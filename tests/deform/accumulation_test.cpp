@@ -31,7 +31,7 @@ Chart visits(const Surface& surface, int count) {
   return chart;
 }
 
-/// Where the stroke puts the vertices.
+/// The positions of the vertices after the stroke.
 std::vector<Vec3f> accumulated(const Surface& surface, const Chart& chart, test::TestBrush& brush,
                                double radius = 1) {
   const test::DrawnNodes drawn(surface, chart);

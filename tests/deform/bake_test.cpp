@@ -46,8 +46,8 @@ Vec3d lookup(const FloatImage& image, const Vec2f& uv) {
 
 using Apply = std::function<Vec3d(Index vertex, const Vec3d& value)>;
 
-/// How far positions that the map gives are from `displaced`: base + apply(value at the texture coordinates),
-/// over all corners.
+/// The difference between `displaced` and the positions by the map, base + apply(value at the texture
+/// coordinates), over all corners.
 struct MapError {
   double worst = 0, root_mean_square = 0;
 };
@@ -93,8 +93,8 @@ TEST(Bake, HeightsOfAPlaneGiveItsDisplacementBack) {
       test::plane(1, 0.05, 3), [](const Vec3d& p) -> Vec2d { return 0.4 * p.head<2>() + Vec2d(0.5, 0.5); });
   std::vector<Vec3f> displaced = base.positions;
   for (Vec3f& p : displaced) p.z() += 0.1F * std::sin(3 * p.x()) * std::cos(2 * p.y()) + 0.3F;
-  // Its slope is 0.36 at most, the map spans 2.5 units, and lookups miss kinks at vertices by part of a
-  // texel.
+  // The map's slope is 0.36 at most and the map spans 2.5 units; lookups smooth kinks at vertices over part
+  // of a texel.
   expect_convergence(base, displaced, false, 0.36 * 2.5 / 4, [](Index, const Vec3d& value) -> Vec3d {
     return {0, 0, value.x()};
   });

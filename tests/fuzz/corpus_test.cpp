@@ -1,4 +1,4 @@
-// A short run of what `./dev fuzz` does for long: seeds of every reader, and the same damaged.
+// Runs a short version of `./dev fuzz`: seeds for every reader, intact and damaged.
 
 #include <burin/base/file.h>
 #include <gtest/gtest.h>

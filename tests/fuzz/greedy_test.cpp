@@ -1,4 +1,4 @@
-// Small files that say they hold billions.
+// Tests small files that announce billions of elements.
 
 #include <burin/base/file.h>
 #include <gtest/gtest.h>

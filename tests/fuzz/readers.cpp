@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As the commands load a mesh: joined, once as it is and once as a cage.
+/// Loads a mesh as the commands do: with vertices joined, once as it is and once as a cage.
 void load_mesh(const fs::path& path) {
   if (holds_points(path)) {
     make_point_surface(read_points(path), default_links);

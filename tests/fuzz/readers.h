@@ -15,7 +15,7 @@ struct Reader {
 
 std::span<const Reader> readers();
 
-/// Nothing for a name that is none of theirs.
+/// The reader with this name, or null.
 const Reader* reader_named(const std::string& name);
 
 /// Reads a file and goes as far with it as the commands do before they draw. Returns whether the file was

@@ -1,4 +1,4 @@
-// docs/brushes.md is what the brushes say of themselves.
+// Checks that docs/brushes.md matches the descriptors of the brushes.
 #include <burin/abi/plugin.h>
 #include <burin/base/file.h>
 #include <burin/deform/evaluate/supported_inputs.h>

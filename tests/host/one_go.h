@@ -17,8 +17,7 @@ inline StrokeSettings every_input(Overlap overlap = Overlap::latest) {
   return every;
 }
 
-/// Where a finished stroke must have put the surface, computed in one go from its final curve: the function
-/// that a stroke is.
+/// The positions after a finished stroke, computed at once from its final curve.
 inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& curve,
                                     const StrokeSettings& settings) {
   const BrushEntry& entry = brushes().find(settings.brush);

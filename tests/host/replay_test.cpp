@@ -280,7 +280,7 @@ TEST(Replay, NamesTheStrokeThatLacksSomethingBeforeDrawing) {
   EXPECT_FALSE(session.undo());
 }
 
-/// Once around the z axis at this distance; the last sample is one step before the first.
+/// A circle around the z axis with this radius; the last sample is one step before the first.
 std::vector<Sample> loop(double radius, int count = 60, double turns = 1) {
   std::vector<Sample> samples;
   for (int i = 0; i < count; ++i) {

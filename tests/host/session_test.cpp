@@ -366,7 +366,7 @@ std::vector<Sample> half_wave(bool second) {
   return second ? std::vector<Sample>(middle, all.end()) : std::vector<Sample>(all.begin(), middle);
 }
 
-/// Which vertices the last stroke has nodes at.
+/// Marks the vertices at which the last stroke has nodes.
 std::vector<bool> charted(const Session& session) {
   std::vector<bool> charted(session.surface().vertex_count());
   for (const Index vertex : session.chart().vertex) charted[vertex] = true;

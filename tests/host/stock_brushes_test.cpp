@@ -1,4 +1,4 @@
-// What holds for every brush of the folder brushes/, whatever it draws.
+// Tests properties that every brush of the folder brushes/ must have.
 #include <burin/abi/plugin.h>
 #include <burin/base/parallel.h>
 #include <fmt/format.h>

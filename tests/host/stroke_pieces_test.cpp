@@ -45,7 +45,7 @@ StrokeSettings groove() {
   return groove;
 }
 
-/// As an application would: each change is uploaded where it is told. Returns the hash.
+/// Draws as an application would, uploading every change when it is reported. Returns the hash.
 std::uint64_t drawn_in_pieces(const Surface& surface, const std::vector<Sample>& samples) {
   Session session(surface, test::brushes());
   std::vector<Vec3f> uploaded = surface.positions;

@@ -22,7 +22,7 @@ class SymmetricSession {
     }
   }
 
-  /// How far at most the image of a vertex is from where the symmetry has it.
+  /// The greatest distance of the image of a vertex from the position that the symmetry gives.
   double worst(const SymmetryInstance& image) const {
     double worst = 0;
     for (Index vertex = 0; vertex < base.size(); ++vertex) {

@@ -1,4 +1,4 @@
-// Baked maps applied by Blender's Displace modifier and by the displacement of Cycles, where Blender is
+// Applies baked maps by Blender's Displace modifier and by the displacement of Cycles, if Blender is
 // installed.
 
 #include <burin/surface/mesh_file.h>

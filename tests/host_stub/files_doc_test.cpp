@@ -132,7 +132,7 @@ TEST_F(FilesPage, NamesTheTagsOfObj) {
   }
 }
 
-/// What the table says is what AxesOption tests.
+/// The table in the document has the options that AxesOption tests.
 TEST_F(FilesPage, NamesTheAxes) {
   EXPECT_EQ(first_cells("Which way is up", "| "),
             (std::set<std::string>{"option", "---", "none, or --axes as-is", "--axes z-up",

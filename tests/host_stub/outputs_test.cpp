@@ -1,4 +1,4 @@
-// Where results go: full, closed and special outputs.
+// Tests where results are written: full, closed and special outputs.
 
 #include <gtest/gtest.h>
 #include <signal.h>

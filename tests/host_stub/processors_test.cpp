@@ -1,4 +1,4 @@
-// Replays give the same bits on processors that differ in what they estimate and fuse.
+// Checks that replays give the same bits on processors with different estimate and fused instructions.
 #include "support/processors.h"
 
 #include <burin/base/file.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Of the ball that samples/suites/icosahedron.obj becomes.
+/// The radius of the ball that samples/suites/icosahedron.obj becomes.
 constexpr double ball_radius = 0.704;
 
 /// "begin" and the samples of a stroke across the front of the ball, begun at a height above its equator.
@@ -81,7 +81,7 @@ struct Result {
   std::string hash, mesh;
 };
 
-/// What a replay on the ball of 5,120 triangles makes.
+/// The result of a replay on the ball of 5,120 triangles.
 Result replayed(const test::Processor& processor, const test::CommandFolder& folder, Words more) {
   const std::string mesh = folder.path("result.ply");
   Words words{BURIN_COMMAND, "replay", "--mesh", BURIN_SAMPLES "/suites/icosahedron.obj", "--subdivide", "4",

@@ -35,7 +35,7 @@ ProcessResult burin(const std::vector<std::string>& arguments);
 /// The standard output of a run that must succeed and keep silent on stderr.
 std::string burin_output(const std::vector<std::string>& arguments);
 
-/// The same of a run with --json.
+/// Runs the command with --json; returns the parsed result.
 nlohmann::json burin_json(std::vector<std::string> arguments);
 
 std::string obj_text(const TriangleMesh& mesh);
@@ -50,7 +50,7 @@ std::string cube_obj();
 /// from z towards x, radians, 10 ms apart. `settings`: members of "begin", "\"radius\":0.2".
 std::string equator_stroke(double from, double to, int samples, const std::string& settings);
 
-/// The same stroke's lines without the header of the file.
+/// The lines of that stroke without the header of the file.
 std::string equator_stroke_lines(double from, double to, int samples, const std::string& settings);
 
 }  // namespace burin::test

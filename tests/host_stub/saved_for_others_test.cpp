@@ -1,5 +1,5 @@
-// Meshes that replay saves, painted in part and masked, as other programs see them: the same triangles, the
-// same way up, and the colours that Burin's pictures have.
+// Checks that other programs read saved meshes, painted in part and masked, correctly: the same triangles,
+// the same up axis, and the colours of Burin's pictures.
 
 #include <burin/base/srgb.h>
 #include <burin/surface/mesh_file.h>
@@ -17,7 +17,7 @@
 namespace burin::test {
 namespace {
 
-/// What a program sees at a corner of a triangle.
+/// A corner of a triangle as another program reads it.
 struct Corner {
   Vec3f place;
   std::array<std::uint8_t, 3> colour;  ///< sRGB
@@ -25,7 +25,7 @@ struct Corner {
 
 using Corners = std::vector<Corner>;
 
-/// Of lines "x y z r g b" in linear light, as the scripts in programs/ write them.
+/// Reads lines "x y z r g b" in linear light, as the scripts in programs/ write them.
 Corners read_corners(const std::string& path) {
   std::ifstream in(path);
   Corners corners;
@@ -35,7 +35,7 @@ Corners read_corners(const std::string& path) {
   return corners;
 }
 
-/// Of a mesh file; what its colours look like.
+/// The corners of a mesh file, with the appearance of its colours.
 Corners corners_of(const PolygonMesh& mesh) {
   Corners corners;
   for (const Triangle& triangle : triangulate(mesh).triangles)
@@ -60,13 +60,13 @@ Corners expected_of(PolygonMesh mesh) {
   return corners_of(mesh);
 }
 
-/// From y up to z up.
+/// Rotates corners from y up to z up.
 Corners turned(Corners corners) {
   for (Corner& corner : corners) corner.place = {corner.place.x(), -corner.place.z(), corner.place.y()};
   return corners;
 }
 
-/// From linear light that a program takes for sRGB.
+/// Decodes sRGB once more, for a program that takes linear light for sRGB.
 Corners linear(Corners corners) {
   for (Corner& corner : corners)
     for (std::uint8_t& channel : corner.colour)
@@ -136,7 +136,7 @@ class SavedForOthers : public testing::Test {
   }
 
   Corners assimp(const std::string& file) const {
-    // As text: its binary files have colours of another type than they say.
+    // The text format is used, since the program's binary files declare another colour type than they hold.
     run_well({"assimp", "export", file, folder.path("assimp.ply"), "-fply"});
     return corners_of(read_mesh(folder.path("assimp.ply")));
   }

@@ -1,4 +1,4 @@
-// Documents name files of the repository, and link to them: these are there.
+// Checks that the files which documents name or link to exist.
 #include <burin/base/file.h>
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ Names linked_files(const std::string& text) {
   return all_matches<Names>(text, link);
 }
 
-/// What a document names or links to that is not there. Names count from the root, or from the SDK's folders;
-/// links from the document.
+/// The files that a document names or links to but that do not exist. Names are relative to the root or to
+/// the SDK's folders, links to the document.
 Names missing_files(const fs::path& root, const fs::path& document) {
   const std::string text = read_file(root / document);
   Names missing;

@@ -1,4 +1,5 @@
-// Results are the same bits on every processor: sources call no function of which the C library has variants.
+// Checks that results are the same bits on every processor: sources call no function of which the C
+// library has variants for processors.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@ namespace burin::test {
 /// "FILE:LINE: WHAT".
 std::vector<std::string> wrong_includes(const std::filesystem::path& repository);
 
-/// How many include lines wrong_includes looks at.
+/// The number of include lines that wrong_includes() checks.
 std::size_t count_includes(const std::filesystem::path& repository);
 
 }  // namespace burin::test

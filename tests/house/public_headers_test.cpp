@@ -1,4 +1,4 @@
-// The headers that are installed for applications: cmake/PublicHeaders.cmake names them.
+// Checks the headers that are installed for applications, which cmake/PublicHeaders.cmake lists.
 #include <burin/base/file.h>
 #include <gtest/gtest.h>
 

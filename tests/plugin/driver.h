@@ -36,7 +36,7 @@ class PluginModule {
   const burin_plugin_entry* entry_;
 };
 
-/// What a TestHost has for an image: its value at (u, v) within 0..1.
+/// An image of a TestHost: its value at (u, v) in 0..1.
 struct TestPicture {
   std::uint32_t width, height, channels;
   std::function<float(std::uint32_t channel, double u, double v)> at;
@@ -108,7 +108,7 @@ struct Nodes {
       fine_position{};
 };
 
-/// What a call answered.
+/// The result of a call.
 struct Answer {
   burin_status status;
   std::string text;

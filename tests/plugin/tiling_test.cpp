@@ -106,7 +106,7 @@ TEST(Tiling, GivesTheCellsFootprintInTheStampsFrame) {
   EXPECT_NEAR(tile.area.along.v, 0.2 * std::sin(turn) / 2, 1e-7) << "v runs down";
   EXPECT_NEAR(tile.area.across.u, 0.1 * std::sin(turn) / 4, 1e-7);
   EXPECT_NEAR(tile.area.across.v, -0.1 * std::cos(turn) / 2, 1e-7);
-  // The same as the difference of the places at the cell's sides.
+  // The area equals the difference of the points at the cell's sides.
   const Tile beside = tiling.at({1.1f, 0.05f, 1, 0, 0}, turn);
   EXPECT_NEAR(beside.area.at.u - tile.area.at.u, (tile.area.along.u + tile.area.across.u) / 2, 1e-6);
   EXPECT_NEAR(beside.area.at.v - tile.area.at.v, (tile.area.along.v + tile.area.across.v) / 2, 1e-6);
@@ -308,7 +308,7 @@ TEST(Tiling, IsExactForTheTGivenFarFromTheStart) {
     const double u = t / length - std::floor(t / length);
     EXPECT_NEAR(tile_at(layout, Context(12000), t, 0).area.at.u, u, 1e-7);
   }
-  // What the float t itself loses there, as documented.
+  // The error is that of the float t itself, as documented.
   const float far = 10000 * layout.length;
   EXPECT_LT((std::nextafter(far, 1e9f) - far) / 2 / length, 1.0 / 1600);
 }

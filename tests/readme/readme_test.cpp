@@ -42,7 +42,7 @@ class Checkout {
   TemporaryFolder folder_;
 };
 
-/// The same commands on surfaces and in pictures small enough for a test.
+/// The commands with surfaces and pictures that are small enough for a test.
 std::string at_test_size(const std::string& script) {
   static const std::regex size("--(target-triangles|subdivide) [0-9]+"),
       picture("burin (replay|chart|render) ");

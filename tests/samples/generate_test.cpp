@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path committed = BURIN_SAMPLES;
 
-/// What the generator writes, once for all tests of this process.
+/// The output of the generator, written once for all tests of this process.
 const fs::path& generated() {
   static const test::TemporaryFolder folder;
   static const int status = std::system((BURIN_SAMPLE_GENERATOR " '" + folder.path().string() + "'").c_str());

@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-/// What the host refuses to set.
+/// The error message for a lettering that the host refuses to set; "set" if it accepts it.
 std::string complaint(const char* font, const char* text, std::uint32_t em = 32) {
   const HostServices services(nullptr, stamp_services());
   try {

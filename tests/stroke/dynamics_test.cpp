@@ -14,7 +14,7 @@ using std::numbers::pi;
 
 const PenFields all_fields{.time = true, .pressure = true, .tilt = true, .twist = true};
 const DrivenStroke stroke{.fields = all_fields, .radius = 0.5, .seed = 7};
-/// From far below to far above any value of a source: the source itself.
+/// The identity, from far below to far above all values of a source.
 const std::vector<double> identity{-1000, -1000, 1000, 1000};
 
 double value_of(PenSource source, const PenAt& at) {

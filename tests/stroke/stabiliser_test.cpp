@@ -65,7 +65,7 @@ TEST(PulledString, KeepsTimeAndPen) {
 }
 
 TEST(ExponentialStabiliser, RespondsToARampExactly) {
-  // To a pen that goes from 0 at speed v: v (t - tau (1 - exp(-t / tau))).
+  // The response to a pen that moves from 0 at speed v is v (t - tau (1 - exp(-t / tau))).
   constexpr double tau = 0.1, v = 3;
   for (const int steps : {1, 13, 500}) {
     Stabiliser lag({Kind::exponential, tau});
@@ -107,7 +107,7 @@ std::vector<Vec3d> drawn_at(int rate, const Stabilising& stabilising) {
 }
 
 TEST(Stabiliser, DrawsTheSameAtAnyRate) {
-  // But for the sagitta of what the pen does between samples: 36 / 60^2 / 8 = 0.0013.
+  // The tolerance is the sagitta of the pen's path between samples: 36 / 60^2 / 8 = 0.0013.
   for (const Stabilising stabilising : {Stabilising{Kind::string, 0.3}, {Kind::exponential, 0.05}}) {
     const auto seldom = drawn_at(60, stabilising), often = drawn_at(240, stabilising);
     ASSERT_EQ(seldom.size(), 12u);

@@ -65,7 +65,7 @@ std::vector<NamedCage> cages() {
   return result;
 }
 
-/// What strokes may do to a level: a bump with a few broad waves on it, and a little noise at some vertices.
+/// A level as strokes may sculpt it: a bump with a few broad waves, and some noise at a few vertices.
 Positions sculpted(std::span<const Vec3f> positions, double size, std::mt19937& random) {
   std::uniform_real_distribution<float> unit(-1, 1);
   std::normal_distribution<float> normal;
@@ -190,7 +190,7 @@ TEST(SculptLevels, BendAPlateUnderItsBumps) {
   double highest = 0;
   int compared = 0;
   for (std::size_t i = 0; i < flat.size(); ++i) {
-    // At the ends the boundary rule holds instead.
+    // The ends are skipped, where the boundary rule applies.
     const double x = flat[i].x();
     if (x < 1.1 || x > cells - 1.1) continue;
     const bool on_vertex = std::abs(x - std::round(x)) < 0.1;

@@ -8,7 +8,7 @@
 
 namespace burin::test {
 
-/// Largest and mean |error| of t and d over nodes of a chart, in shares of the radius.
+/// The greatest and mean absolute errors of t and d over nodes of a chart, as shares of the radius.
 struct ChartError {
   double t_mean = 0, t_max = 0, d_mean = 0, d_max = 0;
   std::size_t count = 0;
@@ -18,8 +18,8 @@ struct Coordinates {
   double t, d;
 };
 
-/// `exact` gives the Coordinates of a position on the surface; nodes whose t is closer than `margin` to the
-/// stroke's ends, or beyond them, are left out.
+/// Measures the errors of a chart. exact(position) returns the true Coordinates of a position on the surface.
+/// Nodes whose t is closer than `margin` to the stroke's ends, or beyond them, are left out.
 template <class Exact>
 ChartError error_against(const Surface& surface, const Chart& chart, double length, double radius,
                          double margin, const Exact& exact) {

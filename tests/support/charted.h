@@ -12,19 +12,19 @@
 
 namespace burin::test {
 
-/// A surface and what strokes at the brush's own scale need of it.
+/// A surface with everything that charts on its base surface need.
 struct Charted {
   explicit Charted(TriangleMesh mesh)
       : surface(make_surface(std::move(mesh))), picker(surface), levels(surface), builder(surface, &levels) {}
 
-  /// The curve of samples near the surface, and its chart.
+  /// Traces the curve of samples near the surface; returns its chart.
   Chart chart(const ChartOptions& options, const std::vector<Vec3d>& samples) {
     builder.begin(options);
     curve = traced(CurveGround(surface, picker, builder.base()), picker, options.radius, samples);
     return builder.draw(curve).sorted();
   }
 
-  /// The same of places that rays meet.
+  /// Traces the curve through the points that rays meet; returns its chart.
   Chart chart(const ChartOptions& options, const std::vector<Ray>& pens) {
     std::vector<Vec3d> samples;
     for (const Ray& pen : pens)
@@ -36,7 +36,7 @@ struct Charted {
   Picker picker;
   SurfaceLevels levels;
   StrokeChartBuilder builder;
-  SurfaceCurve curve;  ///< of the last chart
+  SurfaceCurve curve;  ///< curve of the last chart
 };
 
 }  // namespace burin::test

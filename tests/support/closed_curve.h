@@ -3,7 +3,7 @@
 
 namespace burin::test {
 
-/// Closes a curve of several points whose last one is at the place of its first.
+/// Closes a curve of several points whose last point is at the position of the first.
 inline void close(SurfaceCurve& curve) {
   const double length = curve.length();
   curve.points.pop_back();

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Uniform, the same on every platform.
+/// A uniform random number, the same on every platform.
 double uniform(std::mt19937& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random()) / 4294967296.);
 }
 
 double either_sign(std::mt19937& random) { return random() % 2 == 0 ? -1 : 1; }
 
-/// A pen that goes its way step by step, in units of the radius.
+/// A simulated pen that draws step by step; lengths are in units of the radius.
 class Hand {
  public:
   explicit Hand(std::mt19937& random)
@@ -50,7 +50,7 @@ class Hand {
   void line(double length) { arc(length, 0); }
   void turn(double angle) { heading_ += angle; }
 
-  /// Gentle bends of radii above 2.
+  /// Draws gentle bends with radii above 2.
   void swing(double length) {
     const double bend = random(-0.5, 0.5);
     arc(length / 2, bend);
@@ -65,7 +65,7 @@ class Hand {
     }
   }
 
-  /// Back over its own samples, the last `share` of them.
+  /// Goes back over the last samples; `share` is their share of all.
   void retrace(double share) {
     const auto back = static_cast<std::size_t>(share * static_cast<double>(way_.size() - 1));
     const std::size_t last = way_.size() - 1;
@@ -74,7 +74,7 @@ class Hand {
     heading_ += pi;
   }
 
-  /// The samples up to where they leave the square.
+  /// The samples up to the point where they leave the square.
   std::vector<Vec2d> way() const {
     std::vector<Vec2d> inside;
     for (const Vec2d& sample : way_) {
@@ -192,7 +192,7 @@ double distance_in_plane(const Vec2d& x, const Vec2d& a, const Vec2d& b) {
   return (x - a - s * way).norm();
 }
 
-/// A shape that unrolls onto the plane without any stretch.
+/// A shape that unrolls onto the plane without distortion.
 class Developable : public ExactShape {
  public:
   TriangleMesh mesh(double edge, double reach, std::uint32_t seed) const override {
@@ -227,7 +227,7 @@ class Cylinder final : public Developable {
   Vec2d unrolled(const Vec3d& at) const override { return {std::atan2(at.y(), at.x()), at.z()}; }
 };
 
-/// About the z axis, its tip at the origin. Unrolled, the tip is at (-middle, 0).
+/// A cone about the z axis with its tip at the origin. In the unrolled plane the tip is at (-middle, 0).
 class Cone final : public Developable {
   static constexpr double middle = 2, sine = 0.5;
   Vec3d place(const Vec2d& in_plane) const override {

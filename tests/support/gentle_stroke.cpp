@@ -10,7 +10,7 @@ namespace {
 
 double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967295.; }
 
-/// Where a random ray from outside meets the surface, so that nothing inside a shell is found.
+/// The point where a random ray from outside meets the surface, which is never inside a shell.
 std::optional<SurfacePoint> random_outer_place(const Surface& surface, const Picker& picker,
                                                std::mt19937& random) {
   Eigen::AlignedBox3f box;
@@ -24,7 +24,7 @@ std::optional<SurfacePoint> random_outer_place(const Surface& surface, const Pic
   return picker.pick({target - 2 * static_cast<float>(surface.scale) * direction, direction});
 }
 
-/// In the tangent plane at n, turned to the left.
+/// Rotates a direction to the left in the tangent plane with the normal n; radians.
 Vec3f turned(const Vec3f& direction, const Vec3f& n, double angle) {
   const Vec3f flat = (direction - n.dot(direction) * n).normalized();
   return static_cast<float>(std::cos(angle)) * flat + static_cast<float>(std::sin(angle)) * n.cross(flat);

@@ -7,12 +7,12 @@
 
 namespace burin::test {
 
-/// Mean length of an edge of the triangles, object units.
+/// The mean length of the triangles' edges, object units.
 double mean_edge(const Surface& surface);
 
-/// A stroke from a random place, seen from outside, in a random direction that swings to and fro with turning
-/// radii of 2 radii and more, about `length` long (object units); shorter, or empty, where it leaves the
-/// surface or would jump.
+/// A stroke from a random point on the outside, in a random direction that swings left and right with turning
+/// radii of at least 2 stroke radii. It is about `length` long (object units); shorter, or empty, if it
+/// leaves the surface or would jump.
 SurfaceCurve gentle_stroke(const Surface& surface, const Picker& picker, double radius, double length,
                            std::mt19937& random);
 

@@ -13,7 +13,7 @@
 namespace burin::test {
 namespace {
 
-/// The strings as a C array; valid as long as they are.
+/// The strings as a null-terminated C array; valid as long as the strings.
 std::vector<char*> c_array(std::vector<std::string>& strings) {
   std::vector<char*> pointers;
   for (std::string& string : strings) pointers.push_back(string.data());

@@ -4,8 +4,8 @@
 
 namespace burin::test {
 
-/// A way to run a program as another x86-64 processor would: for run_process(), what goes before the command
-/// and its environment.
+/// A way to run a program as another x86-64 processor would: the prefix of the command and the environment
+/// for run_process().
 struct Processor {
   std::string name;
   std::vector<std::string> prefix, environment;
@@ -16,9 +16,9 @@ struct Processor {
   }
 };
 
-/// This processor, the same without fused multiplication in the C library, an emulated one with all that the
-/// emulator knows, and an emulated one of 2008 with neither fused multiplication nor AVX.
-/// In builds with sanitizers, which the emulator cannot run, the first two.
+/// This processor, this processor without fused multiplication in the C library, an emulated one with all
+/// features of the emulator, and an emulated one of 2008 without fused multiplication and AVX. Builds with
+/// sanitizers, which the emulator cannot run, have the first two only.
 inline std::vector<Processor> processors() {
   std::vector<Processor> all{{"native", {}, {}},
                              {"no FMA", {}, {"GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2"}}};

@@ -4,11 +4,11 @@
 
 namespace burin::test {
 
-/// Relief that is narrow against a brush: heights over the places (x, y), all in radii of the brush, whose
-/// root mean square is one half.
+/// A relief that is narrow compared with a brush: the height over (x, y), all in radii of the brush, with a
+/// root mean square of one half.
 using Relief = double (*)(double x, double y);
 
-/// A wave of 0.35 radii in either direction.
+/// Waves of 0.35 radii along x and along y.
 inline double egg_crate(double x, double y) {
   const double k = 2 * std::numbers::pi / 0.35;
   return std::sin(k * x) * std::sin(k * y);
@@ -17,7 +17,8 @@ inline double egg_crate(double x, double y) {
 /// Waves of 0.25 to 0.45 radii in all directions.
 inline double band_noise(double x, double y) {
   constexpr int waves = 64;
-  // Steps of the golden ratio and of its like in two and three dimensions fill the unit interval evenly.
+  // Steps of the golden ratio and its generalisations to two and three dimensions fill the unit interval
+  // evenly.
   const auto share = [](int i, double step) { return i * step - std::floor(i * step); };
   double sum = 0;
   for (int i = 1; i <= waves; ++i) {

@@ -4,7 +4,7 @@
 
 namespace burin::test {
 
-/// Bit for bit.
+/// Expects that two charts are equal bit for bit.
 inline void expect_same(const Chart& a, const Chart& b) {
   EXPECT_EQ(a.vertex, b.vertex);
   EXPECT_EQ(a.sheet, b.sheet);

@@ -10,7 +10,7 @@
 namespace burin::test {
 namespace {
 
-/// Uniform in [-1, 1], the same on every platform (std::uniform_real_distribution is not).
+/// A uniform random number in [-1, 1], the same on every platform (unlike std::uniform_real_distribution).
 double uniform(std::mt19937& random) { return static_cast<double>(random()) / 2147483647.5 - 1; }
 
 template <class T>

@@ -20,7 +20,7 @@ fs::path data_folder() {
   return other ? other : BURIN_SHARED_DATA;
 }
 
-/// Unpacks beside a private name first: tests of several processes ask for the same file at once.
+/// Unpacks to a private name first, since tests of several processes may need the same file at once.
 fs::path unpacked(const fs::path& packed, const fs::path& name) {
   const fs::path file = fs::path(BURIN_TEST_CACHE) / name;
   if (fs::exists(file)) return file;

@@ -6,14 +6,15 @@
 
 namespace burin::test {
 
-/// The file of this name below ../shared/data, unpacked where the folder has it as NAME.xz; nothing where
-/// the folder is absent, as it is for users. BURIN_SHARED_DATA in the environment names another folder.
+/// The file with this name below ../shared/data, unpacked if the folder has it as NAME.xz; nothing if the
+/// folder is absent, as it is for users. The environment variable BURIN_SHARED_DATA sets another folder.
 std::optional<std::filesystem::path> shared_data(std::string_view name);
 
-/// The name of a test of a mesh file: that without its extensions, with '_' for what no name of a test has.
+/// A test name for a mesh file: the file name without extensions, with '_' for characters that test names
+/// cannot have.
 std::string test_name_of(std::string_view file);
 
-/// A new empty folder for files of the running test, removed when the object dies.
+/// A new empty folder for files of the running test; the destructor removes it.
 class TemporaryFolder {
  public:
   TemporaryFolder();

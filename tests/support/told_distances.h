@@ -9,8 +9,8 @@
 
 namespace burin::test {
 
-/// The least distance to the stroke among the nodes of each vertex of a chart, object units. Beyond the ends
-/// of the stroke it is that from the end.
+/// The least distance from the stroke among the nodes of each vertex of a chart, object units. Beyond the
+/// ends of the stroke it is the distance from the end.
 inline std::map<Index, double> told_distances(const Chart& chart) {
   std::map<Index, double> told;
   for (std::size_t i = 0; i < chart.size(); ++i) {
@@ -22,13 +22,13 @@ inline std::map<Index, double> told_distances(const Chart& chart) {
   return told;
 }
 
-/// How far told distances are from exact ones.
+/// Statistics of the differences between a chart's distances and exact ones.
 struct ToldErrors {
   std::size_t vertices = 0, holes = 0;
   std::size_t off_2 = 0, off_5 = 0, off_10 = 0;  ///< vertices off by more than so many % of the radius
   double worst = 0;                              ///< in radii
 
-  /// Takes in a vertex; `told` as told_distances() gives it, lengths in object units.
+  /// Adds a vertex. `told` is the result of told_distances(); lengths are in object units.
   void add(const std::map<Index, double>& told, Index vertex, double exact, double radius) {
     ++vertices;
     const auto found = told.find(vertex);

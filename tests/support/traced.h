@@ -8,14 +8,14 @@
 
 namespace burin::test {
 
-/// So many places of a curve over [0, 1], evenly spaced.
+/// `count` points of a curve over [0, 1], evenly spaced in the parameter.
 inline std::vector<Vec3d> sampled(int count, const std::function<Vec3d(double)>& curve) {
   std::vector<Vec3d> samples;
   for (int i = 0; i < count; ++i) samples.push_back(curve(static_cast<double>(i) / (count - 1)));
   return samples;
 }
 
-/// The surface curve of samples near the surface, 1/240 s apart.
+/// The surface curve of samples near the surface that are 1/240 s apart.
 inline SurfaceCurve traced(const CurveGround& ground, const Picker& picker, double radius,
                            const std::vector<Vec3d>& samples) {
   CurveTracer tracer(ground, radius);

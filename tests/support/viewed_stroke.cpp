@@ -16,7 +16,7 @@ double longest_side(const Surface& surface, const SurfacePoint& at) {
   return longest;
 }
 
-/// Elsewhere points of a curve are about half an edge apart.
+/// Whether the curve leaves the surface: its points are usually about half an edge apart.
 bool leaves_surface(const Surface& surface, const SurfaceCurve& curve) {
   for (std::size_t i = 1; i < curve.points.size(); ++i) {
     const SurfacePoint &from = curve.points[i - 1].at, &to = curve.points[i].at;

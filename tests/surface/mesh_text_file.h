@@ -17,7 +17,7 @@ class MeshFile {
     write_file_whole(path_, [&](std::ostream& out) { out << content; });
   }
   const std::filesystem::path& path() const { return path_; }
-  /// What read_mesh says about it, without the folder.
+  /// The error message of read_mesh(), without the folder.
   std::string message() const {
     try {
       read_mesh(path_);

@@ -28,7 +28,7 @@ void expect_sorted_rows(const Csr& csr) {
         << "row " << row;
 }
 
-/// Both neighbourhoods against sets built triangle by triangle.
+/// Compares both neighbourhoods with sets that are built triangle by triangle.
 void expect_neighbourhoods_of_the_triangles(const Surface& surface) {
   std::vector<std::set<Index>> neighbours(surface.vertex_count()), incident(surface.vertex_count());
   for (Index i = 0; i < surface.triangles.size(); ++i)
@@ -131,7 +131,8 @@ double mean_index_distance(const std::vector<Triangle>& triangles) {
   return sum / (3.0 * static_cast<double>(triangles.size()));
 }
 
-// For n shuffled vertices the mean is n / 3. Along a Hilbert curve most edges stay within a few hundred.
+// The mean index distance of n shuffled vertices is n / 3. Most edges along a Hilbert curve span at most a
+// few hundred.
 TEST(MakeSurface, PutsNeighboursNearEachOther) {
   const TriangleMesh mesh = shuffled(test::torus(500, 200));
   EXPECT_GT(mean_index_distance(mesh.triangles), 0.3 * 100000);

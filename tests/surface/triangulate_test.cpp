@@ -27,7 +27,7 @@ Vec3d doubled_area(const TriangleMesh& mesh, const Triangle& t) {
   return (corner(1) - corner(0)).cross(corner(2) - corner(0));
 }
 
-/// In the plane z = 0: no triangle turned over and the areas add up, so that they tile the polygon.
+/// Expects that triangles tile a polygon in the plane z = 0: none is flipped, and the areas add up.
 void expect_tiles(const TriangleMesh& mesh, double area) {
   double sum = 0;
   for (const Triangle& t : mesh.triangles) {

@@ -93,7 +93,7 @@ WeldedMesh weld_mesh(const PolygonMesh& mesh, double tolerance) {
 
 MeshDefects defects(const PolygonMesh& mesh) { return find_defects(triangulate(mesh)); }
 
-/// The same faces between the same places.
+/// Expects that two meshes have the same faces at the same positions.
 void expect_same_surface(const PolygonMesh& a, const PolygonMesh& b) {
   ASSERT_EQ(a.face_sizes, b.face_sizes);
   ASSERT_EQ(a.positions.size(), b.positions.size());

@@ -47,7 +47,8 @@ std::span<const Index> BoxGrid::around(const Vec2d& place) const {
   return boxes_[row * cells_[0] + column];
 }
 
-/// Places outside go to the border. Ascending places go to ascending cells, which boxes rely on.
+/// Points outside the grid are clamped to its border cells. The cell is monotone in each coordinate, which
+/// the listing of boxes relies on.
 std::array<Index, 2> BoxGrid::cell_of(const Vec2d& place) const {
   const auto on = [&](int axis) {
     const double last = static_cast<double>(cells_[static_cast<std::size_t>(axis)] - 1);

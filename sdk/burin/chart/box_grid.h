@@ -8,16 +8,16 @@
 
 namespace burin {
 
-/// Finds the boxes of a plane that hold a place: each is listed in the cells of a uniform grid that it
-/// touches. The cells are as large as the boxes are on average, and no more than these: n boxes take time and
-/// memory of O(n) when they are of like size, and of O(n^1.5) at worst.
+/// Finds the axis-aligned boxes that hold a point of the plane. A uniform grid lists each box in every cell
+/// that it touches. Cells have the average size of the boxes, and there are at most as many cells as boxes: n
+/// boxes take O(n) time and memory when their sizes are similar, and O(n^1.5) in the worst case.
 class BoxGrid {
  public:
   BoxGrid() : BoxGrid(std::span<const Eigen::AlignedBox2d>()) {}
   explicit BoxGrid(std::span<const Eigen::AlignedBox2d> boxes);
 
-  /// Numbers, ascending, of boxes about the place, among them all that hold it, or miss it by no more than
-  /// 1e-9 of the extent of all boxes. Any thread, concurrent.
+  /// Returns indices of boxes near the point, ascending. All boxes that hold the point, or miss it by at most
+  /// 1e-9 of the extent of all boxes, are among them. May be called from several threads at once.
   std::span<const Index> around(const Vec2d& place) const;
 
  private:
@@ -25,7 +25,7 @@ class BoxGrid {
 
   Vec2d begin_ = Vec2d::Zero(), cell_ = Vec2d::Ones();
   std::array<Index, 2> cells_ = {1, 1};
-  Csr boxes_;  ///< [cell, row by row]
+  Csr boxes_;  ///< [cell in row-major order] indices of the boxes that touch it
 };
 
 }  // namespace burin

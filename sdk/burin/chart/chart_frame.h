@@ -3,14 +3,14 @@
 
 namespace burin {
 
-/// Below this stretch a focal point is near, where Fermi coordinates fold.
+/// A stretch below this means that a focal point is near, where Fermi coordinates fold.
 constexpr float least_stretch = 0.15F;
 
-/// What the front knows at a node of the chart: the Fermi coordinates of the stroke, in which the metric is
-/// J^2 dt^2 + dd^2, and how they go on. Beyond round ends its members mean what DistanceRay says.
+/// The Fermi coordinates of a node, in which the metric is J^2 dt^2 + dd^2, with their first and second
+/// derivatives. Beyond round ends the members mean what DistanceRay defines.
 struct ChartFrame {
   double t = 0;              ///< arc length along the stroke, object units
-  float d = 0;               ///< signed geodesic distance to it
+  float d = 0;               ///< signed geodesic distance to the stroke, object units, left positive
   Vec3f e1 = Vec3f::Zero();  ///< unit tangent of the line of constant d
   float curvature = 0;       ///< k: geodesic curvature of that line, 1 / length, positive to the left
   float stretch = 1;         ///< J = |dP/dt|; k = -J' / J, J'' = -K J along d, J = 1 on the stroke

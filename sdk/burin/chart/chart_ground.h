@@ -5,15 +5,15 @@
 
 namespace burin {
 
-/// What a front reads of a place that it spreads over.
+/// The geometry of one vertex of the ground, as a front reads it.
 struct GroundPlace {
   Vec3f position;
-  Vec3f normal;  ///< unit
-  float gauss_curvature = 0;
+  Vec3f normal;               ///< unit
+  float gauss_curvature = 0;  ///< 1 / length^2
 };
 
-/// What a front spreads over: the vertices of a surface, or the nodes of a base surface, which are made when
-/// the front comes by. Looked at, not owned.
+/// The graph that a front spreads over: the vertices of a surface, or the nodes of a base surface, whose
+/// patches are computed when they are first read. Non-owning.
 class ChartGround {
  public:
   explicit ChartGround(const Surface& surface)
@@ -22,7 +22,7 @@ class ChartGround {
       : base_(&base), neighbours_(&base.neighbours()), scale_(base.scale()) {}
 
   Index vertex_count() const { return neighbours_->rows(); }
-  double scale() const { return scale_; }  ///< of the surface, see there
+  double scale() const { return scale_; }  ///< see Surface::scale
   std::span<const Index> neighbours(Index vertex) const { return (*neighbours_)[vertex]; }
 
   GroundPlace operator[](Index vertex) const {
@@ -32,7 +32,7 @@ class ChartGround {
     return {patch.position, patch.normal, patch.gauss_curvature()};
   }
 
-  /// Whether several threads may ask at once.
+  /// Whether several threads may read at once.
   bool concurrent() const { return !base_; }
 
  private:

@@ -1,3 +1,5 @@
+// Point location in the (t, d) plane: a uniform grid lists the bounding boxes of the chart's triangles, and
+// barycentric coordinates decide. The header has the costs.
 #include <burin/base/error.h>
 #include <burin/chart/chart_lookup.h>
 #include <burin/chart/path/closed_length.h>
@@ -29,15 +31,15 @@ BoxGrid grid_of(const Chart& chart, const std::vector<ChartTriangle>& triangles)
 
 double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// A place in a triangle of the lookup.
+/// A point in a triangle of the lookup, in barycentric coordinates.
 struct Hit {
   Index triangle = no_index;
   bool mirrored = true;
   Vec3d weights = Vec3d::Zero();
 };
 
-/// Nothing when the place is not in the triangle. Places on its edges are, so that rounding loses none
-/// between two triangles.
+/// Returns nothing when the point is not in the triangle. Points on its edges are inside within a tolerance,
+/// so that rounding loses no point between two triangles.
 std::optional<Hit> hit(const ChartCorners& corners, const Vec2d& place, Index triangle) {
   constexpr double edge_width = 1e-9;  // in shares of the triangle's height
   const auto& [a, b, c] = corners;
@@ -62,7 +64,7 @@ SurfacePoint point_in(const Surface& surface, Index triangle, const Vec3d& weigh
   return point;
 }
 
-/// t of a closed stroke brought to [0, length).
+/// Reduces t to [0, length) on a closed stroke.
 double wrapped(const Chart& chart, double t) { return chart.closed ? wrapped_t(t, chart.length) : t; }
 
 }  // namespace

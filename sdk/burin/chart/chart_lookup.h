@@ -12,47 +12,51 @@
 
 namespace burin {
 
-/// A place of a surface in a chart, with what is known at the chart's nodes interpolated to it.
+/// A point of a surface with its chart coordinates, interpolated linearly from the chart's nodes at the
+/// corners of its triangle.
 struct ChartPlace {
   SurfacePoint at;
-  std::array<Index, 3> nodes{};  ///< of the chart, at at.corners; of at(), no_index where the weight is 0
-  std::uint32_t sheet = 0;       ///< of the node of the largest weight
-  double t = 0;                  ///< object units, in [0, length) of a closed stroke
+  std::array<Index, 3> nodes{};  ///< nodes of the chart at at.corners; no_index at weights of 0 (at() only)
+  std::uint32_t sheet = 0;       ///< sheet of the node with the largest weight
+  double t = 0;                  ///< object units; in [0, length) on a closed stroke
   double d = 0;                  ///< object units
   Vec3f e1 = Vec3f::Zero();      ///< unit tangent along the stroke
-  Vec3f normal = Vec3f::Zero();  ///< unit, outward; of the base surface where the stroke runs on it
+  Vec3f normal = Vec3f::Zero();  ///< unit, outward; the base surface's where the stroke runs on it
   float stretch = 1;             ///< J = |dP/dt|
 
-  Vec3f e2() const { return normal.cross(e1); }  ///< to the left of the stroke, where d grows
+  Vec3f e2() const { return normal.cross(e1); }  ///< unit tangent to the left of the stroke, where d grows
 };
 
-/// Goes from chart coordinates back to the surface. The triangles of the surface whose corners have nodes
-/// that belong together cover a part of the (t, d) plane, piecewise linear: a place lies O(edge^2) off. They
-/// hold (t, d) more than once where the stroke overlaps itself and a little where coordinates fold. In a bend
-/// tighter than the radius the runs' triangles end where the runs meet, short of an edge, and (t, d) beyond
-/// have no place. Nor have they in triangles that the chart makes degenerate, and along its border, butt caps
-/// for one, in triangles of which it does not hold all corners.
+/// Maps chart coordinates (t, d) to points of the surface, and points of the surface to chart coordinates.
+/// The map is piecewise linear over the surface's triangles whose corners have nodes of one visit; its error
+/// is O(edge^2). Several points have the same (t, d) where the stroke overlaps itself, and a few where
+/// coordinates fold. No point is found
+/// - in a bend tighter than the radius, for (t, d) beyond the line where the stroke's visits meet,
+/// - in triangles whose image in the (t, d) plane is degenerate,
+/// - at the chart's border (a butt cap, for example), in triangles of which a corner has no node.
 ///
-/// Built in time and memory in proportion to the chart, but for a logarithm; a question looks at the
-/// triangles of one cell of a grid, on a closed stroke two. Surface and chart must outlive it and stay as
-/// they are. Const functions: any thread, concurrent.
+/// Construction takes O(n log n) time and O(n) memory for n nodes. A query tests the triangles of one cell of
+/// a grid, or of two on a closed stroke. Surface and chart must outlive the object and must not change. Const
+/// functions may be called from several threads at once.
 class ChartLookup {
  public:
-  /// Throws ContractError when the chart names a vertex that the surface has not.
+  /// Throws ContractError when the chart names a vertex that the surface does not have.
   ChartLookup(const Surface& surface, const Chart& chart);
 
-  /// The place of (t, d), object units; of a closed stroke any t modulo its length. With `sheet` one whose
-  /// triangle has at least one corner on this sheet, all corners count. Of several places one that the chart
-  /// does not mirror, then that of the lowest triangle, then nodes. Nothing outside the chart and for numbers
-  /// that are not finite. Throws ContractError on a point set: links make no triangles that cover it once.
+  /// Returns the point with the coordinates (t, d), object units; on a closed stroke t counts modulo the
+  /// length. With `sheet`, the point's triangle must have at least one corner on this sheet. Among several
+  /// points those win in whose triangle (t, d) is not mirrored, then the lowest triangle, then the lowest
+  /// nodes. Returns nothing outside the chart and for values that are not finite. Throws ContractError on a
+  /// point set, which has no triangles that cover it exactly once.
   std::optional<ChartPlace> find(double t, double d, std::optional<std::uint32_t> sheet = {}) const;
 
-  /// Where a point of the surface is in the chart, by t: a place for each visit of the stroke that has nodes
-  /// at all corners whose weight is above 0. On point sets too.
+  /// Returns the coordinates of a point of the surface, one entry for each visit of the stroke that has nodes
+  /// at all corners with a weight above 0, in the order of t. Point sets are supported.
   std::vector<ChartPlace> at(const SurfacePoint& point) const;
 
-  /// The orthogonal vector field (e1, e2) that the stroke spreads over the surface [Schmidt 2013, figure 7]:
-  /// of at(), the place nearest to the stroke, then of the lowest t. Nothing outside the chart.
+  /// Returns the orthogonal vector field (e1, e2) of the stroke at a point of the surface [Schmidt 2013,
+  /// figure 7]: the entry of at() with the smallest |d|, then with the lowest t. Returns nothing outside the
+  /// chart.
   std::optional<ChartPlace> field(const SurfacePoint& point) const;
 
  private:
@@ -61,7 +65,7 @@ class ChartLookup {
   const Surface* surface_;
   const Chart* chart_;
   std::vector<ChartTriangle> triangles_;
-  BoxGrid grid_;  ///< of triangles_ in the plane of t and d
+  BoxGrid grid_;  ///< bounding boxes of triangles_ in the (t, d) plane
 };
 
 }  // namespace burin

@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-/// Nodes of a vertex follow one another in the chart. Of no vertex there is "none".
+/// Returns the nodes of a vertex, which are consecutive in the chart. For no_index it returns one no_index.
 std::vector<Index> nodes_of(const Chart& chart, Index vertex) {
   if (vertex == no_index) return {no_index};
   const auto [begin, end] = std::ranges::equal_range(chart.vertex, vertex);
@@ -17,13 +17,14 @@ std::vector<Index> nodes_of(const Chart& chart, Index vertex) {
   return nodes;
 }
 
-/// From one node to another along the stroke, on a closed one the shorter way; to or from none 0.
+/// The difference of t from node a to node b, the shorter way around on a closed stroke; 0 when either is
+/// no_index.
 double t_between(const Chart& chart, Index a, Index b) {
   return a == no_index || b == no_index ? 0 : t_beside(chart, chart.t[a], b) - chart.t[a];
 }
 
-/// Whether three nodes stand around a closed stroke of a few edges, so that there is no t to count all of
-/// them beside.
+/// Whether three nodes wind once around a closed stroke that is only a few edges long, so that no choice of
+/// turns brings their arc lengths near each other.
 bool wind_around(const Chart& chart, Index a, Index b, Index c) {
   if (!chart.closed || a == no_index || b == no_index || c == no_index) return false;
   return std::abs(t_between(chart, a, b) + t_between(chart, b, c) + t_between(chart, c, a)) >

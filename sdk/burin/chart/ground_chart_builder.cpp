@@ -1,5 +1,5 @@
-// Stroke charts on one ground [R. Schmidt, Stroke Parameterization, 2013]: seeds from the stroke's segments,
-// then the front.
+// Computes stroke charts on one ground [R. Schmidt, Stroke Parameterization, 2013]: by one front for open
+// strokes with round joins, by legs (joined_legs.h) for all others. A chart of n nodes costs O(n log n).
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/chart/ground_chart_builder.h>
@@ -21,7 +21,8 @@ Chart chart_of(const SurfaceCurve& curve, std::size_t nodes) {
   return chart;
 }
 
-/// Sets node i. Nodes of one vertex by rising t, and after the nodes before it from `first` on.
+/// Sets node i of the chart and its sheet. Nodes must be set in ascending order of (vertex, t), starting with
+/// node `first`.
 void set(Chart& chart, std::size_t first, std::size_t i, Index vertex, const ChartFrame& frame,
          const Vec3f& normal) {
   const bool same = i > first && chart.vertex[i - 1] == vertex;
@@ -31,7 +32,7 @@ void set(Chart& chart, std::size_t first, std::size_t i, Index vertex, const Cha
 }  // namespace
 
 std::size_t parts_for(const SurfaceCurve& curve, double radius) {
-  // A point of the curve stands for half an edge.
+  // Points of the curve are about half an edge apart.
   constexpr double least_nodes = 8000;
   const double points = static_cast<double>(curve.points.size());
   const double edge = 2 * curve.length() / std::max(points, 1.);

@@ -8,26 +8,29 @@
 
 namespace burin {
 
-/// Stroke charts on one ground: the front for strokes that are drawn in one piece, legs put together for
-/// others.
+/// Computes stroke charts on one ground: by one front for open strokes with round joins, by several legs that
+/// are put together for closed strokes and other joins. One thread at a time.
 class GroundChartBuilder {
  public:
   /// The ground's surface must outlive the object.
   explicit GroundChartBuilder(const ChartGround& ground)
       : ground_(ground), front_(ground), legs_(ground), live_(ground.vertex_count()) {}
 
-  /// Of the options, `follow` has been dealt with and the radius is a finite number above 0.
+  /// Starts a stroke. The radius must be finite and above 0. `follow` is ignored: the ground already reflects
+  /// it.
   void begin(const ChartOptions& options);
 
-  /// The chart of the curve, bit for bit as a fresh one.
+  /// Extends the chart to this curve; the result equals that of a fresh start bit for bit. The first
+  /// `unchanged` points are those of the curve before. `parts` is the number of parts of a fresh front.
   Chart update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t parts);
 
-  /// The same at the cost of what changes.
+  /// Does what update() does, but the result is kept from event to event, and an event costs only what it
+  /// changes.
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged);
 
   const LiveChart& live() const { return live_; }
 
-  /// The stroke of the last chart, if that is of one piece; else null.
+  /// The stroke of the last chart, or null when that chart was put together from legs.
   const FrontStroke* stroke() const { return in_legs_ ? nullptr : &front_.stroke(); }
   std::uint64_t settled() const { return in_legs_ ? legs_.settled() : front_.settled(); }
   std::uint64_t pushes() const { return in_legs_ ? legs_.pushes() : front_.pushes(); }
@@ -45,7 +48,7 @@ class GroundChartBuilder {
   bool in_legs_ = false;  ///< the last chart was put together from legs
 };
 
-/// Parts of a front that are worth a thread of their own.
+/// The number of parts into which the front of this curve is cut: 1 for small charts, at most one per thread.
 std::size_t parts_for(const SurfaceCurve& curve, double radius);
 
 }  // namespace burin

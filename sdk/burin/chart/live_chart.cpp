@@ -1,3 +1,5 @@
+// A chart stored in slots. Slots of one vertex form a linked list in the order of t; setting or removing a
+// node costs O(1) and the few sheets of its vertex, sorted() O(n) in the number of nodes.
 #include <burin/base/index_set.h>
 #include <burin/chart/live_chart.h>
 
@@ -94,7 +96,8 @@ void LiveChart::assign(const Chart& chart) {
   }
 }
 
-/// The slots that nodes of a chart find taken by their vertices' nodes, in the order of t; no_index: none.
+/// For each node of a chart, the slot of the node that its vertex already has on the same sheet; no_index
+/// when it has none.
 std::vector<Index> LiveChart::kept_slots(const Chart& chart) const {
   std::vector<Index> slots(chart.size());
   Index next = no_index;
@@ -136,7 +139,7 @@ void LiveChart::reserve(Index slots) {
   contested_.resize(slots);
 }
 
-/// Sheets are few: a walk along those of the vertex finds the place, and counts the later ones anew.
+/// Inserts the slot into its vertex's list, which is ordered by t, and renumbers the sheets after it.
 void LiveChart::link(Index slot) {
   const Index vertex = nodes_.vertex[slot];
   Index place = places_.find(vertex);
@@ -166,7 +169,7 @@ void LiveChart::unlink(Index slot) {
   mark_alone(place);
 }
 
-/// Tells the slots of a place whether they are alone there.
+/// Updates the state of all slots of one vertex: alone, or beside others.
 void LiveChart::mark_alone(Index place) {
   const Index first = first_[place];
   const bool alone = first != no_index && next_[first] == no_index;

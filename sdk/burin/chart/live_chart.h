@@ -9,76 +9,78 @@
 
 namespace burin {
 
-/// The chart of a stroke that is being drawn, and what the last event changed of it. Its nodes have slots,
-/// which they keep from event to event; events cost in proportion to what they change.
+/// The chart of a stroke that is being drawn, with the changes of the last event. A node keeps its slot from
+/// event to event, and an event costs in proportion to what it changes. Uses four bytes per vertex of the
+/// surface. Const functions, and rewrite() for different slots, may be called from several threads at once.
 class LiveChart {
  public:
   explicit LiveChart(Index vertex_count) : places_(vertex_count) {}
 
-  /// The nodes, [slot], in no particular order. Vacant slots hold anything.
+  /// The nodes, indexed by slot, in no particular order. The values of vacant slots are unspecified.
   const Chart& nodes() const { return nodes_; }
   bool vacant(Index slot) const { return states_[slot] == SlotState::vacant; }
 
-  /// The slots of a vertex by rising t, linked; no_index at the end.
+  /// The slots of a vertex as a linked list in the order of t; no_index ends it.
   Index first(Index vertex) const;
   Index next(Index slot) const { return next_[slot]; }
   std::uint32_t sheet_count(Index vertex) const;
-  /// Whether a slot has the only node of its vertex.
+  /// Whether the slot holds the only node of its vertex.
   bool alone(Index slot) const { return states_[slot] == SlotState::alone; }
 
-  /// Slots taken by nodes that the last event computed, and of these the ones that are new or other in any
-  /// bit than before; each once.
+  /// computed(): the slots of the nodes that the last event computed, each once. changed(): whether the last
+  /// event made the slot's node new, or different in any bit.
   std::span<const Index> computed() const { return computed_; }
   bool changed(Index slot) const { return changed_in_[slot] == event_; }
 
-  /// Whether a node's frame does not go on to its surroundings; see UpwindFrames::contested().
+  /// Whether a node's frame must not be extrapolated to its surroundings; see UpwindFrames::contested().
   bool contested(Index slot) const { return contested_[slot]; }
 
-  /// Slots that the last event made vacant, though it may have taken them again.
+  /// The slots that the last event made vacant; it may have filled some of them again.
   std::span<const Index> removed() const { return removed_; }
 
-  /// Vertices that have a node that changed, or lost one, in the last event; each once.
+  /// The vertices of which a node changed or was removed in the last event, each once.
   std::span<const Index> altered() const { return altered_; }
   bool is_altered(Index place) const { return altered_in_[place] == event_; }
 
-  /// All nodes whose t is this or more were computed by the last event.
+  /// The last event computed all nodes with at least this t.
   double computed_from() const { return computed_from_; }
 
-  /// The vertices of the chart are numbered in the order in which they came; this one's number.
+  /// The local index of a vertex, or no_index. Vertices of the chart are numbered in order of appearance,
+  /// from 0 to place_count() - 1.
   Index place(Index vertex) const { return places_.find(vertex); }
-  Index place_of(Index slot) const { return place_of_[slot]; }  ///< the number of its vertex
+  Index place_of(Index slot) const { return place_of_[slot]; }  ///< local index of the slot's vertex
   Index place_count() const { return places_.size(); }
   Index vertex_at(Index place) const { return places_.vertex(place); }
 
-  /// As a chart: by vertex and t. In proportion to the chart.
+  /// Copies the nodes to a chart, ordered by vertex and t. Costs O(n) for a chart of n nodes.
   Chart sorted() const;
 
-  /// Becomes empty, of no stroke.
+  /// Removes all nodes.
   void clear();
 
-  /// Begins an event: what follows counts as its changes.
+  /// Starts an event; all changes until the next call belong to it.
   void begin_event(double length, bool closed, double computed_from);
 
-  /// Puts a node into a slot, which is vacant or has a node of this vertex.
+  /// Writes a node to a slot, which must be vacant or hold a node of the same vertex.
   void set(Index slot, Index vertex, const ChartFrame& frame, const Vec3f& normal, bool contested = false);
   void remove(Index slot);
 
-  /// Makes room for so many slots.
+  /// Makes sure that there are at least this many slots.
   void reserve(Index slots);
 
-  /// What rewrite() did.
+  /// The slots that calls of rewrite() wrote.
   struct Rewritten {
-    std::vector<Index> slots;     ///< all
-    std::vector<Index> vertices;  ///< of those that changed
+    std::vector<Index> slots;     ///< all of them
+    std::vector<Index> vertices;  ///< the vertices of those that changed
   };
 
-  /// As set() with the vertex and normal that the node has, where it is its vertex's only one, so that
-  /// nothing but its slot is touched; false where it is not, or there is none. Slots below those reserved,
-  /// and different ones on several threads at once; note() has to follow.
+  /// Sets the frame of a slot and keeps its vertex and normal. This is possible only when the slot holds the
+  /// only node of its vertex; otherwise nothing happens and the result is false. The slot must be below the
+  /// number reserved. Several threads may call this at once for different slots; note() must be called after.
   bool rewrite(Index slot, const ChartFrame& frame, Rewritten& rewritten);
   void note(const Rewritten& rewritten);
 
-  /// An event that may change everything: becomes this chart.
+  /// Starts an event that replaces the whole chart by this one.
   void assign(const Chart& chart);
 
  private:
@@ -91,14 +93,14 @@ class LiveChart {
   void mark_alone(Index place);
 
   Chart nodes_;
-  std::vector<SlotState> states_;  ///< [slot]
-  std::vector<Index> place_of_;    ///< [slot] of its vertex
-  std::vector<Index> next_;
-  std::vector<std::uint32_t> changed_in_;  ///< [slot] event
+  std::vector<SlotState> states_;          ///< [slot]
+  std::vector<Index> place_of_;            ///< [slot] local index of its vertex
+  std::vector<Index> next_;                ///< [slot] next slot of the same vertex
+  std::vector<std::uint32_t> changed_in_;  ///< [slot] event that changed it last
   std::vector<std::uint8_t> contested_;    ///< [slot]
   VertexNodes places_;
-  std::vector<Index> first_;               ///< [place] slot
-  std::vector<std::uint32_t> altered_in_;  ///< [place] event
+  std::vector<Index> first_;               ///< [local index] first slot
+  std::vector<std::uint32_t> altered_in_;  ///< [local index] event that altered the vertex last
   std::vector<Index> computed_, removed_, altered_;
   double computed_from_ = 0;
   std::uint32_t event_ = 0;

@@ -1,5 +1,6 @@
-// Stroke charts [R. Schmidt, Stroke Parameterization, 2013], propagated over the vertices themselves or over
-// a base surface and carried from there.
+// Computes stroke charts [R. Schmidt, Stroke Parameterization, 2013]: propagated over the vertices
+// themselves, or over the nodes of a base surface and interpolated from there to the vertices
+// (live_carrier.h).
 #include <burin/base/error.h>
 #include <burin/chart/carry/live_carrier.h>
 #include <burin/chart/ground_chart_builder.h>
@@ -26,13 +27,14 @@ struct StrokeChartBuilder::Stroke {
 
   const Surface& surface;
   ChartOptions options;
-  std::optional<GroundChartBuilder> of_surface;  ///< once a stroke runs on the surface itself
+  std::optional<GroundChartBuilder>
+      of_surface;  ///< created for the first stroke that runs on the surface itself
   std::optional<BaseSurface> base;
   std::optional<GroundChartBuilder> of_base;
-  Index of_base_nodes = 0;             ///< for which it was made: levels differ in that
-  std::optional<LiveCarrier> carried;  ///< of strokes on the base surface
-  BaseSurface::Ball prepared{};        ///< where base nodes were last asked for
-  LiveChart live;                      ///< the same
+  Index of_base_nodes = 0;             ///< node count for which of_base was created; levels differ in it
+  std::optional<LiveCarrier> carried;  ///< set while the stroke runs on the base surface
+  BaseSurface::Ball prepared{};        ///< the last ball in which base nodes were computed
+  LiveChart live;                      ///< the vertices' chart of a stroke on the base surface
 };
 
 GroundChartBuilder& StrokeChartBuilder::Stroke::own() {
@@ -63,8 +65,8 @@ BaseSurface* StrokeChartBuilder::Stroke::base_for(double radius, double follow) 
   return base && scale > 0 && base->set_radius(scale) ? &*base : nullptr;
 }
 
-/// Has the nodes made on all threads that the front is going to ask for one by one, and some beyond, so that
-/// it need not look for them at every point of the curve.
+/// Computes on all threads the base nodes that the front will read one by one, and some beyond, so that most
+/// points of the curve need no preparation.
 void StrokeChartBuilder::Stroke::prepare(const SurfaceCurve& curve, std::size_t unchanged) {
   const double around_front = (carrying_margin + 1) * base->spacing(), beyond = 2 * base->spacing();
   std::vector<BaseSurface::Ball> balls;

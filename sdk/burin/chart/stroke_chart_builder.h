@@ -13,47 +13,50 @@
 
 namespace burin {
 
-/// Computes stroke charts on one surface [Schmidt 2013, section 4]. Holds scratch memory of five bytes a
-/// vertex, so keep one as long as the surface; a chart costs in proportion to its own region only.
-/// Surface and levels must outlive it. One thread at a time.
+/// Computes stroke charts on one surface [Schmidt 2013, section 4]. Holds about nine bytes of scratch memory
+/// per vertex, so keep one object as long as the surface. A chart of n nodes costs O(n log n), whatever the
+/// size of the surface. Surface and levels must outlive the object. One thread at a time.
 class StrokeChartBuilder {
  public:
-  /// `levels`: of the surface, for strokes that do not follow all of its relief; null: all do.
+  /// `levels` are those of the surface; strokes with `follow` below 1 need them. Null: all strokes follow all
+  /// of the relief.
   explicit StrokeChartBuilder(const Surface& surface, const SurfaceLevels* levels = nullptr);
   ~StrokeChartBuilder();
   StrokeChartBuilder(StrokeChartBuilder&&) noexcept;
   StrokeChartBuilder& operator=(StrokeChartBuilder&&) noexcept;
 
-  /// The chart of a curve of at least one point. The result is a function of surface, curve and options.
-  /// Throws ContractError for a radius that is not finite and positive or a curve without points.
+  /// Computes the chart of a curve of at least one point. The result is a function of surface, curve and
+  /// options. Throws ContractError for a radius that is not finite and positive, or a curve without points.
   Chart chart(const SurfaceCurve& curve, const ChartOptions& options);
 
-  /// The chart of a curve with the options of the last chart() or begin(), bit for bit what chart() would
-  /// give. The front is propagated only where something differs. The first `unchanged` points are known to be
-  /// those of the curve before. Closed strokes, and smooth, miter and overlap joins, start afresh. The
-  /// surface must be as it was before. Throws ContractError for a curve without points or when nothing was
-  /// begun.
+  /// Computes the chart of a curve with the options of the last chart() or begin(); the result equals that of
+  /// chart() bit for bit. Only what differs from the previous curve is computed, except on closed strokes and
+  /// with joins that are not round. The first `unchanged` points are those of the previous curve. The surface
+  /// must not have changed. Throws ContractError for a curve without points, or before any chart() or
+  /// begin().
   Chart extend(const SurfaceCurve& curve, std::size_t unchanged = 0);
 
-  /// Begins a stroke that grows by draw(). Throws ContractError as chart().
+  /// Starts a stroke that grows by draw(). Throws ContractError for a radius that is not finite and positive.
   void begin(const ChartOptions& options);
 
-  /// The base surface that the stroke which was begun last runs on; its curves must be curves of it. Null:
-  /// the surface itself.
+  /// The base surface on which the current stroke runs and its curves must lie; null for the surface itself.
   BaseSurface* base();
 
-  /// The base surface for something else of this radius and `follow` than a stroke; null: the surface itself.
-  /// Any stroke is over with it.
+  /// The base surface for another purpose than a stroke chart, with this radius and `follow`; null for the
+  /// surface itself. Ends the current stroke.
   BaseSurface* base_for(double radius, double follow);
 
-  /// Follows the surface after these vertices moved between strokes, by at most `distance`, object units.
+  /// Updates the base surface after these vertices moved, between strokes, by at most `distance`, object
+  /// units.
   void moved(std::span<const Index> vertices, double distance);
 
-  /// As extend(), at the cost of what changes only. Valid until the next call of any function.
+  /// Does what extend() does, at the cost of what changes only. The chart is valid until the next call of any
+  /// function.
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged = 0);
   const LiveChart& live() const;
 
-  /// Nodes whose coordinates the last call computed, and entries that went through the front's queue.
+  /// The number of nodes whose coordinates the last call computed, and of entries pushed to the front's
+  /// queue.
   std::uint64_t settled() const;
   std::uint64_t pushes() const;
 

@@ -2,10 +2,10 @@
 
 namespace burin {
 
-/// What a stroke starts from where it comes to a place again.
+/// The surface from which a later visit of a stroke to a vertex displaces it.
 enum class Accumulate {
-  from_base,     ///< the surface as it was when the stroke began; Overlap says what the visits make together
-  from_current,  ///< what its earlier visits have left: later ones go on from there, along its normals
+  from_base,     ///< the surface before the stroke; Overlap defines how the visits combine
+  from_current,  ///< the surface after the stroke's earlier visits, along the normals of that surface
 };
 
 }  // namespace burin

@@ -1,3 +1,6 @@
+// Evaluates nodes in the order of their dependencies: first those without an earlier visit around them, then
+// those that depend on these, and so on. An event costs O(n log n) for the n nodes that it changes and that
+// depend on them.
 #include <burin/deform/accumulation.h>
 #include <burin/deform/evaluate/displacement.h>
 #include <burin/surface/geometry/normals.h>
@@ -25,14 +28,15 @@ void Accumulation::update(Evaluator& evaluator, EvaluatedInstance& instance, con
   }
 }
 
-/// Whether a belongs to an earlier visit than b. Around the seam of a closed stroke one visit goes on.
+/// Whether node a belongs to an earlier visit than node b. Across the seam of a closed stroke a visit
+/// continues.
 bool Accumulation::earlier(const Chart& nodes, Index a, Index b) const {
   const double before = nodes.t[b] - nodes.t[a];
   const double around = nodes.closed ? std::min(before, nodes.length - before) : before;
   return before > 0 && around > apart_;
 }
 
-/// The nodes of a slot's vertex and of its neighbours.
+/// Calls visit(slot) for the nodes of a slot's vertex and of the vertex's neighbours.
 template <class Visit>
 void Accumulation::for_each_around(const LiveChart& chart, Index slot, const Visit& visit) const {
   const auto visit_nodes = [&](Index vertex) {
@@ -43,7 +47,7 @@ void Accumulation::for_each_around(const LiveChart& chart, Index slot, const Vis
   for (const Index neighbour : surface_->neighbours[vertex]) visit_nodes(neighbour);
 }
 
-/// Those of them that it stands on.
+/// Calls visit(slot) for the nodes of earlier visits among them, on which the slot's node depends.
 template <class Visit>
 void Accumulation::for_each_earlier(const LiveChart& chart, Index slot, const Visit& visit) const {
   for_each_around(chart, slot, [&](Index other) {
@@ -51,7 +55,7 @@ void Accumulation::for_each_earlier(const LiveChart& chart, Index slot, const Vi
   });
 }
 
-/// Appends the nodes around these that stand on them.
+/// Appends the nodes around these that depend on them.
 void Accumulation::add_later(const LiveChart& chart, std::span<const Index> from,
                              std::vector<Index>& slots) const {
   for (const Index slot : from)
@@ -60,8 +64,8 @@ void Accumulation::add_later(const LiveChart& chart, std::span<const Index> from
     });
 }
 
-/// The nodes of the vertices and of their neighbours, since what a vertex lost counts too, and all that stand
-/// on them; in the order in which they can be computed.
+/// The nodes of the vertices and of their neighbours (a vertex may have lost a node), and all nodes that
+/// depend on them, in an order in which they can be computed.
 std::vector<Accumulation::Due> Accumulation::due_nodes(const LiveChart& chart,
                                                        std::span<const Index> vertices) const {
   std::map<Index, int> after;
@@ -97,7 +101,8 @@ std::vector<Accumulation::Due> Accumulation::due_nodes(const LiveChart& chart,
   return due;
 }
 
-/// Where a vertex, at this place before the stroke, stands for a node: after all visits before the node's.
+/// The position of a vertex as a node sees it, after all visits before the node's. `place` is the vertex's
+/// position before the stroke.
 Vec3f Accumulation::left_at(Vec3f place, const EvaluatedInstance& instance, const LiveChart& chart,
                             Index vertex, Index slot) const {
   const std::vector<Vec3f>& displacement = instance.outputs.displacement;
@@ -107,7 +112,8 @@ Vec3f Accumulation::left_at(Vec3f place, const EvaluatedInstance& instance, cons
   return place;
 }
 
-/// What visits made is as wide as the brush: it belongs to the base surface of those that come after.
+/// The geometry that a node starts from. The relief of earlier visits is as wide as the brush, so it is part
+/// of the base surface of later ones.
 CurrentBase::Place Accumulation::place_of(const EvaluatedInstance& instance, const LiveChart& chart,
                                           Index slot) const {
   const Index vertex = chart.nodes().vertex[slot];

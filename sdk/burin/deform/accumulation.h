@@ -9,23 +9,23 @@
 
 namespace burin {
 
-/// Evaluates strokes that go on from what they left themselves: each visit of a place stands on the surface
-/// as all visits at least half a radius before made it. Outputs are displacements from the base all the same,
-/// so that their sum is the surface.
+/// Evaluates strokes that accumulate on their own result (Accumulate::from_current). A visit starts from the
+/// surface after all visits that are at least half a radius before it along the stroke. Outputs remain
+/// displacements from the surface before the stroke, so that their sum gives the result.
 class Accumulation {
  public:
-  /// `stroke`, of a single pass, must outlive the object. `radius`: of the stroke, object units; 0 for dabs,
-  /// each of which is a visit of its own.
+  /// Surface and stroke must outlive the object; the stroke has a single pass. `radius` is that of the
+  /// stroke, object units; 0 for dabs, each of which is a visit of its own.
   Accumulation(const Surface& surface, const BrushStroke& stroke, double radius)
       : surface_(&surface), stroke_(&stroke), apart_(radius / 2) {}
 
-  /// Follows changes at these vertices: sets the outputs of the instance's nodes there, and of all later
-  /// nodes that stand on them. Appends the vertices of these to `reached`. Throws as Evaluator.
+  /// Applies changes at these vertices: sets the outputs of the instance's nodes there, and of all later
+  /// nodes that depend on them. Appends the vertices of these nodes to `reached`. Throws as Evaluator.
   void update(Evaluator& evaluator, EvaluatedInstance& instance, const LiveChart& chart,
               std::span<const Index> vertices, std::vector<Index>& reached) const;
 
  private:
-  /// A node to compute, and after how many others that it stands on.
+  /// A node to compute, and the length of the longest chain of due nodes on which it depends.
   struct Due {
     Index slot;
     int after;
@@ -45,7 +45,7 @@ class Accumulation {
 
   const Surface* surface_;
   const BrushStroke* stroke_;
-  double apart_;  ///< least difference of t between visits, object units
+  double apart_;  ///< smallest difference of t between two visits, object units
 };
 
 }  // namespace burin

@@ -1,3 +1,5 @@
+// Bakes displacement maps: rasterises the base's triangles in texture space (uv_raster.h), interpolates the
+// displacement at each texel's centre, and pads the islands. Costs O(texels + triangles), on all threads.
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/deform/bake.h>
@@ -13,15 +15,15 @@ namespace burin {
 namespace {
 
 constexpr std::size_t texels_a_block = 8192;
-constexpr double rounding = 1e-5;     ///< of texture coordinates in files and by refinement
-constexpr double tile_margin = 0.05;  ///< real meshes have islands that reach a little beyond the image
+constexpr double rounding = 1e-5;     ///< rounding of texture coordinates by files and by refinement
+constexpr double tile_margin = 0.05;  ///< how far islands of real meshes may reach beyond the image
 
 /// Whether texture coordinates lie farther than this outside 0..1.
 bool outside_by(double margin, const Vec2d& uv) {
   return !(uv.minCoeff() >= -margin && uv.maxCoeff() <= 1 + margin);
 }
 
-/// Those have no place in incident_triangles(), and no area to bake.
+/// Removes triangles that incident_triangles() does not accept; they have no area to bake.
 void drop_triangles_that_name_a_vertex_twice(TriangleMesh& mesh) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -39,7 +41,7 @@ std::size_t count_cut(const TriangleMesh& mesh) {
   return static_cast<std::size_t>(std::ranges::count_if(mesh.triangle_uv, cut));
 }
 
-/// Less than rounding makes of an edge is no area.
+/// Whether a triangle has an area in texture space that exceeds the rounding of its coordinates.
 bool has_area(const TriangleUv& uv) {
   const Vec2d edge = (uv[1] - uv[0]).cast<double>(), other = (uv[2] - uv[0]).cast<double>();
   const double squares = edge.squaredNorm() * other.squaredNorm(), along = edge.dot(other);
@@ -67,7 +69,7 @@ Vec3d displacement(const TriangleMesh& base, std::span<const Vec3f> displaced, I
   return sum;
 }
 
-/// Red, green and blue of a vector.
+/// Converts a vector to red, green and blue.
 Vec3f channels_of(const Vec3d& vector, const math::VectorAxes& axes) {
   Vec3f channels;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -76,7 +78,7 @@ Vec3f channels_of(const Vec3d& vector, const math::VectorAxes& axes) {
   return channels;
 }
 
-/// Sets the texels of triangles; returns which those are.
+/// Sets the texels that triangles cover; returns 1 for each such texel, else 0.
 std::vector<std::uint8_t> fill(FloatImage& image, const UvRaster& raster, const TriangleMesh& base,
                                std::span<const Vec3f> displaced, const BakeSettings& settings) {
   const BaseFrames frames(base, settings.vectors && !settings.object_space);

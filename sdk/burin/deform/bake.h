@@ -10,36 +10,39 @@
 namespace burin {
 
 struct BakeSettings {
-  int size = 1024;             ///< texels a side, >= 1
-  bool vectors = false;        ///< a vector displacement map instead of heights
-  bool object_space = false;   ///< of vectors: x, y and z are the object's axes, not t, n x t and n
-  math::VectorAxes axes = {};  ///< which channels hold x, y and z, and with which sign
-  float middle = 0;            ///< value of no displacement
-  int padding = 8;             ///< texels by which islands are continued outward
+  int size = 1024;             ///< texels per side, >= 1
+  bool vectors = false;        ///< makes a vector displacement map instead of heights
+  bool object_space = false;   ///< vectors are along the object's axes instead of t, n x t and n
+  math::VectorAxes axes = {};  ///< the channels that hold x, y and z, and their signs
+  float middle = 0;            ///< the value for no displacement
+  int padding = 8;             ///< texels by which islands are extended outward
 };
 
 struct BakedMap {
   FloatImage image;
-  std::size_t overlaps = 0;      ///< texels that lie inside several triangles; the first one's value holds
-  std::size_t cut = 0;           ///< triangles that reach beyond the image, which cuts them off
+  std::size_t overlaps = 0;      ///< texels inside several triangles; the value is that of the first one
+  std::size_t cut = 0;           ///< triangles that reach beyond the image and are cut off
   std::size_t without_area = 0;  ///< displaced triangles that have area, but none in texture coordinates
 };
 
-/// Throws Error naming the face, counted from 1, when a mesh cannot be baked: not all corners have texture
-/// coordinates, or those of a face are no numbers or lie in the mean more than 0.05 outside 0..1: in a tile
-/// of their own (UDIM) or a repetition, and not just beyond a border.
+/// Throws Error, which gives the face counted from 1, if a mesh cannot be baked: not all corners have texture
+/// coordinates, or the mean of a face's coordinates is not finite or more than 0.05 outside 0..1, as in other
+/// tiles (UDIM) and repetitions.
 void check_bakeable(const PolygonMesh& mesh);
 
-/// The displacement of a surface as an image over its texture coordinates, object units. A texel's centre
-/// stands for the point of the base there; u to the right, v up, the top row below v = 1.
-/// - heights: channel Y, the displacement along the normal n;
-/// - vectors: channels R, G, B hold x, y, z by the axes: the displacement along t, n x t and n, or along the
-///   object's axes; t is dP/du made orthonormal to n.
-///   Where an island is mirrored, n x t points against dP/dv.
+/// Bakes the displacement of a surface, object units, to an image over its texture coordinates. A texel has
+/// the value at the point of the base below the texel's centre. u runs to the right and v up; the top row
+/// lies below v = 1.
+/// - Heights: channel Y is the displacement along the normal n.
+/// - Vectors: channels R, G and B hold x, y and z in the order of the axes. They are the displacement along
+/// t, n x t
+///   and n, or along the object's axes. t is dP/du made orthonormal to n. In mirrored islands n x t points
+///   against dP/dv.
 ///
-/// n and t are those of the base's vertices, interpolated (BaseFrames). What no triangle covers, and padding
-/// does not reach, is the middle. `base` must have texture coordinates, `displaced` is [vertex of it]; else
-/// ContractError. The same bits on any number of threads.
+/// n and t are interpolated from the base's vertices (BaseFrames). Texels that neither a triangle nor the
+/// padding reaches have the value `middle`. `displaced` are the displaced positions of the base's vertices.
+/// Throws ContractError if the base has no texture coordinates, if sizes differ, or for a size below 1. The
+/// result does not depend on the number of threads.
 BakedMap bake_displacement(TriangleMesh base, std::span<const Vec3f> displaced,
                            const BakeSettings& settings = {});
 

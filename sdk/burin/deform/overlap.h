@@ -7,16 +7,16 @@ struct burin_brush_descriptor;
 
 namespace burin {
 
-/// What a vertex does where a stroke overlaps itself and each of its sheets would displace or tint it: the
-/// sheets of a chart that the stroke visits several times, of its dabs, of its symmetric images and of its
-/// pieces. docs/overlap.md tells more. All but `latest` give the same whichever way the stroke runs.
+/// How the sheets of a vertex are combined where a stroke overlaps itself. A vertex has a sheet for each
+/// visit of the stroke, for each dab, symmetric image and piece that reaches it. See docs/overlap.md. All
+/// rules but `latest` give the same result in whichever direction the stroke runs.
 enum class Overlap {
-  latest,     ///< as the sheet drawn last says, which lies on top of those before
-  max,        ///< as the sheet that moves it farthest outward along the vertex normal; the most of a tint
-  min,        ///< as the sheet that moves it farthest inward; the least
-  add,        ///< the sum of all sheets; of images and of several passes, which never add up, the strongest
-  average,    ///< their mean
-  strongest,  ///< the highest rise and the deepest cut together; of a tint the greatest changes
+  latest,   ///< the sheet that was drawn last lies on top of earlier ones
+  max,      ///< the sheet that moves the vertex farthest outward along its normal; the greatest tint channels
+  min,      ///< the sheet that moves the vertex farthest inward; the least tint channels
+  add,      ///< the sum of all sheets; images and multi-pass brushes use `strongest` instead of a sum
+  average,  ///< the weighted mean of all sheets
+  strongest,  ///< the sum of the highest rise and the deepest cut; for tints, of the greatest changes
 };
 
 struct OverlapName {
@@ -24,7 +24,7 @@ struct OverlapName {
   Overlap overlap;
 };
 
-/// All of them by what people call them.
+/// The rules with the names that users see.
 inline constexpr std::array<OverlapName, 6> named_overlaps{{{"strongest", Overlap::strongest},
                                                             {"latest", Overlap::latest},
                                                             {"max", Overlap::max},
@@ -34,11 +34,11 @@ inline constexpr std::array<OverlapName, 6> named_overlaps{{{"strongest", Overla
 
 std::string_view name_of(Overlap overlap);
 
-/// What a stroke of so many passes makes of the chosen way. Each pass goes on from the one before: sums over
-/// many sheets would overshoot, the more from pass to pass, and the strongest holds instead.
+/// The rule to use for a brush with this many passes. Each pass starts from the result of the previous one,
+/// so sums over many sheets would overshoot more with each pass; `strongest` is used instead of `add`.
 Overlap over_passes(Overlap chosen, std::uint32_t passes);
 
-/// What the brush says of itself.
+/// The rule that a brush declares.
 Overlap overlap_of(const burin_brush_descriptor& brush);
 
 }  // namespace burin

@@ -5,7 +5,7 @@
 
 namespace burin {
 
-/// Colour and mask of a surface's vertices. An empty array stands for a surface that nobody painted.
+/// Colours and masks of a surface's vertices. An empty array means that no vertex is painted.
 struct Paint {
   std::vector<Vec4f> colour;  ///< [vertex] linear RGB and coverage, each 0..1
   std::vector<float> mask;    ///< [vertex] 0 = protected .. 1 = free
@@ -16,8 +16,8 @@ struct Paint {
   float mask_of(Index vertex) const { return mask.empty() ? 1 : mask[vertex]; }
 };
 
-/// Colour and mask of one node or vertex in a form that may be added and averaged: red, green and blue times
-/// the coverage, coverage, mask.
+/// Colour and mask of one node or vertex in a form that can be added and averaged: linear red, green and blue
+/// times coverage, coverage, mask.
 using Tint = Eigen::Matrix<float, 5, 1>;
 
 inline Tint tint_of(const Vec4f& colour, float mask) {
@@ -29,7 +29,7 @@ inline Tint tint_of(const Vec4f& colour, float mask) {
 inline Vec4f colour_of(const Tint& tint) {
   if (!(tint[3] > 0)) return Paint::bare();
   Vec4f colour;
-  // Sums of tints may hold more of a colour than their coverage.
+  // In sums of tints a channel may exceed the coverage.
   colour << (tint.head<3>() / tint[3]).cwiseMin(1), tint[3];
   return colour;
 }

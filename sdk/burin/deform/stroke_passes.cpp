@@ -1,3 +1,5 @@
+// Runs multi-pass brushes incrementally: pass p computes the changed vertices and p rings of neighbours
+// around them.
 #include <burin/base/sort_unique.h>
 #include <burin/deform/stroke_passes.h>
 
@@ -36,7 +38,7 @@ std::vector<Index> StrokePasses::update(Evaluator& evaluator, std::span<Evaluate
   return vertices;
 }
 
-/// Those that have nodes.
+/// Adds the neighbours of the vertices that have nodes.
 void StrokePasses::add_neighbours(std::vector<Index>& vertices) const {
   const auto has_nodes = [this](Index vertex) {
     return std::ranges::any_of(charts_,

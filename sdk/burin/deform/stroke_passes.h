@@ -9,29 +9,30 @@
 
 namespace burin {
 
-/// One symmetry instance of a stroke, to be evaluated.
+/// The arguments and outputs for evaluating one symmetry instance of a stroke.
 struct EvaluatedInstance {
   NodeSource source;
   burin_stroke_context context{};
   float strength = 1;
-  NodeOutputs& outputs;  ///< [slot], of the chart's size
+  NodeOutputs& outputs;  ///< [slot] of the instance's chart
 };
 
-/// The passes of a brush that looks at neighbours: what the one before left, at every node and vertex, so
-/// that an event computes again only what its changes reach: each pass carries them one neighbour farther.
+/// Runs the passes of a brush that reads neighbours. The results of each pass are kept for every node and
+/// vertex, so that an event recomputes only what its changes influence; each pass extends that by one ring of
+/// neighbours.
 class StrokePasses {
  public:
-  /// All must outlive the object; `charts`: those of the stroke's instances.
+  /// All arguments must outlive the object; `charts` are those of the stroke's instances.
   StrokePasses(const Surface& surface, const BrushStroke& stroke, std::vector<const LiveChart*> charts,
                const BlendOptions& blend);
 
-  /// Follows changes at these vertices, of which all that have or had stale nodes: sets the outputs of all
-  /// nodes that they reach. Returns the vertices of these, ascending. Throws as Evaluator.
+  /// Applies changes at these vertices, which must include all that have or had stale nodes: sets the outputs
+  /// of all nodes that they influence. Returns the vertices of these nodes, ascending. Throws as Evaluator.
   std::vector<Index> update(Evaluator& evaluator, std::span<EvaluatedInstance> instances,
                             std::vector<Index> vertices);
 
  private:
-  /// What a pass left.
+  /// The result of a pass.
   struct Left {
     std::vector<NodeOutputs> outputs;  ///< [instance] [slot]
     PassPlaces places;
@@ -46,7 +47,7 @@ class StrokePasses {
   const BrushStroke* stroke_;
   std::vector<const LiveChart*> charts_;
   BlendOptions blend_;
-  std::vector<Left> left_;  ///< [pass] but the last
+  std::vector<Left> left_;  ///< [pass], except the last
 };
 
 }  // namespace burin

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 /// A module of a folder that was not loaded.
 struct RefusedModule {
-  std::string why;                   ///< one line that names the module
-  std::vector<std::string> brushes;  ///< its ids, as far as it got to tell them
+  std::string why;                   ///< one line with the path of the module
+  std::vector<std::string> brushes;  ///< ids of its brushes, if they could be read
 };
 
 struct BrushLibrary::Impl {
@@ -67,7 +67,8 @@ BrushLibrary::BrushLibrary(Log log, std::unique_ptr<HostExtensions> extensions)
     : impl_(std::make_unique<Impl>(log, std::move(extensions))) {}
 BrushLibrary::~BrushLibrary() = default;
 
-/// `ids`: of its brushes, also when it is refused for one of them.
+/// Loads a module. `ids` receives the ids of its brushes, also if the module is refused because of one of
+/// them.
 void BrushLibrary::Impl::load(const fs::path& module, std::vector<std::string>& ids) {
   std::error_code error;
   const auto same_file = [&](const auto& loaded) { return fs::equivalent(loaded->path(), module, error); };

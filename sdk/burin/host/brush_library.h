@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-/// Of burin/abi/plugin.h.
+/// Types of burin/abi/plugin.h.
 struct burin_brush;
 struct burin_brush_descriptor;
 
 namespace burin {
 
-/// A brush that a module lists. The descriptor lives as long as the library.
+/// A brush of a loaded module. The descriptor is valid as long as the library.
 struct BrushEntry {
   const burin_brush_descriptor* descriptor;
   std::filesystem::path module;
@@ -25,39 +25,43 @@ struct BrushDeleter {
 };
 using BrushPtr = std::unique_ptr<const burin_brush, BrushDeleter>;
 
-/// The plugin modules of a process and their brushes. Main thread.
+/// The plugin modules of a process and their brushes. All functions are to be called on the main thread.
 class BrushLibrary {
  public:
-  /// Takes the lines that brushes and the library have to say; severities are those of abi/ext/log.h. Must
-  /// not throw. Any thread, concurrent.
+  /// Receives log lines of brushes and of the library; severities are those of abi/ext/log.h. It must not
+  /// throw, and it is called on any thread, also on several at once.
   using Log = void (*)(int severity, std::string_view line);
 
-  /// Starts empty. Plugins get the log (to `log`, or nowhere) and these extensions; null: none.
+  /// Starts empty. Plugins are given the log, which is discarded if `log` is null, and these extensions, if
+  /// any.
   explicit BrushLibrary(Log log = nullptr, std::unique_ptr<HostExtensions> extensions = nullptr);
   ~BrushLibrary();
   BrushLibrary(const BrushLibrary&) = delete;
   BrushLibrary& operator=(const BrushLibrary&) = delete;
 
-  /// Loads one module; once, also by several names. Throws FileError naming the file and what is wrong:
-  /// unreadable, no symbol, another version, a descriptor that breaks the contract, a brush id already there.
+  /// Loads one module. A module that is loaded already, perhaps by another name of the file, is skipped.
+  /// Throws FileError, which gives the file and the reason, if the file is unreadable, does not export the
+  /// entry symbol, has another ABI version or an invalid descriptor, or has a brush id that another module
+  /// has.
   void load(const std::filesystem::path& module);
 
-  /// Loads all `*.burin` files of a folder, by name. One that load() would refuse is a warning to the log,
-  /// and an error only of who asks for its brushes.
+  /// Loads all `*.burin` files of a folder, in the order of their names. A module that load() would refuse
+  /// causes a warning in the log, and an error only when one of its brushes is requested. Throws FileError if
+  /// the folder cannot be read.
   void load_folder(const std::filesystem::path& folder);
 
-  /// Loads the folders of BURIN_PLUGIN_PATH (colon-separated; semicolons on Windows), then `own_folder`,
-  /// which may be missing. A folder that the variable names must exist.
+  /// Loads the folders in the environment variable BURIN_PLUGIN_PATH (separated by colons, on Windows by
+  /// semicolons), which must exist, then `own_folder`, which may be missing.
   void load_search_path(const std::filesystem::path& own_folder);
 
   const std::vector<BrushEntry>& brushes() const;
 
-  /// Throws Error naming the brushes there are when there is none of this id, and the modules that could not
-  /// be loaded; or when one of these offers this id, too.
+  /// Finds a brush by its id. Throws Error, which lists the known brushes and the modules that could not be
+  /// loaded, if there is none; also if a module that could not be loaded has this id.
   const BrushEntry& find(std::string_view id) const;
 
-  /// A new instance; it must be gone before the library. Throws Error: creation failed, or the brush reads
-  /// an input or writes an output that this host does not offer (named).
+  /// Creates an instance of a brush, which must be destroyed before the library. Throws Error if creation
+  /// fails, or if the brush reads an input or writes an output that this host does not support.
   BrushPtr create(const BrushEntry& entry) const;
 
  private:

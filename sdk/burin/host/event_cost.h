@@ -7,27 +7,27 @@
 
 namespace burin {
 
-/// The parts of a stroke event, in the order in which they follow each other.
+/// The stages of a stroke event, in order.
 enum class Stage : std::uint8_t {
-  pick,      ///< ray or closest point to surface point
-  curve,     ///< the stroke's curve drawn on to it
-  chart,     ///< the chart extended
-  evaluate,  ///< the brush over the changed nodes, its inputs filled
-  blend,     ///< overlapping sheets made one displacement a vertex
-  move,      ///< positions, normals, list of changed vertices
-  record,    ///< undo step, surface and picker brought up to date; when a stroke ends or is undone
+  pick,      ///< finds the surface point of the ray or position
+  curve,     ///< extends the stroke's curve
+  chart,     ///< extends the chart
+  evaluate,  ///< fills the inputs of changed nodes and runs the brush
+  blend,     ///< combines the sheets of each vertex to one displacement
+  move,      ///< updates shown positions and normals, and the list of changed vertices
+  record,    ///< updates undo journal, surface and picker when a stroke ends or is undone
 };
 constexpr std::size_t stage_count = 7;
 constexpr std::array<std::string_view, stage_count> stage_names = {"pick",  "curve", "chart", "evaluate",
                                                                    "blend", "move",  "record"};
 
-/// What one call of a session cost. The counts are a function of surface and stroke alone.
+/// The cost of one call of a session. The counts depend on surface and stroke alone.
 struct EventCost {
-  std::array<double, stage_count> seconds{};  ///< wall time, [Stage]
-  std::uint64_t settled = 0;                  ///< chart nodes whose coordinates were computed
-  std::uint64_t pushes = 0;                   ///< entries that went through the front's queue
-  std::uint64_t evaluated = 0;                ///< chart nodes that the brush computed
-  std::uint64_t moved = 0;                    ///< vertices that were given a new place
+  std::array<double, stage_count> seconds{};  ///< [Stage] wall time, seconds
+  std::uint64_t settled = 0;                  ///< number of chart nodes whose coordinates were computed
+  std::uint64_t pushes = 0;                   ///< number of entries pushed to the front's queue
+  std::uint64_t evaluated = 0;                ///< number of chart nodes that the brush computed
+  std::uint64_t moved = 0;                    ///< number of vertices whose position was computed
 
   EventCost& operator+=(const EventCost& other) {
     for (std::size_t stage = 0; stage < stage_count; ++stage) seconds[stage] += other.seconds[stage];
@@ -45,7 +45,8 @@ struct EventCost {
   }
 };
 
-/// Divides the time of a call among its stages: each lap is the time since the one before.
+/// Measures the stages of a call: lap() adds the time since the previous lap(), or since construction, to a
+/// stage.
 class StageClock {
  public:
   explicit StageClock(EventCost& cost) : cost_(&cost), last_(std::chrono::steady_clock::now()) {}

@@ -3,13 +3,13 @@
 
 namespace burin {
 
-/// What an application gives to plugins besides the log: interfaces of burin/abi/ext by their id. Any thread,
-/// concurrent. burin/services/stamp_services.h has those of Burin itself.
+/// The extension interfaces (burin/abi/ext) that an application provides to plugins besides the log. Called
+/// on any thread, also on several at once. burin/services/stamp_services.h implements those of Burin itself.
 class HostExtensions {
  public:
   virtual ~HostExtensions() = default;
 
-  /// The interface of this id, valid as long as the object; null where there is none. Must not throw.
+  /// Returns the interface with this id, which is valid as long as the object, or null. Must not throw.
   virtual const void* find(std::string_view id) const = 0;
 };
 

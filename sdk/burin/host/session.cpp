@@ -1,3 +1,5 @@
+// Every public function of Session forwards to Impl. Functions that can fail run inside Impl::guarded(),
+// which resets the cost and the list of changed vertices and drops the open stroke if anything throws.
 #include <burin/abi/plugin.h>
 #include <burin/base/error.h>
 #include <burin/base/hash.h>
@@ -38,7 +40,7 @@ struct Session::Impl {
   void commit(std::span<const Index> displaced);
   void drop();
 
-  /// Runs `body`; when it throws, the open stroke is gone as if it had never begun.
+  /// Runs `body`. If it throws, the open stroke is dropped, and the surface is as before the stroke.
   template <class Body>
   auto guarded(const Body& body) {
     cost = {};
@@ -61,10 +63,10 @@ struct Session::Impl {
   std::map<const burin_brush_descriptor*, BrushPtr> created;
   Evaluator evaluator;
   std::optional<OpenStroke> stroke;
-  std::optional<Chart> sorted_chart;     ///< of last_live, if somebody asked for it
-  const LiveChart* last_live = nullptr;  ///< of the open stroke, or of the last one
+  std::optional<Chart> sorted_chart;     ///< sorted copy of last_live, made on request
+  const LiveChart* last_live = nullptr;  ///< chart of the open stroke, or of the last one
   SurfaceCurve last_curve;
-  std::vector<Index> changed;  ///< by the last call
+  std::vector<Index> changed;  ///< vertices that the last call changed
   UndoJournal journal;
   EventCost cost;
 };
@@ -80,7 +82,7 @@ OpenStroke& Session::Impl::open_stroke() {
   return *stroke;
 }
 
-/// With a piece to which the sample may belong.
+/// The open stroke; starts a new piece if the previous one has ended.
 OpenStroke& Session::Impl::stroke_for_sample() {
   if (!open_stroke().piece_kept()) return *stroke;
   stroke->begin_piece();
@@ -110,7 +112,7 @@ std::span<const Index> Session::Impl::apply(const VertexMoves& moves) {
   return note_changed(moved, painted);
 }
 
-/// Both ascending.
+/// Sets `changed` to the union of two ascending lists.
 std::span<const Index> Session::Impl::note_changed(std::span<const Index> moved,
                                                    std::span<const Index> painted) {
   changed.clear();
@@ -118,7 +120,7 @@ std::span<const Index> Session::Impl::note_changed(std::span<const Index> moved,
   return changed;
 }
 
-/// Finishes the piece being drawn, unless it is empty or kept.
+/// Finishes the current piece, unless it is empty or kept.
 std::span<const Index> Session::Impl::finish_piece(Closure closure) {
   if (stroke->piece_empty() || stroke->piece_kept()) return changed;
   StageClock clock(cost);
@@ -143,7 +145,7 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
   return changed;
 }
 
-/// Makes the surface what is shown, and lets all that looks at it follow.
+/// Copies the shown positions to the surface and updates everything that depends on it.
 void Session::Impl::commit(std::span<const Index> displaced) {
   float farthest = 0;
   for (const Index vertex : displaced)

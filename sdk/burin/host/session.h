@@ -15,99 +15,103 @@
 
 namespace burin {
 
-/// When a sample is to be seen. A stroke is the same whenever that is; who shows fewer samples pays for
-/// fewer.
+/// When a sample updates the shown surface. Deferring saves time; the result of the stroke is the same.
 enum class Show {
   now,
-  later,  ///< with the next sample that is shown, or at the end: for samples that come several at a time
+  later,  ///< with the next sample that is shown, or at the end of the stroke; for samples that arrive in
+          ///< groups
 };
 
-/// What became of one sample.
+/// The result of one sample.
 struct StrokeEvent {
   enum class Outcome {
-    drawn,         ///< the stroke now reaches to the sample, though it may be shown later
-    off_surface,   ///< the ray misses, or nothing is near the place: nothing changed
-    disconnected,  ///< on the surface, but across a gap or silhouette: nothing changed
+    drawn,         ///< the stroke was extended to the sample; with Show::later it is shown later
+    off_surface,   ///< the ray misses the surface, or the position is not near it; nothing changed
+    disconnected,  ///< the sample is on the surface, but across a gap or silhouette; nothing changed
   };
   Outcome outcome = Outcome::off_surface;
-  /// Vertices that moved and their neighbours, whose normals may have changed, and those of another colour or
-  /// mask; ascending. Valid until the next call.
+  /// The vertices that moved, their neighbours, whose normals may have changed, and vertices whose colour or
+  /// mask changed; ascending. Valid until the next call.
   std::span<const Index> changed;
 };
 
-/// A surface being sculpted: the one class that an embedding application needs. Strokes are drawn one at
-/// a time, sample by sample; a stroke sees the surface as it was when the stroke began. Vertex numbers are
-/// those of surface(). One thread; it uses all threads of oneTBB inside.
-/// A call that throws leaves the surface as it was before the stroke, and no stroke open.
+/// A surface that is being sculpted: the main class for embedding applications. One stroke at a time is
+/// drawn, sample by sample; it displaces the surface as it was when the stroke began. Vertex indices are
+/// those of surface(). A session belongs to one thread at a time; inside it uses all threads of oneTBB. If a
+/// call throws, the open stroke is dropped: the surface is as before the stroke, and no stroke is open.
 class Session {
  public:
-  /// `brushes` must outlive the session. Throws ContractError for a point set: normals of moved points would
-  /// need triangles.
+  /// Takes the surface; see make_surface(). `brushes` must outlive the session. Throws ContractError for a
+  /// point set, since the normals of moved points would require triangles.
   Session(Surface surface, const BrushLibrary& brushes);
   ~Session();
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
 
-  /// The surface as of the last finished stroke. Its arrays stay in place.
+  /// The surface after the last finished stroke. Its arrays stay in place as long as the session.
   const Surface& surface() const;
   const Picker& picker() const;
 
-  /// What is to be shown now, the open stroke included; [vertex].
+  /// The current positions, object units, and unit normals by vertex, including the open stroke.
   std::span<const Vec3f> positions() const;
   std::span<const Vec3f> normals() const;
 
-  /// Colours and masks, the open stroke included; [vertex] of arrays that are not empty.
+  /// The current colours and masks by vertex, including the open stroke; an array may be empty.
   const Paint& paint() const;
 
-  /// Starts from these colours and masks. Not while a stroke is open, and not to be undone. Throws
-  /// ContractError for arrays that are neither empty nor of an element a vertex, or values outside of 0..1.
+  /// Replaces all colours and masks; this cannot be undone. Throws ContractError if a stroke is open, if an
+  /// array is neither empty nor has one element per vertex, or if a value is outside 0..1.
   void set_paint(Paint paint);
 
-  /// Opens a stroke. Throws Error: unknown brush or parameter, a value out of its range, a file that
-  /// cannot be read, a brush that reads what this host does not offer, a dynamic of what does not vary.
+  /// Opens a stroke. Throws Error for an unknown brush or parameter, a value out of range, a file that cannot
+  /// be read, a brush with inputs that this host does not provide, or dynamics of something that cannot vary;
+  /// ContractError if a stroke is open already.
   void begin_stroke(const StrokeSettings& settings);
 
-  /// The next sample: where a ray meets the surface, or the closest place to a point that is at most one
-  /// radius away. Times must not fall; samples that come several at a time and have one time stamp should be
-  /// given times of their own first, see spread_times(). Throws Error when the brush fails or returns a value
-  /// that is not finite; ContractError for a time that falls, and for a pen that is not as
-  /// StrokeSettings::fields has it: pressure other than 1, say, of a pen that reports none.
+  /// Adds a sample at the first intersection of a ray with the surface, or at the surface point closest to a
+  /// position, at most one radius away; object units. `time` is in seconds and must not decrease; several
+  /// samples with the same time stamp should be given distinct times first, see spread_times(). Throws Error
+  /// if the brush fails or returns a value that is not finite; ContractError if no stroke is open, if the
+  /// time decreases, or if the pen has a value in a field that StrokeSettings::fields does not announce, such
+  /// as a pressure other than 1.
   StrokeEvent add_sample(const Ray& ray, double time, const Pen& pen, Show show = Show::now);
   StrokeEvent add_sample(const Vec3d& position, double time, const Pen& pen, Show show = Show::now);
 
-  /// Ends a piece of the open stroke, for a pen that left the surface or jumped over a gap: the next sample
-  /// begins another, with a curve and a chart of its own. All pieces start from the surface before the
-  /// stroke, and where they overlap they are sheets of one stroke; those of later pieces are the later ones.
-  /// They are undone together. Closes as end_stroke() does. Returns the vertices that the end changed, as
-  /// that.
+  /// Ends a piece of the open stroke, when the pen left the surface or jumped over a gap. The next sample
+  /// starts another piece with its own curve and chart. All pieces start from the surface before the stroke.
+  /// Where they overlap, their nodes are sheets of one stroke, and later pieces count as drawn later. They
+  /// are undone together. The piece may close as in end_stroke(). Returns the vertices that changed, as
+  /// StrokeEvent::changed; valid until the next call.
   std::span<const Index> end_piece(Closure closure = Closure::open);
 
-  /// Ends the open stroke and makes it part of the surface. A stroke without a sample leaves no trace.
-  /// While the pen is down strokes are open; here one may become closed, so that all of it changes:
-  /// curve().closed says whether it did, CurveTracer::closed_curve() under which conditions.
-  /// Returns the vertices that the end changed, as StrokeEvent::changed, valid until the next call.
+  /// Ends the open stroke and makes it part of the surface. A stroke without a sample has no effect and
+  /// cannot be undone. Strokes are open while they are drawn; here the stroke may become closed, which
+  /// changes all of it. curve().closed tells whether it did; CurveTracer::closed_curve() documents the
+  /// conditions. Returns the vertices that changed, as StrokeEvent::changed; valid until the next call.
   std::span<const Index> end_stroke(Closure closure = Closure::open);
 
-  /// Drops the open stroke, if there is one: changed() are the vertices that are shown as before it again.
+  /// Drops the open stroke, if there is one. changed() then lists the vertices that returned to their
+  /// previous state.
   void cancel_stroke();
 
-  /// Vertices that the last call of a function that is not const changed, as StrokeEvent::changed: those of
-  /// undo() and cancel_stroke(), and those of a stroke that was dropped since the call threw. Valid until the
-  /// next call. set_paint() may change all, and is not told here.
+  /// The vertices that the last non-const call changed, as StrokeEvent::changed; after undo(),
+  /// cancel_stroke() and calls that threw as well. set_paint() may change all vertices and is not reported
+  /// here. Valid until the next call.
   std::span<const Index> changed() const;
 
-  /// The chart of the open stroke, or of the last one; of its last piece.
+  /// The chart and the curve of the last piece of the open stroke, or of the last stroke.
   const Chart& chart() const;
   const SurfaceCurve& curve() const;
 
-  /// Takes back the last finished stroke bit for bit; false when there is none. Not while one is open.
+  /// Undoes the last finished stroke exactly, to the bit. Returns false if there is none. Throws
+  /// ContractError if a stroke is open.
   bool undo();
 
-  /// Of the last add_sample, end_stroke or undo.
+  /// The cost of the last non-const call (cancel_stroke() does not count).
   const EventCost& cost() const;
 
-  /// XXH3 of the shown positions, and of colours and masks where there are any, in the order of the mesh that
-  /// the surface was made of.
+  /// XXH3 hash of the current positions, and of colours and masks if there are any, in the vertex order of
+  /// the original mesh.
   std::uint64_t result_hash() const;
 
  private:

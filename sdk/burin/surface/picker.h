@@ -15,29 +15,32 @@ struct Ray {
 
 class PickScene;
 
-/// Answers where a ray meets a surface and which point of it is closest. Looks at the surface's own
-/// positions and triangles, which must stay in place while the picker lives.
-/// pick and closest: any thread, concurrent, but not during update.
+/// Finds the point where a ray meets a surface, and the point of a surface closest to a position. It refers
+/// to the surface's positions and triangles, which must stay in place while the picker exists. pick() and
+/// closest() may be called from several threads at once, but not during update(). They cost O(log n) for
+/// typical surfaces.
 ///
-/// On a point set the surface is the smooth one that moving least squares with the given normals make of the
-/// points. It ends where no points surround a place any more.
+/// On a point set the surface is defined by moving least squares with the given normals (PointProjection). It
+/// ends where points no longer surround a position.
 class Picker {
  public:
+  /// Builds the search tree, in O(n log n) or better.
   explicit Picker(const Surface& surface);
   ~Picker();
   Picker(Picker&&) noexcept;
   Picker& operator=(Picker&&) noexcept;
 
-  /// First hit along the ray, from either side; of equally near triangles the lowest. Watertight: no ray
-  /// passes between triangles that share an edge.
+  /// The first hit along the ray, from either side; among equally near triangles the one with the lowest
+  /// index. Watertight: no ray passes between triangles that share an edge. Returns nothing for a ray that
+  /// misses.
   std::optional<SurfacePoint> pick(const Ray& ray) const;
 
-  /// The closest point within max_distance; of equally close triangles the lowest. On a point set the foot
-  /// near the closest point of the set, or beyond the border that point itself: for positions nearer to the
-  /// surface than it bends.
+  /// The closest point within max_distance, object units; among equally close triangles the one with the
+  /// lowest index. On a point set it is the foot point near the closest point of the set, or beyond the
+  /// border that point itself; this holds for positions nearer to the surface than its radius of curvature.
   std::optional<SurfacePoint> closest(const Vec3f& position, float max_distance) const;
 
-  /// Follows the surface after these vertices moved. Costs in proportion to their triangles. Throws
+  /// Updates the search tree after these vertices moved. Costs in proportion to their triangles. Throws
   /// ContractError for a point set.
   void update(std::span<const Index> moved_vertices);
 

@@ -1,5 +1,5 @@
-// Point sets as surfaces: "a point sampling with neighbourhood connectivity" (R. Schmidt, Stroke
-// Parameterization, 2013, section 2), here the symmetric k-nearest-neighbour graph.
+// Makes surfaces of point sets: "a point sampling with neighbourhood connectivity" [R. Schmidt, Stroke
+// Parameterization, 2013, section 2], here the symmetric k-nearest-neighbour graph. Costs O(n log n).
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/surface/geometry/bounding_box.h>
@@ -31,7 +31,7 @@ void check(const PointSet& points, std::size_t links) {
   }
 }
 
-/// In doubles: the square of any float but 0 is one.
+/// Normalises in doubles, in which the square of any non-zero float is not zero.
 Vec3f unit(const Vec3f& normal) { return normal.cast<double>().normalized().cast<float>(); }
 
 void sort_points(const PointSet& points, Surface& surface) {
@@ -44,7 +44,7 @@ void sort_points(const PointSet& points, Surface& surface) {
   }
 }
 
-/// The nearest points of each that face its way, `links` places a point, unused ones no_index.
+/// The nearest points of each point that face the same way: `links` entries per point, unused ones no_index.
 std::vector<Index> nearest_facing(const Surface& surface, const PointTree& tree, std::size_t links) {
   std::vector<Index> result(surface.positions.size() * links, no_index);
   parallel_blocks(surface.positions.size(), points_a_block, [&](std::size_t begin, std::size_t end) {
@@ -60,7 +60,7 @@ std::vector<Index> nearest_facing(const Surface& surface, const PointTree& tree,
   return result;
 }
 
-/// Joins a and b where either names the other.
+/// Connects two points if either is among the nearest of the other.
 Csr symmetric(const std::vector<Index>& nearest, std::size_t links, Index points) {
   std::vector<std::vector<Index>> rows(points);
   for (std::size_t i = 0; i < nearest.size(); ++i) {

@@ -1,3 +1,5 @@
+// Makes a surface of a mesh: sorts vertices along a Hilbert curve and triangles by their lowest vertex, then
+// computes neighbourhoods, normals and curvature, all in O(n) for meshes of bounded valence, on all threads.
 #include <burin/base/counting_sort.h>
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
@@ -18,7 +20,7 @@ namespace {
 
 constexpr std::size_t elements_a_block = 16384;
 
-/// Whether `good` holds for all elements; they are asked on all threads.
+/// Whether `good` is true for all elements; evaluated on all threads.
 template <class Element, class Good>
 bool all_of(const std::vector<Element>& elements, const Good& good) {
   std::atomic<bool> result = true;
@@ -38,7 +40,7 @@ void check(const TriangleMesh& mesh) {
     throw Error("no triangle has an area");
 }
 
-/// Renumbers the vertices along the space-filling curve, positions and triangles with them.
+/// Sorts the vertices along the space-filling curve and renumbers the triangles' corners.
 void sort_vertices(TriangleMesh& mesh, Surface& surface) {
   surface.source_vertex = spatial_order(mesh.positions);
   const std::vector<Index>& source = surface.source_vertex;
@@ -57,8 +59,8 @@ void sort_vertices(TriangleMesh& mesh, Surface& surface) {
   });
 }
 
-/// By lowest vertex, then by all; without those that name a vertex twice. Triangles that compare equal are
-/// the same bits, so any sort gives one result.
+/// Sorts triangles by lowest vertex, then lexicographically, and removes those that have a vertex twice.
+/// Triangles that compare equal are identical, so every sorting method gives the same result.
 void sort_triangles(std::vector<Triangle>& triangles, std::size_t vertices) {
   UnsetVector<Triangle> sorted(triangles.size());
   const std::vector<Index> offsets = counting_sort(

@@ -7,26 +7,26 @@
 
 namespace burin {
 
-/// A triangle mesh made ready for strokes: vertices and triangles sorted along a space-filling curve,
-/// unit vertex normals, neighbourhoods. Any triangle soup will do: non-manifold, open, degenerate. Or a point
-/// set (make_point_surface), which has no triangles.
+/// A triangle mesh prepared for strokes: vertices and triangles sorted along a space-filling curve, with unit
+/// vertex normals, curvature and neighbourhoods. Any triangle soup is accepted: non-manifold, open,
+/// degenerate. A point set (make_point_surface()) is a surface without triangles.
 struct Surface {
   std::vector<Vec3f> positions;        ///< object units
-  std::vector<Vec3f> normals;          ///< unit and finite at every vertex, outward, see normals.h
-  std::vector<Triangle> triangles;     ///< no triangle names a vertex twice
+  std::vector<Vec3f> normals;          ///< [vertex] outward, unit and finite; see normals.h
+  std::vector<Triangle> triangles;     ///< no triangle has a vertex twice
   std::vector<float> gauss_curvature;  ///< [vertex] see curvature.h
-  Csr neighbours;                      ///< vertices joined by an edge or link, ascending, each once
-  Csr incident;                        ///< triangles around a vertex, ascending
-  std::vector<Index> source_vertex;    ///< [vertex] its index in the mesh or point set it was made of
-  double scale = 0;                    ///< diagonal of the bounding box when the surface was made
+  Csr neighbours;                      ///< [vertex] vertices joined by an edge or link, ascending
+  Csr incident;                        ///< [vertex] triangles around it, ascending
+  std::vector<Index> source_vertex;    ///< [vertex] its index in the original mesh or point set
+  double scale = 0;                    ///< diagonal of the original bounding box, object units
 
   Index vertex_count() const { return static_cast<Index>(positions.size()); }
   bool is_point_set() const { return triangles.empty(); }
 };
 
-/// Sorts and connects. Triangles that name a vertex twice are left out; unreferenced vertices stay.
-/// Throws Error when no triangle with an area remains or a position is not finite, ContractError when a
-/// triangle names a vertex that is not there. The result depends on the mesh alone.
+/// Makes a surface of a triangle mesh. Triangles that have a vertex twice are left out; unreferenced vertices
+/// stay. `progress` may be empty. The result depends on the mesh alone. Throws Error if no triangle has an
+/// area or a position is not finite, ContractError if a triangle refers to a vertex that does not exist.
 Surface make_surface(TriangleMesh mesh, const Progress& progress = {});
 
 }  // namespace burin

@@ -1,3 +1,5 @@
+// Splits polygons into triangles, in O(corners), or O(corners^3) at worst for a polygon with more than four
+// corners (ear clipping).
 #include <burin/surface/geometry/area_vector.h>
 #include <burin/surface/geometry/quad_cuts.h>
 #include <burin/surface/triangulate.h>
@@ -12,12 +14,12 @@ namespace {
 
 using Corners = std::span<const Index>;
 
-/// Three corners of a polygon, as it counts them.
+/// Three corners of a polygon, as indices among its corners.
 using Ear = std::array<std::size_t, 3>;
 
 double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Ear clipping [Meisters 1975] of one polygon, in the plane across its area vector.
+/// Ear clipping [Meisters 1975] of one polygon, in the plane at right angles to its area vector.
 class EarClipper {
  public:
   EarClipper(const std::vector<Vec3f>& positions, Corners corners) : left_(corners.size()) {
@@ -32,7 +34,7 @@ class EarClipper {
   }
 
   void clip(std::vector<Ear>& out) {
-    // Going on behind the next corner after each ear keeps the triangles from fanning out of one corner.
+    // The search continues after the next corner, so that triangles do not fan out from one corner.
     for (std::size_t at = 0; left_.size() > 3; ++at) {
       at = find_ear(at % left_.size());
       out.push_back(ear(at));
@@ -46,7 +48,7 @@ class EarClipper {
   std::size_t after(std::size_t at) const { return left_[(at + 1) % left_.size()]; }
   Ear ear(std::size_t at) const { return {before(at), left_[at], after(at)}; }
 
-  /// The first ear from `start` on; a polygon that crosses itself may have none, then `start` has to do.
+  /// The first ear from `start` on. A polygon that intersects itself may have none; then `start` is taken.
   std::size_t find_ear(std::size_t start) const {
     for (std::size_t i = 0; i < left_.size(); ++i)
       if (const std::size_t at = (start + i) % left_.size(); is_ear(at)) return at;

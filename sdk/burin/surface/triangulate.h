@@ -4,9 +4,10 @@
 
 namespace burin {
 
-/// Splits every polygon but holes into triangles without new vertices: quads along the shorter diagonal that
-/// lies inside, unless something else runs there (cut_from_1_to_3), larger polygons by ear clipping in their
-/// mean plane. Carries texture coordinates where there are any.
+/// Splits every face except holes into triangles without new vertices. Quads are split along the shorter
+/// diagonal that lies inside, unless it coincides with another edge (see cut_from_1_to_3()); larger polygons
+/// by ear clipping in their mean plane. Texture coordinates are preserved. Faces must have at least three
+/// corners.
 TriangleMesh triangulate(const PolygonMesh& mesh);
 
 }  // namespace burin

@@ -1,9 +1,10 @@
-// Joins a mesh along edges that lie on each other, in four steps:
-// 1. rim: the edges of one face only, by the numbers of the file's vertices;
-// 2. places: their ends, those within tolerance of each other as one;
-// 3. pairs: of rim edges between the same two places, one each way where faces agree on the outside;
-// 4. vertices: those at the ends of a pair are one.
-// Every pair turns two rim edges into one inner edge, so what was a manifold stays one.
+// Joins a mesh along coinciding edges, in four steps that cost O(n log n) together:
+// 1. Rim: find the edges that have one face only.
+// 2. Places: merge the ends of rim edges that lie within the tolerance of each other to places.
+// 3. Pairs: pair rim edges between the same two places, in opposite directions where faces agree on the
+// outside.
+// 4. Vertices: unite the vertices at the ends of each pair. Every pair turns two rim edges into one inner
+// edge, so a manifold stays a manifold.
 #include <burin/surface/points/point_tree.h>
 #include <burin/surface/topology/weld.h>
 #include <burin/surface/weld_mesh.h>
@@ -19,17 +20,17 @@ namespace burin {
 namespace {
 
 constexpr double rounding = 4e-6;
-constexpr double reach_of_edge = 0.25;       ///< of a vertex's shortest edge
-constexpr double folded = 1 - 1e-6;          ///< cosine between two faces that lie on each other
-constexpr std::size_t most_at_a_place = 64;  ///< edges between two places; more are no seam
+constexpr double reach_of_edge = 0.25;       ///< greatest reach, as a share of a vertex's shortest edge
+constexpr double folded = 1 - 1e-6;          ///< least cosine between two faces that lie on each other
+constexpr std::size_t most_at_a_place = 64;  ///< most edges of a seam between two places
 
 struct RimEdge {
-  Index from, to;  ///< vertices of the file, in the order in which the face names them
+  Index from, to;  ///< vertices of the mesh, in the order of the face
   Index face;
-  Vec3d inward;  ///< unit, across the edge to the middle of the face; zero for a face without area
+  Vec3d inward;  ///< unit vector across the edge toward the middle of the face; zero for a face without area
 };
 
-/// Sets of indices that grow together; the lowest of a set stands for it.
+/// Disjoint sets of indices (union-find); the lowest index of a set represents it.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -49,7 +50,7 @@ class DisjointSets {
   std::vector<Index> parent_;
 };
 
-/// Calls body(face, corners of it).
+/// Calls body(face, its corners) for all faces.
 template <class Body>
 void for_each_face(const PolygonMesh& mesh, const Body& body) {
   std::size_t corner = 0;
@@ -68,7 +69,7 @@ void for_each_edge(const PolygonMesh& mesh, const Body& body) {
   });
 }
 
-/// A number that no other index has, for sums (the finaliser of SplitMix64).
+/// Maps each index to a distinct, well-mixed number (the finaliser of SplitMix64).
 std::uint64_t scrambled(std::uint64_t index) {
   index += 0x9e3779b97f4a7c15u;
   index = (index ^ (index >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -76,8 +77,8 @@ std::uint64_t scrambled(std::uint64_t index) {
   return index ^ (index >> 31);
 }
 
-/// Which vertices have an edge without its counterpart: what leaves them and what comes in adds up to zero
-/// at all others. Spares most of a mesh the sorting.
+/// Marks the vertices that have an edge without its counterpart. At all other vertices the hashes of outgoing
+/// and incoming edges cancel. This spares most of the mesh the sorting.
 std::vector<bool> unbalanced(const PolygonMesh& mesh) {
   std::vector<std::uint64_t> sums(mesh.positions.size());
   for_each_edge(mesh, [&](Index from, Index to, auto&&, Index) {
@@ -91,7 +92,8 @@ std::vector<bool> unbalanced(const PolygonMesh& mesh) {
 
 Vec3d place(const PolygonMesh& mesh, Index vertex) { return mesh.positions[vertex].cast<double>(); }
 
-/// Scaled by the face's size first, so that it holds at every scale.
+/// The RimEdge::inward of an edge. Coordinates are first divided by the face's size, so that it works at
+/// every scale.
 Vec3d inward_of(const PolygonMesh& mesh, std::span<const Index> corners, Index from, Index to) {
   const Vec3d start = place(mesh, from);
   Vec3d middle = Vec3d::Zero();
@@ -133,8 +135,8 @@ std::vector<RimEdge> rim_edges(const PolygonMesh& mesh, const std::vector<bool>&
   return rim;
 }
 
-/// For the vertices at the ends of rim edges one number a place, which lies within tolerance; no_index for
-/// others.
+/// Numbers the places at the ends of rim edges: vertices within the tolerance of each other have the same
+/// number. All other vertices have no_index.
 class Places {
  public:
   Places(const PolygonMesh& mesh, const std::vector<RimEdge>& rim, double tolerance)
@@ -173,7 +175,7 @@ class Places {
       if (number != no_index) number = sets.lowest(number);
   }
 
-  /// How far from a place others may lie.
+  /// For each point, how far away other points of the same place may lie.
   std::vector<double> reaches(const PolygonMesh& mesh, double tolerance) const {
     std::vector<double> reach(points_.size(), tolerance);
     for_each_edge(mesh, [&](Index from, Index to, auto&&, Index) {
@@ -186,11 +188,11 @@ class Places {
     return reach;
   }
 
-  std::vector<Index> number_;  ///< [vertex]
+  std::vector<Index> number_;  ///< [vertex] number of its place
   std::vector<Vec3f> points_;
 };
 
-/// The rim edges between two places, those one way and those the other, in the order of the file.
+/// The rim edges between two places, by direction, in the order of the file.
 struct Seam {
   std::vector<const RimEdge*> forward, backward;
 };
@@ -239,7 +241,7 @@ class Zipper {
     }
   }
 
-  /// Two faces alone that disagree on the outside.
+  /// Joins two edges in the same direction if they are the only ones: their faces disagree on the outside.
   void pair_flipped(const std::vector<const RimEdge*>& edges) {
     if (edges.size() != 2 || are_folded(*edges[0], *edges[1])) return;
     sets.join(edges[0]->from, edges[1]->from);
@@ -252,7 +254,7 @@ class Zipper {
   }
 };
 
-/// [vertex] the lowest of those that become one with it.
+/// Returns the sets of vertices that become one.
 DisjointSets joined(const PolygonMesh& mesh, const std::vector<RimEdge>& rim, const Places& places) {
   struct Placed {
     Index low, high;
@@ -278,7 +280,7 @@ DisjointSets joined(const PolygonMesh& mesh, const std::vector<RimEdge>& rim, co
   return std::move(zipper.sets);
 }
 
-/// Corners that repeat the one before go, and so do faces that keep fewer than three.
+/// Removes corners whose next corner has the same vertex, and faces left with fewer than three corners.
 void drop_repeated_corners(PolygonMesh& mesh) {
   PolygonMesh kept;
   std::vector<Index> face_of(mesh.face_sizes.size(), no_index);
@@ -306,7 +308,7 @@ void drop_repeated_corners(PolygonMesh& mesh) {
   std::erase(mesh.holes, no_index);
 }
 
-/// `firsts`: the vertices that stay, ascending.
+/// Keeps the values of the vertices `firsts`, which are ascending.
 template <class Value>
 void keep_firsts(std::vector<Value>& values, const std::vector<Index>& firsts) {
   if (values.empty()) return;

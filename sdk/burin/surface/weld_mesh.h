@@ -5,22 +5,24 @@
 
 namespace burin {
 
-/// How far rounding, as of six decimals in a text, moves places apart: 4e-6 of the greatest coordinate.
+/// The distance between equal positions that rounding to six digits in a text file may cause: 4e-6 of the
+/// greatest coordinate, object units.
 double rounding_tolerance(const PolygonMesh& mesh);
 
-/// Which vertices become one when the surface is joined along edges whose ends are no farther apart than
-/// `tolerance`, object units, >= 0: those of one face each, as programs leave them at seams of texture
-/// coordinates or at every corner. Two edges are joined, and with them their ends, never more, so that no
-/// edge gets a third face and no vertex a second fan. Where several lie at one place, those come together
-/// that the file holds in the same order, as the copies of a doubled mesh are, or else the straightest. Faces
-/// that lie on each other, front to back or doubled, are not joined there. Ends of an edge of no length are
-/// joined too, as at the pole of a sphere. No vertex is joined to one farther away than a quarter of its
-/// shortest edge. Faces name vertices that are there. Gives for every vertex the number of the one that it
-/// becomes, in order of first appearance, or nothing where none are joined.
+/// Finds the vertices that become one when the surface is joined along edges whose ends are at most
+/// `tolerance` apart; object units, >= 0. Only edges with a single face are joined, as programs leave them at
+/// seams of texture coordinates or at every face. Edges are joined in pairs only, so that no edge gets a
+/// third face and no vertex a second fan. If several edges coincide, edges in the same order in the file are
+/// paired, as in the copies of a doubled mesh; if that is not possible, the pairs with the flattest angle.
+/// Faces that lie on each other, folded or doubled, are not joined. The two ends of an edge of length 0 are
+/// joined too, as at the pole of a sphere. No vertex is joined with one farther away than a quarter of its
+/// shortest edge. Faces must refer to existing vertices. Returns for every vertex the index of the vertex
+/// that it becomes, in order of first appearance; an empty list if no vertices are joined.
 std::vector<Index> find_welds(const PolygonMesh& mesh, double tolerance);
 
-/// The mesh with one vertex for all that become one, at the place and with the paint of the first. Faces and
-/// corners stay as they are, but for corners that repeat the one before and faces that keep fewer than three.
+/// Joins vertices; `vertex_of` is the result of find_welds(). A joined vertex has the position and paint of
+/// its first one. Corners that repeat the previous one are removed, and so are faces left with fewer than
+/// three corners.
 PolygonMesh weld(PolygonMesh mesh, const std::vector<Index>& vertex_of);
 
 }  // namespace burin

@@ -18,7 +18,7 @@ class BareDijkstra {
   /// the next run. Starts from the corners around each point of the curve, straight away from the point.
   std::span<const Index> run(const SurfaceCurve& curve, float radius);
 
-  /// Of the last run; infinite where it did not get to.
+  /// The distance of a vertex in the last run; infinite if it was not reached.
   float distance(Index vertex) const { return distance_[vertex]; }
 
  private:

@@ -59,7 +59,7 @@ BENCHMARK(whole_chart)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 
-/// At the brush's own scale, the base nodes included.
+/// Measures a chart over a base surface, including the computation of its nodes.
 void base_chart(benchmark::State& state) {
   const SphereStroke& stroke = stroke_of(state);
   const ThreadLimit limit(static_cast<std::size_t>(state.range(1)));

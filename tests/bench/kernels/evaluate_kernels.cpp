@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t batch_size = 1024;
 
-/// What the stock brushes read and write, a number for each node.
+/// The inputs and outputs of the stock brushes, one number per node.
 struct Columns {
   explicit Columns(const SphereStroke& stroke) : radius(static_cast<float>(stroke.radius)) {
     const Chart chart = StrokeChartBuilder(stroke.surface).chart(stroke.curve, {.radius = stroke.radius});

@@ -18,7 +18,7 @@ double seconds_of(const Body& body) {
 
 inline double median(const std::vector<double>& values) { return percentiles(values).p50; }
 
-/// Of a median of seconds over `items` of something.
+/// Nanoseconds per item, from the median of times in seconds over `items` items.
 inline double nanoseconds_each(const std::vector<double>& seconds, double items) {
   return 1e9 * median(seconds) / items;
 }

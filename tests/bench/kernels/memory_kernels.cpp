@@ -7,7 +7,7 @@
 namespace burin::kernels {
 namespace {
 
-/// About what the chart reads and writes for a vertex.
+/// The memory, about, that the chart reads and writes per vertex.
 constexpr std::size_t bytes_a_vertex = 120;
 
 void memory_floor(benchmark::State& state) {

@@ -1,4 +1,4 @@
-// From a cage to a surface that strokes can be drawn on.
+// Measures the way from a cage to a surface on which strokes can be drawn.
 #include <benchmark/benchmark.h>
 #include <burin/subdiv/refine.h>
 #include <burin/surface/mesh_file.h>

@@ -19,7 +19,7 @@ constexpr int finest_level = 9;
 
 double vertices_at(int level) { return 10 * std::pow(4, level) + 2; }
 
-/// Where the region of the stroke is a sixteenth of the sphere or less.
+/// The level on which the region of the stroke is at most a sixteenth of the sphere.
 int level_for(std::size_t nodes) {
   int level = 0;
   while (level < finest_level && vertices_at(level) < 16 * static_cast<double>(nodes)) ++level;

@@ -18,7 +18,7 @@ struct SphereStroke {
 /// so that strokes look alike; the sphere has 2.6 million vertices at most. Made once, then kept. One thread.
 const SphereStroke& sphere_stroke(std::size_t nodes);
 
-/// The same way on a base surface.
+/// The stroke's curve on a base surface.
 SurfaceCurve on_base(const SphereStroke& stroke, BaseSurface* base);
 
 }  // namespace burin::kernels

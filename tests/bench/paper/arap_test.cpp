@@ -7,7 +7,7 @@
 namespace burin::paper {
 namespace {
 
-/// From places that are far too narrow.
+/// Solves from an initial state that is far too narrow.
 Parameterization solved(const Subject& subject, std::span<const Constraint> constraints, int iterations) {
   SolveTimes times;
   Parameterization narrow = chart_coordinates(subject);

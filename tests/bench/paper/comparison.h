@@ -25,7 +25,7 @@ class Comparison {
 /// The region under these constraints.
 Parameterization dncp_of(const Subject& subject, std::span<const Constraint> constraints);
 
-/// From DNCP under the same constraints.
+/// The ARAP parameterization, started from DNCP under the same constraints.
 Parameterization arap_of(const Subject& subject, std::span<const Constraint> constraints);
 
 }  // namespace burin::paper

@@ -40,7 +40,7 @@ class Springs {
   double stiffness_;
 };
 
-/// For energies made of edge weights, which are numbers near 1.
+/// The weight of a constraint, compared with edge weights near 1.
 inline constexpr double fixed = 1e6;
 
 /// The largest distance of a constrained point from its target.

@@ -14,7 +14,7 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// Of the energy in the edge from a to b; unknowns are all u, then all v.
+/// Adds the energy of the edge from a to b. The unknowns are all u, then all v.
 void add_edge(Entries& entries, Index a, Index b, double weight, Index vertices) {
   for (const Index first : {Index{0}, vertices}) {
     entries.emplace_back(first + a, first + a, weight);

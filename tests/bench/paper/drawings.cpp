@@ -29,7 +29,7 @@ std::vector<Vec2d> zigzag(double height, int runs) {
   });
 }
 
-/// There and back around a half circle.
+/// Points that go forward, around a half circle, and back.
 std::vector<Vec2d> around(double turning_radius, double run) {
   const double arc = pi * turning_radius, whole = 2 * run + arc;
   return sampled(120, [=](double share) {

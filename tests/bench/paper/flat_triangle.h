@@ -14,7 +14,8 @@ struct FlatTriangle {
   std::array<double, 3> edge_weights;  ///< half the cotangent opposite to the edge from corner i to i + 1
 };
 
-/// Those of all triangles; one without area has the weights 0 and holds nothing in place.
+/// The flattened triangles of a region. A triangle without area has the weights 0 and does not influence the
+/// result.
 std::vector<FlatTriangle> flatten(const Surface& surface, const test::Region& region);
 
 }  // namespace burin::paper

@@ -36,8 +36,8 @@ Subject make_subject(const Scene& scene, SurfaceCurve curve, double radius);
 /// The chart's own (t, d).
 Parameterization chart_coordinates(const Subject& subject);
 
-/// What exact geodesics say of the nodes between the stroke's ends and away from the medial axis, where the
-/// squared distance has a clear minimum along the stroke.
+/// The nodes between the stroke's ends and away from the medial axis, where the squared distance has a clear
+/// minimum along the stroke, measured by exact geodesics.
 std::vector<test::ExactNode> measured_nodes(const Subject& subject);
 
 /// Differences between |v| and the geodesic distance, percent of the radius.

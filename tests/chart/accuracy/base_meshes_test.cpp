@@ -1,6 +1,5 @@
-// Charts at the brush's own scale on meshes that are hard on it, all of them of the plane, where the exact
-// coordinates about an arc are polar ones: slivers, a density of edges that changes, holes, borders. In
-// percent of the radius.
+// Tests charts over base surfaces on difficult meshes of the plane: slivers, varying density, holes and
+// borders. The exact coordinates about an arc are polar. Errors are in percent of the radius.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,7 +37,7 @@ struct Errors {
   std::size_t strayed = 0;  ///< nodes of vertices that are well outside
 };
 
-/// Of the vertices that `counts` lets count, by their place in the plane, away from the stroke's ends.
+/// The errors of the vertices for which counts(position in the plane) is true, away from the stroke's ends.
 Errors errors(
     TriangleMesh mesh, test::Relief relief, double height, double follow = 0,
     const std::function<bool(const Vec2d&)>& counts = [](const Vec2d&) { return true; }) {

@@ -1,5 +1,5 @@
-// Charts at the brush's own scale where the scale changes: radii at which one level of the surface gives way
-// to the next, a width that varies along the stroke, and strokes much longer than their radius.
+// Tests charts over base surfaces where the scale changes: radii at which the level changes, a width that
+// varies along the stroke, and strokes that are much longer than their radius.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,8 @@ TriangleMesh square_of(const test::HeightField& field, double edge) {
 
 class BaseRadii : public testing::TestWithParam<test::Height (*)(double, double)> {};
 
-// From a coarse level's least to the next one's most. Small radii bend less with the surface.
+// Radii range from the least of one level to the greatest of the next. Small radii bend less with the
+// surface.
 TEST_P(BaseRadii, GiveExactCoordinatesOnEveryLevel) {
   const test::ShootingOracle oracle(GetParam(), test::s_curve());
   const auto samples = test::sampled(200, [&](double s) { return oracle.place(s); });

@@ -1,5 +1,5 @@
-// Real scans at the brush's own scale: |d| against exact geodesics of the low-passed scan, whose vertices are
-// brought onto the base surface.
+// Compares |d| of charts over base surfaces of real scans with exact geodesics of the low-passed scan,
+// whose vertices are moved onto the base surface.
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/triangulate.h>
 #include <gtest/gtest.h>
@@ -106,7 +106,7 @@ TEST_P(BaseScan, IsChartedByTheDistancesOfTheLowPassedScan) {
             << " p99 " << own.p99 << "; against the scan itself: mean " << on_scan.mean << " p99 "
             << on_scan.p99 << "; following all relief, against the scan itself: mean " << all.mean << " p99 "
             << all.p99 << " % of the radius; " << own_scale.size() << " nodes\n";
-  // Where the scan folds more narrowly than the brush the two differ by several percent.
+  // The two differ by several percent where the scan has folds narrower than the brush.
   EXPECT_LE(own.mean, 0.5);
   EXPECT_LE(own.p99, 7);
 }

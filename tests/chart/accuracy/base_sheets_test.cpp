@@ -1,4 +1,4 @@
-// Charts at the brush's own scale where the surface comes near itself: thin plates, tubes thinner than the
+// Tests charts over base surfaces where the surface comes near itself: thin plates, tubes thinner than the
 // brush, parts in contact. Exact distances are those of the unrolled surface.
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ struct Plate {
 
   double around() const { return 4 * half_width + 2 * thickness; }
 
-  /// Where a point at this way around from the middle of the upper side is; to the left is y > 0.
+  /// The point at the distance `way` around from the middle of the upper side; y > 0 is to the left.
   Vec3d place(double x, double way) const {
     const double side = way < 0 ? -1 : 1, beyond = std::abs(way) - half_width;
     if (beyond <= 0) return {x, way, 0};
@@ -77,8 +77,8 @@ TEST(BasePlates, HaveTwoSidesHoweverThin) {
   }
 }
 
-// Beside a sharp rim: on the upper side, and on the lower one as far as the way around the rim is within the
-// radius.
+// The stroke runs beside a sharp rim. It covers the upper side, and the lower one up to the radius measured
+// around the rim.
 TEST(BasePlates, AreGoneAroundAtTheirRims) {
   const Plate plate{2, 0.3};
   test::Charted on(plate.mesh(0.05));
@@ -110,8 +110,8 @@ TEST(BasePlates, AreGoneAroundAtTheirRims) {
   EXPECT_LE(other_error / static_cast<double>(others), 0.2);
 }
 
-// How far heights are averaged is farther than the thinnest is wide, which costs it some of its girth.
-// A stroke along a ruling: t the way along, d the way around, in the distance of the unrolled tube.
+// The stroke runs along a ruling; t and d are the distances along and around the unrolled tube. Heights are
+// averaged over more than the width of the thinnest tube, which makes its base surface thinner.
 TEST(BaseTubes, MayBeThinnerThanTheBrush) {
   constexpr double reach = 0.55 * radius / 2;  // see BaseSurface
   for (const double tube : {1.5, 0.7, 0.5, 0.25}) {

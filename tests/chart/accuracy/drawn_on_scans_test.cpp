@@ -1,6 +1,6 @@
-// Charts of strokes as people draw them on real scans, all of whose relief they follow, against exact
-// geodesics of the polyhedron: each vertex near the stroke has a node, and the least distance among its nodes
-// is its distance to the curve.
+// Compares charts of hand-drawn strokes on real scans, with follow = 1, with exact geodesics of the
+// polyhedron: every vertex near the stroke has a node, and the least distance among its nodes is its
+// distance from the curve.
 #include <burin/chart/stroke_chart_builder.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/triangulate.h>
@@ -29,7 +29,7 @@ namespace {
 /// Vertices of which nothing is asked at the rim, where half an edge decides: share of the radius.
 constexpr double asked = 0.97;
 
-/// In edges.
+/// The range of radii, in edges.
 constexpr double least_radius = 8, most_radius = 25;
 
 constexpr int strokes_a_kind = 8, vertices_a_stroke = 40;
@@ -162,7 +162,7 @@ class Truth {
   std::vector<Index> border_;
 };
 
-/// What a scan's charts are allowed.
+/// The tolerances for the charts of a scan.
 struct Scan {
   const char* file;
   double off_beside, off_beyond;      ///< sampled vertices off by > 5 %, of a thousand

@@ -1,6 +1,6 @@
-// Charts of strokes as people draw them: hooks, corners, cusps, retraced and scrubbed lines, rests, loops and
-// spirals tighter than the radius. Each vertex near the stroke has a node, and the least distance among its
-// nodes is the exact geodesic distance to the curve.
+// Compares charts of hand-drawn strokes with exact distances: hooks, corners, cusps, retraced and scrubbed
+// lines, rests, loops and spirals tighter than the radius. Every vertex near the stroke has a node, and
+// the least distance among its nodes is the exact geodesic distance from the curve.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -105,8 +105,8 @@ Tally draw_all(const Drawing& drawing) {
 
 constexpr double all_relief = 1, own_scale = 0;
 
-// What is aimed at is no hole at all; one in a million vertices is what is reached: at the rim, where a
-// distance that is told too long reaches the radius.
+// The target is no hole at all; one in a million vertices is reached. The holes are at the rim, where a
+// distance that is slightly too long exceeds the radius.
 void expect_right(const Tally& tally) {
   EXPECT_GT(tally.errors.vertices, 100'000U);
   EXPECT_LE(tally.errors.holes, 1U);

@@ -1,4 +1,4 @@
-// The oracle itself, on surfaces that unroll into the plane without stretching.
+// Tests the oracle exact_nodes() itself, on surfaces that unroll to the plane without distortion.
 #include "support/oracles/exact_geodesic.h"
 
 #include <burin/chart/stroke_chart_builder.h>
@@ -41,7 +41,7 @@ struct Foot {
   double distance, t;
 };
 
-/// In the plane, on the curve's polyline.
+/// The foot point, in the plane, on the curve's polyline.
 Foot foot_on_chords(const SurfaceCurve& curve, const Vec3d& x) {
   Foot nearest = {1e9, 0};
   for (std::size_t i = 1; i < curve.points.size(); ++i) {
@@ -75,7 +75,7 @@ TEST(ExactGeodesic, IsTheDistanceInThePlane) {
   }
 }
 
-// From ruling to ruling the shortest way is straight across the facets between them.
+// The shortest path from ruling to ruling is straight across the facets between them.
 TEST(ExactGeodesic, IsTheDistanceAroundAPrism) {
   const double radius = 0.5, pi = std::numbers::pi, half_side = pi / std::round(2 * pi / 0.025);
   const Scene scene(test::shuffled(test::cylinder(1, 0.6, 0.025, 0, 5), 6));

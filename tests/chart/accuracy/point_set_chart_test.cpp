@@ -1,4 +1,4 @@
-// The same charts on points with neighbours instead of triangles.
+// Tests charts on point sets, whose points have neighbours but no triangles.
 #include <burin/chart/dabs/dab.h>
 #include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>
@@ -124,7 +124,7 @@ PointSet bumpy_points(double height) {
   return points;
 }
 
-/// What a groove of depth 1 would add to each point, by its number.
+/// The displacement of each point by a groove of depth 1, by index.
 std::vector<Vec3d> groove_along(const Surface& surface, const Chart& chart) {
   std::vector<Vec3d> moves(surface.vertex_count(), Vec3d::Zero());
   for (std::size_t i = 0; i < chart.size(); ++i) {

@@ -1,5 +1,5 @@
-// Against CGAL's Surface_mesh_shortest_path, which some releases let miss a shortest path: both lengths are
-// of ways on the surface, so the shorter one is right.
+// Compares the oracle with CGAL's Surface_mesh_shortest_path. Some releases of CGAL miss a shortest path.
+// Both lengths belong to paths on the surface, so the shorter one is right.
 #include "support/oracles/polyhedral_distance.h"
 
 #include <burin/surface/mesh_file.h>
@@ -32,7 +32,7 @@ struct Agreement {
   std::size_t count = 0, same = 0;
 };
 
-/// From the middle of a triangle to all the rest of the region.
+/// Compares the distances from the middle of a triangle to all vertices of the region.
 void compare(const Surface& surface, const test::Region& region, Index triangle, Agreement& agreement) {
   const SurfacePoint middle = point_on(surface, region.triangles[triangle], 1. / 3, 1. / 3);
   const auto distances = test::polyhedral_distances(surface, region, middle);
@@ -47,7 +47,7 @@ void compare(const Surface& surface, const test::Region& region, Index triangle,
   }
 }
 
-// With saddles, where shortest paths bend, and folds that they go around.
+// The mesh has saddles, where shortest paths bend, and folds, which shortest paths go around.
 TEST(PolyhedralDistance, IsNeverLongerThanCgals) {
   BURIN_SHARED_DATA_OR_SKIP(file, "meshes/stanford-bunny.obj");
   const Surface surface = make_surface(triangulate(read_mesh(file)));
@@ -92,7 +92,7 @@ double largest_error(const test::ExactShape& shape, double edge) {
   return largest;
 }
 
-// On the sphere the polyhedron itself differs from it.
+// The tolerance on the sphere covers the difference between polyhedron and sphere.
 TEST(PolylineDistance, IsThatOfShapes) {
   EXPECT_LT(largest_error(*test::exact_plane(), 0.03), 1e-5);
   EXPECT_LT(largest_error(*test::exact_cylinder(), 0.03), 1e-3);

@@ -1,5 +1,5 @@
-// Random strokes across meshes that are no manifolds, torn, folded, degenerate, or made of slivers: charts
-// stay finite and bounded, and grow to what they are in one go.
+// Tests random strokes on meshes that are non-manifold, torn, folded, degenerate or made of slivers:
+// charts stay finite and bounded, and a growing chart equals one that is computed at once.
 #include <burin/chart/chart_lookup.h>
 #include <burin/chart/joins/joins.h>
 #include <burin/chart/stroke_chart_builder.h>
@@ -103,7 +103,7 @@ class Widths {
   std::array<float, 37> knots_{};
 };
 
-/// What a stroke is drawn with, and the curves it goes through while it is drawn; the last is the whole.
+/// The options of a stroke, and its curves while it is drawn; the last one is the whole stroke.
 struct RandomStroke {
   ChartOptions options;
   std::vector<SurfaceCurve> stages;
@@ -130,7 +130,7 @@ std::vector<SurfaceCurve> traced_stages(const Surface& surface, const Picker& pi
   return stages;
 }
 
-/// With a radius from a fifth of an edge to more than half of the mesh.
+/// A random stroke with a radius from a fifth of an edge to more than half of the mesh.
 RandomStroke random_stroke(const Surface& surface, const Picker& picker, double edge, Random& random) {
   RandomStroke stroke;
   const double least = 0.2 * edge, radius = least * std::pow(0.7 * surface.scale / least, uniform(random));
@@ -252,7 +252,7 @@ Chart grown(StrokeChartBuilder& builder, const RandomStroke& stroke, Random& ran
   return chart;
 }
 
-/// What is found at the coordinates of some nodes has these coordinates.
+/// Expects that the points found at the coordinates of some nodes have these coordinates.
 void expect_sound_lookup(const Surface& surface, const Chart& chart, Random& random) {
   if (chart.size() == 0) return;
   const ChartLookup lookup(surface, chart);

@@ -1,6 +1,6 @@
-// Charts at the brush's own scale against geodesic shooting on analytic surfaces that are rough: the exact
-// coordinates of a vertex are those of its foot on the smooth surface. Away from the ends, in percent of the
-// radius, which has 20 edges.
+// Compares charts over base surfaces with geodesic shooting on rough analytic surfaces: the exact
+// coordinates of a vertex are those of its foot point on the smooth surface. Errors are in percent of the
+// radius, which spans 20 edges, away from the ends.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double radius = 0.3, edge = radius / 20;
 
-/// How far a vertex over (x, y) stands off the smooth surface, object units.
+/// The height of a vertex over the smooth surface at (x, y), object units.
 using Roughness = std::function<double(double x, double y)>;
 
 /// An egg crate of six radii, whose crests bend like a ball of 2.3 radii.

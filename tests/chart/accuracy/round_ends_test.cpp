@@ -1,5 +1,6 @@
-// Beyond round ends (t, d) are geodesic normal coordinates around the end: against the logarithms of sphere
-// and cylinder, and against geodesics shot from the end on height fields; in percent of the radius.
+// Compares coordinates beyond round ends, where (t, d) are geodesic normal coordinates around the end,
+// with the logarithmic maps of sphere and cylinder, and with geodesics shot from the end on height fields.
+// Errors are in percent of the radius.
 #include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +29,7 @@ std::optional<Vec3d> on_sphere(const Vec3d& p, const Vec3d&, const Vec3d& x) {
   return std::atan2(flat.norm(), from.dot(to)) * flat.normalized();
 }
 
-/// Of radius 1 about the z axis.
+/// The logarithmic map of the cylinder of radius 1 about the z axis.
 std::optional<Vec3d> on_cylinder(const Vec3d& p, const Vec3d&, const Vec3d& x) {
   const Vec3d around(-p.y(), p.x(), 0);
   return std::atan2(p.x() * x.y() - p.y() * x.x(), p.x() * x.x() + p.y() * x.y()) * around.normalized() +

@@ -1,4 +1,4 @@
-// Real scans: |d| against exact geodesics of the polyhedron.
+// Compares |d| of charts on real scans with exact geodesics of the polyhedron.
 #include <burin/chart/stroke_chart_builder.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/triangulate.h>
@@ -17,7 +17,7 @@
 namespace burin {
 namespace {
 
-/// In percent of the radius.
+/// Error statistics, in percent of the radius.
 struct ErrorFigures {
   double mean, p99, max;
 };
@@ -69,8 +69,8 @@ std::vector<std::size_t> banded_nodes(const Chart& chart, double length, double 
   return nodes;
 }
 
-/// Near focal points and the medial axis the squared distance along the stroke loses its single, clear
-/// minimum.
+/// Measures the nodes of a chart. Nodes near focal points and the medial axis, where the squared distance
+/// along the stroke has no single, clear minimum, are left out.
 void measure(const Surface& surface, int stroke, const SurfaceCurve& curve, const Chart& chart, double radius,
              Measured& measured) {
   constexpr double clear = 0.3;
@@ -95,7 +95,7 @@ class ScanGeodesic : public testing::TestWithParam<Scan> {
  protected:
   static constexpr int strokes = 8;
 
-  /// The same strokes with each of the options, which share the radius.
+  /// Measures the same strokes with each of the options, which must share the radius.
   static std::vector<Measured> measure_strokes(const Surface& surface,
                                                const std::vector<ChartOptions>& options) {
     const std::uint32_t seed = 31;
@@ -123,7 +123,7 @@ void expect_no_worse(const ErrorFigures& error, const ErrorFigures& limit) {
   EXPECT_LE(error.max, limit.max);
 }
 
-// Of several options the last ones are the better ones.
+// Later options are expected to be better than earlier ones.
 TEST_P(ScanGeodesic, IsTheDistanceOfTheChart) {
   BURIN_SHARED_DATA_OR_SKIP(file, std::string("meshes/") + GetParam().file);
   const Surface surface = make_surface(triangulate(read_mesh(file)));

@@ -1,5 +1,5 @@
-// Strokes that overlap themselves, on a plane: each visit's sheet has the coordinates of its own part of the
-// stroke.
+// Tests strokes that overlap themselves, on a plane: the sheet of each visit has the coordinates of its
+// own part of the stroke.
 #include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>
 
@@ -82,7 +82,7 @@ std::vector<Vec3d> five_crossings() {
     const double angle = 4 * pi / 5 * run;
     const Vec3d along(std::cos(angle), std::sin(angle), 0);
     for (int i = 0; i < 60; ++i) samples.emplace_back((-0.6 + 1.2 * i / 60) * along);
-    // On a circle around the origin from the end of this run to the begin of the next.
+    // The connection runs on a circle around the origin from the end of this line to the start of the next.
     if (run == 4) continue;
     const double from = angle, to = angle + 4 * pi / 5 - pi;
     for (int i = 0; i < 20; ++i) {
@@ -133,7 +133,7 @@ TEST(Sheets, SpiralOverlapsItselfAlongItsWholeLength) {
   const auto vertices = expect_sheets_at_feet(
       scene, curve, chart, [](const Vec3d& x) { return x.norm() > 0.45 && x.norm() < 0.75 && x.x() < -0.1; });
   EXPECT_GT(vertices.at(2), 1500U);
-  // As many nodes as the stroke has area, however often it lies on top of itself.
+  // The number of nodes corresponds to the area of the stroke, however often it overlaps itself.
   const double area = 2 * radius * curve.length() + pi * radius * radius;
   const double cell = 4. / scene.surface.vertex_count();
   EXPECT_NEAR(static_cast<double>(chart.size()) * cell, area, 0.03 * area);

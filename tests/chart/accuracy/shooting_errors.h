@@ -45,8 +45,8 @@ inline PlaneCurve s_curve() {
           [](double s) { return Vec2d(1.6, 0.875 * std::cos(3.5 * s - 1)); }};
 }
 
-/// About 2000 nodes of a chart, away from the stroke's ends. `place(vertex)`: where the foot of a vertex on
-/// the smooth surface lies, (x, y).
+/// Measures about 2000 nodes of a chart, away from the stroke's ends. place(vertex) returns (x, y) of the
+/// vertex's foot point on the smooth surface.
 template <class PlaceOf>
 ChartErrors errors_of(const Chart& chart, const ShootingOracle& oracle, double radius, const PlaceOf& place) {
   ChartErrors errors;

@@ -1,5 +1,6 @@
-// The chart against geodesic shooting on analytic surfaces with curvature of both signs: shuffled, jittered
-// triangulations with random diagonals, away from the ends, in percent of the radius.
+// Compares charts with geodesic shooting on analytic surfaces with curvature of both signs. Triangulations
+// are shuffled and jittered, with random diagonals. Errors are in percent of the radius, away from the
+// ends.
 #include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>
 
@@ -51,7 +52,7 @@ TEST_P(Shooting, SecondOrderIsWithinItsBounds) {
   RecordProperty("t_mean", std::to_string(second.t.mean()));
 }
 
-// At the brush's own scale: a chart of the base surface, carried to the vertices.
+// Charts over the base surface, interpolated to the vertices, have errors within their bounds.
 TEST_P(Shooting, ChartsOfTheBaseSurfaceAreWithinTheirBounds) {
   for (const int edges : {16, 20, 34, 40}) {
     const ChartErrors carried = errors(radius / edges, {.radius = radius, .follow = 0});

@@ -1,5 +1,6 @@
-// Charts carried over from base surfaces: strokes over relief that is narrow against the brush, and growing
-// strokes against fresh ones. How exact they are on smooth surfaces is in shooting_test.cpp.
+// Tests charts that are interpolated from base surfaces: strokes over relief that is narrow compared with
+// the brush, and growing strokes compared with fresh ones. shooting_test.cpp measures accuracy on smooth
+// surfaces.
 #include <burin/base/parallel.h>
 #include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>

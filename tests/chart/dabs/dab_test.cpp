@@ -147,7 +147,7 @@ struct Quadric {
     return -velocity.cwiseAbs2().dot(k) / gradient.squaredNorm() * gradient;
   }
 
-  /// By the classical Runge-Kutta method.
+  /// The exponential map, by the classical Runge-Kutta method.
   Vec3d exp(double u, double v) const {
     constexpr int steps = 64;
     constexpr double h = 1. / steps;

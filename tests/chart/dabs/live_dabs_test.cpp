@@ -31,7 +31,7 @@ class LiveDabsTest : public ::testing::Test {
   double time_ = 0;
 };
 
-/// What the nodes of each vertex say, by t.
+/// The frames of the nodes of each vertex, by t.
 std::map<std::pair<Index, double>, Vec3f> content(const LiveDabs& dabs) {
   const LiveChart& live = dabs.live();
   std::map<std::pair<Index, double>, Vec3f> nodes;
@@ -77,7 +77,7 @@ TEST_F(LiveDabsTest, GrowToWhatAllAtOnceGives) {
   EXPECT_LT(growing.settled(), content(growing).size() / 4) << "the last event computes the last dabs only";
 }
 
-// On a cylinder, whose base surface is the cylinder: unrolled, it is a plane.
+// The base surface of a cylinder is the cylinder, which unrolls to a plane.
 TEST(LiveDabsOnBase, AreNormalCoordinatesOfAllVerticesAround) {
   constexpr double wide = 0.4;
   const Surface surface = make_surface(test::shuffled(test::cylinder(1, 1.5, 0.02, 0.3, 3), 4));

@@ -20,7 +20,8 @@ TEST(CircleStep, GoesAroundACorner) {
   const float d = 0.5F, k = -1 / d;
   for (const double angle : {0.1, 0.7, 1.5}) {
     for (const double distance : {0.3, 0.5, 1.1}) {
-      // From (0, d), where the line runs along x, to that distance in the direction turned by the angle.
+      // The step leads from (0, d), where the line runs along x, to the given distance in the direction of
+      // the angle.
       const double u = distance * std::sin(angle), v = distance * std::cos(angle) - static_cast<double>(d);
       const CircleStep step = circle_step(static_cast<float>(u), static_cast<float>(v), k, d);
       EXPECT_NEAR(d + step.across, distance, 1e-6);

@@ -1,5 +1,5 @@
-// Bends sharper than the radius, each join: on a plane, where lengths and angles can be read off the
-// triangles.
+// Tests every kind of join at bends sharper than the radius, on a plane, where lengths and angles can be
+// computed by hand.
 #include <burin/chart/stroke_chart_builder.h>
 #include <gtest/gtest.h>
 
@@ -80,7 +80,7 @@ std::vector<ChartTriangle> triangles_of(const Surface& surface, const Chart& cha
   return result;
 }
 
-/// Not flipped, and t neither crowded nor drawn out.
+/// Expects that a triangle is not flipped and that |grad t| is moderate.
 void expect_sound(const ChartTriangle& triangle) {
   EXPECT_GT(triangle.flip, 0) << triangle.middle.transpose();
   EXPECT_GE(triangle.grad_t.norm(), 0.5) << triangle.middle.transpose();
@@ -160,7 +160,7 @@ TEST_P(Joins, OverlapGivesEachLegItsOwnSheet) {
   const Chart chart = scene.builder.chart(curve, {.radius = radius, .join = Join::overlap});
   std::size_t doubled = 0;
   for (const std::uint32_t sheet : chart.sheet) doubled += sheet > 0;
-  // At least the wedge inside, as far as both legs reach.
+  // The overlap covers at least the wedge inside the bend, as far as both legs reach.
   EXPECT_GT(static_cast<double>(doubled) * edge * edge, 0.5 * radius * radius);
   for (const ChartTriangle& triangle : triangles_of(scene.surface, chart)) {
     if (triangle.spread.maxCoeff() > 5 * edge) continue;  // at the border of a sheet, to another

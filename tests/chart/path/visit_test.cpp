@@ -1,4 +1,4 @@
-// Visits of a stroke to a vertex, by strokes in the plane.
+// Tests visits of a stroke to a vertex, with strokes in the plane.
 #include <burin/chart/path/visit.h>
 #include <gtest/gtest.h>
 
@@ -138,7 +138,7 @@ TEST(Visits, StayWhateverComesAfterWhatTold) {
   EXPECT_GT(cut, 20U);
 }
 
-// Where a stroke may not turn there is no place that it comes back to.
+// Visits are separated only at samples where the stroke may turn.
 TEST(StrokeSamples, MayTurnWhereverVisitsPart) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> bend(-0.25, 0.6), place(-1.5, 1.5);

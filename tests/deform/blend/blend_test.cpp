@@ -186,7 +186,7 @@ const Vec3f up_one(0, 0, 1);
 TEST_F(InstancesTest, CountsTheLastSheetOfEachTheNearerTheMore) {
   const BlendOptions options{.overlap = Overlap::latest, .radius = 0.5};
   const ImageNode early{0.1, 0, {9, 9, 9}}, near{0.5, 0, {0, 0, 1}}, half{0.6, 0.25f, {0, 1, 0}};
-  // At half a radius the weight is a quarter.
+  // The weight at half a radius is a quarter.
   EXPECT_LT((moved({{early, near}, {half}}, options) - Vec3f(0, 0.2f, 0.8f)).norm(), 1e-6f);
   EXPECT_EQ(moved({{half}, {early, near}}, options), moved({{early, near}, {half}}, options));
   EXPECT_EQ(moved({{early, near}, {}}, options), up_one) << "one that is not there has no say";

@@ -1,4 +1,4 @@
-// The rule that makes one of the sheets of a vertex.
+// Tests the rules that combine the sheets of a vertex.
 #include <burin/deform/blend/combine_sheets.h>
 #include <burin/deform/blend/sheet_shares.h>
 #include <gtest/gtest.h>
@@ -107,7 +107,7 @@ TEST(CombinedSheets, HaveNoStepWhereSheetsChangeALittle) {
                 5e-3)
           << name;
   }
-  // Of the same height, and sideways in opposite directions.
+  // The sheets have the same height and opposite sideways displacements.
   const Sheet left = sheet_of({-1, 0, 0.5f}, 0.9), right = sheet_of({1, 0, 0.5f}, 0.9);
   for (const auto& [name, overlap] : named_overlaps) {
     if (overlap == Overlap::latest) continue;

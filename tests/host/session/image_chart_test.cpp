@@ -1,4 +1,4 @@
-// Images of strokes on surfaces that have the symmetry only in part.
+// Tests symmetric images of strokes on surfaces that are symmetric only in part.
 #include <burin/host/session/image_chart.h>
 
 #include <algorithm>

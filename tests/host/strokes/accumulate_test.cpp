@@ -1,4 +1,4 @@
-// Strokes that go on from what they made themselves, through real brushes.
+// Tests strokes that accumulate on their own result, with real brushes.
 #include "host/sessions.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ StrokeSettings from_current(StrokeSettings settings) {
   return settings;
 }
 
-/// To and fro along a line, so many times.
+/// Samples that go back and forth along a line this many times.
 std::vector<Sample> to_and_fro(int times) {
   std::vector<Sample> samples;
   for (int i = 0; i <= 20 * times; ++i) {

@@ -1,4 +1,4 @@
-// Strokes of dabs, through real brushes.
+// Tests strokes of dabs, with real brushes.
 #include "host/symmetric.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Strokes at the brush's own scale on surfaces that come near themselves, and on scans with faults: nothing
-// beyond the stroke moves, and nothing farther than the brush says.
+// Tests strokes over base surfaces on surfaces that come near themselves and on scans with defects:
+// nothing outside the stroke moves, and nothing moves farther than the brush displaces it.
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/triangulate.h>
 
@@ -190,7 +190,7 @@ TEST_P(FollowFaultyScans, MovesNothingButTheStroke) {
       ASSERT_TRUE(after.allFinite());
       if (after == before[v]) continue;
       EXPECT_LE((after - before[v]).norm(), 0.26 * r);
-      // In a fold narrower than the brush a vertex may be a radius off the surface that the brush feels.
+      // A vertex in a fold narrower than the brush may be a radius off the base surface.
       EXPECT_LE(farthest_from(places, before[v]), 2 * r);
     }
   }

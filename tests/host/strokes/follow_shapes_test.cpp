@@ -1,5 +1,5 @@
-// Strokes at the brush's own scale over relief on shapes that bend themselves: what they add is what they add
-// to the bare shape, which is as if they had felt every bump of it.
+// Tests strokes over base surfaces, over relief on curved shapes: they add to the relief what they add to
+// the bare shape, and on the bare shape they add what strokes that follow all of the relief add.
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -22,7 +22,7 @@ Place on_cylinder(double x, double y) {
   return {normal + y * Vec3d::UnitY(), normal};
 }
 
-/// In polar coordinates about the pole (0, 0, 1).
+/// The sphere in polar coordinates about the pole (0, 0, 1).
 Place on_sphere(double x, double y) {
   const double angle = std::hypot(x, y), share = angle > 0 ? std::sin(angle) / angle : 1;
   const Vec3d normal(share * x, share * y, std::cos(angle));

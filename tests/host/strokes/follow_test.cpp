@@ -1,4 +1,4 @@
-// Strokes at the brush's own scale over relief that an earlier stroke could have left.
+// Tests strokes over base surfaces, over relief that an earlier stroke could have left.
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -32,7 +32,7 @@ StrokeSettings settings_of(const std::string& brush) {
   return settings;
 }
 
-/// What a stroke with a pen seen from above adds to each vertex.
+/// The displacement of each vertex by a stroke of a pen seen from above.
 std::vector<Vec3d> added(Session& session, const StrokeSettings& settings) {
   test::Pens pens;
   for (int i = 0; i < 150; ++i) {
@@ -117,7 +117,7 @@ TEST(FollowedRelief, IsWhatFlattenLevels) {
   }
 }
 
-// In freedom and along normals: bumps of seven edges shrink to a tenth in 40 passes.
+// Bumps of seven edges shrink to a tenth in 40 passes, with free motion and along normals.
 TEST(FollowedRelief, IsWhatSmoothSmooths) {
   for (const char* motion : {"free", "normal"}) {
     for (const double bumps : {0.01, 0.05, 0.12}) {
@@ -130,7 +130,7 @@ TEST(FollowedRelief, IsWhatSmoothSmooths) {
   }
 }
 
-// Of brushes that move places somewhere: they are told places of the base surface.
+// Brushes that move points to a target are given points of the base surface.
 TEST(FollowedRelief, StaysOnWhatIsMovedToAPlane) {
   for (const double bumps : {0.05, 0.12}) {
     Session session = bumpy_session(test::egg_crate, bumps);

@@ -1,4 +1,4 @@
-// Symmetric strokes of every brush, whichever way they overlap and accumulate.
+// Tests symmetric strokes with every brush, every kind of overlap and accumulation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -89,7 +89,7 @@ class Mirrored : public testing::TestWithParam<BrushUse> {
   std::vector<Index> partner_;
 };
 
-/// But text, which is readable in mirrors.
+/// All stock brushes except text, which stays readable in mirror images.
 std::vector<BrushUse> brushes_that_mirror() {
   std::vector<BrushUse> uses;
   for (const BrushUse& use : test::stock_brush_uses)

@@ -11,8 +11,8 @@ namespace burin::test {
 /// A row of pens, each a ray.
 using Pens = std::vector<Ray>;
 
-/// What a stroke adds to each vertex, by its number in the mesh that the surface was made of. The stroke must
-/// come out in one piece.
+/// The displacement of each vertex by a stroke, in the vertex order of the original mesh. The stroke must
+/// have one piece.
 inline std::vector<Vec3d> added(Session& session, const StrokeSettings& settings, const Pens& pens) {
   const std::vector<Vec3f> before(session.positions().begin(), session.positions().end());
   session.begin_stroke(settings);
@@ -28,7 +28,7 @@ inline std::vector<Vec3d> added(Session& session, const StrokeSettings& settings
   return moves;
 }
 
-/// How far moves are from those expected, over the vertices that move in either.
+/// The differences of displacements from expected ones, over the vertices that move in either.
 struct MoveError {
   double rms = 0;       ///< object units
   double farthest = 0;  ///< longest move, object units

@@ -1,5 +1,5 @@
-// Where a stroke overlaps itself what a brush does has no steps that it does not have along a straight
-// stroke.
+// Checks that where a stroke overlaps itself the result of a brush has no steps that it does not have
+// along a straight stroke.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ DrawnStroke as_drawn(std::string_view kind, std::mt19937& random) {
   return {"as drawn", {places}};
 }
 
-/// What dabs are held against: a single one.
+/// The reference strokes, which do not overlap themselves; for dabs single dabs.
 std::vector<DrawnStroke> simple_strokes(bool dabs) {
   if (dabs) return {{"one dab", {{Vec3d(0, 0, 0)}}, 1}, {"another", {{Vec3d(-0.3, 0.11, 0)}}, 1}};
   return {{"a line", {line({-0.6, 0, 0}, {0.6, 0, 0})}},
@@ -115,7 +115,7 @@ class Steps {
     return step;
   }
 
-  /// Of strokes that do not overlap themselves, or of dabs.
+  /// The largest step of strokes that do not overlap themselves, or of single dabs.
   double of_simple(bool dabs) {
     double step = 0;
     for (const DrawnStroke& stroke : simple_strokes(dabs)) step = std::max(step, largest(stroke));
@@ -142,7 +142,7 @@ TEST_P(NoWalls, WhereAStrokeOverlapsItself) {
   }
 }
 
-/// What is aimed at is 1.5 for all; these have been seen to reach nearly this much.
+/// The tolerances. The target is 1.5 for all brushes; greater values were observed for some.
 double most_seen(std::string_view brush) {
   if (brush == "org.burin.bead" || brush == "org.burin.groove" || brush == "org.burin.vdm-trail") return 2.3;
   return brush == "org.burin.flatten" || brush == "org.burin.pinch" ? 1.65 : 1.5;
@@ -174,7 +174,7 @@ TEST(NoWallsOfAGroove, WhicheverWayItOverlaps) {
   }
 }
 
-// Of several passes each goes on from the one before: over a dozen sheets a sum would overshoot without
+// Each of several passes starts from the previous one, so a sum over a dozen sheets would overshoot without
 // bound.
 TEST(NoWallsOfSeveralPasses, DoNotAddUp) {
   Steps steps({"org.burin.smooth", {{"passes", 16.}}});

@@ -109,7 +109,7 @@ TEST(SessionPaint, IsUndoneBitForBit) {
   EXPECT_EQ(session.result_hash(), hash);
 }
 
-/// What an application has uploaded of a session, following what it says has changed.
+/// The copy that an application keeps of a session by uploading the vertices that are reported as changed.
 struct Uploaded {
   explicit Uploaded(const Session& session)
       : positions(session.positions().begin(), session.positions().end()),

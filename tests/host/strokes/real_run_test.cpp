@@ -1,5 +1,5 @@
-// The whole path on real input: a cage refined to millions of triangles, a recorded pen, a photographed
-// stamp.
+// Tests the whole pipeline on real input: a cage refined to millions of triangles, a recorded pen, a
+// photographed stamp.
 #include <burin/host/replay.h>
 #include <burin/stroke/files/import.h>
 #include <burin/subdiv/refine.h>

@@ -1,4 +1,4 @@
-// Strokes that run over themselves, through real brushes.
+// Tests strokes that overlap themselves, with real brushes.
 #include <algorithm>
 #include <map>
 #include <numbers>
@@ -84,12 +84,12 @@ StrokeSettings ridge(double radius, Overlap overlap) {
   return ridge;
 }
 
-/// What a line of the star does to a place.
+/// The effect of one line of the star on a point.
 struct LineSheet {
   double height, weight;
 };
 
-/// In the order in which the lines were drawn.
+/// The sheets of a point, in the order in which the lines were drawn.
 std::vector<LineSheet> star_sheets(const Vec3f& place, double radius) {
   std::vector<LineSheet> sheets;
   for (int line = 0; line < 5; ++line) {
@@ -101,7 +101,7 @@ std::vector<LineSheet> star_sheets(const Vec3f& place, double radius) {
   return sheets;
 }
 
-/// Of sheets the first of which lies on top.
+/// The height of stacked sheets, the first of which is on top.
 double stacked(const std::vector<LineSheet>& sheets) {
   double height = 0, covered = 0;
   for (const LineSheet& sheet : sheets) {
@@ -170,7 +170,7 @@ TEST(SelfOverlap, DoesNotSeeTheDirectionOfTheStroke) {
     draw(one, ridge(radius, overlap), samples_at(star()));
     draw(other, ridge(radius, overlap), samples_at(backward));
     double worst = 0;
-    // Where lines overlap; farther out the points on the arcs are other ones.
+    // Only the region where lines overlap is compared; farther out the points on the arcs differ.
     for (Index vertex = 0; vertex < one.surface().vertex_count(); ++vertex) {
       if (one.surface().positions[vertex].head<2>().norm() > 0.3f) continue;
       const Vec3f &a = one.positions()[vertex], &b = other.positions()[vertex];

@@ -1,4 +1,4 @@
-// Strokes whose radius, strength and parameters the pen drives, through the whole session.
+// Tests strokes whose radius, strength and parameters are driven by the pen, through the whole session.
 #include <burin/base/parallel.h>
 #include <burin/host/replay.h>
 
@@ -28,7 +28,7 @@ StrokeSettings ridge(const std::vector<Dynamic>& dynamics, double radius = 0.1) 
   return ridge;
 }
 
-/// From x = -0.7 to 0.7 in a second at an even speed of 1.4.
+/// A straight stroke from x = -0.7 to 0.7 in one second, at a constant speed of 1.4.
 std::vector<Sample> line(const std::function<Pen(double share)>& pen = [](double) { return Pen(); }) {
   std::vector<Sample> samples;
   for (int i = 0; i <= 70; ++i) samples.push_back({i / 70., Vec3d(-0.7 + 1.4 * i / 70, 0, 0), pen(i / 70.)});
@@ -38,8 +38,8 @@ std::vector<Sample> line(const std::function<Pen(double share)>& pen = [](double
 /// The groove's round profile.
 double profile(double x) { return x < 1 ? (1 - x * x) * (1 - x * x) : 0; }
 
-/// By how much the plane differs from half_width(t) * height(t) * profile(d / half_width(t)) at most, over
-/// the nodes well within the stroke of `line()`.
+/// The greatest difference of the plane from half_width(t) * height(t) * profile(d / half_width(t)) over the
+/// nodes well within the stroke of line().
 double worst_error(
     const Session& session, const std::function<double(double t)>& height,
     const std::function<double(double t)>& half_width = [](double) { return 0.1; }) {

@@ -1,4 +1,4 @@
-// Strokes over strokes: what a brush adds to the relief of those before it.
+// Tests strokes over earlier strokes: what a brush adds to existing relief.
 #include <burin/host/replay.h>
 #include <burin/stroke/stroke_file.h>
 #include <burin/subdiv/refine.h>
@@ -78,7 +78,7 @@ void touch_with_another_radius(Session& session, const test::Pens& pens) {
   session.cancel_stroke();
 }
 
-// What is kept of the surface between strokes is as if it had been made anew.
+// Everything that a session keeps between strokes equals what a new session computes.
 TEST(StrokeOverStroke, KeepsNothingStaleBetweenFiftyStrokes) {
   const std::uint32_t seed = 5;
   SCOPED_TRACE(seed);
@@ -101,7 +101,8 @@ TEST(StrokeOverStroke, KeepsNothingStaleBetweenFiftyStrokes) {
   }
 }
 
-// The same where ropes as high as the radius have folded the surface. Pieces may break off there.
+// Kept data stay correct on a surface that ropes as high as the radius have folded, where pieces may break
+// off.
 TEST(StrokeOverStroke, KeepsNothingStaleOfAFoldedSurface) {
   const std::uint32_t seed = 5;
   SCOPED_TRACE(seed);

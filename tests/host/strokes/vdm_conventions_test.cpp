@@ -1,4 +1,4 @@
-// Vector displacement maps as different programs write them, drawn by the vdm-trail brush.
+// Tests vector displacement maps in the conventions of different programs, drawn by the vdm-trail brush.
 
 #include <OpenImageIO/imageio.h>
 
@@ -92,7 +92,7 @@ TEST_F(VdmConventions, MovesNothingWhereTheMapHasItsMiddle) {
     return {0.5f + d[0] / 2, 0.5f + d[1] / 2, 0.5f + d[2] / 2};
   };
   write_map(other_, 32, 32, signed_half);
-  // Between the stamps, where the image is left, there is no displacement either.
+  // There is no displacement outside the image between stamps either.
   expect_equal(drawn(other_, {{"middle", 0.5}, {"amount", 2.0}, {"gap", 1.0}}), drawn(map_, {{"gap", 1.0}}));
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Where a vector displacement map takes a place, in halves of the stamp's width: x to the right, y up, z
-/// outward. A tube along x that hangs over its foot on both sides, its points moved to and fro along it.
+/// The points of a vector displacement map, in halves of the stamp's width: x to the right, y up, z outward.
+/// They form a tube along x that overhangs its foot on both sides; its points are also moved along it.
 struct Tube {
   static constexpr double radius = 0.3, height = 0.5;
   static constexpr double half_foot = 0.8;   // |y| from which on the map is 0
@@ -80,7 +80,7 @@ Developable rolled() {
 constexpr double bend = 0.5;  // radius of the stroke, a circle run through counter-clockwise: left is inward
 constexpr double stroke_radius = 0.2;
 
-/// Where the tube along the stroke has a place of the unrolled surface.
+/// The point of the tube along the stroke that belongs to a point of the unrolled surface.
 Vec3d on_tube(const Developable& surface, double x, double y) {
   const double from_middle = std::hypot(x, y), angle = std::atan2(y, x) + pi;  // drawn from -pi on
   const double t = bend * angle, d = bend - from_middle;
@@ -121,7 +121,7 @@ TubeError tube_error(const Developable& surface, const std::filesystem::path& ma
   TubeError error;
   for (Index node = 0; node < session.chart().size(); ++node) {
     const double t = session.chart().t[node], y = std::abs(session.chart().d[node]) / stroke_radius;
-    // Not around the caps, nor where the sheet leaves the tube.
+    // Points around the caps, and where the sheet leaves the tube, are skipped.
     if (t < around_begin || t > last || y > Tube::half_sheet) continue;
     const Vec3d at = base.positions[session.chart().vertex[node]].cast<double>();
     const Vec3d expected = on_tube(surface, surface.x(at), surface.y(at));

@@ -81,7 +81,7 @@ TEST(ChartCheck, KnowsNoDistancesOnOtherSurfaces) {
   EXPECT_FALSE(check.distances.has_value());
 }
 
-// What real pens wrote, by the command, on a flat sheet.
+// Charts recordings of real pens by the command, on a flat sheet.
 class RecordedStrokes : public testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Shared, RecordedStrokes,

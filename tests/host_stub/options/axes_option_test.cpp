@@ -8,7 +8,7 @@
 namespace burin::test {
 namespace {
 
-/// From y up to z up.
+/// Rotates a position from y up to z up.
 Vec3f turned(const Vec3f& place) { return {place.x(), -place.z(), place.y()}; }
 
 std::vector<Vec3f> turned(std::vector<Vec3f> places) {

@@ -61,7 +61,7 @@ class BakeOption : public testing::Test {
     stroke = folder.write("flank.stroke", text + "{\"end\":true}\n");
   }
 
-  /// What the command moved, [vertex].
+  /// The displacement of each vertex by the command.
   std::vector<Vec3f> moves(const std::vector<std::string>& options) {
     std::vector<std::string> arguments = {"replay",      stroke,
                                           "--mesh",      mesh_path,

@@ -17,7 +17,7 @@ class Bead : public test::StockBrush {
  protected:
   Bead() : StockBrush("bead") { stroke_.params.set("width", 0.8f); }
 
-  /// Of runs of places along the stroke's middle where something stands.
+  /// Counts the runs of points along the stroke's middle with a displacement.
   int beads_along(float last) {
     int count = 0;
     bool inside = false;

@@ -38,7 +38,7 @@ class Flatten : public test::StockBrush {
   Vector normal() const { return unit({plane_.x + lean_, plane_.y - lean_, plane_.z}); }
   Vector e1() const { return unit({normal().z, 0, -normal().x}); }
 
-  /// Where the first node is in space, after it was displaced.
+  /// The position of the first node after its displacement.
   Vector place_after(const Nodes& nodes, const Vector& moved) const {
     const Vector &p = nodes.fine_position[0], n = normal(), x = e1();
     const Vector y{n.y * x.z - n.z * x.y, n.z * x.x - n.x * x.z, n.x * x.y - n.y * x.x};

@@ -44,7 +44,7 @@ Nodes random_nodes(std::size_t count) {
   return nodes;
 }
 
-/// How far u is from the next whole number.
+/// The distance of u from the next whole number.
 double from_jump(double u) { return std::abs(u - std::round(u)); }
 
 TEST_F(Scales, TilesTheStampInTAndD) {

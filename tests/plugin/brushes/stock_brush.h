@@ -9,7 +9,7 @@
 
 namespace burin::test {
 
-/// What a brush did with nodes.
+/// The outputs of a brush for nodes.
 struct Displaced {
   std::vector<float> along, across, up;
 };
@@ -25,14 +25,14 @@ class StockBrush : public testing::Test {
 
   /// Begins the stroke anew and evaluates.
   Displaced evaluate(const Nodes& nodes);
-  /// Of one node of the stroke's radius.
+  /// The displacement of one node at (t, d) whose half width is the stroke's radius.
   Vector at(float t, float d);
 
   /// Places of the chart, caps included.
   Nodes random_nodes(std::size_t count);
 
-  /// On straight ways through the chart and past its border, displacement changes by at most `steepest` times
-  /// the way; beyond the chart it is 0.
+  /// Expects that the displacement changes by at most `steepest` per length along straight lines through the
+  /// chart and past its border, and that it is 0 outside the chart.
   void expect_no_step(float steepest);
 
   /// Around a closed stroke, what is at t = 0 is at t = length.
@@ -41,7 +41,7 @@ class StockBrush : public testing::Test {
   /// Twice the stroke gives twice the displacement.
   void expect_scale_invariance();
 
-  /// At d and -d, displacement is a mirror image.
+  /// Expects that displacements at d and -d are mirror images.
   void expect_same_on_both_sides();
 
   /// Open, closed and dabs, of no length and much, small and large, with parameters all over their sliders.

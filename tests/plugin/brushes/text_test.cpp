@@ -16,7 +16,7 @@ class Text : public test::InkBrush {
     stroke_.params.set("baseline", 0);
   }
 
-  /// Of a word that begins at t = from; the font's ascent and descent centre it.
+  /// Whether (t, d) lies in a word that starts at t = from; the font's ascent and descent centre it.
   static bool in_word(double t, double d, double from) {
     const double y = d / em + (test::TestHost::ascent - test::TestHost::descent) / 2;
     const double x = (t - from) / em;

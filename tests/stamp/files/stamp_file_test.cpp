@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What read_stamp says of the file, less the path; "accepted" when it reads.
+/// The error message of read_stamp() for the file, without the path; "accepted" if there is none.
 std::string complaint(const fs::path& path) {
   try {
     read_stamp(path);

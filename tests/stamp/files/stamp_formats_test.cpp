@@ -1,4 +1,4 @@
-// Stamps as programs write them: what files say besides their texels.
+// Tests the metadata of stamp files, besides their texels, as various programs write them.
 
 #include <OpenImageIO/imageio.h>
 #include <burin/base/error.h>
@@ -162,7 +162,7 @@ TEST_F(StampFormats, TurnsATiffUpright) {
 constexpr TIFFFieldInfo no_data_field = {TIFFTAG_GDAL_NODATA, -1, -1, TIFF_ASCII,
                                          FIELD_CUSTOM,        1,  0,  const_cast<char*>("GDALNoDataValue")};
 
-/// Of a TIFF of floats, as GDAL writes it.
+/// Sets the no-data value of a TIFF of floats, as GDAL does.
 std::function<void(TIFF*)> no_data(const char* text, bool floats = true) {
   return [text, floats](TIFF* tiff) {
     TIFFMergeFieldInfo(tiff, &no_data_field, 1);
@@ -357,7 +357,7 @@ TEST_F(StampFormats, RefusesEveryTruncationOfEveryFormat) {
       EXPECT_NE(complaint(path("cut")), "accepted") << name << " " << size << " of " << whole.size();
     }
   }
-  // Where the directory stands before the texels.
+  // The directory of this file precedes the texels.
   const std::string bytes(64, 'x');
   const auto directory_first = [](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 8); };
   const std::string tiff = read_file(write_tiff(8, 8, 8, bytes, directory_first));

@@ -217,8 +217,8 @@ TEST(Lettering, HasWholeTexelsAndAMargin) {
     }
 }
 
-// At fractions of a texel: a row of the same letter has texels that differ from letter to letter, and the
-// same area for each of them.
+// Letters are placed at fractions of a texel: in a row of equal letters the texels differ from letter to
+// letter, but every letter has the same area.
 TEST(Lettering, PlacesLettersAtFractionsOfATexel) {
   const Metrics metrics(dejavu());
   const double one = OutlineArea(metrics, 'l').square_ems();

@@ -25,7 +25,7 @@ SurfaceCurve ramp() {
 TEST(FootLine, IsTheMeanOverTheReach) {
   const FootLine line(ramp(), 0.5);
   EXPECT_NEAR((line.at(2).position - Vec3f(2, 0, 1)).norm(), 0, 1e-6);
-  // Over [0.5, 1.5] z is 0 for one half and rises to 0.5 over the other.
+  // The height z over [0.5, 1.5] is 0 in the first half and rises to 0.5 in the second.
   EXPECT_NEAR((line.at(1).position - Vec3f(1, 0, 0.125f)).norm(), 0, 1e-6);
 }
 

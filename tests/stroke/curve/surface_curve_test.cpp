@@ -203,7 +203,7 @@ TEST(PenAt, InterpolatesPressureTimeAndSpeed) {
   add(0.5F, 11.5, 1);
   const PenAt middle = pen_at(tracer.curve(), 0.25), late = pen_at(tracer.curve(), 0.75);
   EXPECT_NEAR(middle.pen.pressure, 0.25F, 0.01F);
-  // Between secants of 1 and 2 s a unit the slopes are 0.5, 1.5 and 2.5.
+  // The secants have 1 and 2 s per unit, so the slopes are 0.5, 1.5 and 2.5.
   EXPECT_NEAR(middle.time, 0.25 - 0.0625, 0.01);
   EXPECT_NEAR(late.time, 1 - 0.0625, 0.01);
   EXPECT_NEAR(middle.speed, 1, 0.1);

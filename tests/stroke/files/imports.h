@@ -62,7 +62,7 @@ class ImportedText : public ::testing::Test {
   }
   Recording import(const std::string& text) { return whole_import(text).recording; }
 
-  /// What is wrong with a text, without the name of the file.
+  /// The error message for a text, without the name of the file.
   std::string complaint(const std::string& text) {
     try {
       import(text);

@@ -1,4 +1,4 @@
-// docs/stroke_format.md says what the reader does.
+// Checks that docs/stroke_format.md describes what the reader does.
 #include <burin/base/file.h>
 #include <burin/stroke/stroke_file.h>
 #include <gtest/gtest.h>

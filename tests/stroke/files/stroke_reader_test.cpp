@@ -44,7 +44,7 @@ class ReadStrokes : public ::testing::Test {
     return read_strokes(path_);
   }
 
-  /// What read_strokes says of the text, less the path; "accepted" when it reads.
+  /// The error message of read_strokes() for the text, without the path; "accepted" if there is none.
   std::string complaint(const std::string& text) {
     try {
       read(text);

@@ -27,7 +27,7 @@ Mesh cgal_mesh(const Surface& surface, const Region& region) {
 
 }  // namespace
 
-// From the middle no order of the triangle's corners matters.
+// The source is the middle of the triangle, so the order of the triangle's corners does not matter.
 std::vector<double> cgal_distances(const Surface& surface, const Region& region, Index local_triangle) {
   const Mesh mesh = cgal_mesh(surface, region);
   Paths paths(mesh);

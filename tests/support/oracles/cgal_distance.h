@@ -5,8 +5,9 @@
 
 namespace burin::test {
 
-/// Geodesic distances, object units, from the middle of a triangle of a manifold region to its vertices, as
-/// CGAL computes them; below 0 where no way leads. Some are too long: see PolyhedralDistance's test.
+/// Geodesic distances, object units, computed by CGAL, from the middle of a triangle of a manifold region to
+/// the region's vertices; negative if there is no path. Some are too long: see the test of
+/// PolyhedralDistance.
 std::vector<double> cgal_distances(const Surface& surface, const Region& region, Index local_triangle);
 
 }  // namespace burin::test

@@ -11,18 +11,18 @@
 namespace burin::test {
 namespace {
 
-// In shares of the radius.
+// These lengths are in radii.
 constexpr double source_spacing = 1. / 20;
 constexpr double search_width = 1. / 5;  ///< sources on either side of a node's t
 constexpr double strip_width =
     9. / 20;  ///< the surface on either side of a source that its geodesics may cross
 
-/// One point of the stroke and its distance.
+/// The distance of a node from one point of the stroke.
 struct Reading {
   double t, distance;
 };
 
-/// Points of the curve, each at least the spacing after the one before.
+/// Points of the curve that are at least the spacing apart.
 std::vector<const CurvePoint*> spaced_points(const SurfaceCurve& curve, double spacing) {
   std::vector<const CurvePoint*> points;
   for (const CurvePoint& point : curve.points) {
@@ -31,7 +31,7 @@ std::vector<const CurvePoint*> spaced_points(const SurfaceCurve& curve, double s
   return points;
 }
 
-/// The part of the chart's region around t that a geodesic at right angles to the stroke stays in.
+/// The part of the chart's region around t in which a geodesic at right angles to the stroke stays.
 Region strip_around(const Surface& surface, const Chart& chart, double t, double width) {
   std::vector<Index> triangles;
   for (std::size_t node = 0; node < chart.size(); ++node) {
@@ -42,7 +42,7 @@ Region strip_around(const Surface& surface, const Chart& chart, double t, double
   return make_region(surface, std::move(triangles));
 }
 
-/// The parabola of the squared distance through the reading nearest to the node and those beside it.
+/// Fits a parabola to the squared distances of the nearest reading and its neighbours; returns its minimum.
 std::optional<ExactNode> nearest_point(std::size_t node, double own_t, const std::vector<Reading>& readings) {
   const auto least = std::ranges::min_element(readings, {}, &Reading::distance);
   if (least == readings.end() || least == readings.begin() || least + 1 == readings.end())

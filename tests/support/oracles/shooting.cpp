@@ -11,7 +11,7 @@ namespace {
 
 using State = Eigen::Vector4d;  // x, y, x', y' over arc length
 
-/// Geodesic equation of a height field: the acceleration in space is normal to it.
+/// The geodesic equation of a height field: the acceleration in space is normal to the surface.
 State derivative(const HeightField& field, const State& s) {
   const Height h = field(s[0], s[1]);
   const double bend =

@@ -8,13 +8,13 @@
 
 namespace burin::test {
 
-/// Value and derivatives of a height field z = f(x, y).
+/// The value and the derivatives of a height field z = f(x, y).
 struct Height {
   double f, fx, fy, fxx, fxy, fyy;
 };
 using HeightField = std::function<Height(double x, double y)>;
 
-/// Shuffled, irregular triangles of a height field over [-1.3, 1.3]^2, with so many cells along either side.
+/// A shuffled, irregular mesh of a height field over [-1.3, 1.3]^2, with this many cells per side.
 TriangleMesh field_mesh(const HeightField& field, int cells);
 
 /// A plane curve (x, y)(s), s in [0, 1], below the stroke, with its derivative.
@@ -28,14 +28,14 @@ class ShootingOracle {
  public:
   ShootingOracle(HeightField field, PlaneCurve curve);
 
-  /// Arc length of the whole curve on the surface.
+  /// The arc length of the whole curve on the surface.
   double length() const { return lengths_.back(); }
   Vec3d place(double s) const;
 
   struct Coordinates {
     double t, d;  ///< d > 0 on the left seen from above
   };
-  /// Near the guess; nothing where Newton does not converge to 1e-10.
+  /// The solution near the guess; nothing if Newton's method does not converge to 1e-10.
   std::optional<Coordinates> solve(const Vec2d& x, const Coordinates& guess) const;
 
  private:
@@ -45,7 +45,7 @@ class ShootingOracle {
 
   HeightField field_;
   PlaneCurve curve_;
-  std::vector<double> lengths_;  ///< at s = i / (size - 1)
+  std::vector<double> lengths_;  ///< [i] arc length at s = i / (size - 1)
 };
 
 }  // namespace burin::test

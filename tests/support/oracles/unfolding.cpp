@@ -1,7 +1,7 @@
-// Windows of straight lines that unfold from triangle to triangle [Chen and Han, Shortest paths on a
-// polyhedron, 1990], nearest first, dropped where a vertex offers a shorter way [Xin and Wang, Improving Chen
-// and Han's algorithm on the discrete geodesic problem, 2009]. Without Chen and Han's rule of one split an
-// angle, which only saves time.
+// Propagates windows of straight lines that unfold from triangle to triangle [Chen and Han, Shortest paths on
+// a polyhedron, 1990], nearest first, and drops those for which a vertex offers a shorter path [Xin and Wang,
+// Improving Chen and Han's algorithm on the discrete geodesic problem, 2009]. Chen and Han's rule of one
+// split per angle, which only saves time, is not implemented.
 #include "unfolding.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace burin::test {
 namespace {
 
-constexpr double rounding = 1e-9;  ///< of an edge
+constexpr double rounding = 1e-9;  ///< tolerance as a share of an edge
 
 double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -68,7 +68,7 @@ void Unfolding::aim_at(std::span<const SurfacePoint> points) {
 void Unfolding::find_from(Index triangle, const SurfacePoint& from) {
   clear(unreached, unreached);
   const auto& [a, b, c] = region_.corners[triangle];
-  // A little inside, so that no window is seen edge-on.
+  // The point is moved slightly inside, so that no window is seen edge-on.
   const double u = (from.weights[1] + rounding) / (1 + 3 * rounding);
   const double v = (from.weights[2] + rounding) / (1 + 3 * rounding);
   const Vec3d source = (1 - u - v) * places_[a] + u * places_[b] + v * places_[c];
@@ -115,13 +115,13 @@ void Unfolding::reach(Index target, double distance) {
   nearest_ = std::min(nearest_, distance);
 }
 
-/// From a point of the triangle.
+/// Opens windows and reaches targets from a point of the triangle.
 void Unfolding::reach_inside(Index triangle, const Vec3d& source, double before) {
   for (const Index target : targets_in_[triangle])
     reach(target, before + (targets_[target].place - source).norm());
 }
 
-/// Ways along edges, and straight on in all directions where shortest paths can bend.
+/// Continues from a vertex along its edges and, if shortest paths can bend there, in all directions.
 void Unfolding::leave(Index vertex, bool bends) {
   for (const Index side : opposite_[vertex]) {
     relax(begin_of(side), distances_[vertex] + length(vertex, begin_of(side)));
@@ -131,7 +131,7 @@ void Unfolding::leave(Index vertex, bool bends) {
   }
 }
 
-/// The window out of a triangle over a side, from a point of the triangle.
+/// Opens the window from a point of a triangle over one of its sides.
 void Unfolding::open_from(const Vec3d& source, double before, Index side) {
   const Vec3d &a = places_[begin_of(side)], &b = places_[end_of(side)];
   const Vec3d along = (a - b).normalized(), to_source = source - b;
@@ -149,7 +149,8 @@ void Unfolding::open(const Window& window) {
   if (nearest <= limit()) events_.push({nearest, no_index, window});
 }
 
-/// Crosses a triangle: to one or both of the other sides, to the corner between them and to targets.
+/// Propagates a window across a triangle: to one or both of the other sides, the corner between them, and
+/// targets.
 void Unfolding::enter(const Window& window) {
   const auto& [side, begin, end, source, before] = window;
   const Index to_apex = next_side(side), from_apex = next_side(to_apex), apex = end_of(to_apex);
@@ -162,7 +163,8 @@ void Unfolding::enter(const Window& window) {
   if (begin <= split + slack && split <= end + slack) relax(apex, before + (c - source).norm());
   reach_through(window, c);
 
-  /// Where the line from the source through x meets the line from `origin` along `direction`, in its lengths.
+  /// The parameter, in multiples of `direction`, at which the line from the source through x meets the line
+  /// from `origin` along `direction`.
   const auto hit = [&](double through, const Vec2d& origin, const Vec2d& direction) {
     const Vec2d line(through - source.x(), -source.y());
     return std::clamp(cross(source - origin, line) / cross(direction, line), 0., 1.);
@@ -182,7 +184,7 @@ void Unfolding::enter(const Window& window) {
   }
 }
 
-/// The targets of the triangle that the window's lines meet.
+/// Updates the distances of the triangle's targets that the window's lines meet.
 void Unfolding::reach_through(const Window& window, const Vec2d& apex) {
   const Index side = window.side;
   const double ab = length(side), slack = rounding * ab;

@@ -17,42 +17,42 @@ namespace burin::test {
 
 inline constexpr double unreached = std::numeric_limits<double>::infinity();
 
-/// Shortest ways from one point of a region over its triangles, by windows: the lines from one point through
-/// part of a side of a triangle, unfolded from triangle to triangle. Lengths are in object units, vertices
-/// and triangles numbered as in the region, which must outlive it.
+/// Computes shortest paths from one point of a region over its triangles, by windows: the lines from one
+/// point through part of a side of a triangle, unfolded from triangle to triangle. Lengths are in object
+/// units; vertices and triangles have the region's local indices. The region must outlive the object.
 class Unfolding {
  public:
   Unfolding(const Surface& surface, const Region& region);
 
-  /// Whether each side has one triangle on either side at most, and these agree on its direction.
+  /// Whether every edge has at most two triangles, and these agree on its direction.
   bool is_manifold() const { return manifold_; }
 
-  /// The points to which reached() tells the distance.
+  /// Sets the targets, the points to which reached() gives the distances.
   void aim_at(std::span<const SurfacePoint> points);
 
-  /// Finds ways from a point of a triangle, or from a vertex, that are not longer than `most`, nor than that
-  /// to the nearest of the targets by more than `beyond_nearest`.
+  /// Computes paths from a point of a triangle, or from a vertex. Paths longer than `most`, or longer than
+  /// that to the nearest target by more than `beyond_nearest`, may be missed.
   void find_from(Index triangle, const SurfacePoint& from);
   void find_from(Index vertex, double most, double beyond_nearest);
 
-  /// To the vertices and the targets: exact up to rounding where that is within the limits, else longer or
+  /// The distances of vertices and targets: exact up to rounding within the limits, otherwise too long or
   /// `unreached`.
   const std::vector<double>& distances() const { return distances_; }
   const std::vector<double>& reached() const { return reached_; }
 
  private:
-  /// Frame: the side runs along x from its begin at 0, the triangle that the lines enter lies above, the
+  /// Frame: the side runs along x from its start at 0; the triangle that the lines enter lies above, the
   /// point below. Sides: 3 * triangle + i runs from its corner i to the next.
   struct Window {
     Index side;
-    double begin, end;  ///< on the side
+    double begin, end;  ///< range on the side
     Vec2d source;
-    double before;  ///< length of the way to the source
+    double before;  ///< length of the path to the source
 
     double distance_to(double x) const;
   };
 
-  /// A window, or a vertex when there is none, in the order of the shortest way through it.
+  /// A window, or a vertex if there is no window, ordered by the shortest path through it.
   struct Event {
     double distance;
     Index vertex;
@@ -83,14 +83,14 @@ class Unfolding {
   void reach_through(const Window& window, const Vec2d& apex);
 
   const Region& region_;
-  std::vector<Vec3d> places_;                 ///< [local vertex]
-  std::vector<Index> twins_;                  ///< [side] that of the triangle beyond, or no_index
-  std::vector<std::vector<Index>> opposite_;  ///< [vertex] sides of its triangles
-  std::vector<double> angles_;                ///< [vertex] sum; infinite on the boundary
+  std::vector<Vec3d> places_;                 ///< [vertex] position
+  std::vector<Index> twins_;                  ///< [side] same side of the triangle beyond, or no_index
+  std::vector<std::vector<Index>> opposite_;  ///< [vertex] opposite sides of its triangles
+  std::vector<double> angles_;                ///< [vertex] sum of angles; infinite on the boundary
   std::vector<Target> targets_;
   std::vector<std::vector<Index>> targets_in_;  ///< [triangle]
   std::vector<double> distances_, reached_;     ///< [vertex], [target]
-  double nearest_ = unreached;                  ///< of reached_
+  double nearest_ = unreached;                  ///< least of reached_
   double most_ = unreached, beyond_nearest_ = unreached;
   std::priority_queue<Event, std::vector<Event>, std::greater<>> events_;
   bool manifold_ = true;

@@ -119,7 +119,7 @@ TEST(BaseSurface, FollowsVerticesThatMove) {
   EXPECT_GT(changed, 10U);
 }
 
-/// Both sides of a plate of this thickness, a slab without its narrow sides but one.
+/// A slab of this thickness, open at all narrow sides but one.
 TriangleMesh plate(double thickness) {
   const double length = 2, around = 2 * length + thickness;
   return test::patch({.u_min = 0, .u_max = around, .v_min = -1, .v_max = 1, .cells_u = 160, .cells_v = 80},

@@ -70,7 +70,7 @@ TEST(ReadObj, ReadsTextureCoordinatesOfCorners) {
                     .corner_uv.empty());
 }
 
-// As ZBrush writes it. Its mask of ff is free.
+// The lines are as ZBrush writes them. A mask of ff means free.
 TEST(ReadObj, ReadsPolypaintFromComments) {
   const std::string faces = "f 1 2 3\n";
   const PolygonMesh mesh = read_mesh(

@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-/// What was counted in a file of ../shared/data by other means.
+/// The defects of a file of ../shared/data, counted by other means.
 struct Known {
   const char* name;
   MeshDefects defects;

@@ -34,7 +34,7 @@ TEST(CellSize, IsTheMeanSquareOfTheEdgesAlongATangent) {
   const Surface surface = grid(0.5f, 0.25f, 5);
   const Index middle = vertex_of(surface, 12);
   ASSERT_EQ(surface.neighbours[middle].size(), 6u);
-  // Of six edges two lie along x, two along y, two along the diagonal (0.5, 0.25).
+  // Two of the six edges lie along x, two along y, and two along the diagonal (0.5, 0.25).
   EXPECT_NEAR(cell_size(surface, middle, Vec3f::UnitX()), std::sqrt(2 * 4 * 0.25 / 6), 1e-6);
   EXPECT_NEAR(cell_size(surface, middle, Vec3f::UnitY()), std::sqrt(2 * 4 * 0.0625 / 6), 1e-6);
   EXPECT_EQ(cell_size(surface, middle, Vec3f::UnitZ()), 0);

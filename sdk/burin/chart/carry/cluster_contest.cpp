@@ -1,3 +1,5 @@
+// Keeps the set of contested slots up to date. An event costs O(1) for each changed node and its neighbours:
+// only slots near a change are examined again.
 #include <burin/chart/carry/cluster_contest.h>
 #include <burin/chart/frames/propagate_frame.h>
 
@@ -12,8 +14,8 @@ void ClusterContest::for_each_around(const LiveChart& nodes, Index node, const V
     for (Index slot = nodes.first(around); slot != no_index; slot = nodes.next(slot)) visit(slot);
 }
 
-/// Of the visits of the stroke to a slot's cluster, a rival's node goes with the one next to it along the
-/// stroke.
+/// Whether a rival belongs to the slot's visit: among the slots of the same base node this one must be
+/// nearest to the rival along the stroke.
 bool ClusterContest::is_of_visit(const LiveChart& nodes, Index slot, Index rival) const {
   const std::vector<double>& t = nodes.nodes().t;
   for (Index other = nodes.first(nodes.nodes().vertex[slot]); other != no_index; other = nodes.next(other))
@@ -21,15 +23,16 @@ bool ClusterContest::is_of_visit(const LiveChart& nodes, Index slot, Index rival
   return true;
 }
 
-/// There nodes have their frames from the stroke itself, not from each other, and fronts of several parts of
-/// it may meet unseen.
+/// Near the stroke, nodes take their frames from the stroke itself rather than from neighbours, so the front
+/// does not notice when several parts of the stroke meet.
 bool ClusterContest::is_near_stroke(const LiveChart& nodes, Index slot) const {
   constexpr double most_spacings = 3;
   return std::abs(static_cast<double>(nodes.nodes().d[slot])) < most_spacings * base_->spacing();
 }
 
 bool ClusterContest::is_contested(const LiveChart& nodes, Index slot) const {
-  // Beyond this turn over a spacing of base nodes quadratics are not good enough, radians.
+  // Quadratics are too inaccurate when lines of constant d turn by more than this, radians, between base
+  // nodes.
   constexpr double most_turn = 0.3;
   const Chart& chart = nodes.nodes();
   const bool turns = std::abs(static_cast<double>(chart.curvature[slot])) * base_->spacing() > most_turn;
@@ -69,7 +72,7 @@ void ClusterContest::look_at(const LiveChart& nodes, Index slot) {
   looked_at_.push_back(slot);
 }
 
-/// Forgets what a slot had before the event.
+/// Discards the state that a slot had before the event.
 void ClusterContest::leave(const LiveChart& nodes, Index slot) {
   const Index node = std::exchange(node_of_[slot], no_index);
   if (node == no_index) return;
@@ -79,7 +82,7 @@ void ClusterContest::leave(const LiveChart& nodes, Index slot) {
   look_around(nodes, node, was_near_[slot] != 0);
 }
 
-/// What of the neighbours is to be looked at again after a change at the node.
+/// Schedules the slots at and around a node for examination after a change at the node.
 void ClusterContest::look_around(const LiveChart& nodes, Index node, bool is_near_stroke) {
   if (!is_near_stroke) return;
   for (Index slot = nodes.first(node); slot != no_index; slot = nodes.next(slot)) look_at(nodes, slot);
@@ -96,8 +99,8 @@ void ClusterContest::follow(const LiveChart& nodes, Index slot) {
   if (is_new || now != was) affect_around(nodes, node, now || was);
 }
 
-/// What a change at the node affects: its other visits, which may have other rivals now, and all around it,
-/// or what had something to choose only.
+/// Reports the slots that a change at the node affects: its other visits, whose rivals may differ now, and
+/// around it all slots, or without `all` only those that had rivals.
 void ClusterContest::affect_around(const LiveChart& nodes, Index node, bool all) {
   if (count_ == 0 && !all) return;
   for (Index slot = nodes.first(node); slot != no_index; slot = nodes.next(slot)) affected_.push_back(slot);

@@ -11,27 +11,27 @@
 
 namespace burin {
 
-/// Where the frame of a base node does not hold for all vertices of its cluster: parts of the stroke meet in
-/// it, or lines of constant d turn within it. There each vertex goes with the node around it that places it
-/// nearest to the stroke, and is held against the stroke itself.
+/// Finds the nodes of a base surface's chart that are contested: their frame does not hold for all vertices
+/// of their cluster, since parts of the stroke meet within it or lines of constant d turn sharply. There each
+/// vertex takes its frame from the node around it, a rival, that places it nearest to the stroke, and the
+/// frame is checked against the stroke itself (mended_frame.h).
 class ClusterContest {
  public:
   /// The base must outlive the object.
   explicit ClusterContest(BaseSurface& base) : base_(&base) {}
 
-  /// Follows the last event of the base chart. Returns slots whose vertices may go elsewhere than before,
-  /// each once or more, vacant ones among them. Valid until the next call.
+  /// Follows the last event of the base chart. Returns slots whose vertices may choose other nodes than
+  /// before. A slot may appear several times and may be vacant. The span is valid until the next call.
   std::span<const Index> update(const LiveChart& nodes);
 
-  /// Whether there is any such node.
+  /// Whether any node is contested.
   bool any() const { return count_ > 0; }
 
-  /// The slots that the vertices of this one's cluster choose from; none: its frame holds for all. Different
-  /// slots on several threads at once.
+  /// Lists the slots that the vertices of this slot's cluster choose from. The list is empty when the slot's
+  /// own frame holds for all of them. Several threads may call this at once for different slots.
   void find_rivals(const LiveChart& nodes, Index slot, std::vector<Index>& rivals);
 
-  /// The frame of a place of the base surface from that of the slot's node on this stroke, along the straight
-  /// way.
+  /// The frame at a point of the base surface, extrapolated by one straight step from the slot's node.
   ChartFrame told_by(const LiveChart& nodes, const StrokePath& path, Index slot,
                      const GroundPlace& place) const;
 
@@ -49,11 +49,11 @@ class ClusterContest {
 
   BaseSurface* base_;
   std::vector<std::uint8_t> contested_;  ///< [slot]
-  std::vector<std::uint8_t> chosen_;     ///< [slot] its cluster had rivals when they were last asked for
-  std::vector<std::uint8_t> was_near_;   ///< [slot] to the stroke, when it was last looked at
-  std::vector<Index> node_of_;           ///< [slot] when it was last looked at
-  std::size_t count_ = 0;                ///< of contested slots
-  std::vector<Index> looked_at_;         ///< in the running update
+  std::vector<std::uint8_t> chosen_;     ///< [slot] its cluster had rivals at the last find_rivals()
+  std::vector<std::uint8_t> was_near_;   ///< [slot] it was near the stroke when last examined
+  std::vector<Index> node_of_;           ///< [slot] its base node when last examined
+  std::size_t count_ = 0;                ///< number of contested slots
+  std::vector<Index> looked_at_;         ///< slots to examine in the running update
   std::vector<std::uint8_t> is_looked_at_;
   std::vector<Index> affected_;
 };

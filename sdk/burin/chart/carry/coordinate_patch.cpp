@@ -15,7 +15,7 @@ CoordinatePatch::CoordinatePatch(const BasePatch& patch, const ChartFrame& frame
   const Vec3f e2 = patch.normal.cross(frame.e1);
   const Vec2f e1_flat(frame.e1.dot(patch.axis_x), frame.e1.dot(axis_y_));
   const Vec2f e2_flat(e2.dot(patch.axis_x), e2.dot(axis_y_));
-  // Across the ray and along it.
+  // u is the direction across the ray, v the direction along it.
   const Vec2f u = ray.left * e1_flat - ray.ahead * e2_flat, v = ray.ahead * e1_flat + ray.left * e2_flat;
   const float k = frame.curvature, j = 1 / frame.stretch, twist = k * j;
   const Quadratic beside{j * u.x(), j * u.y(), 2 * twist * u.x() * v.x(),
@@ -32,22 +32,22 @@ CoordinatePatch::Quadratic CoordinatePatch::sum(float a, const Quadratic& of_a, 
           a * of_a.xy + b * of_b.xy, a * of_a.yy + b * of_b.yy};
 }
 
-/// In space, of a vector along the patch's axes and its normal.
+/// Component i, in space, of a vector given in the patch's axes and normal.
 CoordinatePatch::Lanes CoordinatePatch::component(int i, const Lanes& x, const Lanes& y,
                                                   const Lanes& z) const {
   return x * patch_.axis_x[i] + y * axis_y_[i] + z * patch_.normal[i];
 }
 
-/// All vectors but the results are along the patch's axes and its normal.
+/// All vectors but the results are in the basis of the patch's axes and its normal.
 CoordinatePatch::Frames CoordinatePatch::at(const Feet& feet) const {
   const Feet tilt = patch_.slope(feet);
   const Lanes nz = 1 / (1 + tilt.x * tilt.x + tilt.y * tilt.y).sqrt(), nx = -tilt.x * nz, ny = -tilt.y * nz;
 
-  // The gradients along the surface, of squared length |slope|^2 - (normal . slope)^2.
+  // The tangential gradients have the squared length |slope|^2 - (normal . slope)^2.
   const Feet t = t_terms_.slope(feet), d = d_terms_.slope(feet);
   const Lanes t_up = nx * t.x + ny * t.y, d_up = nx * d.x + ny * d.y;
   const Lanes across = (d.x * d.x + d.y * d.y - d_up * d_up).max(0.F).sqrt();
-  // |grad d| is 1 but where lines of the stroke meet; there the node's own frame serves.
+  // |grad d| is 1 except near focal points, where the node's own frame is used.
   constexpr float least = 0.5F;
   const Lanes scale = 1 / across.max(least);
   const Lanes gx = (d.x - d_up * nx) * scale, gy = (d.y - d_up * ny) * scale, gz = -d_up * nz * scale;

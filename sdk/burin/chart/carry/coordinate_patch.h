@@ -9,33 +9,33 @@
 
 namespace burin {
 
-/// t and d around a node of a base surface's chart, from its frame: the quadratics over the node's BasePatch
-/// that agree to second order with the Fermi coordinates of the stroke, where J hardly varies along it. A
-/// step of u along e1 and v along e2 adds u / J (1 + k v) to t and v - k u^2 / 2 to d; around round ends,
-/// what ray_step() says.
+/// Extrapolates t and d around a node of a base surface's chart from the node's frame. The two quadratics
+/// over the node's BasePatch agree to second order with the Fermi coordinates of the stroke, provided that J
+/// hardly varies along it. A step of u along e1 and v along e2 adds u / J (1 + k v) to t and v - k u^2 / 2 to
+/// d; beyond round ends it adds what ray_step() computes.
 class CoordinatePatch {
  public:
-  /// Points are taken several at a time.
+  /// Number of points evaluated at a time.
   static constexpr int lanes = 8;
   using Lanes = Eigen::Array<float, lanes, 1>;
 
-  /// Places on the patch.
+  /// Points on the patch, in its local coordinates.
   using Feet = BasePatch::Local<Lanes>;
 
-  /// The frames there.
+  /// The frames at the points.
   struct Frames {
-    Lanes t;  ///< beyond the node's
+    Lanes t;  ///< difference from the node's t
     Lanes d, stretch;
     Lanes e1_x, e1_y, e1_z;
-    Lanes certain;  ///< 1, or 0 where lines of the stroke meet and e1 is to be the node's own
+    Lanes certain;  ///< 1, or 0 where |grad d| is too small and e1 is to be the node's own
   };
 
-  /// `ray`: of the frame.
+  /// `ray`: the distance ray at the frame.
   CoordinatePatch(const BasePatch& patch, const ChartFrame& frame, const DistanceRay& ray = {});
 
   Frames at(const Feet& feet) const;
 
-  /// One of the frames at these feet. Curvature is not told.
+  /// The frame of one lane. Its curvature is left at 0.
   ChartFrame frame(const Frames& frames, const Feet& feet, int lane) const;
 
  private:

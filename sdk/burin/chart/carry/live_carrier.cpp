@@ -1,3 +1,5 @@
+// Interpolates a growing chart of base nodes to the vertices of the surface. An event costs O(1) per vertex
+// in the clusters of changed nodes, of contested nodes near a change, and of nodes near the stroke's end.
 #include <burin/base/parallel.h>
 #include <burin/chart/carry/coordinate_patch.h>
 #include <burin/chart/carry/live_carrier.h>
@@ -53,8 +55,9 @@ void LiveCarrier::update(const LiveChart& nodes, const FrontStroke* on_base, con
   }
 }
 
-/// Vertices of a lower t than this are in the stroke or not as before, where their coordinates are; those of
-/// contested clusters, where what these depend on is as before.
+/// The arc length below which the stroke's end and width decide as before: a vertex with a lower t whose
+/// coordinates did not change stays inside or outside the stroke. In contested clusters the same holds for
+/// vertices that depend only on nodes with a lower t.
 double LiveCarrier::unchanged_up_to(const LiveChart& nodes) const {
   if (nodes.nodes().closed) return nowhere;
   const double ends = std::min(length_, nodes.nodes().length);
@@ -79,7 +82,7 @@ void LiveCarrier::find_stale(const LiveChart& nodes, std::span<const Index> affe
   for (const Index slot : stale_) is_stale_[slot] = 0;
 }
 
-/// A slot of the base chart keeps as many slots as its cluster has vertices.
+/// Reserves slots of the vertices' chart: each slot of the base chart has one for each vertex of its cluster.
 void LiveCarrier::make_room(const LiveChart& nodes, LiveChart& vertices) {
   for (const Index slot : stale_) {
     Range& range = ranges_[slot];
@@ -99,7 +102,7 @@ void LiveCarrier::make_room(const LiveChart& nodes, LiveChart& vertices) {
   vertices.reserve(static_cast<Index>(vertex_.size()));
 }
 
-/// Vertices do not move while a stroke is drawn, so their feet stay.
+/// Computes the foot points of a cluster's vertices, once per stroke: vertices do not move while it is drawn.
 void LiveCarrier::find_feet(const BasePatch& patch, Range& range) {
   base_->for_each_vertex(range.node, [&](Index vertex) {
     const Index slot = range.begin + range.size++;
@@ -108,7 +111,7 @@ void LiveCarrier::find_feet(const BasePatch& patch, Range& range) {
   });
 }
 
-/// Carries the vertices of one node over.
+/// Computes the frames of the vertices of one node's cluster.
 void LiveCarrier::carry(const Event& event, Index slot, Carried& carried) {
   Range& range = ranges_[slot];
   const BasePatch patch = base_->patch(range.node);
@@ -139,7 +142,8 @@ void LiveCarrier::carry(const Event& event, Index slot, Carried& carried) {
   }
 }
 
-/// The same where the node's frame does not hold for all of its cluster.
+/// Computes the frames of a contested cluster: each vertex takes that of the rival that places it nearest to
+/// the stroke, mended where it contradicts the straight line to the stroke.
 void LiveCarrier::carry_contested(const Event& event, Index slot, const BasePatch& patch, Carried& carried) {
   Range& range = ranges_[slot];
   const StrokePath& path = event.on_base->path;
@@ -161,7 +165,7 @@ void LiveCarrier::carry_contested(const Event& event, Index slot, const BasePatc
   }
 }
 
-/// Puts the vertex of a slot where it is now.
+/// Records the new frame of a slot's vertex, or that the vertex left the stroke.
 void LiveCarrier::place(const Event& event, Index at, const ChartFrame& frame, const BasePatch& patch,
                         Carried& carried) {
   if (!within(frame, event.curve)) {

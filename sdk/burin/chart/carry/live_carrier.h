@@ -13,45 +13,46 @@
 
 namespace burin {
 
-/// How far, in spacings, the chart of a base surface must reach beyond the stroke, for the clusters of all
-/// vertices at its rim to have nodes.
+/// By how many spacings of the base nodes the base chart must be wider than the stroke, so that the clusters
+/// of all vertices at the rim have nodes.
 inline constexpr double carrying_margin = 1.5;
 
 struct CarriedStroke {
   double radius;       ///< half width of the stroke at width 1, object units
-  double base_radius;  ///< the same of its chart on the base surface
+  double base_radius;  ///< half width of the chart on the base surface, object units
   Cap cap;
 };
 
-/// Carries a growing chart of a base surface over to the vertices of the surface: each has the coordinates of
-/// its foot on the base surface, one step of second order from the node of its cluster (CoordinatePatch).
-/// Only what belongs to nodes that changed is carried again, and what the stroke's end decides on. On all
-/// threads.
+/// Interpolates a growing chart of a base surface to the vertices of the surface. A vertex gets the
+/// coordinates of its foot point on the base surface, by one second-order step from the node of its cluster
+/// (CoordinatePatch). An event recomputes only the clusters of changed nodes and those that the stroke's end
+/// influences. Uses all threads; the result does not depend on their number.
 class LiveCarrier {
  public:
   /// Base and surface must outlive the object.
   LiveCarrier(BaseSurface& base, const Surface& surface, const CarriedStroke& stroke)
       : base_(&base), surface_(&surface), stroke_(stroke), contest_(base), near_end_(stroke.radius / 8) {}
 
-  /// The curve as the base chart needs it: as much wider everywhere as the margin is. Valid until the next
-  /// call.
+  /// Returns the curve with widths that make the base chart wider than the stroke by the same margin
+  /// everywhere. Valid until the next call, and no longer than `curve`.
   const SurfaceCurve& widened(const SurfaceCurve& curve);
 
-  /// Follows the last event of the base chart, of this curve, which is on the base surface. `on_base`: what
-  /// the chart's front knows of the stroke; null: the chart was put together from several.
+  /// Applies the last event of the base chart `nodes`, which is the chart of this curve, to `vertices`.
+  /// `curve` lies on the base surface. `on_base` is the stroke of the base chart's front, or null when that
+  /// chart was put together from legs.
   void update(const LiveChart& nodes, const FrontStroke* on_base, const SurfaceCurve& curve,
               LiveChart& vertices);
 
  private:
-  /// The vertices' slots that the cluster of a slot of the base chart has.
+  /// The slots of the vertices' chart that belong to one slot of the base chart.
   struct Range {
-    Index node = no_index;      ///< the cluster
-    Index begin = 0, room = 0;  ///< slots of vertices
-    Index size = 0;             ///< of them, as many as the cluster has; 0 until it has been carried
-    double last_t = nowhere;    ///< the highest of the vertices' when they were last carried
+    Index node = no_index;      ///< the base node, whose cluster it is
+    Index begin = 0, room = 0;  ///< first slot, and number of slots reserved
+    Index size = 0;             ///< number of slots in use; 0 until the cluster's feet were computed
+    double last_t = nowhere;    ///< upper bound of the t that decided on its vertices in the last update
   };
 
-  /// What a few clusters' vertices became.
+  /// The results for a block of clusters, merged in order after the parallel loop.
   struct Carried {
     struct Node {
       Index slot;
@@ -59,7 +60,7 @@ class LiveCarrier {
       Vec3f normal;
     };
     LiveChart::Rewritten rewritten;
-    std::vector<Index> gone;  ///< slots of vertices outside the stroke
+    std::vector<Index> gone;  ///< slots of vertices that left the stroke
     std::vector<Node> others;
     std::vector<Index> rivals;  ///< scratch
   };
@@ -69,7 +70,7 @@ class LiveCarrier {
   void find_stale(const LiveChart& nodes, std::span<const Index> affected, double from);
   void make_room(const LiveChart& nodes, LiveChart& vertices);
   void find_feet(const BasePatch& patch, Range& range);
-  /// An event: the base chart, what its front knows of the stroke or null, the stroke, and the result.
+  /// The arguments of update().
   struct Event {
     const LiveChart& nodes;
     const FrontStroke* on_base;
@@ -86,14 +87,14 @@ class LiveCarrier {
   const Surface* surface_;
   CarriedStroke stroke_;
   SurfaceCurve widened_;
-  bool uniform_ = true;        ///< the stroke's width is 1 all along
-  double length_ = 0;          ///< of the stroke, at the last event
+  bool uniform_ = true;        ///< the stroke's width is 1 everywhere
+  double length_ = 0;          ///< length of the stroke at the last event
   std::vector<Range> ranges_;  ///< [slot of the base chart]
-  std::vector<Index> vertex_;  ///< [slot of the vertices' chart] of the clusters, in the stroke or not
-  std::vector<BasePatch::Local<float>> foot_;  ///< [the same] on the patch of its cluster's node
-  std::vector<Index> stale_;                   ///< slots of the base chart to be carried
+  std::vector<Index> vertex_;  ///< [slot of the vertices' chart] its vertex, inside the stroke or not
+  std::vector<BasePatch::Local<float>> foot_;  ///< [slot of the vertices' chart] foot on its node's patch
+  std::vector<Index> stale_;                   ///< slots of the base chart to recompute
   std::vector<std::uint8_t> is_stale_;         ///< [slot of the base chart] all 0 between events
-  std::vector<Index> carried_;                 ///< those of the last event
+  std::vector<Index> carried_;                 ///< slots of the base chart recomputed by the last event
   ClusterContest contest_;
   RisingThreshold near_end_;  ///< slots of the base chart by last_t
 };

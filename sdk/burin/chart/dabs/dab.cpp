@@ -1,7 +1,7 @@
 // Normal coordinates by front propagation over the edge graph [Dijkstra 1959]: the discrete exponential map
 // [R. Schmidt, C. Grimm, B. Wyvill, Interactive Decal Compositing with Discrete Exponential Maps, 2006],
 // upwind averaging [R. Schmidt, Part-Based Representation and Editing of 3D Surface Models, 2010] and frame
-// propagation [R. Schmidt, Stroke Parameterization, 2013, section 3].
+// propagation [R. Schmidt, Stroke Parameterization, 2013, section 3]. A dab of n vertices costs O(n log n).
 #include <burin/base/error.h>
 #include <burin/chart/dabs/dab.h>
 #include <burin/chart/dabs/normal_coordinates.h>
@@ -24,9 +24,9 @@ struct Node {
   enum class State { open, inside, outside };
 
   float g = unreached;      ///< graph distance from the centre, object units
-  Index parent = no_index;  ///< node through which g was reached
+  Index parent = no_index;  ///< neighbour from which g was reached
   State state = State::open;
-  bool seeded = false;  ///< has its frame from the centre itself
+  bool seeded = false;  ///< its frame comes from the centre itself
   GroundPlace place;
   DabFrame frame;
 };
@@ -59,7 +59,7 @@ struct DabChartBuilder::Dab {
 
   ChartGround ground;
   DabOptions options;
-  Vec3f centre, normal, e1;  ///< of the dab
+  Vec3f centre, normal, e1;  ///< position and frame of the dab's centre
   VertexNodes index;
   std::vector<Node> nodes;  ///< [node of index]
   std::vector<DabPrediction> predictions;
@@ -81,7 +81,7 @@ void DabChartBuilder::Dab::restart(const SurfacePoint& at, const Vec3f& normal_t
   }
 }
 
-/// The normals of the corners interpolated, unit.
+/// The unit normal at a point, interpolated from its corners.
 Vec3f DabChartBuilder::Dab::normal_at(const SurfacePoint& point) const {
   Vec3f sum = Vec3f::Zero();
   for (std::size_t i = 0; i < 3; ++i) sum += point.weights[i] * ground[point.corners[i]].normal;
@@ -89,7 +89,7 @@ Vec3f DabChartBuilder::Dab::normal_at(const SurfacePoint& point) const {
   return length > 1e-6F ? Vec3f(sum / length) : ground[point.corners[0]].normal;
 }
 
-/// A vertex beside the centre, reached by one straight step.
+/// Gives a vertex beside the centre its coordinates by one straight step.
 void DabChartBuilder::Dab::seed(Index vertex) {
   const Index node = node_of(vertex);
   if (nodes[node].seeded) return;
@@ -107,7 +107,7 @@ Index DabChartBuilder::Dab::node_of(Index vertex) {
   return index.insert(vertex);
 }
 
-/// Settles vertices by ascending (g, vertex): those settled before one of its neighbours are its upwind ones.
+/// Settles vertices by ascending (g, vertex). The upwind neighbours of a vertex are those settled before it.
 void DabChartBuilder::Dab::propagate() {
   while (!queue.empty()) {
     const Entry next = queue.top();
@@ -150,8 +150,8 @@ void DabChartBuilder::Dab::predict(Index from, Index node) {
   predictions.push_back({index.vertex(from), nodes[from].g + length, length, {known.at + step, carried}});
 }
 
-/// The link to the distant centre that frame propagation does without: its e1 after the minimal rotation of
-/// its normal to that of a vertex. Steps counted in this e1 are steps after the rotation R(q, p).
+/// The centre's e1 after the minimal rotation of the centre's normal to a vertex's. An edge expressed in this
+/// frame is the edge after the rotation R(q, p) of the discrete exponential map.
 Vec3f DabChartBuilder::Dab::aligned_e1(const Vec3f& normal_there) const {
   return unit_tangent(transport(e1, normal, normal_there), normal_there);
 }
@@ -162,7 +162,7 @@ void DabChartBuilder::Dab::lead_on(Index node) {
     if (nodes[found].state != Node::State::open) continue;
     const float g = nodes[node].g;
     const float edge = (nodes[found].place.position - nodes[node].place.position).norm();
-    // Edges too short to tell in floats still lead downwind.
+    // g must rise even along edges that are shorter than the float resolution of g.
     reach(found, std::max(g + edge, std::nextafter(g, unreached)), node);
   }
 }
@@ -174,7 +174,8 @@ void DabChartBuilder::Dab::reach(Index node, float g, Index parent) {
   queue.push({g, index.vertex(node)});
 }
 
-/// The graph distance is never much longer than the geodesic: beyond, the coordinates have gone astray.
+/// Graph distance is never much longer than geodesic distance: a g above twice the radius means that the
+/// coordinates are wrong.
 bool DabChartBuilder::Dab::within(const Node& node) const {
   const double distance = node.frame.at.cast<double>().norm();
   return distance <= options.radius && static_cast<double>(node.g) <= 2 * options.radius;

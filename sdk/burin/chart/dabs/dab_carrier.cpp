@@ -1,5 +1,5 @@
-// Normal coordinates of the vertices from those of nodes by moving least squares [Lancaster and Salkauskas
-// 1981], as the base surface itself is made.
+// Interpolates the normal coordinates of base nodes to vertices by moving least squares [Lancaster and
+// Salkauskas 1981], as the base surface itself is computed. Costs one fit per node, and O(1) per vertex.
 #include <burin/base/parallel.h>
 #include <burin/chart/dabs/dab_carrier.h>
 #include <burin/surface/geometry/parallel_transport.h>
@@ -15,7 +15,7 @@
 namespace burin {
 namespace {
 
-/// Over which coordinates are fitted, in spacings.
+/// Radius within which nodes take part in a fit, in spacings of the base nodes.
 constexpr double ring_over_spacing = 2.5;
 
 /// The nodes of a dab and their patches.
@@ -30,8 +30,8 @@ class DabNodes {
   const BasePatch& patch(std::size_t i) const { return patches_[i]; }
   double reach() const { return ring_over_spacing * base_.spacing(); }
 
-  /// Those around element i, itself included, whose coordinates go with its own: behind a horn, where a dab
-  /// meets itself, both sides have nothing to do with each other.
+  /// The elements around element i, itself included, whose coordinates agree with its own. Behind a horn,
+  /// where a dab meets itself, the coordinates of the two sides must not be mixed.
   std::vector<std::size_t> around(std::size_t i) const {
     ConnectedNodes connected;
     std::vector<std::size_t> elements{i};
@@ -67,7 +67,8 @@ class DabNodes {
   std::vector<BasePatch> patches_;  ///< [element]
 };
 
-/// Quadratics in (x, y) of a node's patch: its coordinates, and e1 in the node's own frame (e1, e2).
+/// Quadratics in the local coordinates (x, y) of a node's patch, fitted to the dab's coordinates (u, v) and
+/// to its e1, which is expressed in the node's frame (e1, e2).
 class DabPatch {
  public:
   DabPatch(const DabNodes& nodes, std::size_t i)
@@ -117,7 +118,7 @@ void append(DabChart& chart, Index vertex, const Vec2f& at, const Vec3f& e1, con
   chart.normal.push_back(normal);
 }
 
-/// All elements of the parts, by vertex.
+/// Concatenates the parts and sorts their elements by vertex.
 DabChart put_together(const std::vector<DabChart>& parts) {
   struct Place {
     Index vertex;

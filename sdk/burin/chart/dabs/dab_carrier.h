@@ -5,14 +5,13 @@
 
 namespace burin {
 
-/// How far, in spacings, the chart of a base surface must reach beyond a dab, for the vertices at its rim to
-/// have nodes on all sides.
+/// By how many spacings of the base nodes a dab on the base surface must be larger than the dab on the
+/// surface, so that the vertices at the rim have nodes on all sides.
 inline constexpr double dab_margin = 2.5;
 
-/// Carries a dab of a base surface, whose chart must reach dab_margin farther, over to the vertices of
-/// the surface: each has the coordinates of its foot on the base surface, of the quadratic that fits the
-/// nodes around the one of its cluster best. Makes nodes of the base as needed. On all threads; the result
-/// does not depend on their number.
+/// Interpolates a dab on a base surface, which must be larger by dab_margin, to the vertices of the surface.
+/// A vertex gets the coordinates of its foot point on the base surface from a quadratic fitted to the nodes
+/// around the node of its cluster. Runs on all threads; the result does not depend on their number.
 DabChart carried_dab(BaseSurface& base, const Surface& surface, const DabChart& nodes, double radius);
 
 }  // namespace burin

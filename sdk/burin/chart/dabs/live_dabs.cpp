@@ -1,3 +1,5 @@
+// Charts a stroke as a row of dabs (dab.h). An event costs the dabs that the changed end of the curve removes
+// and adds.
 #include <burin/chart/dabs/dab_carrier.h>
 #include <burin/chart/dabs/live_dabs.h>
 #include <burin/chart/path/curve_parts.h>
@@ -11,7 +13,7 @@ namespace {
 
 constexpr double everywhere = -std::numeric_limits<double>::infinity();
 
-/// Of dabs on a curve: a closed one is divided evenly.
+/// The distance between dabs along the curve; a closed curve is divided evenly.
 double even_spacing(const SurfaceCurve& curve, double spacing) {
   if (!curve.closed) return spacing;
   return curve.length() / std::max(1.0, std::round(curve.length() / spacing));
@@ -62,7 +64,8 @@ void LiveDabs::take_back_from(double t) {
   }
 }
 
-/// Where its middle is nowhere near the surface, which does not happen on a curve of it, a dab stays empty.
+/// Computes one dab. It is empty when its middle is not near the surface, which does not happen when the
+/// curve lies on it.
 DabChart LiveDabs::chart(const CurvePoint& middle) {
   const double radius = radius_ * middle.width;
   const auto centre = CurveGround(*surface_, *picker_, base_)

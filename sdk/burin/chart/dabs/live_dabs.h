@@ -12,30 +12,30 @@
 
 namespace burin {
 
-/// A stroke as a row of dabs (the paper's Figure 2a): normal coordinates around places along its curve, each
-/// dab a sheet of its own. The surface and picker must outlive it. One thread at a time.
+/// A stroke as a row of dabs [Schmidt 2013, figure 2a]: normal coordinates around points along its curve.
+/// Each dab is a sheet of its own. The surface and picker must outlive the object. One thread at a time.
 class LiveDabs {
  public:
   LiveDabs(const Surface& surface, const Picker& picker);
 
-  /// Begins a stroke without dabs. `radius`: of dabs where the curve's width is 1, `spacing`: of their
-  /// middles along the curve; object units, > 0. `base`: of the surface, as brushes of the radius feel it:
-  /// dabs are charted on it and carried to the vertices, and the curve must run on it. Null: on the surface
-  /// itself.
+  /// Starts a stroke without dabs. `radius` is that of dabs where the curve's width is 1, and `spacing` the
+  /// distance of their middles along the curve; object units, > 0. With a `base`, which must outlive the
+  /// stroke, the curve lies on that base surface, and dabs are computed there and interpolated to the
+  /// vertices. Null means the surface itself.
   void begin(double radius, double spacing, BaseSurface* base = nullptr);
 
-  /// Puts dabs at 0, spacing, 2 spacing, ... along the curve; a closed one has a whole number of them, as
-  /// near to the spacing as that goes. The first `unchanged` points are known to be those of the curve
-  /// before; dabs between them stay. The same as all at once.
+  /// Puts dabs at 0, spacing, 2 spacing, ... along the curve. On a closed curve the spacing is adjusted so
+  /// that a whole number of dabs fits. The first `unchanged` points are those of the previous curve, and dabs
+  /// between them stay. The result equals that of drawing the whole curve at once.
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged = 0);
 
-  /// Of its nodes t is that of their dab's middle on the curve and d the second normal coordinate.
+  /// The chart. A node's t is that of its dab's middle on the curve, and d is the second normal coordinate.
   const LiveChart& live() const { return live_; }
 
-  /// The first normal coordinate, along the stroke: [slot].
+  /// The first normal coordinate, along the stroke, by slot of live(); object units.
   std::span<const float> along() const { return along_; }
 
-  /// Nodes that the last draw() computed.
+  /// The number of nodes that the last draw() computed.
   std::uint64_t settled() const { return settled_; }
 
  private:
@@ -52,7 +52,8 @@ class LiveDabs {
   const Picker* picker_;
   DabChartBuilder builder_;
   BaseSurface* base_ = nullptr;
-  std::optional<DabChartBuilder> of_base_;  ///< made for each stroke: levels differ in the number of nodes
+  std::optional<DabChartBuilder>
+      of_base_;  ///< created for each stroke, since levels differ in their node counts
   double radius_ = 0, spacing_ = 0;
   LiveChart live_;
   std::vector<float> along_;

@@ -6,19 +6,20 @@
 
 namespace burin {
 
-/// What a step does to Fermi coordinates whose lines of constant d are circles around one centre, as they are
-/// around a corner of the stroke and beside a bend of constant curvature; exact on the plane, and for k = 0.
+/// The change of Fermi coordinates by a step, when the lines of constant d are concentric circles, as they
+/// are around a corner of the stroke and beside a bend of constant curvature. Exact on the plane, and for k =
+/// 0.
 struct CircleStep {
-  float cosine, sine;  ///< of the angle by which the line of constant d has turned, left positive
-  float along;         ///< arc length, on the line where the step began
-  float across;        ///< change of d, the shorter way around the centre
-  float size;          ///< of the circle after the step against that before it: J grows, and k shrinks by it
+  float cosine, sine;  ///< cosine and sine of the angle by which the line of constant d turns, left positive
+  float along;         ///< arc length along the line of constant d from which the step starts
+  float across;        ///< change of d
+  float size;          ///< radius of the circle after the step over that before it: J grows by it, k shrinks
 };
 
-/// The step (u, v), ahead and to the left, from a line at the distance d whose curvature is k: u and v in
-/// object units, k in their inverse. Where lines draw together toward a centre near by and farther from the
-/// stroke, steps are straight: around a focal point distances told by circles would fall again, while the
-/// true ones, of other parts of the stroke, rise.
+/// Computes the step (u, v), ahead and to the left, from a line of constant d whose curvature is k; u, v and
+/// d in object units, k in their inverse. When the centre lies farther from the stroke than the line, and
+/// near compared with the step, the step is straight: beyond that focal point the circles' distance would
+/// fall again, while the true distance, to other parts of the stroke, rises.
 inline CircleStep circle_step(float u, float v, float k, float d) {
   constexpr float most_turn = 0.5F;
   const float squared = u * u + v * v;
@@ -30,7 +31,7 @@ inline CircleStep circle_step(float u, float v, float k, float d) {
   if (!(size > 0)) return step;
   step.cosine = inward / size;
   step.sine = ahead / size;
-  // The series of the arc tangent is as good as floats need it below this slope.
+  // Below this slope the series of the arc tangent is exact to float precision.
   constexpr float gentle = 0.2F;
   if (std::abs(ahead) <= gentle * inward) {
     const float slope = ahead / inward, slope2 = slope * slope;
@@ -38,7 +39,7 @@ inline CircleStep circle_step(float u, float v, float k, float d) {
   } else if (inward > 0) {
     step.along = static_cast<float>(math::atan2(double{ahead}, double{inward})) / k;
   } else {
-    // Past the centre, where steps to the left and to the right have to go over into each other.
+    // Past the centre the result must be continuous between steps to the left and steps to the right.
     step.along = std::numbers::pi_v<float> / 2 * step.sine / k;
   }
   return step;

@@ -7,8 +7,9 @@
 
 namespace burin {
 
-/// The frame that one at q tells of x, taking lines of constant d for circles. `step`: from q to x, with e1
-/// carried there. `normal`: at x. `gauss`: curvature of the surface along the way, 1 / area.
+/// Extrapolates the frame at q to x, with lines of constant d approximated by circles. `step` leads from q to
+/// x and has e1 transported to x; `normal` is the unit normal at x; `gauss` is the Gauss curvature along the
+/// way, 1 / length^2.
 inline ChartFrame frame_on_circles(const ChartFrame& at_q, const FrameStep& step, const Vec3f& normal,
                                    float gauss) {
   const float k = at_q.curvature;

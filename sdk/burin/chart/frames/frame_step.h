@@ -7,19 +7,19 @@
 
 namespace burin {
 
-/// A frame at q carried along the edge to x.
+/// A frame at q transported along the edge to x.
 struct FrameStep {
   Vec2f step;  ///< T_q(x), the vector from q to x in the basis (e1, e2) of q, object units
   Vec3f e1;    ///< e1 of q transported to x
 };
 
-/// T_q(x) of section 2.1 of the paper: the edge projected and scaled back to its length. Two refinements
-/// make it exact to third order, and exact on cylinders and along great circles: the plane of projection is
-/// the one half way between the tangent planes of q and x, and the chord c is corrected to the geodesic
-/// over it. From c = s T + s^3 / 24 T'' at its middle, with T'' = -(T . S T) S T in the tangent plane and
-/// the difference of the normals dn = s S T (S the shape operator), that is c + (dn . c) dn / 24.
-/// Normals that differ by more than 60 degrees are no samples of one arc and count as 60 degrees.
-/// For an edge along the normal the step is zero.
+/// Computes T_q(x) of [Schmidt 2013, section 2.1]: the edge, projected to the tangent plane and scaled back
+/// to its length. Two refinements make it exact to third order, and exact on cylinders and along great
+/// circles. The plane of projection is half way between the tangent planes of q and x, and the chord c is
+/// corrected to the geodesic over it: c = s T + s^3 / 24 T'' at the middle, T'' = -(T . S T) S T in the
+/// tangent plane, and the difference of the normals is dn = s S T (S the shape operator), which gives c + (dn
+/// . c) dn / 24. Normals that differ by more than 60 degrees cannot be samples of one arc and count as 60
+/// degrees. An edge along the normal gives a step of zero.
 inline FrameStep step_along_edge(const Vec3f& q, const Vec3f& normal_q, const Vec3f& e1_q, const Vec3f& x,
                                  const Vec3f& normal_x) {
   const Vec3f sum = normal_q + normal_x;

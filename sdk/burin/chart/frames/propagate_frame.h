@@ -7,7 +7,8 @@
 
 namespace burin {
 
-/// The frame that one at q beyond a round end tells of x; the rest as propagate_frame() has it.
+/// Extrapolates a frame at q, beyond a round end of the stroke, to x. The parameters are those of
+/// propagate_frame().
 inline ChartFrame propagate_around_end(const ChartFrame& at_q, const DistanceRay& ray, const FrameStep& step,
                                        const Vec3f& normal, float gauss) {
   const float inverse_stretch = 1 / at_q.stretch;
@@ -29,8 +30,9 @@ inline ChartFrame propagate_around_end(const ChartFrame& at_q, const DistanceRay
   return frame;
 }
 
-/// The frame that one at q tells of x. `ray`: at q. `step`: from q to x, with e1 carried there. `normal`: at
-/// x. `gauss`: curvature of the surface along the way, 1 / area.
+/// Extrapolates the frame at q to x. `ray` is the distance ray at q; `step` leads from q to x and has e1
+/// transported to x; `normal` is the unit normal at x; `gauss` is the Gauss curvature along the way, 1 /
+/// length^2.
 inline ChartFrame propagate_frame(const ChartFrame& at_q, const DistanceRay& ray, const FrameStep& step,
                                   const Vec3f& normal, float gauss) {
   return ray.from_end() ? propagate_around_end(at_q, ray, step, normal, gauss)

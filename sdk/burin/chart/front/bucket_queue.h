@@ -7,8 +7,9 @@
 
 namespace burin {
 
-/// A priority queue of nodes by (key, node) for keys that mostly rise. Entries wait in buckets of equal width
-/// of g, linked lists, and only those of the lowest bucket are sorted [Denardo and Fox 1979].
+/// A priority queue of nodes, ordered by (key, node), for keys that mostly rise. Entries wait in linked
+/// lists, one for each of 8192 equal ranges of g; only the entries of the lowest range are sorted [Denardo
+/// and Fox 1979].
 class BucketQueue {
  public:
   struct Entry {
@@ -49,7 +50,7 @@ class BucketQueue {
     return sorted_.back();
   }
 
-  /// Takes out top().
+  /// Removes the entry that top() returned; top() must have been called since the last push().
   void pop() {
     sorted_.pop_back();
     --size_;
@@ -86,7 +87,7 @@ class BucketQueue {
     return bucket;
   }
 
-  /// Makes a bucket the sorted one; what is left of the one that was goes back.
+  /// Sorts a bucket's entries. Entries left of the bucket that was sorted before return to its list.
   void open(Index bucket) {
     for (const Entry& entry : sorted_) link(lowest_, entry);
     sorted_.clear();
@@ -102,10 +103,10 @@ class BucketQueue {
     std::ranges::sort(sorted_, [](const Entry& a, const Entry& b) { return b < a; });
   }
 
-  float buckets_a_unit_ = 0;  ///< of g
+  float buckets_a_unit_ = 0;  ///< buckets per unit of g
   std::vector<Index> first_;  ///< [bucket] into links_
   std::vector<Link> links_;
-  Index free_ = no_index;      ///< into links_
+  Index free_ = no_index;      ///< head of the list of unused links
   std::vector<Entry> sorted_;  ///< of bucket lowest_, descending
   Index lowest_ = buckets;
   std::size_t size_ = 0;

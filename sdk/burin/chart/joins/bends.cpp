@@ -1,3 +1,6 @@
+// Finds bends by sliding a window of a quarter radius along the stroke: a bend is a maximal stretch on which
+// the tangent turns by more than window / radius within the window. Costs O(s log n) for n points of the
+// curve and s = 32 length / radius steps.
 #include <burin/chart/joins/bends.h>
 
 #include <algorithm>
@@ -6,10 +9,10 @@
 namespace burin {
 namespace {
 
-/// Turns below this are no bends that a join could matter for, radians.
+/// Bends that turn by less than this, radians, are ignored: their join makes no visible difference.
 constexpr double least_turn = 0.35;
 
-/// The stroke is looked at in so many places at most.
+/// Upper limit of the number of steps along the stroke.
 constexpr double most_steps = 1e5;
 
 }  // namespace
@@ -26,7 +29,7 @@ double StrokeBends::angle_at(double t) const {
   return angles_[i] + share * (angle - angles_[i]) + loops * loop_angle_;
 }
 
-/// Where this share of the bend's turn has been made, by bisection.
+/// Finds by bisection the arc length at which this share of the bend's turn is complete.
 double StrokeBends::reached(const Bend& bend, double share) const {
   double low = bend.begin, high = bend.end;
   for (int i = 0; i < 40; ++i) {
@@ -52,7 +55,7 @@ void StrokeBends::update(const SurfaceCurve& curve, const GeodesicCurvature& cur
   const double window = radius / 4, step = std::max(radius / 32, length_ / most_steps);
   const auto sharpness = [&](double t) { return turn(t - window / 2, t + window / 2) / (window / radius); };
   const auto steps = static_cast<long>(std::ceil(length_ / step));
-  // A bend across the seam of a closed stroke is found from its begin.
+  // On a closed stroke a bend across the seam is found from where it begins, before the seam.
   for (long i = 0; i < steps; ++i) {
     const double t = static_cast<double>(i) * step, now = sharpness(t);
     if (std::abs(now) <= 1) continue;

@@ -1,3 +1,6 @@
+// Cuts a stroke at its bends into legs, charts each leg and each bend by a front, and selects for each vertex
+// the nodes that the kind of join keeps. For n nodes in total it costs O(n log n); legs that did not change
+// since the last call are not charted again.
 #include <burin/chart/joins/joined_legs.h>
 #include <burin/chart/path/curve_parts.h>
 #include <burin/math/elementary.h>
@@ -38,7 +41,7 @@ void JoinedLegs::place(const SurfaceCurve& curve, double unchanged_t, Front& fro
   chart_bends(curve, unchanged_t);
   if (options_.join != Join::overlap) put_together(nodes, curve.closed);
   if (options_.join == Join::smooth) smooth_long_bends(curve, nodes);
-  // Joins move coordinates: some now lie beyond the stroke.
+  // Joins move coordinates, so some nodes now lie outside the stroke.
   std::erase_if(nodes, [&](const PlacedNode& node) {
     return static_cast<double>(std::abs(node.frame.d)) > node.half_width ||
            (options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
@@ -46,7 +49,8 @@ void JoinedLegs::place(const SurfaceCurve& curve, double unchanged_t, Front& fro
   add_bends(curve, nodes);
 }
 
-/// Smooth joins have coordinates of their own around corners that are no half turns.
+/// Whether the nodes of the corner's own bend fill the vertices that its legs leave out. Smooth joins compute
+/// coordinates there themselves, unless the corner is nearly a half turn.
 bool JoinedLegs::is_filled(const Bend& corner) const {
   return options_.join != Join::smooth || bounded_half(corner.turn) < std::abs(corner.turn) / 2;
 }
@@ -72,7 +76,8 @@ void JoinedLegs::find_corners(const SurfaceCurve& curve) {
   }
 }
 
-/// Enough for |grad t| within 1/2 and 2 at right angles, but not into another bend's half nor beyond an end.
+/// How far before and after a bend a smooth join spreads t: long enough that |grad t| stays between 1/2 and 2
+/// at a right angle, but at most half way to the next bend, and not beyond an end of the stroke.
 double JoinedLegs::span(const SurfaceCurve& curve, const Bend& bend) const {
   const double length = curve.length();
   double span = 4 * options_.radius * math::tan(bounded_half(bend.turn));
@@ -118,7 +123,7 @@ const Corner* JoinedLegs::corner_before(std::size_t leg, bool closed) const {
   return leg > 0 ? &corners_[leg - 1] : nullptr;
 }
 
-/// The last leg of a stroke that grows goes on with the front where that stands.
+/// Charts a leg. The last leg of a growing stroke continues with the front of the previous call.
 void JoinedLegs::chart(const SurfaceCurve& curve, std::size_t leg, const Leg& now, Front& front) {
   const bool whole = cuts_.empty();
   const SurfaceCurve part = whole ? curve : part_of(curve, now.begin, now.end);
@@ -136,7 +141,7 @@ void JoinedLegs::chart(const SurfaceCurve& curve, std::size_t leg, const Leg& no
     });
 }
 
-/// The chart of a part of the stroke by a front that is at it or fresh.
+/// Charts a part of the stroke by a front that was restarted for it or holds a chart of it.
 JoinedLegs::ChartedLeg JoinedLegs::chart_with(Front& front, const SurfaceCurve& part, const Leg& now) {
   front.update(part);
   settled_ += front.settled();
@@ -165,7 +170,8 @@ void JoinedLegs::chart_bends(const SurfaceCurve& curve, double unchanged_t) {
   }
 }
 
-/// Bends that are legs of their own, and of corners what their legs leave.
+/// Appends the nodes of bends that are legs of their own, and at corners the nodes of vertices that the legs
+/// leave out.
 void JoinedLegs::add_bends(const SurfaceCurve& curve, std::vector<PlacedNode>& nodes) const {
   const auto add = [&](std::size_t i, const auto& counts) {
     std::ranges::copy_if(charted_bends_[i].nodes, std::back_inserter(nodes), [&](const PlacedNode& node) {
@@ -186,8 +192,8 @@ void JoinedLegs::add_bends(const SurfaceCurve& curve, std::vector<PlacedNode>& n
   }
 }
 
-/// At each corner a vertex keeps the node of the leg on whose side of the bisector it lies: that goes less
-/// far beyond the corner.
+/// At each corner a vertex keeps the node of the leg on whose side of the bisector it lies, which is the node
+/// that reaches less far beyond the corner.
 void JoinedLegs::put_together(std::vector<PlacedNode>& nodes, bool closed) const {
   if (corners_.empty()) return;
   std::ranges::sort(nodes, {}, [](const PlacedNode& n) { return std::tuple(n.vertex, n.leg, n.frame.t); });

@@ -12,44 +12,45 @@
 
 namespace burin {
 
-/// A node of a stroke's chart.
+/// A node of the chart of one leg.
 struct PlacedNode {
   Index vertex;
-  Index leg;  ///< of the stroke, by rising t
+  Index leg;  ///< index of the leg, in the order of t
   ChartFrame frame;
-  double half_width;  ///< of the stroke at the node's t on its leg
+  double half_width;  ///< half width of the stroke at the node's t on its leg, object units
 };
 
 inline bool beyond_end(double t, const SurfaceCurve& curve) {
   return !curve.closed && (t < 0 || t > curve.length());
 }
 
-/// Charts of strokes whose bends are joined in other ways than the distances have it: the stroke is cut at
-/// its bends, each leg is charted as a stroke of its own that goes on straight, and the legs' nodes are put
-/// together. The bends that it is cut at are charted too, with round joins, so that what is charted is all of
-/// the stroke: each vertex within its half width is in reach of the part that is nearest. Vertices that the
-/// legs leave have the node of the bend (but around smooth corners that are no half turns); with `overlap` a
-/// bend that is no corner is a leg of its own.
+/// Charts closed strokes and strokes with other than round joins. The stroke is cut at its bends, each leg is
+/// charted as a stroke of its own that continues straight beyond its ends, and the legs' nodes are put
+/// together. The bends at the cuts are charted as well, with round joins, so that every vertex within the
+/// half width is covered. Vertices without a node of a leg take the node of the bend (except around smooth
+/// corners that are not half turns). With `overlap`, a bend that is not a corner is a leg of its own.
 class JoinedLegs {
  public:
+  /// The ground's surface must outlive the object.
   explicit JoinedLegs(const ChartGround& ground) : ground_(ground) {}
 
-  /// Forgets the legs of the stroke before.
+  /// Discards all legs and starts a stroke with these options.
   void begin(const ChartOptions& options);
 
-  /// Appends the nodes of the stroke (with round joins: in one piece), by means of the front, which serves
-  /// nobody else meanwhile. Only legs that differ from those of the last call are charted; the curve is as it
-  /// was then up to its arc length `unchanged_t`. The t of a closed stroke are not brought to [0, length).
+  /// Appends the nodes of the stroke; with round joins it is one leg. `front` does the work and must not be
+  /// used for anything else between begin() and the last call. The curve is as in the last call up to the arc
+  /// length `unchanged_t`; only legs that changed since are charted. On closed strokes t is not reduced to
+  /// [0, length).
   void place(const SurfaceCurve& curve, double unchanged_t, Front& front, std::vector<PlacedNode>& nodes);
 
-  /// Nodes settled and queue entries pushed in the last call of place().
+  /// The numbers of nodes settled and of queue entries pushed in the last call of place().
   std::uint64_t settled() const { return settled_; }
   std::uint64_t pushes() const { return pushes_; }
 
  private:
   struct Leg {
     double begin = 0, end = 0;  ///< arc lengths on the stroke
-    Extensions reach;           ///< beyond them, to the outer ends of mitered corners
+    Extensions reach;           ///< how far it continues beyond them, to the outer ends of mitered corners
     bool corner_before = false, corner_after = false;
     bool operator==(const Leg&) const = default;
   };
@@ -57,7 +58,7 @@ class JoinedLegs {
     Leg leg;
     std::vector<PlacedNode> nodes;
 
-    /// Whether it still is, where the curve has not changed up to this arc length.
+    /// Whether this chart is still that of the leg `now`, on a curve unchanged up to this arc length.
     bool is(const Leg& now, double unchanged_t) const { return leg == now && now.end < unchanged_t; }
   };
   bool is_corner(const Bend& bend) const;
@@ -79,13 +80,13 @@ class JoinedLegs {
   ChartGround ground_;
   ChartOptions options_;
   StrokeBends bends_;
-  std::vector<Bend> cuts_;       ///< the bends that the stroke is cut at
-  std::vector<Corner> corners_;  ///< [i] of cuts_[i]
+  std::vector<Bend> cuts_;       ///< the bends at which the stroke is cut
+  std::vector<Corner> corners_;  ///< [i] the corner at cuts_[i]
   std::vector<ChartedLeg> charted_;
-  std::vector<ChartedLeg> charted_bends_;  ///< [i] of cuts_[i]
-  std::optional<Front> bend_front_;        ///< charts bends; there once there are any
+  std::vector<ChartedLeg> charted_bends_;  ///< [i] the chart of cuts_[i]
+  std::optional<Front> bend_front_;        ///< charts bends; created for the first bend
   std::uint64_t settled_ = 0, pushes_ = 0;
-  std::optional<Leg> front_leg_;  ///< whose chart the front has
+  std::optional<Leg> front_leg_;  ///< the leg whose chart the caller's front holds
 };
 
 }  // namespace burin

@@ -1,6 +1,7 @@
-// Joins. In the plane, at distance d beside a corner of the angle turn, a line of constant d goes on by
-// d turn / 2 on either side of the bisector on the outside, on a circle around the corner, and ends at the
-// bisector d tan(turn / 2) before the corner on the inside.
+// Computes the coordinates around joined corners and bends, in O(1) per node, from plane geometry. At the
+// distance d beside a corner with the angle turn, a line of constant d continues on the outside along a
+// circle around the corner, by the length d turn / 2 on either side of the bisector. On the inside it ends at
+// the bisector, at d tan(turn / 2) before the corner.
 #include <burin/chart/joins/joins.h>
 #include <burin/math/elementary.h>
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double sharpest_miter = 2 * std::numbers::pi / 3;
 
-/// Signed way from the corner to a node along its own leg: negative on the leg, positive beyond.
+/// The signed distance from the corner to a node along the node's leg: negative on the leg, positive beyond.
 double way_beyond(const Corner& corner, bool first_leg, double t) {
   return first_leg ? t - corner.first : corner.second - t;
 }
@@ -53,7 +54,7 @@ ChartFrame smoothed(const Corner& corner, bool first_leg, const ChartFrame& fram
     joined.e1 = static_cast<float>(math::cos(turned)) * frame.e1 +
                 static_cast<float>(math::sin(turned)) * normal.cross(frame.e1);
   }
-  // Where the span begins t is that of the leg.
+  // At the start of the span t equals the leg's own t.
   const double leg =
       first_leg ? corner.middle - (corner.first - corner.span) : corner.second + corner.span - corner.middle;
   const double share = all > 0 ? std::min(to_bisector / all, 1.) : 0;

@@ -3,17 +3,19 @@
 
 namespace burin {
 
-/// The segment that holds the arc length t; beyond the ends the first or last.
+/// The segment that holds the arc length t, or the first or last segment beyond the ends. O(log n).
 std::size_t segment_at(const SurfaceCurve& curve, double t);
 
-/// Going back from a segment, the first one of those in a row that end at t or later, or the segment itself.
+/// The first segment of the unbroken sequence up to `segment` whose members end at t or later; `segment`
+/// itself when its predecessor ends before t.
 std::size_t first_ending_from(const SurfaceCurve& curve, std::size_t segment, double t);
 
-/// The point at an arc length, between the points around it. On a closed curve arc lengths go around.
+/// The point at an arc length, interpolated between the curve's points. On a closed curve t counts modulo the
+/// length.
 CurvePoint point_at(const SurfaceCurve& curve, double t);
 
-/// The part of a curve between two arc lengths, begin < end, as an open curve of its own, whose t counts from
-/// its begin. On a closed curve `end` may be beyond the length: the part goes on across the seam.
+/// The part of a curve between two arc lengths, begin < end, as an open curve whose t starts at 0. On a
+/// closed curve `end` may lie beyond the length: the part continues across the seam.
 SurfaceCurve part_of(const SurfaceCurve& curve, double begin, double end);
 
 }  // namespace burin

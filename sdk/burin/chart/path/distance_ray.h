@@ -3,23 +3,24 @@
 
 namespace burin {
 
-/// The direction in which the distance from the stroke grows at a node, in the basis (e1, e2) of its frame.
+/// The direction of a node's shortest path away from the stroke, in the basis (e1, e2) of the node's frame.
 ///
-/// Beside the stroke it is e2. Beyond a round end all shortest ways come from the end, and (t, d) are
-/// geodesic normal coordinates around it: t beyond the end and d are r cos(a) and r sin(a), r the geodesic
-/// distance from the end and a the angle there, counted from the stroke's tangent. At right angles to the end
-/// they are those from beside the stroke. e1 is the stroke's tangent carried along the ray; `stretch` is that
-/// of circles around the end against circles of the same r on the plane, and `curvature` by how much less
-/// than 1 / r they bend. Toward the end, and on the plane, these are 1 and 0.
+/// Beside the stroke it is e2. Beyond a round end all shortest paths start at the end, and (t, d) are
+/// geodesic normal coordinates around it: t, counted from the end, is r cos(a) and d is r sin(a), where r is
+/// the geodesic distance from the end and a the angle at the end from the stroke's tangent. At a = +-90
+/// degrees they agree with the Fermi coordinates beside the stroke. e1 is the stroke's tangent, parallel
+/// transported along the ray. `stretch` is the length of a circle around the end over that of a circle of
+/// radius r in the plane; `curvature` is 1 / r minus the circle's geodesic curvature. Near the end, and on
+/// the plane, they are 1 and 0.
 struct DistanceRay {
-  float ahead = 0, left = 1;             ///< unit vector
+  float ahead = 0, left = 1;             ///< unit vector: components along e1 and e2
   float length = 0, inverse_length = 0;  ///< r, object units, and 1 / r; both 0 beside the stroke
 
   bool from_end() const { return length > 0; }
 };
 
-/// A step in parts at right angles to the ray and along it; object units. Here and below a ray is a
-/// DistanceRay with floats, or several rays side by side with as many numbers.
+/// A step in components across the ray and along it, object units. In the templates below a Ray is a
+/// DistanceRay with float numbers, or a structure of arrays of several rays.
 template <class Real>
 struct RayParts {
   Real across, out;
@@ -30,15 +31,15 @@ RayParts<Real> in_parts(const Ray& ray, const Real& u, const Real& v) {
   return {ray.left * u - ray.ahead * v, ray.ahead * u + ray.left * v};
 }
 
-/// Of lines at right angles to the ray in the plane of t and d that are straight on the surface, against it;
-/// 1 / length.
+/// Curvature, in the (t, d) plane, of a geodesic of the surface that crosses the ray at a right angle; 1 /
+/// length, positive when the geodesic bends back along the ray.
 template <class Ray, class Real>
 Real bend_across(const Ray& ray, const Real& curvature, const Real& inverse_stretch) {
   return curvature + (inverse_stretch * inverse_stretch - 1) * ray.inverse_length;
 }
 
-/// What a step (u, v) in the basis (e1, e2) adds to (t, d), to second order. Curvature and stretch are those
-/// of the frame where it begins.
+/// The change of (t, d) by a step (u, v) in the basis (e1, e2), to second order. Curvature and stretch are
+/// those of the frame where the step starts.
 inline Vec2f ray_step(const DistanceRay& ray, float curvature, float inverse_stretch, float u, float v) {
   const auto [across, out] = in_parts(ray, u, v);
   const float bend = bend_across(ray, curvature, inverse_stretch);
@@ -47,20 +48,20 @@ inline Vec2f ray_step(const DistanceRay& ray, float curvature, float inverse_str
   return {ray.left * beside + ray.ahead * away, ray.left * away - ray.ahead * beside};
 }
 
-/// By how much e1 turns to the left against parallel transport on a step across the ray; 1 / length.
+/// The angle by which e1 turns to the left against parallel transport, per length of a step across the ray.
 template <class Ray, class Real>
 Real turn_across(const Ray& ray, const Real& curvature, const Real& inverse_stretch) {
   return curvature + (inverse_stretch - 1) * ray.inverse_length;
 }
 
-/// `curvature` and `stretch` of the frames around an end, for one or several at a time.
+/// `curvature` and `stretch` of one or several frames beyond a round end; see DistanceRay.
 template <class Real>
 struct RoundShape {
   Real curvature, stretch;
 };
 
-/// Farther along a ray, from r = `from` to r = `to`: the length G of circles an angle apart obeys G'' = -K G,
-/// of which this is the third order. `gauss`: K on the way.
+/// Continues the shape along a ray from r = `from` to r = `to`, to third order in the step. The length G of
+/// the circle's arc per radian obeys the Jacobi equation G'' = -K G; `gauss` is K along the way.
 template <class Real>
 RoundShape<Real> farther_out(const RoundShape<Real>& shape, const Real& from, const Real& to,
                              const Real& gauss) {
@@ -72,7 +73,7 @@ RoundShape<Real> farther_out(const RoundShape<Real>& shape, const Real& from, co
   return {lag / (to * to * stretch), stretch};
 }
 
-/// At r from the end, where only the surface's curvature near by is known.
+/// The shape at the distance r from the end, for a constant Gauss curvature between.
 inline RoundShape<float> shape_around_end(float r, float gauss) {
   return {gauss * r / 3, 1 - gauss * r * r / 6};
 }

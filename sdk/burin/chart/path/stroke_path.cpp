@@ -17,7 +17,8 @@ void StrokePath::update(const SurfaceCurve& curve, const GeodesicCurvature& curv
   spacing_ = std::max(radius / places_a_radius, finest);
   places_a_unit_ = 1 / spacing_;
   doubt_ = doubt_a_radius * radius;
-  // Places before the last point that is as it was stay, but for the one that stood in for the end.
+  // Points before the last unchanged point of the curve stay, except the one that was extrapolated past the
+  // end.
   const auto t = [this](std::size_t place) { return static_cast<double>(place) * spacing_; };
   if (!places_.empty()) places_.pop_back();
   while (!places_.empty() && (unchanged == 0 || t(places_.size() - 1) >= curve.points[unchanged - 1].t))
@@ -31,7 +32,8 @@ void StrokePath::update(const SurfaceCurve& curve, const GeodesicCurvature& curv
   };
   const auto last = static_cast<std::size_t>(length_ * places_a_unit_);
   while (places_.size() <= last) places_.push_back(at(t(places_.size())));
-  // The end lies between the last place and the one after it, which stands in for it.
+  // The end lies between the last point and one more, which is extrapolated so that interpolation gives the
+  // end.
   const Place &before = places_.back(), end = at(length_);
   const double share = length_ * places_a_unit_ - static_cast<double>(last);
   const auto on = share > 1e-6 ? static_cast<float>(1 / share) : 0;

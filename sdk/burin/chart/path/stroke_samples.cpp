@@ -1,3 +1,5 @@
+// Samples a stroke at even spacing and computes the discs that tell its visits apart. An update costs O(k log
+// n) for k samples that differ and n points of the curve, and O(1) per sample that stays.
 #include <burin/chart/path/curve_parts.h>
 #include <burin/chart/path/stroke_samples.h>
 #include <burin/math/elementary.h>
@@ -12,7 +14,7 @@ namespace {
 
 constexpr double samples_a_radius = 8, disc_over_width = 1.25;
 
-/// By how much the disc around the sample at t must be wider to hold the extensions' corners.
+/// The factor by which the disc around the sample at t must grow to hold the corners of the extensions.
 double widening(const Extensions& extensions, double t, double length, double radius) {
   double widest = 1;
   for (const auto& [reach, way] : {std::pair(extensions.begin, t), std::pair(extensions.end, length - t)}) {
@@ -33,14 +35,15 @@ Index StrokeSamples::update(const SurfaceCurve& curve, double radius, double fin
   spacing_ = closed_ && count > 0 ? length_ / count : spacing;
   samples_a_unit_ = 1 / spacing_;
 
-  // Samples before the last unchanged point stay; the last one before stood at the end of the stroke.
+  // Samples before the last unchanged point stay, except the previous last one, which was at the stroke's
+  // end.
   std::size_t kept = 0;
   if (unchanged > 0)
     while (kept + 1 < samples_.size() && samples_[kept].t < curve.points[unchanged - 1].t) ++kept;
   const std::vector<Sample> before(samples_.begin() + static_cast<std::ptrdiff_t>(kept), samples_.end());
   samples_.resize(kept);
 
-  // Discs of neighbouring samples overlap, however narrow the stroke is.
+  // Discs of neighbouring samples must overlap, however narrow the stroke is.
   const auto least_disc = static_cast<float>(2 * spacing);
   const auto add = [&](double t) {
     const CurvePoint at = point_at(curve, t);
@@ -61,8 +64,9 @@ Index StrokeSamples::update(const SurfaceCurve& curve, double radius, double fin
                             static_cast<std::size_t>(std::ranges::mismatch(before, now).in2 - now.begin()));
 }
 
-/// From this sample on. A place at y from a sample is as near or nearer to those at -u and w from it only if
-/// y u <= -u^2 / 2 and y w >= w^2 / 2, and so |y| |w / |w| - u / |u|| >= (|u| + |w|) / 2.
+/// Updates may_turn_ from this sample on. Let u and w be the vectors from the previous sample and to the next
+/// one. A point at y from the sample can be as near to both of them only if y . u <= -u^2 / 2 and y . w >=
+/// w^2 / 2, and therefore |y| |w / |w| - u / |u|| >= (|u| + |w|) / 2.
 void StrokeSamples::find_turns(Index from) {
   constexpr float rounding = 0.999F;
   may_turn_.resize(size());

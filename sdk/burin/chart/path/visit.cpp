@@ -1,12 +1,12 @@
-// Visits of a stroke to a vertex: its run of samples in reach is cut at the maxima of the straight distance
-// that are higher by a share of the disc than what lies on either side, in the order of the samples. A hand's
-// tremble is lower than that.
+// Divides the samples whose discs hold a vertex into visits. A run of such samples is cut at maxima of the
+// straight distance that exceed the minima on both sides by a tenth of the disc, which is more than the
+// tremble of a hand. Costs O(length of the run).
 #include <burin/chart/path/visit.h>
 
 namespace burin {
 namespace {
 
-/// By how much of the disc's radius the stroke must go away, and come back, for another visit.
+/// The share of the disc's radius by which the stroke must move away and come back to start another visit.
 constexpr float least_turn = 0.1F;
 
 }  // namespace
@@ -23,7 +23,8 @@ Visits::Found Visits::find(Index sample, Index floor) const {
   }
 }
 
-/// Where a closed stroke is in reach all the way the run begins after its farthest sample.
+/// The first sample of the run that holds `sample`. When all samples of a closed stroke are in reach, the run
+/// starts after the farthest one.
 Index Visits::run_begin(Index sample, Index floor) const {
   const bool closed = samples_->closed();
   Index begin = sample;

@@ -10,9 +10,9 @@ namespace burin {
 namespace {
 
 constexpr std::size_t elements_a_block = 8192;
-constexpr double least_square = 1e-12;  ///< of the length of a mean of unit vectors that has a direction
+constexpr double least_square = 1e-12;  ///< shorter means of unit vectors (squared length) have no direction
 
-/// Twice the area of a triangle of texture coordinates, below 0 when they show it mirrored.
+/// Twice the area of a triangle in texture space; negative if the triangle is mirrored there.
 double doubled_area(const TriangleUv& uv) {
   const Vec2d along = (uv[1] - uv[0]).cast<double>(), across = (uv[2] - uv[0]).cast<double>();
   return along.x() * across.y() - along.y() * across.x();
@@ -30,7 +30,7 @@ Vec3d weighted_tangent(const TriangleMesh& mesh, Index index) {
   return doubled_area(uv) < 0 ? Vec3d(-tangent) : tangent;
 }
 
-/// What a point between three corners has, given a function of the corner.
+/// Interpolates a function of the corner to a point of the triangle.
 template <class AtCorner>
 Vec3d interpolated(const Vec3d& weights, const AtCorner& at_corner) {
   return weights[0] * at_corner(0) + weights[1] * at_corner(1) + weights[2] * at_corner(2);

@@ -8,19 +8,21 @@
 
 namespace burin {
 
-/// Frames over a mesh with texture coordinates, which displacement maps are measured in. Points lie in
-/// triangles, by their barycentric coordinates there. Any thread.
+/// The frames of a mesh with texture coordinates in which displacement maps are measured. A point is given by
+/// its triangle and its barycentric coordinates. Const functions may be called from several threads at once.
 class BaseFrames {
  public:
-  /// `base` must outlive this; no triangle may name a vertex twice. `tangents`: frame() is to be asked.
+  /// `base` must outlive the object; no triangle may have a vertex twice. frame() may be called only if
+  /// `tangents` is true. Costs O(n), on all threads.
   BaseFrames(const TriangleMesh& base, bool tangents);
 
-  /// The vertex normals interpolated, unit.
+  /// The unit normal, interpolated from the vertex normals.
   Vec3d normal(Index triangle, const Vec3d& weights) const;
 
-  /// Rows t, n x t, n. t is dP/du: the mean, weighted by their areas in the texture, over the triangles
-  /// around each corner that lie in the same island, interpolated and made orthonormal to n. An island ends
-  /// where texture coordinates jump or are mirrored. Where they have no area, any t will do.
+  /// The frame with rows t, n x t and n. t is dP/du, averaged at each corner over the triangles around it in
+  /// the same island, weighted by their areas in texture space, then interpolated and made orthonormal to n.
+  /// An island ends where texture coordinates jump or are mirrored. Without an area in texture space t is an
+  /// arbitrary tangent.
   Eigen::Matrix3d frame(Index triangle, const Vec3d& weights) const;
 
  private:
@@ -29,7 +31,7 @@ class BaseFrames {
   const TriangleMesh& base_;
   Csr incident_;
   std::vector<Vec3f> normals_;                  ///< [vertex]
-  std::vector<std::array<Vec3f, 3>> tangents_;  ///< [triangle][corner], unit or 0; where asked for
+  std::vector<std::array<Vec3f, 3>> tangents_;  ///< [triangle][corner] unit or zero; empty without `tangents`
 };
 
 }  // namespace burin

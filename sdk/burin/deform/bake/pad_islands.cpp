@@ -1,3 +1,4 @@
+// Pads islands round by round, on all threads. Costs O(texels) per round.
 #include <burin/base/parallel.h>
 #include <burin/deform/bake/pad_islands.h>
 
@@ -9,12 +10,13 @@ namespace {
 
 constexpr std::size_t rows_a_block = 32;
 
-/// Finds values for texels without one, from what was known when the round began.
+/// One round of padding: computes values for unknown texels from the texels known at the start of the round.
 class PaddingRound {
  public:
   PaddingRound(FloatImage& image, const std::vector<std::uint8_t>& known) : image_(image), known_(known) {}
 
-  /// False, and the texel stays 0, when no two neighbours in line are known.
+  /// Sets a texel by linear extrapolation along lines. Returns false, and leaves it 0, if no two texels in a
+  /// line are known.
   bool continue_lines(int column, int row) {
     return set_to_mean(column, row, [&](int dx, int dy, const auto& add) {
       const float* next = known(column + dx, row + dy);
@@ -23,7 +25,7 @@ class PaddingRound {
     });
   }
 
-  /// The same when no neighbour is known.
+  /// Sets a texel to the mean of its neighbours. Returns false, and leaves it 0, if no neighbour is known.
   bool spread(int column, int row) {
     return set_to_mean(column, row, [&](int dx, int dy, const auto& add) {
       const float* next = known(column + dx, row + dy);
@@ -41,13 +43,13 @@ class PaddingRound {
     return image_.texels.data() + image_.channels.size() * texel(column, row);
   }
 
-  /// A texel's values; null outside the image and where there are none.
+  /// The values of a texel; null if it is unknown or outside the image.
   const float* known(int column, int row) {
     const bool inside = column >= 0 && row >= 0 && column < image_.width && row < image_.height;
     return inside && known_[texel(column, row)] != 0 ? values(column, row) : nullptr;
   }
 
-  /// Sets a texel to the mean of what propose(dx, dy, add) adds for the 8 directions.
+  /// Sets a texel to the mean of the values that propose(dx, dy, add) adds for the 8 directions.
   template <class Propose>
   bool set_to_mean(int column, int row, const Propose& propose) {
     constexpr std::array<std::pair<int, int>, 8> directions = {

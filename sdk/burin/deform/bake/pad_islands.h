@@ -6,12 +6,12 @@
 
 namespace burin {
 
-/// Continues an image outward from the texels that have a value, by `texels` rounds, so that a filter at the
-/// border of an island meets nothing from outside. A texel beside known ones (of 8) gets, in the first round,
-/// the mean of what lines through two of them lead to: that is the round bilinear lookups on the border see.
-/// Where there are no two in line, and in later rounds, it gets the mean of the known neighbours, which does
-/// not run away. `known`: [texel], 1 where the image has a value, else 0 and the image is 0; those that get
-/// one become 1.
+/// Extends an image outward from its known texels, by `texels` rounds, so that filters at the border of an
+/// island do not mix in texels from outside. In the first round, which bilinear lookups at the border read,
+/// an unknown texel beside known ones (of 8 neighbours) gets the mean of linear extrapolations along lines of
+/// two known texels. Without two texels in a line, and in later rounds, it gets the mean of its known
+/// neighbours, which is stable. known[texel] is 1 if the texel has a value; otherwise it is 0 and the texel
+/// must be 0. It becomes 1 for padded texels.
 void pad_islands(FloatImage& image, std::vector<std::uint8_t>& known, int texels);
 
 }  // namespace burin

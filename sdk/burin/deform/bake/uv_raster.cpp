@@ -1,3 +1,5 @@
+// Rasterises triangles in texture space, band of rows by band, on all threads. Costs O(texels of the
+// triangles' bounding boxes). The lowest triangle wins a texel, so the result does not depend on threads.
 #include <burin/base/counting_sort.h>
 #include <burin/deform/bake/uv_raster.h>
 
@@ -10,14 +12,16 @@ namespace {
 
 constexpr int rows_a_band = 16;
 
-/// A centre counts as held by both triangles beside an edge, so that no gap opens between them, ...
+/// The least barycentric coordinate of a texel's centre that a triangle covers. Centres on a common edge are
+/// covered by both triangles, so that there is no gap.
 constexpr double least_share_inside = -1e-9;
-/// ... and as inside several only beyond what the rounding of coordinates in files may cause.
+/// The least barycentric coordinate of a centre that counts as an overlap; smaller overlaps may come from the
+/// rounding of coordinates in files.
 constexpr double least_share_deep_inside = 1e-3;
 
 double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// First and one past the last of `size` texels along an axis whose centres may lie in [low, high].
+/// The range, first and one past the last, of the texels along an axis whose centres may lie in [low, high].
 std::pair<int, int> texels_between(double low, double high, int size) {
   const auto within = [&](double texel) { return static_cast<int>(std::clamp<double>(texel, 0, size)); };
   return {within(std::floor(low * size - 0.5)), within(std::floor(high * size - 0.5) + 2)};
@@ -33,7 +37,7 @@ std::pair<int, int> rows(const TriangleUv& t, int size) {
   return texels_between(1 - double{high}, 1 - double{low}, size);
 }
 
-/// The triangles whose rows meet each band of rows, ascending.
+/// For each band of rows, the triangles that intersect it, ascending.
 struct Bands {
   std::vector<Index> offsets, triangles;
 };
@@ -56,7 +60,7 @@ Bands sort_into_bands(std::span<const TriangleUv> triangles, int size) {
   return bands;
 }
 
-/// Fills one band of an image, a triangle after the other.
+/// Fills one band of the image, triangle by triangle.
 class BandFiller {
  public:
   BandFiller(std::span<const TriangleUv> triangles, UvRaster& raster, int first_row)

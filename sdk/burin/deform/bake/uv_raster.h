@@ -7,19 +7,20 @@
 
 namespace burin {
 
-/// Which triangle covers each texel of a square image of the unit square of texture coordinates: u to the
-/// right, v up, so that row 0, the top, lies below v = 1.
+/// The triangle that covers each texel of a square image of the unit square of texture coordinates. u runs to
+/// the right and v up, so that row 0, the top row, lies below v = 1.
 struct UvRaster {
-  int size = 0;  ///< texels a side
+  int size = 0;  ///< texels per side
   std::vector<Index>
       triangle;              ///< [row * size + column], the lowest that holds the texel's centre; or no_index
   std::size_t overlaps = 0;  ///< texels whose centre lies inside several triangles
 
-  /// Of a texel, in texture coordinates.
+  /// The centre of a texel in texture coordinates.
   Vec2d centre(std::size_t texel) const;
 };
 
-/// Parts of triangles outside the unit square are left out, triangles without an area there too.
+/// Rasterises triangles. Parts outside the unit square and triangles without an area in texture space are
+/// left out.
 UvRaster rasterise(std::span<const TriangleUv> triangles, int size);
 
 /// Barycentric coordinates of a point with respect to a triangle; not finite when that has no area.

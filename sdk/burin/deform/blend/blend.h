@@ -10,20 +10,21 @@
 
 namespace burin {
 
-/// How sheets become one.
+/// How the sheets of a vertex are combined.
 struct BlendOptions {
   Overlap overlap = Overlap::strongest;
-  double radius = 1;                                       ///< of the stroke, object units
-  double limit = std::numeric_limits<double>::infinity();  ///< vertices go no farther, object units
+  double radius = 1;                                       ///< half width of the stroke, object units
+  double limit = std::numeric_limits<double>::infinity();  ///< greatest displacement, object units
 };
 
-/// Where vertices go: [i] of `places` is for vertices[i], back to its base when it has no node. A vertex with
-/// one node goes where displaced() puts it, bit for bit. Throws ContractError naming brush and (t, d) where
-/// that is beyond the range of floats.
+/// Sets places[i] to the displaced position of vertices[i], which is its original position if it has no node.
+/// A vertex with one node has the position that displaced() computes, bit for bit. Throws ContractError,
+/// which gives brush and (t, d), if a position is beyond the range of floats. Uses all threads.
 void blend_sheets(const Surface& surface, const StrokeSheets& stroke, std::span<const Index> vertices,
                   const BlendOptions& options, std::string_view brush, std::span<Vec3f> places);
 
-/// The same for colours and masks: [i] of `tints` is for vertices[i], its paint's where it has no node.
+/// Sets tints[i] to the combined colour and mask of vertices[i], which are those of `paint` if it has no
+/// node. Uses all threads.
 void blend_tints(const Paint& paint, const StrokeSheets& stroke, std::span<const Index> vertices,
                  const BlendOptions& options, std::span<Tint> tints);
 

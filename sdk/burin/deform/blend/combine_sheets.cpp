@@ -1,3 +1,5 @@
+// Combines the displacements and tints of the sheets at one vertex. Weights fade to 0 at the rim of each
+// sheet, so that the result is continuous where sheets begin and end; see docs/overlap.md.
 #include <burin/deform/blend/combine_sheets.h>
 #include <burin/deform/blend/sheet_shares.h>
 #include <burin/deform/blend/strongest.h>
@@ -22,7 +24,7 @@ bool lies_before(const Sheet& a, const Sheet& b) {
   return a.inside < b.inside;
 }
 
-/// Any order that follows from what sheets hold: sums then have the same bits whichever came first.
+/// Sorts sheets by their content, so that sums have the same bits in whatever order the sheets came.
 void sort_by_content(std::vector<Sheet>& sheets) { std::ranges::stable_sort(sheets, lies_before); }
 
 bool have_one_normal(std::span<const Sheet> sheets) {
@@ -37,7 +39,7 @@ Vec3d mean_normal(std::span<const Sheet> sheets) {
   return sum.isZero(0) ? first.normalized() : sum.normalized();
 }
 
-/// Whether moves are nowhere sideways but for rounding.
+/// Whether all moves are parallel to `direction`, up to rounding.
 bool all_along(const Vec3d& direction, const std::vector<Vec3d>& moves) {
   return std::ranges::all_of(moves, [&](const Vec3d& move) {
     const double along = move.dot(direction);
@@ -52,7 +54,7 @@ Value weighed(const std::vector<Value>& values, const Shares& shares) {
   return sum;
 }
 
-/// [image] that has a sheet: the sum of its sheets' values.
+/// The sums of the values of each image's sheets, for the images that have any.
 template <class Value>
 std::vector<Value> sums_of_images(std::span<const Sheet> sheets, const std::vector<Value>& values) {
   std::map<std::uint32_t, Value> sums;
@@ -64,8 +66,8 @@ std::vector<Value> sums_of_images(std::span<const Sheet> sheets, const std::vect
   return list;
 }
 
-/// As the sheets say that move the vertex farthest along `direction`; sideways without a step where two go
-/// equally far.
+/// The move of the sheets that move the vertex farthest along `direction`. The sideways part changes
+/// continuously when another sheet becomes the farthest.
 Vec3d farthest_along(const Vec3d& direction, std::span<const Sheet> sheets, const std::vector<Vec3d>& moves,
                      double radius) {
   std::vector<double> along;
@@ -79,7 +81,7 @@ Vec3d farthest_along(const Vec3d& direction, std::span<const Sheet> sheets, cons
   return sideways + (farthest - sideways.dot(direction)) * direction;
 }
 
-/// Of each channel the value of the sheets that have most of it; the least where `sign` is -1.
+/// The greatest value of each channel, weighted by sheets; the least if `sign` is -1.
 Tint64 most_of_each(std::span<const Sheet> sheets, const std::vector<Tint64>& tints, double sign) {
   Tint64 most;
   for (Eigen::Index channel = 0; channel < most.size(); ++channel) {

@@ -6,11 +6,13 @@
 
 namespace burin {
 
-/// What several sheets of one vertex do together: how far it goes, in object space. `radius`: of the stroke,
-/// object units. Except for `latest` the order of the sheets does not matter, to the last bit.
+/// The combined displacement of a vertex with several sheets, in object space. `radius` is that of the
+/// stroke, object units. Except for Overlap::latest, the order of the sheets does not change any bit of the
+/// result.
 Vec3d combined_move(std::vector<Sheet> sheets, Overlap overlap, double radius);
 
-/// The same for colours and masks; `before`: those of the vertex without the stroke.
+/// The combined colour and mask of a vertex with several sheets; `before` are those of the vertex without the
+/// stroke.
 Tint combined_tint(std::vector<Sheet> sheets, Overlap overlap, const Tint& before);
 
 }  // namespace burin

@@ -8,17 +8,18 @@
 
 namespace burin {
 
-/// The sheets of the finished pieces of a stroke, which falls into pieces where the pen leaves the surface.
-/// All start from the surface before the stroke. Costs what the pieces cover.
+/// The sheets of the finished pieces of a stroke. A stroke has several pieces if the pen leaves the surface
+/// and returns. All pieces start from the surface before the stroke. Memory is proportional to the nodes of
+/// the pieces.
 class EarlierPieces {
  public:
-  /// Adds a finished piece: the sheets of its instances. `radius`: of the stroke, object units.
+  /// Adds a finished piece: the sheets of its instances. `radius` is that of the stroke, object units.
   void add(std::span<const InstanceSheets> instances, double radius);
 
-  /// How many there are.
+  /// The number of pieces.
   std::uint32_t count() const { return count_; }
 
-  /// Piece by piece. Valid until the next is added.
+  /// The sheets of a vertex, piece by piece. Valid until the next piece is added.
   std::span<const Sheet> at(Index vertex) const;
 
  private:

@@ -5,7 +5,7 @@
 namespace burin {
 namespace {
 
-/// How far a node lies beyond an end of the stroke, or from the middle of its dab.
+/// The distance of a node along the stroke beyond an end of the stroke, or from the middle of its dab.
 double along(const InstanceSheets& instance, Index slot) {
   if (!instance.dab_t.empty()) return instance.dab_t[slot];
   const Chart& chart = instance.chart->nodes();

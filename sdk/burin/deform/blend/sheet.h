@@ -9,31 +9,32 @@
 
 namespace burin {
 
-/// One visit of a stroke at a vertex: what the brush does there, and where in the stroke's region that is.
+/// One visit of a stroke to a vertex: the outputs of the brush, and the position of the node within the
+/// stroke.
 struct Sheet {
-  Vec3f e1, normal;     ///< unit, of the node
+  Vec3f e1, normal;     ///< frame of the node; unit vectors
   Vec3f displacement;   ///< in (e1, n x e1, n), object units
-  Tint tint;            ///< where the brush writes colours or masks; else anything
+  Tint tint;            ///< unspecified if the brush writes neither colours nor masks
   double inside;        ///< 1 on the stroke or in the middle of a dab, falling to 0 at the rim
-  double t;             ///< along the piece, object units
-  std::uint32_t piece;  ///< of the stroke, in the order in which they were drawn
-  std::uint32_t image;  ///< of the stroke's symmetry
+  double t;             ///< arc length along the piece, object units
+  std::uint32_t piece;  ///< index of the piece, in the order of drawing
+  std::uint32_t image;  ///< index of the symmetric image
 
-  /// In doubles, so that floats cannot tell in which order sums were taken.
+  /// The displacement in object space, in doubles.
   Vec3d moved() const {
     return in_space<Vec3d>(e1.cast<double>(), normal.cast<double>(), displacement.cast<double>());
   }
 };
 
-/// The nodes of one symmetry instance of a stroke, or of the piece of it that is being drawn.
+/// The nodes of one symmetry instance of a stroke, or of its current piece. Non-owning.
 struct InstanceSheets {
   const LiveChart* chart;
   const NodeOutputs* outputs;  ///< [slot]
-  /// [slot] where the stroke's width varies; else empty.
+  /// [slot] half width, object units; empty if the stroke's width does not vary.
   std::span<const float> half_width = {};
   std::span<const float> dab_t = {};  ///< [slot] first coordinate within the dab; empty without dabs
 
-  /// `radius`: of the stroke, where nodes have no half width of their own.
+  /// The sheet of a slot. `radius` is the half width of nodes without one of their own, object units.
   Sheet sheet(Index slot, double radius, std::uint32_t piece, std::uint32_t image) const;
 };
 

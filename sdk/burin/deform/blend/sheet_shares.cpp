@@ -11,7 +11,7 @@ namespace {
 /// Share of the half width over which sheets fade in.
 constexpr double feather = 0.75;
 
-/// Of what weighs nothing, so that something counts where nothing else is.
+/// The smallest weight of a sheet, so that the sum of weights is never 0.
 constexpr double least = 1e-12;
 
 double smooth_step(double x) {
@@ -26,7 +26,7 @@ void bring_to_one(Shares& shares) {
   for (double& share : shares) share /= sum;
 }
 
-/// Sets the shares of these sheets, of which the first lies on top, as if there were no others.
+/// Sets the shares of these sheets, the first on top, as if there were no other sheets.
 void stack(std::span<const Sheet> sheets, std::span<const std::size_t> order, Shares& shares) {
   double left = 1, sum = 0;
   for (const std::size_t i : order) {

@@ -6,23 +6,24 @@
 
 namespace burin {
 
-// How much each of a vertex's sheets counts, [sheet]; shares add up to 1. A sheet weighs nothing at its rim
-// and all from three quarters of its half width inside of it, so that a sheet that begins or ends changes
-// nothing where it does; and one that is alone has all the share, whatever it weighs.
+// The share of each of a vertex's sheets in the result; the shares of all sheets add up to 1. The weight of a
+// sheet is 0 at its rim and 1 from three quarters of its half width inside the rim, so that the result is
+// continuous where a sheet begins or ends. A single sheet has the share 1 whatever its weight.
 using Shares = std::vector<double>;
 
-/// By weight.
+/// Shares in proportion to the weights.
 Shares mean_shares(std::span<const Sheet> sheets);
 
-/// Sheets lie over one another, each as opaque as it weighs: those of greater `keys` on top.
+/// Sheets are stacked with greater `keys` on top; the weight of a sheet is its opacity. O(s log s) for s
+/// sheets.
 Shares stacked_shares(std::span<const Sheet> sheets, std::span<const double> keys);
 
-/// The same without a step where the order changes: of sheets whose keys differ by less than `soft` (> 0)
-/// either counts, the upper one the more. In proportion to the square of the number of sheets.
+/// Sheets are stacked by `keys`, but shares change continuously where the order changes: of two sheets whose
+/// keys differ by less than `soft` (> 0) both count, the upper one more. O(s^2) for s sheets.
 Shares softly_stacked_shares(std::span<const Sheet> sheets, std::span<const double> keys, double soft);
 
-/// The later ones of an image on top. Images are drawn at the same time: they count as those of their sheets
-/// that count lie near to the stroke.
+/// Within each image, later sheets are on top. Images are drawn at the same time; each is weighted by how
+/// near to the stroke its visible sheets lie.
 Shares latest_shares(std::span<const Sheet> sheets);
 
 }  // namespace burin

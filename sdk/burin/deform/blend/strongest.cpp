@@ -1,3 +1,5 @@
+// Combines changes by their extremes: along the normal by maximum and minimum, sideways by the Steiner point
+// of the convex hull (Andrew's monotone chain). O(n log n) for n changes.
 #include <burin/deform/blend/strongest.h>
 #include <burin/math/elementary.h>
 
@@ -9,12 +11,12 @@
 namespace burin {
 namespace {
 
-/// Share of a change that is nothing but the rounding of its frame.
+/// Sideways parts below this share of a change are rounding of its frame.
 constexpr double rounding = 1e-12;
 
 double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Appends half of the hull of points that are sorted along an axis, without its last.
+/// Appends half of the hull of points sorted along an axis, without its last corner.
 template <class Points>
 void append_half(const Points& sorted, std::vector<Vec2d>& hull) {
   const std::size_t first = hull.size();
@@ -26,7 +28,7 @@ void append_half(const Points& sorted, std::vector<Vec2d>& hull) {
   hull.pop_back();
 }
 
-/// Of the convex hull of these points, counterclockwise.
+/// The corners of the convex hull of these points, counterclockwise.
 std::vector<Vec2d> hull_corners(std::vector<Vec2d> points) {
   std::ranges::sort(
       points, [](const Vec2d& a, const Vec2d& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
@@ -39,7 +41,7 @@ std::vector<Vec2d> hull_corners(std::vector<Vec2d> points) {
   return hull;
 }
 
-/// Every corner weighs as much as its exterior angle.
+/// The Steiner point is the mean of the corners, each weighted by its exterior angle.
 Vec2d twice_steiner_point(const std::vector<Vec2d>& corners) {
   Vec2d sum = Vec2d::Zero();
   for (std::size_t i = 0; i < corners.size() && corners.size() > 1; ++i) {

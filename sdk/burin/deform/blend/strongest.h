@@ -5,16 +5,17 @@
 
 namespace burin {
 
-// The strongest of several changes, without a step where another becomes the strongest. Changes of one
-// direction give the greatest of them, opposite ones the sum of the greatest of each direction. A change of
-// nothing changes nothing, so that what fades to nothing at a rim has no step there; and the order of changes
-// does not matter.
+// The strongest of several changes, as a continuous function of the changes. Changes in one direction give
+// the greatest of them, changes in opposite directions the sum of the greatest of each direction. A zero
+// change does not influence the result, so a change that fades to zero at a rim causes no step there. The
+// order of changes does not matter.
 
-/// The highest rise and the deepest cut together.
+/// The sum of the highest rise and the deepest cut; 0 without changes.
 double strongest(std::span<const double> changes);
 
-/// Along the unit `normal` as numbers are. At right angles to it twice the Steiner point of the convex hull
-/// of all changes and of none, which is the same in two dimensions and follows mirrorings and turns. No
+/// The strongest of several vectors. The component along the unit vector `normal` is that of the scalar
+/// function. The component at right angles to it is twice the Steiner point of the convex hull of all changes
+/// and zero: the same rule in two dimensions, invariant to reflections and rotations. The result is not
 /// longer than the longest change.
 Vec3d strongest(std::span<const Vec3d> changes, const Vec3d& normal);
 

@@ -10,16 +10,16 @@
 
 namespace burin {
 
-/// All nodes of a stroke.
+/// All nodes of a stroke. Non-owning.
 struct StrokeSheets {
-  std::span<const InstanceSheets> instances;  ///< [image] of the piece that is being drawn
+  std::span<const InstanceSheets> instances;  ///< [image] nodes of the current piece
   const EarlierPieces* earlier = nullptr;     ///< null: none
 };
 
-/// The sheets of one vertex. What it is made of must outlive it.
+/// The sheets of one vertex. The stroke's sheets must outlive the object.
 class VertexSheets {
  public:
-  /// `radius`: of the stroke, object units.
+  /// `radius` is that of the stroke, object units.
   VertexSheets(const StrokeSheets& stroke, double radius, Index vertex)
       : stroke_(&stroke),
         radius_(radius),
@@ -36,7 +36,7 @@ class VertexSheets {
 
   std::size_t count() const { return count_; }
 
-  /// Where the only one moves the vertex from this base, and what it makes of its colours and masks.
+  /// The position and the tint of a vertex with exactly one sheet; `base` is its original position.
   Vec3f alone_moved(const Vec3f& base) const {
     if (!earlier_.empty()) {
       const Sheet& only = earlier_.front();
@@ -57,7 +57,7 @@ class VertexSheets {
     return sheets;
   }
 
-  /// visit(image, slot) for those of the piece that is being drawn, image by image, by rising t.
+  /// Calls visit(image, slot) for the nodes of the current piece, image by image, in the order of t.
   template <class Visit>
   void for_each_node(const Visit& visit) const {
     for (std::uint32_t image = 0; image < stroke_->instances.size(); ++image) {
@@ -78,7 +78,7 @@ class VertexSheets {
   Index vertex_;
   std::span<const Sheet> earlier_;
   std::size_t count_;
-  std::uint32_t first_image_ = 0;  ///< of the piece that is being drawn, the first node if there is one
+  std::uint32_t first_image_ = 0;  ///< image and slot of the first node of the current piece, if there is one
   Index first_slot_ = no_index;
 };
 

@@ -6,13 +6,14 @@
 namespace burin {
 namespace {
 
-// along, across, up; mask, four of colour
+// The columns are along, across, up; mask; four channels of colour.
 constexpr std::size_t output_columns = 8;
-// t, d, radius, stretch, two of footprint; position, normal, e1; curvature, laplacian; displacement; mask,
-// four of colour; foot and its normal; six of the pen; fine position, normal and curvature
+// The columns are t, d, radius, stretch, two of footprint; position, normal, e1; curvature, laplacian;
+// displacement; mask, four channels of colour; foot and its normal; six of the pen; fine position, normal and
+// curvature. Vectors have three columns.
 constexpr std::size_t input_columns = 46;
 
-/// Within 0..1; what is not finite stays so, to be found out.
+/// Clamps to 0..1; a value that is not finite stays as it is, so that it is detected later.
 float in_range(float value) { return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : value; }
 
 }  // namespace

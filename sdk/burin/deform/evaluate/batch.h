@@ -16,21 +16,21 @@
 
 namespace burin {
 
-/// What the nodes of a stroke stand on. Looked at, not owned.
+/// Everything from which the inputs of a stroke's nodes are read. Non-owning.
 struct NodeSource {
-  const Surface& surface;  ///< as it was when the stroke began
+  const Surface& surface;  ///< the surface before the stroke
   const StrokeNodes& nodes;
-  float radius;                          ///< object units, where nodes have no half width of their own
-  const Paint* paint = nullptr;          ///< of the surface; null: none
-  const FootLine* foot = nullptr;        ///< of the stroke, where the brush reads it
-  const PassPlaces* places = nullptr;    ///< where vertices stand after the pass before; null: at their base
-  const CurrentBase* current = nullptr;  ///< of nodes that stand on what the stroke made before; null: none
-  std::uint32_t symmetry = 0;            ///< instance
-  bool mirrored = false;              ///< BURIN_STROKE_MIRRORED: the brush sees d and e2 the other way round
-  std::span<const float> dab_t = {};  ///< [slot] t within the node's dab, instead of the chart's; or empty
-  BaseSurface* base = nullptr;        ///< that the stroke runs on; null: the surface itself
+  float radius;                          ///< half width, object units, of nodes without one of their own
+  const Paint* paint = nullptr;          ///< colours and masks before the stroke; null: none
+  const FootLine* foot = nullptr;        ///< the stroke's foot line, if the brush reads it
+  const PassPlaces* places = nullptr;    ///< positions after the previous pass; null: those of the base
+  const CurrentBase* current = nullptr;  ///< geometry of nodes that depend on earlier visits; null: none
+  std::uint32_t symmetry = 0;            ///< index of the symmetry instance
+  bool mirrored = false;                 ///< BURIN_STROKE_MIRRORED: the brush sees d and e2 negated
+  std::span<const float> dab_t = {};     ///< [slot] t within the node's dab, instead of the chart's; or empty
+  BaseSurface* base = nullptr;  ///< the base surface on which the stroke runs; null: the surface itself
 
-  /// Where a vertex stands on the base surface.
+  /// The position of a vertex's foot on the base surface.
   Vec3f base_place(Index vertex) const {
     return base ? base_position(*base, surface, vertex) : surface.positions[vertex];
   }
@@ -41,25 +41,27 @@ struct NodeSource {
   }
 };
 
-/// Buffers for one call of a brush, filled anew for every batch.
+/// Buffers for one call of a brush, refilled for every batch. One thread at a time.
 class Batch {
  public:
   static constexpr std::size_t capacity = 1024;
 
   Batch();
 
-  /// Fills the declared `inputs` of at most `capacity` nodes, and the outputs with what they hold before.
-  /// `displacement`: [i] of nodes[i] after the pass before, in (e1, e2, n); empty in the first pass.
+  /// Fills the declared `inputs` of at most `capacity` nodes, and the outputs with their initial values: no
+  /// displacement, and the paint before the stroke. `displacement` holds, for each node, its displacement
+  /// after the previous pass in (e1, e2, n), object units; it is empty in the first pass.
   void fill(const NodeSource& source, std::uint64_t inputs, std::uint64_t outputs, const burin_params& params,
             std::span<const Index> nodes, std::span<const Vec3f> displacement);
 
   const burin_batch& inputs() const { return batch_; }
   const burin_outputs& outputs() const { return outputs_; }
 
-  /// What the brush wrote for element i, in (e1, e2 = n x e1, n).
+  /// The displacement that the brush wrote for element i, in (e1, e2 = n x e1, n), object units.
   Vec3f displacement(std::size_t i) const;
 
-  /// Colour and mask that it wrote, brought within 0..1 where finite, or those before.
+  /// The colour and mask that the brush wrote for element i, clamped to 0..1 if finite; those that it does
+  /// not write are as before the stroke.
   Tint tint(std::size_t i) const;
 
  private:
@@ -80,7 +82,7 @@ class Batch {
   void fill_pen(std::uint64_t inputs, std::span<const Index> nodes);
   void fill_names(std::uint64_t inputs, std::span<const Index> nodes);
   float* next_column();
-  /// Of a node that does not stand on the base surface, or null.
+  /// The geometry of a node that depends on earlier visits, or null.
   const CurrentBase::Place* current(Index node) const {
     return source_->current ? source_->current->find(node) : nullptr;
   }
@@ -89,9 +91,9 @@ class Batch {
                           std::size_t i) const;
   Index vertex(Index node) const { return source_->nodes.chart().vertex[node]; }
 
-  const NodeSource* source_ = nullptr;  ///< of the fill that is going on, or the last
-  std::vector<Tint> tints_before_;      ///< [element] where the brush writes colours or masks
-  std::vector<float> columns_;          ///< column after column, `capacity` each: the outputs', then inputs
+  const NodeSource* source_ = nullptr;  ///< source of the current or last fill()
+  std::vector<Tint> tints_before_;      ///< [element], if the brush writes colours or masks
+  std::vector<float> columns_;          ///< columns of `capacity` floats: outputs, then inputs
   std::size_t used_columns_ = 0;
   std::vector<std::uint32_t> sheets_, visit_counts_, node_ids_;
   float radius_ = 0;

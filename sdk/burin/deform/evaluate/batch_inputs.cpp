@@ -105,7 +105,7 @@ void Batch::fill_fine(std::uint64_t inputs, std::span<const Index> nodes,
         numbers(nodes, [&](Index node) { return mean_curvature(surface, vertex(node)); });
 }
 
-/// A place of nodes[i] as the pass before displaced it; there is none before the first.
+/// A position of nodes[i], displaced by the result of the previous pass, if there is one.
 Vec3f Batch::after_pass_before(const Vec3f& place, Index node, std::span<const Vec3f> displacement,
                                std::size_t i) const {
   if (displacement.empty()) return place;
@@ -113,7 +113,8 @@ Vec3f Batch::after_pass_before(const Vec3f& place, Index node, std::span<const V
   return displaced(place, chart.e1[node], chart.normal[node], displacement[i]);
 }
 
-/// Of components along (e1, e2, n).
+/// Converts components along (e1, e2, n) between the node's frame and the brush's, which is mirrored in
+/// mirrored instances.
 Vec3f Batch::in_brush_frame(const Vec3f& components) const {
   return mirrored_ ? Vec3f(components.x(), -components.y(), components.z()) : components;
 }
@@ -122,7 +123,7 @@ void Batch::fill_surroundings(std::uint64_t inputs, std::span<const Index> nodes
   const Chart& chart = source_->nodes.chart();
   const Surface& surface = source_->surface;
   if (inputs & BURIN_INPUT_FOOTPRINT) {
-    // A step of u along e1 is one of u / J in t.
+    // A step of length u along e1 changes t by u / J.
     batch_.footprint_t = numbers(nodes, [&](Index node) {
       return cell_size(surface, vertex(node), chart.e1[node]) / std::max(chart.stretch[node], least_stretch);
     });

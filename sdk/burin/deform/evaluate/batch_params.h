@@ -7,16 +7,16 @@
 
 namespace burin {
 
-/// The parameters as one batch sees them: those that dynamics drive hold a number for each element.
+/// The parameters of one batch: those that dynamics drive have one number per element.
 class BatchParams {
  public:
-  /// `params`: the values before dynamics. The result is valid until the next call.
+  /// `params` are the values before dynamics. The result is valid until the next call.
   const burin_params& fill(const burin_params& params, const NodeDynamics& dynamics,
                            std::span<const Index> nodes);
 
  private:
   std::vector<burin_param_value> values_;
-  std::vector<float> numbers_;  ///< parameter after parameter, one an element
+  std::vector<float> numbers_;  ///< parameter by parameter, one number per element
   burin_params params_{};
 };
 

@@ -4,10 +4,11 @@
 
 namespace burin {
 
-/// A stroke of a brush between the ABI's begin and end. Brush, descriptor and parameters must outlive it.
+/// A stroke of a brush between the ABI's begin() and end(). Brush, descriptor and parameters must outlive the
+/// object.
 class BrushStroke {
  public:
-  /// Begins the stroke. Throws Error "ID: ..." when the brush refuses, ContractError when its plan is none.
+  /// Starts the stroke. Throws Error "ID: ..." if the brush refuses, ContractError if its plan is invalid.
   BrushStroke(const burin_brush& brush, const burin_brush_descriptor& descriptor,
               const burin_stroke_context& context, const burin_params& params);
   ~BrushStroke();
@@ -18,7 +19,7 @@ class BrushStroke {
   const burin_params& params() const { return *params_; }
   const burin_stroke_plan& plan() const { return plan_; }
 
-  /// Any thread, concurrent.
+  /// May be called from several threads at once.
   burin_status evaluate(const burin_stroke_context& context, const burin_batch& batch,
                         const burin_outputs& outputs, burin_text* error) const {
     const PluginCall call("brush", descriptor_->id);

@@ -5,18 +5,18 @@
 
 namespace burin {
 
-/// Where nodes stand that do not stand on the base surface: on what the stroke made of it before.
+/// Positions and frames of nodes that lie on the result of the stroke's earlier visits.
 class CurrentBase {
  public:
   struct Place {
-    Vec3f position, normal, e1;        ///< object space; frame right-handed and orthonormal
-    Vec3f fine_position, fine_normal;  ///< the same of the fine surface
-    Vec3f laplacian;                   ///< of the fine surface as it is there
+    Vec3f position, normal, e1;        ///< object space; the frame is right-handed and orthonormal
+    Vec3f fine_position, fine_normal;  ///< position and normal of the fine surface
+    Vec3f laplacian;                   ///< umbrella vector of the fine surface
   };
 
   void set(Index slot, const Place& place) { places_[slot] = place; }
 
-  /// Null for a node that stands on the base.
+  /// The geometry of a node; null for a node without earlier visits.
   const Place* find(Index slot) const {
     const auto found = places_.find(slot);
     return found == places_.end() ? nullptr : &found->second;

@@ -6,17 +6,17 @@
 
 namespace burin {
 
-/// A buffer that a plugin leaves its one line of explanation in.
+/// A buffer in which a plugin can leave one line of explanation.
 class ErrorText {
  public:
-  /// To be handed to a plugin; valid while this object stays in place.
+  /// The structure to pass to a plugin; valid while this object stays in place.
   burin_text* abi() { return &text_; }
 
   ErrorText();
   ErrorText(const ErrorText&) = delete;
   ErrorText& operator=(const ErrorText&) = delete;
 
-  /// What the plugin wrote, as one line; where it wrote nothing, what the status means.
+  /// The plugin's text as one line, or the meaning of the status if the plugin wrote nothing.
   std::string line(burin_status status) const;
 
  private:

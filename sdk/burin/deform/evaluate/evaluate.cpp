@@ -1,3 +1,4 @@
+// Calls brushes in batches of up to 1024 nodes on all threads and checks what they return.
 #include <burin/base/parallel.h>
 #include <burin/deform/evaluate/error_text.h>
 #include <burin/deform/evaluate/evaluate.h>
@@ -13,8 +14,8 @@
 
 namespace burin {
 
-/// Batches that are not in use. Not thread-local: a brush that runs parallel loops of its own may make a
-/// thread start a second batch in the middle of the first.
+/// A pool of unused batches. They are not thread-local, since a brush that runs parallel loops of its own may
+/// make a thread start a second batch in the middle of the first.
 class Evaluator::BatchPool {
  public:
   std::unique_ptr<Batch> take() {
@@ -37,7 +38,7 @@ class Evaluator::BatchPool {
 
 namespace {
 
-/// What one pass over the nodes has to do.
+/// The arguments of one pass over the nodes.
 struct Pass {
   const BrushStroke& stroke;
   const burin_stroke_context& context;
@@ -76,7 +77,7 @@ void evaluate_batch(const Pass& pass, Batch& batch, std::size_t begin, std::size
   }
 }
 
-/// A share of the way from the tint before to the one written; masks do not protect themselves.
+/// Interpolates between the tint before and the written one. The mask protects the colour but not itself.
 Tint mixed(const Tint& before, const Tint& written, float strength, float mask) {
   const float share = std::clamp(strength, 0.0f, 1.0f);
   Tint tint = before;

@@ -8,20 +8,20 @@
 
 namespace burin {
 
-/// A brush that displaces farther than this, in radii of the stroke, has failed.
+/// The greatest displacement of a brush, in radii of the stroke; a greater one is an error of the brush.
 inline constexpr float farthest_displacement = 1000;
 
-/// What a brush does at nodes, [i] for nodes[i].
+/// The outputs of a brush for a list of nodes, in the order of the list.
 struct NodeOutputs {
   std::vector<Vec3f> displacement;  ///< in the node's (e1, e2, n), object units
-  std::vector<Tint> tint;           ///< empty where the brush writes neither colours nor masks
+  std::vector<Tint> tint;           ///< empty if the brush writes neither colours nor masks
 
   void resize(std::size_t nodes, bool paints) {
     displacement.resize(nodes);
     tint.resize(paints ? nodes : 0);
   }
 
-  /// Takes over what another, of the same brush, has for one node.
+  /// Copies the outputs of one node from other outputs of the same brush.
   void take(std::size_t node, const NodeOutputs& from, std::size_t node_of_from) {
     displacement[node] = from.displacement[node_of_from];
     if (!from.tint.empty()) tint[node] = from.tint[node_of_from];
@@ -31,10 +31,11 @@ struct NodeOutputs {
 /// Whether the brush writes colours or masks.
 bool paints(const burin_brush_descriptor& brush);
 
-/// Evaluates brushes over nodes in batches on all threads. Keeps its buffers from call to call.
-/// One thread at a time. Functions throw ContractError naming brush and (t, d) when the brush fails, a
-/// number is not finite or a displacement absurdly far, for the lowest such batch or node of the earliest
-/// such pass. What they give for a node does not depend on which others are computed along.
+/// Evaluates brushes over nodes in batches on all threads. Keeps its buffers from call to call. One thread at
+/// a time. Functions throw ContractError, which gives the brush and (t, d), if the brush fails, if a number
+/// is not finite, or if a displacement exceeds farthest_displacement; of several failures the one of the
+/// earliest pass and lowest node is reported. The result for a node does not depend on the other nodes in the
+/// call.
 class Evaluator {
  public:
   Evaluator();
@@ -42,18 +43,18 @@ class Evaluator {
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
 
-  /// Runs all passes of the stroke over these nodes of source.nodes, for brushes whose passes do not look at
-  /// neighbours, and scales what the last one wrote. Valid until the next call.
+  /// Runs all passes of the stroke over these nodes of source.nodes and applies scale() to the result. Only
+  /// for brushes whose passes do not read neighbours. The result is valid until the next call.
   const NodeOutputs& evaluate(const BrushStroke& stroke, const burin_stroke_context& context,
                               const NodeSource& source, std::span<const Index> nodes, float strength);
 
-  /// Runs the pass that the context names. `outputs`, of the size of `nodes`: the displacement after the pass
-  /// before, and then that after this one, at full strength.
+  /// Runs the pass number context.pass. `outputs`, which has the size of `nodes`, holds the displacement
+  /// after the previous pass and receives that after this pass, at full strength.
   void pass(const BrushStroke& stroke, const burin_stroke_context& context, const NodeSource& source,
             std::span<const Index> nodes, NodeOutputs& outputs);
 
-  /// Makes of the last pass's outputs what is to be seen: displacement by strength, with the dynamics of the
-  /// nodes, and mask, tints between those before and those written.
+  /// Applies strength and mask to the outputs of the last pass: displacements are multiplied by the strength,
+  /// its dynamics and the mask; tints are interpolated between those before the stroke and the written ones.
   static void scale(const BrushStroke& stroke, const NodeSource& source, std::span<const Index> nodes,
                     float strength, NodeOutputs& outputs);
 

@@ -10,20 +10,21 @@
 
 namespace burin {
 
-/// The failure with the lowest element among those that several threads note.
+/// The failure with the lowest element among those that several threads report.
 class FirstFailure {
  public:
-  /// Elements from `begin` on need not be computed any more.
+  /// Whether an element before `begin` has failed, so that elements from `begin` on need not be computed.
   bool lies_before(std::size_t begin) const { return element_.load(std::memory_order_relaxed) < begin; }
 
   void note(std::size_t element, std::string what);
 
   bool any() const { return element_ != none; }
 
-  /// The lowest, if any.
+  /// The lowest element that failed. Requires any().
   std::size_t element() const { return element_; }
 
-  /// Throws ContractError "BRUSH: WHAT at t = T, d = D" for the failure; it befell this node of the chart.
+  /// Throws ContractError "BRUSH: WHAT at t = T, d = D" for the failure, which occurred at this node of the
+  /// chart.
   [[noreturn]] void throw_at(std::string_view brush, const Chart& chart, Index node) const;
 
  private:

@@ -7,10 +7,10 @@
 
 namespace burin {
 
-/// What dynamics make of strength and parameters at each node of a stroke.
+/// Strength and parameters at each node of a stroke, as the pen's dynamics drive them.
 class NodeDynamics {
  public:
-  /// `dynamics` must outlive the object; none where nothing varies.
+  /// `dynamics` must outlive the object; null if nothing varies.
   explicit NodeDynamics(const ParamDynamics* dynamics)
       : dynamics_(dynamics && dynamics->any() ? dynamics : nullptr) {}
 
@@ -18,11 +18,11 @@ class NodeDynamics {
 
   void resize(std::size_t slots);
 
-  /// Sets the node's values to those of its place on the curve; tells whether any differs from before.
-  /// Concurrent for different slots. Only where there are any.
+  /// Sets the node's values to those at its point of the curve; returns whether any differs from before.
+  /// Several threads may call this at once for different slots. Requires any().
   bool update(Index slot, const PenAt& at, double loop);
 
-  /// Factor on the strength.
+  /// The factor on the strength.
   float strength(Index slot) const { return any() ? values_[slot * stride()] : 1; }
 
   /// The parameters that vary, and the value of the k-th of them.
@@ -35,7 +35,7 @@ class NodeDynamics {
   std::size_t stride() const { return 1 + dynamics_->params().size(); }
 
   const ParamDynamics* dynamics_;
-  std::vector<float> values_;  ///< [slot]: the strength's, then one a parameter
+  std::vector<float> values_;  ///< [slot] the factor on the strength, then one value per parameter
 };
 
 }  // namespace burin

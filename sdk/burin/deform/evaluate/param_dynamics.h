@@ -9,23 +9,23 @@
 
 namespace burin {
 
-/// The brush's parameters that dynamics drive along a stroke, and its strength.
+/// The strength and the parameters of a brush that dynamics drive along a stroke.
 class ParamDynamics {
  public:
-  /// Of a parameter that varies.
+  /// A parameter that varies.
   struct Param {
-    std::uint32_t index = 0;   ///< of the descriptor
-    double before = 0;         ///< its value before dynamics
-    double low = 0, high = 0;  ///< what is delivered lies within
-    bool adds = false;         ///< angles: the curves are added, not multiplied
-    bool whole = false;        ///< rounded
+    std::uint32_t index = 0;   ///< index in the descriptor
+    double before = 0;         ///< value before dynamics
+    double low = 0, high = 0;  ///< range of the delivered value
+    bool adds = false;         ///< curves are added (angles) instead of multiplied
+    bool whole = false;        ///< the value is rounded to a whole number
     TargetDynamics dynamics;
   };
 
   ParamDynamics() = default;  ///< nothing varies
 
-  /// `before`: the values before dynamics. Throws Error where a target is neither "radius", "strength" nor a
-  /// numeric parameter that the brush declares as dynamic, or a curve is malformed.
+  /// `before` are the values before dynamics. Throws Error if a target is neither "radius", "strength" nor a
+  /// numeric parameter that the brush declares as dynamic, or if a curve is malformed.
   ParamDynamics(const burin_brush_descriptor& brush, const burin_params& before,
                 std::span<const Dynamic> dynamics, const DrivenStroke& stroke);
 
@@ -33,9 +33,9 @@ class ParamDynamics {
   bool any() const { return !params_.empty() || !strength_.empty(); }
   const std::vector<Param>& params() const { return params_; }
 
-  /// Factor on the strength at a place of the curve; `loop` as TargetDynamics takes it. Any thread.
+  /// The factor on the strength at a point of the curve; for `loop` see TargetDynamics. Any thread.
   float strength(const PenAt& at, double loop) const;
-  /// Value of a parameter there, within its hard range.
+  /// The value of a parameter at a point of the curve, within its hard range.
   static float value(const Param& param, const PenAt& at, double loop);
 
  private:

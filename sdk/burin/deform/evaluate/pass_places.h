@@ -6,10 +6,10 @@
 
 namespace burin {
 
-/// Where the vertices under a stroke stand after one of its passes.
+/// The positions of the vertices under a stroke after one of its passes.
 class PassPlaces {
  public:
-  /// The charts are those of the stroke's instances.
+  /// `charts` are those of the stroke's instances. Surface and charts must outlive the object.
   PassPlaces(const Surface& surface, std::vector<const LiveChart*> charts)
       : surface_(&surface), charts_(std::move(charts)), places_(charts_.size()) {}
 
@@ -21,13 +21,13 @@ class PassPlaces {
     return surface_->positions[vertex];
   }
 
-  /// The vertex must have been in one of the charts.
+  /// Sets the position of a vertex, which must be or have been in one of the charts.
   void set(Index vertex, const Vec3f& place);
 
  private:
   const Surface* surface_;
   std::vector<const LiveChart*> charts_;
-  std::vector<std::vector<Vec3f>> places_;  ///< [instance][place of its chart]
+  std::vector<std::vector<Vec3f>> places_;  ///< [instance][local index in its chart]
 };
 
 }  // namespace burin

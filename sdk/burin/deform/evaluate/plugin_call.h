@@ -3,8 +3,8 @@
 
 namespace burin {
 
-/// Marks that the calling thread runs code of a plugin, as long as it lives, so that a host can name who
-/// called exit() in it. Calls may nest. Both texts must outlive it.
+/// Marks, during its lifetime, that the calling thread runs code of a plugin, so that a host can report which
+/// plugin called exit(). Calls may nest. Both texts must outlive the object.
 class PluginCall {
  public:
   /// `kind` and `name`: "brush", "org.example.ripple".
@@ -13,7 +13,7 @@ class PluginCall {
   PluginCall(const PluginCall&) = delete;
   PluginCall& operator=(const PluginCall&) = delete;
 
-  /// Whose code the calling thread runs, "brush org.example.ripple"; empty where none.
+  /// The plugin whose code the calling thread runs, "brush org.example.ripple"; empty if none.
   static std::string running();
 
  private:

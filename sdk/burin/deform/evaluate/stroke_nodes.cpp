@@ -1,3 +1,5 @@
+// Finds the nodes whose outputs an event changes. Costs O(1) per node that the chart's last event computed,
+// and per node near the stroke's end.
 #include <burin/abi/stroke.h>
 #include <burin/base/parallel.h>
 #include <burin/deform/evaluate/stroke_nodes.h>
@@ -46,14 +48,14 @@ StrokeChanges StrokeNodes::in_zone(double end_zone) {
   return finished();
 }
 
-/// Whose number of sheets may be another one.
+/// Adds all nodes of altered vertices, since the number of sheets there may have changed.
 void StrokeNodes::add_other_sheets() {
   for (const Index vertex : chart_->altered())
     for (Index slot = chart_->first(vertex); slot != no_index; slot = chart_->next(slot)) add_stale(slot);
 }
 
-/// What was computed, and what lies before it where the pen may be another one all the same: samples on top
-/// of each other leave the curve as it was.
+/// Collects the nodes that the last event computed, and earlier nodes whose pen may differ nevertheless:
+/// coinciding samples change the pen but not the curve.
 void StrokeNodes::collect(double same_pen_up_to) {
   asked_.assign(chart_->computed().begin(), chart_->computed().end());
   const bool varies = reads_.varying != 0 || dynamics_.any();
@@ -67,7 +69,7 @@ void StrokeNodes::collect(double same_pen_up_to) {
   }
 }
 
-/// Brings pens, half widths and dynamics up to date, and notes which differ.
+/// Updates pens, half widths and dynamics of the collected nodes, and records which differ.
 void StrokeNodes::compare_pens(const SurfaceCurve& curve) {
   differs_.assign(asked_.size(), 0);
   const bool widths = reads_.varying & BURIN_INPUT_RADIUS, pens = reads_.varying & ~BURIN_INPUT_RADIUS;
@@ -108,7 +110,7 @@ void StrokeNodes::add_vertex(Index slot) {
   changes_.vertices.push_back(chart().vertex[slot]);
 }
 
-/// Nodes from the begin of the end zone on, below a t.
+/// Adds the nodes of the end zone with t below `up_to`.
 void StrokeNodes::add_zone(double end_zone, double up_to) {
   const auto count = static_cast<Index>(chart().size());
   for (const Index slot :
@@ -118,7 +120,7 @@ void StrokeNodes::add_zone(double end_zone, double up_to) {
   }
 }
 
-/// Of a node; neither more nor less than any number where the slot is vacant.
+/// The t of a node; NaN if the slot is vacant, so that no comparison is true.
 double StrokeNodes::t_of(Index slot) const {
   return chart_->vacant(slot) ? std::numeric_limits<double>::quiet_NaN() : chart().t[slot];
 }

@@ -6,7 +6,8 @@
 
 namespace burin {
 
-/// The inputs that this host fills and the outputs that it takes; a brush that declares others is refused.
+/// The inputs that this host provides and the outputs that it accepts; a brush that declares others is
+/// rejected.
 inline constexpr std::uint64_t supported_inputs =
     BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_STRETCH | BURIN_INPUT_FOOTPRINT |
     BURIN_INPUT_POSITION | BURIN_INPUT_NORMAL | BURIN_INPUT_E1 | BURIN_INPUT_MEAN_CURVATURE |
@@ -17,7 +18,7 @@ inline constexpr std::uint64_t supported_inputs =
 inline constexpr std::uint64_t supported_outputs =
     BURIN_OUTPUT_DISPLACEMENT | BURIN_OUTPUT_MASK | BURIN_OUTPUT_COLOUR;
 
-/// Names for people, "laplacian, mask"; a bit that this version does not know is named by its number.
+/// The names of inputs or outputs for messages: "laplacian, mask". An unknown bit is given by its number.
 std::string input_names(std::uint64_t inputs);
 std::string output_names(std::uint64_t outputs);
 

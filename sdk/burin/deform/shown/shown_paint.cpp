@@ -59,7 +59,7 @@ std::vector<Index> ShownPaint::drop() {
 }
 
 void ShownPaint::restore(const PaintStep& step) {
-  // Who assigned a paint without colours or masks since may still go back to some.
+  // The step may hold colours or masks although a paint without them was assigned since.
   prepare((step.colours.empty() ? 0 : BURIN_OUTPUT_COLOUR) | (step.masks.empty() ? 0 : BURIN_OUTPUT_MASK));
   for (Paint* paint : {&base_, &shown_}) {
     for (std::size_t i = 0; i < step.colours.size(); ++i) paint->colour[step.vertices[i]] = step.colours[i];

@@ -7,15 +7,15 @@
 
 namespace burin {
 
-/// Colours and masks where they differ, or differed.
+/// Colours and masks of the vertices that a stroke changed, as they were before it.
 struct PaintStep {
   std::vector<Index> vertices;  ///< ascending, each once
-  std::vector<Vec4f> colours;   ///< [i] of vertices[i]; empty where the surface has no colours
-  std::vector<float> masks;     ///< the same of masks
+  std::vector<Vec4f> colours;   ///< [i] of vertices[i]; empty if the surface has no colours
+  std::vector<float> masks;     ///< [i] of vertices[i]; empty if the surface has no masks
 };
 
-/// Colours and masks of a surface as they are to be shown while an open stroke paints it, beside those of
-/// when it began.
+/// The colours and masks to show while an open stroke paints a surface, and those from before the stroke, the
+/// base.
 class ShownPaint {
  public:
   explicit ShownPaint(Index vertex_count) : vertex_count_(vertex_count) {}
@@ -23,23 +23,24 @@ class ShownPaint {
   const Paint& base() const { return base_; }
   const Paint& shown() const { return shown_; }
 
-  /// Starts from this paint. Each of its arrays is empty or has an element a vertex.
+  /// Sets base and shown paint. Each array is empty or has one element per vertex.
   void assign(Paint paint);
 
-  /// Makes room for what a brush of these outputs writes: in proportion to the surface, the first time.
+  /// Allocates the arrays that a brush with these outputs writes. Costs O(vertices) the first time.
   void prepare(std::uint64_t outputs);
 
-  /// Tints vertices, each named once. One whose colour is that of its base gets its very bits, which a
-  /// tint does not hold. Appends those that look other than before to `changed`.
+  /// Sets the tints of vertices, which must be distinct. A tint equal to that of the base restores the exact
+  /// bits of the base's colour, which a tint cannot represent. Appends the vertices that changed to
+  /// `changed`.
   void set(std::span<const Index> vertices, std::span<const Tint> tints, std::vector<Index>& changed);
 
-  /// Makes the base what is shown; returns what was there where they differed.
+  /// Makes the shown paint the base; returns the previous values where they differed.
   PaintStep commit();
 
-  /// Shows the base again. Returns the vertices that may have looked otherwise, ascending.
+  /// Shows the base again. Returns the vertices that may have changed, ascending.
   std::vector<Index> drop();
 
-  /// Goes back to what a step says, of a surface on which nothing else is shown.
+  /// Restores the values of a step. No stroke may be open.
   void restore(const PaintStep& step);
 
  private:
@@ -47,7 +48,7 @@ class ShownPaint {
 
   Index vertex_count_;
   Paint base_, shown_;
-  std::vector<Index> touched_;  ///< since the last commit or drop; some several times
+  std::vector<Index> touched_;  ///< vertices set since the last commit() or drop(), with repetitions
 };
 
 }  // namespace burin

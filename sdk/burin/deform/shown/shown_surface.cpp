@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-/// Bits, not values: -0 and 0 must not be taken for each other, or results would depend on history.
+/// Compares bits instead of values: if -0 and 0 counted as equal, results would depend on history.
 bool same_bits(const Vec3f& a, const Vec3f& b) {
   return std::memcmp(a.data(), b.data(), 3 * sizeof(float)) == 0;
 }

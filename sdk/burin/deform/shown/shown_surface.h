@@ -7,26 +7,28 @@
 
 namespace burin {
 
-/// Positions and normals of a surface as they are to be shown while an open stroke displaces it; the
-/// surface itself stays as it was when the stroke began. Every call costs in proportion to its vertices.
+/// The positions and normals to show while an open stroke displaces a surface; the surface itself does not
+/// change until commit(). Every call costs in proportion to its vertices.
 class ShownSurface {
  public:
-  /// Shows the surface as it is. All calls take this surface.
+  /// Copies positions and normals. All calls must be given this surface.
   explicit ShownSurface(const Surface& base);
 
   std::span<const Vec3f> positions() const { return positions_; }
   std::span<const Vec3f> normals() const { return normals_; }
 
-  /// Moves vertices, each named once, to new places. Returns those that are not where they were, and their
-  /// neighbours, whose normals may have changed: ascending, valid until the next call of any method.
+  /// Moves vertices, which must be distinct, to new positions. Returns the vertices that moved and their
+  /// neighbours, whose normals may have changed, ascending. The span is valid until the next call of any
+  /// method.
   std::span<const Index> move(const Surface& base, std::span<const Index> vertices,
                               std::span<const Vec3f> places);
 
-  /// The vertices that are not where the base has them, ascending: of those that moved since the last call,
-  /// or commit().
+  /// Among the vertices that moved since the last call, or commit(), those whose position differs from the
+  /// base; ascending.
   std::vector<Index> take_displaced(const Surface& base);
 
-  /// Makes the surface what is shown, given all vertices that differ.
+  /// Copies the shown positions and normals to the surface and updates its curvature. `vertices` are all
+  /// vertices whose positions differ.
   void commit(Surface& base, std::span<const Index> vertices);
 
  private:

@@ -9,22 +9,24 @@
 
 namespace burin {
 
-/// Where vertices stood before a stroke, and what was painted there.
+/// The positions and paint of the changed vertices before a stroke.
 struct UndoStep {
   std::vector<Index> vertices;
   std::vector<Vec3f> positions;  ///< [i] of vertices[i]
   PaintStep paint;
 };
 
-/// The finished strokes of a session, newest last: 16 bytes for each vertex that a stroke moved, and up to 24
-/// for each that it painted. Normals are a function of positions and are not kept.
+/// The undo steps of the finished strokes of a session, newest last. A step takes 16 bytes per vertex that
+/// the stroke moved, and up to 24 per vertex that it painted. Normals follow from positions and are not
+/// stored.
 class UndoJournal {
  public:
-  /// Notes where these vertices stand, and the paint before. A stroke that changed nothing is a step too.
+  /// Stores the current positions of these vertices, and the paint before the stroke. A stroke that changed
+  /// nothing is a step too.
   void record(std::span<const Index> vertices, std::span<const Vec3f> positions_of_surface,
               PaintStep paint = {});
 
-  /// Takes the newest step out; nothing when there is none.
+  /// Removes and returns the newest step; nothing if there is none.
   std::optional<UndoStep> take();
 
  private:

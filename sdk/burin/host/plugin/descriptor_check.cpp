@@ -7,7 +7,7 @@
 namespace burin {
 namespace {
 
-/// Reverse DNS: words of letters, digits, - and _, at least two, with dots between.
+/// Whether this is a reverse DNS name: at least two words of letters, digits, - and _, separated by dots.
 bool is_brush_id(const char* id) {
   if (!id) return false;
   bool dotted = false, in_word = false;

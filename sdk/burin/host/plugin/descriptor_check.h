@@ -5,16 +5,16 @@
 
 namespace burin {
 
-/// 2^24, to which floats hold every whole number: INT parameters stay within.
+/// The greatest absolute value of INT parameters, 2^24: floats represent every whole number up to it.
 inline constexpr float largest_whole_param = 16777216;
 
-/// What breaks the contract of burin_brush_descriptor, in a line; empty when all is in order.
+/// Checks the contract of burin_brush_descriptor. Returns a one-line error message, or an empty string.
 std::string descriptor_problem(const burin_brush_descriptor& descriptor);
 
-/// The same for one parameter.
+/// Checks the contract of burin_param_info. Returns a one-line error message, or an empty string.
 std::string param_problem(const burin_param_info& info);
 
-/// Whether this is text for people: not null or empty, UTF-8, without control characters.
+/// Whether this is readable text: not null, not empty, UTF-8, without control characters.
 bool is_text(const char* text);
 
 }  // namespace burin

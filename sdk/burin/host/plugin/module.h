@@ -3,16 +3,16 @@
 
 namespace burin {
 
-/// A shared module in memory; its symbols stay private to it. Unloaded at the end of its life.
+/// A loaded shared library, whose symbols are not visible to other libraries. The destructor unloads it.
 class Module {
  public:
-  /// Throws FileError with the system's reason.
+  /// Loads the library. Throws FileError with the system's reason.
   explicit Module(const std::filesystem::path& path);
   ~Module();
   Module(const Module&) = delete;
   Module& operator=(const Module&) = delete;
 
-  /// Address of an exported object, or null.
+  /// The address of an exported object, or null.
   const void* symbol(const char* name) const;
 
  private:

@@ -9,7 +9,8 @@
 namespace burin {
 namespace {
 
-/// dlerror() most often begins with the path, which the message already has.
+/// The text of dlerror() without the path that it usually starts with, since the error message has the path
+/// already.
 std::string load_error(const std::string& path) {
   const char* text = dlerror();
   std::string_view reason = text ? text : "cannot be loaded";
@@ -20,7 +21,7 @@ std::string load_error(const std::string& path) {
 }  // namespace
 
 Module::Module(const std::filesystem::path& path) {
-  // Absolute, since a bare name would be looked for among the system's libraries.
+  // The path must be absolute: dlopen() searches a bare name among the system's libraries.
   const std::string file = std::filesystem::absolute(path).string();
   handle_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!handle_) throw FileError(path.string(), load_error(file));

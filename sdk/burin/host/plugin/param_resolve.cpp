@@ -12,7 +12,7 @@
 namespace burin {
 namespace {
 
-/// A parameter whose setting is being looked at.
+/// The parameter whose setting is being resolved.
 struct Target {
   const burin_brush_descriptor& brush;
   const burin_param_info& info;
@@ -22,7 +22,7 @@ struct Target {
   }
 };
 
-/// The alternative that the type needs, or a refusal saying so.
+/// The alternative that the parameter's type requires; throws Error if the setting is of another kind.
 template <class Kind>
 const Kind& expect(const Target& target, const ParamSetting& setting, std::string_view kind) {
   if (const Kind* value = std::get_if<Kind>(&setting)) return *value;
@@ -51,7 +51,7 @@ float whole_number(const Target& target, const ParamSetting& setting) {
   return number_in_range(target, number);
 }
 
-/// Files say true and false, command lines also 1 and 0.
+/// Accepts true and false, as files have, and 1 and 0, as command lines may have.
 float truth(const Target& target, const ParamSetting& setting) {
   if (const bool* value = std::get_if<bool>(&setting)) return *value ? 1.0f : 0.0f;
   const double* number = std::get_if<double>(&setting);
@@ -99,7 +99,7 @@ std::string file(const Target& target, const ParamSetting& setting) {
   return path;
 }
 
-/// A line as people write it: a number too, since a command line cannot tell it from text.
+/// Accepts a line of text, and a number, since a command line cannot distinguish numbers from text.
 std::string text(const Target& target, const ParamSetting& setting) {
   if (const double* number = std::get_if<double>(&setting)) return fmt::format("{}", *number);
   const std::string& line = expect<std::string>(target, setting, "a line of text");

@@ -8,23 +8,25 @@
 
 namespace burin {
 
-/// One parameter's value, of which the declared type uses a part.
+/// The value of one parameter; its declared type defines which member is used.
 struct ParamValue {
-  std::array<float, 4> numbers{};  ///< the first alone but for colours
-  std::string text;                ///< of text and files, UTF-8
-  std::vector<float> knots;        ///< x0 y0 x1 y1 ...
+  std::array<float, 4> numbers{};  ///< four channels of a colour; other types use the first number only
+  std::string text;                ///< value of text and file parameters, UTF-8
+  std::vector<float> knots;        ///< knots of a curve: x0 y0 x1 y1 ...
 };
 
-/// What a setting says, or the default where there is none. Throws Error, "parameter 'depth' of
-/// org.burin.groove: 7 is above the maximum 4": of the wrong kind, out of range, no such choice, or nothing
-/// given where the brush has no default.
+/// The value of a parameter's setting, or its default if `setting` is null. Throws Error, for example
+/// "parameter 'depth' of org.burin.groove: 7 is above the maximum 4", if the setting is of the wrong kind,
+/// out of range or not one of the choices, or if there is neither a setting nor a default.
 ParamValue resolve_param(const burin_brush_descriptor& brush, const burin_param_info& info,
                          const ParamSetting* setting);
 
-/// All parameters of a brush as it is to see them during a stroke. Stays in place.
+/// The values of all parameters of a brush during a stroke. The ABI structure refers to the object, which
+/// must stay in place.
 class ParamSnapshot {
  public:
-  /// Throws as resolve_param; for a setting that the brush does not know Error naming those it knows.
+  /// Resolves all parameters. Throws Error as resolve_param() does, and, with a list of the known ones, for a
+  /// setting without a parameter.
   ParamSnapshot(const burin_brush_descriptor& brush, const ParamSettings& settings);
   ParamSnapshot(const ParamSnapshot&) = delete;
   ParamSnapshot& operator=(const ParamSnapshot&) = delete;

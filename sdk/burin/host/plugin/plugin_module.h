@@ -7,10 +7,11 @@
 
 namespace burin {
 
-/// A plugin module, loaded, initialised and found to keep the contract. Main thread.
+/// A plugin module that is loaded, initialised and checked. All functions are to be called on the main
+/// thread.
 class PluginModule {
  public:
-  /// Throws FileError naming the file and what is wrong.
+  /// Loads, initialises and checks a module. Throws FileError, which gives the file and the reason.
   explicit PluginModule(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
@@ -20,7 +21,7 @@ class PluginModule {
   }
 
  private:
-  /// Between init and deinit.
+  /// Calls init() in the constructor and deinit() in the destructor.
   class Life {
    public:
     Life(const burin_plugin_entry& entry, const std::filesystem::path& path);

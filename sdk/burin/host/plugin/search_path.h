@@ -4,10 +4,10 @@
 
 namespace burin {
 
-/// The folders that the environment variable BURIN_PLUGIN_PATH names, in its order.
+/// The folders in the environment variable BURIN_PLUGIN_PATH, in its order.
 std::vector<std::filesystem::path> plugin_search_path();
 
-/// The `*.burin` files of a folder, by name. Throws FileError when the folder cannot be read.
+/// The `*.burin` files of a folder, sorted by name. Throws FileError if the folder cannot be read.
 std::vector<std::filesystem::path> plugin_files(const std::filesystem::path& folder);
 
 }  // namespace burin

@@ -7,14 +7,14 @@
 
 namespace burin {
 
-/// What this host gives to plugins: the log, and the extensions of the application. Must stay in place while
-/// plugins know of it.
+/// The services of this host for plugins: the log, and the extensions of the application. The object must
+/// stay in place while plugins refer to it.
 class HostServices {
  public:
-  /// Must not throw. Any thread, concurrent.
+  /// Must not throw. Called on any thread, also on several at once.
   using Log = void (*)(int severity, std::string_view line);
 
-  /// `extensions`: null for none.
+  /// `log` and `extensions` may be null.
   explicit HostServices(Log log, std::unique_ptr<HostExtensions> extensions = nullptr);
   HostServices(const HostServices&) = delete;
   HostServices& operator=(const HostServices&) = delete;
@@ -22,7 +22,7 @@ class HostServices {
   const burin_host* abi() const { return &host_; }
   HostExtensions* extensions() const { return extensions_.get(); }
 
-  /// Hands a line to the log, if there is one.
+  /// Passes a line to the log, if there is one.
   void write_log(int severity, std::string_view line) const;
 
  private:
@@ -31,7 +31,7 @@ class HostServices {
   burin_host host_;
 };
 
-/// The services behind what a plugin was given.
+/// The services that belong to a plugin's burin_host.
 inline HostServices& services(const burin_host* host) { return *static_cast<HostServices*>(host->self); }
 
 }  // namespace burin

@@ -5,7 +5,7 @@
 
 namespace burin {
 
-/// Paths cross the ABI as UTF-8, whatever the platform's own encoding is.
+/// Convert paths from and to UTF-8, in which they cross the ABI whatever the platform's own encoding is.
 inline std::filesystem::path path_from_utf8(std::string_view text) {
   return std::filesystem::path(std::u8string(text.begin(), text.end()));
 }

@@ -1,3 +1,5 @@
+// Follows the chart of the original or of the image's own stroke. An event costs O(1) per node that the
+// followed chart computed or removed; a vertex's image is searched once.
 #include <burin/host/session/image_chart.h>
 
 #include <algorithm>
@@ -6,12 +8,12 @@
 namespace burin {
 namespace {
 
-/// How far images may be from vertices of the surface, in radii.
+/// The greatest distance of an image from a vertex of the surface, in radii.
 constexpr double near_enough = 1e-5;
 
 }  // namespace
 
-/// The vertex where the symmetry has the image of this one, seen from the same side.
+/// The vertex at the image of this vertex, with the image of its normal; no_index if there is none.
 Index ImageChart::image_of(Index vertex) {
   const Vec3f place = moved(surface_->positions[vertex]);
   const auto reach = static_cast<float>(near_enough * radius_);
@@ -63,7 +65,7 @@ ChartFrame ImageChart::reflected(const ChartFrame& frame) const {
   return image;
 }
 
-/// Another chart than before has other slots: none of them stays.
+/// Starts an event. If another chart than before is followed, all slots are removed first.
 void ImageChart::begin_following(const LiveChart& chart, Followed kind) {
   const bool other = followed_ != kind;
   const double from = other ? -std::numeric_limits<double>::infinity() : chart.computed_from();
@@ -72,7 +74,8 @@ void ImageChart::begin_following(const LiveChart& chart, Followed kind) {
     for (Index slot = 0; slot < live_->nodes().size(); ++slot) live_->remove(slot);
 }
 
-/// place(slot): sets the slot.
+/// Applies the last event of the followed chart, or all of it if another chart was followed before.
+/// place(slot) sets a slot of the image's chart.
 template <class Place>
 void ImageChart::follow(const LiveChart& chart, Followed kind, const Place& place) {
   const bool other = followed_ != kind;

@@ -11,31 +11,32 @@
 
 namespace burin {
 
-/// The chart of a symmetric image of a stroke. Where the surface has the symmetry, vertex for vertex, it is
-/// the image of the original's chart: what the rounding of places or the order of vertices decides is decided
-/// once, for all images. Elsewhere it is a chart of the image's own. Slots are those of the chart that it
-/// follows. Surface, picker and charts must outlive it; the surface stays as it is.
+/// The chart of a symmetric image of a stroke. If every vertex under the stroke has an image among the
+/// surface's vertices, it is the image of the original's chart, so that rounding and the order of vertices
+/// cannot make images differ. Otherwise it is a chart of its own. It has the slots of the chart that it
+/// follows. Surface, picker and charts must outlive the object; the surface must not change.
 class ImageChart {
  public:
-  /// `kept`: where the chart is to be, without nodes yet. `radius`: of the stroke, object units.
+  /// `kept` is an empty chart that receives the nodes. `radius` is that of the stroke, object units.
   ImageChart(const Surface& surface, const Picker& picker, const SymmetryInstance& image, double radius,
              LiveChart& kept)
       : surface_(&surface), picker_(&picker), image_(image), radius_(radius), live_(&kept) {}
 
-  /// Looks at the last event of the original's chart, all of whose events must be shown in turn from the
-  /// first that is. Whether all its vertices have images among the surface's.
+  /// Reads the last event of the original's chart and returns whether all its vertices have images among the
+  /// surface's vertices. From the first call on it must be called for every event.
   bool has_images_of(const LiveChart& original);
 
-  /// Follows the last event of the original's chart, which has_images_of() saw.
+  /// Applies the last event of the original's chart, for which has_images_of() must have returned true.
   void reflect(const LiveChart& original);
 
-  /// Follows the last event of the image's own chart, or all of it after reflect(); own_is_behind() says so.
+  /// Applies the last event of the image's own chart, or all of it after reflect(); see own_is_behind().
   void copy(const LiveChart& own);
 
-  /// The image of the original's curve: its points and normals.
+  /// The image of the original's curve: positions, normals and tangents.
   SurfaceCurve image_of(const SurfaceCurve& original) const;
 
-  /// Whether the image's own chart was not followed last, so that it has to be drawn from its begin.
+  /// Whether the last event did not follow the image's own chart, so that this chart must be drawn from its
+  /// start.
   bool own_is_behind() const { return followed_ != Followed::own; }
   bool reflects() const { return followed_ == Followed::original; }
 
@@ -60,10 +61,10 @@ class ImageChart {
   double radius_;
   LiveChart* live_;
   Followed followed_ = Followed::none;
-  std::vector<Index> images_;        ///< [place of the original's chart] vertex; no_index: there is none
-  std::unordered_set<Index> taken_;  ///< images, each of one vertex
-  std::set<Index> without_image_;    ///< places of the original's chart that have nodes
-  bool seen_ = false;                ///< has_images_of() was asked
+  std::vector<Index> images_;        ///< [local index in the original's chart] image vertex, or no_index
+  std::unordered_set<Index> taken_;  ///< vertices that are the image of a vertex
+  std::set<Index> without_image_;    ///< local indices of vertices with nodes but without an image
+  bool seen_ = false;                ///< has_images_of() was called
 };
 
 }  // namespace burin

@@ -13,7 +13,7 @@ namespace burin {
 namespace {
 
 const StrokeSettings& checked(const StrokeSettings& settings) {
-  // Brushes compute in floats.
+  // Brushes compute in floats, so the values must be finite and positive as floats.
   const auto radius = static_cast<float>(settings.radius), strength = static_cast<float>(settings.strength);
   if (!(std::isfinite(radius) && radius > 0))
     throw ContractError(fmt::format("a stroke's radius must be above 0, not {}", settings.radius));
@@ -30,7 +30,8 @@ const StrokeSettings& checked(const StrokeSettings& settings) {
   return settings;
 }
 
-/// What a pen that does not report it must hold, see Pen, would else be dropped silently.
+/// Throws ContractError if the pen has a value in a field that it does not report, since the value would be
+/// ignored.
 void check_pen(const Pen& pen, const PenFields& fields) {
   const Pen neutral;
   const auto check = [](bool reported, bool is_neutral, const char* field, float value) {
@@ -44,7 +45,7 @@ void check_pen(const Pen& pen, const PenFields& fields) {
   check(fields.twist, pen.twist == neutral.twist, "twist", pen.twist);
 }
 
-/// Everything that changed in any instance, each vertex once.
+/// The vertices that changed in any instance, each once.
 std::vector<Index> all_vertices(const std::vector<StrokeChanges>& changes) {
   std::vector<Index> vertices = changes.front().vertices;
   if (changes.size() == 1) return vertices;
@@ -89,7 +90,7 @@ void OpenStroke::begin_piece() {
   begin_instances();
 }
 
-/// Passes that look at neighbours need what the one before left there.
+/// Sets up passes that read neighbours, which need the result of the previous pass at these.
 void OpenStroke::look_around() {
   std::vector<const LiveChart*> charts;
   for (const StrokeInstance& instance : instances_) charts.push_back(&instance.live());
@@ -167,7 +168,7 @@ burin_stroke_context OpenStroke::context(std::uint64_t flags, const SurfaceCurve
   return context;
 }
 
-/// Evaluates what is stale, and tells where the vertices concerned go.
+/// Evaluates stale nodes and computes the new positions and tints of their vertices.
 VertexMoves OpenStroke::go_on(const std::vector<StrokeChanges>& changes, std::uint64_t flags,
                               const StrokeTools& tools) {
   std::vector<Index> vertices = all_vertices(changes);

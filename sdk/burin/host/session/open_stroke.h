@@ -16,31 +16,31 @@
 
 namespace burin {
 
-/// What an event does to vertices, each named once.
+/// The effect of an event on vertices.
 struct VertexMoves {
-  std::vector<Index> vertices;
-  std::vector<Vec3f> places;  ///< where they go: [i] of vertices[i]
-  std::vector<Tint> tints;    ///< the same of colours and masks; empty where the brush writes none
+  std::vector<Index> vertices;  ///< each once
+  std::vector<Vec3f> places;    ///< [i] new position of vertices[i]
+  std::vector<Tint> tints;      ///< [i] new tint of vertices[i]; empty if the brush writes none
 };
 
-/// What strokes need that sessions keep from one to the next. Looked at, not owned.
+/// Objects that a session keeps from stroke to stroke. Non-owning.
 struct StrokeTools {
   Evaluator& evaluator;
-  const Paint& paint;  ///< of the surface when the stroke began
+  const Paint& paint;  ///< colours and masks before the stroke
   EventCost& cost;
   StageClock& clock;
 };
 
-/// The stroke that a session is drawing, piece by piece and in all its symmetric images. Surface, picker,
-/// builders, brush and descriptor must outlive it, and the builders serve no other. Functions that throw
-/// leave nodes and moves unspoken for: the stroke is to be dropped.
+/// The open stroke of a session, with all its pieces and symmetric images. Surface, picker, chart builders,
+/// brush and descriptor must outlive the object, and no other stroke may use the chart builders. A function
+/// that throws leaves the stroke in an unspecified state; drop it.
 class OpenStroke {
  public:
-  /// Begins a stroke of the brush. Throws Error as Session::begin_stroke.
+  /// Starts a stroke of the brush. Throws Error as Session::begin_stroke().
   OpenStroke(const Surface& surface, const Picker& picker, ChartBuilders& builders, const burin_brush& brush,
              const burin_brush_descriptor& descriptor, const StrokeSettings& settings);
 
-  /// Whether no piece of it has a sample.
+  /// Whether no piece has a sample.
   bool empty() const { return earlier_.count() == 0 && piece_empty(); }
   bool piece_empty() const { return drawn_by_hand().empty(); }
   double radius() const { return settings_.radius; }
@@ -48,28 +48,30 @@ class OpenStroke {
   const LiveChart& live() const { return drawn_by_hand().live(); }
   const burin_brush_descriptor& brush() const { return brush_stroke_.descriptor(); }
 
-  /// Whether the stroke so far can go on at this place.
+  /// Whether the current piece can continue at this point.
   bool connects(const CurveGround::Place& at) const { return drawn_by_hand().connects(at); }
 
-  /// Where the stroke as drawn by hand runs.
+  /// The ground on which the stroke as drawn by hand runs.
   const CurveGround& ground() const { return drawn_by_hand().ground(); }
 
-  /// Leads the curve on to `at`, and those of the images to theirs. An image that meets no surface, or only
-  /// across a gap, stays where it is.
+  /// Extends the curve to `at`, and the curves of the images to the images of `at`. An image whose next point
+  /// is not on the surface, or across a gap, is not extended. Throws ContractError for a time that falls and
+  /// for pen values that the settings do not announce.
   void trace(const CurveGround::Place& at, double time, const Pen& pen);
 
-  /// Draws what was traced since the last time. Vertices that leave the chart go back to their base.
+  /// Draws what was traced since the last call. Vertices that leave the chart return to their original
+  /// positions.
   VertexMoves draw(const StrokeTools& tools);
 
-  /// The last evaluation of a piece that is not empty: what depends on its length, told that it is final; all
-  /// of it when the piece closes.
+  /// Evaluates a piece that is not empty for the last time: the nodes that depend on its length, which is now
+  /// final, or all nodes if the piece closes.
   VertexMoves finish(Closure closure, const StrokeTools& tools);
 
-  /// Keeps the piece, which is finished, as one of those before, until begin_piece().
+  /// Stores the finished piece with the earlier ones. begin_piece() must follow before the next sample.
   void keep_piece();
   bool piece_kept() const { return piece_kept_; }
 
-  /// Begins another, whose chart starts anew, from the surface before the stroke.
+  /// Starts another piece with a new chart, from the surface before the stroke.
   void begin_piece();
 
  private:
@@ -91,14 +93,14 @@ class OpenStroke {
   ChartBuilders* builders_;
   StrokeSettings settings_;
   ParamSnapshot params_;
-  double narrowest_;  ///< width that the stroke may have, a share of its radius
+  double narrowest_;  ///< least half width that the stroke may have, as a share of its radius
   BrushStroke brush_stroke_;
   std::vector<SymmetryInstance> images_;
   std::deque<StrokeInstance> instances_;
-  std::optional<StrokePasses> passes_;        ///< of brushes whose passes look at neighbours
-  std::optional<Accumulation> accumulation_;  ///< of strokes that go on from what they made themselves
+  std::optional<StrokePasses> passes_;        ///< set for brushes whose passes read neighbours
+  std::optional<Accumulation> accumulation_;  ///< set for strokes that accumulate on their own result
   EarlierPieces earlier_;
-  bool piece_kept_ = false;  ///< and no other has begun
+  bool piece_kept_ = false;  ///< the current piece was kept, and no other was started
   double last_time_;
 };
 

@@ -7,10 +7,10 @@
 namespace burin {
 namespace {
 
-/// A t that all nodes reach.
+/// A t that no node's t is below.
 constexpr double everywhere = -std::numeric_limits<double>::infinity();
 
-/// One that none reaches.
+/// A t that no node reaches.
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 
 DrivenStroke driven_stroke(const StrokeSettings& settings, const SymmetryInstance& image) {
@@ -56,7 +56,7 @@ StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Cha
   nodes_.emplace(live(), reads_);
 }
 
-/// Begins the stroke's chart; returns where its curve is to run.
+/// Starts the stroke's chart; returns the ground on which its curve must run.
 CurveGround StrokeInstance::begun(const Surface& surface, const Picker& picker, ChartBuilders& builders,
                                   const StrokeSettings& settings, const SymmetryInstance& image) {
   if (settings.dab_spacing > 0) {
@@ -75,7 +75,7 @@ CurveGround StrokeInstance::begun(const Surface& surface, const Picker& picker, 
 ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const {
   std::uint64_t varying = pen_inputs_present(settings.fields);
   if (width_.varies()) varying |= BURIN_INPUT_RADIUS;
-  // Sheets fade over a share of their half width.
+  // The half width is always needed, since sheets fade over a share of it.
   return {settings.radius, inputs, varying & (inputs | BURIN_INPUT_RADIUS), &dynamics_};
 }
 
@@ -93,14 +93,14 @@ StrokeChanges StrokeInstance::draw(double end_influence, EventCost& cost) {
   traced_ = false;
   chart(unchanged, cost);
   const double same_up_to = unchanged > 0 ? curve().points[unchanged - 1].t : everywhere;
-  // A dab knows nothing of the stroke's length.
+  // A dab does not depend on the stroke's length.
   double end_zone = dabs_ ? nowhere : std::min(length_before, drawn_length_) - end_influence;
   if (reads_foot()) end_zone = std::min(end_zone, other_feet_from(std::min(same_up_to, length_before)));
   return nodes_->follow(curve(), end_zone, same_up_to);
 }
 
-/// The t from which on feet may be others, when the curve is up to some other t as before. Beyond the begin
-/// all have the begin's.
+/// The t from which on feet may differ if the curve is unchanged up to another t. All nodes before the start
+/// share the start's foot.
 double StrokeInstance::other_feet_from(double same_curve_up_to) const {
   const double from = same_curve_up_to - reads_.radius;
   return from > 0 ? from : everywhere;
@@ -133,7 +133,8 @@ std::span<const float> StrokeInstance::dab_t() const {
   return image_chart_ && image_chart_->reflects() ? original_->dab_t() : dabs_->along();
 }
 
-/// Curves of images are traced on their own part of the surface, which may not be what the original's is.
+/// Whether the image's curve matches the original's. It is traced on its own part of the surface, which may
+/// differ.
 bool StrokeInstance::runs_like_original() const {
   const SurfaceCurve &here = curve(), &there = original_->curve();
   return here.closed == there.closed && std::abs(here.length() - there.length()) <= 1e-4 * reads_.radius;

@@ -18,14 +18,15 @@
 
 namespace burin {
 
-/// What charts one instance of a stroke, kept from stroke to stroke.
+/// The objects that chart one instance of a stroke, kept from stroke to stroke.
 struct InstanceChartBuilders {
   StrokeChartBuilder stroke;
-  std::unique_ptr<LiveDabs> dabs;    ///< once a stroke of dabs was drawn
-  std::unique_ptr<LiveChart> image;  ///< once it was the image of another
+  std::unique_ptr<LiveDabs> dabs;    ///< created for the first stroke of dabs
+  std::unique_ptr<LiveChart> image;  ///< created when the instance is first an image of another
 };
 
-/// ChartBuilders of a surface, made when a stroke first needs them, and the levels that they share.
+/// The chart builders of a surface, created when a stroke first needs them, and the levels that they share.
+/// Surface and picker must outlive the object.
 class ChartBuilders {
  public:
   ChartBuilders(const Surface& surface, const Picker& picker)
@@ -33,11 +34,11 @@ class ChartBuilders {
 
   InstanceChartBuilders& operator[](std::size_t instance);
 
-  /// Follows the surface after these vertices moved, by at most `distance`.
+  /// Updates levels and base surfaces after these vertices moved, by at most `distance`, object units.
   void moved(std::span<const Index> vertices, double distance);
   LiveDabs& dabs(std::size_t instance);
 
-  /// Where the chart of an image is to be; empty.
+  /// An empty chart that receives the nodes of an image.
   LiveChart& image(std::size_t instance);
 
  private:
@@ -47,11 +48,12 @@ class ChartBuilders {
   std::deque<InstanceChartBuilders> builders_;
 };
 
-/// One symmetric image of a stroke that is being drawn: its curve, its chart, and what the brush does there.
+/// One symmetric image of the open stroke: its curve, its chart, and the outputs of the brush.
 class StrokeInstance {
  public:
-  /// `original`: the stroke as drawn by hand, which must outlive its images and be drawn and finished before
-  /// them each time; null: this is it. Throws Error for dynamics that the brush does not take.
+  /// `original` is the stroke as drawn by hand, or null if this is it. The original must outlive its images
+  /// and be drawn and finished before them in every event. Throws Error for dynamics that the brush does not
+  /// support.
   StrokeInstance(const Surface& surface, const Picker& picker, ChartBuilders& builders,
                  const StrokeSettings& settings, const SymmetryInstance& image, const BrushStroke& brush,
                  const StrokeInstance* original);
@@ -63,31 +65,32 @@ class StrokeInstance {
   const SurfaceCurve& curve() const { return closed_curve_ ? *closed_curve_ : tracer_.curve(); }
   const LiveChart& live() const { return image_chart_ ? image_chart_->live() : own_live(); }
   NodeOutputs& outputs() { return outputs_; }
-  /// What is to be blended. Valid until the next event.
+  /// The nodes and outputs to blend. Valid until the next event.
   InstanceSheets sheets() const { return {&live(), &outputs_, nodes_->half_width(), dab_t()}; }
 
-  /// Whether the stroke so far can go on at this place.
+  /// Whether the curve can continue at this point.
   bool connects(const CurveGround::Place& at) const { return empty() || tracer_.connects(at); }
 
   const CurveGround& ground() const { return tracer_.ground(); }
 
-  /// Leads the curve on to `at`.
+  /// Extends the curve to `at`.
   void trace(const CurveGround::Place& at, double time, const Pen& pen);
 
-  /// Whether something was traced since the last time that the brush can see.
+  /// Whether anything that influences the brush was traced since the last draw().
   bool has_news() const { return traced_; }
 
-  /// Charts what was traced since the last time, and says what is stale. `end_influence`: of the brush.
+  /// Charts what was traced since the last draw(), and returns the stale nodes. `end_influence` is the
+  /// distance from the stroke's end, object units, within which the brush depends on its length.
   StrokeChanges draw(double end_influence, EventCost& cost);
 
-  /// Once the pen is up, after close(): draws what is left, or all of it where the stroke closed. `news`:
-  /// whether this or another image has some.
+  /// Draws what remains when the pen is up, after close(): all of the stroke if it closed. `news` tells
+  /// whether any image has_news().
   StrokeChanges finish(bool news, double end_influence, EventCost& cost);
 
   /// Decides whether the stroke closes.
   void close(Closure closure) { closed_curve_ = tracer_.closed_curve(closure); }
 
-  /// What its nodes stand on. `paint`: of the surface.
+  /// The source of the nodes' inputs. `paint` holds colours and masks before the stroke.
   NodeSource source(const Paint& paint) const;
 
  private:
@@ -108,16 +111,16 @@ class StrokeInstance {
   ParamDynamics dynamics_;
   ReadInputs reads_;
   StrokeChartBuilder* builder_ = nullptr;
-  BaseSurface* base_ = nullptr;  ///< that the stroke runs on, instead of the surface itself
-  LiveDabs* dabs_ = nullptr;     ///< instead of the builder, in strokes of dabs
+  BaseSurface* base_ = nullptr;  ///< the base surface on which the stroke runs; null: the surface itself
+  LiveDabs* dabs_ = nullptr;     ///< set instead of the chart builder in strokes of dabs
   const StrokeInstance* original_;
-  std::optional<ImageChart> image_chart_;  ///< of images of another
+  std::optional<ImageChart> image_chart_;  ///< set if this is an image of another instance
   CurveTracer tracer_;
-  std::optional<SurfaceCurve> closed_curve_;  ///< once the stroke is finished as a closed one
+  std::optional<SurfaceCurve> closed_curve_;  ///< set when the stroke was finished as a closed one
   std::optional<FootLine> foot_;
-  std::size_t drawn_points_ = 0;  ///< of the curve, that nothing traced since was drawn can change
+  std::size_t drawn_points_ = 0;  ///< number of drawn points of the curve that are final
   double drawn_length_ = 0;
-  bool traced_ = false;  ///< and not drawn yet
+  bool traced_ = false;  ///< something was traced and not drawn yet
   std::optional<StrokeNodes> nodes_;
   NodeOutputs outputs_;  ///< [slot]
 };

@@ -1,3 +1,4 @@
+// The foot point is found by two fixed-point iterations, so that the same point always takes the same work.
 #include <burin/surface/base_surface/base_patch.h>
 
 #include <Eigen/Geometry>

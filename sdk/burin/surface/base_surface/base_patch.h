@@ -3,8 +3,9 @@
 
 namespace burin {
 
-/// The base surface around one of its nodes: a paraboloid over the tangent plane there. (x, y) are along
-/// axis_x and axis_y = normal x axis_x, object units. Numbers are floats or arrays of them, lane by lane.
+/// The base surface around one of its nodes: a paraboloid over the tangent plane at the node. Local
+/// coordinates (x, y) run along axis_x and axis_y = normal x axis_x, in object units. A Number is a float or
+/// an array of floats, one per lane.
 struct BasePatch {
   Vec3f position, normal, axis_x;
   float xx = 0, xy = 0, yy = 0;  ///< second derivatives of the height, 1 / length
@@ -22,21 +23,21 @@ struct BasePatch {
     return (xx * at.x * at.x + yy * at.y * at.y) / 2 + xy * at.x * at.y;
   }
 
-  /// Of the height along both axes.
+  /// The derivatives of the height along both axes.
   template <class Number>
   Local<Number> slope(const Local<Number>& at) const {
     return {xx * at.x + xy * at.y, xy * at.x + yy * at.y};
   }
 
-  /// The foot of a point on the paraboloid, to second order in its distance from the node. Points higher
-  /// over the paraboloid than half the least distance at which normals of it may meet count as that high:
-  /// farther up, on relief as high as the brush is wide, there is no foot nearby. So it is less than twice as
-  /// far from the node as the point is along the tangent plane.
+  /// The foot point on the paraboloid, to second order in the point's distance from the node. The height over
+  /// the paraboloid is clamped to half the least distance at which its normals may meet: above that, on
+  /// relief as high as the brush is wide, there is no foot point nearby. So the foot is less than twice as
+  /// far from the node as the point is, measured along the tangent plane.
   Local<float> foot(const Vec3f& point) const;
 
-  /// The foot, or where it lies beyond the distance `extent`, what of the paraboloid is there in its
-  /// direction.
+  /// The foot point, moved toward the node to the distance `extent` if it is farther away; object units.
   Local<float> foot_within(const Vec3f& point, float extent) const;
+  /// The position of a point of the paraboloid, and its unit normal.
   Vec3f place(const Local<float>& at) const;
   Vec3f normal_at(const Local<float>& at) const;
 };

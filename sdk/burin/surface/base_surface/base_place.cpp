@@ -1,3 +1,4 @@
+// Evaluates the base surface below a vertex, in O(1) once the nodes around it are computed.
 #include <burin/surface/base_surface/base_place.h>
 
 #include <cmath>
@@ -5,8 +6,8 @@
 namespace burin {
 namespace {
 
-/// Of the graph z = height(x, y) at a place over the tangent plane [do Carmo, Differential Geometry of Curves
-/// and Surfaces, section 3-3]; a graph that bends down is convex seen from outside.
+/// The mean curvature of the graph z = height(x, y) at a point over the tangent plane [do Carmo, Differential
+/// Geometry of Curves and Surfaces, section 3-3]. A graph that bends down is convex seen from outside.
 double mean_curvature_at(const BasePatch& patch, const BasePatch::Local<float>& at) {
   const BasePatch::Local<float> slope = patch.slope(at);
   const double xx = patch.xx, xy = patch.xy, yy = patch.yy, p = slope.x, q = slope.y;

@@ -4,12 +4,13 @@
 
 namespace burin {
 
-/// Where a vertex of the surface stands on its base surface: its foot on the paraboloid of its cluster's
-/// node. Any thread, concurrent, as BaseSurface.
+/// The position of a vertex's foot point on its base surface, on the paraboloid of its cluster's node. May be
+/// called from several threads at once.
 Vec3f base_position(BaseSurface& base, const Surface& surface, Index vertex);
 
-/// Mean of the normal curvatures of the base surface there, 1/length, positive where convex seen from
-/// outside: the mean over the paraboloids around, so that it varies smoothly. As base_position.
+/// The mean curvature of the base surface at a vertex's foot point, 1 / length, positive where convex seen
+/// from outside. It is averaged over the paraboloids around the point, so that it varies smoothly. May be
+/// called from several threads at once.
 float base_mean_curvature(BaseSurface& base, const Surface& surface, Index vertex);
 
 }  // namespace burin

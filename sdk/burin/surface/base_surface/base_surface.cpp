@@ -1,10 +1,11 @@
-// Base surfaces by moving least squares over clusters [Lancaster and Salkauskas 1981]. The height over the
-// plane across the mean normal is a weighted least-squares quadratic in (x, y), whose value in the middle
-// keeps heights of third degree and nearly removes waves shorter than the reach; twice, since a second time
-// removes as much of what came through and adds as little to the loss of longer waves. What is left after the
-// first time is so smooth that clusters of the next level, a quarter as many, tell it to the second.
-// Clusters count by their area as seen along the normal, which is what an integral over (x, y) asks for
-// however steep the relief is.
+// Computes base surfaces by moving least squares over clusters of vertices [Lancaster and Salkauskas 1981].
+// The height over the plane at right angles to the mean normal is a weighted least-squares quadratic in (x,
+// y). Its value in the middle preserves heights of third degree and nearly removes waves shorter than the
+// reach. This is done twice: the second time removes most of what remains of short waves and hardly reduces
+// longer ones. The result of the first time is so smooth that the clusters of the next level, a quarter as
+// many, represent it well enough for the second. Clusters are weighted by their area projected along the
+// normal, as an integral over (x, y) requires however steep the relief is. A node costs O(clusters within the
+// reach), which is bounded.
 #include <burin/base/parallel.h>
 #include <burin/base/sort_unique.h>
 #include <burin/surface/base_surface/base_surface.h>
@@ -21,25 +22,25 @@
 namespace burin {
 namespace {
 
-/// Over which heights are fitted, in radii, and over which paraboloids are, and are blended, in spacings.
+/// The distance within which heights are fitted, in radii, and those within which paraboloids are fitted and
+/// blended, in spacings.
 constexpr double reach_over_radius = 0.55, ring_over_spacing = 2.1, blend_over_spacing = 1.6;
 
-/// The latter two in edges, where nodes are far from each other.
+/// Lower limits of the latter two, in edges, for regions where nodes are far from each other.
 constexpr double ring_over_edge = 1.4, blend_over_edge = 1.3;
 
-/// Edges that the radius has at least on the level that is smoothed once, where it is coarser than the
-/// nodes'.
+/// Fewest edges per radius on the level that is smoothed once, if it is coarser than the level of the nodes.
 constexpr double fewest_coarse_edges = 4.2;
 
-/// Members of a cluster lie within this share of a spacing of its mean, and seldom farther.
+/// Members of a cluster lie within this share of a spacing of its mean, with few exceptions.
 constexpr double cluster_extent = 0.75;
 
-/// Normals of the base surface that differ by more (cosine) do not belong to one patch.
+/// Nodes whose normals have a lower cosine than this do not belong to one patch.
 constexpr float same_side = 0.2F;
 
 double squared_distance(const Vec3f& a, const Vec3f& b) { return static_cast<double>((a - b).squaredNorm()); }
 
-/// The normal of a height over a plane that has these slopes.
+/// The unit normal of a height field with these slopes over a plane.
 Vec3f tilted(const Vec3f& normal, const Vec3f& axis_x, const Vec3f& axis_y,
              const QuadraticFit::Terms& height) {
   return (normal - static_cast<float>(height[1]) * axis_x - static_cast<float>(height[2]) * axis_y)
@@ -72,7 +73,7 @@ bool BaseSurface::set_radius(double radius) {
 
 void BaseSurface::forget(std::span<const Index> moved_vertices, double distance) {
   if (reach_ == 0) return;
-  // What is smoothed lies within about half a reach of where it was.
+  // Smoothing moves a position by about half a reach at most.
   const double around = 3 * std::max(levels_->spacing(group_level_), widest_.load());
   CellSet near(2.5 * reach_ + ring_ + around + distance);
   for (const Index vertex : moved_vertices) near.add(surface_->positions[vertex]);
@@ -91,7 +92,7 @@ void append(std::vector<Index>& to, const std::vector<Index>& what) {
 
 }  // namespace
 
-/// Stage by stage, so that few threads have to make what another is making already.
+/// Computes stage by stage, so that threads rarely compute the same value twice.
 void BaseSurface::prepare(std::span<const Ball> balls) {
   Missing missing;
   for (const Ball& ball : balls) {
@@ -137,7 +138,7 @@ BaseSurface::Sample BaseSurface::mean(Index node) {
     const ClusterMean mean = levels_->mean(level_, node);
     return Sample{mean.position, mean.area, mean.spread};
   };
-  if (level_ > 0) return of_levels();  // which keep them
+  if (level_ > 0) return of_levels();  // coarser levels store their means
   if (const Sample* known = means_.find(node)) return *known;
   const Sample sample = of_levels();
   means_.put(node, sample);
@@ -160,7 +161,7 @@ BaseSurface::Sample BaseSurface::once(Index cluster) {
       });
 }
 
-/// From where the coarse cluster's tangent plane has the node.
+/// Smooths a node a second time, starting from its projection to the tangent plane of its coarse cluster.
 BaseSurface::Sample BaseSurface::twice(Index node) {
   if (const Sample* known = twice_.find(node)) return *known;
   return make_group(
@@ -190,7 +191,8 @@ BasePatch BaseSurface::patch(Index node) {
       });
 }
 
-/// The mean of the node's edges: more than the spacing where the surface itself is coarser. 0: it has none.
+/// The mean length of a node's edges, which exceeds the spacing where the surface itself is coarser; 0 when
+/// the node has no edges.
 double BaseSurface::edge(Index node) {
   const std::span<const Index> around = neighbours()[node];
   if (around.empty()) return 0;
@@ -208,7 +210,7 @@ void BaseSurface::note_width(double width) {
   }
 }
 
-/// Makes the values of all members of the wanted one's group, which have most of their samples in common.
+/// Computes the values of all members of the wanted one's group, since they share most of their samples.
 template <class Value, class OriginOf, class SampleOf, class Make>
 Value BaseSurface::make_group(OnDemand<Value>& values, Index wanted, const Making& making,
                               const OriginOf& origin_of, const SampleOf& sample_of, const Make& make) {
@@ -229,7 +231,8 @@ Value BaseSurface::make_group(OnDemand<Value>& values, Index wanted, const Makin
   return of_wanted;
 }
 
-/// Those of clusters that are connected within a ball which holds what is within reach of any origin.
+/// The samples of clusters that are connected within a ball; the ball holds everything within reach of any
+/// origin.
 template <class SampleOf>
 SurfaceSamples BaseSurface::samples_around(Index group, std::span<const Sample> origins, const Making& making,
                                            const SampleOf& sample_of) {
@@ -240,7 +243,7 @@ SurfaceSamples BaseSurface::samples_around(Index group, std::span<const Sample> 
   for (const Sample& origin : origins) extent = std::max(extent, squared_distance(origin.position, middle));
   note_width(std::sqrt(extent));
   const double about = making.reach + std::sqrt(extent);
-  // Going from group to group is going in strides.
+  // The search walks from group to group, so the ball is widened by the extent of a group.
   const double farthest = about + cluster_extent * levels_->spacing(group_level_);
   std::vector<Sample> samples;
   ConnectedNodes connected;
@@ -256,7 +259,7 @@ SurfaceSamples BaseSurface::samples_around(Index group, std::span<const Sample> 
   return SurfaceSamples(samples);
 }
 
-/// The direction of the area near by. Zero where it cancels out.
+/// The unit direction of the summed area vectors within half the reach; zero if they cancel out.
 Vec3f BaseSurface::normal_around(const Vec3f& origin, const SurfaceSamples& samples) const {
   const auto whole = static_cast<float>(reach_ * reach_);
   Vec3f area = Vec3f::Zero();
@@ -267,8 +270,8 @@ Vec3f BaseSurface::normal_around(const Vec3f& origin, const SurfaceSamples& samp
   return area.squaredNorm() > 0 ? Vec3f(area.normalized()) : Vec3f(Vec3f::Zero());
 }
 
-/// A point brought onto the paraboloid that fits the samples around it best, over the plane across its `up`,
-/// and the paraboloid's normal: zero where `up` is.
+/// Moves a point along its `up` onto the quadratic that fits the samples around it best; the result's `up` is
+/// the normal there. A point whose `up` is zero stays as it is.
 BaseSurface::Sample BaseSurface::smoothed(const Sample& origin, const SurfaceSamples& samples) const {
   using Lanes = SurfaceSamples::Lanes;
   if (origin.up.isZero(0)) return origin;
@@ -280,21 +283,22 @@ BaseSurface::Sample BaseSurface::smoothed(const Sample& origin, const SurfaceSam
     const SurfaceSamples::Vectors way = block.from(origin.position);
     const Lanes squared = way.squared_length();
     if (!(squared.minCoeff() <= whole)) continue;
-    // Where a sheet turns away, what is connected beyond it is another one.
+    // Areas that face away from the normal belong to another sheet and do not count.
     const Lanes seen = block.up.dot(normal).max(0.F) * (squared <= whole).cast<float>();
     fit.add(way.dot(axis_x), way.dot(axis_y), way.dot(normal), seen);
     spread += (seen * block.spread).sum();
     area += seen.sum();
   }
   const QuadraticFit::Terms height = fit.solve();
-  // The mean of a height over a cluster is more than that of its middle by half the spread times its
+  // The mean of a height over a cluster exceeds the height at its middle by half the spread times the
   // Laplacian.
   const double of_means = area > 0 ? static_cast<double>(spread / area) / 2 * (height[3] + height[5]) : 0;
   return {origin.position + static_cast<float>(height[0] - of_means) * normal,
           tilted(normal, axis_x, axis_y, height)};
 }
 
-/// The paraboloid over its tangent plane. Where the normal changes much by that, over a second one.
+/// Fits the paraboloid over the tangent plane at a node. If the fitted normal differs noticeably, the fit is
+/// repeated once over the new tangent plane.
 BasePatch BaseSurface::fitted(const Sample& origin, double ring, const SurfaceSamples& samples) const {
   using Lanes = SurfaceSamples::Lanes;
   constexpr float slight = 0.9999F;  // cosine
@@ -337,7 +341,8 @@ Index BaseSurface::nearest(Index near, const Vec3f& point) {
   }
 }
 
-/// Where one of these nodes is missing: whoever asks for a place is going to draw there.
+/// Computes the nodes within a radius of each of these nodes that is missing: a query is usually followed by
+/// a stroke at the same place.
 void BaseSurface::prepare_around(std::span<const Index> nodes) {
   const double radius = reach_ / static_cast<double>(reach_over_radius);
   for (const Index node : nodes)
@@ -371,8 +376,8 @@ BasePoint BaseSurface::project(Index near, const Vec3f& point) {
   prepare_around(std::array{near});
   const Index node = nearest(near, point);
   const BasePatch own = patch(node);
-  // Paraboloids go on where the surface ends.
-  constexpr double farthest = 2;  // spacings, or edges, that a place may be from its node
+  // Paraboloids extend beyond the end of the surface, so the distance from the node is limited.
+  constexpr double farthest = 2;  // in spacings, or in edges where those are longer
   const auto extent = static_cast<float>(farthest * std::max(spacing(), edge(node)));
   const BasePatch::Local<float> foot = own.foot_within(point, extent);
   const Vec3f middle = own.place(foot);

@@ -12,43 +12,43 @@
 
 namespace burin {
 
-/// A place on the base surface.
+/// A point of the base surface.
 struct BasePoint {
   Vec3f position, normal;
-  Index node;  ///< nearest
+  Index node;  ///< the nearest node
 };
 
-/// A surface as brushes of one radius feel it. Relief that is narrow against the radius is gone, curvature
-/// wider than the brush is there: at each cluster of a coarser level stands a node, brought twice onto the
-/// paraboloid that fits what is within 0.55 radii best.
+/// A surface smoothed at the scale of a brush's radius: relief narrower than the radius is removed, curvature
+/// wider than the brush is preserved. Each cluster of a coarser level has a node, which is moved twice onto
+/// the paraboloid that best fits the surface within 0.55 radii.
 ///
-/// Nodes are made, a few neighbours at a time, when they are asked for, by any thread; which ones and in what
-/// order makes no difference to any of them. Only set_radius() and forget() must be alone.
+/// Nodes are computed on demand, a few neighbours at a time. All functions but set_radius() and forget() may
+/// be called from several threads at once; the order of calls does not change any value.
 class BaseSurface {
  public:
-  /// Both must outlive the object.
+  /// Surface and levels must outlive the object.
   BaseSurface(const Surface& surface, const SurfaceLevels& levels) : surface_(&surface), levels_(&levels) {}
 
-  /// Edges that a brush's radius has at least: on a coarser level, and on the surface's own vertices.
+  /// Fewest edges per radius: on a coarser level, and on the surface's own vertices.
   static constexpr double fewest_edges = 9.5, fewest_own_edges = 5;
 
-  /// Goes over to brushes of this radius, object units, on the coarsest level that has edges enough in it.
-  /// Nodes made for the same radius stay. False where not even the surface has: it is coarse itself against
-  /// the brush, and the object is not to be used.
+  /// Selects brushes of this radius, object units, and the coarsest level that has enough edges per radius.
+  /// Nodes computed for the same radius are kept. Returns false when even the surface itself is too coarse
+  /// for the radius; then the object must not be used.
   bool set_radius(double radius);
 
-  /// Forgets the nodes that vertices have to do with which moved, by at most `distance`, object units, after
-  /// the levels followed.
+  /// Discards the nodes that depend on vertices which moved, by at most `distance`, object units. The levels
+  /// must be updated first.
   void forget(std::span<const Index> moved_vertices, double distance);
 
-  /// What is about so near to a point of what is connected with a node there.
+  /// A ball; `near` is a node in it, and only nodes connected with that one within the ball count.
   struct Ball {
     Vec3f middle;
     double radius;
     Index near;
   };
 
-  /// Makes the nodes within these, on all threads.
+  /// Computes the nodes within these balls, on all threads.
   void prepare(std::span<const Ball> balls);
 
   Index node_count() const { return neighbours().rows(); }
@@ -63,25 +63,25 @@ class BaseSurface {
     levels_->for_each_vertex(level_, node, visit);
   }
 
-  /// The place on the base surface nearest to a point, found from a node near it: the mean over the
-  /// paraboloids around, so that places vary smoothly. Within two spacings, or two edges, of a node, whatever
-  /// the point.
+  /// The point of the base surface nearest to `point`, searched from the node `near`. It is the weighted mean
+  /// of the foot points on the paraboloids around, so that it varies smoothly. It lies within two spacings,
+  /// or two edges, of a node, however far away `point` is.
   BasePoint project(Index near, const Vec3f& point);
 
-  /// A paraboloid and how much it counts.
+  /// A paraboloid and its weight.
   struct Weighted {
     BasePatch patch;
     double weight;  ///< above 0
   };
 
-  /// Those that tell what the base surface is like at a place near to a node, so that it varies smoothly;
-  /// none where the place is far from all nodes.
+  /// The paraboloids whose weighted mean is the base surface at a position near a node; none if the position
+  /// is far from all nodes.
   std::vector<Weighted> around(Index node, const Vec3f& place);
 
  private:
   using Sample = SurfaceSample;
 
-  /// What is to be made: clusters of the group level.
+  /// Groups (clusters of the group level) whose values are to be computed.
   struct Missing {
     std::vector<Index> once, twice, patches;
   };
@@ -96,7 +96,8 @@ class BaseSurface {
   double edge(Index node);
   BasePatch fitted(const Sample& origin, double ring, const SurfaceSamples& samples) const;
 
-  /// What values are made of: from the samples of a level within `reach` of their origins.
+  /// Values of clusters of `level` are computed from the samples of `sample_level` within `reach` of their
+  /// origins.
   struct Making {
     std::size_t level, sample_level;
     double reach;
@@ -112,16 +113,17 @@ class BaseSurface {
 
   const Surface* surface_;
   const SurfaceLevels* levels_;
-  std::size_t level_ = 0;         ///< of the nodes
-  std::size_t coarse_level_ = 0;  ///< of the clusters smoothed once: the next, where that is fine enough
-  std::size_t group_level_ = 0;   ///< of the clusters whose nodes are made together: the next but one
+  std::size_t level_ = 0;         ///< level of the nodes
+  std::size_t coarse_level_ = 0;  ///< level of the clusters smoothed once: the next, if it is fine enough
+  std::size_t group_level_ =
+      0;  ///< level of the clusters whose nodes are computed together: the next but one
   double reach_ = 0, ring_ = 0;
-  /// Largest half width of a group's nodes, and longest mean edge of one, seen since the radius was set:
-  /// strokes may have stretched them.
+  /// The largest half width of a group and the longest mean edge of a node seen since the radius was set.
+  /// Strokes may have stretched both.
   std::atomic<double> widest_{0};
   OnDemand<Sample> means_;       ///< [node]
-  OnDemand<Sample> once_;        ///< [cluster of the coarse level] where it comes to stand, with its area
-  OnDemand<Sample> twice_;       ///< [node] where that comes to stand, with the normal
+  OnDemand<Sample> once_;        ///< [cluster of the coarse level] smoothed once; `up` is its area vector
+  OnDemand<Sample> twice_;       ///< [node] smoothed twice; `up` is the unit normal
   OnDemand<BasePatch> patches_;  ///< [node]
 };
 

@@ -8,10 +8,11 @@
 
 namespace burin {
 
-/// The surroundings of points, in cubic cells.
+/// The neighbourhood of a set of points, as a set of cubic cells. add() costs 125 insertions at most, holds()
+/// one look-up.
 class CellSet {
  public:
-  /// Holds what is within `distance` of an added point, and some more, all within 2.6 times that.
+  /// The set holds every point within `distance` of an added point, and some more, all within 2.6 times that.
   explicit CellSet(double distance) : cells_a_unit_(cells_a_distance / distance) {}
 
   void add(const Vec3f& point) {
@@ -36,7 +37,8 @@ class CellSet {
           static_cast<std::int64_t>(std::floor(static_cast<double>(point[i]) * cells_a_unit_));
     return cell;
   }
-  /// One of many cells that are 2^21 apart, which matters little: it holds more then.
+  /// Cells whose coordinates differ by multiples of 2^21 share a key; the set then holds more than it must,
+  /// which is harmless.
   static std::uint64_t key(const Cell& cell) {
     std::uint64_t key = 0;
     for (const std::int64_t i : cell) key = key << 21U | (static_cast<std::uint64_t>(i) & 0x1fffffU);

@@ -1,7 +1,9 @@
-// Levels by clustering. Each vertex that no cluster has reached yet, in the order along the space-filling
-// curve, becomes the middle of a new one, which takes all vertices within its reach along edges that are not
-// nearer to another middle: a Poisson disc sampling with its Voronoi cells, by bounded runs of Dijkstra's
-// algorithm. Ranges of consecutive vertices are clustered side by side; no cluster crosses their borders.
+// Builds levels by clustering. In the order of the space-filling curve, each vertex that no cluster has
+// reached becomes the middle of a new cluster, which takes all vertices within its reach along edges that are
+// not nearer to another middle. This is a Poisson disc sampling with its Voronoi cells, by bounded runs of
+// Dijkstra's algorithm [Dijkstra 1959]. Ranges of consecutive vertices are clustered concurrently; no cluster
+// crosses their borders. A level costs about O(n) for the n vertices of the level below; each level has a
+// quarter as many.
 #include <burin/base/counting_sort.h>
 #include <burin/base/index_set.h>
 #include <burin/surface/base_surface/surface_levels.h>
@@ -22,15 +24,15 @@ namespace {
 
 constexpr Index vertices_a_range = 32768, rows_a_block = 4096, clusters_a_block = 256;
 
-/// Levels with fewer clusters are of no use to any stroke.
+/// Levels with fewer clusters are too coarse for any stroke.
 constexpr Index fewest_clusters = 64;
 
-/// How far clusters reach from their middles, in typical edges of the level below: at least as far as the
-/// neighbours, which makes clusters of 4 to 5. Where vertices are sparse in places farther, so that few
-/// clusters are a single vertex, but not so far that dense places miss a level.
+/// The reach of clusters from their middles, in typical edges of the level below. The lower limit includes
+/// the neighbours, which gives clusters of 4 to 5 vertices. If vertices are sparse in some regions the reach
+/// is longer, so that few clusters are a single vertex, but not so long that dense regions skip a level.
 constexpr double least_reach_over_edge = 1.22, most_reach_over_edge = 1.7;
 
-/// Vertices joined by edges.
+/// The vertices and edges of a level.
 struct Graph {
   std::span<const Vec3f> positions;
   const Csr& neighbours;
@@ -39,12 +41,12 @@ struct Graph {
 /// The clusters of one range of vertices.
 class RangeClusters {
  public:
-  /// Numbers clusters from 0 in `cluster_of`, whose elements of the range, as those of `distance`, are its
-  /// own to write.
+  /// Numbers the clusters from 0 in `cluster_of`. It writes only the elements of its range in `cluster_of`
+  /// and `distance`.
   RangeClusters(const Graph& graph, float reach, std::span<Index> cluster_of, std::span<float> distance)
       : graph_(graph), reach_(reach), cluster_of_(cluster_of), distance_(distance) {}
 
-  /// Returns the middles.
+  /// Clusters the vertices from `begin` to `end`; returns the clusters' middles.
   std::vector<Index> make(Index begin, Index end) {
     std::fill(distance_.begin() + begin, distance_.begin() + end, std::numeric_limits<float>::infinity());
     std::vector<Index> middles;
@@ -93,7 +95,7 @@ class RangeClusters {
   std::vector<Entry> queue_;
 };
 
-/// Sets level.cluster_of; returns the middles, [cluster].
+/// Sets level.cluster_of; returns the middle of each cluster.
 std::vector<Index> make_clusters(const Graph& graph, double reach, SurfaceLevel& level) {
   const auto vertices = static_cast<Index>(graph.positions.size());
   level.cluster_of.resize(vertices);
@@ -130,8 +132,9 @@ void connect(const Graph& graph, Index clusters, SurfaceLevel& level) {
   });
 }
 
-/// The share that a point of a point set has of the disc of its neighbours and itself. Where n points lie
-/// evenly in a disc of radius R, the mean square of their distances from the middle is R^2 / 2.
+/// The area of a point of a point set: its share of the disc that holds it and its neighbours. If n points
+/// are evenly distributed in a disc of radius R, the mean square of their distances from the middle is R^2 /
+/// 2.
 double area_of_point(const Surface& surface, Index point) {
   double squares = 0, count = 1;
   for (const Index neighbour : surface.neighbours[point]) {
@@ -141,7 +144,7 @@ double area_of_point(const Surface& surface, Index point) {
   return 2 * std::numbers::pi * squares / (count * count);
 }
 
-/// A vertex has a third of each triangle around it.
+/// The area of a vertex: a third of the triangles around it.
 double area_of_vertex(const Surface& surface, Index vertex) {
   double doubled = 0;
   for (const Index index : surface.incident[vertex]) {
@@ -152,10 +155,11 @@ double area_of_vertex(const Surface& surface, Index vertex) {
   return doubled / 6;
 }
 
-/// Length of the edges of a lattice of equilateral triangles that has this area for each vertex.
+/// The edge length of a lattice of equilateral triangles with this area per vertex.
 double edge_of(double area) { return std::sqrt(2 / std::sqrt(3.) * area); }
 
-/// Calls visit(vertex, edge) for some of the vertices, spread over all. Vertices without area have no edges.
+/// Calls visit(vertex, typical edge length) for an even sample of the vertices. Vertices without area are
+/// skipped.
 template <class AreaOf, class Visit>
 void for_some_edges(Index vertices, const AreaOf& area_of, const Visit& visit) {
   constexpr Index most_vertices = 65536;
@@ -163,7 +167,7 @@ void for_some_edges(Index vertices, const AreaOf& area_of, const Visit& visit) {
     if (const double area = area_of(vertex); area > 0) visit(vertex, edge_of(area));
 }
 
-/// The length that this share of them is shorter than; 0: there are none.
+/// The quantile of the lengths at this share; 0 if there are none.
 double quantile(std::vector<double> lengths, double share) {
   if (lengths.empty()) return 0;
   const auto place =
@@ -172,7 +176,7 @@ double quantile(std::vector<double> lengths, double share) {
   return *place;
 }
 
-/// Shares for quantile(): vertices may be dense or sparse in places.
+/// Shares for quantile().
 constexpr double dense = 0.1, median = 0.5, sparse = 0.9;
 
 double reach_over(const std::vector<double>& edges) {
@@ -180,7 +184,7 @@ double reach_over(const std::vector<double>& edges) {
   return std::clamp(quantile(edges, sparse), least_reach_over_edge * typical, most_reach_over_edge * typical);
 }
 
-/// A vertex has a third of each triangle around it.
+/// The ClusterMean of a single vertex, whose area is a third of the triangles around it.
 ClusterMean mean_of_vertex(const Surface& surface, Index vertex) {
   const Vec3f& at = surface.positions[vertex];
   if (surface.is_point_set())
@@ -232,7 +236,8 @@ SurfaceLevels::SurfaceLevels(const Surface& surface) : surface_(&surface) {
   }
 }
 
-/// Sets the spacing of the last level, 0 where no cluster is more than a vertex or two; returns its edges.
+/// Sets the spacing of the last level, or 0 if all its clusters have only one or two vertices; returns
+/// typical edge lengths of some of its clusters.
 std::vector<double> SurfaceLevels::measure_last() {
   constexpr std::size_t several = 3;
   const std::size_t last = size() - 1;
@@ -247,7 +252,7 @@ std::vector<double> SurfaceLevels::measure_last() {
   return edges;
 }
 
-/// Of a cluster and its neighbours, on average: clusters beside each other are of different sizes.
+/// The mean area of a cluster and its neighbours, since the sizes of neighbouring clusters differ.
 double SurfaceLevels::area_around(std::size_t level, Index cluster) const {
   double sum = static_cast<double>(mean(level, cluster).area.norm());
   for (const Index neighbour : neighbours(level)[cluster])
@@ -261,10 +266,10 @@ ClusterMean SurfaceLevels::mean(std::size_t level, Index cluster) const {
 
 namespace {
 
-/// Sums over members of a cluster, which count by their area.
+/// Sums over the members of a cluster, weighted by area.
 class MeanSums {
  public:
-  /// Places are summed from here, so that few digits are lost.
+  /// Positions are summed relative to `origin` to limit rounding.
   explicit MeanSums(const Vec3f& origin) : origin_(origin) {}
 
   void add(const ClusterMean& member) {
@@ -286,7 +291,8 @@ class MeanSums {
   }
 
  private:
-  /// Of the squared distances from there half of what is across the area: along one axis.
+  /// The mean square of the members' distances from `at` along one axis of the cluster's plane, which is half
+  /// of the mean square within the plane.
   double spread_about(const Vec3d& at) const {
     const Eigen::Matrix3d squares = squares_ / weights_ - at * at.transpose();
     const Vec3d normal = area_.stableNormalized();
@@ -316,7 +322,7 @@ void SurfaceLevels::update_means(std::size_t level, std::span<const Index> clust
   });
 }
 
-/// Areas of triangles beside a vertex belong to its neighbours too.
+/// Updates the clusters of moved vertices and of their neighbours, with whom they share triangles.
 void SurfaceLevels::moved(std::span<const Index> vertices) {
   if (size() == 1) return;
   IndexSet stale(neighbours(1).rows());

@@ -8,14 +8,13 @@
 
 namespace burin {
 
-/// A place of a surface with a vector along the normal there: an area vector, object units^2, or of unit
-/// length.
+/// A point of a surface with a vector along its normal: an area vector, object units^2, or a unit vector.
 struct SurfaceSample {
   Vec3f position, up;
-  float spread = 0;  ///< ClusterMean::spread where the position is a cluster's mean
+  float spread = 0;  ///< ClusterMean::spread if the position is a cluster's mean
 };
 
-/// Samples side by side in lanes, the last ones filled up with some of no area.
+/// Samples in blocks of lanes for vector instructions; the last block is padded with samples of zero area.
 class SurfaceSamples {
  public:
   static constexpr int lanes = 8;

@@ -6,7 +6,7 @@
 namespace burin {
 namespace {
 
-/// Floats hold 24 bits of a coordinate: those of a box so far away still 20 bits of its diagonal.
+/// Floats hold 24 bits of a coordinate. At this distance, in diagonals, 20 bits of the box's diagonal remain.
 constexpr double farthest = 16;  ///< diagonals
 
 /// The multiple of a power of two at or above `grain` that is nearest to `value`.

@@ -5,25 +5,25 @@
 
 namespace burin {
 
-/// A mesh as its reader finds it: the places of its vertices are not yet floats.
+/// A mesh as its reader finds it, with positions in double precision.
 struct FileMesh {
-  std::vector<Vec3d> places;  ///< [vertex] object units, from the file's own origin on
-  PolygonMesh mesh;           ///< without positions and origin
+  std::vector<Vec3d> places;  ///< [vertex] position, object units, relative to the file's own origin
+  PolygonMesh mesh;           ///< positions and origin are not set
 };
 
-/// Points likewise.
+/// A point set as its reader finds it, with positions in double precision.
 struct FilePoints {
-  std::vector<Vec3d> places;
-  std::vector<Vec3f> normals;  ///< outward, any length, one a point
+  std::vector<Vec3d> places;   ///< [point] position, object units, relative to the file's own origin
+  std::vector<Vec3f> normals;  ///< [point] outward, any length
 };
 
-/// Where to count positions from so that floats hold them: zero unless the places lie more than 16 times the
-/// diagonal of their box away from it, else a place among them whose coordinates are multiples of a power of
-/// two near that diagonal, so that adding it to floats gives doubles without rounding. Places that are not
-/// finite do not count.
+/// Chooses the origin for float positions. It is zero unless the positions lie farther from it than 16 times
+/// the diagonal of their bounding box. Otherwise it lies among them, and its coordinates are multiples of a
+/// power of two near that diagonal, so that origin + float is exact in double precision. Positions that are
+/// not finite are ignored.
 Vec3d near_origin(const std::vector<Vec3d>& places);
 
-/// The places from `origin` on, as floats.
+/// Converts positions to floats relative to `origin`.
 std::vector<Vec3f> positions_from(const std::vector<Vec3d>& places, const Vec3d& origin);
 
 }  // namespace burin

@@ -7,7 +7,7 @@
 namespace burin {
 namespace {
 
-/// Programs that keep colours as numbers of their own write them back off by so much at most.
+/// The greatest change of a channel by programs that convert colours to their own format and back.
 constexpr int rounding = 1;
 
 bool are_alike(const PaintBytes& a, const PaintBytes& b) {

@@ -4,21 +4,21 @@
 
 namespace burin {
 
-/// Diffuse reflectance of clay that nothing is painted on, linear RGB, 0..1: in pictures, and below colours
-/// that cover it in part where other programs shall see what it looks like.
+/// Diffuse reflectance of unpainted clay, linear RGB, 0..1. Used for pictures, and below partly covering
+/// colours in files for other programs.
 inline const Vec3f clay_colour(0.56f, 0.41f, 0.32f);
 
-/// What a colour looks like over clay, linear RGB; one that covers the clay is as it was.
+/// The appearance of a colour over clay, linear RGB. A fully covering colour does not change.
 Vec3f over_clay(const PaintBytes& colour);
 
-/// The same as sRGB, and as it was bit for bit where it covers the clay. The coverage is then whole.
+/// The appearance of a colour over clay as sRGB with full coverage. A fully covering colour keeps its bits.
 PaintBytes bytes_over_clay(const PaintBytes& colour);
 
-/// Whether any colour lets the clay be seen, so that what it looks like does not tell it.
+/// Whether any colour covers the clay only in part, so that it cannot be derived from its appearance.
 bool shows_clay(const std::vector<PaintBytes>& colours);
 
-/// The colours of a file that holds both what they look like and themselves, the ink. Where the two do not go
-/// together some other program has painted since: there it is what they look like.
+/// The colours of a file that holds both their appearance, `shown`, and the colours themselves, `ink`. Where
+/// the two contradict each other another program has painted since, and the appearance is used.
 std::vector<PaintBytes> ink_unless_painted_over(const std::vector<PaintBytes>& shown,
                                                 std::vector<PaintBytes> ink);
 

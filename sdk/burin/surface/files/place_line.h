@@ -6,8 +6,8 @@
 
 namespace burin {
 
-/// Takes the three coordinates of a vertex off the front of a line of text. Returns what is wrong with them;
-/// empty: nothing, and all are in the range of floats.
+/// Reads the three coordinates of a vertex and removes them from the front of a line. Returns an error
+/// message, or an empty string if all are numbers in the range of floats.
 std::string take_place(std::string_view& line, Vec3d& place);
 
 }  // namespace burin

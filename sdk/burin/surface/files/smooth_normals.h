@@ -5,8 +5,8 @@
 
 namespace burin {
 
-/// A unit normal for each vertex, outward: the NormalSum of all triangles at its place, so that it is the
-/// same on both sides of a seam where vertices are split.
+/// The outward unit normal of each vertex: the NormalSum of all triangles at its position, so that the
+/// normals on both sides of a seam of split vertices are equal.
 std::vector<Vec3f> smooth_normals(const TriangleMesh& mesh);
 
 }  // namespace burin

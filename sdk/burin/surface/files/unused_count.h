@@ -7,16 +7,16 @@
 
 namespace burin {
 
-/// Counts what a reader meets in a file and makes no use of.
+/// Counts the items of a file that a reader ignores, by kind.
 class UnusedCount {
  public:
-  /// `one` and `many` name the kind: "group", "groups".
+  /// Adds items of a kind; `one` and `many` are its names: "group", "groups". They must outlive the object.
   void add(std::string_view one, std::string_view many, std::size_t count = 1);
 
-  /// The same for kinds that have names: equal ones count once.
+  /// Adds a named item of a kind; items with equal names count once.
   void add_named(std::string_view one, std::string_view many, std::string_view name);
 
-  /// "3 groups, 441 normals", kinds in the order in which they were met; empty for nothing.
+  /// Lists the counts, "3 groups, 441 normals", in order of first appearance; empty if there are none.
   std::string text() const;
 
  private:

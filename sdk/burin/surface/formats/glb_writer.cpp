@@ -1,4 +1,4 @@
-// A GLB file [Khronos, glTF 2.0] of one node, mesh and primitive.
+// Writes a GLB file [Khronos, glTF 2.0] with one node, one mesh and one primitive.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/surface/files/mesh_formats.h>
@@ -24,7 +24,7 @@ void put(std::string& bytes, float value) { put(bytes, std::bit_cast<std::uint32
 
 /// The vertices that a file needs so that each has one pair of texture coordinates.
 struct SplitVertices {
-  std::vector<Index> source;  ///< [vertex of the file] that of the mesh
+  std::vector<Index> source;  ///< [vertex of the file] vertex of the mesh
   std::vector<Vec2f> uv;      ///< [vertex of the file], or empty
   std::vector<Triangle> triangles;
 };
@@ -57,7 +57,7 @@ SplitVertices split(const TriangleMesh& mesh) {
   return vertices;
 }
 
-/// The one buffer, and what says what lies in it.
+/// The one buffer of the file, and the JSON that describes it.
 class Contents {
  public:
   Json json = {{"asset", {{"version", "2.0"}, {"generator", "Burin"}}},
@@ -70,7 +70,7 @@ class Contents {
                {"buffers", Json::array()}};
   std::string bytes;
 
-  /// Adds an accessor over what `put_all` adds to the bytes; returns its number.
+  /// Adds an accessor over the bytes that `put_all` appends; returns its index.
   template <class PutAll>
   std::size_t add(const char* type, int component_type, std::size_t count, const PutAll& put_all) {
     constexpr int for_vertices = 34962, for_indices = 34963;
@@ -135,7 +135,7 @@ Json attributes(Contents& contents, const TriangleMesh& mesh, const VertexPaint&
   return attributes;
 }
 
-/// A chunk with its head, filled up to a multiple of four bytes.
+/// Writes a chunk with its header, padded to a multiple of four bytes.
 void write_chunk(std::ostream& out, std::uint32_t type, std::string bytes, char filling) {
   bytes.resize((bytes.size() + 3) / 4 * 4, filling);
   std::string head;

@@ -1,3 +1,5 @@
+// Parses the container of a glTF or GLB file: JSON, chunks, buffers (embedded, base64 or beside the file),
+// and decodes accessors to doubles. Every offset and count is checked before it is used.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
@@ -17,7 +19,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// A member that counts something; `initial` where it is missing. Nothing of use where it is no count.
+/// A member that is a count; `initial` if it is missing. Throws Error if it is not a whole number.
 std::size_t count_of(const Json& object, const char* name, std::size_t initial) {
   const auto found = object.find(name);
   if (found == object.end()) return initial;
@@ -84,7 +86,7 @@ double value_at(std::string_view bytes, std::size_t at, std::size_t type, bool n
   }
 }
 
-/// Bytes of base64 [RFC 4648]; empty for what is none.
+/// Decodes base64 [RFC 4648]; the result is empty if the text is not base64.
 std::string from_base64(std::string_view text) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
@@ -102,7 +104,7 @@ std::string from_base64(std::string_view text) {
   return bytes;
 }
 
-/// What "%20" stands for.
+/// Decodes percent-encoding, as in "%20".
 std::string from_percents(const std::string& text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -160,7 +162,7 @@ void GltfDocument::read_glb(std::string bytes) {
 }
 
 void GltfDocument::check_extensions() const {
-  // Those that say something of how surfaces look take nothing from their shape.
+  // These extensions describe appearance only, or are supported; shapes are complete without the former.
   constexpr std::string_view known[] = {"KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_",
                                         "KHR_lights_punctual",   "KHR_texture_basisu",    "EXT_texture_webp"};
   for (const Json& name : json_.value("extensionsRequired", Json::array())) {
@@ -226,7 +228,7 @@ GltfDocument::Values GltfDocument::values(const Json& accessor_index) const {
     Values values;
     values.components = components_of(text_of(accessor, "type"));
     const std::size_t count = count_of(accessor, "count", 0);
-    // What is only said to be zero could be any number.
+    // An accessor without data is all zeros, so its count must be limited by something else.
     if (count > size_) throw Error(fmt::format("has {} elements, more than the file has bytes", count));
     values.numbers.assign(count * values.components, 0);
     if (accessor.contains("bufferView")) read_dense(accessor, values);
@@ -243,7 +245,7 @@ GltfDocument::Values GltfDocument::values(const Json& accessor_index) const {
 
 namespace {
 
-/// Reads elements that stand `stride` bytes apart.
+/// Reads elements whose starts are `stride` bytes apart.
 struct Run {
   std::string_view bytes;
   std::size_t offset, stride, components, type;

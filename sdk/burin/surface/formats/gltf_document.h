@@ -10,27 +10,30 @@
 
 namespace burin {
 
-/// A .gltf or .glb file with its buffers, and the numbers of its accessors [Khronos, glTF 2.0].
+/// A .gltf or .glb file [Khronos, glTF 2.0] with its buffers; decodes accessors.
 class GltfDocument {
  public:
-  /// Throws FileError: not of version 2, a chunk or buffer that is missing or too short, an extension
-  /// required that is not known, Draco and meshopt among them.
+  /// Reads the file and its buffers. Throws FileError if the version is not 2, if a chunk or buffer is
+  /// missing or too short, or if a required extension is not supported (Draco and meshopt compression, for
+  /// example).
   explicit GltfDocument(const std::filesystem::path& path);
 
   const nlohmann::json& json() const { return json_; }
 
-  /// The element of a list of the document, "meshes", "nodes". Throws FileError when it is not there.
+  /// An element of one of the document's lists ("meshes", "nodes", ...). Throws FileError if it does not
+  /// exist.
   const nlohmann::json& element(const char* list, const nlohmann::json& index) const;
 
-  /// The numbers of an accessor, whatever it is made of: integers, normalised or not, interleaved, sparse.
+  /// The numbers of an accessor, converted to double. Integers (normalised or not), interleaved and sparse
+  /// accessors are supported.
   struct Values {
-    std::size_t components = 0;  ///< of each element, 1 to 4
+    std::size_t components = 0;  ///< numbers per element, 1 to 4
     std::vector<double> numbers;
     std::size_t size() const { return components == 0 ? 0 : numbers.size() / components; }
   };
   Values values(const nlohmann::json& accessor_index) const;
 
-  /// Bytes of the file and of its buffers.
+  /// The size of the file and of its buffers, bytes.
   std::size_t size() const { return size_; }
 
   [[noreturn]] void fail(std::string_view place, std::string_view what) const;
@@ -41,10 +44,10 @@ class GltfDocument {
   void load_buffers();
   std::string buffer_of_uri(const std::string& uri, std::size_t buffer) const;
 
-  /// So many bytes of a view, which lie in its buffer.
+  /// The bytes of a buffer view.
   struct View {
     std::string_view bytes;
-    std::size_t stride;  ///< 0: as the elements are wide
+    std::size_t stride;  ///< bytes; 0 means that elements are tightly packed
   };
   View view(const nlohmann::json& index) const;
   void read_dense(const nlohmann::json& accessor, Values& values) const;
@@ -54,7 +57,7 @@ class GltfDocument {
   nlohmann::json json_;
   std::string glb_buffer_;
   std::vector<std::string> buffers_;
-  std::size_t size_ = 0;  ///< bytes of all files
+  std::size_t size_ = 0;  ///< size of all files, bytes
 };
 
 }  // namespace burin

@@ -1,5 +1,5 @@
-// glTF 2.0 and GLB: the triangles of all meshes that the scene shows, in the places where it shows them.
-// An own reader over the JSON library: tinygltf 2.7, which Debian has, decodes no accessors.
+// Reads glTF 2.0 and GLB: the triangles of all meshes in the scene, transformed by their nodes. This is our
+// own reader on top of the JSON library, since tinygltf 2.7, which Debian has, does not decode accessors.
 #include <burin/base/error.h>
 #include <burin/base/srgb.h>
 #include <burin/surface/files/colour_byte.h>
@@ -19,14 +19,14 @@ namespace {
 using Json = nlohmann::json;
 using Values = GltfDocument::Values;
 
-/// A scene shows one mesh as often as it likes, but a small file must not ask for all memory that there is.
+/// A scene may show one mesh many times, but a small file must not be able to exhaust the memory.
 std::size_t most_vertices(std::size_t file_bytes) {
   constexpr std::size_t always = std::size_t{1} << 22, ever = std::size_t{1} << 28, times_file = 64;
   return std::min(ever, std::max(always, times_file * file_bytes));
 }
 constexpr std::size_t most_corners_a_vertex = 8;
 
-constexpr int deepest = 1000;  ///< nodes within nodes
+constexpr int deepest = 1000;  ///< greatest depth of the tree of nodes
 
 class GltfReader {
  public:
@@ -49,7 +49,7 @@ class GltfReader {
   }
 
  private:
-  /// Of the scene that is to be shown, or of all nodes that are no child.
+  /// The root nodes of the default scene; without scenes, all nodes that are not a child of another node.
   Json roots() const {
     const Json& json = document_.json();
     if (json.contains("scenes") && !json["scenes"].empty())
@@ -77,10 +77,11 @@ class GltfReader {
     for (const Json& child : node.value("children", Json::array())) read_node(child, placed, depth + 1);
   }
 
-  /// Of a quaternion, which may be of any length. Not Eigen's, whose bits the processor chooses.
+  /// The rotation of a quaternion of any length. Eigen's conversion is not used because its bits depend on
+  /// the processor.
   static Eigen::Matrix3d rotation(const Vec3d& vector, double scalar) {
     const double twice = 2 / (vector.squaredNorm() + scalar * scalar);
-    Eigen::Matrix3d across;  // times a vector: the cross product with it
+    Eigen::Matrix3d across;  // across * v is the cross product of `vector` and v
     across << 0, -vector.z(), vector.y(), vector.z(), 0, -vector.x(), -vector.y(), vector.x(), 0;
     return Eigen::Matrix3d::Identity() + twice * (scalar * across + across * across);
   }
@@ -151,7 +152,7 @@ class GltfReader {
     return corners;
   }
 
-  /// Of a list, 4, a strip, 5, or a fan, 6. `mirrored`: its outside is turned in.
+  /// Adds the triangles of a list (mode 4), strip (5) or fan (6). `mirrored` reverses their orientation.
   void add_triangles(const std::vector<std::size_t>& corners, unsigned mode, std::size_t first,
                      bool mirrored) {
     const std::size_t step = mode == 4 ? 3 : 1;
@@ -166,7 +167,7 @@ class GltfReader {
     }
   }
 
-  /// What vertices have besides; primitives that lack it leave it out.
+  /// Reads the optional attributes of a primitive: texture coordinates, colours and masks.
   void read_attributes(const Json& attributes, std::size_t first) {
     const std::size_t count = file_.places.size() - first;
     const auto values = [&](const char* name, std::size_t least) {
@@ -199,7 +200,7 @@ class GltfReader {
     }
   }
 
-  /// `encode` makes the file's red, green and blue, 0 to 1, sRGB.
+  /// Converts values to bytes; `encode` converts the file's red, green and blue, 0 to 1, to sRGB bytes.
   template <class Encode>
   static std::vector<PaintBytes> colours_of(const Values& values, const Encode& encode) {
     std::vector<PaintBytes> colours(values.size(), {0, 0, 0, 255});
@@ -225,7 +226,7 @@ class GltfReader {
   std::vector<bool> seen_;  ///< [node]
   FileMesh file_;
   std::vector<Vec2f> uv_;
-  std::size_t textured_ = 0;  ///< vertices
+  std::size_t textured_ = 0;  ///< number of vertices with texture coordinates
   UnusedCount unused_;
 };
 

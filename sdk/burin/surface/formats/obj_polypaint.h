@@ -6,9 +6,9 @@
 
 namespace burin {
 
-/// Colours and masks as ZBrush writes them into the comments of an OBJ file: `#MRGB`, then for each vertex in
-/// the file's order eight hexadecimal digits, two each for mask, red, green and blue, of up to 64 vertices a
-/// line. A mask of ff is free. Colours cover all.
+/// Colours and masks that ZBrush writes to the comments of an OBJ file. After `#MRGB` each vertex, in the
+/// file's order, has eight hexadecimal digits, two each for mask, red, green and blue; a line holds up to 64
+/// vertices. A mask of ff means free. Colours cover the clay fully.
 class ObjPolypaint {
  public:
   /// Reads the comments of a file.
@@ -16,13 +16,13 @@ class ObjPolypaint {
 
   bool empty() const { return lines_ == 0; }
 
-  /// The number of lines met.
+  /// The number of such lines in the file.
   std::size_t lines() const { return lines_; }
 
-  /// Whether the lines are as they should be and name each of these vertices once.
+  /// Whether the lines are well-formed and hold exactly this many vertices.
   bool is_of(std::size_t vertices) const { return sound_ && paint_.colours.size() == vertices; }
 
-  /// Masks are left out where all are free.
+  /// The colours and masks; masks are empty if all are free.
   const VertexPaint& paint() const { return paint_; }
 
  private:

@@ -1,5 +1,5 @@
-// An own reader, since tinyobjloader 2.0 reads what is not a number as 0, counts the corners of a face in a
-// byte and loses the tags that stand behind a group.
+// Reads OBJ files. This is our own reader, since tinyobjloader 2.0 reads words that are not numbers as 0,
+// counts the corners of a face in a byte and loses the tags after a group.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <burin/surface/files/file_colours.h>
@@ -16,12 +16,13 @@
 namespace burin {
 namespace {
 
-/// A face may name what comes after it, so whether all is there can be told at the end only.
+/// A kind of elements that faces refer to. A face may refer to elements that come later, so references are
+/// checked at the end.
 struct Named {
   const char* what;
   std::size_t count = 0;
-  long long highest = 0;  ///< highest number that a face names, and the first line that does
-  std::size_t highest_line = 0;
+  long long highest = 0;         ///< highest index in a face
+  std::size_t highest_line = 0;  ///< first line with that index
 };
 
 class ObjReader {
@@ -83,7 +84,7 @@ class ObjReader {
     return *value;
   }
 
-  /// x y z, then w, or a colour, or both.
+  /// Reads x y z, then an optional w and an optional colour.
   void read_vertex(std::string_view line) {
     Vec3d place;
     if (const std::string fault = take_place(line, place); !fault.empty()) fail(fault);
@@ -102,7 +103,7 @@ class ObjReader {
                  {rest[numbers - 3], rest[numbers - 2], rest[numbers - 1], no_alpha});
   }
 
-  /// v may be left out, and is 0 then.
+  /// Reads u and v; v is 0 if it is missing.
   void read_texture_coordinates(std::string_view line) {
     ++textures_.count;
     Vec2d uv = Vec2d::Zero();
@@ -119,7 +120,7 @@ class ObjReader {
     file_.mesh.face_sizes.push_back(corners);
   }
 
-  /// V, V/VT, V//VN or V/VT/VN, where what is left out may leave its '/' behind.
+  /// Reads V, V/VT, V//VN or V/VT/VN; the slash of a missing part is allowed.
   void read_corner(std::string_view corner) {
     std::string_view parts[3];
     std::size_t begin = 0;
@@ -138,7 +139,8 @@ class ObjReader {
     fail(fmt::format("{} is not a vertex of a face", quoted_word(corner)));
   }
 
-  /// From 0. Positive numbers count from the beginning of the file, negative ones backwards from here.
+  /// Converts an index to one from 0. Positive indices count from the start of the file, negative ones
+  /// backwards from the current line.
   Index index_of(std::string_view corner, std::string_view word, Named& named) {
     const auto index = whole_number(word);
     if (!index || *index == 0) fail_corner(corner);
@@ -160,7 +162,7 @@ class ObjReader {
     }
   }
 
-  /// Unless a corner goes without.
+  /// Stores the texture coordinates of all corners, or none if any corner lacks them.
   void give_texture_coordinates() {
     const auto without = static_cast<std::size_t>(std::ranges::count(corner_textures_, no_index));
     if (without == corner_textures_.size())
@@ -171,7 +173,7 @@ class ObjReader {
     for (const Index texture : corner_textures_) file_.mesh.corner_uv.push_back(uv_[texture]);
   }
 
-  /// Colours behind the coordinates come first.
+  /// Stores the colours of comments, unless vertices have colours after their coordinates.
   void give_polypaint(const ObjPolypaint& polypaint) {
     if (polypaint.empty()) return;
     if (file_.mesh.paint.empty() && polypaint.is_of(file_.places.size()))
@@ -180,14 +182,14 @@ class ObjReader {
       unused_.add("line of polypaint", "lines of polypaint", polypaint.lines());
   }
 
-  static constexpr double no_alpha = 1e9;  ///< clamped: all is covered
+  static constexpr double no_alpha = 1e9;  ///< clamped to full coverage
 
   std::string path_;
   std::size_t line_ = 0;
   Named vertices_{"vertex"}, textures_{"texture coordinates"};
   FileMesh file_;
   std::vector<Vec2f> uv_;
-  std::vector<Index> corner_textures_;  ///< [corner] among uv_, or no_index
+  std::vector<Index> corner_textures_;  ///< [corner] index in uv_, or no_index
   FileColours colours_;
   ObjTags tags_;
   UnusedCount unused_;

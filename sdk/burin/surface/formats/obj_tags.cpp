@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view known[] = {"crease", "corner", "hole", "interpolateboundary", "creasemethod"};
 
-/// Cuts the number before the next '/' off the front; nothing where there is none.
+/// Removes the number before the next '/' from the front; returns nothing if there is none.
 std::optional<std::size_t> take_count(std::string_view& counts) {
   const std::size_t end = std::min(counts.find('/'), counts.size());
   const auto count = whole_number(counts.substr(0, end));
@@ -66,12 +66,12 @@ std::string ObjTags::take(std::string_view line, std::size_t number) {
 
 namespace {
 
-/// One for all, or one each; of a negative number, and of more than floats hold, the nearest that is one.
+/// Sharpness values, one for all items or one per item, clamped to the range of non-negative floats.
 class Sharpness {
  public:
   explicit Sharpness(const std::vector<double>& reals) : reals_(reals) {}
 
-  /// Whether there are as many as `items` need.
+  /// Whether there are values for this many items.
   bool fits(std::size_t items) const { return reals_.size() == 1 || reals_.size() == items; }
 
   float of(std::size_t item) const {
@@ -88,8 +88,8 @@ constexpr const char* sharpness_missing = "takes one sharpness for all, or one e
 std::string give_creases(const std::vector<long long>& vertices, const Sharpness& sharpness,
                          std::size_t vertex_count, PolygonMesh& mesh) {
   if (vertices.empty() || vertices.size() % 2 != 0) return "takes vertices by pairs";
-  // OpenSubdiv's own shapes (regression/common/far_utils.h) count sharpnesses as vertices, of which that of a
-  // pair's first holds.
+  // OpenSubdiv's own shapes (regression/common/far_utils.h) may have a sharpness per vertex; that of a pair's
+  // first vertex counts.
   const bool by_vertex = sharpness.fits(vertices.size());
   if (!by_vertex && !sharpness.fits(vertices.size() / 2)) return sharpness_missing;
   for (const long long vertex : vertices)

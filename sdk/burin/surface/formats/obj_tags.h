@@ -8,28 +8,28 @@
 
 namespace burin {
 
-/// The tags of a subdivision surface in an OBJ file, as OpenSubdiv's regression shapes have them:
-/// `t NAME I/R/S`, then I integers, R real numbers and S words.
+/// The tags of a subdivision surface in an OBJ file, in the format of OpenSubdiv's regression shapes: `t NAME
+/// I/R/S`, then I integers, R real numbers and S words.
 ///
-///   crease 2/1/0 a b sharpness       also several pairs, with one sharpness for all, one each or one a
-///   vertex,
-///                                    of which that of a pair's first counts
-///   corner 1/1/0 v sharpness         also several, likewise
-///   hole 1/0/0 face                  also several
-///   interpolateboundary 1/0/0 rule   0 no boundary faces, 1 edges and corners, 2 edges only
-///   creasemethod 0/0/1 method        normal or chaikin
+/// - `crease 2/1/0 a b sharpness`: several pairs are allowed, with one sharpness for all, one per pair, or
+/// one per
+///   vertex, of which that of a pair's first vertex counts
+/// - `corner 1/1/0 v sharpness`: several vertices are allowed, with one sharpness for all or one per vertex
+/// - `hole 1/0/0 face`: several faces are allowed
+/// - `interpolateboundary 1/0/0 rule`: 0 no boundary faces, 1 edges and corners, 2 edges only
+/// - `creasemethod 0/0/1 method`: normal or chaikin
 ///
-/// Vertices and faces are counted from 0, in the whole file, whatever groups stand before.
+/// Vertices and faces are counted from 0, over the whole file, regardless of groups.
 class ObjTags {
  public:
-  /// Takes what follows the `t` of a line. Returns what is wrong with it, or nothing.
+  /// Parses the rest of a line after the `t`. Returns an error message, or an empty string.
   std::string take(std::string_view line, std::size_t number);
 
-  /// How many tags are of kinds that no mesh keeps.
+  /// The number of tags of kinds that a PolygonMesh does not hold.
   std::size_t unknown() const { return unknown_; }
 
-  /// Hands all to the mesh, whose vertices and faces are there: `vertices` of them. Returns what is wrong, or
-  /// nothing, and sets `number` to its line.
+  /// Stores all tags in a mesh whose faces are complete and which has this many vertices. Returns an error
+  /// message and sets `number` to its line, or returns an empty string.
   std::string give(PolygonMesh& mesh, std::size_t vertices, std::size_t& number) const;
 
  private:

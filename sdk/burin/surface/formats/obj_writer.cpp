@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-/// The shortest digits that read back as the same bits.
+/// Appends a position, with the fewest digits that read back as the same bits.
 void put_vertex(std::string& line, const Vec3f& position, const Vec3d& origin) {
   line += 'v';
   for (int axis = 0; axis < 3; ++axis) {
@@ -27,7 +27,7 @@ void put_colour(std::string& line, const PaintBytes& colour) {
     fmt::format_to(std::back_inserter(line), " {}", static_cast<float>(shown[i]) / 255);
 }
 
-/// Writes each pair of texture coordinates once. Returns its number, from 1, for each corner.
+/// Writes each distinct pair of texture coordinates once. Returns its index, from 1, for each corner.
 std::vector<Index> write_texture(std::ostream& out, const TriangleMesh& mesh) {
   std::vector<Vec3f> places;
   for (const auto& corners : mesh.triangle_uv)

@@ -14,7 +14,7 @@
 namespace burin {
 namespace {
 
-/// What the first word says of the vertices, as Geomview has it: [ST][C][N]OFF.
+/// The vertex attributes that the first word announces, in Geomview's notation: [ST][C][N]OFF.
 struct OffKind {
   bool texture = false, colours = false, normals = false;
 };
@@ -43,7 +43,7 @@ class OffReader {
     throw FileError(path_, std::to_string(lines_.number()), what);
   }
 
-  /// The next that holds anything.
+  /// The next line that is not empty.
   std::string_view next_line() {
     while (const auto line = lines_.next_joined())
       if (!words(*line).empty()) return *line;
@@ -56,7 +56,7 @@ class OffReader {
     return words;
   }
 
-  /// Takes the first word off the line; a file may go without.
+  /// Reads the first word and removes it from the line; it is optional.
   void read_kind(std::string_view& line) {
     std::string_view rest = line;
     std::string_view word = next_word(rest);
@@ -83,7 +83,7 @@ class OffReader {
     for (std::size_t i = 0; i < 2; ++i) {
       const auto count = whole_number(numbers[i]);
       if (!count || *count < 0) fail(fmt::format("{} is not a number of elements", quoted_word(numbers[i])));
-      // Every element has two bytes at least: a damaged count must not ask for memory.
+      // Every element has at least two bytes, which limits the memory that a damaged count can request.
       if (static_cast<std::size_t>(*count) > size_) fail(fmt::format("is too short for {} elements", *count));
       (i == 0 ? vertices_ : faces_) = static_cast<std::size_t>(*count);
     }
@@ -95,7 +95,7 @@ class OffReader {
     return *value;
   }
 
-  /// x y z, then normal, colour and texture coordinates as the kind says.
+  /// Reads x y z, then the normal, colour and texture coordinates that the kind announces.
   void read_vertex(std::string_view line) {
     Vec3d place;
     if (const std::string fault = take_place(line, place); !fault.empty()) fail(fault);
@@ -125,7 +125,7 @@ class OffReader {
     colours_.add(file_.places.size(), colour);
   }
 
-  /// The number of corners, their vertices from 0, and perhaps a colour.
+  /// Reads the number of corners, their vertices counted from 0, and an optional colour.
   void read_face(std::string_view line) {
     const auto corners = whole_number(next_word(line));
     if (!corners || *corners < 3) fail("a face begins with the number of its corners, three or more");
@@ -142,14 +142,14 @@ class OffReader {
   }
 
   TextLines lines_;
-  std::size_t size_;  ///< bytes of the file
+  std::size_t size_;  ///< size of the file, bytes
   std::string path_;
   OffKind kind_;
   std::size_t vertices_ = 0, faces_ = 0;
   FileMesh file_;
   std::vector<Vec2f> uv_;
   FileColours colours_;
-  bool whole_colours_ = true;  ///< to 255, as all are whole numbers; else to 1
+  bool whole_colours_ = true;  ///< all channels are whole numbers, so they range to 255; otherwise to 1
   UnusedCount unused_;
 };
 

@@ -18,7 +18,7 @@ void write_off(const std::filesystem::path& path, const TriangleMesh& mesh, cons
       line.clear();
       for (int axis = 0; axis < 3; ++axis) {
         const float coordinate = mesh.positions[i][axis];
-        // The shortest digits that read back as the same bits.
+        // fmt writes the fewest digits that read back as the same bits.
         far ? fmt::format_to(std::back_inserter(line), "{} ", coordinate + origin[axis])
             : fmt::format_to(std::back_inserter(line), "{} ", coordinate);
       }

@@ -29,7 +29,7 @@ class HeaderReader {
     for (std::string_view line = next_line(); line != "end_header"; line = next_line()) read_line(line);
     if (!has_format_) fail("the header names no format");
     header_.size = lines_.offset();
-    // Where lines end in CR, an LF behind the last one is the first byte of the data.
+    // If lines end in CR, an LF after the last one is the first byte of the data.
     if (ends_in_cr && text_.substr(0, header_.size).ends_with("\r\n")) --header_.size;
     return std::move(header_);
   }
@@ -42,7 +42,7 @@ class HeaderReader {
   std::string_view next_line() {
     const std::size_t begin = lines_.offset();
     const auto line = lines_.next();
-    // A line that the file's end cuts short is none.
+    // A line that the end of the file cuts short does not count.
     if (!line || begin + line->size() >= text_.size())
       throw FileError(path_, std::to_string(lines_.number() + (line ? 0 : 1)), "the header is cut off");
     return line->substr(0, line->find_last_not_of(" \t") + 1);

@@ -24,17 +24,17 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 };
 
-/// What a PLY file says of itself [Turk 1994], elements in the order of their data.
+/// The header of a PLY file [Turk 1994]; elements are in the order of their data.
 struct PlyHeader {
   PlyFormat format;
   std::vector<PlyElement> elements;
-  std::size_t size = 0;  ///< bytes of the header; the data follow
+  std::size_t size = 0;  ///< size of the header, bytes; the data follow
 };
 
-/// Reads the header that a file begins with. Throws FileError naming the line.
+/// Reads the header at the start of a file. Throws FileError, which gives the line.
 PlyHeader read_ply_header(std::string_view text, const std::filesystem::path& path);
 
-/// The property of this name, or nothing.
+/// The property with this name, or null.
 const PlyProperty* find_property(const PlyElement& element, std::string_view name);
 
 }  // namespace burin

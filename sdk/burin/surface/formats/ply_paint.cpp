@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-/// In the order of Slot.
+/// The property names in the order of Slot.
 constexpr const char* names[] = {"red",       "green",    "blue",      "alpha", "ink_red",
                                  "ink_green", "ink_blue", "ink_alpha", "mask"};
 

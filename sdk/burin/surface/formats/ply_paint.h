@@ -6,22 +6,23 @@
 
 namespace burin {
 
-/// What the vertices of a PLY file have painted on them: properties red, green and blue, with or without
-/// alpha, ink_red, ink_green, ink_blue and ink_alpha, and mask. Channels are sRGB from 0 to 1 where they are
-/// floating-point, to 65535 where they are ushort, else to 255; what lies beyond by no more than rounding is
-/// clamped. Other properties are passed over, and so are colours that lack a channel.
+/// Colours and masks of the vertices of a PLY file. The properties are red, green and blue, optionally alpha;
+/// ink_red, ink_green, ink_blue and ink_alpha; and mask. Channels are sRGB; floating-point ones range from 0
+/// to 1, ushort ones to 65535, all others to 255. Values outside the range by no more than rounding are
+/// clamped. Other properties, and colours that lack a channel, are ignored.
 class PlyPaint {
  public:
-  /// `vertices` must outlive this.
+  /// `vertices` must outlive the object.
   explicit PlyPaint(const PlyElement& vertices);
 
-  /// Whether a property, by its number, is painted.
+  /// Whether a property, given by its index, is a colour channel or mask.
   bool takes(std::size_t property) const { return slots_[property] != Slot::none; }
 
-  /// Takes a value of a vertex. Returns what is wrong with it, or nothing.
+  /// Stores a value of a vertex; values of other properties are ignored. Returns an error message, or an
+  /// empty string.
   std::string take(std::size_t property, std::uint64_t vertex, double value);
 
-  /// To be called once, when all values are taken.
+  /// Returns the result. May be called once, after all values.
   VertexPaint finish();
 
  private:

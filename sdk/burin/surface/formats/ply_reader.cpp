@@ -1,5 +1,6 @@
-// An own reader because assimp 5.2 never returns from a header that is cut off, and shifts binary data whose
-// first byte is a line end (https://github.com/assimp/assimp/issues/5341): one file in 256.
+// Reads PLY files. This is our own reader, since assimp 5.2 never returns from a truncated header, and shifts
+// binary data whose first byte is a line end (https://github.com/assimp/assimp/issues/5341), which is one
+// file in 256.
 #include <burin/base/error.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/files/unused_count.h>
@@ -54,7 +55,7 @@ class PlyReader {
  private:
   void read_elements() {
     for (const PlyElement& element : header_.elements) {
-      // Every element has a byte at least: a damaged count must not ask for memory.
+      // Every element has at least one byte, which limits the memory that a damaged count can request.
       if (element.count > size_)
         throw FileError(path_, fmt::format("is too short for {} {} elements", element.count, element.name));
       element_ = &element;
@@ -87,8 +88,8 @@ class PlyReader {
     throw FileError(path_, fmt::format("its element '{}' has no {}", element_->name, what));
   }
 
-  /// Calls take(number of the property, value) for every number of the element's rows, lengths of lists left
-  /// out, and end_row() behind each row.
+  /// Calls take(index of the property, value) for every number in the element's rows except the lengths of
+  /// lists, and end_row() after each row.
   template <class Take, class EndRow>
   void read_rows(const Take& take, const EndRow& end_row) {
     for (row_ = 0; row_ < element_->count; ++row_) {
@@ -101,7 +102,7 @@ class PlyReader {
     }
   }
 
-  /// The number of a property that is no list, or nothing like it.
+  /// The index of a property that is not a list, or the number of properties if there is none with this name.
   std::size_t scalar(std::string_view name) const {
     const PlyProperty* found = find_property(*element_, name);
     return found && !found->count_type ? static_cast<std::size_t>(found - element_->properties.data())
@@ -171,8 +172,8 @@ class PlyReader {
         });
   }
 
-  /// Strips: each vertex makes a triangle with the two before it, turned the other way round every second
-  /// time; -1 begins the next strip.
+  /// Reads triangle strips: each vertex forms a triangle with the two before it, with alternating
+  /// orientation; -1 starts the next strip.
   void read_strips() {
     has_faces_ = true;
     const std::size_t list = vertex_list();
@@ -188,7 +189,8 @@ class PlyReader {
         end_strip);
   }
 
-  /// Of the last three; one that names a vertex twice only turns the strip.
+  /// Adds the triangle of the last three vertices. One that has a vertex twice is left out, but still changes
+  /// the orientation of the next.
   void add_triangle(const std::vector<Index>& strip) {
     const std::size_t at = strip.size() - 3;
     const Index a = strip[at], b = strip[at + 1], c = strip[at + 2];
@@ -210,19 +212,19 @@ class PlyReader {
   }
 
   std::string path_;
-  std::size_t size_;  ///< bytes of the file
+  std::size_t size_;  ///< size of the file, bytes
   PlyHeader header_;
   PlyValues values_;
   bool has_vertices_ = false, has_faces_ = false, has_grid_ = false;
   FileMesh file_;
-  std::vector<Vec3f> normals_;  ///< of the vertices, or empty
+  std::vector<Vec3f> normals_;  ///< [vertex], or empty
   PlyTexture texture_;
   UnusedCount unused_;
-  const PlyElement* element_ = nullptr;  ///< being read, and its row
-  std::uint64_t row_ = 0;
+  const PlyElement* element_ = nullptr;  ///< the element that is being read
+  std::uint64_t row_ = 0;                ///< its current row
 };
 
-/// The beginning of a file up to its header's end, with some bytes more.
+/// Reads the start of a file, at least to the end of its header.
 std::string read_header_text(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::string text, chunk(65536, '\0');

@@ -10,7 +10,8 @@ constexpr std::string_view names[][2] = {
 
 using Slots = std::vector<PlyTexture::Slot>;
 
-/// Marks the first pair that the element has, as lists or as single numbers.
+/// Marks the first pair of names that the element has as lists, or as single numbers. Returns whether it has
+/// one.
 bool mark_pair(const PlyElement& element, bool lists, Slots& slots) {
   for (const auto& pair : names) {
     const PlyProperty* found[] = {find_property(element, pair[0]), find_property(element, pair[1])};

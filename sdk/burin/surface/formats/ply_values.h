@@ -6,16 +6,16 @@
 
 namespace burin {
 
-/// The numbers behind the header of a PLY file, one after the other.
+/// Reads the numbers after the header of a PLY file in sequence.
 class PlyValues {
  public:
-  /// `data` must outlive this.
+  /// `data` must outlive the object.
   PlyValues(std::string_view data, PlyFormat format) : data_(data), format_(format) {}
 
-  /// Throws Error when the file is cut off or holds something else.
+  /// The next number. Throws Error if the data end, or if a word of a text file is not a number.
   double next(PlyType type);
 
-  /// The same for the length of a list.
+  /// The length of a list. Throws Error as next() does, and if it is negative or above 2^32 - 1.
   std::uint64_t next_count(PlyType type);
 
  private:

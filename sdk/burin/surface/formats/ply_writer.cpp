@@ -30,7 +30,8 @@ void put_bytes(std::string& bytes, const PaintBytes& colour, std::size_t channel
   for (std::size_t i = 0; i < channels; ++i) bytes.push_back(static_cast<char>(colour[i]));
 }
 
-/// Texture coordinates one a vertex, zero where no triangle has any; empty where triangles disagree.
+/// Texture coordinates by vertex, zero at vertices without a triangle; empty if triangles disagree at a
+/// vertex.
 std::vector<Vec2f> vertex_uv(const TriangleMesh& mesh) {
   if (mesh.triangle_uv.empty()) return {};
   std::vector<Vec2f> uv(mesh.positions.size(), Vec2f::Zero());
@@ -45,7 +46,7 @@ std::vector<Vec2f> vertex_uv(const TriangleMesh& mesh) {
   return uv;
 }
 
-/// The elements of the file.
+/// The header and the elements of the file.
 class PlyContents {
  public:
   PlyContents(const TriangleMesh& mesh, const VertexPaint& paint, const Vec3d& origin)
@@ -100,10 +101,10 @@ class PlyContents {
   const VertexPaint& paint_;
   const Vec3d& origin_;
   std::vector<Vec2f> vertex_uv_;
-  bool inked_;  ///< colours are not what they look like
+  bool inked_;  ///< some colours cover the clay only in part
 };
 
-/// Chunk by chunk: neither a call of the stream for every number nor the whole file in memory.
+/// Writes elements in chunks, which avoids a stream call per number as well as the whole file in memory.
 template <class Put>
 void write_elements(std::ostream& out, std::size_t count, const Put& put_element) {
   std::string bytes;

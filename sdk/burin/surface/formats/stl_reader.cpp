@@ -1,3 +1,4 @@
+// Reads STL files, binary and text, as a triangle soup. read_mesh() joins the vertices.
 #include <burin/base/error.h>
 #include <burin/base/lower_case.h>
 #include <burin/base/quoted_word.h>
@@ -15,16 +16,18 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t header_bytes = 84;  ///< 80 of text and the number of triangles
+constexpr std::size_t header_bytes = 84;  ///< 80 bytes of text and the number of triangles
 constexpr std::size_t triangle_bytes = 50;
 
-/// Bytes of a binary file with as many triangles as it announces; nothing where it cannot be one.
+/// The size, in bytes, that a binary file with the announced number of triangles has; nothing if the file is
+/// too short to be binary.
 std::optional<std::size_t> binary_size(std::string_view bytes) {
   if (bytes.size() < header_bytes) return std::nullopt;
   return header_bytes + std::size_t{triangle_bytes} * little_endian(bytes, header_bytes - 4);
 }
 
-/// Binary files may begin with "solid" too: then they have a zero byte near, which no text has.
+/// Whether the file starts with "solid" and has no zero byte near the start. Binary files may start with
+/// "solid" too, but have zero bytes there.
 bool looks_like_text(std::string_view bytes) {
   const std::string_view begin = bytes.substr(0, 512);
   TextLines lines(begin);
@@ -56,7 +59,8 @@ FileMesh read_binary(std::string_view bytes, const std::filesystem::path& path) 
   return file;
 }
 
-/// The text form: words in any case; normals, which some programs write as no numbers, are not looked at.
+/// Reads the text form, in upper or lower case. Normals are skipped, since some programs write words that are
+/// not numbers.
 class TextReader {
  public:
   TextReader(std::string_view text, const std::filesystem::path& path) : lines_(text), path_(path.string()) {}
@@ -75,7 +79,7 @@ class TextReader {
     throw FileError(path_, std::to_string(lines_.number()), what);
   }
 
-  /// Takes what belongs to the word off the rest of its line.
+  /// Processes a word and removes its arguments from the rest of the line.
   void read_word(std::string_view word, std::string_view& rest) {
     const std::string key = in_lower_case(std::string(word));
     if (key == "vertex") return read_vertex(rest);
@@ -117,7 +121,7 @@ class TextReader {
   FileMesh file_;
   UnusedCount unused_;
   bool in_solid_ = false;
-  Index corners_ = 0;  ///< of the loop that is being read
+  Index corners_ = 0;  ///< number of corners of the loop that is being read
 };
 
 FileMesh read_soup(std::string_view bytes, const std::filesystem::path& path) {

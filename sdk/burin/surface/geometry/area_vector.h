@@ -6,7 +6,8 @@
 
 namespace burin {
 
-/// Twice the area of a polygon times its normal (Newell), from its first corner to spare digits.
+/// The unit normal of a polygon times twice its area (Newell's method), computed relative to the first corner
+/// to limit rounding.
 inline Vec3d area_vector(const std::vector<Vec3f>& positions, std::span<const Index> corners) {
   const Vec3d origin = positions[corners[0]].cast<double>();
   Vec3d sum = Vec3d::Zero();

@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// On all threads.
+/// The bounding box of positions, computed on all threads.
 inline Eigen::AlignedBox3f bounding_box(std::span<const Vec3f> positions) {
   constexpr std::size_t positions_a_block = 16384;
   std::vector<Eigen::AlignedBox3f> boxes(positions.size() / positions_a_block + 1);

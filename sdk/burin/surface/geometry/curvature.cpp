@@ -1,3 +1,6 @@
+// Gauss curvature as the ratio of the area that normals sweep on the unit sphere to the area of the surface
+// (the Gauss map); for point sets, from a least-squares fit of the shape operator. Each vertex costs
+// O(valence).
 #include <burin/base/parallel.h>
 #include <burin/surface/geometry/curvature.h>
 
@@ -24,8 +27,8 @@ float swept_over_area(const Surface& surface, Index vertex) {
   return area > 0 ? swept / area : 0;
 }
 
-/// Determinant of the symmetric map that best takes the steps to the neighbours to the turns of the normal,
-/// in the tangent plane, each step counting as much as any other.
+/// The determinant of the symmetric map of the tangent plane that best fits, in the least-squares sense, the
+/// changes of the normal along the edges to the neighbours. All edges have the same weight.
 float fitted_determinant(const Surface& surface, Index vertex) {
   const Vec3f& normal = surface.normals[vertex];
   const Vec3f e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);

@@ -5,9 +5,10 @@
 
 namespace burin {
 
-/// Gauss curvature around a vertex, 1 / length^2: the area that the normals of its triangles' corners sweep
-/// on the unit sphere over the area of the triangles; of a point set, the determinant of the shape operator
-/// that fits the normals of its neighbours best. Zero where there is no area.
+/// Gauss curvature at a vertex, 1 / length^2. On a mesh it is the area that the vertex normals of the
+/// triangles around sweep on the unit sphere, over the area of these triangles. On a point set it is the
+/// determinant of the shape operator that best fits the normals of the neighbours. Zero where there is no
+/// area.
 float gauss_curvature(const Surface& surface, Index vertex);
 
 /// Sets surface.gauss_curvature of all vertices, in parallel.

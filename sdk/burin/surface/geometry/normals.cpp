@@ -14,7 +14,7 @@ constexpr std::size_t vertices_a_block = 2048;
 
 Vec3d NormalSum::unit() const {
   const double squared = sum_.squaredNorm();
-  // Sheets that face each other cancel up to rounding: no side is the outside there.
+  // The normals of sheets that face each other cancel up to rounding; neither side is the outside.
   if (!(squared > 1e-12 * squared_weights_)) return Vec3d::UnitZ();
   return sum_ / std::sqrt(squared);
 }

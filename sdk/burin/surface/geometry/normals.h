@@ -7,15 +7,15 @@
 
 namespace burin {
 
-/// Gathers the normal at a vertex from the corners of its faces: their normals weighted by the sine of the
-/// angle at the vertex over the lengths of the edges there: exact for vertices on a sphere, and hardly moved
-/// by slivers [Max 1999, Weights for Computing Vertex Normals from Facet Normals]. Degenerate corners count
-/// for nothing.
+/// Computes the normal at a vertex from the corners of its faces. Each face normal is weighted by the sine of
+/// the corner's angle over the product of its edge lengths [Max 1999, Weights for Computing Vertex Normals
+/// from Facet Normals]. The result is exact for vertices on a sphere, and slivers hardly influence it.
+/// Degenerate corners are ignored.
 class NormalSum {
  public:
-  /// A corner, by its edges from the vertex to the next and to the previous vertex of the face. Its share is
-  /// the cross product of the two over the squares of their lengths; in doubles products of any finite floats
-  /// stay in range.
+  /// Adds a corner: its edges lead from the vertex to the next and to the previous vertex of the face. The
+  /// contribution is their cross product over the product of their squared lengths. In doubles, products of
+  /// any finite floats stay in range.
   void add(const Vec3d& edge, const Vec3d& next_edge) {
     const Vec3d cross = edge.cross(next_edge);
     const double squares = edge.squaredNorm() * next_edge.squaredNorm(), area = cross.squaredNorm();
@@ -25,22 +25,24 @@ class NormalSum {
     squared_weights_ += weight * weight * area;
   }
 
-  /// (0, 0, 1) where nothing is left.
+  /// The unit normal; (0, 0, 1) if the contributions cancel out.
   Vec3d unit() const;
 
  private:
-  /// Below this sine of its corner a triangle's direction is rounding noise of its float corners.
+  /// Below this sine of the corner's angle the direction of a triangle is rounding noise of its float
+  /// corners.
   static constexpr double least_sine = 1e-6;
 
   Vec3d sum_ = Vec3d::Zero();
-  double squared_weights_ = 0;  ///< the sum of the shares' squared lengths
+  double squared_weights_ = 0;  ///< sum of the contributions' squared lengths
 };
 
-/// Unit normal at a vertex of a surface whose vertices stand at `positions`: the NormalSum of its triangles.
+/// The unit normal at a vertex of a surface whose vertices are at `positions`: the NormalSum of its
+/// triangles.
 Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, Index vertex);
 
-/// The same where there is no Surface, or its vertices stand elsewhere: `incident` as incident_triangles()
-/// gives it, place(v) where vertex v stands.
+/// The unit normal at a vertex without a Surface, or with other positions: `incident` is the result of
+/// incident_triangles(), and place(v) returns the position of vertex v.
 template <class Place>
 Vec3f vertex_normal(std::span<const Triangle> triangles, const Csr& incident, Index vertex,
                     const Place& place) {
@@ -59,7 +61,7 @@ Vec3f vertex_normal(std::span<const Triangle> triangles, const Csr& incident, In
 void update_normals(const Surface& surface, std::span<const Vec3f> positions, std::span<const Index> vertices,
                     std::span<Vec3f> normals);
 
-/// The vertex normals interpolated to a point of the surface, unit.
+/// The unit normal at a point of the surface, interpolated from the vertex normals.
 Vec3f normal_at(const Surface& surface, const SurfacePoint& point);
 
 }  // namespace burin

@@ -1,3 +1,5 @@
+// Chooses the diagonals of quads, in O(n). Hash sieves first exclude nearly all quads from the exact counting
+// of vertex pairs that are joined more than once.
 #include <burin/surface/geometry/area_vector.h>
 #include <burin/surface/geometry/quad_cuts.h>
 
@@ -31,12 +33,13 @@ bool is_better_from_1(const PolygonMesh& mesh, Corners quad) {
   return length(1, 3) < length(0, 2) * (1 - 1e-6);
 }
 
-/// Two vertices that an edge or diagonal joins.
+/// A pair of vertices that an edge or diagonal joins.
 using Joint = std::uint64_t;
 
 Joint joint(Index a, Index b) { return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b); }
 
-/// A set that may hold some joints more: enough to pass over most of those that do not matter.
+/// An approximate set of joints without false negatives (a Bloom filter with one hash), which excludes most
+/// joints that are irrelevant.
 class Sieve {
  public:
   explicit Sieve(std::size_t count) : bits_(std::bit_ceil(8 * count + 64)) {}
@@ -48,7 +51,7 @@ class Sieve {
   std::vector<bool> bits_;
 };
 
-/// Finds and mends diagonals that run where something else does.
+/// Finds diagonals that coincide with an edge or another diagonal, and replaces them.
 class Diagonals {
  public:
   explicit Diagonals(const PolygonMesh& mesh) : mesh_(mesh), from_1_(mesh.face_sizes.size()) {
@@ -113,7 +116,7 @@ class Diagonals {
     if (const auto found = uses_.find(j); found != uses_.end()) ++found->second;
   }
 
-  /// Takes the other diagonal where this one is not alone and the other would be.
+  /// Takes the quad's other diagonal if the current one coincides with something and the other would not.
   void mend(std::size_t face, Corners quad, bool only_inside) {
     const auto taken = uses_.find(diagonal(quad, from_1_[face]));
     const auto other = uses_.find(diagonal(quad, !from_1_[face]));
@@ -126,7 +129,7 @@ class Diagonals {
 
   const PolygonMesh& mesh_;
   std::vector<bool> from_1_;
-  std::unordered_map<Joint, int> uses_;  ///< of the diagonals of quads that something may be wrong with
+  std::unordered_map<Joint, int> uses_;  ///< use counts of the diagonals of suspicious quads
 };
 
 }  // namespace

@@ -7,14 +7,14 @@
 
 namespace burin {
 
-/// A smooth bump over the unit disc: 1 in the middle, 0 from the rim on with two derivatives.
+/// A smooth bump over the unit disc: 1 in the middle, 0 from the rim on, with two continuous derivatives.
 inline double bump_weight(double squared_radius) {
   const double inside = squared_radius < 1 ? 1 - squared_radius : 0;
   return inside * inside * inside;
 }
 
-/// The weighted least-squares quadratic z(x, y) through places around (0, 0), which count by bump_weight over
-/// the reach. Sums are of floats, as places are.
+/// The weighted least-squares quadratic z(x, y) of points around (0, 0), weighted by bump_weight() over the
+/// reach. Sums are accumulated in floats. A point costs O(1), solve() solves a 6 x 6 system.
 class QuadraticFit {
  public:
   using Terms = Eigen::Matrix<double, 6, 1>;  ///< z, z_x, z_y, z_xx, z_xy, z_yy at (0, 0)
@@ -28,7 +28,7 @@ class QuadraticFit {
   static constexpr int lanes = 8;
   using Lanes = Eigen::Array<float, lanes, 1>;
 
-  /// A place (x, y, z).
+  /// Adds a point (x, y, z).
   void add(const Vec3f& at) {
     x_[waiting_] = at.x();
     y_[waiting_] = at.y();
@@ -37,8 +37,8 @@ class QuadraticFit {
     if (++waiting_ == lanes) add_waiting();
   }
 
-  /// As many places as there are lanes, and how much each counts besides. Flattened: a call for each
-  /// expression of lanes costs more than what it computes.
+  /// Adds one point per lane, each with an additional weight. The function is flattened because a call per
+  /// lane expression would cost more than the expression.
   [[gnu::flatten]] void add(const Lanes& at_x, const Lanes& at_y, const Lanes& z, const Lanes& counts) {
     const auto inverse = static_cast<float>(inverse_);
     const Lanes x = at_x * inverse, y = at_y * inverse;
@@ -61,14 +61,14 @@ class QuadraticFit {
     moments_[14] += wyy * yy;
   }
 
-  /// What the places do not tell is 0.
+  /// The coefficients; those that the points do not determine are 0.
   Terms solve() {
     for (; waiting_ > 0; add_waiting())
       for (; waiting_ < lanes; ++waiting_) x_[waiting_] = y_[waiting_] = z_[waiting_] = counts_[waiting_] = 0;
     if (!(total(moments_[0]) > 0)) return Terms::Zero();
     std::array<double, 15> sums{};
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = total(moments_[i]);
-    // In 1, x, y, x^2, x y, y^2.
+    // The unknowns are the coefficients of 1, x, y, x^2, x y, y^2.
     const auto& [w, x, y, xx, xy, yy, xxx, xxy, xyy, yyy, xxxx, xxxy, xxyy, xyyy, yyyy] = sums;
     Eigen::Matrix<double, 6, 6> squares;
     squares << w, x, y, xx, xy, yy,      //
@@ -98,9 +98,9 @@ class QuadraticFit {
     add(x_, y_, z_, counts_);
   }
 
-  double inverse_;  ///< of the reach
+  double inverse_;  ///< 1 / reach
   int waiting_ = 0;
-  Lanes x_, y_, z_, counts_;  ///< of places that wait until there is one for each lane
+  Lanes x_, y_, z_, counts_;  ///< points that wait until there is one per lane
   std::array<Lanes, 15> moments_;
   std::array<Lanes, 6> right_;
 };

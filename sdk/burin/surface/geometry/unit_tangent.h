@@ -5,10 +5,10 @@
 
 namespace burin {
 
-/// `direction` turned into the plane at right angles to the unit `normal`, or any tangent where nothing of
-/// it is left. Unit.
+/// The unit vector of `direction` projected to the plane at right angles to the unit vector `normal`; an
+/// arbitrary unit tangent if `direction` is parallel to `normal`.
 inline Vec3f unit_tangent(const Vec3f& direction, const Vec3f& normal) {
-  // The squares of smaller or greater components are no normal floats.
+  // The squares of smaller or greater components are not normal floats.
   const float size = direction.cwiseAbs().maxCoeff();
   if ((size > 0 && size < 1e-15F) || (size > 1e18F && std::isfinite(size)))
     return unit_tangent(direction / size, normal);

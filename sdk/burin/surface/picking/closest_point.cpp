@@ -16,10 +16,10 @@ Corners corners_of(const Surface& surface, Index triangle) {
           surface.positions[corners[2]].cast<double>()};
 }
 
-/// Exact at the corners.
+/// Barycentric interpolation, exact at the corners.
 Vec3d blend(const Corners& t, double u, double v) { return (1 - u - v) * t.a + u * t.b + v * t.c; }
 
-/// Share of the way from a to b of the point of the segment closest to p.
+/// The parameter, from 0 at a to 1 at b, of the segment's point closest to p.
 double closest_share(const Vec3d& a, const Vec3d& b, const Vec3d& p) {
   const Vec3d edge = b - a;
   const double square = edge.squaredNorm();
@@ -41,8 +41,9 @@ TrianglePoint closest_on_edges(const Corners& t, const Vec3d& query) {
 
 }  // namespace
 
-// By the Voronoi region of the triangle that holds the query: C. Ericson, Real-Time Collision Detection
-// (2005), 5.1.5. Corners come out exact, so that all triangles around a vertex are equally close to it.
+// The closest point follows from the Voronoi region of the triangle that holds the query [C. Ericson,
+// Real-Time Collision Detection, 2005, section 5.1.5]. Corners come out exact, so that all triangles around a
+// vertex are equally close to it.
 TrianglePoint closest_point(const Surface& surface, Index triangle, const Vec3d& query) {
   const Corners t = corners_of(surface, triangle);
   const Vec3d ab = t.b - t.a, ac = t.c - t.a;

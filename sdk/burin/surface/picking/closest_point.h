@@ -11,10 +11,10 @@ struct TrianglePoint {
   double squared_distance;
 };
 
-/// Exact for triangles without area too: they count as their edges.
+/// The point of the triangle closest to `query`. A triangle without area counts as its edges.
 TrianglePoint closest_point(const Surface& surface, Index triangle, const Vec3d& query);
 
-/// The place u * corner 1 + v * corner 2 + (1 - u - v) * corner 0 of a triangle, as it is now.
+/// The point u * corner 1 + v * corner 2 + (1 - u - v) * corner 0 of a triangle, at the current positions.
 SurfacePoint point_on(const Surface& surface, Index triangle, double u, double v);
 
 }  // namespace burin

@@ -23,7 +23,7 @@ inline Device new_device() {
   return device;
 }
 
-/// A query along the whole ray.
+/// An Embree query along the whole ray.
 inline RTCRayHit whole_ray(const Ray& ray) {
   RTCRayHit query{};
   query.ray.org_x = ray.origin.x();

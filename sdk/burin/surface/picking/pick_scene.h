@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// What stands behind a Picker, one a kind of surface. The contract is the picker's.
+/// The implementation of a Picker, one per kind of surface. The contract is that of Picker.
 class PickScene {
  public:
   virtual ~PickScene() = default;

@@ -24,8 +24,8 @@ std::optional<TriangleHit> TriangleRay::meet(const Surface& surface, Index trian
   const Vec3d a = sheared(surface.positions[corners[0]]);
   const Vec3d b = sheared(surface.positions[corners[1]]);
   const Vec3d c = sheared(surface.positions[corners[2]]);
-  // Twice the areas of the triangles between the ray and each edge. Two triangles find an edge's area to the
-  // same bits but the sign, so that the ray cannot slip between them.
+  // These are twice the signed areas of the triangles between the ray and each edge. Two triangles compute
+  // the area at their common edge to the same bits except the sign, so the ray cannot pass between them.
   const double at_a = c.x() * b.y() - c.y() * b.x();
   const double at_b = a.x() * c.y() - a.y() * c.x();
   const double at_c = b.x() * a.y() - b.y() * a.x();

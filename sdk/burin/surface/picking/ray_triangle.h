@@ -7,27 +7,28 @@
 
 namespace burin {
 
-/// Where a ray meets a triangle: at u * corner 1 + v * corner 2 + (1 - u - v) * corner 0.
+/// The point u * corner 1 + v * corner 2 + (1 - u - v) * corner 0 where a ray meets a triangle.
 struct TriangleHit {
   double u, v;
-  double distance;  ///< >= 0, in lengths of the ray's direction
+  double distance;  ///< >= 0, in multiples of the ray's direction vector
 };
 
-/// A ray made ready for many triangles. Watertight: a ray through the common edge or corner of triangles
-/// meets at least one of them [Woop, Benthin, Wald 2013, Watertight Ray/Triangle Intersection].
+/// A ray prepared for intersection with many triangles [Woop, Benthin, Wald 2013, Watertight Ray/Triangle
+/// Intersection]. A ray through the common edge or corner of triangles meets at least one of them.
 class TriangleRay {
  public:
   explicit TriangleRay(const Ray& ray);
 
-  /// From either side. Nothing for triangles that the ray sees as a line.
+  /// Intersects a triangle from either side. Returns nothing for a triangle that appears as a line along the
+  /// ray.
   std::optional<TriangleHit> meet(const Surface& surface, Index triangle) const;
 
  private:
-  /// The corner in a frame where the ray starts at 0 and runs along z, as long as its direction.
+  /// The corner in a sheared frame in which the ray starts at 0 and its direction is the unit vector along z.
   Vec3d sheared(const Vec3f& corner) const;
 
   Vec3d origin_;
-  int x_, y_, z_;  ///< axes; z the longest of the direction
+  int x_, y_, z_;  ///< permuted axes; z is the one with the largest component of the direction
   Vec3d shear_;
 };
 

@@ -1,3 +1,5 @@
+// Picking on meshes: searches a TriangleTree for the first hit of a ray or for the point closest to a
+// position.
 #include <burin/surface/picking/closest_point.h>
 #include <burin/surface/picking/pick_scene.h>
 #include <burin/surface/picking/ray_triangle.h>
@@ -11,11 +13,11 @@ namespace {
 
 using Box = TriangleTree::Box;
 
-/// The nearest hit of a ray; of equally near triangles the lowest.
+/// The query for the nearest hit of a ray; among equally near triangles the one with the lowest index wins.
 class NearestHit {
  public:
-  /// Boxes count as a little larger than they are, by what rounding may lead the ray past a triangle that it
-  /// meets: 1e-12 of the extent of everything, where doubles err by some 1e-16.
+  /// Boxes are enlarged by 1e-12 of the extent of the scene, well above the rounding of doubles (about
+  /// 1e-16), so that rounding never makes the ray miss the box of a triangle that it meets.
   NearestHit(const Surface& surface, const Box& whole, const Ray& ray) : surface_(surface), ray_(ray) {
     const Vec3d origin = ray.origin.cast<double>();
     const double extent =
@@ -23,14 +25,14 @@ class NearestHit {
                   whole.max().cast<double>().lpNorm<Eigen::Infinity>()});
     for (int axis = 0; axis < 3; ++axis) {
       const double along = ray.direction[axis], slack = std::copysign(1e-12 * extent, along);
-      // A huge number for a direction across the axis: an infinity would make NaN of 0.
+      // A direction at right angles to the axis has a huge number, since infinity times 0 would be NaN.
       inverse_[axis] = along != 0 ? 1 / along : std::numeric_limits<double>::max();
       origin_in_[axis] = origin[axis] + slack;
       origin_out_[axis] = origin[axis] - slack;
     }
   }
 
-  /// Where the ray enters the box.
+  /// The distance at which the ray enters the box; infinite if it misses.
   double nearest(const Box& box) const {
     double enter = 0, leave = infinity;
     for (int axis = 0; axis < 3; ++axis) {
@@ -43,7 +45,8 @@ class NearestHit {
     return enter <= leave ? enter : infinity;
   }
 
-  /// Up to a little beyond the hit, as its distance is rounded to a float.
+  /// Whether a box at this distance may hold the nearest hit. The margin covers the rounding of the distance
+  /// to float.
   bool reaches(double distance) const { return distance < infinity && distance <= distance_ * (1 + 1e-6); }
 
   void meet(Index begin, Index end) {
@@ -72,17 +75,18 @@ class NearestHit {
   Vec3d origin_in_, origin_out_, inverse_;
   Index triangle_ = no_index;
   TriangleHit hit_{};
-  /// In lengths of the ray's direction. A float, so that hits on a common edge are equally near.
+  /// Distance in multiples of the ray's direction vector. It is a float so that hits on a common edge are
+  /// equally near.
   float distance_ = std::numeric_limits<float>::infinity();
 };
 
-/// The closest point to a query; of equally close triangles the lowest.
+/// The query for the closest point; among equally close triangles the one with the lowest index wins.
 class ClosestPoint {
  public:
   ClosestPoint(const Surface& surface, const Vec3f& query, double max_distance)
       : surface_(surface), query_(query.cast<double>()), squared_distance_(max_distance * max_distance) {}
 
-  /// Squared.
+  /// The squared distance of a box.
   double nearest(const Box& box) const {
     double sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -92,7 +96,8 @@ class ClosestPoint {
     return sum;
   }
 
-  /// A little farther than the closest point, so that rounding hides no equally close triangle.
+  /// Whether a box at this distance may hold the closest point. The margin keeps rounding from hiding an
+  /// equally close triangle.
   bool reaches(double squared_distance) const { return squared_distance <= squared_distance_ * (1 + 1e-9); }
 
   void meet(Index begin, Index end) {

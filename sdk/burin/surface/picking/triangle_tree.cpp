@@ -4,7 +4,8 @@
 namespace burin {
 namespace {
 
-/// So many that what a brush moves is one block: less work than to wake a thread, which may come late.
+/// Boxes per parallel block: so many that the boxes of one brush event are one block, which takes less time
+/// than waking another thread.
 constexpr std::size_t boxes_a_block = 4096;
 
 }  // namespace

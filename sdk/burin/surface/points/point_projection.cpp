@@ -1,3 +1,5 @@
+// Projects positions onto the implicit surface of a point set. Each iteration costs one search for the
+// nearest points, O(log n), and there are at most 24 iterations.
 #include <burin/surface/points/point_projection.h>
 
 #include <algorithm>
@@ -10,19 +12,19 @@ namespace {
 constexpr std::size_t points_a_fit = 12;
 constexpr int most_iterations = 24;
 
-/// A step below this share of the support ends the iterations: floats tell no more.
+/// A step below this share of the support ends the iterations; floats cannot resolve less.
 constexpr double small_step = 1e-7;
 
 double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Square of the radius of the circle through the corners.
+/// The squared radius of the circle through the corners.
 double circumradius2(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   const double doubled_area = cross(b - a, c - a);
   return (b - a).squaredNorm() * (c - b).squaredNorm() * (a - c).squaredNorm() /
          (4 * doubled_area * doubled_area);
 }
 
-/// The weights of the corners at the origin, or nothing when it lies outside.
+/// The barycentric coordinates of the origin, or nothing if it lies outside the triangle.
 std::optional<std::array<double, 3>> weights_at_origin(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   const std::array<double, 3> parts = {cross(b, c), cross(c, a), cross(a, b)};
   const double whole = parts[0] + parts[1] + parts[2];
@@ -44,7 +46,7 @@ PointProjection::Fit PointProjection::fit(const Vec3d& place, const Vec3f& side)
   fit.support = std::sqrt(squared_support);
 
   const auto weight = [squared_support](const PointTree::Near& point) {
-    // Not quite 0 at the support: there may be no point but those on it.
+    // The weight is not quite 0 at the support, since all points may lie on it.
     const double inside = squared_support > 0 ? 1.001 - point.squared_distance / squared_support : 1;
     return inside * inside;
   };
@@ -76,7 +78,7 @@ SurfacePoint PointProjection::foot(const Vec3d& place) const {
   Vec3d x = surface_.positions[closest].cast<double>();
   Fit at_x = fit(x, side);
   for (int i = 0; i < most_iterations; ++i) {
-    // Onto the plane through the surface below x: towards the orthogonal foot of the place.
+    // The step leads toward the orthogonal foot of the position on the plane through the surface below x.
     const Vec3d below = x - at_x.height * at_x.normal;
     const Vec3d step = place - at_x.normal.dot(place - below) * at_x.normal - x;
     const double length = step.norm();
@@ -102,8 +104,8 @@ std::optional<SurfacePoint> PointProjection::meet(const Vec3d& start, const Vec3
   return std::nullopt;
 }
 
-/// The place between the corners of the triangle of points around it with the smallest circumscribed circle,
-/// in the plane of the fit.
+/// Expresses a position by three of the fit's points: the triangle around it, in the plane of the fit, with
+/// the smallest circumscribed circle. Returns nothing if no triangle holds the position.
 std::optional<SurfacePoint> PointProjection::surrounded(const Vec3d& place, const Fit& fit) const {
   const Vec3d e1 = fit.normal.unitOrthogonal(), e2 = fit.normal.cross(e1);
   std::vector<Vec2d> flat;
@@ -132,7 +134,8 @@ std::optional<SurfacePoint> PointProjection::surrounded(const Vec3d& place, cons
   return best;
 }
 
-/// Its neighbours are corners too, for the spacing of the points to be seen.
+/// A point of the set. Two of its neighbours are corners with weight 0, so that the spacing of the points can
+/// be read from the result.
 SurfacePoint PointProjection::at_point(Index point) const {
   SurfacePoint at{no_index, {point, point, point}, {1, 0, 0}, surface_.positions[point]};
   const auto neighbours = surface_.neighbours[point];

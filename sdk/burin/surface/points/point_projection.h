@@ -8,29 +8,30 @@
 
 namespace burin {
 
-/// The smooth surface that oriented points stand for: moving least squares with their normals. The height of
-/// a place x over it is the mean of (n_i + n) / 2 . (x - p_i) over the points p_i around, n the mean of their
-/// normals n_i, weighted by distance. Half way between two tangent planes lies the plane that holds the chord
-/// of an arc: exact on planes, and but for the mean's own error on spheres and cylinders.
-/// [Alexa and Adamson 2004; Kolluri 2005.] Surface and tree must outlive it. Any thread, concurrent.
+/// The smooth surface defined by oriented points, by moving least squares with normals [Alexa and Adamson
+/// 2004; Kolluri 2005]. The height of a position x over it is the weighted mean of (n_i + n) / 2 . (x - p_i)
+/// over the points p_i around x, where n is the mean of their normals n_i, and weights fall with distance.
+/// The plane half way between two tangent planes holds the chord of the arc between them, so the height is
+/// exact on planes, and up to the error of the mean on spheres and cylinders. Surface and tree must outlive
+/// the object. May be used by several threads at once.
 class PointProjection {
  public:
   PointProjection(const Surface& surface, const PointTree& tree) : surface_(surface), tree_(tree) {}
 
-  /// The foot of a place near the surface, found from the point closest to it. Where no points surround the
-  /// foot, beyond the border of the set, that closest point itself.
+  /// The foot point of a position near the surface, searched from the closest point of the set. If no points
+  /// surround the foot, beyond the border of the set, the result is that closest point.
   SurfacePoint foot(const Vec3d& place) const;
 
-  /// Where a line meets the surface near `start`, found by Newton's method; nothing where it does not, or
-  /// where no points surround the place.
+  /// The intersection of a line with the surface near `start`, by Newton's method. Returns nothing if there
+  /// is none, or if no points surround it.
   std::optional<SurfacePoint> meet(const Vec3d& start, const Vec3d& direction) const;
 
  private:
-  /// The surface as seen from a place.
+  /// The local fit of the surface around a position.
   struct Fit {
     Vec3d normal;    ///< unit
-    double height;   ///< of the place over the surface
-    double support;  ///< radius around the place whose points have a say
+    double height;   ///< height of the position over the surface, object units
+    double support;  ///< radius within which points influence the fit, object units
     std::vector<PointTree::Near> points;
   };
   Fit fit(const Vec3d& place, const Vec3f& side) const;

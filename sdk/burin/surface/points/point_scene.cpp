@@ -1,4 +1,5 @@
-// Picking on point sets: rays meet discs around the points first, then the smooth surface near them.
+// Picking on point sets: Embree intersects the ray with discs around the points, then Newton's method finds
+// the smooth surface near the disc (PointProjection).
 #include <burin/base/error.h>
 #include <burin/surface/picking/embree_handles.h>
 #include <burin/surface/picking/pick_scene.h>
@@ -12,7 +13,7 @@
 namespace burin {
 namespace {
 
-/// A ray along the border of the points may touch many discs and never the surface.
+/// Limits the discs per ray: a ray along the border of the points may hit many discs but never the surface.
 constexpr int most_discs = 64;
 
 class PointScene : public PickScene {
@@ -30,12 +31,12 @@ class PointScene : public PickScene {
   const Surface& surface_;
   PointTree tree_;
   PointProjection projection_;
-  std::vector<Eigen::Vector4f> discs_;  ///< position and radius
+  std::vector<Eigen::Vector4f> discs_;  ///< [point] position and radius
   Device device_;
   EmbreeScene scene_;
 };
 
-/// Embree ends the program over rays that are not.
+/// Whether Embree accepts the ray; it aborts the program for others.
 bool is_valid(const Ray& ray) {
   constexpr float farthest = 1e18F;  // Embree's own limit is 1.844e18
   const auto fits = [](const Vec3f& v) { return v.cwiseAbs().maxCoeff() < farthest; };
@@ -43,7 +44,7 @@ bool is_valid(const Ray& ray) {
          !ray.direction.isZero(0);
 }
 
-/// As far as the farthest neighbour: the discs of neighbours overlap.
+/// The distance of the farthest neighbour, so that the discs of neighbours overlap.
 float disc_radius(const Surface& surface, Index point) {
   float radius = 0;
   for (const Index neighbour : surface.neighbours[point]) {

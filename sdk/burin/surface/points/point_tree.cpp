@@ -7,7 +7,7 @@
 namespace burin {
 namespace {
 
-/// What nanoflann asks of a set of points.
+/// The interface to a set of points that nanoflann requires.
 struct Points {
   std::span<const Vec3f> positions;
 

@@ -7,7 +7,8 @@
 
 namespace burin {
 
-/// A kd-tree over points, which must stay in place while it lives. Any thread, concurrent.
+/// A kd-tree over points, which must stay in place while the tree exists. May be used by several threads at
+/// once. A query for k points costs about O(k log n).
 class PointTree {
  public:
   struct Near {
@@ -20,11 +21,12 @@ class PointTree {
   PointTree(PointTree&&) noexcept;
   PointTree& operator=(PointTree&&) noexcept;
 
-  /// Sets `found` to the `count` points closest to a place, or all when there are fewer: by distance, then by
-  /// index. Which of equally distant points make up the count depends on the points alone.
+  /// Sets `found` to the `count` points closest to a position, or to all if there are fewer, ordered by
+  /// distance, then by index. Which of several equally distant points are included depends on the points
+  /// alone.
   void nearest(const Vec3d& place, std::size_t count, std::vector<Near>& found) const;
 
-  /// Sets `found` to the points closer to a place than `distance`, in any order.
+  /// Sets `found` to the points closer to a position than `distance`, in unspecified order.
   void within(const Vec3d& place, double distance, std::vector<Near>& found) const;
 
  private:
@@ -32,8 +34,8 @@ class PointTree {
   std::unique_ptr<Tree> tree_;
 };
 
-/// Adds those of `near` whose normals stand less than 120 degrees off `normal` to `facing`, until it holds
-/// `count`. The rest lies on the other side of a thin part.
+/// Appends to `facing` the points of `near` whose normals are within 120 degrees of `normal`, until it holds
+/// `count`. The others lie on the opposite side of a thin part.
 void keep_facing(std::span<const PointTree::Near> near, std::span<const Vec3f> normals, const Vec3f& normal,
                  std::size_t count, std::vector<PointTree::Near>& facing);
 

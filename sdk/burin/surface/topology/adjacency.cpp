@@ -1,3 +1,6 @@
+// Builds the neighbourhoods of a mesh in compressed rows, in O(n) for meshes of bounded valence: a counting
+// sort of corners by vertex, then the neighbours of each vertex from its triangles. The loops run on all
+// threads.
 #include <burin/base/counting_sort.h>
 #include <burin/surface/geometry/triangle_shape.h>
 #include <burin/surface/topology/adjacency.h>
@@ -11,7 +14,7 @@ namespace {
 
 constexpr std::size_t vertices_a_block = 8192;
 
-/// Appends the vertices beside `vertex`, ascending.
+/// Appends the neighbours of `vertex`, ascending, for any arrangement of triangles.
 void append_neighbours(std::span<const Triangle> triangles, std::span<const Index> around, Index vertex,
                        UnsetVector<Index>& out) {
   const auto first = static_cast<std::ptrdiff_t>(out.size());
@@ -22,8 +25,9 @@ void append_neighbours(std::span<const Triangle> triangles, std::span<const Inde
   std::sort(out.begin() + first, out.end());
 }
 
-/// The same where up to `most` triangles make one closed fan, as at nearly all vertices; else false and
-/// nothing. A sort without branches, as none of them could be foreseen.
+/// Appends the neighbours of `vertex`, ascending, if up to `most` triangles form one closed fan, as at nearly
+/// all vertices; otherwise appends nothing and returns false. The sort has no branches, since they would be
+/// unpredictable.
 bool append_closed_fan(std::span<const Triangle> triangles, std::span<const Index> around, Index vertex,
                        UnsetVector<Index>& out) {
   constexpr std::size_t most = 8;
@@ -47,7 +51,7 @@ bool append_closed_fan(std::span<const Triangle> triangles, std::span<const Inde
     ranks[i] = rank;
     rank_sum += rank;
   }
-  // Ranks tell n corners apart where they sum up to 0 + 1 + ... + (n - 1).
+  // The ranks of n corners are distinct if and only if they sum up to 0 + 1 + ... + (n - 1).
   const std::size_t size = around.size();
   if (equal != size || 2 * rank_sum != size * (size - 1)) return false;
   const std::size_t first = out.size();

@@ -5,10 +5,11 @@
 
 namespace burin {
 
-/// The triangles around each of `vertices` vertices, ascending. No triangle may name a vertex twice.
+/// The triangles around each of `vertices` vertices, ascending. No triangle may have a vertex twice.
 Csr incident_triangles(std::size_t vertices, std::span<const Triangle> triangles);
 
-/// The vertices that share an edge with each vertex, ascending, each once however many triangles share it.
+/// The vertices that share an edge with each vertex, ascending and without repetition. `incident` is the
+/// result of incident_triangles().
 Csr neighbour_vertices(std::span<const Triangle> triangles, const Csr& incident);
 
 }  // namespace burin

@@ -8,8 +8,9 @@
 
 namespace burin {
 
-/// Lists whose lengths are not known before they are made: append(row, items) appends row's items. Called on
-/// all threads, for rows in order within blocks of `rows_a_block`; the result does not depend on threads.
+/// Builds lists whose lengths are not known in advance: append(row, items) appends the items of a row. It is
+/// called on all threads, in ascending order within each block of `rows_a_block` rows. The result does not
+/// depend on the number of threads.
 template <class Append>
 Csr collect_rows(Index rows, std::size_t rows_a_block, const Append& append) {
   Csr result;

@@ -8,11 +8,13 @@
 
 namespace burin {
 
-/// The nodes of a graph around some that are connected with these through others of the kind.
+/// Finds the nodes of a graph that are connected with given ones through nodes that satisfy a condition.
+/// Memory is constant and reused from call to call.
 class ConnectedNodes {
  public:
-  /// `starts`, and of the others those for which within(node) holds; in the order of a breadth-first walk.
-  /// Never more than `most`, which are the first. Valid until the next call.
+  /// Returns `starts` and all nodes connected with them through nodes for which within(node) is true, in
+  /// breadth-first order. The search stops after `most` nodes have been examined. The span is valid until the
+  /// next call.
   template <class Within>
   std::span<const Index> find(const Csr& neighbours, std::span<const Index> starts, const Within& within) {
     table_.fill(no_index);
@@ -32,7 +34,7 @@ class ConnectedNodes {
  private:
   static constexpr std::size_t table_size = 4096, most = table_size / 2;
 
-  /// False where it is known already.
+  /// Returns false if the node was inserted before.
   bool insert(Index node) {
     std::size_t slot = node * std::size_t{2654435761} / 64 % table_size;
     while (table_[slot] != no_index && table_[slot] != node) slot = (slot + 1) % table_size;

@@ -38,7 +38,7 @@ void add_triangle(Index index, const Triangle& t, Index vertex, VertexStar& star
   star.add(index, t[(at + 2) % 3], t[(at + 1) % 3]);
 }
 
-/// Edges and fans. A triangle that names a vertex twice has neither.
+/// Counts defects of edges and fans. Triangles that have a vertex twice are ignored.
 void count_topology(const TriangleMesh& mesh, MeshDefects& defects) {
   std::vector<Triangle> triangles;
   std::ranges::remove_copy_if(mesh.triangles, std::back_inserter(triangles), names_a_vertex_twice);
@@ -57,7 +57,7 @@ void count_topology(const TriangleMesh& mesh, MeshDefects& defects) {
   }
 }
 
-/// What each count counts, singular and plural.
+/// The name of a count, singular and plural.
 struct Name {
   std::size_t MeshDefects::*count;
   const char* one;

@@ -1,3 +1,5 @@
+// Sorts points along a 3-D Hilbert curve: curve positions by Skilling's method, then a radix sort, on all
+// threads. Costs O(n) time and eight bytes per point besides the result.
 #include <burin/base/counting_sort.h>
 #include <burin/base/parallel.h>
 #include <burin/surface/geometry/bounding_box.h>
@@ -12,11 +14,11 @@ namespace {
 
 constexpr std::size_t points_a_block = 16384;
 
-/// Cells that are coded together: their loops are short enough for vector instructions.
+/// The number of cells encoded together, in loops that compilers turn into vector instructions.
 constexpr std::size_t lanes = 16;
 using Cells = std::array<std::array<std::uint32_t, lanes>, 3>;  ///< [axis][lane]
 
-/// The lowest 21 bits, two zeros after each.
+/// Spreads the lowest 21 bits so that two zeros follow each.
 std::uint64_t spread(std::uint64_t bits) {
   bits = (bits | bits << 32) & 0x001f00000000ffff;
   bits = (bits | bits << 16) & 0x001f0000ff0000ff;
@@ -25,9 +27,9 @@ std::uint64_t spread(std::uint64_t bits) {
   return (bits | bits << 2) & 0x1249249249249249;
 }
 
-/// Positions along a 3D Hilbert curve of 2^bits cells to a side.
-/// J. Skilling, "Programming the Hilbert curve", AIP Conference Proceedings 707 (2004): AxestoTranspose,
-/// where an axis that has a bit flips the lower bits of the first axis, and one that has not exchanges them.
+/// Positions along a 3-D Hilbert curve with 2^bits cells per side. This is AxestoTranspose of J. Skilling,
+/// "Programming the Hilbert curve", AIP Conference Proceedings 707 (2004): where a bit of an axis is set, the
+/// lower bits of the first axis are flipped; where it is not set, they are exchanged with those of the axis.
 std::array<std::uint64_t, lanes> hilbert_codes(Cells cells, int bits) {
   auto& [x, y, z] = cells;
   for (int bit = bits - 1; bit > 0; --bit) {
@@ -53,7 +55,8 @@ std::array<std::uint64_t, lanes> hilbert_codes(Cells cells, int bits) {
   return codes;
 }
 
-/// Maps the bounding box to whole cells. Doubles: the box of finite floats may be wider than a float.
+/// Maps the bounding box to integer cells. It uses doubles, since a box of finite floats may exceed the range
+/// of floats.
 class Grid {
  public:
   Grid(std::span<const Vec3f> points, int bits) : bits_(bits) {
@@ -63,7 +66,7 @@ class Grid {
     cells_per_unit_ = width > 0 ? (std::ldexp(1, bits) - 1) / width : 0;
   }
 
-  /// Of up to `lanes` points.
+  /// The curve positions of up to `lanes` points.
   std::array<std::uint64_t, lanes> codes(std::span<const Vec3f> points) const {
     Cells cells{};
     for (std::size_t lane = 0; lane < points.size(); ++lane)
@@ -85,7 +88,7 @@ class Grid {
 
 std::vector<Index> spatial_order(std::span<const Vec3f> points) {
   if (points.empty()) return {};
-  // Curve position and index share one word: half the memory of a pair.
+  // Curve position and index share one word, which halves the memory.
   const int index_bits = std::max(1, static_cast<int>(std::bit_width(points.size() - 1)));
   const int bits = std::min(21, (64 - index_bits) / 3);
   const Grid grid(points, bits);

@@ -13,14 +13,14 @@ float cell_size(const Surface& surface, Index vertex, const Vec3f& tangent) {
     const float along = (surface.positions[neighbour] - surface.positions[vertex]).dot(tangent);
     squares += along * along;
   }
-  // In a grid of edge h half of the edges have h^2 along a direction, the others none.
+  // In a square grid of edge h the squared components of the edges along any direction have the mean h^2 / 2.
   return std::sqrt(2 * squares / static_cast<float>(neighbours.size()));
 }
 
 float mean_curvature(const Surface& surface, Index vertex) {
   const Vec3f& normal = surface.normals[vertex];
   const Vec3f e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
-  // The unknowns are the entries a, b, c of the symmetric map [a b; b c], two equations a neighbour.
+  // The unknowns are the entries a, b, c of the symmetric map [a b; b c]; each neighbour gives two equations.
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   Vec3d right = Vec3d::Zero();
   double scale = 0;

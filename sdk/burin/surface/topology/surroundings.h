@@ -5,16 +5,17 @@
 
 namespace burin {
 
-/// Size of a vertex's cell along a unit tangent, object units: that of the square grid whose edges have the
-/// same mean square along it. 0 without neighbours.
+/// The size of a vertex's cell along a unit tangent, object units: the edge length of the square grid whose
+/// edges have the same mean square component along the tangent. 0 without neighbours.
 float cell_size(const Surface& surface, Index vertex, const Vec3f& tangent);
 
-/// Mean of the normal curvatures in all directions, 1/length, positive where convex seen from outside: half
-/// the trace of the linear map of the tangent plane that turns steps to the neighbours into changes of the
-/// normal, least squares. 0 where there are too few neighbours for one.
+/// Mean curvature at a vertex, 1 / length, positive where convex seen from outside: half the trace of the
+/// shape operator, a least-squares fit of the changes of the normal along the edges to the neighbours. 0 if
+/// there are too few neighbours.
 float mean_curvature(const Surface& surface, Index vertex);
 
-/// Umbrella: mean of the neighbours of a vertex minus itself; place(v) says where a vertex stands.
+/// The umbrella vector of a vertex: the mean of its neighbours' positions minus its own [Taubin 1995].
+/// place(v) returns the position of vertex v.
 template <class Place>
 Vec3f umbrella(const Surface& surface, Index vertex, const Place& place) {
   const auto neighbours = surface.neighbours[vertex];

@@ -6,33 +6,35 @@
 
 namespace burin {
 
-/// An edge from a vertex to `other`, and how many faces run along it either way.
+/// An edge from a vertex to `other`, with the numbers of faces that traverse it in either direction.
 struct StarEdge {
   Index other;
-  int outward = 0, inward = 0;  ///< faces that go to `other` after the vertex, and that come from it
-  Index face = no_index;        ///< one of them, and the last of the rest, if any
-  Index other_face = no_index;
+  int outward = 0,
+      inward = 0;         ///< faces in which `other` follows the vertex, and those in which it precedes it
+  Index face = no_index;  ///< one of the faces
+  Index other_face = no_index;  ///< the last of the other faces, if any
 
   int faces() const { return outward + inward; }
   bool flipped() const { return faces() == 2 && outward != inward; }
 };
 
-/// The faces around one vertex: its edges, and the fans that the faces form across them. Works for any
-/// polygons, however many meet at an edge. Reused from vertex to vertex to keep its memory.
+/// The faces around one vertex: the edges at the vertex, and the fans that the faces form across these edges.
+/// Any number of polygons may meet at an edge. n faces cost O(n log n). The object is reused from vertex to
+/// vertex to keep its memory.
 class VertexStar {
  public:
   void clear() { corners_.clear(); }
 
-  /// A face that comes to the vertex from `previous` and goes on to `next`.
+  /// Adds a face in which the vertex lies between `previous` and `next`.
   void add(Index face, Index previous, Index next) { corners_.push_back({face, previous, next}); }
 
-  /// To be called when all faces are added.
+  /// Computes edges and fans. To be called after all faces were added.
   void connect();
 
-  /// Edges by ascending `other`. Valid until the next connect().
+  /// The edges by ascending `other`. Valid until the next connect().
   std::span<const StarEdge> edges() const { return edges_; }
 
-  /// Groups of faces connected by edges at the vertex: 1 at a vertex of a manifold.
+  /// The number of groups of faces that are connected by edges at the vertex; 1 at a vertex of a manifold.
   int fans() const { return fans_; }
 
  private:

@@ -11,7 +11,7 @@ namespace {
 
 using Place = std::array<std::uint32_t, 3>;
 
-/// The coordinates' bits, -0 as 0: an order of all floats, NaN of a damaged file included.
+/// The bits of the coordinates, with -0 as 0. They order all floats, including the NaNs of a damaged file.
 Place place_of(const Vec3f& point) {
   const auto bits = [](float coordinate) { return std::bit_cast<std::uint32_t>(coordinate + 0.0f); };
   return {bits(point.x()), bits(point.y()), bits(point.z())};
