@@ -1,10 +1,12 @@
 #include <burin/deform/evaluate/supported_inputs.h>
 #include <gtest/gtest.h>
 
+#include <bit>
+
 namespace burin {
 namespace {
 
-TEST(Offered, NamesInputsByTheirBits) {
+TEST(SupportedInputs, NamesInputsByTheirBits) {
   EXPECT_EQ(input_names(BURIN_INPUT_T), "t");
   EXPECT_EQ(input_names(BURIN_INPUT_LAPLACIAN | BURIN_INPUT_MASK), "laplacian, mask");
   EXPECT_EQ(input_names(BURIN_INPUT_SYMMETRY), "symmetry");
@@ -15,9 +17,21 @@ TEST(Offered, NamesInputsByTheirBits) {
   EXPECT_EQ(input_names(UINT64_C(1) << 40), "number 40");
 }
 
-TEST(Offered, NamesOutputsByTheirBits) {
+TEST(SupportedInputs, NamesOutputsByTheirBits) {
   EXPECT_EQ(output_names(BURIN_OUTPUT_COLOUR), "colour");
   EXPECT_EQ(output_names(BURIN_OUTPUT_MASK), "mask");
+}
+
+TEST(SupportedInputs, TakeTheColumnsThatTheirMembersLookInto) {
+  const auto columns = [](std::uint64_t bit) { return all_inputs[std::countr_zero(bit)].columns; };
+  EXPECT_EQ(columns(BURIN_INPUT_T), 1u);
+  EXPECT_EQ(columns(BURIN_INPUT_FOOTPRINT), 2u);
+  EXPECT_EQ(columns(BURIN_INPUT_NORMAL), 3u);
+  EXPECT_EQ(columns(BURIN_INPUT_COLOUR), 4u);
+  EXPECT_EQ(columns(BURIN_INPUT_FOOT), 6u);
+  EXPECT_EQ(columns(BURIN_INPUT_SHEET), 0u) << "whole numbers";
+  EXPECT_EQ(sum(all_inputs).columns, 46u);
+  EXPECT_EQ(sum(all_outputs).columns, 8u);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <burin/deform/evaluate/batch.h>
+#include <burin/deform/evaluate/supported_inputs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,20 +7,13 @@
 namespace burin {
 namespace {
 
-// The columns are along, across, up; mask; four channels of colour.
-constexpr std::size_t output_columns = 8;
-// The columns are t, d, radius, stretch, two of footprint; position, normal, e1; curvature, laplacian;
-// displacement; mask, four channels of colour; foot and its normal; six of the pen; fine position, normal and
-// curvature. Vectors have three columns.
-constexpr std::size_t input_columns = 46;
-
 /// Clamps to 0..1; a value that is not finite stays as it is, so that it is detected later.
 float in_range(float value) { return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : value; }
 
 }  // namespace
 
 Batch::Batch()
-    : columns_((output_columns + input_columns) * capacity),
+    : columns_((sum(all_outputs).columns + sum(all_inputs).columns) * capacity),
       sheets_(capacity),
       visit_counts_(capacity),
       node_ids_(capacity) {}

@@ -1,57 +1,36 @@
 #include <burin/deform/evaluate/supported_inputs.h>
 #include <fmt/format.h>
 
-#include <array>
-#include <cstddef>
 #include <span>
-#include <string_view>
 
 namespace burin {
 namespace {
 
-constexpr std::array<std::string_view, 26> known_inputs = {"t",
-                                                           "d",
-                                                           "radius",
-                                                           "stretch",
-                                                           "footprint",
-                                                           "position",
-                                                           "normal",
-                                                           "e1",
-                                                           "mean curvature",
-                                                           "laplacian",
-                                                           "displacement",
-                                                           "mask",
-                                                           "colour",
-                                                           "sheet",
-                                                           "visit count",
-                                                           "node id",
-                                                           "symmetry",
-                                                           "pressure",
-                                                           "tilt",
-                                                           "twist",
-                                                           "speed",
-                                                           "time",
-                                                           "foot",
-                                                           "fine position",
-                                                           "fine normal",
-                                                           "fine mean curvature"};
+constexpr bool bits_count_up(std::span<const Supported> all) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].bit != UINT64_C(1) << i) return false;
+  return true;
+}
 
-constexpr std::array<std::string_view, 3> known_outputs = {"displacement", "mask", "colour"};
+// No bit is missing, and no member of the ABI's structs.
+static_assert(bits_count_up(all_inputs) && bits_count_up(all_outputs));
+static_assert(offsetof(burin_batch, t) + sum(all_inputs).bytes == sizeof(burin_batch));
+static_assert(offsetof(burin_outputs, along) + sum(all_outputs).bytes == sizeof(burin_outputs));
 
-std::string names(std::uint64_t bits, std::span<const std::string_view> known) {
+std::string names(std::uint64_t bits, std::span<const Supported> known) {
   std::string list;
   for (std::size_t bit = 0; bit < 64; ++bit) {
     if (!(bits >> bit & 1)) continue;
     if (!list.empty()) list += ", ";
-    list += bit < known.size() ? std::string(known[bit]) : fmt::format("number {}", bit);
+    list += bit < known.size() ? std::string(known[bit].name) : fmt::format("number {}", bit);
   }
   return list;
 }
 
 }  // namespace
 
-std::string input_names(std::uint64_t inputs) { return names(inputs, known_inputs); }
+std::string input_names(std::uint64_t inputs) { return names(inputs, all_inputs); }
 
-std::string output_names(std::uint64_t outputs) { return names(outputs, known_outputs); }
+std::string output_names(std::uint64_t outputs) { return names(outputs, all_outputs); }
 
 }  // namespace burin
