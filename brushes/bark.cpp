@@ -23,16 +23,7 @@ class Bark : public Brush {
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
       .overlap = BURIN_OVERLAP_LATEST,
   };
-  static constexpr FloatParam depth{
-      .id = "depth",
-      .name = "Depth",
-      .help = "Greatest height and depth.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {-10, 10},
-      .soft = {0, 1},
-      .initial = 0.35f,
-      .dynamic = true,
-  };
+  static constexpr FloatParam depth = common::depth("Greatest height and depth.", {0, 1}, 0.35f);
   enum Pattern { bark, noise };
   static constexpr ChoiceParam pattern{
       .id = "pattern",
@@ -73,13 +64,8 @@ class Bark : public Brush {
       .hard = {0.05f, 1},
       .initial = 0.5f,
   };
-  static constexpr FloatParam fade{
-      .id = "fade",
-      .name = "Fade",
-      .help = "Share of the radius over which the noise fades out at the rim.",
-      .hard = {0.01f, 1},
-      .initial = 0.4f,
-  };
+  static constexpr FloatParam fade =
+      common::fade("Share of the radius over which the noise fades out at the rim.", 0.4f);
   static constexpr auto params = param_list(depth, pattern, grain, stretch, octaves, roughness, fade);
 
   explicit Bark(StrokeStart& start)

@@ -23,23 +23,10 @@ class Bead : public Brush {
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
   };
-  static constexpr FloatParam height{
-      .id = "height",
-      .name = "Height",
-      .help = "Height over half width: 1 is a half circle, below 0 a channel.",
-      .hard = {-10, 10},
-      .soft = {0, 2},
-      .initial = 1,
-      .dynamic = true,
-  };
-  static constexpr FloatParam width{
-      .id = "width",
-      .name = "Width",
-      .help = "Distance from the middle to the rim.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {0.01f, 1},
-      .initial = 0.8f,
-  };
+  static constexpr FloatParam height =
+      common::roundness("Height over half width: 1 is a half circle, below 0 a channel.", 1);
+  static constexpr FloatParam width =
+      common::constant(common::width("Distance from the middle to the rim.", 0.8f));
   enum Form { rod, beads };
   static constexpr ChoiceParam form{
       .id = "form",

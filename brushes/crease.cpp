@@ -21,16 +21,8 @@ class Crease : public Brush {
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
   };
-  static constexpr FloatParam depth{
-      .id = "depth",
-      .name = "Depth",
-      .help = "Depth along the middle; below 0 a ridge.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {-10, 10},
-      .soft = {-1, 1},
-      .initial = 0.35f,
-      .dynamic = true,
-  };
+  static constexpr FloatParam depth =
+      common::depth("Depth along the middle; below 0 a ridge.", {-1, 1}, 0.35f);
   static constexpr FloatParam sharpness{
       .id = "sharpness",
       .name = "Sharpness",
@@ -56,15 +48,8 @@ class Crease : public Brush {
       .initial = 0.3f,
       .dynamic = true,
   };
-  static constexpr FloatParam taper{
-      .id = "taper",
-      .name = "Taper",
-      .help = "Length over which the crease fades out at either end.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {0, 1000},
-      .soft = {0, 10},
-      .initial = 3,
-  };
+  static constexpr FloatParam taper =
+      common::taper("Length over which the crease fades out at either end.", 3);
   static constexpr auto params = param_list(depth, sharpness, bulge, pinch, taper);
 
   explicit Crease(StrokeStart& start) : taper_(start.params[taper].value()) {

@@ -40,15 +40,7 @@ class DashedLine : public Brush {
       .soft = {0.1f, 4},
       .initial = 0.75f,
   };
-  static constexpr FloatParam width{
-      .id = "width",
-      .name = "Width",
-      .help = "Half the thickness of the line.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {0.001f, 1},
-      .initial = 0.35f,
-      .dynamic = true,
-  };
+  static constexpr FloatParam width = common::width("Half the thickness of the line.", 0.35f, 0.001f);
   enum Caps { round, butt };
   static constexpr ChoiceParam caps{
       .id = "caps",

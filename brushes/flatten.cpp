@@ -22,14 +22,7 @@ class Flatten : public Brush {
                 BURIN_INPUT_NORMAL | BURIN_INPUT_E1 | BURIN_INPUT_FOOT,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
   };
-  static constexpr FloatParam amount{
-      .id = "amount",
-      .name = "Amount",
-      .help = "Share of the way to the plane.",
-      .hard = {0, 1},
-      .initial = 1,
-      .dynamic = true,
-  };
+  static constexpr FloatParam amount = common::amount("Share of the way to the plane.", {0, 1}, 1);
   enum Part { both, peaks, valleys };
   static constexpr ChoiceParam part{
       .id = "part",
@@ -38,13 +31,8 @@ class Flatten : public Brush {
       .choices = {"both", "peaks", "valleys"},
       .initial = both,
   };
-  static constexpr FloatParam fade{
-      .id = "fade",
-      .name = "Fade",
-      .help = "Share of the radius over which the brush fades out at the rim.",
-      .hard = {0.01f, 1},
-      .initial = 0.4f,
-  };
+  static constexpr FloatParam fade =
+      common::fade("Share of the radius over which the brush fades out at the rim.", 0.4f);
   static constexpr auto params = param_list(amount, part, fade);
 
   explicit Flatten(StrokeStart& start)

@@ -20,34 +20,11 @@ class Groove : public Brush {
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
   };
-  static constexpr FloatParam depth{
-      .id = "depth",
-      .name = "Depth",
-      .help = "Depth along the middle; below 0 a ridge.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {-10, 10},
-      .soft = {0, 1},
-      .initial = 0.25f,
-      .dynamic = true,
-  };
-  static constexpr FloatParam width{
-      .id = "width",
-      .name = "Width",
-      .help = "Distance from the middle to the rim.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {0.01f, 1},
-      .initial = 1,
-      .dynamic = true,
-  };
-  static constexpr FloatParam taper{
-      .id = "taper",
-      .name = "Taper",
-      .help = "Length over which the groove rises to the surface at either end.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {0, 1000},
-      .soft = {0, 10},
-      .initial = 2,
-  };
+  static constexpr FloatParam depth =
+      common::depth("Depth along the middle; below 0 a ridge.", {0, 1}, 0.25f);
+  static constexpr FloatParam width = common::width("Distance from the middle to the rim.", 1);
+  static constexpr FloatParam taper =
+      common::taper("Length over which the groove rises to the surface at either end.", 2);
   enum Profile { round, v, flat };
   static constexpr ChoiceParam profile{
       .id = "profile",

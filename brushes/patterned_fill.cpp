@@ -49,15 +49,7 @@ class PatternedFill : public Brush {
       .hard = {0.01f, 1},
       .initial = 0.5f,
   };
-  static constexpr FloatParam width{
-      .id = "width",
-      .name = "Width",
-      .help = "Half the width of the band.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {0.01f, 1},
-      .initial = 0.9f,
-      .dynamic = true,
-  };
+  static constexpr FloatParam width = common::width("Half the width of the band.", 0.9f);
   static constexpr FloatParam border{
       .id = "border",
       .name = "Border",

@@ -47,15 +47,8 @@ class PatternedLine : public Brush {
       .hard = {0.01f, 1},
       .initial = 0.9f,
   };
-  static constexpr FloatParam width{
-      .id = "width",
-      .name = "Width",
-      .help = "Half of a figure's size across the stroke.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {0.001f, 1},
-      .initial = 0.5f,
-      .dynamic = true,
-  };
+  static constexpr FloatParam width =
+      common::width("Half of a figure's size across the stroke.", 0.5f, 0.001f);
   static constexpr FloatParam line{
       .id = "line",
       .name = "Line",

@@ -20,14 +20,8 @@ class Pinch : public Brush {
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
   };
-  static constexpr FloatParam amount{
-      .id = "amount",
-      .name = "Amount",
-      .help = "1 draws the surface next to the stroke onto it; below 0 pushes it away.",
-      .hard = {-1, 1},
-      .initial = 0.75f,
-      .dynamic = true,
-  };
+  static constexpr FloatParam amount = common::amount(
+      "1 draws the surface next to the stroke onto it; below 0 pushes it away.", {-1, 1}, 0.75f);
   static constexpr FloatParam lift{
       .id = "lift",
       .name = "Lift",

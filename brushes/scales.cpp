@@ -26,16 +26,7 @@ class Scales : public Brush {
       .name = "Stamp",
       .help = "A tileable EXR image of heights.",
   };
-  static constexpr FloatParam depth{
-      .id = "depth",
-      .name = "Depth",
-      .help = "Height that one unit of grey adds.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {-10, 10},
-      .soft = {-1, 1},
-      .initial = 0.25f,
-      .dynamic = true,
-  };
+  static constexpr FloatParam depth = common::depth("Height that one unit of grey adds.", {-1, 1}, 0.25f);
   static constexpr FloatParam centre{
       .id = "centre",
       .name = "Centre",
@@ -44,15 +35,7 @@ class Scales : public Brush {
       .soft = {0, 1},
       .initial = 0.5f,
   };
-  static constexpr FloatParam tile{
-      .id = "tile",
-      .name = "Tile",
-      .help = "Length of a tile along the stroke.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {0.01f, 1000},
-      .soft = {0.5f, 8},
-      .initial = 2,
-  };
+  static constexpr FloatParam tile = common::tile({0.5f, 8}, 2);
   static constexpr FloatParam aspect{
       .id = "aspect",
       .name = "Aspect",
@@ -61,13 +44,8 @@ class Scales : public Brush {
       .soft = {0.25f, 4},
       .initial = 1,
   };
-  static constexpr FloatParam fade{
-      .id = "fade",
-      .name = "Fade",
-      .help = "Share of the radius over which the stamp fades out at the rim.",
-      .hard = {0.01f, 1},
-      .initial = 0.25f,
-  };
+  static constexpr FloatParam fade =
+      common::fade("Share of the radius over which the stamp fades out at the rim.", 0.25f);
   static constexpr FloatParam offset_along{
       .id = "offset_along",
       .name = "Offset along",

@@ -20,14 +20,8 @@ class Smooth : public Brush {
                 BURIN_INPUT_LAPLACIAN | BURIN_INPUT_DISPLACEMENT,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
   };
-  static constexpr FloatParam amount{
-      .id = "amount",
-      .name = "Amount",
-      .help = "Share of the way to the middle of the neighbours that a point goes at a time.",
-      .hard = {0, 1},
-      .initial = 0.5f,
-      .dynamic = true,
-  };
+  static constexpr FloatParam amount = common::amount(
+      "Share of the way to the middle of the neighbours that a point goes at a time.", {0, 1}, 0.5f);
   static constexpr IntParam passes{
       .id = "passes",
       .name = "Passes",
@@ -44,13 +38,8 @@ class Smooth : public Brush {
       .choices = {"free", "normal"},
       .initial = free,
   };
-  static constexpr FloatParam fade{
-      .id = "fade",
-      .name = "Fade",
-      .help = "Share of the radius over which the brush fades out at the rim.",
-      .hard = {0.01f, 1},
-      .initial = 0.5f,
-  };
+  static constexpr FloatParam fade =
+      common::fade("Share of the radius over which the brush fades out at the rim.", 0.5f);
   static constexpr auto params = param_list(amount, passes, motion, fade);
 
   explicit Smooth(StrokeStart& start)

@@ -45,37 +45,16 @@ class Tread : public Brush {
       .help = "Stands in for the stamp in half of the tiles, at random; none is needed.",
       .initial = "",
   };
-  static constexpr FloatParam height{
-      .id = "height",
-      .name = "Height",
-      .help = "Height that one unit of grey adds; below 0 the print is pressed in.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {-10, 10},
-      .soft = {-0.5f, 0.5f},
-      .initial = -0.15f,
-      .dynamic = true,
-  };
-  static constexpr FloatParam tile{
-      .id = "tile",
-      .name = "Tile",
-      .help = "Length of a tile along the stroke.",
-      .unit = BURIN_UNIT_RADIUS,
-      .hard = {0.01f, 1000},
-      .soft = {0.25f, 8},
-      .initial = 2,
-  };
+  static constexpr FloatParam height = common::height(
+      "Height that one unit of grey adds; below 0 the print is pressed in.", {-0.5f, 0.5f}, -0.15f);
+  static constexpr FloatParam tile = common::tile({0.25f, 8}, 2);
   static constexpr BoolParam fit{
       .id = "fit",
       .name = "Fit",
       .help = "Stretches tiles so that an open stroke ends with a whole one; a closed one always does.",
   };
-  static constexpr FloatParam fade{
-      .id = "fade",
-      .name = "Fade",
-      .help = "Share of the radius over which the print fades out at the rim.",
-      .hard = {0.001f, 1},
-      .initial = 0.06f,
-  };
+  static constexpr FloatParam fade =
+      common::fade("Share of the radius over which the print fades out at the rim.", 0.06f, 0.001f);
   static constexpr auto params = param_list(stamp, start_stamp, end_stamp, other_stamp, height, tile, fit,
                                             fade, clean_stamp, stamp_layer, stamp_channel);
 

@@ -64,15 +64,8 @@ class VdmTrail : public Brush {
       .soft = {0, 4},
       .initial = 0,
   };
-  static constexpr FloatParam amount{
-      .id = "amount",
-      .name = "Amount",
-      .help = "1 gives the shape in the map; less flattens it in all directions.",
-      .hard = {-10, 10},
-      .soft = {0, 1},
-      .initial = 1,
-      .dynamic = true,
-  };
+  static constexpr FloatParam amount = common::amount(
+      "1 gives the shape in the map; less flattens it in all directions.", {-10, 10}, 1, {0, 1});
   static constexpr FloatParam angle{
       .id = "angle",
       .name = "Angle",

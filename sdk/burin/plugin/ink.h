@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/plugin/batch.h>
+#include <burin/plugin/common_params.h>
 #include <burin/plugin/falloff.h>
 #include <burin/plugin/outputs.h>
 #include <burin/plugin/params.h>
@@ -16,16 +17,8 @@ inline constexpr std::uint64_t inputs =
     BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_FOOTPRINT;
 inline constexpr std::uint64_t outputs = BURIN_OUTPUT_DISPLACEMENT | BURIN_OUTPUT_MASK | BURIN_OUTPUT_COLOUR;
 
-inline constexpr FloatParam height{
-    .id = "height",
-    .name = "Height",
-    .help = "How far the figure stands out; below 0 it is engraved.",
-    .unit = BURIN_UNIT_RADIUS,
-    .hard = {-10, 10},
-    .soft = {-0.5f, 0.5f},
-    .initial = 0.1f,
-    .dynamic = true,
-};
+inline constexpr FloatParam height =
+    common::height("How far the figure stands out; below 0 it is engraved.", {-0.5f, 0.5f}, 0.1f);
 inline constexpr FloatParam bevel{
     .id = "bevel",
     .name = "Bevel",

@@ -2,6 +2,7 @@
 /// Includes all headers for brush authors. Start reading at brush.h.
 #include <burin/plugin/brush.h>
 #include <burin/plugin/cell.h>
+#include <burin/plugin/common_params.h>
 #include <burin/plugin/detail/math.h>
 #include <burin/plugin/entry/entry.h>
 #include <burin/plugin/error.h>
@@ -15,6 +16,5 @@
 #include <burin/plugin/random.h>
 #include <burin/plugin/sample_tiles.h>
 #include <burin/plugin/shapes.h>
-#include <burin/plugin/stamp_params.h>
 #include <burin/plugin/stamps.h>
 #include <burin/plugin/tiling.h>
