@@ -55,6 +55,24 @@ Axis logarithmic_axis(std::string label, const std::vector<double>& values) {
   return {std::move(label), *low / room, *high * room, true};
 }
 
+std::string plot_style() {
+  std::string css = R"(
+:root{color-scheme:light dark;--soft:#6b6a65;--grid:#e6e5e0;--card:#fff;
+--c0:#2a78d6;--c1:#1baf7a;--c2:#eda100;--c3:#008300;--c4:#4a3aa7;--c5:#e34948;--c6:#e87ba4}
+@media(prefers-color-scheme:dark){:root{--soft:#a3a29b;--grid:#3a3936;--card:#232322;
+--c0:#3987e5;--c1:#199e70;--c2:#c98500;--c3:#4a9a3f;--c4:#9085e9;--c5:#e66767;--c6:#d55181}}
+svg text{font:11px system-ui,sans-serif;fill:var(--soft)}
+.grid{stroke:var(--grid)}.line{fill:none;stroke-width:2;stroke-linejoin:round}
+.dashes{stroke:var(--soft);stroke-dasharray:4 4}.dot{stroke:var(--card);stroke-width:2}
+)";
+  for (int i = 0; i < 7; ++i)
+    css += fmt::format(
+        ".c{0}{{fill:var(--c{0});stroke:var(--c{0})}}rect.c{0}{{stroke:none}}"
+        ".line.c{0}{{fill:none}}.dot.c{0}{{stroke:var(--card)}}.b{0}{{background:var(--c{0})}}\n",
+        i);
+  return css;
+}
+
 std::string short_number(double value) {
   if (value >= 1e6) return fmt::format("{:g}M", value / 1e6);
   if (value >= 1e3) return fmt::format("{:g}k", value / 1e3);

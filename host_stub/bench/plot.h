@@ -49,6 +49,10 @@ class Plot {
   std::string marks_;
 };
 
+/// The CSS rules that a page with plots needs: the colours c0 to c6 for light and dark, --soft of texts,
+/// --grid and --card of the surroundings of plots. The class bN has the colour cN as background.
+std::string plot_style();
+
 /// A number in short form: "0.02", "5", "300k", "20M".
 std::string short_number(double value);
 

@@ -17,10 +17,8 @@ namespace burin {
 namespace {
 
 constexpr const char* style = R"(
-:root{color-scheme:light dark;--page:#fcfcfb;--ink:#1d1d1b;--soft:#6b6a65;--grid:#e6e5e0;--card:#fff;
---c0:#2a78d6;--c1:#1baf7a;--c2:#eda100;--c3:#008300;--c4:#4a3aa7;--c5:#e34948;--c6:#e87ba4}
-@media(prefers-color-scheme:dark){:root{--page:#1a1a19;--ink:#f3f2ee;--soft:#a3a29b;--grid:#3a3936;--card:#232322;
---c0:#3987e5;--c1:#199e70;--c2:#c98500;--c3:#4a9a3f;--c4:#9085e9;--c5:#e66767;--c6:#d55181}}
+:root{--page:#fcfcfb;--ink:#1d1d1b}
+@media(prefers-color-scheme:dark){:root{--page:#1a1a19;--ink:#f3f2ee}}
 body{font:15px/1.5 system-ui,sans-serif;margin:2.5em auto;max-width:80em;padding:0 1.5em;background:var(--page);
 color:var(--ink)}
 h1{font-size:1.6em;margin:0}h2{font-size:1.15em;margin:2.4em 0 .4em}p{color:var(--soft);margin:.3em 0 1em}
@@ -31,23 +29,9 @@ td:last-child{font-family:ui-monospace,monospace}
 .plots{display:grid;grid-template-columns:repeat(auto-fill,minmax(21em,1fr));gap:1em}
 figure{margin:0;background:var(--card);border:1px solid var(--grid);border-radius:6px;padding:.8em}
 figcaption{font-weight:600;font-size:13px}img,svg{width:100%;height:auto;display:block}
-svg text{font:11px system-ui,sans-serif;fill:var(--soft)}
-.grid{stroke:var(--grid)}.line{fill:none;stroke-width:2;stroke-linejoin:round}
-.dashes{stroke:var(--soft);stroke-dasharray:4 4}.dot{stroke:var(--card);stroke-width:2}
 .legend span{margin-right:1.2em;white-space:nowrap}
 .legend i{display:inline-block;width:.8em;height:.8em;border-radius:2px;margin-right:.4em}
 )";
-
-/// The CSS rules for fills and lines of the colours c0 to c6.
-std::string colour_rules() {
-  std::string css;
-  for (int i = 0; i < 7; ++i)
-    css += fmt::format(
-        ".c{0}{{fill:var(--c{0});stroke:var(--c{0})}}rect.c{0}{{stroke:none}}"
-        ".line.c{0}{{fill:none}}.dot.c{0}{{stroke:var(--card)}}.b{0}{{background:var(--c{0})}}\n",
-        i);
-  return css;
-}
 
 std::string table_row(const CaseResult& one) {
   const Percentiles& at = one.event.whole.at;
@@ -117,8 +101,8 @@ std::string page(const std::vector<NamedResult>& results) {
   return fmt::format(
              "<!doctype html>\n<html lang='en'><meta charset='utf-8'>"
              "<meta name='viewport' content='width=device-width'><title>burin bench: {0}</title>\n"
-             "<style>{1}{2}</style>\n<h1>burin bench: {0}</h1>\n<p>An event is one sample of the pen.</p>\n",
-             escaped(last.suite), style, colour_rules()) +
+             "<style>{2}{1}</style>\n<h1>burin bench: {0}</h1>\n<p>An event is one sample of the pen.</p>\n",
+             escaped(last.suite), style, plot_style()) +
          table(last) + picture_section(last) +
          section("Latency of events",
                  "How many of a case's events take at most so long; p50, p95, p99 marked.",

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "host_stub/report/base64.h"
+#include "host_stub/report/html_text.h"
 #include "support/shared_data.h"
 
 namespace burin::paper {
@@ -23,34 +24,17 @@ std::string row_of(const std::vector<std::string>& cells, const char* tag) {
 }
 
 constexpr const char* style =
-    "body{font:15px/1.5 sans-serif;max-width:1180px;margin:2em auto;padding:0 1em;color:#222}"
+    "body{font:15px/1.5 sans-serif;max-width:1180px;margin:2em auto;padding:0 1em}"
     "table{border-collapse:collapse;margin:1em 0}td,th{padding:.2em .8em;border-bottom:1px solid #ccc;"
     "text-align:right}td:first-child,th:first-child{text-align:left}.row{display:flex;gap:1em;flex-wrap:wrap}"
     "figure{margin:0;flex:1 1 320px;max-width:560px}img{width:100%}figcaption{font-size:13px}";
 
 }  // namespace
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
-}
-
 Page::Page(const std::string& title)
     : body_(fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><title>{0}</title>"
-                        "<style>{1}</style></head>\n<body><h1>{0}</h1>\n",
-                        escaped(title), style)) {}
+                        "<style>{1}{2}</style></head>\n<body><h1>{0}</h1>\n",
+                        escaped(title), plot_style(), style)) {}
 
 void Page::heading(const std::string& text) { body_ += fmt::format("<h2>{}</h2>\n", escaped(text)); }
 
@@ -72,7 +56,7 @@ void Page::pictures(const std::vector<Captioned>& row) {
   body_ += "</div>\n";
 }
 
-void Page::svg(const std::string& markup) { body_ += markup; }
+void Page::plot(const Plot& plot) { body_ += "<figure>" + plot.svg() + "</figure>\n"; }
 
 void Page::write(const std::filesystem::path& path) const {
   write_file_whole(path, [&](std::ostream& out) { out << body_ << "</body></html>\n"; });

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "host_stub/bench/plot.h"
+
 namespace burin::paper {
 
 /// One HTML page that needs nothing besides itself. Texts are escaped.
@@ -23,8 +25,7 @@ class Page {
   /// Side by side.
   void pictures(const std::vector<Captioned>& row);
 
-  /// Markup that is well-formed already.
-  void svg(const std::string& markup);
+  void plot(const Plot& plot);
 
   /// Whole or not at all. Throws FileError.
   void write(const std::filesystem::path& path) const;
@@ -32,7 +33,5 @@ class Page {
  private:
   std::string body_;
 };
-
-std::string escaped(const std::string& text);
 
 }  // namespace burin::paper

@@ -5,7 +5,6 @@
 
 #include "arap.h"
 #include "figures.h"
-#include "plot.h"
 #include "stopwatch.h"
 #include "support/gentle_stroke.h"
 
@@ -76,6 +75,25 @@ std::vector<double> column(const std::vector<Timing>& timings, auto value) {
   return values;
 }
 
+struct Line {
+  std::string name;
+  std::vector<double> ms;
+};
+
+/// Each line has its name at its middle.
+Plot time_plot(const std::vector<double>& triangles, const std::vector<Line>& lines) {
+  std::vector<double> all;
+  for (const Line& line : lines) all.insert(all.end(), line.ms.begin(), line.ms.end());
+  Plot plot(logarithmic_axis("triangles", triangles), logarithmic_axis("milliseconds", all));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::vector<PlotPoint> points;
+    for (std::size_t k = 0; k < triangles.size(); ++k) points.push_back({triangles[k], lines[i].ms[k]});
+    plot.line(points, fmt::format("c{}", i));
+    plot.note(points[points.size() / 2], lines[i].name);
+  }
+  return plot;
+}
+
 }  // namespace
 
 void times_figure(Page& page, const Scenes& scenes, int strokes, double largest_radius) {
@@ -87,16 +105,13 @@ void times_figure(Page& page, const Scenes& scenes, int strokes, double largest_
       "sparse "
       "Cholesky factors by Eigen's SimplicialLDLT.",
       strokes, arap_iterations));
-  const auto line = [&](const char* name, const char* colour, auto value) {
-    return PlotLine{name, colour, column(all, &Timing::triangles), column(all, value)};
-  };
-  page.svg(log_plot("triangles", "milliseconds",
-                    {line("ARAP", "#b03020", &Timing::arap), line("DNCP", "#2060b0", &Timing::dncp),
-                     line("FP", "#208040", &Timing::chart)}));
-  page.svg(log_plot("triangles", "milliseconds",
-                    {line("ARAP: DNCP before", "#2060b0", &Timing::dncp),
-                     line("ARAP: setup", "#c08020", &Timing::arap_setup),
-                     line("ARAP: solve", "#b03020", &Timing::arap_solve)}));
+  const auto line = [&](const char* name, auto value) { return Line{name, column(all, value)}; };
+  const std::vector<double> triangles = column(all, &Timing::triangles);
+  page.plot(time_plot(
+      triangles, {line("ARAP", &Timing::arap), line("DNCP", &Timing::dncp), line("FP", &Timing::chart)}));
+  page.plot(time_plot(triangles,
+                      {line("ARAP: setup", &Timing::arap_setup), line("ARAP: DNCP before", &Timing::dncp),
+                       line("ARAP: solve", &Timing::arap_solve)}));
   std::vector<std::vector<std::string>> rows;
   for (const Timing& timing : all) {
     rows.push_back({timing.scene, fmt::format("{:.0f}", timing.triangles),
