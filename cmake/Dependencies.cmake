@@ -24,9 +24,6 @@ burin_find_library(xxhash::xxhash xxhash.h xxhash REQUIRED)
 burin_dependency(apt libfmt-dev why "text formatting")
 find_package(fmt REQUIRED)
 
-burin_dependency(apt libembree-dev why "picking on point sets")
-find_package(embree 3.13 REQUIRED)
-
 burin_dependency(apt libnanoflann-dev why "nearest neighbours among the points of a point set; headers only")
 find_package(nanoflann 1.4 REQUIRED)
 
@@ -83,4 +80,7 @@ if(BURIN_TESTS)
   if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
     find_program(QEMU_PROGRAM qemu-x86_64 REQUIRED)
   endif()
+
+  # Not required: tests/windows is skipped without it.
+  burin_test_dependency(apt g++-mingw-w64-x86-64-posix why "a test compiles what is written for Windows")
 endif()

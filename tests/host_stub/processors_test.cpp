@@ -1,5 +1,6 @@
 // Checks that replays give the same bits on processors with different estimate and fused instructions.
 #include "support/processors.h"
+#include "support/point_shapes.h"
 
 #include <burin/base/file.h>
 #include <fmt/format.h>
@@ -125,6 +126,23 @@ TEST(Processors, GiveSymmetricStabilisedAndScreenStrokesTheSameBits) {
     dabs.emplace_back(word);
   expect_same_everywhere(folder, symmetric);
   expect_same_everywhere(folder, dabs);
+}
+
+/// The table of coordinates of a stroke that is picked on points.
+TEST(Processors, GiveChartsOfPointSetsTheSameBits) {
+  const test::CommandFolder folder;
+  const std::string points = folder.write("points.ply", test::ply_text(test::sphere_points(4, 9))),
+                    stroke = folder.write("screen.stroke", screen_stroke()), table = folder.path("a.csv");
+  std::string here;
+  for (const test::Processor& processor : test::processors()) {
+    const test::ProcessResult run = test::run_process(
+        processor.command({BURIN_COMMAND, "chart", stroke, "--mesh", points, "--csv", table}),
+        processor.environment);
+    ASSERT_EQ(run.exit_code, 0) << processor.name << ": " << run.err;
+    if (here.empty()) here = read_file(table);
+    EXPECT_TRUE(read_file(table) == here) << processor.name;
+  }
+  EXPECT_GT(here.size(), 10000u);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 file(REMOVE_RECURSE ${WORK})
 set(warnings "-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror")
 set(without_packages "")
-foreach(package Eigen3 TBB fmt embree nlohmann_json OpenImageIO CLI11)
+foreach(package Eigen3 TBB fmt nlohmann_json OpenImageIO CLI11)
   list(APPEND without_packages -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 

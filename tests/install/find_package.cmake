@@ -33,8 +33,8 @@ expect("${WORK}/plugin;${WORK}/runtime" "runtime" missing
 expect("${WORK}/runtime" "plugin" missing "Component plugin is not installed in ${WORK}/runtime")
 expect("${WORK}/runtime" "brushes" missing "There is no component brushes: plugin, runtime, stamps or subdiv.")
 expect("${WORK}/runtime" "runtime" missing
-  "Component runtime needs what was not found: embree (Debian: libembree-dev)."
-  -DCMAKE_DISABLE_FIND_PACKAGE_embree=ON)
+  "Component runtime needs what was not found: fmt::fmt (Debian: libfmt-dev)."
+  -DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON)
 expect("${WORK}/runtime" "runtime" found "found" -DCMAKE_DISABLE_FIND_PACKAGE_OpenImageIO=ON)
 expect("${WORK}/runtime" "stamps" missing
   "Component stamps needs what was not found: OpenImageIO::OpenImageIO (Debian: libopenimageio-dev)."

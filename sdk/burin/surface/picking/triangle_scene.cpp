@@ -1,53 +1,42 @@
-// Picking on meshes: searches a TriangleTree for the first hit of a ray or for the point closest to a
+// Picking on meshes: searches a tree of triangles for the first hit of a ray or for the point closest to a
 // position.
+#include <burin/surface/picking/box_ray.h>
+#include <burin/surface/picking/box_tree.h>
 #include <burin/surface/picking/closest_point.h>
 #include <burin/surface/picking/pick_scene.h>
 #include <burin/surface/picking/ray_triangle.h>
-#include <burin/surface/picking/triangle_tree.h>
 
-#include <cmath>
 #include <limits>
+#include <vector>
 
 namespace burin {
 namespace {
 
+/// What the tree asks of triangles.
+struct Triangles {
+  const Surface& surface;
+
+  std::size_t size() const { return surface.triangles.size(); }
+  void extend(Eigen::AlignedBox3f& box, Index triangle) const {
+    for (const Index corner : surface.triangles[triangle]) box.extend(surface.positions[corner]);
+  }
+};
+using TriangleTree = BoxTree<Triangles>;
 using Box = TriangleTree::Box;
 
 /// The query for the nearest hit of a ray; among equally near triangles the one with the lowest index wins.
 class NearestHit {
  public:
-  /// Boxes are enlarged by 1e-12 of the extent of the scene, well above the rounding of doubles (about
-  /// 1e-16), so that rounding never makes the ray miss the box of a triangle that it meets.
-  NearestHit(const Surface& surface, const Box& whole, const Ray& ray) : surface_(surface), ray_(ray) {
-    const Vec3d origin = ray.origin.cast<double>();
-    const double extent =
-        std::max({origin.lpNorm<Eigen::Infinity>(), whole.min().cast<double>().lpNorm<Eigen::Infinity>(),
-                  whole.max().cast<double>().lpNorm<Eigen::Infinity>()});
-    for (int axis = 0; axis < 3; ++axis) {
-      const double along = ray.direction[axis], slack = std::copysign(1e-12 * extent, along);
-      // A direction at right angles to the axis has a huge number, since infinity times 0 would be NaN.
-      inverse_[axis] = along != 0 ? 1 / along : std::numeric_limits<double>::max();
-      origin_in_[axis] = origin[axis] + slack;
-      origin_out_[axis] = origin[axis] - slack;
-    }
-  }
+  NearestHit(const Surface& surface, const Box& whole, const Ray& ray)
+      : surface_(surface), boxes_(whole, ray), ray_(ray) {}
 
-  /// The distance at which the ray enters the box; infinite if it misses.
-  double nearest(const Box& box) const {
-    double enter = 0, leave = infinity;
-    for (int axis = 0; axis < 3; ++axis) {
-      const bool up = inverse_[axis] >= 0;
-      const double near = up ? box.min()[axis] : box.max()[axis],
-                   far = up ? box.max()[axis] : box.min()[axis];
-      enter = std::max(enter, (near - origin_in_[axis]) * inverse_[axis]);
-      leave = std::min(leave, (far - origin_out_[axis]) * inverse_[axis]);
-    }
-    return enter <= leave ? enter : infinity;
-  }
+  double nearest(const Box& box) const { return boxes_.nearest(box); }
 
   /// Whether a box at this distance may hold the nearest hit. The margin covers the rounding of the distance
   /// to float.
-  bool reaches(double distance) const { return distance < infinity && distance <= distance_ * (1 + 1e-6); }
+  bool reaches(double distance) const {
+    return distance < BoxRay::infinity && distance <= distance_ * (1 + 1e-6);
+  }
 
   void meet(Index begin, Index end) {
     for (Index triangle = begin; triangle < end; ++triangle)
@@ -60,8 +49,6 @@ class NearestHit {
   }
 
  private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
   void keep_nearest(Index triangle, const TriangleHit& hit) {
     const auto distance = static_cast<float>(hit.distance);
     if (!(distance < distance_ || (distance == distance_ && triangle < triangle_))) return;
@@ -71,8 +58,8 @@ class NearestHit {
   }
 
   const Surface& surface_;
+  BoxRay boxes_;
   TriangleRay ray_;
-  Vec3d origin_in_, origin_out_, inverse_;
   Index triangle_ = no_index;
   TriangleHit hit_{};
   /// Distance in multiples of the ray's direction vector. It is a float so that hits on a common edge are
@@ -128,7 +115,7 @@ class ClosestPoint {
 
 class TriangleScene : public PickScene {
  public:
-  explicit TriangleScene(const Surface& surface) : surface_(surface), tree_(surface) {}
+  explicit TriangleScene(const Surface& surface) : surface_(surface), tree_(Triangles{surface}) {}
 
   std::optional<SurfacePoint> pick(const Ray& ray) const override {
     return found(NearestHit(surface_, tree_.box(), ray));
@@ -136,7 +123,12 @@ class TriangleScene : public PickScene {
   std::optional<SurfacePoint> closest(const Vec3f& position, float max_distance) const override {
     return found(ClosestPoint(surface_, position, max_distance));
   }
-  void update(std::span<const Index> moved_vertices) override { tree_.update(moved_vertices); }
+  void update(std::span<const Index> moved_vertices) override {
+    moved_.clear();
+    for (const Index vertex : moved_vertices)
+      for (const Index triangle : surface_.incident[vertex]) moved_.push_back(triangle);
+    tree_.update(moved_);
+  }
 
  private:
   template <class Query>
@@ -147,6 +139,7 @@ class TriangleScene : public PickScene {
 
   const Surface& surface_;
   TriangleTree tree_;
+  std::vector<Index> moved_;  ///< triangles of an update
 };
 
 }  // namespace

@@ -1,13 +1,14 @@
-// Picking on point sets: Embree intersects the ray with discs around the points, then Newton's method finds
+// Picking on point sets: the ray is intersected with discs around the points, then Newton's method finds
 // the smooth surface near the disc (PointProjection).
 #include <burin/base/error.h>
-#include <burin/surface/picking/embree_handles.h>
+#include <burin/surface/picking/box_ray.h>
+#include <burin/surface/picking/box_tree.h>
 #include <burin/surface/picking/pick_scene.h>
 #include <burin/surface/points/point_projection.h>
 #include <burin/surface/points/point_tree.h>
 
 #include <algorithm>
-#include <cmath>
+#include <compare>
 #include <vector>
 
 namespace burin {
@@ -16,9 +17,79 @@ namespace {
 /// Limits the discs per ray: a ray along the border of the points may hit many discs but never the surface.
 constexpr int most_discs = 64;
 
+/// What the tree asks of the discs around points.
+struct Discs {
+  const Surface& surface;
+  std::vector<float> radii;  ///< [point] as far as its farthest neighbour: the discs of neighbours overlap
+
+  explicit Discs(const Surface& points) : surface(points) {
+    for (Index point = 0; point < points.vertex_count(); ++point) {
+      float radius = 0;
+      for (const Index neighbour : points.neighbours[point])
+        radius = std::max(radius, (points.positions[neighbour] - points.positions[point]).norm());
+      radii.push_back(radius);
+    }
+  }
+
+  std::size_t size() const { return radii.size(); }
+  void extend(Eigen::AlignedBox3f& box, Index point) const {
+    const Vec3f half = Vec3f::Constant(radii[point]);
+    box.extend(surface.positions[point] - half);
+    box.extend(surface.positions[point] + half);
+  }
+};
+using DiscTree = BoxTree<Discs>;
+
+/// Where a ray meets a disc. Ordered: equally near ones by their numbers.
+struct DiscHit {
+  double distance;  ///< in lengths of the ray's direction
+  Index point;
+
+  auto operator<=>(const DiscHit&) const = default;
+};
+constexpr DiscHit no_disc{BoxRay::infinity, no_index};
+
+/// The first disc that a ray meets after another.
+class NextDisc {
+ public:
+  NextDisc(const DiscTree& discs, const Ray& ray, const DiscHit& after)
+      : discs_(discs.items()),
+        boxes_(discs.box(), ray),
+        origin_(ray.origin.cast<double>()),
+        direction_(ray.direction.cast<double>()),
+        after_(after) {}
+
+  double nearest(const DiscTree::Box& box) const { return boxes_.nearest(box); }
+  bool reaches(double distance) const { return distance < BoxRay::infinity && distance <= found_.distance; }
+  void meet(Index begin, Index end) {
+    for (Index point = begin; point < end; ++point) {
+      const DiscHit hit = met(point);
+      if (hit > after_ && hit < found_) found_ = hit;
+    }
+  }
+  const DiscHit& found() const { return found_; }
+
+ private:
+  /// Discs that the ray runs along are not met.
+  DiscHit met(Index point) const {
+    const Vec3d centre = discs_.surface.positions[point].cast<double>() - origin_,
+                normal = discs_.surface.normals[point].cast<double>();
+    const double distance = centre.dot(normal) / direction_.dot(normal), radius = discs_.radii[point];
+    const bool inside =
+        distance >= 0 && (distance * direction_ - centre).squaredNorm() <= radius * radius;  // not for NaN
+    return inside ? DiscHit{distance, point} : no_disc;
+  }
+
+  const Discs& discs_;
+  BoxRay boxes_;
+  Vec3d origin_, direction_;
+  DiscHit after_, found_ = no_disc;
+};
+
 class PointScene : public PickScene {
  public:
-  explicit PointScene(const Surface& surface);
+  explicit PointScene(const Surface& surface)
+      : tree_(surface.positions), projection_(surface, tree_), discs_(Discs(surface)) {}
   std::optional<SurfacePoint> pick(const Ray& ray) const override;
   std::optional<SurfacePoint> closest(const Vec3f& position, float max_distance) const override;
   void update(std::span<const Index>) override {
@@ -26,74 +97,22 @@ class PointScene : public PickScene {
   }
 
  private:
-  void add_discs();
-
-  const Surface& surface_;
   PointTree tree_;
   PointProjection projection_;
-  std::vector<Eigen::Vector4f> discs_;  ///< [point] position and radius
-  Device device_;
-  EmbreeScene scene_;
+  DiscTree discs_;
 };
 
-/// Whether Embree accepts the ray; it aborts the program for others.
-bool is_valid(const Ray& ray) {
-  constexpr float farthest = 1e18F;  // Embree's own limit is 1.844e18
-  const auto fits = [](const Vec3f& v) { return v.cwiseAbs().maxCoeff() < farthest; };
-  return ray.origin.allFinite() && ray.direction.allFinite() && fits(ray.origin) && fits(ray.direction) &&
-         !ray.direction.isZero(0);
-}
-
-/// The distance of the farthest neighbour, so that the discs of neighbours overlap.
-float disc_radius(const Surface& surface, Index point) {
-  float radius = 0;
-  for (const Index neighbour : surface.neighbours[point]) {
-    radius = std::max(radius, (surface.positions[neighbour] - surface.positions[point]).norm());
-  }
-  return radius;
-}
-
-PointScene::PointScene(const Surface& surface)
-    : surface_(surface), tree_(surface.positions), projection_(surface, tree_), device_(new_device()) {
-  scene_.reset(rtcNewScene(device_.get()));
-  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_COMPACT | RTC_SCENE_FLAG_ROBUST);
-  for (Index point = 0; point < surface.vertex_count(); ++point) {
-    discs_.push_back(surface.positions[point].homogeneous());
-    discs_.back().w() = disc_radius(surface, point);
-  }
-  add_discs();
-  rtcCommitScene(scene_.get());
-  if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
-    throw Error("Embree cannot build its tree over the points");
-}
-
-void PointScene::add_discs() {
-  const RTCGeometry discs = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT);
-  rtcSetSharedGeometryBuffer(discs, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, discs_.data(), 0,
-                             sizeof(discs_[0]), discs_.size());
-  auto* normals = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(
-      discs, RTC_BUFFER_TYPE_NORMAL, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), discs_.size()));
-  if (normals) std::ranges::copy(surface_.normals, normals);
-  rtcCommitGeometry(discs);
-  rtcAttachGeometry(scene_.get(), discs);
-  rtcReleaseGeometry(discs);
-}
-
 std::optional<SurfacePoint> PointScene::pick(const Ray& ray) const {
-  if (!is_valid(ray)) return std::nullopt;
-  RTCRayHit query = whole_ray(ray);
+  if (!ray.origin.allFinite() || !ray.direction.allFinite() || ray.direction.isZero(0)) return std::nullopt;
+  const Vec3d origin = ray.origin.cast<double>(), direction = ray.direction.cast<double>();
+  DiscHit last{-1, 0};
   for (int disc = 0; disc < most_discs; ++disc) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(scene_.get(), &context, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    const float distance = query.ray.tfar;
-    const Vec3d direction = ray.direction.cast<double>();
-    const auto met =
-        projection_.meet(ray.origin.cast<double>() + static_cast<double>(distance) * direction, direction);
+    NextDisc next(discs_, ray, last);
+    discs_.search(next);
+    last = next.found();
+    if (last == no_disc) return std::nullopt;
+    const auto met = projection_.meet(origin + last.distance * direction, direction);
     if (met && (met->position - ray.origin).dot(ray.direction) >= 0) return met;
-    query = whole_ray(ray);
-    query.ray.tnear = std::nextafter(distance, query.ray.tfar);
   }
   return std::nullopt;
 }
