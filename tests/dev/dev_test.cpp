@@ -25,6 +25,7 @@ class NotingMachine {
     fs::copy(source_folder / "cmake/Dependencies.cmake", folder_.path() / "cmake/Dependencies.cmake");
     write("programs/dpkg-query", "case \"$4\" in " + installed + ") echo 'install ok installed' ;; esac");
     write("programs/sudo", "exec \"$@\"");
+    write("programs/nproc", "echo 7");
     for (const char* name :
          {"programs/apt-get", "programs/cmake", "programs/ctest", "programs/npm", "build/release/bin/burin"})
       write(name, note());
@@ -70,8 +71,8 @@ std::set<std::string> words_of(const std::string& line) {
 }
 
 const char* const of_the_command[] = {"g++", "cmake", "ninja-build", "libeigen3-dev", "fonts-dejavu-core"};
-const char* const of_the_tests[] = {"libgtest-dev", "libcgal-dev", "libbenchmark-dev", "xz-utils",
-                                    "qemu-user"};
+const char* const of_the_tests[] = {"libgtest-dev", "libcgal-dev", "libbenchmark-dev",
+                                    "xz-utils",     "qemu-user",   "g++-mingw-w64-x86-64-posix"};
 
 TEST(Dev, DemoOnABareMachineBuildsAndInstallsWhatItNeeds) {
   const std::string calls = NotingMachine("none").calls_of("demo");
@@ -90,7 +91,28 @@ TEST(Dev, TestInstallsAndBuildsAll) {
   for (const char* package : of_the_tests) EXPECT_TRUE(installed.contains(package)) << package;
   EXPECT_TRUE(words_of(line_with("cmake --preset", calls)).contains("-DBURIN_TESTS=ON")) << calls;
   EXPECT_FALSE(words_of(line_with("cmake --build", calls)).contains("--target")) << calls;
-  EXPECT_NE(line_with("ctest --preset release", calls), "") << calls;
+  EXPECT_TRUE(line_with("ctest --preset release", calls).starts_with("ctest --preset release -j 7 "))
+      << calls;
+  EXPECT_NE(line_with("cmake --build", calls).find(" --parallel 7"), std::string::npos) << calls;
+}
+
+/// The words between the brackets of the line that begins with `key`.
+std::set<std::string> yaml_list(const std::string& key, const std::string& text) {
+  const std::string line = text.substr(std::min(text.find(key + ": ["), text.size()));
+  std::istringstream in(line.substr(key.size() + 3, line.find(']') - key.size() - 3));
+  std::set<std::string> words;
+  for (std::string word; std::getline(in >> std::ws, word, ',');) words.insert(word);
+  return words;
+}
+
+TEST(Dev, IsWhatContinuousIntegrationRuns) {
+  const std::string workflow = read_file(source_folder / ".github/workflows/ci.yml");
+  EXPECT_NE(workflow.find("run: ./dev ${{ matrix.command }}\n"), std::string::npos);
+  const auto commands = yaml_list("command", workflow);
+  EXPECT_EQ(commands, (std::set<std::string>{"test", "test address", "test thread", "format check", "tidy"}));
+  const std::string usage = run_process({(source_folder / "dev").string()}).out;
+  for (const std::string& command : commands)
+    EXPECT_NE(usage.find("\n  " + command.substr(0, command.find(' ')) + " "), std::string::npos) << command;
 }
 
 TEST(Dev, FuzzBuildsWithClangAndTriesEveryReaderOrOne) {
