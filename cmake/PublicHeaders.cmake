@@ -12,8 +12,6 @@ set(burin_public_headers
   chart/chart_frame.h
   chart/chart_lookup.h
   chart/chart_triangles.h
-  chart/stroke_shape.h
-  deform/accumulate.h
   deform/bake.h
   deform/overlap.h
   deform/paint.h
@@ -23,19 +21,21 @@ set(burin_public_headers
   host/replay.h
   host/session.h
   host/stroke_pieces.h
-  host/stroke_settings.h
   services/stamp_services.h
   stamp/float_image.h
   stroke/camera.h
   stroke/curve.h
   stroke/dynamics.h
+  stroke/given_settings.h
   stroke/move_origin.h
   stroke/param_setting.h
   stroke/pen.h
   stroke/recording.h
   stroke/sample_times.h
   stroke/stabiliser.h
+  stroke/stroke_choices.h
   stroke/stroke_file.h
+  stroke/stroke_settings.h
   stroke/symmetry.h
   subdiv/refine.h
   subdiv/sculpt_levels.h

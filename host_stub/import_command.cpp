@@ -11,7 +11,7 @@
 
 #include "command.h"
 #include "input/mesh_input.h"
-#include "options/options.h"
+#include "options/setting_options.h"
 #include "options/view.h"
 #include "system/output_file.h"
 
@@ -19,10 +19,10 @@ namespace burin::command {
 namespace {
 
 struct ImportOptions {
-  std::string recording, out, format = "auto", brush;
+  std::string recording, out, format = "auto";
   MeshOptions mesh;
   ViewOptions view;
-  std::optional<double> radius;
+  GivenSettings settings;
   bool json = false;
 };
 
@@ -39,10 +39,7 @@ Import import_as(const std::string& format, const std::string& path, const Camer
 
 Import read_recording(const ImportOptions& options, const Camera& camera) {
   Import import = import_as(format_of(options), options.recording, camera);
-  for (RecordedStroke& stroke : import.recording.strokes) {
-    if (!options.brush.empty()) stroke.brush = options.brush;
-    stroke.radius = options.radius;
-  }
+  for (RecordedStroke& stroke : import.recording.strokes) stroke.settings = options.settings;
   return import;
 }
 
@@ -107,8 +104,8 @@ void add_import(CLI::App& app) {
       ->capture_default_str();
   add_mesh_options(command, options->mesh);
   add_view_options(command, options->view);
-  command.add_option("--brush", options->brush, "brush of all strokes")->type_name("ID");
-  command.add_option("--radius", options->radius, "of all strokes, object units")->check(positive_number());
+  constexpr std::string_view keys[] = {"brush", "radius"};
+  add_setting_options(command, options->settings, keys, "left open");
   command.add_option("--out", options->out, "file to write")->required()->type_name("FILE.stroke");
   command.add_flag("--json", options->json, "write JSON to the standard output");
   command.callback([options] { run(*options); });

@@ -108,7 +108,7 @@ Json brush_json(const BrushEntry& entry) {
           {"vendor", text_or_empty(brush.vendor)},
           {"version", text_or_empty(brush.version)},
           {"help", text_or_empty(brush.help)},
-          {"overlap", name_of(overlap_of(brush))},
+          {"overlap", name_of(named_overlaps, overlap_of(brush))},
           {"module", entry.module.string()},
           {"params", params}};
 }
@@ -126,7 +126,7 @@ void print_brush(const BrushEntry& entry) {
   write_result(fmt::format("{}  {} {}\n  {}\n", brush.id, brush.name, text_or_empty(brush.version),
                            entry.module.string()));
   if (brush.help) write_result(fmt::format("  {}\n", brush.help));
-  write_result(fmt::format("  overlap: {}\n", name_of(overlap_of(brush))));
+  write_result(fmt::format("  overlap: {}\n", name_of(named_overlaps, overlap_of(brush))));
   for (std::uint32_t i = 0; i < brush.param_count; ++i) {
     const burin_param_info& param = *brush.params[i];
     write_result(fmt::format("    {:<16} {:<7} {:<24} default {:<10} {}\n", param.id, type_name(param.type),

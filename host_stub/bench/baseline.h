@@ -1,9 +1,10 @@
 #pragma once
+#include <burin/base/text/json_value.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "bench/json_value.h"
 #include "bench/result.h"
 
 namespace burin {

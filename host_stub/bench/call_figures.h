@@ -1,11 +1,12 @@
 #pragma once
+#include <burin/base/text/json_value.h>
 #include <burin/host/event_cost.h>
 #include <burin/host/percentile.h>
 
 #include <array>
 #include <vector>
 
-#include "bench/json_value.h"
+#include "system/console.h"
 
 namespace burin {
 

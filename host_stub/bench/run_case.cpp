@@ -2,6 +2,7 @@
 
 #include <burin/base/hash.h>
 #include <burin/base/quoted_word.h>
+#include <burin/host/replay.h>
 #include <burin/stroke/move_origin.h>
 #include <fmt/format.h>
 
@@ -90,8 +91,9 @@ class CaseRunner {
  public:
   CaseRunner(const std::string& path, const BenchCase& bench_case, const BrushLibrary& brushes,
              const Progress& progress)
-      : case_(bench_case), overrides_(bench_case.overrides), progress_(progress) {
-    overrides_.params = params_of_suite(path, bench_case.overrides, brushes);
+      : case_(bench_case),
+        settings_(settings_of_suite(path, bench_case.settings, brushes)),
+        progress_(progress) {
     result_.name = bench_case.name;
     result_.mesh = bench_case.mesh.path;
     result_.axis = bench_case.axis;
@@ -101,10 +103,11 @@ class CaseRunner {
       move_origin(recordings_.back(), origin_);
     }
     if (bench_case.radius_edges)
-      overrides_.radius = *bench_case.radius_edges * mean_edge_length(session_->surface());
+      settings_[&StrokeSettings::radius] = *bench_case.radius_edges * mean_edge_length(session_->surface());
     if (bench_case.straight)
       recordings_.push_back(make_straight_stroke(session_->surface(), session_->picker(),
-                                                 *bench_case.straight, *overrides_.radius));
+                                                 *bench_case.straight,
+                                                 *settings_.find(&StrokeSettings::radius)));
   }
 
   CaseResult run(std::size_t repeat, const std::filesystem::path& picture);
@@ -118,7 +121,7 @@ class CaseRunner {
   CaseResult finish();
 
   const BenchCase& case_;
-  StrokeOverrides overrides_;
+  GivenSettings settings_;
   const Progress& progress_;
   Vec3d origin_ = Vec3d::Zero();  ///< origin to which positions are relative
   std::optional<Session> session_;
@@ -133,7 +136,7 @@ void CaseRunner::load(const BrushLibrary& brushes) {
   const auto start = Clock::now();
   LoadedSurface loaded = load_surface(case_.mesh, progress_);
   origin_ = loaded.from.origin;
-  overrides_.symmetry.centre -= origin_;
+  settings_[&StrokeSettings::symmetry].centre -= origin_;
   session_.emplace(std::move(loaded.surface), brushes);
   session_->set_paint(std::move(loaded.paint));
   result_.load_seconds = seconds_since(start);
@@ -150,7 +153,7 @@ Drawn CaseRunner::draw() {
     extent_.piece_ended(session);
   };
   for (std::size_t i = 0; i < recordings_.size(); ++i) {
-    const auto draw_one = [&] { add(replay(*session_, recordings_[i], overrides_, observer), drawn); };
+    const auto draw_one = [&] { add(replay(*session_, recordings_[i], settings_, observer), drawn); };
     case_.straight ? draw_one() : naming_file(case_.strokes[i], draw_one);
   }
   if (drawn.ends.seconds.empty()) throw Error("no stroke meets the surface");

@@ -68,7 +68,7 @@ Recording make_straight_stroke(const Surface& surface, const Picker& picker, con
         fmt::format("the made stroke is {:.3g} edges long; at most {:.0g} are walked", all, most_steps));
   Recording recording;
   RecordedStroke& recorded = recording.strokes.emplace_back();
-  recorded.radius = radius;
+  recorded.settings[&StrokeSettings::radius] = radius;
   recorded.fields.time = true;
   Walker walker(surface, picker, stroke.from, stroke.towards);
   for (std::size_t i = 0; i < stroke.samples; ++i) {

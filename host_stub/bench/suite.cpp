@@ -1,11 +1,12 @@
 #include "bench/suite.h"
 
-#include <fmt/format.h>
+#include <burin/base/text/json_value.h>
+#include <burin/stroke/files/setting_table.h>
+#include <burin/stroke/files/setting_values.h>
 
+#include <iterator>
 #include <set>
-
-#include "bench/json_value.h"
-#include "options/stroke_choices.h"
+#include <string_view>
 
 namespace burin {
 namespace fs = std::filesystem;
@@ -26,32 +27,12 @@ void read_if(const JsonValue& object, const std::string& name, Target& target, c
 }
 
 double positive(const JsonValue& value) { return value.positive(); }
-double number(const JsonValue& value) { return value.number(); }
-std::string text(const JsonValue& value) { return value.text(); }
-
-Vec3d point(const JsonValue& value) {
-  const std::vector<double> numbers = value.numbers();
-  if (numbers.size() != 3) value.reject("must be three numbers");
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
-ParamSetting param(const JsonValue& value) {
-  if (value.is_boolean()) return value.boolean();
-  if (value.is_text()) return value.text();
-  if (value.is_array()) return value.numbers();
-  return value.number();
-}
-
-ParamSettings params(const JsonValue& value) {
-  ParamSettings settings;
-  for (const auto& [name, setting] : value.members()) settings[name] = param(setting);
-  return settings;
-}
 
 StraightStroke straight_stroke(const JsonValue& value) {
-  value.allow_only({"samples", "from", "towards", "length_radii"});
-  StraightStroke stroke{value.member("samples").whole(2, 1000000), point(value.member("from")),
-                        point(value.member("towards")), value.member("length_radii").positive()};
+  constexpr std::string_view keys[] = {"samples", "from", "towards", "length_radii"};
+  value.allow_only(keys);
+  StraightStroke stroke{value.member("samples").whole(2, 1000000), read_point(value.member("from")),
+                        read_point(value.member("towards")), value.member("length_radii").positive()};
   if (stroke.from == stroke.towards) value.reject("'from' and 'towards' are the same place");
   return stroke;
 }
@@ -68,26 +49,6 @@ MeshOptions mesh(const JsonValue& value, const fs::path& folder) {
   return options;
 }
 
-StrokeOverrides overrides(const JsonValue& value) {
-  StrokeOverrides overrides;
-  read_if(value, "brush", overrides.brush, text);
-  read_if(value, "radius", overrides.radius, positive);
-  read_if(value, "strength", overrides.strength, number);
-  read_if(value, "params", overrides.params, params);
-  read_if(value, "overlap", overrides.overlap,
-          [](const JsonValue& name) { return name.choice(overlap_names()); });
-  read_if(value, "join", overrides.join, [](const JsonValue& name) { return name.choice(join_names()); });
-  read_if(value, "closed", overrides.closure,
-          [](const JsonValue& name) { return name.choice(closure_names()); });
-  read_if(value, "pressure_width", overrides.pressure_width, [](const JsonValue& share) {
-    if (!(share.number() >= 0 && share.number() <= 1)) share.reject("must be a number from 0 to 1");
-    return share.number();
-  });
-  read_if(value, "show_every", overrides.show_every,
-          [](const JsonValue& count) { return static_cast<std::size_t>(count.whole(0, 1000000)); });
-  return overrides;
-}
-
 void read_strokes(const JsonValue& value, const fs::path& folder, BenchCase& into) {
   if (const auto files = value.find("strokes")) {
     for (const JsonValue& file : files->items()) into.strokes.push_back(existing_file(file, folder));
@@ -96,21 +57,29 @@ void read_strokes(const JsonValue& value, const fs::path& folder, BenchCase& int
   read_if(value, "stroke", into.straight, straight_stroke);
   if (into.strokes.empty() == !into.straight) value.reject("takes either 'strokes' or 'stroke'");
   if (!into.straight) return;
-  if (!into.overrides.brush) value.reject("lacks 'brush', which a made stroke needs");
-  if (!into.overrides.radius && !into.radius_edges)
+  if (!into.settings.find(&StrokeSettings::brush)) value.reject("lacks 'brush', which a made stroke needs");
+  if (!into.settings.find(&StrokeSettings::radius) && !into.radius_edges)
     value.reject("lacks 'radius' or 'radius_edges', which a made stroke needs");
 }
 
+/// Those of a case besides the settings of strokes.
+constexpr std::string_view case_keys[] = {
+    "name", "mesh", "subdivide", "target_triangles", "strokes", "stroke", "radius_edges", "repeat", "axis"};
+
+void allow_only_known(const JsonValue& value) {
+  std::vector<std::string_view> keys(std::begin(case_keys), std::end(case_keys));
+  for (const SettingRow& row : setting_table()) keys.push_back(row.key);
+  value.allow_only(keys);
+}
+
 BenchCase read_case(const JsonValue& value, const fs::path& folder) {
-  value.allow_only({"name", "mesh", "subdivide", "target_triangles", "strokes", "stroke", "brush", "radius",
-                    "radius_edges", "strength", "params", "overlap", "join", "closed", "pressure_width",
-                    "show_every", "repeat", "axis"});
+  allow_only_known(value);
   BenchCase bench_case;
   bench_case.name = value.member("name").text();
   bench_case.mesh = mesh(value, folder);
-  bench_case.overrides = overrides(value);
+  read_settings(value, SettingsOf::suite, bench_case.settings);
   read_if(value, "radius_edges", bench_case.radius_edges, positive);
-  if (bench_case.radius_edges && bench_case.overrides.radius)
+  if (bench_case.radius_edges && bench_case.settings.find(&StrokeSettings::radius))
     value.reject("takes either 'radius' or 'radius_edges'");
   read_strokes(value, folder, bench_case);
   read_if(value, "repeat", bench_case.repeat, [](const JsonValue& count) { return count.whole(1, 1000); });
@@ -129,7 +98,8 @@ const std::map<std::string, ScalingAxis>& scaling_axis_names() {
 
 Suite read_suite(const fs::path& path) {
   const JsonValue file = JsonValue::read(path);
-  file.allow_only({"burin_suite", "name", "cases"});
+  constexpr std::string_view keys[] = {"burin_suite", "name", "cases"};
+  file.allow_only(keys);
   file.member("burin_suite").whole(1, 1);
   Suite suite{path.string(), file.member("name").text(), {}};
   std::set<std::string> names;

@@ -1,9 +1,10 @@
 #pragma once
 #include <burin/base/vector.h>
-#include <burin/host/replay.h>
+#include <burin/stroke/given_settings.h>
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ struct BenchCase {
   std::vector<std::string> strokes;        ///< recordings; or, if none:
   std::optional<StraightStroke> straight;  ///< a made stroke
   std::optional<double> radius_edges;      ///< radius in mean edge lengths of the surface
-  StrokeOverrides overrides;
+  GivenSettings settings;                  ///< instead of the recorded ones
   std::size_t repeat = 3;
   ScalingAxis axis = ScalingAxis::none;
 };

@@ -6,16 +6,18 @@
 
 namespace burin {
 
-ParamSettings params_of_suite(const std::string& path, const StrokeOverrides& overrides,
-                              const BrushLibrary& brushes) {
+GivenSettings settings_of_suite(const std::string& path, const GivenSettings& settings,
+                                const BrushLibrary& brushes) {
+  if (!settings.find(&StrokeSettings::params)) return settings;
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  ParamSettings params = overrides.params;
-  for (auto& [name, setting] : params) {
+  GivenSettings seen = settings;
+  for (auto& [name, setting] : seen[&StrokeSettings::params]) {
     auto* text = std::get_if<std::string>(&setting);
-    if (text && !text->empty() && has_param(brushes, overrides.brush, name, {BURIN_PARAM_FILE}))
+    if (text && !text->empty() &&
+        has_param(brushes, settings.find(&StrokeSettings::brush), name, {BURIN_PARAM_FILE}))
       *text = (folder / *text).lexically_normal().string();
   }
-  return params;
+  return seen;
 }
 
 }  // namespace burin

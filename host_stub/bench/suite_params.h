@@ -1,13 +1,14 @@
 #pragma once
-#include <burin/host/replay.h>
+#include <burin/host/brush_library.h>
+#include <burin/stroke/given_settings.h>
 
 #include <string>
 
 namespace burin {
 
-/// Parameters that the suite at `path` gives, with files, which it names from its own folder, as they are
-/// seen from the working directory; "" stays no file.
-ParamSettings params_of_suite(const std::string& path, const StrokeOverrides& overrides,
-                              const BrushLibrary& brushes);
+/// The settings of a case of the suite at `path`, with files among the brush's parameters, which it names
+/// from its own folder, as they are seen from the working directory; "" stays no file.
+GivenSettings settings_of_suite(const std::string& path, const GivenSettings& settings,
+                                const BrushLibrary& brushes);
 
 }  // namespace burin

@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <tuple>
@@ -20,7 +19,7 @@
 #include "input/radius_fit.h"
 #include "input/stroke_input.h"
 #include "options/axes_option.h"
-#include "options/options.h"
+#include "options/setting_options.h"
 #include "options/view.h"
 #include "pictures/checkerboard.h"
 #include "pictures/curve_overlay.h"
@@ -33,13 +32,8 @@ namespace {
 struct ChartCommandOptions {
   std::string strokes, csv, png;
   std::size_t stroke = 1;  // from 1
-  std::optional<double> radius;
-  Cap cap = Cap::round;
-  Join join = Join::round;
+  GivenSettings settings;
   int order = 2;
-  std::optional<Closure> closure;
-  double pressure_width = 0;
-  std::optional<double> follow;
   bool check = false;
   MeshOptions mesh;
   AxesOptions axes;
@@ -53,21 +47,21 @@ const RecordedStroke& chosen_stroke(const ChartCommandOptions& options, const Re
                   fmt::format("has no stroke {}: it holds {}", options.stroke, recording.strokes.size()));
 }
 
-double chosen_radius(const ChartCommandOptions& options, const RecordedStroke& stroke) {
-  if (options.radius) return *options.radius;
-  if (stroke.radius) return *stroke.radius;
+/// What the stroke is drawn with, but for the brush.
+ReplaySettings chosen_settings(const ChartCommandOptions& options, const RecordedStroke& stroke) {
+  ReplaySettings settings = stroke.settings.complete();
+  options.settings.apply_to(settings);
+  if (settings.radius > 0) return settings;
   throw FileError(options.strokes,
                   fmt::format("stroke {} has no radius: give one with --radius", options.stroke));
 }
 
 /// The options to trace the stroke with, as replay() does.
-TraceOptions trace_options(const ChartCommandOptions& options, const RecordedStroke& stroke) {
-  const Closure recorded = stroke.closed ? Closure::closed : Closure::open;
-  const double radius = chosen_radius(options, stroke);
-  const DrivenStroke driven{stroke.fields, radius, options.stroke - 1};
-  return {.radius = radius,
-          .closure = options.closure.value_or(recorded),
-          .width = StrokeWidth(options.pressure_width, stroke.dynamics, driven)};
+TraceOptions trace_options(const ReplaySettings& settings, const PenFields& fields, std::size_t number) {
+  const DrivenStroke driven{fields, settings.radius, number};
+  return {.radius = settings.radius,
+          .closure = settings.closure,
+          .width = StrokeWidth(settings.pressure_width, settings.dynamics, driven)};
 }
 
 /// The longest piece of the stroke, since a chart has only one arc length t.
@@ -191,8 +185,9 @@ void run(const ChartCommandOptions& options) {
   turn(recording, turn_of_strokes(options.axes, options.mesh.path));
   mend_times(recording);
   const RecordedStroke& stroke = chosen_stroke(options, recording);
-  const TraceOptions trace = trace_options(options, stroke);
-  const double radius = trace.radius;
+  const ReplaySettings settings = chosen_settings(options, stroke);
+  const TraceOptions trace = trace_options(settings, stroke.fields, options.stroke - 1);
+  const double radius = settings.radius;
   const LoadedSurface loaded = load_mesh_or_points_on_console(options.mesh);
   move_origin(recording, loaded.from.origin);
   if (loaded.surface.is_point_set() && !options.png.empty()) {
@@ -203,10 +198,10 @@ void run(const ChartCommandOptions& options) {
   warn_of_radii(options.mesh.path, loaded.surface, {radius});
   const Picker picker(loaded.surface);
   const ChartOptions how{.radius = radius,
-                         .cap = options.cap,
+                         .cap = settings.cap,
                          .order = options.order,
-                         .join = options.join,
-                         .follow = options.follow.value_or(stroke.follow.value_or(0))};
+                         .join = settings.join,
+                         .follow = settings.follow};
   const SurfaceLevels levels(loaded.surface);
   StrokeChartBuilder builder(loaded.surface, &levels);
   builder.begin(how);
@@ -240,21 +235,13 @@ void add_chart(CLI::App& app) {
   command.get_option("--mesh")->description(
       "surface, cage or point set (PLY without faces, with nx, ny, nz)");
   add_view_options(command, options->view);
-  command.add_option("--radius", options->radius, "object units, instead of the recorded one")
-      ->check(positive_number());
-  static const std::map<std::string, Cap> caps = {{"butt", Cap::butt}, {"round", Cap::round}};
-  command
-      .add_option_function<std::string>(
-          "--cap", [options](const std::string& name) { options->cap = caps.at(name); },
-          "ends: round or butt")
-      ->check(CLI::IsMember({"butt", "round"}));
+  constexpr std::string_view keys[] = {"radius", "cap", "join", "closed", "pressure_width", "follow"};
+  add_setting_options(command, options->settings, keys);
   command
       .add_option("--order", options->order,
                   "of the chart: 1, as published, or 2, on curved strokes and surfaces")
       ->check(CLI::IsMember({1, 2}))
       ->capture_default_str();
-  add_stroke_options(command, options->closure, options->pressure_width, options->join);
-  add_follow_option(command, options->follow);
   command.add_option("--csv", options->csv, "table to write")->type_name("FILE");
   command.add_option("--png", options->png, "picture to write: a checkerboard of (t, d)")->type_name("FILE");
   command.add_flag(
@@ -263,7 +250,8 @@ void add_chart(CLI::App& app) {
       "distances are off; for round ends and bends");
   command.add_flag("--json", options->json, "write JSON to the standard output");
   command.callback([options] {
-    if (options->check && (options->cap != Cap::round || options->join != Join::round))
+    const ReplaySettings settings = options->settings.complete();
+    if (options->check && (settings.cap != Cap::round || settings.join != Join::round))
       throw CLI::ValidationError("--check", "needs round ends and bends: --cap round --join round");
     run(*options);
   });

@@ -15,7 +15,7 @@ bool has_param(const burin_brush_descriptor& brush, std::string_view name,
 
 }  // namespace
 
-bool has_param(const BrushLibrary& brushes, const std::optional<std::string>& brush, std::string_view name,
+bool has_param(const BrushLibrary& brushes, const std::string* brush, std::string_view name,
                std::initializer_list<burin_param_type> types) {
   return std::ranges::any_of(brushes.brushes(), [&](const BrushEntry& entry) {
     return (!brush || *brush == entry.descriptor->id) && has_param(*entry.descriptor, name, types);

@@ -3,14 +3,13 @@
 #include <burin/host/brush_library.h>
 
 #include <initializer_list>
-#include <optional>
 #include <string>
 #include <string_view>
 
 namespace burin {
 
-/// Whether the brush, or without `brush` any brush, has a parameter with this name and one of these types.
-bool has_param(const BrushLibrary& brushes, const std::optional<std::string>& brush, std::string_view name,
+/// Whether the brush, or any brush if `brush` is null, has a parameter with this name and one of these types.
+bool has_param(const BrushLibrary& brushes, const std::string* brush, std::string_view name,
                std::initializer_list<burin_param_type> types);
 
 }  // namespace burin

@@ -19,7 +19,7 @@
 #include "options/axes_option.h"
 #include "options/bake_option.h"
 #include "options/options.h"
-#include "options/sculpt_options.h"
+#include "options/setting_options.h"
 #include "options/view.h"
 #include "pictures/painted.h"
 #include "pictures/render.h"
@@ -37,7 +37,7 @@ struct ReplayOptions {
   ReplayMeshOptions mesh;
   AxesOptions axes;
   BakeOptions bake;
-  StrokeOverrides overrides;
+  GivenSettings settings;  ///< instead of the recorded ones
   ViewOptions view;
   std::string save_mesh, png, report;
   bool json = false;
@@ -53,13 +53,19 @@ std::vector<Recording> read_recordings(const ReplayOptions& options) {
   return recordings;
 }
 
+/// The radius of a stroke, object units; 0 for none.
+double radius_of(const ReplayOptions& options, const RecordedStroke& stroke) {
+  ReplaySettings settings = stroke.settings.complete();
+  options.settings.apply_to(settings);
+  return settings.radius;
+}
+
 /// The radii of all strokes that have one, object units.
 std::vector<double> radii(const ReplayOptions& options, const std::vector<Recording>& recordings) {
   std::vector<double> radii;
   for (const Recording& recording : recordings)
     for (const RecordedStroke& stroke : recording.strokes)
-      if (const auto& radius = options.overrides.radius ? options.overrides.radius : stroke.radius)
-        radii.push_back(*radius);
+      if (const double radius = radius_of(options, stroke); radius > 0) radii.push_back(radius);
   return radii;
 }
 
@@ -74,7 +80,7 @@ ReplaySummary replay_all(Session& session, const ReplayOptions& options,
   if (draws(options)) observer.piece_ended = [&](const Session& done) { witness.piece_ended(done); };
   for (std::size_t i = 0; i < recordings.size(); ++i) {
     naming_file(options.strokes[i],
-                [&] { add_result(summary, replay(session, recordings[i], options.overrides, observer)); });
+                [&] { add_result(summary, replay(session, recordings[i], options.settings, observer)); });
   }
   summary.peak_memory = peak_memory();
   return summary;
@@ -115,7 +121,8 @@ void check_options(const ReplayOptions& options, const BrushLibrary& library) {
   check_output_path(options.png);
   check_report_folder(options.report);
   check_bake_path(options.bake);
-  if (options.overrides.brush) naming_file("--brush", [&] { library.find(*options.overrides.brush); });
+  if (const std::string* brush = options.settings.find(&StrokeSettings::brush))
+    naming_file("--brush", [&] { library.find(*brush); });
 }
 
 /// Completes the finest level of a mesh with levels; the summary then describes that level.
@@ -155,7 +162,7 @@ void save_mesh(const ReplayOptions& options, const Session& session, const Repla
 /// Parses parameter settings. A value that looks like a number stays text if the brush's parameter is text.
 ParamSettings read_params(const ReplayOptions& options, const BrushLibrary& library) {
   return parse_param_settings(options.params, [&](const std::string& name) {
-    return has_param(library, options.overrides.brush, name,
+    return has_param(library, options.settings.find(&StrokeSettings::brush), name,
                      {BURIN_PARAM_TEXT, BURIN_PARAM_FILE, BURIN_PARAM_CHOICE});
   });
 }
@@ -164,11 +171,11 @@ void run(ReplayOptions& options) {
   BrushLibrary library(log_on_console, stamp_services());
   load_brushes(library);
   check_options(options, library);
-  options.overrides.params = read_params(options, library);
+  options.settings[&StrokeSettings::params] = read_params(options, library);
   std::vector<Recording> recordings = read_recordings(options);
   ReplayMesh mesh(options.mesh, {.baked = options.bake.asked(), .saved = !options.save_mesh.empty()});
   for (Recording& recording : recordings) move_origin(recording, mesh.origin());
-  options.overrides.symmetry.centre -= mesh.origin();
+  options.settings[&StrokeSettings::symmetry].centre -= mesh.origin();
   Session session(mesh.take_surface(), library);
   session.set_paint(mesh.take_paint());
   warn_of_radii(options.mesh.mesh.path, session.surface(), radii(options, recordings));
@@ -200,24 +207,7 @@ void add_replay(CLI::App& app) {
       ->type_name("FILE.stroke");
   add_replay_mesh_options(command, options->mesh);
   add_axes_options(command, options->axes);
-  StrokeOverrides& overrides = options->overrides;
-  command.add_option("--brush", overrides.brush, "instead of the recorded brush")->type_name("ID");
-  command.add_option("--radius", overrides.radius, "object units, instead of the recorded one")
-      ->check(positive_number());
-  command.add_option("--strength", overrides.strength, "factor on the brush's displacement")
-      ->check(finite_number());
-  add_sculpt_options(command, overrides);
-  add_stroke_options(command, overrides.closure, overrides.pressure_width, overrides.join);
-  add_follow_option(command, overrides.follow);
-  add_input_options(command, overrides.dynamics, overrides.stabilising);
-  command
-      .add_option("--show-every", overrides.show_every,
-                  "show every so many samples, as where several come at a time; 0: each stroke at its end")
-      ->capture_default_str();
-  command.add_option("--param", options->params, "parameter of the brush, repeatable")
-      ->type_name("NAME=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_all_setting_options(command, options->settings, options->params);
   command
       .add_option("--save-mesh", options->save_mesh,
                   "surface to write, with what is painted on it: .ply, .glb, .obj or .off")

@@ -32,11 +32,8 @@ TriangleMesh load(const char* path) {
 }
 
 void draw(Session& session, Buffers& shown, const RecordedStroke& recorded) {
-  StrokeSettings settings;
-  settings.brush = recorded.brush.value();
-  settings.radius = recorded.radius.value();
-  settings.strength = recorded.strength;
-  settings.params = recorded.params;  // or set single ones: settings.params["depth"] = 0.3
+  // Or by hand: settings.brush = "org.burin.groove", settings.radius = 0.1, settings.params["depth"] = 0.3.
+  StrokeSettings settings = recorded.settings.complete();
   settings.fields = recorded.fields;  // what the pen reports; its pressure is refused otherwise
   StrokePieces stroke(session, settings);
   for (const Sample& sample : recorded.samples)

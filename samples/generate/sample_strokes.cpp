@@ -97,9 +97,9 @@ struct BrushUse {
 
 RecordedStroke drawn(const BrushUse& use, const PenPath& path, const PenStyle& style) {
   RecordedStroke stroke;
-  stroke.brush = use.brush;
-  stroke.radius = use.radius;
-  stroke.params = use.params;
+  stroke.settings[&StrokeSettings::brush] = use.brush;
+  stroke.settings[&StrokeSettings::radius] = use.radius;
+  stroke.settings[&StrokeSettings::params] = use.params;
   stroke.fields = tablet;
   for (const PenEvent& event : draw(path, style))
     stroke.samples.push_back({event.time, path(event.u) + event.tremor, event.pen});

@@ -37,8 +37,8 @@ TEST(Overlap, DoesNotAddUpOverPasses) {
 }
 
 TEST(Overlap, HasNames) {
-  for (const auto& [name, overlap] : named_overlaps) EXPECT_EQ(name_of(overlap), name);
-  EXPECT_EQ(name_of(Overlap::latest), "latest");
+  for (const auto& [name, overlap] : named_overlaps) EXPECT_EQ(name_of(named_overlaps, overlap), name);
+  EXPECT_EQ(name_of(named_overlaps, Overlap::latest), "latest");
 }
 
 }  // namespace

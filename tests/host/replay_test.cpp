@@ -14,8 +14,8 @@ using test::settings;
 
 RecordedStroke stroke_of(std::vector<Sample> samples) {
   RecordedStroke stroke;
-  stroke.brush = "org.burin.groove";
-  stroke.radius = 0.1;
+  stroke.settings[&StrokeSettings::brush] = "org.burin.groove";
+  stroke.settings[&StrokeSettings::radius] = 0.1;
   stroke.fields = {.time = true, .pressure = true, .tilt = true};
   stroke.samples = std::move(samples);
   return stroke;
@@ -88,8 +88,8 @@ TEST(Replay, TellsTheSamplesOfAPacketApart) {
     even.strokes[0].samples[i].time = i * interval;
     packets.strokes[0].samples[i].time = (i + 3) / 4 * 4 * interval;
   }
-  StrokeOverrides fast;
-  fast.dynamics = {{"strength", PenSource::speed, {0, 0, 100, 1}}};
+  GivenSettings fast;
+  fast[&StrokeSettings::dynamics] = {{"strength", PenSource::speed, {0, 0, 100, 1}}};
   Session at_even = test::plane_session(), in_packets = test::plane_session();
   replay(at_even, even, fast);
   replay(in_packets, packets, fast);
@@ -104,8 +104,8 @@ TEST(Replay, TakesAStandingClockForNone) {
   standing.strokes = without.strokes = {stroke_of(test::wave())};
   for (Sample& sample : standing.strokes[0].samples) sample.time = 7;
   without.strokes[0].fields.time = false;
-  StrokeOverrides fast;
-  fast.dynamics = {{"strength", PenSource::speed, {0, 0, 100, 1}}};
+  GivenSettings fast;
+  fast[&StrokeSettings::dynamics] = {{"strength", PenSource::speed, {0, 0, 100, 1}}};
   Session neutral = test::plane_session(), session = test::plane_session();
   EXPECT_EQ(replay(neutral, without, fast).standing_clocks, 0u);
   const ReplayResult result = replay(session, standing, fast);
@@ -121,8 +121,8 @@ TEST(Replay, IsTheSameHoweverManySamplesAreShown) {
   EXPECT_EQ(every.latencies.size(), 40u);
   for (const std::size_t show_every : {0u, 3u, 40u}) {
     Session session = test::plane_session();
-    StrokeOverrides overrides;
-    overrides.show_every = show_every;
+    GivenSettings overrides;
+    overrides[&ReplaySettings::show_every] = show_every;
     const ReplayResult result = replay(session, recording, overrides);
     EXPECT_EQ(result.hash, every.hash) << show_every;
     EXPECT_EQ(result.samples_drawn, 40u);
@@ -173,13 +173,13 @@ TEST(Replay, BreaksStrokesWhereThePenLeavesTheSurface) {
 }
 
 /// A straight groove of depth 0.05 over the plane, of which some samples are raised off the surface.
-double deepest_without(const std::set<int>& raised, const StrokeOverrides& overrides = {}) {
+double deepest_without(const std::set<int>& raised, const GivenSettings& overrides = {}) {
   std::vector<Sample> samples;
   for (int i = 0; i < 81; ++i)
     samples.push_back({0.01 * i, Vec3d(0.015 * i - 0.6, 0, raised.contains(i) ? 0.5 : 0), {}});
   Recording recording;
   recording.strokes = {stroke_of(samples)};
-  recording.strokes[0].params = {{"depth", 0.5}, {"taper", 0.0}};
+  recording.strokes[0].settings[&StrokeSettings::params] = {{"depth", 0.5}, {"taper", 0.0}};
   Session session = test::plane_session();
   EXPECT_EQ(replay(session, recording, overrides).pieces, raised.empty() ? 1u : 2u);
   double deepest = 0;
@@ -191,8 +191,8 @@ TEST(Replay, StartsAllPiecesFromTheSurfaceBeforeTheStroke) {
   EXPECT_NEAR(deepest_without({}), 0.05, 1e-4);
   EXPECT_NEAR(deepest_without({40}), 0.05, 1e-4);
   EXPECT_NEAR(deepest_without({39, 40, 41}), 0.05, 1e-4);
-  StrokeOverrides added;
-  added.overlap = Overlap::add;
+  GivenSettings added;
+  added[&StrokeSettings::overlap] = Overlap::add;
   EXPECT_GT(deepest_without({40}, added), 0.08) << "caps that overlap add up where sheets do";
 }
 
@@ -217,12 +217,12 @@ TEST(Replay, BreaksStrokesAcrossAGap) {
 TEST(Replay, TakesOverridesFirst) {
   Recording recording;
   recording.strokes = {stroke_of(test::wave())};
-  recording.strokes[0].params = {{"depth", 0.1}, {"width", 0.5}};
+  recording.strokes[0].settings[&StrokeSettings::params] = {{"depth", 0.1}, {"width", 0.5}};
   Session replayed = test::plane_session(), drawn = test::plane_session();
-  StrokeOverrides overrides;
-  overrides.radius = 0.2;
-  overrides.strength = 0.5;
-  overrides.params = {{"depth", 0.3}};
+  GivenSettings overrides;
+  overrides[&StrokeSettings::radius] = 0.2;
+  overrides[&StrokeSettings::strength] = 0.5;
+  overrides[&StrokeSettings::params] = {{"depth", 0.3}};
   const ReplayResult result = replay(replayed, recording, overrides);
   StrokeSettings by_hand = settings("org.burin.groove", 0.2);
   by_hand.fields = {.time = true, .pressure = true, .tilt = true};
@@ -237,8 +237,8 @@ TEST(Replay, FollowsReliefAsRecordedOrTold) {
   recording.strokes = {stroke_of(test::wave_on_sphere())};
   const auto replayed = [&](std::optional<double> told) {
     Session session = test::sphere_session();
-    StrokeOverrides overrides;
-    overrides.follow = told;
+    GivenSettings overrides;
+    if (told) overrides[&StrokeSettings::follow] = *told;
     return replay(session, recording, overrides).hash;
   };
   const auto drawn = [](double follow) {
@@ -249,11 +249,11 @@ TEST(Replay, FollowsReliefAsRecordedOrTold) {
     test::draw(session, by_hand, test::wave_on_sphere());
     return session.result_hash();
   };
-  recording.strokes[0].radius = 0.2;
+  recording.strokes[0].settings[&StrokeSettings::radius] = 0.2;
   EXPECT_NE(drawn(0), drawn(1));
   EXPECT_EQ(replayed({}), drawn(0));
   EXPECT_EQ(replayed(0.5), drawn(0.5));
-  recording.strokes[0].follow = 1;
+  recording.strokes[0].settings[&StrokeSettings::follow] = 1;
   EXPECT_EQ(replayed({}), drawn(1));
   EXPECT_EQ(replayed(0), drawn(0));
 }
@@ -261,21 +261,21 @@ TEST(Replay, FollowsReliefAsRecordedOrTold) {
 TEST(Replay, LeavesTheParametersOfAnotherBrushBehind) {
   Recording recording;
   recording.strokes = {stroke_of(test::wave())};
-  recording.strokes[0].params = {{"depth", 0.1}};
+  recording.strokes[0].settings[&StrokeSettings::params] = {{"depth", 0.1}};
   Session session = test::plane_session();
-  StrokeOverrides overrides;
-  overrides.brush = "org.burin.test.every-input";
+  GivenSettings overrides;
+  overrides[&StrokeSettings::brush] = "org.burin.test.every-input";
   EXPECT_EQ(replay(session, recording, overrides).samples_drawn, 40u);
 }
 
 TEST(Replay, NamesTheStrokeThatLacksSomethingBeforeDrawing) {
   Recording recording;
   recording.strokes = {stroke_of(test::wave()), stroke_of(test::wave())};
-  recording.strokes[1].brush.reset();
+  recording.strokes[1].settings.erase(&StrokeSettings::brush);
   Session session = test::plane_session();
   EXPECT_EQ(error_of([&] { replay(session, recording); }), "stroke 2 names no brush");
   recording.strokes[1] = recording.strokes[0];
-  recording.strokes[1].radius.reset();
+  recording.strokes[1].settings.erase(&StrokeSettings::radius);
   EXPECT_EQ(error_of([&] { replay(session, recording); }), "stroke 2 has no radius");
   EXPECT_FALSE(session.undo());
 }
@@ -308,10 +308,10 @@ TEST(Replay, ClosesWhatIsMarkedClosedUnlessToldOtherwise) {
   for (const auto& [marked, told, turns, closed, left_open] : cases) {
     Recording recording;
     recording.strokes = {stroke_of(loop(0.6, 120, turns))};
-    recording.strokes[0].closed = marked;
+    if (marked) recording.strokes[0].settings[&ReplaySettings::closure] = Closure::closed;
     Session session = test::plane_session();
-    StrokeOverrides overrides;
-    overrides.closure = told;
+    GivenSettings overrides;
+    if (told) overrides[&ReplaySettings::closure] = *told;
     EXPECT_EQ(replay(session, recording, overrides).left_open, left_open);
     EXPECT_EQ(session.curve().closed, closed);
     EXPECT_EQ(session.chart().closed, closed);
@@ -325,7 +325,7 @@ TEST(Replay, LeavesAClosedStrokeOpenThatBreaks) {
   std::vector<Sample> samples = loop(0.6);
   for (Sample& sample : samples) sample.position.x() = 0.6 - sample.position.x();  // over the edge at x = 1
   Recording recording = on_screen(samples);
-  recording.strokes[0].closed = true;
+  recording.strokes[0].settings[&ReplaySettings::closure] = Closure::closed;
   Session session = test::plane_session();
   std::size_t closed = 0;
   const ReplayObserver watch{{}, [&](const Session& drawn) { closed += drawn.curve().closed; }};
@@ -343,12 +343,12 @@ TEST(Replay, NarrowsTheStrokeWithThePressure) {
   for (int i = 0; i <= 50; ++i)
     line.push_back(
         {0.01 * i, Vec3d(-0.7 + 1.4 * i / 50, 0, 0), {.pressure = 1 - static_cast<float>(i) / 50}});
-  StrokeOverrides overrides;
-  overrides.pressure_width = 0.75;
+  GivenSettings overrides;
+  overrides[&StrokeSettings::pressure_width] = 0.75;
   Recording recording;
   for (const bool has_pressure : {true, false}) {
     recording.strokes = {stroke_of(has_pressure ? line : test::without_pen(line))};
-    recording.strokes[0].params = {{"taper", 0.0}, {"depth", -0.5}};
+    recording.strokes[0].settings[&StrokeSettings::params] = {{"taper", 0.0}, {"depth", -0.5}};
     recording.strokes[0].fields.pressure = has_pressure;
     Session session = test::plane_session();
     replay(session, recording, overrides);
@@ -365,7 +365,7 @@ TEST(Replay, NarrowsTheStrokeWithThePressure) {
     EXPECT_LT(worst, 1e-4);
     EXPECT_NEAR(widest_at_end, has_pressure ? 0.046 : 0.1, 0.008);
   }
-  overrides.pressure_width = 1.5;
+  overrides[&StrokeSettings::pressure_width] = 1.5;
   Session session = test::plane_session();
   EXPECT_EQ(error_of([&] { replay(session, recording, overrides); }),
             "stroke 1: a stroke's pressure width must be from 0 to 1, not 1.5");
@@ -378,12 +378,13 @@ std::vector<double> scales_around(int first, bool closed) {
   for (std::size_t i = 0; i < samples.size(); ++i)
     samples[i].position = places[(i + static_cast<std::size_t>(first)) % places.size()].position;
   recording.strokes = {stroke_of(samples)};
-  recording.strokes[0].closed = closed;
-  StrokeOverrides overrides;
-  overrides.brush = "org.burin.scales";
-  overrides.radius = 0.15;
+  recording.strokes[0].settings[&ReplaySettings::closure] = closed ? Closure::closed : Closure::open;
+  GivenSettings overrides;
+  overrides[&StrokeSettings::brush] = "org.burin.scales";
+  overrides[&StrokeSettings::radius] = 0.15;
   // Twelve tiles of five samples each, were they not rounded to be whole: 11.6.
-  overrides.params = {{"stamp", std::string(BURIN_SAMPLES "/stamps/scales.exr")}, {"tile", 1.3 / 0.6}};
+  overrides[&StrokeSettings::params] = {{"stamp", std::string(BURIN_SAMPLES "/stamps/scales.exr")},
+                                        {"tile", 1.3 / 0.6}};
   Session session = test::plane_session();
   replay(session, recording, overrides);
   std::vector<double> heights;
@@ -415,9 +416,9 @@ TEST(Replay, StampsScalesWithARealPicture) {
   BURIN_SHARED_DATA_OR_SKIP(path, "stamps/Rock035_height_1024_half_zip.exr");
   Recording recording;
   recording.strokes = {stroke_of(test::wave_on_sphere())};
-  StrokeOverrides overrides;
-  overrides.brush = "org.burin.scales";
-  overrides.params = {{"stamp", path.string()}};
+  GivenSettings overrides;
+  overrides[&StrokeSettings::brush] = "org.burin.scales";
+  overrides[&StrokeSettings::params] = {{"stamp", path.string()}};
   Session session = test::sphere_session();
   const Surface base = session.surface();
   EXPECT_EQ(replay(session, recording, overrides).samples_drawn, 40u);

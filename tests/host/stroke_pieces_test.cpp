@@ -62,8 +62,8 @@ std::uint64_t drawn_in_pieces(const Surface& surface, const std::vector<Sample>&
 
 ReplayResult replayed(const Surface& surface, const std::vector<Sample>& samples) {
   RecordedStroke stroke;
-  stroke.brush = groove().brush;
-  stroke.radius = groove().radius;
+  stroke.settings[&StrokeSettings::brush] = groove().brush;
+  stroke.settings[&StrokeSettings::radius] = groove().radius;
   stroke.fields = groove().fields;
   stroke.samples = samples;
   Recording recording;

@@ -40,8 +40,8 @@ TEST(ImportCommand, GivesStrokesInFrontOfTheMesh) {
   ASSERT_EQ(recording.strokes.size(), 2u);
   std::size_t samples = 0;
   for (const RecordedStroke& stroke : recording.strokes) {
-    EXPECT_EQ(stroke.brush, "org.burin.groove");
-    EXPECT_EQ(stroke.radius, 0.05);
+    EXPECT_EQ(stroke.settings.complete().brush, "org.burin.groove");
+    EXPECT_EQ(stroke.settings.complete().radius, 0.05);
     EXPECT_TRUE(stroke.fields.pressure);
     samples += stroke.samples.size();
   }
@@ -64,8 +64,8 @@ TEST(ImportCommand, LeavesSettingsOpenUnlessGiven) {
   burin_output({"import", events, "--format", "mypaint", "--mesh", mesh, "--out", folder.path("a.stroke")});
   const Recording recording = read_strokes(folder.path("a.stroke"));
   ASSERT_EQ(recording.strokes.size(), 2u);
-  EXPECT_FALSE(recording.strokes[0].brush);
-  EXPECT_FALSE(recording.strokes[0].radius);
+  EXPECT_FALSE(recording.strokes[0].settings.find(&StrokeSettings::brush));
+  EXPECT_FALSE(recording.strokes[0].settings.find(&StrokeSettings::radius));
 }
 
 TEST(ImportCommand, TellsWhatItLeavesOutAndChanges) {

@@ -94,7 +94,8 @@ TEST_P(ObjectStroke, HoldsTenThousandVerticesUnderTheBrush) {
   std::size_t fewest = ewer().positions.size();
   for (std::size_t i = 0; i < stroke.samples.size(); i += 100) {
     const Vec3f centre = stroke.samples[i].position.cast<float>();
-    const auto inside = [&](const Vec3f& p) { return (p - centre).norm() < *stroke.radius; };
+    const double radius = stroke.settings.complete().radius;
+    const auto inside = [&](const Vec3f& p) { return (p - centre).norm() < radius; };
     const auto count = std::count_if(ewer().positions.begin(), ewer().positions.end(), inside);
     fewest = std::min(fewest, static_cast<std::size_t>(count));
   }
@@ -115,7 +116,8 @@ double closest_return(const std::vector<Sample>& samples, double apart) {
 TEST_P(ObjectStroke, KeepsClearOfItself) {
   const Recording file = recording(GetParam());
   const RecordedStroke& stroke = only_stroke(file);
-  EXPECT_GT(closest_return(stroke.samples, 4 * *stroke.radius), 2 * *stroke.radius);
+  const double radius = stroke.settings.complete().radius;
+  EXPECT_GT(closest_return(stroke.samples, 4 * radius), 2 * radius);
 }
 
 TEST(Scroll, MeetsTheEwerEverywhere) {

@@ -1,8 +1,10 @@
 #pragma once
+#include <burin/stroke/files/setting_table.h>
 #include <burin/stroke/recording.h>
 
 #include <bit>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 namespace burin::test {
 
@@ -18,10 +20,10 @@ inline bool same_bits(const Sample& a, const Sample& b) {
 }
 
 inline bool same_bits(const RecordedStroke& a, const RecordedStroke& b) {
-  if (a.brush != b.brush || a.radius != b.radius || a.strength != b.strength || a.follow != b.follow ||
-      a.closed != b.closed || a.params != b.params || a.dynamics != b.dynamics || a.fields != b.fields ||
-      a.samples.size() != b.samples.size())
-    return false;
+  auto of_a = nlohmann::ordered_json::object(), of_b = of_a;
+  write_settings(a.settings, of_a);
+  write_settings(b.settings, of_b);
+  if (of_a != of_b || a.fields != b.fields || a.samples.size() != b.samples.size()) return false;
   for (std::size_t i = 0; i < a.samples.size(); ++i)
     if (!same_bits(a.samples[i], b.samples[i])) return false;
   return true;

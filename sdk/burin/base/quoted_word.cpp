@@ -1,6 +1,6 @@
 // Makes text from files printable for messages.
 #include <burin/base/quoted_word.h>
-#include <burin/base/utf8.h>
+#include <burin/base/text/utf8.h>
 #include <fmt/format.h>
 
 namespace burin {

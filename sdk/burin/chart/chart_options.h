@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/chart/stroke_shape.h>
+#include <burin/stroke/stroke_choices.h>
 
 namespace burin {
 

@@ -1,13 +1,7 @@
 #include <burin/abi/plugin.h>
 #include <burin/deform/overlap.h>
 
-#include <algorithm>
-
 namespace burin {
-
-std::string_view name_of(Overlap overlap) {
-  return std::ranges::find(named_overlaps, overlap, &OverlapName::overlap)->name;
-}
 
 Overlap over_passes(Overlap chosen, std::uint32_t passes) {
   return chosen == Overlap::add && passes > 1 ? Overlap::strongest : chosen;

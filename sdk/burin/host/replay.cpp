@@ -2,6 +2,7 @@
 #include <burin/host/replay.h>
 #include <burin/host/stroke_pieces.h>
 #include <burin/stroke/sample_times.h>
+#include <burin/stroke/stabiliser.h>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -17,51 +18,23 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 /// Those of radius and strength mean the same to another brush, those of parameters nothing.
-std::vector<Dynamic> dynamics_of(const RecordedStroke& stroke, bool same_brush) {
-  std::vector<Dynamic> dynamics = stroke.dynamics;
-  if (!same_brush)
-    std::erase_if(dynamics, [](const Dynamic& d) { return d.target != "radius" && d.target != "strength"; });
+std::vector<Dynamic> without_params(std::vector<Dynamic> dynamics) {
+  std::erase_if(dynamics, [](const Dynamic& d) { return d.target != "radius" && d.target != "strength"; });
   return dynamics;
 }
 
-StrokeSettings settings_of(const Recording& recording, std::size_t index, const StrokeOverrides& overrides) {
-  const RecordedStroke& stroke = recording.strokes[index];
-  const auto& brush = overrides.brush ? overrides.brush : stroke.brush;
-  const auto& radius = overrides.radius ? overrides.radius : stroke.radius;
-  if (!brush) throw Error(fmt::format("stroke {} names no brush", index + 1));
-  if (!radius) throw Error(fmt::format("stroke {} has no radius", index + 1));
-  StrokeSettings settings;
-  settings.brush = *brush;
-  settings.radius = *radius;
-  settings.strength = overrides.strength.value_or(stroke.strength);
-  settings.overlap = overrides.overlap;
-  settings.accumulate = overrides.accumulate;
-  settings.clamp_to_radius = overrides.clamp_to_radius;
-  settings.symmetry = overrides.symmetry;
-  settings.dab_spacing = overrides.dab_spacing;
-  settings.follow = overrides.follow.value_or(stroke.follow.value_or(settings.follow));
-  settings.pressure_width = overrides.pressure_width;
-  settings.join = overrides.join;
-  settings.params = overrides.params;
-  // Parameters of another brush mean nothing to this one.
-  if (stroke.brush == brush) settings.params.insert(stroke.params.begin(), stroke.params.end());
-  settings.dynamics = replaced(dynamics_of(stroke, stroke.brush == brush), overrides.dynamics);
-  settings.fields = stroke.fields;
-  settings.seed = index;
-  return settings;
-}
-
-std::vector<StrokeSettings> all_settings(const Recording& recording, const StrokeOverrides& overrides) {
-  std::vector<StrokeSettings> settings;
-  for (std::size_t i = 0; i < recording.strokes.size(); ++i)
-    settings.push_back(settings_of(recording, i, overrides));
+std::vector<ReplaySettings> all_settings(const Recording& recording, const GivenSettings& overrides) {
+  std::vector<ReplaySettings> settings;
+  for (const RecordedStroke& stroke : recording.strokes)
+    settings.push_back(replay_settings(stroke, settings.size(), overrides));
   return settings;
 }
 
 /// The recording as the stabiliser lets it through.
-Recording stabilised(Recording calm, const Stabilising& stabilising) {
+Recording stabilised(Recording calm, const std::vector<ReplaySettings>& settings) {
   for (std::size_t i = 0; i < calm.strokes.size(); ++i) {
     RecordedStroke& stroke = calm.strokes[i];
+    const Stabilising& stabilising = settings[i].stabilising;
     if (stabilising.kind == Stabilising::Kind::exponential && !stroke.fields.time)
       throw Error(fmt::format("stroke {} has no times, which the exponential stabiliser needs", i + 1));
     stroke.samples = stabilised(stroke.samples, stabilising);
@@ -72,13 +45,12 @@ Recording stabilised(Recording calm, const Stabilising& stabilising) {
 /// Draws one recorded stroke after the other, in as many pieces as it takes.
 class Replayer {
  public:
-  Replayer(Session& session, const Recording& recording, std::size_t show_every,
-           const ReplayObserver& observer)
-      : session_(session), recording_(recording), show_every_(show_every), observer_(observer) {
+  Replayer(Session& session, const Recording& recording, const ReplayObserver& observer)
+      : session_(session), recording_(recording), observer_(observer) {
     for (const RecordedStroke& stroke : recording.strokes) samples_ += stroke.samples.size();
   }
 
-  void draw(const RecordedStroke& stroke, const StrokeSettings& settings, Closure closure);
+  void draw(const RecordedStroke& stroke, const ReplaySettings& settings);
   ReplayResult finish();
 
  private:
@@ -92,7 +64,7 @@ class Replayer {
 
   Session& session_;
   const Recording& recording_;
-  std::size_t show_every_;
+  std::size_t show_every_ = 1;  ///< of the stroke being drawn
   const ReplayObserver& observer_;
   std::size_t samples_ = 0, samples_done_ = 0;
   std::size_t drawn_in_piece_ = 0;
@@ -103,8 +75,10 @@ class Replayer {
 
 /// A stroke breaks into pieces where the pen leaves the surface. Of one that does, only pieces that come back
 /// by themselves close.
-void Replayer::draw(const RecordedStroke& stroke, const StrokeSettings& settings, Closure closure) {
+void Replayer::draw(const RecordedStroke& stroke, const ReplaySettings& settings) {
   ++result_.strokes;
+  show_every_ = settings.show_every;
+  const Closure closure = settings.closure;
   const std::size_t pieces_before = result_.pieces;
   const Closure of_a_piece = closure_of_piece(closure);
   const auto end_piece = [&] { end([&] { return session_.end_piece(of_a_piece); }); };
@@ -182,19 +156,37 @@ ReplayResult Replayer::finish() {
 
 }  // namespace
 
-ReplayResult replay(Session& session, const Recording& recorded, const StrokeOverrides& overrides,
+ReplaySettings replay_settings(const RecordedStroke& stroke, std::size_t number,
+                               const GivenSettings& overrides) {
+  const ReplaySettings recorded = stroke.settings.complete();
+  ReplaySettings settings = recorded, told;
+  overrides.apply_to(settings);
+  overrides.apply_to(told);
+  if (settings.brush.empty()) throw Error(fmt::format("stroke {} names no brush", number + 1));
+  if (settings.radius == 0) throw Error(fmt::format("stroke {} has no radius", number + 1));
+  const bool same_brush = settings.brush == recorded.brush;
+  settings.params = told.params;
+  // Parameters of another brush mean nothing to this one.
+  if (same_brush) settings.params.insert(recorded.params.begin(), recorded.params.end());
+  settings.dynamics =
+      replaced(same_brush ? recorded.dynamics : without_params(recorded.dynamics), told.dynamics);
+  settings.fields = stroke.fields;
+  settings.seed = number;
+  return settings;
+}
+
+ReplayResult replay(Session& session, const Recording& recorded, const GivenSettings& overrides,
                     const ReplayObserver& observer) {
   Recording timed = recorded;
   const std::size_t standing_clocks = mend_times(timed);
-  const Recording recording = stabilised(std::move(timed), overrides.stabilising);
+  const std::vector<ReplaySettings> settings = all_settings(timed, overrides);
+  const Recording recording = stabilised(std::move(timed), settings);
   if (recording.space == StrokeSpace::screen && !recording.camera)
     throw ContractError("a recording in screen space without a camera");
-  const std::vector<StrokeSettings> settings = all_settings(recording, overrides);
-  Replayer replayer(session, recording, overrides.show_every, observer);
+  Replayer replayer(session, recording, observer);
   for (std::size_t i = 0; i < settings.size(); ++i) {
     try {
-      const Closure marked = recording.strokes[i].closed ? Closure::closed : Closure::open;
-      replayer.draw(recording.strokes[i], settings[i], overrides.closure.value_or(marked));
+      replayer.draw(recording.strokes[i], settings[i]);
     } catch (const Error& error) {
       throw Error(fmt::format("stroke {}: {}", i + 1, error.what()));
     }

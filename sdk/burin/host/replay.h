@@ -1,37 +1,15 @@
 #pragma once
 #include <burin/base/progress.h>
 #include <burin/host/session.h>
+#include <burin/stroke/given_settings.h>
 #include <burin/stroke/recording.h>
-#include <burin/stroke/stabiliser.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace burin {
-
-/// What is to hold instead of a recording's own settings.
-struct StrokeOverrides {
-  std::optional<std::string> brush;
-  std::optional<double> radius;
-  std::optional<double> strength;
-  std::optional<Overlap> overlap;
-  Accumulate accumulate = Accumulate::from_base;
-  bool clamp_to_radius = false;  ///< as in StrokeSettings
-  Symmetry symmetry;
-  double dab_spacing = 0;          ///< as in StrokeSettings
-  std::optional<Closure> closure;  ///< instead of what the recording marks
-  std::optional<double> follow;    ///< as in StrokeSettings
-  double pressure_width = 0;       ///< as in StrokeSettings
-  std::size_t show_every = 1;      ///< samples shown: every so many; 0: the whole stroke at its end
-  Join join = Join::round;
-  std::vector<Dynamic> dynamics;  ///< target by target over the recording's
-  Stabilising stabilising;        ///< of the samples, before anything else sees them
-  ParamSettings params;  ///< name by name over the recording's, where the brush is the recording's own
-};
 
 /// Who watches a replay; both may be empty.
 struct ReplayObserver {
@@ -57,10 +35,17 @@ struct ReplayResult {
   std::uint64_t hash = 0;  ///< Session::result_hash at the end
 };
 
+/// What a recorded stroke is drawn with: `overrides` before its own settings, of parameters name by name and
+/// of dynamics target by target. What is recorded for another brush than the chosen one is left out.
+/// `number`: of the stroke, from 0. Throws Error, naming the stroke's number from 1, when brush or radius are
+/// given by neither.
+ReplaySettings replay_settings(const RecordedStroke& stroke, std::size_t number,
+                               const GivenSettings& overrides);
+
 /// Draws all strokes of a recording, with its times as mend_times() leaves them. Throws Error naming the
 /// stroke's number, from 1, before anything is drawn, when a stroke has no brush or radius, or not the times
 /// that stabilising needs; else as Session.
-ReplayResult replay(Session& session, const Recording& recording, const StrokeOverrides& overrides = {},
+ReplayResult replay(Session& session, const Recording& recording, const GivenSettings& overrides = {},
                     const ReplayObserver& observer = {});
 
 }  // namespace burin

@@ -4,8 +4,8 @@
 #include <burin/deform/paint.h>
 #include <burin/host/brush_library.h>
 #include <burin/host/event_cost.h>
-#include <burin/host/stroke_settings.h>
 #include <burin/stroke/curve.h>
+#include <burin/stroke/stroke_settings.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/stroke/pen.h>
+#include <burin/stroke/stroke_choices.h>
 #include <burin/surface/surface_point.h>
 
 #include <algorithm>
@@ -47,13 +48,6 @@ struct SurfaceCurve {
   double segment_end(std::size_t segment) const {
     return segment + 1 < points.size() ? points[segment + 1].t : length();
   }
-};
-
-/// Whether a stroke is closed.
-enum class Closure {
-  open,
-  closed,
-  automatic,  ///< closed if CurveTracer::came_back()
 };
 
 }  // namespace burin

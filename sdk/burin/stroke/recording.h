@@ -1,7 +1,6 @@
 #pragma once
 #include <burin/stroke/camera.h>
-#include <burin/stroke/dynamics.h>
-#include <burin/stroke/param_setting.h>
+#include <burin/stroke/given_settings.h>
 #include <burin/stroke/pen.h>
 
 #include <optional>
@@ -23,15 +22,10 @@ struct Sample {
   Pen pen;
 };
 
-/// One stroke of a recording. Settings that the file does not have are empty; the caller must supply them.
+/// One stroke of a recording. Settings that the file does not have are not given; the caller must supply
+/// them.
 struct RecordedStroke {
-  std::optional<std::string> brush;
-  std::optional<double> radius;  ///< object units, > 0
-  double strength = 1;
-  std::optional<double> follow;  ///< 0..1, how much of the relief the stroke follows, see StrokeSettings
-  bool closed = false;
-  ParamSettings params;
-  std::vector<Dynamic> dynamics;
+  GivenSettings settings;  ///< the rows of the setting table marked as recorded
   PenFields fields;
   std::vector<Sample> samples;  ///< finite as floats, pressure 0..1, time not falling
 };

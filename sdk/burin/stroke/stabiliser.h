@@ -1,22 +1,12 @@
 #pragma once
 #include <burin/stroke/recording.h>
+#include <burin/stroke/stroke_choices.h>
 
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace burin {
-
-/// How the tremor of the hand is filtered out of a stroke.
-struct Stabilising {
-  enum class Kind {
-    none,
-    string,       ///< the pen pulls the brush by a string, so the brush moves along a tractrix
-    exponential,  ///< the brush is at the mean of the pen's positions, weighted by exp(-age / amount)
-  };
-  Kind kind = Kind::none;
-  double amount = 1;  ///< > 0; string: length in units of the samples' space; exponential: seconds
-};
 
 /// Filters the samples of one stroke before they are drawn, in object space or in pixels. The result is exact
 /// for a pen that moves straight and evenly from sample to sample, so it does not depend on the sampling

@@ -1,6 +1,6 @@
 #include <burin/base/error.h>
-#include <burin/base/lower_case.h>
 #include <burin/base/quoted_word.h>
+#include <burin/base/text/lower_case.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/weld_mesh.h>

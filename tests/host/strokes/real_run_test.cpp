@@ -34,10 +34,10 @@ TEST(RealRun, DisplacesNothingOutsideTheChartsOfARecordedPen) {
   const std::vector<Vec3f> base(session.positions().begin(), session.positions().end());
   ASSERT_GE(session.surface().triangles.size(), 3'000'000u);
 
-  StrokeOverrides overrides;
-  overrides.brush = "org.burin.scales";
-  overrides.radius = 0.03;
-  overrides.params = {{"stamp", stamp_file.string()}};
+  GivenSettings overrides;
+  overrides[&StrokeSettings::brush] = "org.burin.scales";
+  overrides[&StrokeSettings::radius] = 0.03;
+  overrides[&StrokeSettings::params] = {{"stamp", stamp_file.string()}};
   std::vector<bool> in_a_chart(base.size(), false);
   const ReplayObserver mark_charts{{}, [&](const Session& drawn) {
                                      for (const Index vertex : drawn.chart().vertex)

@@ -316,24 +316,25 @@ TEST(Replay, TakesDynamicsFromRecordingAndOverrides) {
   Recording recording;
   recording.strokes.resize(1);
   RecordedStroke& stroke = recording.strokes[0];
-  stroke.brush = "org.burin.groove";
-  stroke.radius = 0.1;
-  stroke.params = {{"taper", 0.0}, {"depth", -0.5}};
+  stroke.settings[&StrokeSettings::brush] = "org.burin.groove";
+  stroke.settings[&StrokeSettings::radius] = 0.1;
+  stroke.settings[&StrokeSettings::params] = {{"taper", 0.0}, {"depth", -0.5}};
   stroke.fields = all_fields;
   stroke.samples = line(pressing);
-  stroke.dynamics = {{"depth", PenSource::t, {0, 1, 14, 2}}, {"strength", PenSource::t, {0, 1, 14, 3}}};
-  const auto error = [&](const StrokeOverrides& overrides, const std::function<double(double)>& height) {
+  stroke.settings[&StrokeSettings::dynamics] = {{"depth", PenSource::t, {0, 1, 14, 2}},
+                                                {"strength", PenSource::t, {0, 1, 14, 3}}};
+  const auto error = [&](const GivenSettings& overrides, const std::function<double(double)>& height) {
     Session session = test::plane_session();
     replay(session, recording, overrides);
     return worst_error(session, height);
   };
   EXPECT_LT(error({}, [](double t) { return (1 + t / 1.4) * (1 + 2 * t / 1.4); }), 2e-5);
-  StrokeOverrides overrides;
-  overrides.dynamics = {{"strength", PenSource::t, {0, 0.5}}};
+  GivenSettings overrides;
+  overrides[&StrokeSettings::dynamics] = {{"strength", PenSource::t, {0, 0.5}}};
   EXPECT_LT(error(overrides, [](double t) { return 0.5 * (1 + t / 1.4); }), 2e-5);
-  overrides.brush = "org.burin.scales";
-  overrides.params = {{"stamp", std::string(BURIN_SAMPLES "/stamps/scales.exr")}};
-  stroke.dynamics = {{"width", PenSource::t, {0, 1}}};
+  overrides[&StrokeSettings::brush] = "org.burin.scales";
+  overrides[&StrokeSettings::params] = {{"stamp", std::string(BURIN_SAMPLES "/stamps/scales.exr")}};
+  stroke.settings[&StrokeSettings::dynamics] = {{"width", PenSource::t, {0, 1}}};
   Session session = test::plane_session();
   replay(session, recording, overrides);  // the width is another brush's
 }
@@ -342,16 +343,16 @@ TEST(Replay, CalmsSamplesWhenTold) {
   Recording recording;
   recording.strokes.resize(1);
   RecordedStroke& stroke = recording.strokes[0];
-  stroke.brush = "org.burin.groove";
-  stroke.radius = 0.1;
+  stroke.settings[&StrokeSettings::brush] = "org.burin.groove";
+  stroke.settings[&StrokeSettings::radius] = 0.1;
   stroke.fields = all_fields;
   stroke.samples = line(pressing);
   for (std::size_t i = 0; i < stroke.samples.size(); ++i)
     stroke.samples[i].position.y() = i % 2 == 0 ? 0.01 : -0.01;
   const auto length = [&](const Stabilising& stabilising) {
     Session session = test::plane_session();
-    StrokeOverrides overrides;
-    overrides.stabilising = stabilising;
+    GivenSettings overrides;
+    overrides[&ReplaySettings::stabilising] = stabilising;
     replay(session, recording, overrides);
     const Vec3f end = session.curve().points.back().at.position;
     EXPECT_LT((end.cast<double>() - stroke.samples.back().position).norm(), 1e-6);

@@ -28,11 +28,12 @@ TEST(StrokeOverStroke, IsOnePieceAndAddsToTheRelief) {
   for (const auto& [file, depth] :
        {std::pair("strokes/scroll.stroke", 0.25), {"strokes/scale_band.stroke", 0.2}}) {
     const Recording recording = read_strokes(samples_folder / file);
-    for (const RecordedStroke& stroke : recording.strokes) amplitudes += depth * stroke.radius.value();
-    StrokeOverrides overrides;
-    overrides.show_every = 0;
-    overrides.brush = "org.burin.scales";
-    overrides.params = {{"stamp", (samples_folder / "stamps/scales.exr").string()}};
+    for (const RecordedStroke& stroke : recording.strokes)
+      amplitudes += depth * stroke.settings.complete().radius;
+    GivenSettings overrides;
+    overrides[&ReplaySettings::show_every] = 0;
+    overrides[&StrokeSettings::brush] = "org.burin.scales";
+    overrides[&StrokeSettings::params] = {{"stamp", (samples_folder / "stamps/scales.exr").string()}};
     EXPECT_EQ(replay(session, recording, overrides).pieces, 1U) << file;
   }
   double farthest = 0;

@@ -77,7 +77,7 @@ TEST(BenchAgainst, SaysWhatTheOtherBuildAnswered) {
   const std::string mute = comparison.folder.changed_burin("d");
   const ProcessResult nothing = comparison.run(mute, "2");
   EXPECT_EQ(nothing.exit_code, 2);
-  EXPECT_EQ(nothing.err, "burin: " + mute + ":1: malformed JSON\n");
+  EXPECT_EQ(nothing.err, "burin: " + mute + ":1: malformed JSON at column 1\n");
   EXPECT_EQ(comparison.run(comparison.folder.path("none"), "2").exit_code, 2);
   EXPECT_EQ(comparison.run(comparison.folder.path("suite.json"), "2").exit_code, 2) << "not a program";
 }

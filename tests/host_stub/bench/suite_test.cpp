@@ -78,7 +78,7 @@ TEST(BenchSuite, TellsTheLineOfBrokenJson) {
   const std::string suite = folder.write("broken.json", "{\"burin_suite\": 1,\n\"name\": oops}\n");
   const ProcessResult result = burin({"bench", suite});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(result.err, "burin: " + suite + ":2: malformed JSON\n");
+  EXPECT_EQ(result.err, "burin: " + suite + ":2: malformed JSON at column 9\n");
 }
 
 TEST(BenchSuite, TakesThoseOfTheSamples) {

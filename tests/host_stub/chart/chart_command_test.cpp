@@ -326,7 +326,7 @@ Camera write_screen_stroke(const std::string& path,
   const Vec3d corner = Vec3d::Ones();
   const Camera camera = framing_camera(-corner, corner, -Vec3d::UnitZ(), Vec3d::UnitY(), 640, 480, 0.5);
   RecordedStroke stroke;
-  stroke.radius = 0.2;
+  stroke.settings[&StrokeSettings::radius] = 0.2;
   stroke.fields.time = true;
   StrokeWriter writer(path, StrokeSpace::screen, camera);
   writer.begin(stroke);

@@ -103,22 +103,22 @@ TEST_F(PointerText, TurnsDegreesIntoRadians) {
 }
 
 TEST_F(PointerText, RejectsBadInput) {
-  EXPECT_EQ(complaint("{\"x\": [0,1],\n \"y\": [0,1],\n \"time\": [0,]}"), "3: malformed JSON");
-  EXPECT_EQ(complaint("{\"x\": [0,1"), "1: malformed JSON");
+  EXPECT_EQ(complaint("{\"x\": [0,1],\n \"y\": [0,1],\n \"time\": [0,]}"), "3: malformed JSON at column 13");
+  EXPECT_EQ(complaint("{\"x\": [0,1"), "1: malformed JSON at column 11");
   EXPECT_EQ(complaint("[1, 2]"), " expected an object of arrays x, y, time");
-  EXPECT_EQ(complaint(R"({"x": [0,1], "time": [0,1]})"), "y: expected an array of numbers");
-  EXPECT_EQ(complaint(R"({"y": [0,1], "time": [0,1]})"), "x: expected an array of numbers");
-  EXPECT_EQ(complaint(R"({"x": [0,1], "y": [0], "time": [0,1]})"), "y: has 1 values, x has 2");
-  EXPECT_EQ(complaint(R"({"x": [0,1], "y": [0,null], "time": [0,1]})"), "y[1]: expected a number");
+  EXPECT_EQ(complaint(R"({"x": [0,1], "time": [0,1]})"), " lacks 'y'");
+  EXPECT_EQ(complaint(R"({"y": [0,1], "time": [0,1]})"), " lacks 'x'");
+  EXPECT_EQ(complaint(R"({"x": [0,1], "y": [0], "time": [0,1]})"), " y: has 1 values, x has 2");
+  EXPECT_EQ(complaint(R"({"x": [0,1], "y": [0,null], "time": [0,1]})"), " y[1]: must be a number, not null");
   EXPECT_EQ(complaint(R"({"x": [0,1], "y": [0,1], "time": [0,1], "twist": 3})"),
-            "twist: expected an array of numbers");
+            " twist: must be an array of numbers, not 3");
   EXPECT_EQ(complaint(R"({"x": [0,1], "y": [0,1e999], "time": [0,1]})"), " a number is too large");
   EXPECT_EQ(complaint(R"({"x": [0,1], "y": [0,1e99], "time": [0,1]})"),
-            "event 1: the position is not finite, or too large");
+            " event 1: the position is not finite, or too large");
   EXPECT_EQ(complaint(R"({"x": [0,1], "y": [0,1], "time": [0,1], "pressure": [0,2]})"),
-            "event 1: pressure must lie in 0..1");
+            " event 1: pressure must lie in 0..1");
   EXPECT_EQ(complaint(R"({"x": [], "y": [], "time": []})"), " holds no stroke");
-  EXPECT_EQ(complaint(""), "1: malformed JSON");
+  EXPECT_EQ(complaint(""), "1: malformed JSON at column 1");
 }
 
 }  // namespace

@@ -40,14 +40,14 @@ TEST(StrokeFormatPage, HasExamplesThatAreRead) {
   const Recording in_space = read(blocks[0]), on_screen = read(blocks[1]);
   EXPECT_EQ(in_space.space, StrokeSpace::object);
   ASSERT_EQ(in_space.strokes.size(), 2u);
-  EXPECT_EQ(in_space.strokes[0].params.at("depth"), ParamSetting(0.3));
+  EXPECT_EQ(in_space.strokes[0].settings.complete().params.at("depth"), ParamSetting(0.3));
   EXPECT_EQ(in_space.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
-  EXPECT_EQ(in_space.strokes[1].brush, std::nullopt);
-  EXPECT_TRUE(in_space.strokes[1].closed);
+  EXPECT_FALSE(in_space.strokes[1].settings.find(&StrokeSettings::brush));
+  EXPECT_EQ(in_space.strokes[1].settings.complete().closure, Closure::closed);
   EXPECT_EQ(in_space.strokes[1].fields, PenFields());
   EXPECT_EQ(on_screen.space, StrokeSpace::screen);
   EXPECT_EQ(on_screen.camera->width, 800);
-  EXPECT_EQ(on_screen.strokes.at(0).dynamics.at(0).source, PenSource::pressure);
+  EXPECT_EQ(on_screen.strokes.at(0).settings.complete().dynamics.at(0).source, PenSource::pressure);
   for (const Recording& recording : {in_space, on_screen}) {
     EXPECT_EQ(recording.cut_off_at, std::nullopt);
     for (const RecordedStroke& stroke : recording.strokes) EXPECT_EQ(stroke.samples.size(), 2u);

@@ -1,9 +1,12 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
+#include <burin/stroke/files/setting_table.h>
 #include <burin/stroke/stroke_file.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "support/shared_data.h"
@@ -80,16 +83,17 @@ TEST_F(ReadStrokes, ReadsEverySettingAndFieldsInAnyOrder) {
   EXPECT_FALSE(recording.cut_off_at);
   ASSERT_EQ(recording.strokes.size(), 2u);
   const RecordedStroke& stroke = recording.strokes[0];
-  EXPECT_EQ(stroke.brush, "org.burin.scales");
-  EXPECT_EQ(stroke.radius, 0.05);
-  EXPECT_EQ(stroke.strength, 0.5);
-  EXPECT_EQ(stroke.follow, 0.25);
-  EXPECT_TRUE(stroke.closed);
-  EXPECT_EQ(stroke.params, (ParamSettings{{"tile", "r\u00f6ck.exr"},
-                                          {"depth", 2.0},
-                                          {"flip", true},
-                                          {"curve", std::vector<double>{0, 0.5, 1, 1}}}));
-  EXPECT_EQ(stroke.dynamics, (std::vector<Dynamic>{{"depth", PenSource::t, {0, 0.5, 1, 2}}}));
+  const ReplaySettings settings = stroke.settings.complete();
+  EXPECT_EQ(settings.brush, "org.burin.scales");
+  EXPECT_EQ(settings.radius, 0.05);
+  EXPECT_EQ(settings.strength, 0.5);
+  EXPECT_EQ(settings.follow, 0.25);
+  EXPECT_EQ(settings.closure, Closure::closed);
+  EXPECT_EQ(settings.params, (ParamSettings{{"tile", "r\u00f6ck.exr"},
+                                            {"depth", 2.0},
+                                            {"flip", true},
+                                            {"curve", std::vector<double>{0, 0.5, 1, 1}}}));
+  EXPECT_EQ(settings.dynamics, (std::vector<Dynamic>{{"depth", PenSource::t, {0, 0.5, 1, 2}}}));
   EXPECT_EQ(stroke.fields, (PenFields{true, true, true, true}));
   ASSERT_EQ(stroke.samples.size(), 2u);
   const Sample& sample = stroke.samples[0];
@@ -105,9 +109,9 @@ TEST_F(ReadStrokes, LeavesOpenWhatTheFileLeavesOpen) {
   const Recording recording =
       read(lines({header, R"({"begin": {}, "fields": ["x","y","z"]})", "[1,2,3]", end}));
   const RecordedStroke& stroke = recording.strokes.at(0);
-  EXPECT_FALSE(stroke.brush || stroke.radius || stroke.closed);
-  EXPECT_EQ(stroke.strength, 1);
-  EXPECT_FALSE(stroke.follow);
+  nlohmann::ordered_json given = nlohmann::ordered_json::object();
+  write_settings(stroke.settings, given);
+  EXPECT_EQ(given.size(), 0u) << given;
   EXPECT_EQ(stroke.fields, PenFields{});
   EXPECT_EQ(stroke.samples.at(0).pen.pressure, 1);
   EXPECT_EQ(stroke.samples.at(0).time, 0);
@@ -144,9 +148,9 @@ TEST_F(ReadStrokes, RejectsBadSamples) {
   EXPECT_EQ(sample_complaint("[1, 0, 0, 0, 0]"), "4: the sample has 5 values for 4 fields");
   EXPECT_EQ(sample_complaint("[1, 1e999, 0, 0]"), "4: a number is too large");
   EXPECT_EQ(sample_complaint("[1, -1e40, 0, 0]"), "4: the position is not finite, or too large");
-  EXPECT_EQ(sample_complaint("[1, null, 0, 0]"), "4: value 2 of the sample must be a number");
-  EXPECT_EQ(sample_complaint("[1, 0, \"0\", 0]"), "4: value 3 of the sample must be a number");
-  EXPECT_EQ(sample_complaint("[1, 0, true, 0]"), "4: value 3 of the sample must be a number");
+  EXPECT_EQ(sample_complaint("[1, null, 0, 0]"), "4: [1]: must be a number, not null");
+  EXPECT_EQ(sample_complaint("[1, 0, \"0\", 0]"), "4: [2]: must be a number, not '0'");
+  EXPECT_EQ(sample_complaint("[1, 0, true, 0]"), "4: [2]: must be a number, not true");
   EXPECT_EQ(sample_complaint("[1, NaN, 0, 0]"), "4: malformed JSON at column 5");
   EXPECT_EQ(sample_complaint("[1, Infinity, 0, 0]"), "4: malformed JSON at column 5");
   EXPECT_EQ(sample_complaint("[1, 0, 0, 0"), "4: malformed JSON at column 12");
@@ -173,7 +177,7 @@ TEST_F(ReadStrokes, RejectsLinesOutOfOrder) {
   EXPECT_EQ(complaint(lines({header, begin, end, "[1,0,0,0]"})), "4: a sample outside a stroke");
   EXPECT_EQ(complaint(lines({header, begin, begin})), "3: a stroke begins before the one before has its end");
   EXPECT_EQ(complaint(lines({header, end})), "2: an end outside a stroke");
-  EXPECT_EQ(complaint(lines({header, begin, R"({"end": 1})"})), "3: end must be true");
+  EXPECT_EQ(complaint(lines({header, begin, R"({"end": 1})"})), "3: end: must be true, not 1");
   EXPECT_EQ(complaint(lines({header, header})), "2: a second header");
   EXPECT_EQ(complaint(lines({begin, header})), R"(1: the header {"burin_stroke": 1, ...} must come first)");
   EXPECT_EQ(complaint(lines({"", "[1]"})), R"(2: the header {"burin_stroke": 1, ...} must come first)");
@@ -183,50 +187,56 @@ TEST_F(ReadStrokes, RejectsLinesOutOfOrder) {
 
 TEST_F(ReadStrokes, RejectsBadHeaders) {
   EXPECT_EQ(complaint(lines({R"({"burin_stroke": 2, "space": "object"})"})),
-            "1: version 2 of the format is not known, only 1 is");
+            "1: burin_stroke: version 2 of the format is not known, only 1 is");
   EXPECT_EQ(complaint(lines({R"({"burin_stroke": "1", "space": "object"})"})),
-            "1: burin_stroke must be the number of the format's version");
-  EXPECT_EQ(complaint(lines({R"({"burin_stroke": 1})"})), "1: space is missing");
+            "1: burin_stroke: must be a number, not '1'");
+  EXPECT_EQ(complaint(lines({R"({"burin_stroke": 1})"})), "1: lacks 'space'");
   EXPECT_EQ(complaint(lines({R"({"burin_stroke": 1, "space": "outer"})"})),
-            R"(1: space must be "object" or "screen")");
+            "1: space: must be one of object, screen, not 'outer'");
   EXPECT_EQ(complaint(lines({R"({"burin_stroke": 1, "space": "screen"})"})),
-            "1: camera is missing, which screen space needs");
+            "1: lacks 'camera', which screen space needs");
   EXPECT_EQ(complaint(lines({R"({"burin_stroke": 1, "space": "screen", "camera": 3})"})),
-            "1: camera must be an object");
+            "1: camera: must be an object, not 3");
   EXPECT_EQ(complaint("{\"burin_stroke\": 1, \"space\": \"\xff\"}\n"), "1: malformed JSON at column 31");
 }
 
 TEST_F(ReadStrokes, RejectsBadCameras) {
   EXPECT_EQ(camera_complaint(identity, "[8, 6]"), "accepted");
-  EXPECT_EQ(camera_complaint("[1, 2]", "[8, 6]"), "1: view has 2 numbers, a matrix needs 16");
-  EXPECT_EQ(camera_complaint("7", "[8, 6]"), "1: view must be a list of numbers");
-  EXPECT_EQ(camera_complaint("[null]", "[8, 6]"), "1: each number of view must be a number");
+  EXPECT_EQ(camera_complaint("[1, 2]", "[8, 6]"), "1: camera.view: has 2 numbers, a matrix needs 16");
+  EXPECT_EQ(camera_complaint("7", "[8, 6]"), "1: camera.view: must be an array of numbers, not 7");
+  EXPECT_EQ(camera_complaint("[null]", "[8, 6]"), "1: camera.view[0]: must be a number, not null");
   EXPECT_EQ(camera_complaint("[1,0,0,0, 0,1,0,0, 1,1,0,0, 0,0,0,1]", "[8, 6]"),
             "1: camera: the view matrix has no inverse");
-  for (const char* viewport : {"[8]", "[8, 6, 1]", "[8, 6.5]", "[0, 6]", "[8, -6]", "[8, 5000000000]", "8"})
-    EXPECT_EQ(camera_complaint(identity, viewport), "1: viewport must be two whole numbers of pixels")
-        << viewport;
+  for (const char* viewport : {"[8]", "[8, 6, 1]"})
+    EXPECT_EQ(camera_complaint(identity, viewport),
+              "1: camera.viewport: must be two whole numbers of pixels");
+  for (const char* width : {"6.5", "0", "-6", "5000000000"})
+    EXPECT_EQ(
+        camera_complaint(identity, fmt::format("[{}, 8]", width)),
+        fmt::format("1: camera.viewport[0]: must be a whole number from 1 to 2147483647, not {}", width));
+  EXPECT_EQ(camera_complaint(identity, "8"), "1: camera.viewport: must be an array, not 8");
 }
 
 TEST_F(ReadStrokes, RejectsBadSettings) {
   EXPECT_EQ(begin_complaint("{}"), "accepted");
-  EXPECT_EQ(begin_complaint("3"), "2: begin must be an object");
-  EXPECT_EQ(begin_complaint(R"({"brush": 3})"), "2: brush must be text");
-  EXPECT_EQ(begin_complaint(R"({"radius": 0})"), "2: radius must be positive");
-  EXPECT_EQ(begin_complaint(R"({"radius": -0.1})"), "2: radius must be positive");
-  EXPECT_EQ(begin_complaint(R"({"radius": null})"), "2: radius must be a number");
-  EXPECT_EQ(begin_complaint(R"({"strength": "1"})"), "2: strength must be a number");
-  EXPECT_EQ(begin_complaint(R"({"follow": "all"})"), "2: follow must be a number");
-  EXPECT_EQ(begin_complaint(R"({"follow": 1.01})"), "2: follow must lie in 0..1");
-  EXPECT_EQ(begin_complaint(R"({"follow": -0.5})"), "2: follow must lie in 0..1");
-  EXPECT_EQ(begin_complaint(R"({"closed": 1})"), "2: closed must be true or false");
-  EXPECT_EQ(begin_complaint(R"({"params": []})"), "2: params must be an object");
+  EXPECT_EQ(begin_complaint("3"), "2: begin: must be an object, not 3");
+  EXPECT_EQ(begin_complaint(R"({"brush": 3})"), "2: begin.brush: must be a text, not 3");
+  EXPECT_EQ(begin_complaint(R"({"radius": 0})"), "2: begin.radius: must be a number above 0, not 0");
+  EXPECT_EQ(begin_complaint(R"({"radius": -0.1})"), "2: begin.radius: must be a number above 0, not -0.1");
+  EXPECT_EQ(begin_complaint(R"({"radius": null})"), "2: begin.radius: must be a number above 0, not null");
+  EXPECT_EQ(begin_complaint(R"({"strength": "1"})"), "2: begin.strength: must be a number, not '1'");
+  EXPECT_EQ(begin_complaint(R"({"follow": "all"})"), "2: begin.follow: must be a number, not 'all'");
+  EXPECT_EQ(begin_complaint(R"({"follow": 1.01})"),
+            "2: begin.follow: must be a number from 0 to 1, not 1.01");
+  EXPECT_EQ(begin_complaint(R"({"follow": -0.5})"),
+            "2: begin.follow: must be a number from 0 to 1, not -0.5");
+  EXPECT_EQ(begin_complaint(R"({"closed": 1})"), "2: begin.closed: must be one of auto, no, yes, not 1");
+  EXPECT_EQ(begin_complaint(R"({"params": []})"), "2: begin.params: must be an object");
   EXPECT_EQ(begin_complaint(R"({"params": {"depth": null}})"),
-            R"(2: parameter 'depth' must be a truth value, number, text or list of numbers)");
-  EXPECT_EQ(begin_complaint(R"({"params": {"a\nb": {}}})"),
-            R"(2: parameter 'a\x0ab' must be a truth value, number, text or list of numbers)");
+            "2: begin.params.depth: must be a number, not null");
+  EXPECT_EQ(begin_complaint(R"({"params": {"a\nb": {}}})"), R"(2: begin.params.'a\x0ab': must be a number)");
   EXPECT_EQ(begin_complaint(R"({"params": {"curve": [0, "1"]}})"),
-            R"(2: each number of parameter 'curve' must be a number)");
+            "2: begin.params.curve[1]: must be a number, not '1'");
 }
 
 TEST_F(ReadStrokes, RejectsBadDynamics) {
@@ -238,20 +248,23 @@ TEST_F(ReadStrokes, RejectsBadDynamics) {
   };
   EXPECT_EQ(curve_complaint("[0, 0, 1, 1]"), "accepted");
   EXPECT_EQ(curve_complaint("[0.5, 2]"), "accepted");
-  EXPECT_EQ(begin_complaint(R"({"dynamics": {}})"), "2: dynamics must be a list");
-  EXPECT_EQ(dynamic_complaint("3"), "2: each of dynamics must be an object");
-  EXPECT_EQ(dynamic_complaint(R"({"source": "tilt", "curve": [0, 0]})"), "2: target is missing");
+  EXPECT_EQ(begin_complaint(R"({"dynamics": {}})"), "2: begin.dynamics: must be an array");
+  EXPECT_EQ(dynamic_complaint("3"), "2: begin.dynamics[0]: must be an object, not 3");
+  EXPECT_EQ(dynamic_complaint(R"({"source": "tilt", "curve": [0, 0]})"),
+            "2: begin.dynamics[0]: lacks 'target'");
   EXPECT_EQ(dynamic_complaint(R"({"target": 1, "source": "tilt", "curve": [0, 0]})"),
-            "2: a dynamic's target must be text");
+            "2: begin.dynamics[0].target: must be a text, not 1");
   EXPECT_EQ(dynamic_complaint(R"({"target": "radius", "source": "wheel", "curve": [0, 0]})"),
-            R"(2: a dynamic has no source 'wheel'; there are: pressure, tilt, tilt_direction, direction, )"
-            "speed, time, t, random");
-  EXPECT_EQ(dynamic_complaint(R"({"target": "radius", "source": "tilt"})"), "2: curve is missing");
-  EXPECT_EQ(curve_complaint("1"), "2: a dynamic's curve must be a list of numbers");
-  EXPECT_EQ(curve_complaint("[]"), "2: a dynamic's curve must be pairs of numbers x y");
-  EXPECT_EQ(curve_complaint("[0, 0, 1]"), "2: a dynamic's curve must be pairs of numbers x y");
-  EXPECT_EQ(curve_complaint("[0, 0, 0, 1]"), "2: the x of a dynamic's curve must rise");
-  EXPECT_EQ(curve_complaint("[0, 1e39]"), "2: a dynamic's curve must be finite");
+            "2: begin.dynamics[0].source: must be one of pressure, tilt, tilt_direction, direction, speed, "
+            "time, t, random, not 'wheel'");
+  EXPECT_EQ(dynamic_complaint(R"({"target": "radius", "source": "tilt"})"),
+            "2: begin.dynamics[0]: lacks 'curve'");
+  EXPECT_EQ(curve_complaint("1"), "2: begin.dynamics[0].curve: must be an array of numbers, not 1");
+  EXPECT_EQ(curve_complaint("[]"), "2: begin.dynamics[0]: a dynamic's curve must be pairs of numbers x y");
+  EXPECT_EQ(curve_complaint("[0, 0, 1]"),
+            "2: begin.dynamics[0]: a dynamic's curve must be pairs of numbers x y");
+  EXPECT_EQ(curve_complaint("[0, 0, 0, 1]"), "2: begin.dynamics[0]: the x of a dynamic's curve must rise");
+  EXPECT_EQ(curve_complaint("[0, 1e39]"), "2: begin.dynamics[0]: a dynamic's curve must be finite");
 }
 
 TEST_F(ReadStrokes, CutsLongWordsAndEscapesControls) {
@@ -259,25 +272,25 @@ TEST_F(ReadStrokes, CutsLongWordsAndEscapesControls) {
   EXPECT_LT(begin_complaint(R"({"params": {")" + word + R"(": {}}})").size(), 200u);
   EXPECT_LT(begin_complaint("{}", R"(["x","y",")" + word + R"(",")" + word + R"("])").size(), 200u);
   EXPECT_EQ(begin_complaint("{}", R"(["x","y",")" + escape + R"(",")" + escape + R"("])"),
-            R"(2: field '\x1b[2J' is named twice)");
+            R"(2: fields: name '\x1b[2J' twice)");
 }
 
 TEST_F(ReadStrokes, RejectsBadFields) {
-  EXPECT_EQ(begin_complaint("{}", R"(["x","y"])"), "2: fields lack z, which object space needs");
-  EXPECT_EQ(begin_complaint("{}", R"(["x","z"])"), "2: fields lack x or y");
-  EXPECT_EQ(begin_complaint("{}", R"(["x","y","z","x"])"), R"(2: field 'x' is named twice)");
-  EXPECT_EQ(begin_complaint("{}", R"(["x","y","z","w","w"])"), R"(2: field 'w' is named twice)");
-  EXPECT_EQ(begin_complaint("{}", R"("xyz")"), "2: fields must be a list of names");
-  EXPECT_EQ(begin_complaint("{}", R"(["x","y","z",1])"), "2: fields must be a list of names");
-  EXPECT_EQ(complaint(lines({header, R"({"begin": {}})"})), "2: fields is missing");
+  EXPECT_EQ(begin_complaint("{}", R"(["x","y"])"), "2: fields: lack z, which object space needs");
+  EXPECT_EQ(begin_complaint("{}", R"(["x","z"])"), "2: fields: lack x or y");
+  EXPECT_EQ(begin_complaint("{}", R"(["x","y","z","x"])"), R"(2: fields: name 'x' twice)");
+  EXPECT_EQ(begin_complaint("{}", R"(["x","y","z","w","w"])"), R"(2: fields: name 'w' twice)");
+  EXPECT_EQ(begin_complaint("{}", R"("xyz")"), "2: fields: must be an array, not 'xyz'");
+  EXPECT_EQ(begin_complaint("{}", R"(["x","y","z",1])"), "2: fields[3]: must be a text, not 1");
+  EXPECT_EQ(complaint(lines({header, R"({"begin": {}})"})), "2: lacks 'fields'");
 }
 
 TEST_F(ReadStrokes, RejectsDeepNestingWithoutRunningOutOfStack) {
   const std::string deep(1000000, '[');
   const std::string closed = deep + std::string(deep.size(), ']');
   EXPECT_EQ(sample_complaint(deep), "4: malformed JSON at column 1000001");
-  EXPECT_EQ(sample_complaint("[1, 0, 0, " + closed + "]"), "4: value 4 of the sample must be a number");
-  EXPECT_EQ(begin_complaint("{}", closed), "2: fields must be a list of names");
+  EXPECT_EQ(sample_complaint("[1, 0, 0, " + closed + "]"), "4: [3]: must be a number");
+  EXPECT_EQ(begin_complaint("{}", closed), "2: fields[0]: must be a text");
 }
 
 /// Samples that survive when the file ends after `size` bytes: those whose line is complete but for the

@@ -54,14 +54,16 @@ Recording any_recording(std::mt19937_64& random) {
   for (double& time : times) time = any_number<double, std::uint64_t>(random);
   std::sort(times.begin(), times.end());
   RecordedStroke& stroke = recording.strokes.emplace_back();
-  stroke.brush = "org.burin.\"röck\"\n";
-  stroke.radius = 0.1;
-  stroke.strength = -1 / 3.0;
-  stroke.follow = 0.1;
-  stroke.closed = true;
-  stroke.params = {{"a", true}, {"b", 1 / 7.0}, {"c", "\\x"}, {"d", std::vector<double>{1, 1e-320, -0.5}}};
-  stroke.dynamics = {{"radius", PenSource::tilt_direction, {-1 / 3.0, 1e-320, 0, 2}},
-                     {"r\"ö", PenSource::random, {0.1, -0.5}}};
+  stroke.settings[&StrokeSettings::brush] = "org.burin.\"röck\"\n";
+  stroke.settings[&StrokeSettings::radius] = 0.1;
+  stroke.settings[&StrokeSettings::strength] = -1 / 3.0;
+  stroke.settings[&StrokeSettings::follow] = 0.1;
+  stroke.settings[&ReplaySettings::closure] = Closure::closed;
+  stroke.settings[&StrokeSettings::params] = {
+      {"a", true}, {"b", 1 / 7.0}, {"c", "\\x"}, {"d", std::vector<double>{1, 1e-320, -0.5}}};
+  stroke.settings[&StrokeSettings::dynamics] = {
+      {"radius", PenSource::tilt_direction, {-1 / 3.0, 1e-320, 0, 2}},
+      {"r\"ö", PenSource::random, {0.1, -0.5}}};
   stroke.fields = {true, true, true, true};
   for (const double time : times) stroke.samples.push_back(any_sample(random, time));
   stroke.samples.back().position = {-0.0, 100, 1e20};
@@ -89,7 +91,7 @@ TEST(StrokeWriter, WritesOnlyTheFieldsThatAreThere) {
   write(folder.path() / "a.stroke", recording);
   EXPECT_EQ(read_file(folder.path() / "a.stroke"),
             "{\"burin_stroke\":1,\"space\":\"object\"}\n"
-            "{\"begin\":{\"strength\":1.0,\"closed\":false,\"params\":{}},\"fields\":[\"x\",\"y\",\"z\"]}\n"
+            "{\"begin\":{},\"fields\":[\"x\",\"y\",\"z\"]}\n"
             "[0,0,0]\n[0.5,1,2]\n{\"end\":true}\n");
   EXPECT_TRUE(test::same_bits(read_strokes(folder.path() / "a.stroke"), recording));
 }
@@ -120,18 +122,18 @@ TEST(StrokeWriter, RefusesWhatTheReaderWouldRefuse) {
   EXPECT_THROW(writer.add({}), ContractError);
   EXPECT_THROW(writer.end(), ContractError);
   RecordedStroke stroke;
-  stroke.radius = -1;
+  stroke.settings[&StrokeSettings::radius] = -1;
   EXPECT_THROW(writer.begin(stroke), ContractError);
-  stroke.radius = 1;
-  stroke.brush = "\xff";
+  stroke.settings[&StrokeSettings::radius] = 1;
+  stroke.settings[&StrokeSettings::brush] = "\xff";
   EXPECT_THROW(writer.begin(stroke), ContractError);
-  stroke.brush.reset();
-  stroke.params = {{"curve", std::vector<double>{0, std::nan("")}}};
+  stroke.settings.erase(&StrokeSettings::brush);
+  stroke.settings[&StrokeSettings::params] = {{"curve", std::vector<double>{0, std::nan("")}}};
   EXPECT_THROW(writer.begin(stroke), ContractError);
-  stroke.params.clear();
-  stroke.dynamics = {{"strength", PenSource::pressure, {0}}};
+  stroke.settings.erase(&StrokeSettings::params);
+  stroke.settings[&StrokeSettings::dynamics] = {{"strength", PenSource::pressure, {0}}};
   EXPECT_THROW(writer.begin(stroke), ContractError);
-  stroke.dynamics.clear();
+  stroke.settings.erase(&StrokeSettings::dynamics);
   stroke.fields.time = true;
   writer.begin(stroke);
   EXPECT_THROW(writer.begin(stroke), ContractError);

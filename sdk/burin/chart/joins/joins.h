@@ -1,7 +1,7 @@
 #pragma once
 #include <burin/chart/chart_frame.h>
 #include <burin/chart/joins/bends.h>
-#include <burin/chart/stroke_shape.h>
+#include <burin/stroke/stroke_choices.h>
 
 namespace burin {
 

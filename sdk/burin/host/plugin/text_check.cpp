@@ -1,4 +1,4 @@
-#include <burin/base/utf8.h>
+#include <burin/base/text/utf8.h>
 #include <burin/host/plugin/descriptor_check.h>
 
 namespace burin {

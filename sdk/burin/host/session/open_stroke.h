@@ -7,7 +7,7 @@
 #include <burin/host/event_cost.h>
 #include <burin/host/plugin/param_snapshot.h>
 #include <burin/host/session/stroke_instance.h>
-#include <burin/host/stroke_settings.h>
+#include <burin/stroke/stroke_settings.h>
 
 #include <cstdint>
 #include <deque>

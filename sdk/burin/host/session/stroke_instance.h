@@ -7,8 +7,8 @@
 #include <burin/deform/stroke_passes.h>
 #include <burin/host/event_cost.h>
 #include <burin/host/session/image_chart.h>
-#include <burin/host/stroke_settings.h>
 #include <burin/stroke/curve/foot_line.h>
+#include <burin/stroke/stroke_settings.h>
 #include <burin/stroke/symmetry.h>
 
 #include <cstdint>

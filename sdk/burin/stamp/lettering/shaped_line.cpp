@@ -1,6 +1,6 @@
 // Shapes a line of text with HarfBuzz.
 #include <burin/base/error.h>
-#include <burin/base/utf8.h>
+#include <burin/base/text/utf8.h>
 #include <burin/stamp/lettering/shaped_line.h>
 #include <fmt/format.h>
 #include <harfbuzz/hb-ot.h>

@@ -1,27 +1,21 @@
 // Reads recordings of HTML PointerEvents from JSON.
-#include <burin/base/error.h>
-#include <burin/base/file.h>
+#include <burin/base/text/json_value.h>
 #include <burin/stroke/files/import.h>
 #include <burin/stroke/files/pen_events.h>
 #include <burin/stroke/files/recording_faults.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 namespace burin {
 namespace {
 
-using Json = nlohmann::json;
-
-/// A limit below that of other files, since the JSON library needs about twenty times the memory of the text.
-constexpr std::uintmax_t most_json_bytes = std::uintmax_t{1} << 26;
-
 /// The arrays of one file.
 class PointerEvents {
  public:
-  explicit PointerEvents(const std::filesystem::path& path);
+  explicit PointerEvents(const std::filesystem::path& path) : root_(JsonValue::read(path)) {
+    if (!root_.is_object()) root_.reject("expected an object of arrays x, y, time");
+  }
 
   PenFields fields() const;
   std::vector<PenEvent> events() const;
@@ -30,49 +24,26 @@ class PointerEvents {
   /// The array of this name, which must be as long as x, or an empty one if the file does not have it.
   std::vector<double> optional_column(const char* name) const;
   std::vector<double> column(const char* name) const;
-  [[noreturn]] void reject(std::string_view place, std::string_view what) const {
-    throw FileError(path_, place, what);
-  }
 
-  std::string path_;
-  Json root_;
+  JsonValue root_;
 };
 
-PointerEvents::PointerEvents(const std::filesystem::path& path) : path_(path.string()) {
-  const std::string text = read_file(path, most_json_bytes);
-  try {
-    root_ = Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const auto stop = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    reject(std::to_string(1 + std::count(text.begin(), stop, '\n')), "malformed JSON");
-  } catch (const Json::out_of_range&) {
-    throw FileError(path_, "a number is too large");
-  }
-  if (!root_.is_object()) throw FileError(path_, "expected an object of arrays x, y, time");
-}
-
 PenFields PointerEvents::fields() const {
-  return {.time = true,
-          .pressure = root_.contains("pressure"),
-          .tilt = root_.contains("tiltX") || root_.contains("tiltY"),
-          .twist = root_.contains("twist")};
+  const auto has = [&](const char* name) { return root_.find(name).has_value(); };
+  return {
+      .time = true, .pressure = has("pressure"), .tilt = has("tiltX") || has("tiltY"), .twist = has("twist")};
 }
 
 std::vector<double> PointerEvents::column(const char* name) const {
-  const auto found = root_.find(name);
-  if (found == root_.end() || !found->is_array()) reject(name, "expected an array of numbers");
-  if (found->size() != root_.at("x").size())
-    reject(name, fmt::format("has {} values, x has {}", found->size(), root_.at("x").size()));
-  std::vector<double> values;
-  for (const Json& value : *found) {
-    if (!value.is_number()) reject(fmt::format("{}[{}]", name, values.size()), "expected a number");
-    values.push_back(value.get<double>());
-  }
+  const JsonValue column = root_.member(name), x = root_.member("x");
+  std::vector<double> values = column.numbers();
+  if (values.size() != x.size())
+    column.reject(fmt::format("has {} values, x has {}", values.size(), x.size()));
   return values;
 }
 
 std::vector<double> PointerEvents::optional_column(const char* name) const {
-  return root_.contains(name) ? column(name) : std::vector<double>();
+  return root_.find(name) ? column(name) : std::vector<double>();
 }
 
 std::vector<PenEvent> PointerEvents::events() const {
@@ -95,7 +66,7 @@ std::vector<PenEvent> PointerEvents::events() const {
     events[i].contact = buttons.empty() ? sample.pen.pressure > 0 : buttons[i] != 0;
     if (!pointer.empty()) events[i].pointer = pointer[i];
     if (const std::string_view fault = fault_of(sample); !fault.empty())
-      reject(fmt::format("event {}", i), fault);
+      root_.reject(fmt::format("event {}: {}", i, fault));
   }
   return events;
 }

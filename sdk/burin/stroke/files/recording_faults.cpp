@@ -11,13 +11,6 @@ namespace {
 
 bool finite(double value) { return std::isfinite(value); }
 
-bool finite(const ParamSetting& setting) {
-  if (const auto* number = std::get_if<double>(&setting)) return finite(*number);
-  if (const auto* numbers = std::get_if<std::vector<double>>(&setting))
-    return std::all_of(numbers->begin(), numbers->end(), [](double number) { return finite(number); });
-  return true;
-}
-
 bool invertible(const Mat4d& matrix) {
   return matrix.allFinite() && Eigen::FullPivLU<Eigen::Matrix4d>(matrix).isInvertible();
 }
@@ -39,20 +32,6 @@ std::string_view fault_of(const Dynamic& dynamic) {
     if (!finite(static_cast<float>(curve[i]))) return "a dynamic's curve must be finite";
     if (i >= 2 && i % 2 == 0 && !(curve[i] > curve[i - 2])) return "the x of a dynamic's curve must rise";
   }
-  return {};
-}
-
-std::string_view fault_of(const RecordedStroke& settings) {
-  // Brushes compute in floats, so values are checked as floats.
-  const auto radius = static_cast<float>(settings.radius.value_or(1));
-  if (!(radius > 0 && std::isfinite(radius))) return "radius must be positive";
-  if (!std::isfinite(static_cast<float>(settings.strength))) return "strength must be finite";
-  const double follow = settings.follow.value_or(0);
-  if (!(follow >= 0 && follow <= 1)) return "follow must lie in 0..1";
-  for (const auto& [id, setting] : settings.params)
-    if (!finite(setting)) return "params must be finite";
-  for (const Dynamic& dynamic : settings.dynamics)
-    if (const std::string_view fault = fault_of(dynamic); !fault.empty()) return fault;
   return {};
 }
 

@@ -9,7 +9,6 @@ namespace burin {
 /// writer use these functions.
 std::string_view fault_of(const Camera& camera);
 std::string_view fault_of(const Dynamic& dynamic);
-std::string_view fault_of(const RecordedStroke& settings);
 std::string_view fault_of(const Sample& sample);
 
 }  // namespace burin

@@ -1,18 +1,18 @@
 #pragma once
+#include <burin/base/text/json_value.h>
 #include <burin/stroke/recording.h>
 
-#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 namespace burin {
 
-// Parsers of the kinds of line of a `.stroke` file. All throw Error whose text says what is wrong.
+// Parsers of the kinds of line of a `.stroke` file. All throw FileError, which names the place of the fault.
 
 struct HeaderLine {
   StrokeSpace space = StrokeSpace::object;
   std::optional<Camera> camera;
 };
-HeaderLine parse_header(const nlohmann::json& line);
+HeaderLine parse_header(const JsonValue& line);
 
 /// The member of Sample that a number of a sample line belongs to.
 enum class Column { unknown, time, x, y, z, pressure, tilt_x, tilt_y, twist };
@@ -21,8 +21,8 @@ struct BeginLine {
   RecordedStroke stroke;  ///< without samples
   std::vector<Column> columns;
 };
-BeginLine parse_begin(const nlohmann::json& line, StrokeSpace space);
+BeginLine parse_begin(const JsonValue& line, StrokeSpace space);
 
-Sample parse_sample(const nlohmann::json& line, const std::vector<Column>& columns);
+Sample parse_sample(const JsonValue& line, const std::vector<Column>& columns);
 
 }  // namespace burin

@@ -1,17 +1,15 @@
 // Reads a `.stroke` file line by line, and checks the order of the lines.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
+#include <burin/base/text/json_value.h>
 #include <burin/stroke/files/stroke_lines.h>
 #include <burin/stroke/stroke_file.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 namespace burin {
 namespace {
-
-using Json = nlohmann::json;
 
 /// Parses the lines of a file in order.
 class Reader {
@@ -24,15 +22,12 @@ class Reader {
   Recording finish();
 
  private:
-  std::optional<Json> parse(std::string_view text, bool complete);
-  void take(const Json& line);
-  void take_object(const Json& line);
-  void take_begin(const Json& line);
-  void take_end(const Json& line);
-  void take_sample(const Json& line);
-  [[noreturn]] void reject(std::string_view what) const {
-    throw FileError(path_, std::to_string(line_), what);
-  }
+  std::optional<JsonValue> parse(std::string_view text, bool complete);
+  void take(const JsonValue& line);
+  void take_object(const JsonValue& line);
+  void take_begin(const JsonValue& line);
+  void take_end(const JsonValue& line);
+  void take_sample(const JsonValue& line);
 
   std::string path_;
   std::size_t line_ = 0;
@@ -45,37 +40,26 @@ class Reader {
 void Reader::take_line(std::string_view text, bool complete) {
   ++line_;
   if (text.find_first_not_of(" \t\r") == text.npos) return;
-  const std::optional<Json> line = parse(text, complete);
-  if (!line) {
-    recording_.cut_off_at = line_;
-    return;
-  }
-  try {
+  if (const auto line = parse(text, complete))
     take(*line);
-  } catch (const Error& error) {
-    reject(error.what());
-  }
+  else
+    recording_.cut_off_at = line_;
 }
 
 /// Parses a line; returns nothing for a line that was cut off.
-std::optional<Json> Reader::parse(std::string_view text, bool complete) {
-  // The parser would treat a zero byte as the end of its input.
-  std::size_t column = text.find('\0') + 1;
+std::optional<JsonValue> Reader::parse(std::string_view text, bool complete) {
   try {
-    if (column == 0) return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    column = error.byte;
-  } catch (const Json::out_of_range&) {
-    reject("a number is too large");
+    return JsonValue::parse_line(text, path_, line_);
+  } catch (const MalformedJson&) {
+    if (complete) throw;
+    return std::nullopt;
   }
-  if (complete) reject(fmt::format("malformed JSON at column {}", column));
-  return std::nullopt;
 }
 
-void Reader::take(const Json& line) {
+void Reader::take(const JsonValue& line) {
   if (!header_seen_) {
-    if (!line.is_object() || !line.contains("burin_stroke"))
-      throw Error("the header {\"burin_stroke\": 1, ...} must come first");
+    if (!line.is_object() || !line.find("burin_stroke"))
+      line.reject("the header {\"burin_stroke\": 1, ...} must come first");
     HeaderLine header = parse_header(line);
     recording_.space = header.space;
     recording_.camera = header.camera;
@@ -85,36 +69,37 @@ void Reader::take(const Json& line) {
   } else if (line.is_object()) {
     take_object(line);
   } else {
-    throw Error("the line is neither an object nor a sample");
+    line.reject("the line is neither an object nor a sample");
   }
 }
 
-void Reader::take_object(const Json& line) {
-  if (line.contains("burin_stroke")) throw Error("a second header");
-  if (line.contains("begin")) take_begin(line);
-  if (line.contains("end")) take_end(line);
+void Reader::take_object(const JsonValue& line) {
+  if (line.find("burin_stroke")) line.reject("a second header");
+  if (line.find("begin")) take_begin(line);
+  if (line.find("end")) take_end(line);
 }
 
-void Reader::take_begin(const Json& line) {
-  if (open_) throw Error("a stroke begins before the one before has its end");
+void Reader::take_begin(const JsonValue& line) {
+  if (open_) line.reject("a stroke begins before the one before has its end");
   BeginLine begin = parse_begin(line, recording_.space);
   recording_.strokes.push_back(std::move(begin.stroke));
   columns_ = std::move(begin.columns);
   open_ = true;
 }
 
-void Reader::take_end(const Json& line) {
-  if (line["end"] != true) throw Error("end must be true");
-  if (!open_) throw Error("an end outside a stroke");
+void Reader::take_end(const JsonValue& line) {
+  const JsonValue end = line.member("end");
+  if (!end.is_boolean() || !end.boolean()) end.reject_type("true");
+  if (!open_) line.reject("an end outside a stroke");
   open_ = false;
 }
 
-void Reader::take_sample(const Json& line) {
-  if (!open_) throw Error("a sample outside a stroke");
+void Reader::take_sample(const JsonValue& line) {
+  if (!open_) line.reject("a sample outside a stroke");
   const Sample sample = parse_sample(line, columns_);
   std::vector<Sample>& samples = recording_.strokes.back().samples;
   if (!samples.empty() && sample.time < samples.back().time)
-    throw Error(fmt::format("time falls from {} to {}", samples.back().time, sample.time));
+    line.reject(fmt::format("time falls from {} to {}", samples.back().time, sample.time));
   samples.push_back(sample);
 }
 

@@ -1,6 +1,7 @@
 // Writes a `.stroke` file line by line.
 #include <burin/base/error.h>
 #include <burin/stroke/files/recording_faults.h>
+#include <burin/stroke/files/setting_table.h>
 #include <burin/stroke/stroke_file.h>
 #include <fmt/format.h>
 
@@ -25,19 +26,14 @@ Json camera_json(const Camera& camera) {
           {"viewport", {camera.width, camera.height}}};
 }
 
-Json settings_json(const RecordedStroke& stroke) {
+/// ContractError for what the reader would refuse.
+Json settings_json(const GivenSettings& given) {
   Json settings = Json::object();
-  if (stroke.brush) settings["brush"] = *stroke.brush;
-  if (stroke.radius) settings["radius"] = *stroke.radius;
-  settings["strength"] = stroke.strength;
-  if (stroke.follow) settings["follow"] = *stroke.follow;
-  settings["closed"] = stroke.closed;
-  settings["params"] = Json::object();
-  for (const auto& [id, setting] : stroke.params)
-    std::visit([&, &name = id](const auto& value) { settings["params"][name] = value; }, setting);
-  for (const Dynamic& dynamic : stroke.dynamics)
-    settings["dynamics"].push_back(
-        {{"target", dynamic.target}, {"source", source_name(dynamic.source)}, {"curve", dynamic.curve}});
+  try {
+    write_settings(given, settings);
+  } catch (const FileError& error) {
+    throw ContractError(fmt::format("stroke file: {}", error.what()));
+  }
   return settings;
 }
 
@@ -95,8 +91,8 @@ StrokeWriter::StrokeWriter(const std::filesystem::path& path, StrokeSpace space,
 
 void StrokeWriter::begin(const RecordedStroke& stroke) {
   if (open_) throw ContractError("stroke file: begin within a stroke");
-  expect_no_fault(fault_of(stroke));
-  write_line(dump({{"begin", settings_json(stroke)}, {"fields", field_names(stroke.fields, space_)}}));
+  write_line(
+      dump({{"begin", settings_json(stroke.settings)}, {"fields", field_names(stroke.fields, space_)}}));
   fields_ = stroke.fields;
   last_time_ = -std::numeric_limits<double>::infinity();
   open_ = true;

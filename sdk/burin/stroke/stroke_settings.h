@@ -1,12 +1,11 @@
 #pragma once
-#include <burin/chart/stroke_shape.h>
-#include <burin/deform/accumulate.h>
-#include <burin/deform/overlap.h>
 #include <burin/stroke/dynamics.h>
 #include <burin/stroke/param_setting.h>
 #include <burin/stroke/pen.h>
+#include <burin/stroke/stroke_choices.h>
 #include <burin/stroke/symmetry.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -17,7 +16,7 @@ namespace burin {
 /// Least StrokeSettings::dab_spacing.
 inline constexpr double least_dab_spacing = 0.01;
 
-/// What a stroke is drawn with.
+/// What a stroke is drawn with. stroke/files/setting_table.h has the keys and texts of what people set.
 struct StrokeSettings {
   std::string brush;    ///< id, "org.burin.groove"
   double radius = 0;    ///< object units, > 0
@@ -39,6 +38,13 @@ struct StrokeSettings {
   Symmetry symmetry;       ///< where else it is drawn
   double dab_spacing = 0;  ///< radii from dab to dab, for a row of dabs instead of one stroke; 0: a stroke
   bool clamp_to_radius = false;  ///< no vertex goes farther than one radius
+};
+
+/// What a recorded stroke is drawn with: besides, how its samples become a stroke.
+struct ReplaySettings : StrokeSettings {
+  Closure closure = Closure::open;
+  Stabilising stabilising;     ///< of the samples, before anything else sees them
+  std::size_t show_every = 1;  ///< samples shown: every so many; 0: the whole stroke at its end
 };
 
 }  // namespace burin

@@ -1,5 +1,5 @@
 // Decodes one UTF-8 code point, and rejects overlong forms, surrogates and values above 10FFFF [RFC 3629].
-#include <burin/base/utf8.h>
+#include <burin/base/text/utf8.h>
 
 #include <bit>
 

@@ -52,7 +52,7 @@ struct Ball {
   }
 };
 
-TEST(SculptOptions, MirrorAlongEveryAxisNamed) {
+TEST(SettingEffects, MirrorAlongEveryAxisNamed) {
   const Ball ball;
   const int once = ball.moved({});
   ASSERT_GT(once, 100);
@@ -65,7 +65,7 @@ TEST(SculptOptions, MirrorAlongEveryAxisNamed) {
   EXPECT_EQ(ball.moved({"--mirror", "z"}, [](const Vec3f& p) { return p.z() < 0 && p.x() > 0; }), once);
 }
 
-TEST(SculptOptions, TurnAroundTheAxisGiven) {
+TEST(SettingEffects, TurnAroundTheAxisGiven) {
   const Ball ball;
   const int once = ball.moved({});
   EXPECT_NEAR(ball.moved({"--radial", "4"}), 4 * once, 0.1 * 4 * once) << "around y";
@@ -79,14 +79,14 @@ TEST(SculptOptions, TurnAroundTheAxisGiven) {
   EXPECT_EQ(ball.result({"--radial", "1", "--radial-axis", "x"}), ball.result({}));
 }
 
-TEST(SculptOptions, MoveTheCentreOfSymmetry) {
+TEST(SettingEffects, MoveTheCentreOfSymmetry) {
   const Ball ball;
   EXPECT_EQ(ball.result({"--mirror", "x", "--symmetry-centre", "0,5,-3"}), ball.result({"--mirror", "x"}));
   const int once = ball.moved({});
   EXPECT_EQ(ball.moved({"--mirror", "x", "--symmetry-centre", "9,0,0"}), once) << "its image is far away";
 }
 
-TEST(SculptOptions, DrawRowsOfDabs) {
+TEST(SettingEffects, DrawRowsOfDabs) {
   const Ball ball;
   const int stroke = ball.moved({}), rare = ball.moved({"--dabs", "4"}),
             dense = ball.moved({"--dabs", "0.5"});
@@ -96,7 +96,7 @@ TEST(SculptOptions, DrawRowsOfDabs) {
   EXPECT_NE(ball.result({"--dabs", "0.5"}), ball.result({}));
 }
 
-TEST(SculptOptions, ClampWaysToOneRadius) {
+TEST(SettingEffects, ClampWaysToOneRadius) {
   const Ball ball;
   const std::vector<std::string> far = {"--strength", "8"};
   const float radius = 0.15f;
@@ -105,7 +105,7 @@ TEST(SculptOptions, ClampWaysToOneRadius) {
   EXPECT_EQ(ball.result({"--clamp"}), ball.result({}));
 }
 
-TEST(SculptOptions, AccumulateOntoWhatTheStrokeMade) {
+TEST(SettingEffects, AccumulateOntoWhatTheStrokeMade) {
   Ball ball;
   ball.stroke = ball.folder.write("b.stroke", equator_stroke(0, 12, 601, groove));
   const float base = std::ranges::max(ball.ways({})),
@@ -118,7 +118,7 @@ struct BadOption {
   std::string option, value, culprit;
 };
 
-TEST(SculptOptions, RefuseWhatTheyDoNotTakeInOneLine) {
+TEST(SettingEffects, RefuseWhatTheyDoNotTakeInOneLine) {
   const Ball ball;
   const auto before = ball.folder.content();
   for (const auto& [option, value, culprit] :
