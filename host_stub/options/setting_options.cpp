@@ -1,10 +1,11 @@
 #include "options/setting_options.h"
 
-#include <burin/base/error.h>
 #include <burin/stroke/files/setting_table.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "options/options.h"
@@ -14,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What is no number stays text, which the setting then refuses.
+/// A text that is not a number stays text, which the setting then refuses.
 json number_json(const std::string& text) {
   const auto number = parse_number(text);
   if (!number) return text;
@@ -27,7 +28,7 @@ json numbers_json(const std::string& text) {
   return numbers ? json(*numbers) : json(text);
 }
 
-/// "TARGET=SOURCE:x0,y0,x1,y1,...".
+/// Splits "TARGET=SOURCE:x0,y0,x1,y1,...".
 json dynamic_json(const std::string& text, const SettingRow& row) {
   const std::size_t equals = text.find('='), colon = text.find(':', std::min(equals, text.size()));
   if (equals == 0 || colon == std::string::npos) JsonValue::of(text, row.option).reject_type(row.typed);
@@ -41,7 +42,7 @@ json json_of(const std::string& text, SettingForm form) {
   return form == SettingForm::numbers ? numbers_json(text) : json(text);
 }
 
-/// "half the width of the stroke, object units (as recorded)".
+/// Makes a help text such as "half the width of the stroke, object units (as recorded)".
 std::string help_of(const SettingRow& row, std::string_view absent) {
   std::string initial = row.recorded ? std::string(absent) : "";
   if (!row.initial.empty()) initial += (initial.empty() ? "" : ", or ") + row.initial;
