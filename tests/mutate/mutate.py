@@ -10,6 +10,7 @@ caught; 1: fewer; 2: the usage is wrong or the unchanged tests fail.
 """
 
 import argparse
+import filecmp
 import pathlib
 import random
 import re
@@ -29,6 +30,7 @@ LONGEST = 900  # seconds that the tests of a folder may take
 
 HERE = pathlib.Path(__file__).resolve().parents[2]
 SOURCE, BUILD = HERE / "build/mutate/source", HERE / "build/mutate/build"
+COMMIT = HERE / "build/mutate/commit"
 
 
 def run(*command, seconds=None):
@@ -41,10 +43,20 @@ def run(*command, seconds=None):
 
 
 def copy_last_commit():
-    shutil.rmtree(SOURCE, ignore_errors=True)
-    SOURCE.mkdir(parents=True)
+    """Writes what differs only: what the last run left changed is built anew, and nothing else."""
+    shutil.rmtree(COMMIT, ignore_errors=True)
+    COMMIT.mkdir(parents=True)
+    SOURCE.mkdir(exist_ok=True)
     archive = subprocess.run(["git", "archive", "HEAD"], cwd=HERE, check=True, stdout=subprocess.PIPE).stdout
-    subprocess.run(["tar", "-x"], cwd=SOURCE, check=True, input=archive)
+    subprocess.run(["tar", "-x"], cwd=COMMIT, check=True, input=archive)
+    files = {path.relative_to(COMMIT) for path in COMMIT.rglob("*") if path.is_file()}
+    for path in list(SOURCE.rglob("*")):
+        if path.is_file() and path.relative_to(SOURCE) not in files:
+            path.unlink()
+    for name in files:
+        if not (SOURCE / name).is_file() or not filecmp.cmp(COMMIT / name, SOURCE / name, shallow=False):
+            (SOURCE / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(COMMIT / name, SOURCE / name)
     (SOURCE.parent / "shared").unlink(missing_ok=True)
     if (HERE.parent / "shared").is_dir():
         (SOURCE.parent / "shared").symlink_to(HERE.parent / "shared")
