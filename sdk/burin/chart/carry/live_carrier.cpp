@@ -154,7 +154,7 @@ void LiveCarrier::carry_contested(const Event& event, Index slot, const BasePatc
     for (const Index rival : carried.rivals) {
       const ChartFrame told = contest_.told_by(event.nodes, path, rival, vertex);
       const double distance = path.distance(told.t, static_cast<double>(told.d), vertex.position);
-      range.last_t = std::max(range.last_t, told.t + stroke_.radius / 8);
+      range.last_t = std::max(range.last_t, told.t + StrokeSamples::most_spacing(stroke_.radius));
       if (distance >= least) continue;
       least = distance;
       nearest = told;

@@ -3,6 +3,7 @@
 #include <burin/chart/carry/cluster_contest.h>
 #include <burin/chart/chart_options.h>
 #include <burin/chart/live_chart.h>
+#include <burin/chart/path/stroke_samples.h>
 #include <burin/stroke/curve/surface_curve.h>
 #include <burin/surface/base_surface/base_surface.h>
 
@@ -31,7 +32,11 @@ class LiveCarrier {
  public:
   /// Base and surface must outlive the object.
   LiveCarrier(BaseSurface& base, const Surface& surface, const CarriedStroke& stroke)
-      : base_(&base), surface_(&surface), stroke_(stroke), contest_(base), near_end_(stroke.radius / 8) {}
+      : base_(&base),
+        surface_(&surface),
+        stroke_(stroke),
+        contest_(base),
+        near_end_(StrokeSamples::most_spacing(stroke.radius)) {}
 
   /// Returns the curve with widths that make the base chart wider than the stroke by the same margin
   /// everywhere. Valid until the next call, and no longer than `curve`.

@@ -5,6 +5,7 @@
 #include <burin/base/error.h>
 #include <burin/chart/dabs/dab.h>
 #include <burin/chart/dabs/normal_coordinates.h>
+#include <burin/chart/frames/float_rounding.h>
 #include <burin/chart/frames/frame_step.h>
 #include <burin/chart/vertex_nodes.h>
 #include <burin/surface/geometry/unit_tangent.h>
@@ -135,7 +136,7 @@ DabFrame DabChartBuilder::Dab::frame_from_neighbours(Index node) {
       if (found != no_index && nodes[found].state == Node::State::inside) predict(found, node);
     }
   }
-  const float epsilon = 4 * std::numeric_limits<float>::epsilon() * static_cast<float>(options.radius);
+  const float epsilon = float_rounding(static_cast<float>(options.radius));
   const Vec3f& normal_there = nodes[node].place.normal;
   DabFrame frame = upwind_mean(predictions, normal_there, epsilon);
   if (options.method != DabMethod::frame_propagation) frame.e1 = aligned_e1(normal_there);

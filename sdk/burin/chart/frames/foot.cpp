@@ -1,3 +1,4 @@
+#include <burin/chart/frames/float_rounding.h>
 #include <burin/chart/frames/foot.h>
 #include <burin/chart/frames/frame_step.h>
 
@@ -114,8 +115,7 @@ NearestFoot nearest_from(const SurfaceCurve& curve, const Foot& start, const Vec
     last_segment = std::max(last_segment, next.segment);
     const bool passes_joint = forward ? next.s > 0 : next.s < 1;
     // Where the foot moves little, its distance changes by less than floats of this size can tell.
-    const float rounding =
-        4 * std::numeric_limits<float>::epsilon() * (foot.distance + x.cwiseAbs().maxCoeff());
+    const float rounding = float_rounding(foot.distance + x.cwiseAbs().maxCoeff());
     if (!passes_joint || next.distance > foot.distance + rounding) break;
     foot = next;
   }

@@ -23,7 +23,7 @@ class BucketQueue {
 
   /// Empties the queue. Keys whose g is `longest` or more share the last bucket.
   void restart(float longest) {
-    buckets_a_unit_ = static_cast<float>(buckets - 1) / longest;
+    buckets_per_unit_ = static_cast<float>(buckets - 1) / longest;
     first_.assign(buckets, no_index);
     links_.clear();
     free_ = no_index;
@@ -37,7 +37,7 @@ class BucketQueue {
   void push(FrontKey key, Index node) {
     const Entry entry{key, node};
     const auto bucket =
-        static_cast<Index>(std::min(entry.g() * buckets_a_unit_, static_cast<float>(buckets - 1)));
+        static_cast<Index>(std::min(entry.g() * buckets_per_unit_, static_cast<float>(buckets - 1)));
     ++size_;
     if (bucket == lowest_) return insert_sorted(entry);
     link(bucket, entry);
@@ -61,24 +61,25 @@ class BucketQueue {
     Entry entry;
     Index next;
   };
+  /// Many, so that a bucket has few nodes to sort.
   static constexpr Index buckets = 8192;
 
   void link(Index bucket, const Entry& entry) {
-    Index place = free_;
-    if (place != no_index) {
-      free_ = links_[place].next;
+    Index added = free_;
+    if (added != no_index) {
+      free_ = links_[added].next;
     } else {
-      place = static_cast<Index>(links_.size());
+      added = static_cast<Index>(links_.size());
       links_.emplace_back();
     }
-    links_[place] = {entry, first_[bucket]};
-    first_[bucket] = place;
+    links_[added] = {entry, first_[bucket]};
+    first_[bucket] = added;
   }
 
   void insert_sorted(const Entry& entry) {
-    auto place = sorted_.end();
-    while (place != sorted_.begin() && *(place - 1) < entry) --place;
-    sorted_.insert(place, entry);
+    auto before = sorted_.end();
+    while (before != sorted_.begin() && *(before - 1) < entry) --before;
+    sorted_.insert(before, entry);
   }
 
   Index next_bucket() const {
@@ -92,19 +93,19 @@ class BucketQueue {
     for (const Entry& entry : sorted_) link(lowest_, entry);
     sorted_.clear();
     lowest_ = bucket;
-    for (Index place = first_[bucket]; place != no_index;) {
-      sorted_.push_back(links_[place].entry);
-      const Index next = links_[place].next;
-      links_[place].next = free_;
-      free_ = place;
-      place = next;
+    for (Index moved = first_[bucket]; moved != no_index;) {
+      sorted_.push_back(links_[moved].entry);
+      const Index next = links_[moved].next;
+      links_[moved].next = free_;
+      free_ = moved;
+      moved = next;
     }
     first_[bucket] = no_index;
     std::ranges::sort(sorted_, [](const Entry& a, const Entry& b) { return b < a; });
   }
 
-  float buckets_a_unit_ = 0;  ///< buckets per unit of g
-  std::vector<Index> first_;  ///< [bucket] into links_
+  float buckets_per_unit_ = 0;  ///< buckets per unit of g
+  std::vector<Index> first_;    ///< [bucket] into links_
   std::vector<Link> links_;
   Index free_ = no_index;      ///< head of the list of unused links
   std::vector<Entry> sorted_;  ///< of bucket lowest_, descending

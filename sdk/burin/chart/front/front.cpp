@@ -16,6 +16,9 @@ bool same_for_charts(const CurvePoint& a, const CurvePoint& b) {
          a.tangent == b.tangent && a.t == b.t && a.width == b.width;
 }
 
+/// The least step of parts, in radii: they get on where the curve has no length, too.
+constexpr double least_step = 1.0 / 1024;
+
 /// Samples and points of a stroke are no finer than this share of the surface.
 constexpr double finest_share = 1e-5;
 
@@ -97,7 +100,7 @@ void Front::advance_in_steps(const CurveChange& change) {
   // Half an edge, as points of the curve are apart: farther, and much would be taken back for what a
   // neighbouring part has to say.
   const double half_edge = stroke_.curve.length() / static_cast<double>(stroke_.curve.points.size());
-  const auto step = static_cast<float>(std::max(half_edge, stroke_.radius / 1024));
+  const auto step = static_cast<float>(std::max(half_edge, least_step * stroke_.radius));
   std::array<std::vector<Bulletin>, 2> boards{std::vector<Bulletin>(parts_.size()),
                                               std::vector<Bulletin>(parts_.size())};
   StepBarrier barrier(parts_.size());

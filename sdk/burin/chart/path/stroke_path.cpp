@@ -4,7 +4,7 @@
 namespace burin {
 namespace {
 
-constexpr double places_a_radius = 64, doubt_a_radius = 0.003;
+constexpr double places_per_radius = 64, doubt_per_radius = 0.003;
 
 }  // namespace
 
@@ -14,9 +14,9 @@ void StrokePath::update(const SurfaceCurve& curve, const GeodesicCurvature& curv
   closed_ = curve.closed;
   round_begin_ = !closed_ && extensions.begin == 0;
   round_end_ = !closed_ && extensions.end == 0;
-  spacing_ = std::max(radius / places_a_radius, finest);
-  places_a_unit_ = 1 / spacing_;
-  doubt_ = doubt_a_radius * radius;
+  spacing_ = std::max(radius / places_per_radius, finest);
+  places_per_unit_ = 1 / spacing_;
+  doubt_ = doubt_per_radius * radius;
   // Points before the last unchanged point of the curve stay, except the one that was extrapolated past the
   // end.
   const auto t = [this](std::size_t place) { return static_cast<double>(place) * spacing_; };
@@ -30,12 +30,12 @@ void StrokePath::update(const SurfaceCurve& curve, const GeodesicCurvature& curv
     const Vec3f &a = curve.points[from].at.position, &b = curve.points[to].at.position;
     return {a + s * (b - a), curvature[from] + s * (curvature[to] - curvature[from])};
   };
-  const auto last = static_cast<std::size_t>(length_ * places_a_unit_);
+  const auto last = static_cast<std::size_t>(length_ * places_per_unit_);
   while (places_.size() <= last) places_.push_back(at(t(places_.size())));
   // The end lies between the last point and one more, which is extrapolated so that interpolation gives the
   // end.
   const Place &before = places_.back(), end = at(length_);
-  const double share = length_ * places_a_unit_ - static_cast<double>(last);
+  const double share = length_ * places_per_unit_ - static_cast<double>(last);
   const auto on = share > 1e-6 ? static_cast<float>(1 / share) : 0;
   places_.push_back({before.position + on * (end.position - before.position), end.curvature});
 }

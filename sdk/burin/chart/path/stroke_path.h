@@ -90,7 +90,7 @@ class StrokePath {
     float s;
   };
   Around around(double t) const {
-    const double place = std::clamp(closed_ ? wrapped_t(t, length_) : t, 0., length_) * places_a_unit_;
+    const double place = std::clamp(closed_ ? wrapped_t(t, length_) : t, 0., length_) * places_per_unit_;
     // Coordinates that are not numbers count as the start.
     const std::size_t from = place > 0 ? static_cast<std::size_t>(place) : 0;
     return {&places_[from], &places_[from + 1], static_cast<float>(place - static_cast<double>(from))};
@@ -102,7 +102,7 @@ class StrokePath {
 
   std::vector<Place>
       places_;  ///< [i] at i times the spacing; the last one lies on a straight line past the end
-  double length_ = 0, spacing_ = 0, places_a_unit_ = 0, doubt_ = 0;
+  double length_ = 0, spacing_ = 0, places_per_unit_ = 0, doubt_ = 0;
   bool closed_ = false, round_begin_ = false, round_end_ = false;
 };
 

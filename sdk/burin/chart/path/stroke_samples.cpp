@@ -12,7 +12,8 @@
 namespace burin {
 namespace {
 
-constexpr double samples_a_radius = 8, disc_over_width = 1.25;
+/// Radius of a sample's disc, in half widths of the stroke there.
+constexpr double disc_over_width = 1.25;
 
 /// The factor by which the disc around the sample at t must grow to hold the corners of the extensions.
 double widening(const Extensions& extensions, double t, double length, double radius) {
@@ -30,10 +31,10 @@ Index StrokeSamples::update(const SurfaceCurve& curve, double radius, double fin
                             const Extensions& extensions, std::size_t unchanged) {
   length_ = curve.length();
   closed_ = curve.closed;
-  const double spacing = std::max(radius / samples_a_radius, finest);
+  const double spacing = std::max(most_spacing(radius), finest);
   const double count = std::ceil(length_ / spacing);
   spacing_ = closed_ && count > 0 ? length_ / count : spacing;
-  samples_a_unit_ = 1 / spacing_;
+  samples_per_unit_ = 1 / spacing_;
 
   // Samples before the last unchanged point stay, except the previous last one, which was at the stroke's
   // end.

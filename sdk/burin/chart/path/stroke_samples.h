@@ -20,6 +20,10 @@ struct Extensions {
 /// "slide a geodesic disc along S"].
 class StrokeSamples {
  public:
+  /// The largest distance between samples of a stroke of this radius, object units, unless update() is given
+  /// a larger `finest`.
+  static constexpr double most_spacing(double radius) { return radius / 8; }
+
   /// Samples another curve, of at least one point, at a spacing of at least `finest`, object units. Discs
   /// near the ends are large enough for the extensions. Unless the samples were cleared, the first
   /// `unchanged` points, the radius and the extensions must be as before. Returns the first sample that
@@ -37,7 +41,7 @@ class StrokeSamples {
     if (closed_) return at_of_closed(t);
     const Index last = size() - 1;
     if (!(t < length_)) return last;
-    const double half_a_step_on = t * samples_a_unit_ + 0.5;
+    const double half_a_step_on = t * samples_per_unit_ + 0.5;
     return t > 0 ? std::min(static_cast<Index>(half_a_step_on), last) : 0;
   }
 
@@ -101,7 +105,7 @@ class StrokeSamples {
 
   std::vector<Sample> samples_;
   std::vector<std::uint8_t> may_turn_;  ///< [sample]
-  double length_ = 0, spacing_ = 0, samples_a_unit_ = 0;
+  double length_ = 0, spacing_ = 0, samples_per_unit_ = 0;
   bool closed_ = false;
   bool uniform_ = false;  ///< all half widths are equal
   double uniform_half_width_ = 0;
