@@ -213,7 +213,7 @@ void ChartNodes::begin_visit(FrontNode& node, Index sample) const {
   node.run_epoch = epoch_;
   node.state = NodeState::open;
   node.set_g(unreached);
-  node.arm_count = 0;
+  node.leader_count = 0;
   node.stale = false;
 }
 

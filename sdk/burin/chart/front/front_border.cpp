@@ -1,4 +1,5 @@
-// What parts of a front tell each other.
+// The exchange of border nodes between the parts of a front. Each part keeps copies of the nodes of others
+// beside its own vertices, and what others know of its own, so that it reports only what differs.
 #include <burin/chart/front/front_part.h>
 
 #include <algorithm>
@@ -25,7 +26,6 @@ void FrontPart::receive(std::size_t part, std::span<const BorderNode> reports) {
   reach_waiting();
 }
 
-/// The copy of a node of another part; no_index when it is of no interest here.
 Index FrontPart::copy_of(std::size_t part, const BorderNode& report) {
   if (copies_.size() <= part) copies_.resize(part + 1);
   const auto known = copies_[part].find(report.node);

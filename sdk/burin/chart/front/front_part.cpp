@@ -2,22 +2,27 @@
 // Parameterization, 2013. Nodes are settled in the order of the distance at which the frames upwind of them
 // place them. Along the edges of the graph distances are up to 41 % too long, and where fronts of two parts
 // of the stroke meet the wrong one would win.
+#include <burin/chart/frames/float_rounding.h>
 #include <burin/chart/frames/mended_frame.h>
 #include <burin/chart/front/front_part.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace burin {
+namespace {
+
+/// Nodes inside are within the radius, and within a corner of it where the stroke's width goes on straight
+/// beyond its ends. In radii.
+constexpr double farthest_g = 1.5;
+
+}  // namespace
 
 void FrontPart::restart(VertexRange own) {
   own_ = own;
   nodes_.restart(own);
   seeds_.restart(own);
-  // Nodes inside are within the radius, and within a corner of it where the stroke's width goes on straight
-  // beyond its ends.
-  queue_.restart(static_cast<float>(1.5 * stroke_->radius));
+  queue_.restart(static_cast<float>(farthest_g * stroke_->radius));
   of_sample_.clear();
   touched_.clear();
   waiting_.clear();
@@ -26,11 +31,9 @@ void FrontPart::restart(VertexRange own) {
   reported_.clear();
   copies_.clear();
   frames_.clear();
-  frames_.set(4 * std::numeric_limits<float>::epsilon() * static_cast<float>(stroke_->radius), stroke_->order,
-              stroke_->path);
+  frames_.set(float_rounding(static_cast<float>(stroke_->radius)), stroke_->order, stroke_->path);
 }
 
-/// Lists a settled node under the last sample that it depends on.
 void FrontPart::list(Index node) {
   FrontNode& listed = nodes_[node];
   const Index sample = stroke_->samples.at(static_cast<double>(listed.depends_to));
@@ -40,11 +43,10 @@ void FrontPart::list(Index node) {
   listed.listed_at = sample;
 }
 
-/// The stroke up to there has a say in a node that a way leads on to: where the way ends it is held against
-/// the stroke.
+/// Where the way ends it is held against the stroke.
 float FrontPart::dependence(const Leader::Way& way) const {
   // Samples and places of the stroke are no farther apart.
-  const double to_next = stroke_->radius / 8;
+  const double to_next = StrokeSamples::most_spacing(stroke_->radius);
   // What the stroke's curvature was at its begin matters beyond that.
   const bool at_begin = way.least_t < static_cast<double>(way.length);
   const double most = at_begin ? std::max(way.most_t, seen_by_curvature * stroke_->radius) : way.most_t;
@@ -60,29 +62,29 @@ void FrontPart::touch(Index node) {
 void FrontPart::reach(Index node, float g) {
   FrontNode& reached = nodes_[node];
   if (g >= reached.g()) return;
-  reached.set_g(g);
+  reached.reach(g);
   queue_.push(reached.key, node);
   ++pushes_;
 }
 
 void FrontPart::reach_from(Index from, const Leader& leader, Index index) {
   FrontNode& node = nodes_[index];
-  add_arm(node, from);
+  add_leader(node, from);
   const FrontKey key = node.key;
   const Leader::Way way = leader.to(node.position);
   node.depends_to = std::max(node.depends_to, dependence(way));
   reach(index, way.g);
   if (!node.gathered) return;
-  // What was about to be settled without this arm waits again.
+  // What was about to be settled without this edge waits again.
   leave_gathered(index);
   if (node.key == key) queue_.push(key, index);
 }
 
-void FrontPart::add_arm(FrontNode& node, Index from) {
-  const auto known = node.arms.begin() + std::min<std::size_t>(node.arm_count, FrontNode::most_arms);
-  if (std::find(node.arms.begin(), known, from) != known) return;
-  if (node.arm_count < FrontNode::most_arms) node.arms[node.arm_count] = from;
-  if (node.arm_count <= FrontNode::most_arms) ++node.arm_count;
+void FrontPart::add_leader(FrontNode& node, Index from) {
+  const auto known = node.leaders.begin() + std::min<std::size_t>(node.leader_count, FrontNode::most_leaders);
+  if (std::find(node.leaders.begin(), known, from) != known) return;
+  if (node.leader_count < FrontNode::most_leaders) node.leaders[node.leader_count] = from;
+  if (node.leader_count <= FrontNode::most_leaders) ++node.leader_count;
 }
 
 /// Nodes are settled several at a time. One that depends on another of these is settled later.
@@ -110,14 +112,13 @@ void FrontPart::gather(Index index) {
   find_upwind(index);
   const double origin = nodes_[upwind_[0]].frame.t;
   FrontNode& node = nodes_[index];
-  node.gathered = true;
+  node.gather();
   gathered_[frames_.size()] = index;
   frames_.add_node(node);
   for (const Index from : upwind_)
-    frames_.add_arm(nodes_[from], stroke_->samples.unwrapped(nodes_[from].frame.t, origin));
+    frames_.add_edge(nodes_[from], stroke_->samples.unwrapped(nodes_[from].frame.t, origin));
 }
 
-/// Lists the upwind nodes that lead here in the order of vertex and t: sums need an order.
 void FrontPart::find_upwind(Index index) {
   const FrontNode& node = nodes_[index];
   upwind_.clear();
@@ -134,9 +135,9 @@ void FrontPart::find_upwind(Index index) {
     const FrontNode& from = nodes_[around];
     return from.state == NodeState::inside && is_upwind(from, node) && leads_to(from, index);
   };
-  if (node.arm_count <= FrontNode::most_arms) {
-    for (std::size_t i = 0; i < node.arm_count; ++i)
-      if (counts(node.arms[i])) insert(node.arms[i]);
+  if (node.leader_count <= FrontNode::most_leaders) {
+    for (std::size_t i = 0; i < node.leader_count; ++i)
+      if (counts(node.leaders[i])) insert(node.leaders[i]);
     return;
   }
   for_each_around(index, [&](Index around) {
@@ -146,7 +147,7 @@ void FrontPart::find_upwind(Index index) {
 
 void FrontPart::settle_gathered() {
   if (frames_.size() == 0) return;
-  const std::array<ChartFrame, UpwindFrames::capacity> frames = frames_.compute();
+  const UpwindFrames::Result upwind = frames_.compute();
   const std::size_t count = frames_.size();
   frames_.clear();
   for (std::size_t i = 0; i < count; ++i) {
@@ -154,8 +155,8 @@ void FrontPart::settle_gathered() {
     if (gathered_[i] == no_index) continue;
     FrontNode& node = nodes_[gathered_[i]];
     const GroundPlace vertex{node.position, node.normal, node.gauss};
-    const auto [frame, depends_to] = mended_frame(*stroke_, vertex, frames[i]);
-    node.contested = frames_.contested(i) || !(frame == frames[i]);
+    const auto [frame, depends_to] = mended_frame(*stroke_, vertex, upwind.frames[i]);
+    node.contested = upwind.contested[i] || !(frame == upwind.frames[i]);
     node.depends_to = std::max(node.depends_to, static_cast<float>(depends_to));
     settle(gathered_[i], frame);
   }
@@ -170,14 +171,14 @@ void FrontPart::settle(Index index, ChartFrame frame) {
   ++settled_;
   touch(index);
   FrontNode& node = nodes_[index];
-  node.gathered = false;
   frame.t = stroke_->samples.wrapped(frame.t);
-  node.depends_to = std::max(node.depends_to, static_cast<float>(frame.t + stroke_->radius / 8));
+  node.depends_to =
+      std::max(node.depends_to, static_cast<float>(frame.t + StrokeSamples::most_spacing(stroke_->radius)));
   if (node.stale) return settle_again(index, frame);
   node.frame = frame;
   node.sample = stroke_->samples.at(frame.t);
   list(index);
-  node.state = within_stroke(index) ? NodeState::inside : NodeState::outside;
+  node.settle(within_stroke(index) ? NodeState::inside : NodeState::outside);
   if (node.state == NodeState::outside) return;
   lead_on(index);
   if (waiting_.empty()) return;
@@ -195,8 +196,6 @@ bool FrontPart::within_stroke(Index index) {
   return distance <= samples.half_width(t) && nodes_.holds(index, node.sample);
 }
 
-/// Reaches the open nodes around a node just settled inside that it leads on to, and marks those downwind
-/// that were settled without it. Nodes that wait will ask by themselves.
 void FrontPart::lead_on(Index index) {
   const Index vertex = nodes_[index].vertex(), sample = nodes_[index].sample;
   const Leader leader(nodes_[index], stroke_->path);
@@ -239,12 +238,11 @@ std::vector<const FrontNode*> FrontPart::inside() {
   return nodes;
 }
 
-/// A node that was settled without an upwind one that leads to it.
 void FrontPart::lead_to_settled(Index from, const Leader& leader, Index index) {
   FrontNode& node = nodes_[index];
   const Leader::Way way = leader.to(node.position);
   if (way.g < node.g()) return mark(index);
-  add_arm(node, from);
+  add_leader(node, from);
   node.depends_to = std::max(node.depends_to, dependence(way));
   make_stale(index);
 }

@@ -19,12 +19,11 @@ void FrontPart::change(const CurveChange& change) {
   take_back_from(change);
   for (const Index node : nodes_.parted()) take_back(node);
   const std::size_t first_segment = std::min(change.first_segment, first_parted_segment());
-  for (const Seeds::Change& seed : seeds_.update(*stroke_, first_segment, nodes_)) follow(seed);
+  for (const Seeds::Change& seed : seeds_.update(*stroke_, first_segment, nodes_)) follow_seed(seed);
   reach_waiting();
   for (const Index node : nodes_.parted()) reach_visits_beside(node);
 }
 
-/// The first segment with places nearest to a sample that has gone over to another visit.
 std::size_t FrontPart::first_parted_segment() const {
   const SurfaceCurve& curve = stroke_->curve;
   const Index sample = nodes_.first_parted();
@@ -33,7 +32,6 @@ std::size_t FrontPart::first_parted_segment() const {
   return first_ending_from(curve, segment_at(curve, from), from);
 }
 
-/// Nodes that were settled before lead on to the visits of the node's vertex that have come about.
 void FrontPart::reach_visits_beside(Index node) {
   const Index vertex = nodes_[node].vertex();
   for_each_around(node, [&](Index around) {
@@ -45,8 +43,7 @@ void FrontPart::reach_visits_beside(Index node) {
   });
 }
 
-/// A settled node keeps its g unless its seed gave it, or gives a lower one.
-void FrontPart::follow(const Seeds::Change& change) {
+void FrontPart::follow_seed(const Seeds::Change& change) {
   const FrontNode& node = nodes_[change.node];
   const float g = node.g(), distance = seeds_[node.seed].distance;
   if (node.state == NodeState::open || distance < g || (change.distance_before <= g && distance > g))
@@ -55,7 +52,6 @@ void FrontPart::follow(const Seeds::Change& change) {
     make_stale(change.node);
 }
 
-/// Takes back the settled nodes that depend on what has changed of the curve.
 void FrontPart::take_back_from(const CurveChange& change) {
   const Index before_changed = change.first_sample > 0 ? change.first_sample - 1 : 0;
   const Index first = std::min(before_changed, stroke_->samples.at(change.unchanged_t));
@@ -77,7 +73,6 @@ void FrontPart::take_back_from(const CurveChange& change) {
   for (const Index node : unchanged) list(node);
 }
 
-/// Opens a node and the settled ones downwind of it, all of which then wait to be reached again.
 void FrontPart::take_back(Index node) {
   mark(node);
   take_back_marked();
@@ -86,7 +81,7 @@ void FrontPart::take_back(Index node) {
 void FrontPart::mark(Index node) {
   FrontNode& marked = nodes_[node];
   if (marked.waiting || !owns(marked)) return;
-  marked.waiting = true;
+  marked.mark();
   waiting_.push_back(node);
 }
 
@@ -96,18 +91,12 @@ void FrontPart::take_back_marked() {
     touch(next);
     if (nodes_[next].state == NodeState::inside) mark_downwind(next);
     FrontNode& taken = nodes_[next];
-    taken.state = NodeState::open;
-    taken.set_g(unreached);
-    taken.arm_count = 0;
-    taken.depends_to = -unreached;
-    taken.stale = false;
     if (taken.gathered) leave_gathered(next);
+    taken.take_back();
     if (taken.border) border_.push_back(next);
   }
 }
 
-/// Marks the nodes that have their g from a node inside; those that it only has a say in are to be computed
-/// again.
 void FrontPart::mark_downwind(Index node) {
   const Leader leader(nodes_[node], stroke_->path);
   for_each_around(node, [&](Index around) {
@@ -122,7 +111,7 @@ void FrontPart::mark_downwind(Index node) {
 
 void FrontPart::reach_waiting() {
   for (const Index node : waiting_) {
-    nodes_[node].waiting = false;
+    nodes_[node].release();
     if (nodes_[node].seed != no_index) reach(node, seeds_[nodes_[node].seed].distance);
     for_each_around(node, [&](Index around) {
       const FrontNode& from = nodes_[around];
@@ -134,27 +123,26 @@ void FrontPart::reach_waiting() {
   taken_back_ = 0;
 }
 
-/// Lets the frame of a node whose g stays be computed again in its turn, if it was, or was about to be.
 void FrontPart::make_stale(Index index) {
   FrontNode& node = nodes_[index];
-  const bool settled = node.state != NodeState::open;
-  if (!node.gathered && (!settled || node.stale)) return;
-  if (node.gathered) leave_gathered(index);
-  node.stale = settled;
+  if (node.gathered)
+    leave_gathered(index);
+  else if (node.state != NodeState::open && !node.stale)
+    node.make_stale();
+  else
+    return;
   queue_.push(node.key, index);
   ++pushes_;
 }
 
 void FrontPart::leave_gathered(Index node) {
-  nodes_[node].gathered = false;
+  nodes_[node].leave_gathered();
   std::ranges::replace(gathered_, node, no_index);
 }
 
-/// The same for a node whose g has not changed. What is downwind of it follows, as far as it differs; where
-/// other nodes are led to than before, in the long way.
 void FrontPart::settle_again(Index index, const ChartFrame& frame) {
   FrontNode& node = nodes_[index];
-  node.stale = false;
+  node.settle_again();
   list(index);
   if (frame == node.frame) return;
   const ChartFrame before = std::exchange(node.frame, frame);
