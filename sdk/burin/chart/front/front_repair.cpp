@@ -27,7 +27,8 @@ void FrontPart::change(const CurveChange& change) {
 std::size_t FrontPart::first_parted_segment() const {
   const SurfaceCurve& curve = stroke_->curve;
   const Index sample = nodes_.first_parted();
-  if (sample == no_index) return curve.segment_count();
+  // A shorter stroke than before may not have it any more.
+  if (sample > stroke_->samples.size()) return curve.segment_count();
   const double from = sample > 0 ? stroke_->samples.t(sample - 1) : 0;
   return first_ending_from(curve, segment_at(curve, from), from);
 }
