@@ -88,9 +88,9 @@ std::string fault(const Include& include, const Graph& includes) {
   std::set<fs::path> seen;
   collect_allowed(from, allowed);
   collect_brought(include.own, includes, brought, seen);
-  for (const std::string& other : brought)
-    if (!allowed.contains(other)) return from + " must not include " + other;
-  return "";
+  const auto wrong =
+      std::ranges::find_if(brought, [&](const std::string& other) { return !allowed.contains(other); });
+  return wrong == brought.end() ? "" : from + " must not include " + *wrong;
 }
 
 /// The name of a source without extension and "_test".
