@@ -27,7 +27,7 @@ class Arrow : public Brush {
       .help = "Radius of the circle that the arrow begins with.",
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0, 1},
-      .initial = 0.45f,
+      .default_value = 0.45f,
   };
   static constexpr FloatParam shaft{
       .id = "shaft",
@@ -35,7 +35,7 @@ class Arrow : public Brush {
       .help = "Half the thickness of the shaft.",
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.01f, 1},
-      .initial = 0.25f,
+      .default_value = 0.25f,
   };
   static constexpr FloatParam head_length{
       .id = "head_length",
@@ -44,7 +44,7 @@ class Arrow : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.01f, 100},
       .soft = {0.2f, 5},
-      .initial = 2,
+      .default_value = 2,
   };
   static constexpr FloatParam head_width{
       .id = "head_width",
@@ -52,7 +52,7 @@ class Arrow : public Brush {
       .help = "Half the width of the head's base.",
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.01f, 1},
-      .initial = 0.85f,
+      .default_value = 0.85f,
   };
   static constexpr auto params =
       param_list(tail, shaft, head_length, head_width, ink::height, ink::bevel, ink::colour, ink::mask);

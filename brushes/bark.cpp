@@ -30,7 +30,7 @@ class Bark : public Brush {
       .name = "Pattern",
       .help = "Plates between sharp cracks, or plain noise.",
       .choices = {"bark", "noise"},
-      .initial = bark,
+      .default_value = bark,
   };
   static constexpr FloatParam grain{
       .id = "grain",
@@ -39,7 +39,7 @@ class Bark : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.01f, 100},
       .soft = {0.1f, 2},
-      .initial = 0.5f,
+      .default_value = 0.5f,
   };
   static constexpr FloatParam stretch{
       .id = "stretch",
@@ -47,7 +47,7 @@ class Bark : public Brush {
       .help = "Length of the bumps along the stroke over their width.",
       .hard = {0.05f, 20},
       .soft = {0.5f, 8},
-      .initial = 3,
+      .default_value = 3,
   };
   static constexpr IntParam octaves{
       .id = "octaves",
@@ -55,14 +55,14 @@ class Bark : public Brush {
       .help = "Layers of noise, each half as coarse as the one before.",
       .hard = {1, 16},
       .soft = {1, 8},
-      .initial = 6,
+      .default_value = 6,
   };
   static constexpr FloatParam roughness{
       .id = "roughness",
       .name = "Roughness",
       .help = "Height of a layer over that of the one before.",
       .hard = {0.05f, 1},
-      .initial = 0.5f,
+      .default_value = 0.5f,
   };
   static constexpr FloatParam fade =
       common::fade("Share of the radius over which the noise fades out at the rim.", 0.4f);

@@ -33,7 +33,7 @@ class Bead : public Brush {
       .name = "Form",
       .help = "One rod along the stroke, or beads along it.",
       .choices = {"rod", "beads"},
-      .initial = rod,
+      .default_value = rod,
   };
   static constexpr FloatParam spacing{
       .id = "spacing",
@@ -41,7 +41,7 @@ class Bead : public Brush {
       .help = "From bead to bead, in bead widths: at 1 they touch.",
       .hard = {1, 1000},
       .soft = {1, 4},
-      .initial = 1,
+      .default_value = 1,
   };
   static constexpr auto params = param_list(height, width, form, spacing);
 

@@ -29,7 +29,7 @@ class Crease : public Brush {
       .help = "How steeply the sides fall to the middle: exponent of the profile.",
       .hard = {1.5f, 32},
       .soft = {2, 10},
-      .initial = 5,
+      .default_value = 5,
       .dynamic = true,
   };
   static constexpr FloatParam bulge{
@@ -37,7 +37,7 @@ class Crease : public Brush {
       .name = "Bulge",
       .help = "Height of the sides as a share of the depth.",
       .hard = {0, 1},
-      .initial = 0.25f,
+      .default_value = 0.25f,
       .dynamic = true,
   };
   static constexpr FloatParam pinch{
@@ -45,7 +45,7 @@ class Crease : public Brush {
       .name = "Pinch",
       .help = "How much the surface is drawn together towards the middle.",
       .hard = {0, 1},
-      .initial = 0.3f,
+      .default_value = 0.3f,
       .dynamic = true,
   };
   static constexpr FloatParam taper =

@@ -29,7 +29,7 @@ class DashedLine : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.001f, 1000},
       .soft = {0.1f, 4},
-      .initial = 1.5f,
+      .default_value = 1.5f,
   };
   static constexpr FloatParam gap{
       .id = "gap",
@@ -38,7 +38,7 @@ class DashedLine : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0, 1000},
       .soft = {0.1f, 4},
-      .initial = 0.75f,
+      .default_value = 0.75f,
   };
   static constexpr FloatParam width = common::width("Half the thickness of the line.", 0.35f, 0.001f);
   enum Caps { round, butt };
@@ -47,7 +47,7 @@ class DashedLine : public Brush {
       .name = "Caps",
       .help = "Shape of a dash's ends.",
       .choices = {"round", "butt"},
-      .initial = round,
+      .default_value = round,
   };
   static constexpr auto params =
       param_list(dash, gap, width, caps, ink::height, ink::bevel, ink::colour, ink::mask);

@@ -29,7 +29,7 @@ class Flatten : public Brush {
       .name = "Part",
       .help = "What to level: both sides, only what is above the plane, or only what is below.",
       .choices = {"both", "peaks", "valleys"},
-      .initial = both,
+      .default_value = both,
   };
   static constexpr FloatParam fade =
       common::fade("Share of the radius over which the brush fades out at the rim.", 0.4f);

@@ -31,7 +31,7 @@ class Groove : public Brush {
       .name = "Profile",
       .help = "Shape across the groove.",
       .choices = {"round", "v", "flat"},
-      .initial = round,
+      .default_value = round,
   };
   static constexpr auto params = param_list(depth, width, taper, profile);
 

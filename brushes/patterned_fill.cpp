@@ -31,7 +31,7 @@ class PatternedFill : public Brush {
       .name = "Pattern",
       .help = "What fills the band.",
       .choices = {"hatch", "cross_hatch", "checker", "dots", "hexagons"},
-      .initial = hatch,
+      .default_value = hatch,
   };
   static constexpr FloatParam cell{
       .id = "cell",
@@ -40,14 +40,14 @@ class PatternedFill : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.001f, 1000},
       .soft = {0.1f, 2},
-      .initial = 0.5f,
+      .default_value = 0.5f,
   };
   static constexpr FloatParam fill{
       .id = "fill",
       .name = "Fill",
       .help = "Thickness of the pattern's lines, dots and hexagons as a share of the cell.",
       .hard = {0.01f, 1},
-      .initial = 0.5f,
+      .default_value = 0.5f,
   };
   static constexpr FloatParam width = common::width("Half the width of the band.", 0.9f);
   static constexpr FloatParam border{
@@ -57,7 +57,7 @@ class PatternedFill : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0, 1},
       .soft = {0, 0.5f},
-      .initial = 0.12f,
+      .default_value = 0.12f,
   };
   static constexpr auto params =
       param_list(pattern, cell, fill, width, border, ink::height, ink::bevel, ink::colour, ink::mask);

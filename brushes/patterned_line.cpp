@@ -29,7 +29,7 @@ class PatternedLine : public Brush {
       .name = "Figure",
       .help = "What is repeated; triangles point along the stroke.",
       .choices = {"dots", "diamonds", "triangles", "waves", "chain"},
-      .initial = diamonds,
+      .default_value = diamonds,
   };
   static constexpr FloatParam spacing{
       .id = "spacing",
@@ -38,14 +38,14 @@ class PatternedLine : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.001f, 1000},
       .soft = {0.25f, 4},
-      .initial = 1.5f,
+      .default_value = 1.5f,
   };
   static constexpr FloatParam fill{
       .id = "fill",
       .name = "Fill",
       .help = "Length of a figure as a share of the spacing.",
       .hard = {0.01f, 1},
-      .initial = 0.9f,
+      .default_value = 0.9f,
   };
   static constexpr FloatParam width =
       common::width("Half of a figure's size across the stroke.", 0.5f, 0.001f);
@@ -54,7 +54,7 @@ class PatternedLine : public Brush {
       .name = "Line",
       .help = "Thickness of the lines that waves and chains are made of, as a share of the width.",
       .hard = {0.01f, 1},
-      .initial = 0.4f,
+      .default_value = 0.4f,
   };
   static constexpr auto params =
       param_list(figure, spacing, fill, width, line, ink::height, ink::bevel, ink::colour, ink::mask);

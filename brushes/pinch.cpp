@@ -29,7 +29,7 @@ class Pinch : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {-10, 10},
       .soft = {-1, 1},
-      .initial = 0,
+      .default_value = 0,
       .dynamic = true,
   };
   static constexpr auto params = param_list(amount, lift);

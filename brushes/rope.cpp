@@ -30,14 +30,14 @@ class Rope : public Brush {
       .name = "Lay",
       .help = "How the strands run; two strands plaited are two strands twisted.",
       .choices = {"twisted", "plaited"},
-      .initial = twisted,
+      .default_value = twisted,
   };
   static constexpr IntParam strands{
       .id = "strands",
       .name = "Strands",
       .help = "Number of strands.",
       .hard = {2, 3},
-      .initial = 3,
+      .default_value = 3,
   };
   static constexpr FloatParam turn{
       .id = "turn",
@@ -46,7 +46,7 @@ class Rope : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.1f, 1000},
       .soft = {1, 10},
-      .initial = 4,
+      .default_value = 4,
   };
   static constexpr auto params = param_list(height, width, lay, strands, turn);
 

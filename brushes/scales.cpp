@@ -33,7 +33,7 @@ class Scales : public Brush {
       .help = "Grey value that leaves the surface where it is.",
       .hard = {-65504, 65504},
       .soft = {0, 1},
-      .initial = 0.5f,
+      .default_value = 0.5f,
   };
   static constexpr FloatParam tile = common::tile({0.5f, 8}, 2);
   static constexpr FloatParam aspect{
@@ -42,7 +42,7 @@ class Scales : public Brush {
       .help = "Widens tiles across the stroke; 1 keeps the image's aspect.",
       .hard = {0.01f, 100},
       .soft = {0.25f, 4},
-      .initial = 1,
+      .default_value = 1,
   };
   static constexpr FloatParam fade =
       common::fade("Share of the radius over which the stamp fades out at the rim.", 0.25f);
@@ -52,7 +52,7 @@ class Scales : public Brush {
       .help = "Moves the tiles forward, by so many tiles.",
       .hard = {-1000, 1000},
       .soft = {0, 1},
-      .initial = 0,
+      .default_value = 0,
   };
   static constexpr FloatParam offset_across{
       .id = "offset_across",
@@ -60,7 +60,7 @@ class Scales : public Brush {
       .help = "Moves the tiles to the right, by so many tiles.",
       .hard = {-1000, 1000},
       .soft = {0, 1},
-      .initial = 0,
+      .default_value = 0,
   };
   static constexpr BoolParam mirror{
       .id = "mirror",

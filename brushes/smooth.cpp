@@ -28,7 +28,7 @@ class Smooth : public Brush {
       .help = "How many times.",
       .hard = {1, 200},
       .soft = {1, 50},
-      .initial = 10,
+      .default_value = 10,
   };
   enum Motion { free, normal };
   static constexpr ChoiceParam motion{
@@ -36,7 +36,7 @@ class Smooth : public Brush {
       .name = "Motion",
       .help = "Freely, or along the normal alone, which leaves the spacing of the points as it is.",
       .choices = {"free", "normal"},
-      .initial = free,
+      .default_value = free,
   };
   static constexpr FloatParam fade =
       common::fade("Share of the radius over which the brush fades out at the rim.", 0.5f);

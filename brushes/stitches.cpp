@@ -35,7 +35,7 @@ class Stitches : public Brush {
       .help = "Rows side by side; threads of narrow rows are thin.",
       .hard = {1, 16},
       .soft = {1, 4},
-      .initial = 1,
+      .default_value = 1,
   };
   static constexpr FloatParam length{
       .id = "length",
@@ -44,7 +44,7 @@ class Stitches : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.05f, 1000},
       .soft = {0.5f, 4},
-      .initial = 2,
+      .default_value = 2,
   };
   static constexpr FloatParam thread{
       .id = "thread",
@@ -52,7 +52,7 @@ class Stitches : public Brush {
       .help = "Half the thickness of the thread.",
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.005f, 0.25f},
-      .initial = 0.16f,
+      .default_value = 0.16f,
       .dynamic = true,
   };
   static constexpr FloatParam pucker{
@@ -62,7 +62,7 @@ class Stitches : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {-1, 1},
       .soft = {0, 0.5f},
-      .initial = 0.06f,
+      .default_value = 0.06f,
       .dynamic = true,
   };
   static constexpr auto params = param_list(pattern, rows, length, thread, pucker);

@@ -27,13 +27,13 @@ class Text : public Brush {
       .id = "text",
       .name = "Text",
       .help = "What is written.",
-      .initial = "Burin",
+      .default_value = "Burin",
   };
   static constexpr TextParam font{
       .id = "font",
       .name = "Font",
       .help = "Path of a font file, or the file name of one of the system's fonts.",
-      .initial = "DejaVuSans.ttf",
+      .default_value = "DejaVuSans.ttf",
   };
   static constexpr FloatParam size{
       .id = "size",
@@ -42,7 +42,7 @@ class Text : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.01f, 10},
       .soft = {0.25f, 2},
-      .initial = 1.4f,
+      .default_value = 1.4f,
   };
   enum Align { start, middle, end, repeat };
   static constexpr ChoiceParam align{
@@ -50,7 +50,7 @@ class Text : public Brush {
       .name = "Align",
       .help = "Where on the stroke the text stands; repeat fills the stroke with it.",
       .choices = {"start", "middle", "end", "repeat"},
-      .initial = start,
+      .default_value = start,
   };
   static constexpr FloatParam baseline{
       .id = "baseline",
@@ -59,7 +59,7 @@ class Text : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {-10, 10},
       .soft = {-1, 1},
-      .initial = 0,
+      .default_value = 0,
   };
   static constexpr FloatParam spacing{
       .id = "spacing",
@@ -68,7 +68,7 @@ class Text : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0, 1000},
       .soft = {0, 4},
-      .initial = 1,
+      .default_value = 1,
   };
   static constexpr auto params =
       param_list(text, font, size, align, baseline, spacing, ink::height, ink::bevel, ink::colour, ink::mask);

@@ -31,19 +31,19 @@ class Tread : public Brush {
       .id = "start_stamp",
       .name = "Start stamp",
       .help = "For the first tile of an open stroke; none is needed.",
-      .initial = "",
+      .default_value = "",
   };
   static constexpr FileParam end_stamp{
       .id = "end_stamp",
       .name = "End stamp",
       .help = "For the last tile of an open stroke; none is needed.",
-      .initial = "",
+      .default_value = "",
   };
   static constexpr FileParam other_stamp{
       .id = "other_stamp",
       .name = "Other stamp",
       .help = "Stands in for the stamp in half of the tiles, at random; none is needed.",
-      .initial = "",
+      .default_value = "",
   };
   static constexpr FloatParam height = common::height(
       "Height that one unit of grey adds; below 0 the print is pressed in.", {-0.5f, 0.5f}, -0.15f);

@@ -36,7 +36,7 @@ class VdmTrail : public Brush {
       .help =
           "What red, green and blue hold: x to the right, y up, z outward, -z inward and so on; or the "
           "program that made the map: blender (x,y,z), cycles or mudbox (x,z,y).",
-      .initial = "x,y,z",
+      .default_value = "x,y,z",
   };
   static constexpr FloatParam middle{
       .id = "middle",
@@ -44,7 +44,7 @@ class VdmTrail : public Brush {
       .help = "Value of the map that moves nothing: 0, or 0.5 of maps of whole numbers.",
       .hard = {-65504, 65504},
       .soft = {0, 1},
-      .initial = 0,
+      .default_value = 0,
   };
   static constexpr FloatParam size{
       .id = "size",
@@ -53,7 +53,7 @@ class VdmTrail : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0.01f, 2},
       .soft = {0.2f, 2},
-      .initial = 2,
+      .default_value = 2,
   };
   static constexpr FloatParam gap{
       .id = "gap",
@@ -62,7 +62,7 @@ class VdmTrail : public Brush {
       .unit = BURIN_UNIT_RADIUS,
       .hard = {0, 1000},
       .soft = {0, 4},
-      .initial = 0,
+      .default_value = 0,
   };
   static constexpr FloatParam amount = common::amount(
       "1 gives the shape in the map; less flattens it in all directions.", {-10, 10}, 1, {0, 1});
@@ -73,7 +73,7 @@ class VdmTrail : public Brush {
       .unit = BURIN_UNIT_ANGLE,
       .hard = {-1000, 1000},
       .soft = {-3.1416f, 3.1416f},
-      .initial = 0,
+      .default_value = 0,
       .dynamic = true,
   };
   static constexpr BoolParam mirror{

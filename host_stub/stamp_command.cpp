@@ -24,7 +24,7 @@ struct StampCommandOptions {
 
 /// Parses "MODE" or "MODE,MODE".
 void read_wrap(const std::string& text, StampOptions& options) {
-  std::tie(options.wrap_u, options.wrap_v) = wraps_named(text);
+  std::tie(options.wrap_u, options.wrap_v) = parse_wraps(text);
   if (options.wrap_u == Wrap::unknown || options.wrap_v == Wrap::unknown)
     throw CLI::ValidationError("--wrap", quoted_word(text) +
                                              " is none of periodic, mirror, clamp and black, or two of "

@@ -154,7 +154,7 @@ Drawn CaseRunner::draw() {
   };
   for (std::size_t i = 0; i < recordings_.size(); ++i) {
     const auto draw_one = [&] { add(replay(*session_, recordings_[i], settings_, observer), drawn); };
-    case_.straight ? draw_one() : naming_file(case_.strokes[i], draw_one);
+    case_.straight ? draw_one() : with_file_context(case_.strokes[i], draw_one);
   }
   if (drawn.ends.seconds.empty()) throw Error("no stroke meets the surface");
   return drawn;
@@ -225,7 +225,7 @@ CaseResult CaseRunner::finish() {
 CaseResult run_case(const std::string& path, const BenchCase& bench_case, std::size_t repeat,
                     const std::filesystem::path& picture, const BrushLibrary& brushes,
                     const Progress& progress) {
-  return naming_file(path, [&] {
+  return with_file_context(path, [&] {
     try {
       return CaseRunner(path, bench_case, brushes, progress).run(repeat, picture);
     } catch (const FileError&) {

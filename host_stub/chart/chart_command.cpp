@@ -183,7 +183,7 @@ void run(const ChartCommandOptions& options) {
   check_output_path(options.png);
   Recording recording = read_whole_strokes(options.strokes);
   turn(recording, turn_of_strokes(options.axes, options.mesh.path));
-  mend_times(recording);
+  repair_times(recording);
   const RecordedStroke& stroke = chosen_stroke(options, recording);
   const ReplaySettings settings = chosen_settings(options, stroke);
   const TraceOptions trace = trace_options(settings, stroke.fields, options.stroke - 1);

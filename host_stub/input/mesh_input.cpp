@@ -24,12 +24,12 @@ int levels(const PolygonMesh& mesh, SubdivisionScheme scheme, const MeshOptions&
 }
 
 /// Peak memory per triangle, about, while a refined surface is made.
-constexpr double bytes_a_triangle = 150;
+constexpr double bytes_per_triangle = 150;
 
 /// Throws Error if a level needs more memory than there is, before any is allocated.
 void check_size(const Cage& cage) {
   const std::size_t triangles = refined_triangle_count(cage.polygons, cage.scheme, cage.level);
-  const double bytes = bytes_a_triangle * static_cast<double>(triangles);
+  const double bytes = bytes_per_triangle * static_cast<double>(triangles);
   const auto limit = static_cast<double>(memory_limit());
   if (cage.level == 0 || limit == 0 || bytes <= limit) return;
   throw Error(fmt::format(
@@ -53,7 +53,7 @@ LoadedSurface load_points(const MeshOptions& options, const Progress& progress) 
   if (options.subdivide.value_or(0) > 0 || options.target_triangles) {
     throw FileError(options.path, "holds points without faces, which cannot be refined");
   }
-  return naming_file(options.path, [&] {
+  return with_file_context(options.path, [&] {
     PointSet points = read_points(options.path);
     FromFile from{.origin = points.origin, .vertices = points.positions.size()};
     return LoadedSurface{
@@ -96,7 +96,7 @@ void add_mesh_options(CLI::App& command, MeshOptions& options) {
 }
 
 Cage read_cage(const MeshOptions& options) {
-  return naming_file(options.path, [&] {
+  return with_file_context(options.path, [&] {
     if (holds_points(options.path)) {
       throw FileError(options.path, "holds points without faces; only 'burin chart' takes a point set");
     }
@@ -137,7 +137,7 @@ LoadedSurface make_loaded(TriangleMesh mesh, int level, const VertexPaint& paint
 LoadedSurface load_surface(const MeshOptions& options, const Progress& progress) {
   Cage cage = read_cage(options);
   cage.polygons.corner_uv = {};
-  return naming_file(options.path, [&] {
+  return with_file_context(options.path, [&] {
     return make_loaded(refine(cage.polygons, cage.scheme, cage.level, progress), cage.level,
                        cage.polygons.paint, std::move(cage.from), progress);
   });

@@ -8,7 +8,7 @@ namespace burin {
 /// Returns the result of work(). An Error from it that is not a FileError is rethrown as a FileError for
 /// `path`.
 template <class Work>
-auto naming_file(std::string_view path, const Work& work) {
+auto with_file_context(std::string_view path, const Work& work) {
   try {
     return work();
   } catch (const FileError&) {

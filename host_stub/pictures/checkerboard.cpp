@@ -10,7 +10,7 @@
 namespace burin {
 namespace {
 
-constexpr double squares_a_radius = 4;
+constexpr double squares_per_radius = 4;
 
 /// The greatest differences of t and d, in edges, between neighbours on one sheet: d changes by at most the
 /// distance, t by the distance over the stretch.
@@ -35,7 +35,7 @@ Checkerboard::Checkerboard(const Surface& surface)
     : surface_(&surface), first_(surface.positions.size(), no_index) {}
 
 void Checkerboard::add(const Chart& chart, double radius) {
-  const double scale = squares_a_radius / radius;
+  const double scale = squares_per_radius / radius;
   const bool around = chart.closed && chart.length > 0;
   const double pairs = std::max(1., std::round(chart.length * scale / 2));
   const auto number = static_cast<std::uint32_t>(scales_.size());

@@ -72,15 +72,16 @@ std::vector<double> radii(const ReplayOptions& options, const std::vector<Record
 bool draws(const ReplayOptions& options) { return !options.png.empty() || !options.report.empty(); }
 
 ReplaySummary replay_all(Session& session, const ReplayOptions& options,
-                         const std::vector<Recording>& recordings, StrokeWitness& witness) {
+                         const std::vector<Recording>& recordings, StrokeRecorder& witness) {
   ReplaySummary summary{
       options.strokes, {}, session.surface().vertex_count(), seconds_since_process_start(), 0};
   ProgressBar bar;
   ReplayObserver observer{bar.progress(), {}};
   if (draws(options)) observer.piece_ended = [&](const Session& done) { witness.piece_ended(done); };
   for (std::size_t i = 0; i < recordings.size(); ++i) {
-    naming_file(options.strokes[i],
-                [&] { add_result(summary, replay(session, recordings[i], options.settings, observer)); });
+    with_file_context(options.strokes[i], [&] {
+      add_result(summary, replay(session, recordings[i], options.settings, observer));
+    });
   }
   summary.peak_memory = peak_memory();
   return summary;
@@ -122,7 +123,7 @@ void check_options(const ReplayOptions& options, const BrushLibrary& library) {
   check_report_folder(options.report);
   check_bake_path(options.bake);
   if (const std::string* brush = options.settings.find(&StrokeSettings::brush))
-    naming_file("--brush", [&] { library.find(*brush); });
+    with_file_context("--brush", [&] { library.find(*brush); });
 }
 
 /// Completes the finest level of a mesh with levels; the summary then describes that level.
@@ -136,7 +137,7 @@ void finish(ReplayMesh& mesh, const Session& session, ReplaySummary& summary) {
 
 /// Writes the pictures; on a mesh with levels they show the finest level, on which nothing is painted.
 void write_pictures(const ReplayOptions& options, Session& session, const ReplayMesh& mesh,
-                    const StrokeWitness& witness, const Camera& camera, const ReplaySummary& summary,
+                    const StrokeRecorder& witness, const Camera& camera, const ReplaySummary& summary,
                     const Json& json) {
   ProgressBar bar;
   const Picture result = mesh.has_levels() ? draw_mesh(mesh.result(session), camera, bar.progress())
@@ -179,7 +180,7 @@ void run(ReplayOptions& options) {
   Session session(mesh.take_surface(), library);
   session.set_paint(mesh.take_paint());
   warn_of_radii(options.mesh.mesh.path, session.surface(), radii(options, recordings));
-  StrokeWitness witness;
+  StrokeRecorder witness;
   ReplaySummary summary = replay_all(session, options, recordings, witness);
   finish(mesh, session, summary);
   warn_of_left_out(summary);

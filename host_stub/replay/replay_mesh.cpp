@@ -37,7 +37,7 @@ void add_replay_mesh_options(CLI::App& command, ReplayMeshOptions& options) {
 }
 
 ReplayMesh::ReplayMesh(const ReplayMeshOptions& options, const Uses& uses) {
-  naming_file(options.mesh.path, [&] {
+  with_file_context(options.mesh.path, [&] {
     ProgressBar bar;
     Cage cage = read_cage(options.mesh);
     drawn_level_ = options.sculpt_level.value_or(cage.level);

@@ -30,14 +30,14 @@ void StrokeExtent::piece_ended(const Session& session) {
   curves_.push_back(session.curve());
 }
 
-void StrokeWitness::piece_ended(const Session& session) {
+void StrokeRecorder::piece_ended(const Session& session) {
   if (!checkerboard_) checkerboard_.emplace(session.surface());
   const double widest = widest_in(session.chart());
   if (widest > 0) checkerboard_->add(session.chart(), widest);
   extent_.piece_ended(session);
 }
 
-Vec3f StrokeWitness::colour(const SurfacePoint& point) const {
+Vec3f StrokeRecorder::colour(const SurfacePoint& point) const {
   return checkerboard_ ? (*checkerboard_)(point) : clay(point);
 }
 
@@ -48,7 +48,7 @@ Camera replay_view(const Surface& surface, const StrokeExtent& extent,
   return stroke_view(surface, extent.curves(), extent.widest(), options);
 }
 
-ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const Camera& camera,
+ReplayPictures draw_replay(Session& session, const StrokeRecorder& witness, const Camera& camera,
                            const Progress& progress) {
   ReplayPictures pictures;
   while (session.undo()) {

@@ -26,7 +26,7 @@ class StrokeExtent {
 };
 
 /// Records strokes for pictures of them.
-class StrokeWitness {
+class StrokeRecorder {
  public:
   /// Records the session's last piece.
   void piece_ended(const Session& session);
@@ -53,7 +53,7 @@ Camera replay_view(const Surface& surface, const StrokeExtent& extent,
 
 /// Undoes the session's strokes and draws the surface without them, plain and with their charts. The picture
 /// of the result is left empty.
-ReplayPictures draw_replay(Session& session, const StrokeWitness& witness, const Camera& camera,
+ReplayPictures draw_replay(Session& session, const StrokeRecorder& witness, const Camera& camera,
                            const Progress& progress);
 
 /// Draws a mesh as plain clay.

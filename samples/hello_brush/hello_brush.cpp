@@ -10,10 +10,10 @@ class Ripple : public Brush {
                                      .name = "Height",
                                      .unit = BURIN_UNIT_RADIUS,
                                      .hard = {0, 1},
-                                     .initial = 0.1f,
+                                     .default_value = 0.1f,
                                      .dynamic = true};
   static constexpr FloatParam wave{
-      .id = "wave", .name = "Wavelength", .unit = BURIN_UNIT_RADIUS, .hard = {0.1f, 10}, .initial = 1};
+      .id = "wave", .name = "Wavelength", .unit = BURIN_UNIT_RADIUS, .hard = {0.1f, 10}, .default_value = 1};
   static constexpr auto params = param_list(height, wave);
 
   void evaluate(const Batch& in, const Outputs& out) const override {

@@ -251,7 +251,7 @@ TEST(ChartLookup, HasBothSheetsOfACrossing) {
   EXPECT_LE((places[0].e1 - Vec3f::UnitX()).norm(), 0.05F);
   EXPECT_LE((places[1].e1 + Vec3f::UnitY()).norm(), 0.05F);
   for (std::uint32_t sheet = 0; sheet < 2; ++sheet) {
-    const ChartPlace& place = places[sheet];
+    const ChartPoint& place = places[sheet];
     EXPECT_EQ(place.sheet, sheet);
     EXPECT_NEAR(place.d, 0, 0.01);
     for (const auto& asked : {std::optional<std::uint32_t>(), std::optional(sheet)}) {
@@ -329,7 +329,7 @@ TEST(ChartLookup, EndsWhereTheRunsOfATightBendMeet) {
         nearest = std::min(nearest, static_cast<double>((point.at.position - place->at.position).norm()));
       }
       EXPECT_NEAR(nearest, std::abs(d), 0.02) << t << " " << d;
-      EXPECT_TRUE(std::ranges::any_of(scene.lookup.at(place->at), [&](const ChartPlace& back) {
+      EXPECT_TRUE(std::ranges::any_of(scene.lookup.at(place->at), [&](const ChartPoint& back) {
         return std::hypot(back.t - t, back.d - d) < 1e-5;
       }));
     }

@@ -18,9 +18,9 @@ TEST(CommonParams, HaveIdsOfTheirOwnAndTakeWhatABrushSaysOfThem) {
   for (const FloatParam& param : all) {
     ids.insert(param.id);
     names.insert(param.name);
-    EXPECT_EQ(param.initial, 0.25f) << param.id;
-    EXPECT_LE(param.hard.low, param.initial) << param.id;
-    EXPECT_GE(param.hard.high, param.initial) << param.id;
+    EXPECT_EQ(param.default_value, 0.25f) << param.id;
+    EXPECT_LE(param.hard.low, param.default_value) << param.id;
+    EXPECT_GE(param.hard.high, param.default_value) << param.id;
     if (std::string(param.id) != "tile") {
       EXPECT_STREQ(param.help, "h");
     }

@@ -26,7 +26,7 @@ TEST(SetUpright, TurnsAsExifTells) {
     SCOPED_TRACE(orientation);
     StampImage image =
         test::image_of(3, 2, 3, [](int x, int y, int c) { return static_cast<float>(3 * y + x + 10 * c); });
-    set_upright(image, orientation);
+    apply_orientation(image, orientation);
     EXPECT_EQ(image.width, orientation < 5 ? 3 : 2);
     EXPECT_EQ(image.height, orientation < 5 ? 2 : 3);
     for (std::size_t i = 0; i < 6; ++i)
@@ -40,7 +40,7 @@ TEST(SetUpright, LeavesWhatItDoesNotKnow) {
   const StampImage image = test::image_of(3, 2, 1, [](int x, int, int) { return static_cast<float>(x); });
   for (const int orientation : {-1, 0, 9, 1 << 20}) {
     StampImage turned = image;
-    set_upright(turned, orientation);
+    apply_orientation(turned, orientation);
     EXPECT_EQ(turned.texels, image.texels);
   }
 }

@@ -22,10 +22,10 @@ TEST(Wrap, FindsTheTexelThatStandsBeyondTheBorder) {
 
 TEST(Wrap, IsNamedAsTextureFilesNameIt) {
   for (const Wrap wrap : {Wrap::periodic, Wrap::mirror, Wrap::clamp, Wrap::black})
-    EXPECT_EQ(wrap_named(wrap_name(wrap)), wrap);
+    EXPECT_EQ(parse_wrap(wrap_name(wrap)), wrap);
   EXPECT_EQ(wrap_name(Wrap::clamp), "clamp");
-  EXPECT_EQ(wrap_named("Clamp"), Wrap::unknown);
-  EXPECT_EQ(wrap_named(""), Wrap::unknown);
+  EXPECT_EQ(parse_wrap("Clamp"), Wrap::unknown);
+  EXPECT_EQ(parse_wrap(""), Wrap::unknown);
 }
 
 }  // namespace

@@ -48,10 +48,10 @@ TEST(Dynamics, TakeEverySourceInItsUnits) {
 TEST(Dynamics, KnowSourcesByName) {
   for (const char* name :
        {"pressure", "tilt", "tilt_direction", "direction", "speed", "time", "t", "random"}) {
-    ASSERT_TRUE(source_named(name)) << name;
-    EXPECT_EQ(source_name(*source_named(name)), name);
+    ASSERT_TRUE(parse_source(name)) << name;
+    EXPECT_EQ(source_name(*parse_source(name)), name);
   }
-  EXPECT_FALSE(source_named("Pressure"));
+  EXPECT_FALSE(parse_source("Pressure"));
   EXPECT_EQ(source_names(), "pressure, tilt, tilt_direction, direction, speed, time, t, random");
 }
 

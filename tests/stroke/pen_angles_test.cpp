@@ -81,11 +81,11 @@ TEST(PenAngles, TakeWholeTurnsOffTwists) {
   EXPECT_NEAR(twist_near(350 * degree, 10 * degree), -10 * degree, 1e-12);
   EXPECT_EQ(twist_near(1.25, 2), 1.25) << "to the bit where nothing is to be taken off";
   EXPECT_NEAR(twist_near(0.5, 0.4 + 20 * pi), 0.5 + 20 * pi, 1e-12);
-  EXPECT_EQ(within_turn(0.1F), 0.1F);
-  EXPECT_NEAR(within_turn(-0.5), 2 * pi - 0.5, 1e-6);
-  EXPECT_NEAR(within_turn(15), 15 - 4 * pi, 1e-6);
-  EXPECT_GE(within_turn(-1e-9), 0);
-  EXPECT_LT(double{within_turn(-1e-9)}, 2 * pi);
+  EXPECT_EQ(wrap_twist(0.1F), 0.1F);
+  EXPECT_NEAR(wrap_twist(-0.5), 2 * pi - 0.5, 1e-6);
+  EXPECT_NEAR(wrap_twist(15), 15 - 4 * pi, 1e-6);
+  EXPECT_GE(wrap_twist(-1e-9), 0);
+  EXPECT_LT(double{wrap_twist(-1e-9)}, 2 * pi);
 }
 
 TEST(PenAngles, GoTheShorterWayBetweenPens) {

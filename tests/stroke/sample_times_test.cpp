@@ -64,10 +64,10 @@ TEST(SpreadTimes, NeverLetsTimesFallOrStand) {
 }
 
 TEST(ClockStands, WhereAllStampsOfSeveralSamplesAreEqual) {
-  EXPECT_TRUE(clock_stands(samples_at({5, 5, 5})));
-  EXPECT_FALSE(clock_stands(samples_at({5, 5, 6})));
-  EXPECT_FALSE(clock_stands(samples_at({5}))) << "a tap";
-  EXPECT_FALSE(clock_stands({}));
+  EXPECT_TRUE(has_constant_time(samples_at({5, 5, 5})));
+  EXPECT_FALSE(has_constant_time(samples_at({5, 5, 6})));
+  EXPECT_FALSE(has_constant_time(samples_at({5}))) << "a tap";
+  EXPECT_FALSE(has_constant_time({}));
 }
 
 TEST(MendTimes, TakesAStandingClockForNone) {
@@ -78,7 +78,7 @@ TEST(MendTimes, TakesAStandingClockForNone) {
   recording.strokes[1].samples = samples_at({2, 2, 4, 4});
   recording.strokes[2].samples = samples_at({2, 2, 4, 4});
   recording.strokes[2].fields.time = false;
-  EXPECT_EQ(mend_times(recording), 1u);
+  EXPECT_EQ(repair_times(recording), 1u);
   EXPECT_FALSE(recording.strokes[0].fields.time);
   EXPECT_TRUE(recording.strokes[1].fields.time);
   EXPECT_EQ(recording.strokes[1].samples[2].time, 3);

@@ -19,10 +19,10 @@ template <class Keys, class Place>
 std::vector<Index> counting_sort(std::size_t count, std::size_t buckets, const Keys& keys,
                                  const Place& place) {
   const std::size_t most_parts = std::min<std::size_t>(thread_count(), 4);
-  const std::size_t items_a_part = std::max<std::size_t>((count + most_parts - 1) / most_parts, 1);
-  std::vector<std::vector<Index>> next((count + items_a_part - 1) / items_a_part);
-  parallel_blocks(count, items_a_part, [&](std::size_t begin, std::size_t end) {
-    std::vector<Index>& counts = next[begin / items_a_part];
+  const std::size_t items_per_part = std::max<std::size_t>((count + most_parts - 1) / most_parts, 1);
+  std::vector<std::vector<Index>> next((count + items_per_part - 1) / items_per_part);
+  parallel_blocks(count, items_per_part, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index>& counts = next[begin / items_per_part];
     counts.resize(buckets);
     for (std::size_t i = begin; i < end; ++i) keys(i, [&](std::size_t key) { ++counts[key]; });
   });
@@ -39,8 +39,8 @@ std::vector<Index> counting_sort(std::size_t count, std::size_t buckets, const K
   }
   offsets[buckets] = position;
 
-  parallel_blocks(count, items_a_part, [&](std::size_t begin, std::size_t end) {
-    std::vector<Index>& positions = next[begin / items_a_part];
+  parallel_blocks(count, items_per_part, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index>& positions = next[begin / items_per_part];
     for (std::size_t i = begin; i < end; ++i) keys(i, [&](std::size_t key) { place(i, positions[key]++); });
   });
   return offsets;

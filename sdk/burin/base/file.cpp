@@ -21,7 +21,7 @@ constexpr std::string_view open_files = "/proc/";
 
 /// The path after following symbolic links; its last component need not exist. Links below /proc/ are not
 /// followed.
-fs::path behind_links(const fs::path& path) {
+fs::path follow_links(const fs::path& path) {
   constexpr int most_links = 40;
   fs::path at = path;
   std::error_code error;
@@ -90,14 +90,14 @@ std::string read_file(const fs::path& path, std::uintmax_t most) {
 }
 
 void check_output(const fs::path& path) {
-  const fs::path target = behind_links(path), folder = fs::absolute(target).parent_path();
+  const fs::path target = follow_links(path), folder = fs::absolute(target).parent_path();
   std::error_code error;
   if (!is_stream(target) && !fs::is_directory(folder, error))
     throw FileError(path.string(), "there is no folder " + printable(folder.string()));
 }
 
 void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  const fs::path target = behind_links(path);
+  const fs::path target = follow_links(path);
   const bool stream = is_stream(target);
   ScratchFile scratch(stream ? fs::temp_directory_path() / "stream" : target, path);
   write(scratch.path());
@@ -108,7 +108,7 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
 }
 
 void write_file_whole(const fs::path& path, const std::function<void(std::ostream&)>& write) {
-  const fs::path target = behind_links(path);
+  const fs::path target = follow_links(path);
   if (is_stream(target)) return write_stream(target, path, write);
   ScratchFile scratch(target, path);
   write_stream(scratch.path(), path, write);

@@ -12,7 +12,7 @@ constexpr std::size_t longest = 40;  ///< bytes
 /// `plain`: whether it can be shown as it is.
 std::string_view take_character(std::string_view& text, bool& plain) {
   std::string_view rest = text;
-  const auto code = take_code_point(rest);
+  const auto code = pop_code_point(rest);
   const std::string_view taken = text.substr(0, code ? text.size() - rest.size() : 1);
   plain = code && !is_control(*code);
   text.remove_prefix(taken.size());

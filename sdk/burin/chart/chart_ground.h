@@ -6,7 +6,7 @@
 namespace burin {
 
 /// The geometry of one vertex of the ground, as a front reads it.
-struct GroundPlace {
+struct GroundVertex {
   Vec3f position;
   Vec3f normal;               ///< unit
   float gauss_curvature = 0;  ///< 1 / length^2
@@ -25,7 +25,7 @@ class ChartGround {
   double scale() const { return scale_; }  ///< see Surface::scale
   std::span<const Index> neighbours(Index vertex) const { return (*neighbours_)[vertex]; }
 
-  GroundPlace operator[](Index vertex) const {
+  GroundVertex operator[](Index vertex) const {
     if (!base_)
       return {surface_->positions[vertex], surface_->normals[vertex], surface_->gauss_curvature[vertex]};
     const BasePatch& patch = base_->patch(vertex);

@@ -76,7 +76,7 @@ ChartLookup::ChartLookup(const Surface& surface, const Chart& chart) : surface_(
   grid_ = grid_of(chart, triangles_);
 }
 
-std::optional<ChartPlace> ChartLookup::find(double t, double d, std::optional<std::uint32_t> sheet) const {
+std::optional<ChartPoint> ChartLookup::find(double t, double d, std::optional<std::uint32_t> sheet) const {
   if (surface_->is_point_set()) throw ContractError("a point set has no triangles to find (t, d) in");
   if (!std::isfinite(t) || !std::isfinite(d)) return std::nullopt;
   const auto on_sheet = [&](Index node) { return !sheet || chart_->sheet[node] == *sheet; };
@@ -98,28 +98,28 @@ std::optional<ChartPlace> ChartLookup::find(double t, double d, std::optional<st
   return place(point_in(*surface_, triangle.triangle, best.weights), triangle.nodes);
 }
 
-std::vector<ChartPlace> ChartLookup::at(const SurfacePoint& point) const {
+std::vector<ChartPoint> ChartLookup::at(const SurfacePoint& point) const {
   std::array<Index, 3> corners = point.corners;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!(point.weights[i] > 0)) corners[i] = no_index;
   }
   if (std::ranges::all_of(corners, [](Index corner) { return corner == no_index; })) return {};
-  std::vector<ChartPlace> places;
+  std::vector<ChartPoint> places;
   for (const auto& nodes : nodes_together(*surface_, *chart_, corners)) places.push_back(place(point, nodes));
-  std::ranges::stable_sort(places, {}, &ChartPlace::t);
+  std::ranges::stable_sort(places, {}, &ChartPoint::t);
   return places;
 }
 
-std::optional<ChartPlace> ChartLookup::field(const SurfacePoint& point) const {
-  const std::vector<ChartPlace> places = at(point);
+std::optional<ChartPoint> ChartLookup::field(const SurfacePoint& point) const {
+  const std::vector<ChartPoint> places = at(point);
   if (places.empty()) return std::nullopt;
-  return *std::ranges::min_element(places, {}, [](const ChartPlace& place) { return std::abs(place.d); });
+  return *std::ranges::min_element(places, {}, [](const ChartPoint& place) { return std::abs(place.d); });
 }
 
-ChartPlace ChartLookup::place(const SurfacePoint& at, const std::array<Index, 3>& nodes) const {
+ChartPoint ChartLookup::place(const SurfacePoint& at, const std::array<Index, 3>& nodes) const {
   const auto heaviest = static_cast<std::size_t>(std::ranges::max_element(at.weights) - at.weights.begin());
   const Index main = nodes[heaviest];
-  ChartPlace place{.at = at, .nodes = nodes, .sheet = chart_->sheet[main], .stretch = 0};
+  ChartPoint place{.at = at, .nodes = nodes, .sheet = chart_->sheet[main], .stretch = 0};
   Vec3f e1 = Vec3f::Zero(), normal = Vec3f::Zero();
   double beyond = 0;
   for (std::size_t i = 0; i < 3; ++i) {

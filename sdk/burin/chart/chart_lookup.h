@@ -14,7 +14,7 @@ namespace burin {
 
 /// A point of a surface with its chart coordinates, interpolated linearly from the chart's nodes at the
 /// corners of its triangle.
-struct ChartPlace {
+struct ChartPoint {
   SurfacePoint at;
   std::array<Index, 3> nodes{};  ///< nodes of the chart at at.corners; no_index at weights of 0 (at() only)
   std::uint32_t sheet = 0;       ///< sheet of the node with the largest weight
@@ -48,19 +48,19 @@ class ChartLookup {
   /// points those win in whose triangle (t, d) is not mirrored, then the lowest triangle, then the lowest
   /// nodes. Returns nothing outside the chart and for values that are not finite. Throws ContractError on a
   /// point set, which has no triangles that cover it exactly once.
-  std::optional<ChartPlace> find(double t, double d, std::optional<std::uint32_t> sheet = {}) const;
+  std::optional<ChartPoint> find(double t, double d, std::optional<std::uint32_t> sheet = {}) const;
 
   /// Returns the coordinates of a point of the surface, one entry for each visit of the stroke that has nodes
   /// at all corners with a weight above 0, in the order of t. Point sets are supported.
-  std::vector<ChartPlace> at(const SurfacePoint& point) const;
+  std::vector<ChartPoint> at(const SurfacePoint& point) const;
 
   /// Returns the orthogonal vector field (e1, e2) of the stroke at a point of the surface [Schmidt 2013,
   /// figure 7]: the entry of at() with the smallest |d|, then with the lowest t. Returns nothing outside the
   /// chart.
-  std::optional<ChartPlace> field(const SurfacePoint& point) const;
+  std::optional<ChartPoint> field(const SurfacePoint& point) const;
 
  private:
-  ChartPlace place(const SurfacePoint& at, const std::array<Index, 3>& nodes) const;
+  ChartPoint place(const SurfacePoint& at, const std::array<Index, 3>& nodes) const;
 
   const Surface* surface_;
   const Chart* chart_;

@@ -95,12 +95,12 @@ Chart GroundChartBuilder::plain(const SurfaceCurve& curve) {
 }
 
 Chart GroundChartBuilder::joined(const SurfaceCurve& curve, std::size_t unchanged) {
-  std::vector<PlacedNode> nodes;
+  std::vector<LegNode> nodes;
   const double unchanged_t = unchanged > 0 ? curve.points[unchanged - 1].t : -1;
   legs_.place(curve, unchanged_t, front_, nodes);
   if (curve.closed)
-    for (PlacedNode& node : nodes) node.frame.t = wrapped_t(node.frame.t, curve.length());
-  std::ranges::sort(nodes, {}, [](const PlacedNode& node) { return std::pair(node.vertex, node.frame.t); });
+    for (LegNode& node : nodes) node.frame.t = wrapped_t(node.frame.t, curve.length());
+  std::ranges::sort(nodes, {}, [](const LegNode& node) { return std::pair(node.vertex, node.frame.t); });
   Chart chart = chart_of(curve, nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)
     set(chart, 0, i, nodes[i].vertex, nodes[i].frame, ground_[nodes[i].vertex].normal);

@@ -14,7 +14,7 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t texels_a_block = 8192;
+constexpr std::size_t texels_per_block = 8192;
 constexpr double rounding = 1e-5;     ///< rounding of texture coordinates by files and by refinement
 constexpr double tile_margin = 0.05;  ///< how far islands of real meshes may reach beyond the image
 
@@ -27,7 +27,7 @@ bool outside_by(double margin, const Vec2d& uv) {
 void drop_triangles_that_name_a_vertex_twice(TriangleMesh& mesh) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (names_a_vertex_twice(mesh.triangles[i])) continue;
+    if (has_repeated_vertex(mesh.triangles[i])) continue;
     mesh.triangles[kept] = mesh.triangles[i];
     mesh.triangle_uv[kept++] = mesh.triangle_uv[i];
   }
@@ -94,7 +94,7 @@ std::vector<std::uint8_t> fill(FloatImage& image, const UvRaster& raster, const 
     }
     filled[texel] = 1;
   };
-  parallel_blocks(filled.size(), texels_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(filled.size(), texels_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t texel = begin; texel < end; ++texel)
       if (const Index triangle = raster.triangle[texel]; triangle != no_index) fill_texel(texel, triangle);
   });

@@ -24,7 +24,7 @@ StrokePasses::StrokePasses(const Surface& surface, const BrushStroke& stroke,
     : surface_(&surface), stroke_(&stroke), charts_(std::move(charts)), blend_(blend) {
   blend_.limit = BlendOptions{}.limit;
   for (std::uint32_t pass = 0; pass + 1 < stroke.plan().passes; ++pass)
-    left_.push_back({std::vector<NodeOutputs>(charts_.size()), PassPlaces(surface, charts_)});
+    left_.push_back({std::vector<NodeOutputs>(charts_.size()), PassPositions(surface, charts_)});
 }
 
 std::vector<Index> StrokePasses::update(Evaluator& evaluator, std::span<EvaluatedInstance> instances,

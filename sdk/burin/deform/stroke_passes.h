@@ -2,7 +2,7 @@
 #include <burin/deform/blend/blend.h>
 #include <burin/deform/evaluate/brush_stroke.h>
 #include <burin/deform/evaluate/evaluate.h>
-#include <burin/deform/evaluate/pass_places.h>
+#include <burin/deform/evaluate/pass_positions.h>
 
 #include <span>
 #include <vector>
@@ -35,7 +35,7 @@ class StrokePasses {
   /// The result of a pass.
   struct Left {
     std::vector<NodeOutputs> outputs;  ///< [instance] [slot]
-    PassPlaces places;
+    PassPositions places;
   };
   void add_neighbours(std::vector<Index>& vertices) const;
   void run(std::uint32_t pass, Evaluator& evaluator, std::span<EvaluatedInstance> instances,

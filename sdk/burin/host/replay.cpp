@@ -178,7 +178,7 @@ ReplaySettings replay_settings(const RecordedStroke& stroke, std::size_t number,
 ReplayResult replay(Session& session, const Recording& recorded, const GivenSettings& overrides,
                     const ReplayObserver& observer) {
   Recording timed = recorded;
-  const std::size_t standing_clocks = mend_times(timed);
+  const std::size_t standing_clocks = repair_times(timed);
   const std::vector<ReplaySettings> settings = all_settings(timed, overrides);
   const Recording recording = stabilised(std::move(timed), settings);
   if (recording.space == StrokeSpace::screen && !recording.camera)

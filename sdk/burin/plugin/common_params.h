@@ -38,78 +38,78 @@ inline StampOptions chosen(StampOptions options, const Params& params) {
 namespace common {
 
 /// How far the surface is moved, radii.
-constexpr FloatParam depth(const char* help, Range soft, float initial) {
+constexpr FloatParam depth(const char* help, Range soft, float default_value) {
   return {.id = "depth",
           .name = "Depth",
           .help = help,
           .unit = BURIN_UNIT_RADIUS,
           .hard = {-10, 10},
           .soft = soft,
-          .initial = initial,
+          .default_value = default_value,
           .dynamic = true};
 }
 
 /// The same of what stands out, radii.
-constexpr FloatParam height(const char* help, Range soft, float initial) {
-  FloatParam height = depth(help, soft, initial);
+constexpr FloatParam height(const char* help, Range soft, float default_value) {
+  FloatParam height = depth(help, soft, default_value);
   height.id = "height";
   height.name = "Height";
   return height;
 }
 
 /// The height of what is round across the stroke, a multiple of half its width.
-constexpr FloatParam roundness(const char* help, float initial) {
-  FloatParam roundness = height(help, {0, 2}, initial);
+constexpr FloatParam roundness(const char* help, float default_value) {
+  FloatParam roundness = height(help, {0, 2}, default_value);
   roundness.unit = BURIN_UNIT_NONE;
   return roundness;
 }
 
 /// Half the extent across the stroke, radii.
-constexpr FloatParam width(const char* help, float initial, float least = 0.01f) {
+constexpr FloatParam width(const char* help, float default_value, float least = 0.01f) {
   return {.id = "width",
           .name = "Width",
           .help = help,
           .unit = BURIN_UNIT_RADIUS,
           .hard = {least, 1},
-          .initial = initial,
+          .default_value = default_value,
           .dynamic = true};
 }
 
 /// Length over which the brush fades out at either end of the stroke, radii; as end_factor() takes it.
-constexpr FloatParam taper(const char* help, float initial) {
+constexpr FloatParam taper(const char* help, float default_value) {
   return {.id = "taper",
           .name = "Taper",
           .help = help,
           .unit = BURIN_UNIT_RADIUS,
           .hard = {0, 1000},
           .soft = {0, 10},
-          .initial = initial};
+          .default_value = default_value};
 }
 
 /// Length of a tile along the stroke, radii.
-constexpr FloatParam tile(Range soft, float initial) {
+constexpr FloatParam tile(Range soft, float default_value) {
   return {.id = "tile",
           .name = "Tile",
           .help = "Length of a tile along the stroke.",
           .unit = BURIN_UNIT_RADIUS,
           .hard = {0.01f, 1000},
           .soft = soft,
-          .initial = initial};
+          .default_value = default_value};
 }
 
 /// Share of the radius over which the brush fades out at the rim.
-constexpr FloatParam fade(const char* help, float initial, float least = 0.01f) {
-  return {.id = "fade", .name = "Fade", .help = help, .hard = {least, 1}, .initial = initial};
+constexpr FloatParam fade(const char* help, float default_value, float least = 0.01f) {
+  return {.id = "fade", .name = "Fade", .help = help, .hard = {least, 1}, .default_value = default_value};
 }
 
 /// How much of its whole effect the brush has.
-constexpr FloatParam amount(const char* help, Range hard, float initial, Range soft = {}) {
+constexpr FloatParam amount(const char* help, Range hard, float default_value, Range soft = {}) {
   return {.id = "amount",
           .name = "Amount",
           .help = help,
           .hard = hard,
           .soft = soft,
-          .initial = initial,
+          .default_value = default_value,
           .dynamic = true};
 }
 

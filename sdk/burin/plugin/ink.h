@@ -26,20 +26,20 @@ inline constexpr FloatParam bevel{
     .unit = BURIN_UNIT_RADIUS,
     .hard = {0, 10},
     .soft = {0, 0.5f},
-    .initial = 0.06f,
+    .default_value = 0.06f,
 };
 inline constexpr ColourParam colour{
     .id = "colour",
     .name = "Colour",
     .help = "Ink; its alpha says how much it covers, 0 leaves the colours alone.",
-    .initial = {0, 0, 0, 0},
+    .default_value = {0, 0, 0, 0},
 };
 inline constexpr FloatParam mask{
     .id = "mask",
     .name = "Mask",
     .help = "How much the figure is protected from later strokes.",
     .hard = {0, 1},
-    .initial = 0,
+    .default_value = 0,
 };
 
 /// Writes the outputs of a batch, one element per call.
@@ -69,12 +69,12 @@ class Ink {
   void draw_covered(std::size_t i, float covered, float rise) const {
     up_[i] = height_[i] * radius_[i] * rise;
     mask_[i] *= 1 - protects_ * covered;
-    lay_over(i, covered * ink_.a[i]);
+    composite_over(i, covered * ink_.a[i]);
   }
 
  private:
   /// Lays the ink over the current colour with the operator "over" [Porter and Duff 1984].
-  void lay_over(std::size_t i, float share) const {
+  void composite_over(std::size_t i, float share) const {
     const float below = colour_.a[i] * (1 - share), whole = share + below;
     if (share <= 0 || whole <= 0) return;
     const auto mix = [&](float ink, float& channel) { channel = (ink * share + channel * below) / whole; };

@@ -9,14 +9,14 @@
 /// A brush declares its parameters as constants of its class, one per parameter, and a list of them:
 ///
 ///   static constexpr FloatParam depth{.id = "depth", .name = "Depth", .unit = BURIN_UNIT_RADIUS,
-///                                     .hard = {0, 10}, .soft = {0, 1}, .initial = 0.3f, .dynamic =
+///                                     .hard = {0, 10}, .soft = {0, 1}, .default_value = 0.3f, .dynamic =
 ///                                     true};
 ///   static constexpr ChoiceParam profile{.id = "profile", .name = "Profile", .choices = {"round", "v"}};
 ///   static constexpr auto params = param_list(depth, profile);
 ///
 /// Files and scripts store `id` ([a-z0-9_]+, which must never change); `name` and `help` are for people.
-/// `initial` is the default. `dynamic` lets the host vary the value along the stroke, for example by pen
-/// pressure. Mistakes, such as a default outside its range or an id used twice, are compile errors.
+/// `default_value` is the default. `dynamic` lets the host vary the value along the stroke, for example by
+/// pen pressure. Mistakes, such as a default outside its range or an id used twice, are compile errors.
 namespace burin::plugin {
 
 /// A closed range of numbers; empty by default.
@@ -48,7 +48,7 @@ struct FloatParam {
   burin_param_unit unit = BURIN_UNIT_NONE;
   Range hard{0, 1};  ///< values that the brush accepts; ends may be infinite
   Range soft{};      ///< values that a slider spans; by default the hard range
-  float initial = 0;
+  float default_value = 0;
   bool dynamic = false;
 };
 
@@ -59,7 +59,7 @@ struct IntParam {
   const char* help = nullptr;
   Range hard{0, 1};  ///< whole numbers within +-2^24
   Range soft{};
-  int initial = 0;
+  int default_value = 0;
   bool dynamic = false;
 };
 
@@ -68,7 +68,7 @@ struct BoolParam {
   const char* id = nullptr;
   const char* name = nullptr;
   const char* help = nullptr;
-  bool initial = false;
+  bool default_value = false;
   bool dynamic = false;
 };
 
@@ -78,7 +78,7 @@ struct ChoiceParam {
   const char* name = nullptr;
   const char* help = nullptr;
   TextList choices{};  ///< stable ids; the value of the parameter is an index into them
-  int initial = 0;
+  int default_value = 0;
   bool dynamic = false;
 };
 
@@ -87,7 +87,7 @@ struct ColourParam {
   const char* id = nullptr;
   const char* name = nullptr;
   const char* help = nullptr;
-  std::array<float, 4> initial{0, 0, 0, 1};  ///< linear RGBA, 0..1
+  std::array<float, 4> default_value{0, 0, 0, 1};  ///< linear RGBA, 0..1
   bool dynamic = false;
 };
 
@@ -96,7 +96,7 @@ struct FileParam {
   const char* id = nullptr;
   const char* name = nullptr;
   const char* help = nullptr;
-  const char* initial = nullptr;  ///< null if the user must choose a file; "" if none is needed
+  const char* default_value = nullptr;  ///< null if the user must choose a file; "" if none is needed
 };
 
 /// A line of text.
@@ -104,7 +104,7 @@ struct TextParam {
   const char* id = nullptr;
   const char* name = nullptr;
   const char* help = nullptr;
-  const char* initial = "";  ///< UTF-8, one line
+  const char* default_value = "";  ///< UTF-8, one line
 };
 
 /// A piecewise linear function.
@@ -112,7 +112,7 @@ struct CurveParam {
   const char* id = nullptr;
   const char* name = nullptr;
   const char* help = nullptr;
-  std::span<const float> initial{};  ///< x0 y0 x1 y1 ..., x increasing, of an array with static storage
+  std::span<const float> default_value{};  ///< x0 y0 x1 y1 ..., x increasing, of an array with static storage
 };
 
 }  // namespace burin::plugin

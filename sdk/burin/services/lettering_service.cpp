@@ -22,7 +22,7 @@ burin_lettering_info info_of(const Lettering& lettering) {
 
 burin_status BURIN_CALL set(const burin_host* host, const char* font, const char* text, std::uint32_t em,
                             burin_stamp* stamp, burin_lettering_info* info, burin_text* error) {
-  if (!font || !text || !stamp || em < least_em || em > greatest_em) return BURIN_INVALID_ARGUMENT;
+  if (!font || !text || !stamp || em < min_em || em > max_em) return BURIN_INVALID_ARGUMENT;
   return status_of(error, [&] {
     Lettering lettering = set_lettering(find_font(path_from_utf8(font)), text, em);
     stamp->handle = stamps_of(host).add(std::move(lettering.image));

@@ -30,7 +30,7 @@ class Numbers {
 
 }  // namespace
 
-void set_upright(StampImage& image, int orientation) {
+void apply_orientation(StampImage& image, int orientation) {
   if (orientation < 2 || orientation > 8) return;
   const bool exchanged = orientation >= 5;
   const bool from_right = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;

@@ -61,7 +61,7 @@ void take_greater(SeamStep& worst, const SeamStep& step) {
   worst.over_beside = std::max(worst.over_beside, step.over_beside);
 }
 
-bool stands_out(const SeamStep& step) { return std::min(step.over_interior, step.over_beside) > 2; }
+bool is_visible(const SeamStep& step) { return std::min(step.over_interior, step.over_beside) > 2; }
 
 }  // namespace
 
@@ -74,7 +74,7 @@ Seam measure_seam(const StampImage& image) {
     const auto [least, greatest] = channel_range(image, c);
     seam.border_spread =
         std::max(seam.border_spread, border_spread(channel, double{greatest} - double{least}));
-    seen = seen || stands_out(x) || stands_out(y);
+    seen = seen || is_visible(x) || is_visible(y);
     take_greater(seam.x, x);
     take_greater(seam.y, y);
   }

@@ -21,11 +21,11 @@ enum class Wrap : std::int32_t {
 std::string_view wrap_name(Wrap wrap);
 
 /// The wrap with this name; Wrap::unknown for any other text.
-Wrap wrap_named(std::string_view name);
+Wrap parse_wrap(std::string_view name);
 
 /// The wraps in u and v from a text such as "periodic,clamp", which texture files store. A single word holds
 /// for both.
-std::pair<Wrap, Wrap> wraps_named(std::string_view names);
+std::pair<Wrap, Wrap> parse_wraps(std::string_view names);
 
 constexpr std::ptrdiff_t no_texel = -1;
 

@@ -86,7 +86,7 @@ std::string_view source_name(PenSource source) {
   return std::ranges::find(sources, source, &std::pair<std::string_view, PenSource>::second)->first;
 }
 
-std::optional<PenSource> source_named(std::string_view name) {
+std::optional<PenSource> parse_source(std::string_view name) {
   for (const auto& [known, source] : sources)
     if (known == name) return source;
   return std::nullopt;

@@ -26,7 +26,7 @@ enum class PenSource {
 /// The name of a source in files and on command lines, such as "tilt_direction".
 std::string_view source_name(PenSource source);
 /// The source with this name, or nothing.
-std::optional<PenSource> source_named(std::string_view name);
+std::optional<PenSource> parse_source(std::string_view name);
 /// The names of all sources: "pressure, tilt, ...".
 std::string source_names();
 
@@ -59,7 +59,7 @@ class TargetDynamics {
  public:
   TargetDynamics() = default;  ///< none
 
-  /// Selects the dynamics with this target. fault_of() must accept each of them.
+  /// Selects the dynamics with this target. validation_error() must accept each of them.
   TargetDynamics(std::span<const Dynamic> dynamics, std::string_view target, const DrivenStroke& stroke);
 
   bool empty() const { return dynamics_.empty(); }

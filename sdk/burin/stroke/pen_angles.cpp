@@ -42,7 +42,7 @@ double twist_near(double twist, double near) {
   return std::abs(off) <= turn / 2 ? twist : twist - turn * std::round(off / turn);
 }
 
-float within_turn(double twist) {
+float wrap_twist(double twist) {
   const auto within =
       static_cast<float>(twist >= 0 && twist < turn ? twist : twist - turn * std::floor(twist / turn));
   return double{within} < turn ? within : 0;
@@ -53,7 +53,7 @@ Pen pen_between(const Pen& a, const Pen& b, float share) {
   Pen pen{.pressure = mix(a.pressure, b.pressure),
           .tilt_x = mix(a.tilt_x, b.tilt_x),
           .tilt_y = mix(a.tilt_y, b.tilt_y),
-          .twist = within_turn(a.twist + double{share} * (twist_near(b.twist, a.twist) - a.twist))};
+          .twist = wrap_twist(a.twist + double{share} * (twist_near(b.twist, a.twist) - a.twist))};
   if (!close_tilts(a, b)) set_upper_end(pen, upper_end(a) + double{share} * (upper_end(b) - upper_end(a)));
   return pen;
 }

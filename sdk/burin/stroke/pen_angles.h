@@ -22,7 +22,7 @@ bool same_tilt(const Pen& a, const Pen& b);
 double twist_near(double twist, double near);
 
 /// The twist in [0, 2 pi); one in that range is unchanged.
-float within_turn(double twist);
+float wrap_twist(double twist);
 
 /// Interpolates between two pens; `share`: 0 for a, 1 for b.
 Pen pen_between(const Pen& a, const Pen& b, float share);

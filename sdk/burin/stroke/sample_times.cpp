@@ -36,7 +36,7 @@ double median_interval(const std::vector<Packet>& packets) {
 
 }  // namespace
 
-bool clock_stands(std::span<const Sample> samples) {
+bool has_constant_time(std::span<const Sample> samples) {
   return samples.size() > 1 && samples.front().time == samples.back().time;
 }
 
@@ -52,11 +52,11 @@ void spread_times(std::span<Sample> samples) {
       packets[i][k].time -= static_cast<double>(packets[i].size() - 1 - k) * intervals[i];
 }
 
-std::size_t mend_times(Recording& recording) {
+std::size_t repair_times(Recording& recording) {
   std::size_t standing = 0;
   for (RecordedStroke& stroke : recording.strokes) {
     if (!stroke.fields.time) continue;
-    stroke.fields.time = !clock_stands(stroke.samples);
+    stroke.fields.time = !has_constant_time(stroke.samples);
     if (!stroke.fields.time) ++standing;
     spread_times(stroke.samples);
   }

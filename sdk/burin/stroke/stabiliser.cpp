@@ -60,7 +60,7 @@ Pen lagging(const Response& response, const Pen& before, const Pen& from, const 
   Pen pen = to;
   pen.pressure = std::clamp(value(&Pen::pressure), 0.F, 1.F);
   const double from_twist = twist_near(from.twist, before.twist);
-  pen.twist = within_turn(response(double{before.twist}, from_twist, twist_near(to.twist, from_twist)));
+  pen.twist = wrap_twist(response(double{before.twist}, from_twist, twist_near(to.twist, from_twist)));
   if (!same_tilt(before, to) || !same_tilt(from, to))
     set_upper_end(pen, response(upper_end(before), upper_end(from), upper_end(to)));
   return pen;

@@ -15,7 +15,7 @@ namespace {
 namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 
-constexpr std::size_t faces_a_block = 16384;
+constexpr std::size_t faces_per_block = 16384;
 
 /// A position or texture coordinate with the interface that OpenSubdiv's refiner needs.
 template <class Vector>
@@ -97,10 +97,11 @@ Triangle triangle(const Far::ConstIndexArray& face, int a, int b, int c) {
 }
 
 /// Removes the triangles of the level's faces that are holes.
-void drop_holes(const TopologyLevel& level, std::size_t triangles_a_face, std::vector<Triangle>& triangles) {
+void drop_holes(const TopologyLevel& level, std::size_t triangles_per_face,
+                std::vector<Triangle>& triangles) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i)
-    if (!level.IsFaceHole(static_cast<int>(i / triangles_a_face))) triangles[kept++] = triangles[i];
+    if (!level.IsFaceHole(static_cast<int>(i / triangles_per_face))) triangles[kept++] = triangles[i];
   triangles.resize(kept);
 }
 
@@ -109,17 +110,17 @@ void drop_holes(const TopologyLevel& level, std::size_t triangles_a_face, std::v
 template <class Corners>
 std::vector<Triangle> fans(const TopologyLevel& level, const Corners& corners) {
   const auto faces = static_cast<std::size_t>(level.GetNumFaces());
-  const std::size_t triangles_a_face = face_size(level) - 2;
-  std::vector<Triangle> triangles(faces * triangles_a_face);
-  parallel_blocks(faces, faces_a_block, [&](std::size_t begin, std::size_t end) {
+  const std::size_t triangles_per_face = face_size(level) - 2;
+  std::vector<Triangle> triangles(faces * triangles_per_face);
+  parallel_blocks(faces, faces_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Far::ConstIndexArray face = corners(static_cast<int>(i));
-      for (std::size_t fan = 0; fan < triangles_a_face; ++fan)
-        triangles[i * triangles_a_face + fan] =
+      for (std::size_t fan = 0; fan < triangles_per_face; ++fan)
+        triangles[i * triangles_per_face + fan] =
             triangle(face, 0, static_cast<int>(fan) + 1, static_cast<int>(fan) + 2);
     }
   });
-  drop_holes(level, triangles_a_face, triangles);
+  drop_holes(level, triangles_per_face, triangles);
   return triangles;
 }
 

@@ -14,12 +14,12 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t vertices_a_block = 4096;
+constexpr std::size_t vertices_per_block = 4096;
 
 /// Calls body(vertex) for all vertices, on all threads.
 template <class Body>
 void for_each_vertex(std::size_t vertices, const Body& body) {
-  parallel_blocks(vertices, vertices_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(vertices, vertices_per_block, [&](std::size_t begin, std::size_t end) {
     for (Index vertex = static_cast<Index>(begin); vertex < end; ++vertex) body(vertex);
   });
 }

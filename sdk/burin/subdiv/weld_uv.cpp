@@ -12,7 +12,7 @@ WeldedUv weld_uv(const PolygonMesh& cage) {
     const Vec2f& uv = cage.corner_uv[corner];
     places[corner] = {std::bit_cast<float>(cage.face_vertices[corner]), uv.x(), uv.y()};
   }
-  const std::vector<Index> first = first_at_place(places);
+  const std::vector<Index> first = first_at_position(places);
   WeldedUv welded;
   welded.corners.resize(first.size());
   for (Index corner = 0; corner < first.size(); ++corner) {

@@ -15,7 +15,7 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t points_a_block = 1024;
+constexpr std::size_t points_per_block = 1024;
 
 void check(const PointSet& points, std::size_t links) {
   if (points.positions.size() != points.normals.size())
@@ -47,7 +47,7 @@ void sort_points(const PointSet& points, Surface& surface) {
 /// The nearest points of each point that face the same way: `links` entries per point, unused ones no_index.
 std::vector<Index> nearest_facing(const Surface& surface, const PointTree& tree, std::size_t links) {
   std::vector<Index> result(surface.positions.size() * links, no_index);
-  parallel_blocks(surface.positions.size(), points_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(surface.positions.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
     std::vector<PointTree::Near> near, facing;
     for (std::size_t i = begin; i < end; ++i) {
       tree.nearest(surface.positions[i].cast<double>(), 3 * links + 1, near);

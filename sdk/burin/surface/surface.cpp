@@ -18,13 +18,13 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t elements_a_block = 16384;
+constexpr std::size_t elements_per_block = 16384;
 
 /// Whether `good` is true for all elements; evaluated on all threads.
 template <class Element, class Good>
 bool all_of(const std::vector<Element>& elements, const Good& good) {
   std::atomic<bool> result = true;
-  parallel_blocks(elements.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(elements.size(), elements_per_block, [&](std::size_t begin, std::size_t end) {
     if (!std::ranges::all_of(std::span(elements).subspan(begin, end - begin), good)) result = false;
   });
   return result;
@@ -46,14 +46,14 @@ void sort_vertices(TriangleMesh& mesh, Surface& surface) {
   const std::vector<Index>& source = surface.source_vertex;
   surface.positions.resize(source.size());
   UnsetVector<Index> sorted(source.size());
-  parallel_blocks(source.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(source.size(), elements_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       surface.positions[i] = mesh.positions[source[i]];
       sorted[source[i]] = static_cast<Index>(i);
     }
   });
   std::vector<Vec3f>().swap(mesh.positions);
-  parallel_blocks(mesh.triangles.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(mesh.triangles.size(), elements_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (Index& vertex : mesh.triangles[i]) vertex = sorted[vertex];
   });
@@ -67,11 +67,11 @@ void sort_triangles(std::vector<Triangle>& triangles, std::size_t vertices) {
       triangles.size(), vertices,
       [&](std::size_t i, const auto& emit) {
         const auto& [a, b, c] = triangles[i];
-        if (!names_a_vertex_twice(triangles[i])) emit(std::min(std::min(a, b), c));
+        if (!has_repeated_vertex(triangles[i])) emit(std::min(std::min(a, b), c));
       },
       [&](std::size_t i, std::size_t position) { sorted[position] = triangles[i]; });
   triangles.resize(offsets.back());
-  parallel_blocks(vertices, elements_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(vertices, elements_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t vertex = begin; vertex < end; ++vertex)
       std::sort(sorted.begin() + offsets[vertex], sorted.begin() + offsets[vertex + 1]);
     std::copy(sorted.begin() + offsets[begin], sorted.begin() + offsets[end],
@@ -81,7 +81,7 @@ void sort_triangles(std::vector<Triangle>& triangles, std::size_t vertices) {
 
 void compute_all_normals(Surface& surface) {
   surface.normals.resize(surface.positions.size());
-  parallel_blocks(surface.positions.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(surface.positions.size(), elements_per_block, [&](std::size_t begin, std::size_t end) {
     for (Index vertex = static_cast<Index>(begin); vertex < end; ++vertex)
       surface.normals[vertex] = vertex_normal(surface, surface.positions, vertex);
   });

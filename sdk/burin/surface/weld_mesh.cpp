@@ -147,7 +147,7 @@ class Places {
         number_[vertex] = static_cast<Index>(points_.size());
         points_.push_back(mesh.positions[vertex]);
       }
-    const std::vector<Index> first = first_at_place(points_);
+    const std::vector<Index> first = first_at_position(points_);
     for (Index& number : number_)
       if (number != no_index) number = first[number];
     if (tolerance > 0) join_near(mesh, first, tolerance);

@@ -9,7 +9,7 @@ namespace {
 std::optional<std::u32string> decoded(std::string_view text) {
   std::u32string codes;
   while (!text.empty()) {
-    const auto code = take_code_point(text);
+    const auto code = pop_code_point(text);
     if (!code) return std::nullopt;
     codes.push_back(*code);
   }

@@ -8,12 +8,12 @@ namespace burin::kernels {
 namespace {
 
 /// The memory, about, that the chart reads and writes per vertex.
-constexpr std::size_t bytes_a_vertex = 120;
+constexpr std::size_t bytes_per_vertex = 120;
 
 void memory_floor(benchmark::State& state) {
   const auto vertices = static_cast<std::size_t>(state.range(0));
   // Copied bytes are touched twice.
-  const std::size_t size = vertices * bytes_a_vertex / 2;
+  const std::size_t size = vertices * bytes_per_vertex / 2;
   const std::vector<char> from(size, 1);
   std::vector<char> to(size);
   for ([[maybe_unused]] const auto _ : state) {

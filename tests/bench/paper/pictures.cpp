@@ -12,7 +12,7 @@
 namespace burin::paper {
 namespace {
 
-constexpr double squares_a_radius = 4;
+constexpr double squares_per_radius = 4;
 
 /// Values at some vertices of a surface, clay elsewhere.
 class Field {
@@ -47,7 +47,7 @@ Picture draw(const Subject& subject, const Albedo& albedo) {
 
 Picture checkerboard_picture(const Subject& subject, const Parameterization& places) {
   Field field(subject.scene->surface);
-  const double scale = squares_a_radius / subject.radius;
+  const double scale = squares_per_radius / subject.radius;
   for (std::size_t local = 0; local < subject.region.vertices.size(); ++local) {
     const Vec2d place = scale * places.row(static_cast<Eigen::Index>(local));
     field.set(subject.region.vertices[local], place.cast<float>());

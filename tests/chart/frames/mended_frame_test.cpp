@@ -27,7 +27,7 @@ FrontStroke cornered() {
   return stroke;
 }
 
-GroundPlace on_plane(double x, double y) { return {Vec3d(x, y, 0).cast<float>(), Vec3f::UnitZ(), 0}; }
+GroundVertex on_plane(double x, double y) { return {Vec3d(x, y, 0).cast<float>(), Vec3f::UnitZ(), 0}; }
 
 ChartFrame straight_frame(double t, double d) {
   return {.t = t, .d = static_cast<float>(d), .e1 = Vec3f::UnitX()};
@@ -54,7 +54,7 @@ TEST(MendedFrame, TakesTheStrokesOwnNearestPointWhereTheDistanceIsFalse) {
 // Across a thin part the straight line is no way on the surface.
 TEST(MendedFrame, LeavesWhatLooksTheOtherWay) {
   const FrontStroke stroke = cornered();
-  GroundPlace below = on_plane(0.1, 0.1);
+  GroundVertex below = on_plane(0.1, 0.1);
   below.normal = -below.normal;
   const ChartFrame frame = straight_frame(0.7, 0.1);
   EXPECT_EQ(mended_frame(stroke, below, frame).frame, frame);

@@ -31,9 +31,9 @@ StrokePath path_of(const SurfaceCurve& curve) {
 
 TEST(StrokePath, TellsDistances) {
   const StrokePath path = path_of(bow(30));
-  EXPECT_EQ(path.told_distance(0.3, -0.1), 0.1);
-  EXPECT_NEAR(path.told_distance(-0.3, 0.4), 0.5, 1e-12);
-  EXPECT_NEAR(path.told_distance(path.length() + 0.3, 0.4), 0.5, 1e-12);
+  EXPECT_EQ(path.chart_distance(0.3, -0.1), 0.1);
+  EXPECT_NEAR(path.chart_distance(-0.3, 0.4), 0.5, 1e-12);
+  EXPECT_NEAR(path.chart_distance(path.length() + 0.3, 0.4), 0.5, 1e-12);
 }
 
 // Coordinates of points of the curve itself: d = 0 is right, and at another t false by how far that is.

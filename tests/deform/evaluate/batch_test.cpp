@@ -205,7 +205,7 @@ TEST_F(BatchTest, TellsCurvatureAndUmbrellaOfTheBase) {
 }
 
 TEST_F(BatchTest, TakesTheUmbrellaOfThePassBefore) {
-  PassPlaces places(surface_, {&drawn_->live});
+  PassPositions places(surface_, {&drawn_->live});
   const Index raised = vertex(20);
   places.set(raised, surface_.positions[raised] + Vec3f(0, 0, 3));
   NodeSource moved = source();

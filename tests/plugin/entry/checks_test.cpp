@@ -36,7 +36,7 @@ TEST(ParamChecks, WantEachIdOnce) {
 
 TEST(ParamChecks, WantTheDefaultInTheHardRangeAndTheSoftOneWithin) {
   const auto number = [](Range hard, Range soft, float initial) {
-    return accepted(FloatParam{.id = "a", .name = "A", .hard = hard, .soft = soft, .initial = initial});
+    return accepted(FloatParam{.id = "a", .name = "A", .hard = hard, .soft = soft, .default_value = initial});
   };
   EXPECT_TRUE(number({0, 2}, {0, 1}, 1.5f));
   EXPECT_TRUE(number({-infinity, infinity}, {0, 1}, 5));
@@ -57,20 +57,20 @@ TEST(ParamChecks, WantWholeNumbersThatAFloatHolds) {
 }
 
 TEST(ParamChecks, WantAChoiceThatExists) {
-  EXPECT_TRUE(accepted(ChoiceParam{.id = "a", .name = "A", .choices = {"x", "y"}, .initial = 1}));
-  EXPECT_FALSE(accepted(ChoiceParam{.id = "a", .name = "A", .choices = {"x", "y"}, .initial = 2}));
+  EXPECT_TRUE(accepted(ChoiceParam{.id = "a", .name = "A", .choices = {"x", "y"}, .default_value = 1}));
+  EXPECT_FALSE(accepted(ChoiceParam{.id = "a", .name = "A", .choices = {"x", "y"}, .default_value = 2}));
   EXPECT_FALSE(accepted(ChoiceParam{.id = "a", .name = "A"}));
   EXPECT_FALSE(accepted(ChoiceParam{.id = "a", .name = "A", .choices = {"x", "y", "x"}}));
 }
 
 TEST(ParamChecks, WantColoursOfShares) {
-  EXPECT_TRUE(accepted(ColourParam{.id = "a", .name = "A", .initial = {0, 1, 0.5f, 1}}));
-  EXPECT_FALSE(accepted(ColourParam{.id = "a", .name = "A", .initial = {0, 1, 0.5f, 1.5f}}));
+  EXPECT_TRUE(accepted(ColourParam{.id = "a", .name = "A", .default_value = {0, 1, 0.5f, 1}}));
+  EXPECT_FALSE(accepted(ColourParam{.id = "a", .name = "A", .default_value = {0, 1, 0.5f, 1.5f}}));
 }
 
 TEST(ParamChecks, WantKnotsThatRise) {
   const auto curve = [](std::span<const float> knots) {
-    return accepted(CurveParam{.id = "a", .name = "A", .initial = knots});
+    return accepted(CurveParam{.id = "a", .name = "A", .default_value = knots});
   };
   const float rising[] = {0, 5, 1, 2}, level[] = {1, 5, 1, 2}, endless[] = {1, 5, 2, infinity};
   EXPECT_TRUE(curve(rising));

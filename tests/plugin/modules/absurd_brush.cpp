@@ -9,7 +9,8 @@ class AbsurdBrush : public Brush {
  public:
   static constexpr BrushInfo info{
       .id = "org.burin.test.absurd", .name = "Absurd", .vendor = "Burin", .version = "1.0.0"};
-  static constexpr FloatParam radii{.id = "radii", .name = "Radii", .hard = {0, 3e38f}, .initial = 1001};
+  static constexpr FloatParam radii{
+      .id = "radii", .name = "Radii", .hard = {0, 3e38f}, .default_value = 1001};
   static constexpr auto params = param_list(radii);
 
   void evaluate(const Batch& in, const Outputs& out) const override {

@@ -24,19 +24,19 @@ class ParamsProbe : public Brush {
                                      .unit = BURIN_UNIT_ANGLE,
                                      .hard = {-100, 100},
                                      .soft = {-1, 1},
-                                     .initial = 0.5f,
+                                     .default_value = 0.5f,
                                      .dynamic = true};
   static constexpr IntParam count{
-      .id = "count", .name = "Count", .hard = {-16777216, 16777216}, .soft = {0, 8}, .initial = 3};
-  static constexpr BoolParam on{.id = "on", .name = "On", .initial = true};
+      .id = "count", .name = "Count", .hard = {-16777216, 16777216}, .soft = {0, 8}, .default_value = 3};
+  static constexpr BoolParam on{.id = "on", .name = "On", .default_value = true};
   static constexpr ChoiceParam shape{
-      .id = "shape", .name = "Shape", .choices = {"disc", "box", "star"}, .initial = 2};
+      .id = "shape", .name = "Shape", .choices = {"disc", "box", "star"}, .default_value = 2};
   static constexpr ColourParam paint{
-      .id = "paint", .name = "Paint", .initial = {0.1f, 0.2f, 0.3f, 0.4f}, .dynamic = true};
-  static constexpr FileParam file{.id = "file", .name = "File", .initial = "default.txt"};
+      .id = "paint", .name = "Paint", .default_value = {0.1f, 0.2f, 0.3f, 0.4f}, .dynamic = true};
+  static constexpr FileParam file{.id = "file", .name = "File", .default_value = "default.txt"};
   static constexpr float knots[] = {0, 1, 0.5f, 3, 1, 0};
-  static constexpr CurveParam curve{.id = "curve", .name = "Curve", .initial = knots};
-  static constexpr TextParam text{.id = "text", .name = "Text", .initial = "abc"};
+  static constexpr CurveParam curve{.id = "curve", .name = "Curve", .default_value = knots};
+  static constexpr TextParam text{.id = "text", .name = "Text", .default_value = "abc"};
   static constexpr auto params = param_list(number, count, on, shape, paint, file, curve, text);
 
   void evaluate(const Batch& in, const Outputs& out) const override {

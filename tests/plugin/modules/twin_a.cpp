@@ -5,7 +5,7 @@ class Twin : public burin::plugin::Brush {
  public:
   static constexpr burin::plugin::BrushInfo info{
       .id = "org.burin.test.twin-a", .name = "Twin", .vendor = "Burin", .version = "1.0.0"};
-  static constexpr burin::plugin::FloatParam size{.id = "size", .name = "Size", .initial = 0.25f};
+  static constexpr burin::plugin::FloatParam size{.id = "size", .name = "Size", .default_value = 0.25f};
   static constexpr auto params = burin::plugin::param_list(size);
 
   void evaluate(const burin::plugin::Batch& in, const burin::plugin::Outputs& out) const override {

@@ -29,7 +29,7 @@ std::string rgb(const std::string& type) {
   return "property " + type + " red\nproperty " + type + " green\nproperty " + type + " blue\n";
 }
 
-std::string fault_of(const std::string& properties, const std::string& second) {
+std::string validation_error(const std::string& properties, const std::string& second) {
   try {
     paint_of(properties, {"0 0 0", second, "0 0 0"});
   } catch (const FileError& error) {
@@ -81,13 +81,13 @@ TEST(PlyPaint, IsEmptyWhereNothingWholeIsPainted) {
 }
 
 TEST(PlyPaint, RefusesWhatIsOutOfRange) {
-  EXPECT_EQ(fault_of(rgb("uchar"), "0 256 0"), "vertex 2: its green is 256, not from 0 to 255");
-  EXPECT_EQ(fault_of(rgb("float"), "0 0 nan"), "vertex 2: its blue is nan, not from 0 to 1");
-  EXPECT_EQ(fault_of(rgb("float"), "inf 0 0"), "vertex 2: its red is inf, not from 0 to 1");
+  EXPECT_EQ(validation_error(rgb("uchar"), "0 256 0"), "vertex 2: its green is 256, not from 0 to 255");
+  EXPECT_EQ(validation_error(rgb("float"), "0 0 nan"), "vertex 2: its blue is nan, not from 0 to 1");
+  EXPECT_EQ(validation_error(rgb("float"), "inf 0 0"), "vertex 2: its red is inf, not from 0 to 1");
   const std::string mask = "property uchar a\nproperty uchar b\nproperty float mask\n";
-  EXPECT_EQ(fault_of(mask, "0 0 1.5"), "vertex 2: its mask is 1.5, not from 0 to 1");
-  EXPECT_EQ(fault_of(mask, "0 0 -0.1"), "vertex 2: its mask is -0.1, not from 0 to 1");
-  EXPECT_EQ(fault_of(mask, "0 0 1"), "no error");
+  EXPECT_EQ(validation_error(mask, "0 0 1.5"), "vertex 2: its mask is 1.5, not from 0 to 1");
+  EXPECT_EQ(validation_error(mask, "0 0 -0.1"), "vertex 2: its mask is -0.1, not from 0 to 1");
+  EXPECT_EQ(validation_error(mask, "0 0 1"), "no error");
 }
 
 }  // namespace

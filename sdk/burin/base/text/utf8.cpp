@@ -5,7 +5,7 @@
 
 namespace burin {
 
-std::optional<char32_t> take_code_point(std::string_view& text) {
+std::optional<char32_t> pop_code_point(std::string_view& text) {
   const auto first = static_cast<unsigned char>(text.front());
   const auto ones = static_cast<std::size_t>(std::countl_one(first));
   if (ones == 1 || ones > 4 || text.size() < ones) return std::nullopt;

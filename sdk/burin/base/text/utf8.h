@@ -6,7 +6,7 @@ namespace burin {
 
 /// Removes one code point from the front of a text, which must not be empty, and returns it. Returns nothing
 /// and leaves the text unchanged if its first bytes are not valid UTF-8 [RFC 3629].
-std::optional<char32_t> take_code_point(std::string_view& text);
+std::optional<char32_t> pop_code_point(std::string_view& text);
 
 /// Whether a code point is a C0 or C1 control (line breaks included), or Unicode's line or paragraph
 /// separator.

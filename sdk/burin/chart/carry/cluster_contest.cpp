@@ -122,7 +122,7 @@ void ClusterContest::find_rivals(const LiveChart& nodes, Index slot, std::vector
 }
 
 ChartFrame ClusterContest::told_by(const LiveChart& nodes, const StrokePath& path, Index slot,
-                                   const GroundPlace& place) const {
+                                   const GroundVertex& place) const {
   const BasePatch patch = base_->patch(nodes.nodes().vertex[slot]);
   const ChartFrame frame = nodes.nodes().frame(slot);
   const FrameStep step =

@@ -33,7 +33,7 @@ class ClusterContest {
 
   /// The frame at a point of the base surface, extrapolated by one straight step from the slot's node.
   ChartFrame told_by(const LiveChart& nodes, const StrokePath& path, Index slot,
-                     const GroundPlace& place) const;
+                     const GroundVertex& place) const;
 
  private:
   bool is_contested(const LiveChart& nodes, Index slot) const;

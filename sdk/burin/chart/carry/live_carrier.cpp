@@ -42,11 +42,11 @@ void LiveCarrier::update(const LiveChart& nodes, const FrontStroke* on_base, con
     if (nodes.vacant(slot)) vacate(slot, vertices);
   find_stale(nodes, affected, from);
   make_room(nodes, vertices);
-  constexpr std::size_t slots_a_block = 16;
-  std::vector<Carried> carried((stale_.size() + slots_a_block - 1) / slots_a_block);
+  constexpr std::size_t slots_per_block = 16;
+  std::vector<Carried> carried((stale_.size() + slots_per_block - 1) / slots_per_block);
   const Event event{nodes, on_base, curve, vertices};
-  parallel_blocks(stale_.size(), slots_a_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) carry(event, stale_[i], carried[begin / slots_a_block]);
+  parallel_blocks(stale_.size(), slots_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) carry(event, stale_[i], carried[begin / slots_per_block]);
   });
   for (const Carried& block : carried) {
     vertices.note(block.rewritten);
@@ -148,7 +148,7 @@ void LiveCarrier::carry_contested(const Event& event, Index slot, const BasePatc
   Range& range = ranges_[slot];
   const StrokePath& path = event.on_base->path;
   for (Index at = range.begin; at < range.begin + range.size; ++at) {
-    const GroundPlace vertex{patch.place(foot_[at]), patch.normal_at(foot_[at]), patch.gauss_curvature()};
+    const GroundVertex vertex{patch.place(foot_[at]), patch.normal_at(foot_[at]), patch.gauss_curvature()};
     ChartFrame nearest;
     double least = std::numeric_limits<double>::infinity();
     for (const Index rival : carried.rivals) {

@@ -28,7 +28,7 @@ struct Node {
   Index parent = no_index;  ///< neighbour from which g was reached
   State state = State::open;
   bool seeded = false;  ///< its frame comes from the centre itself
-  GroundPlace place;
+  GroundVertex place;
   DabFrame frame;
 };
 
@@ -94,7 +94,7 @@ Vec3f DabChartBuilder::Dab::normal_at(const SurfacePoint& point) const {
 void DabChartBuilder::Dab::seed(Index vertex) {
   const Index node = node_of(vertex);
   if (nodes[node].seeded) return;
-  const GroundPlace& x = nodes[node].place;
+  const GroundVertex& x = nodes[node].place;
   const auto [step, carried] = step_along_edge(centre, normal, e1, x.position, x.normal);
   nodes[node].seeded = true;
   nodes[node].frame = {step, carried};
@@ -144,7 +144,7 @@ DabFrame DabChartBuilder::Dab::frame_from_neighbours(Index node) {
 }
 
 void DabChartBuilder::Dab::predict(Index from, Index node) {
-  const GroundPlace &q = nodes[from].place, &x = nodes[node].place;
+  const GroundVertex &q = nodes[from].place, &x = nodes[node].place;
   const DabFrame& known = nodes[from].frame;
   const auto [step, carried] = step_along_edge(q.position, q.normal, known.e1, x.position, x.normal);
   const float length = (x.position - q.position).norm();

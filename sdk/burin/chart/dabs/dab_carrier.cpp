@@ -119,7 +119,7 @@ void append(DabChart& chart, Index vertex, const Vec2f& at, const Vec3f& e1, con
 }
 
 /// Concatenates the parts and sorts their elements by vertex.
-DabChart put_together(const std::vector<DabChart>& parts) {
+DabChart select_nodes(const std::vector<DabChart>& parts) {
   struct Place {
     Index vertex;
     const DabChart* part;
@@ -139,9 +139,9 @@ DabChart put_together(const std::vector<DabChart>& parts) {
 
 DabChart carried_dab(BaseSurface& base, const Surface& surface, const DabChart& nodes, double radius) {
   const DabNodes on_base(base, nodes);
-  constexpr std::size_t nodes_a_block = 16;
-  std::vector<DabChart> parts((nodes.size() + nodes_a_block - 1) / nodes_a_block);
-  parallel_blocks(nodes.size(), nodes_a_block, [&](std::size_t begin, std::size_t end) {
+  constexpr std::size_t nodes_per_block = 16;
+  std::vector<DabChart> parts((nodes.size() + nodes_per_block - 1) / nodes_per_block);
+  parallel_blocks(nodes.size(), nodes_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const BasePatch& patch = on_base.patch(i);
       const DabPatch fitted(on_base, i);
@@ -149,11 +149,11 @@ DabChart carried_dab(BaseSurface& base, const Surface& surface, const DabChart& 
         const BasePatch::Local<float> foot = patch.foot(surface.positions[vertex]);
         const Vec2f at = fitted.coordinates(foot);
         if (at.cast<double>().norm() <= radius)
-          append(parts[begin / nodes_a_block], vertex, at, fitted.e1(foot), patch.normal_at(foot));
+          append(parts[begin / nodes_per_block], vertex, at, fitted.e1(foot), patch.normal_at(foot));
       });
     }
   });
-  return put_together(parts);
+  return select_nodes(parts);
 }
 
 }  // namespace burin

@@ -157,7 +157,7 @@ ArcFoot on_arcs(const SurfaceCurve& curve, const Foot& start, const Vec3f& x) {
 
 }  // namespace
 
-ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve,
+ChartFrame frame_from(const GroundVertex& vertex, const SurfaceCurve& curve,
                       const GeodesicCurvature& curvature, const StrokePath& path, Foot foot) {
   const bool begin = at_begin(curve, foot), end = at_end(curve, foot);
   bool at_corner = false;

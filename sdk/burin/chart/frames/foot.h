@@ -33,7 +33,7 @@ NearestFoot nearest_from(const SurfaceCurve& curve, const Foot& start, const Vec
 
 /// The frame at a vertex, from its foot on the curve of this path. Curvature and stretch to second order in
 /// the distance.
-ChartFrame frame_from(const GroundPlace& vertex, const SurfaceCurve& curve,
+ChartFrame frame_from(const GroundVertex& vertex, const SurfaceCurve& curve,
                       const GeodesicCurvature& curvature, const StrokePath& path, Foot foot);
 
 }  // namespace burin

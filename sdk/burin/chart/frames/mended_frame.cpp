@@ -28,7 +28,7 @@ ChartFrame between(const ChartFrame& a, const ChartFrame& b, double share, const
 
 }  // namespace
 
-MendedFrame mended_frame(const FrontStroke& stroke, const GroundPlace& vertex, const ChartFrame& frame) {
+MendedFrame mended_frame(const FrontStroke& stroke, const GroundVertex& vertex, const ChartFrame& frame) {
   const double excess = stroke.path.excess(frame.t, static_cast<double>(frame.d), vertex.position);
   // First order is the published method, without mending.
   if (stroke.order == 1 || !(excess > stroke.path.doubt())) return {frame, frame.t};

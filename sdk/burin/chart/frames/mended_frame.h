@@ -14,6 +14,6 @@ struct MendedFrame {
 /// The frame itself where the stroke allows what it tells; of a false one, which places the vertex nearer to
 /// the stroke than a straight line is, what the stroke's own nearest point makes of the vertex. In between
 /// the one goes over into the other.
-MendedFrame mended_frame(const FrontStroke& stroke, const GroundPlace& vertex, const ChartFrame& frame);
+MendedFrame mended_frame(const FrontStroke& stroke, const GroundVertex& vertex, const ChartFrame& frame);
 
 }  // namespace burin

@@ -155,7 +155,7 @@ Index ChartNodes::find_or_add(Index vertex, Index sample, Index head) {
 
 Index ChartNodes::add(Index vertex, Index sample, Index head) {
   if (head == no_index && own_.holds(vertex)) head = add_block(vertex);
-  const GroundPlace place = (*ground_)[vertex];
+  const GroundVertex place = (*ground_)[vertex];
   if (!samples_->disc_holds(sample, place.position, place.normal)) return no_index;
   Index vacant = no_index;
   bool only = true;
@@ -200,7 +200,7 @@ void ChartNodes::set_vertex(FrontNode& node, Index vertex) const {
   node.run_whole = false;
 }
 
-void ChartNodes::put(FrontNode& node, const GroundPlace& place) {
+void ChartNodes::put(FrontNode& node, const GroundVertex& place) {
   node.position = place.position;
   node.normal = place.normal;
   node.gauss = place.gauss_curvature;

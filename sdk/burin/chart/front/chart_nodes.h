@@ -96,7 +96,7 @@ class ChartNodes {
   Index add_block(Index vertex);
   Index add_loose(Index vertex);
   void set_vertex(FrontNode& node, Index vertex) const;
-  static void put(FrontNode& node, const GroundPlace& place);
+  static void put(FrontNode& node, const GroundVertex& place);
   void begin_visit(FrontNode& node, Index sample) const;
   void forget_changed(Index node);
   bool extends_to(Index node, Index sample);

@@ -154,7 +154,7 @@ void FrontPart::settle_gathered() {
     // Taken back by one before it, a node is waiting in the queue again.
     if (gathered_[i] == no_index) continue;
     FrontNode& node = nodes_[gathered_[i]];
-    const GroundPlace vertex{node.position, node.normal, node.gauss};
+    const GroundVertex vertex{node.position, node.normal, node.gauss};
     const auto [frame, depends_to] = mended_frame(*stroke_, vertex, upwind.frames[i]);
     node.contested = upwind.contested[i] || !(frame == upwind.frames[i]);
     node.depends_to = std::max(node.depends_to, static_cast<float>(depends_to));
@@ -191,7 +191,7 @@ bool FrontPart::within_stroke(Index index) {
   const StrokeSamples& samples = stroke_->samples;
   const double t = node.frame.t, d = static_cast<double>(node.frame.d), beyond = stroke_->path.beyond(t);
   const bool extended = beyond > 0 && beyond <= (t < 0 ? stroke_->extensions.begin : stroke_->extensions.end);
-  const double distance = extended ? std::abs(d) : stroke_->path.told_distance(t, d);
+  const double distance = extended ? std::abs(d) : stroke_->path.chart_distance(t, d);
   // Coordinates have gone astray whose foot is not in the node's own visit.
   return distance <= samples.half_width(t) && nodes_.holds(index, node.sample);
 }

@@ -11,7 +11,7 @@ namespace burin {
 
 /// By how much a frame tells of less than the g of its node, beyond doubt; >= 0, object units.
 inline float shortfall_of(const FrontNode& q, const StrokePath& path) {
-  const double told = path.told_distance(q.frame.t, static_cast<double>(q.frame.d));
+  const double told = path.chart_distance(q.frame.t, static_cast<double>(q.frame.d));
   return std::max(q.g() - static_cast<float>(told + 2 * path.doubt()), 0.F);
 }
 

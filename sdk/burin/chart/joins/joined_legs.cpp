@@ -27,7 +27,7 @@ void JoinedLegs::begin(const ChartOptions& options) {
 }
 
 void JoinedLegs::place(const SurfaceCurve& curve, double unchanged_t, Front& front,
-                       std::vector<PlacedNode>& nodes) {
+                       std::vector<LegNode>& nodes) {
   cuts_.clear();
   corners_.clear();
   if (options_.join != Join::round) find_corners(curve);
@@ -39,10 +39,10 @@ void JoinedLegs::place(const SurfaceCurve& curve, double unchanged_t, Front& fro
     nodes.insert(nodes.end(), charted_[leg].nodes.begin(), charted_[leg].nodes.end());
   }
   chart_bends(curve, unchanged_t);
-  if (options_.join != Join::overlap) put_together(nodes, curve.closed);
+  if (options_.join != Join::overlap) select_nodes(nodes, curve.closed);
   if (options_.join == Join::smooth) smooth_long_bends(curve, nodes);
   // Joins move coordinates, so some nodes now lie outside the stroke.
-  std::erase_if(nodes, [&](const PlacedNode& node) {
+  std::erase_if(nodes, [&](const LegNode& node) {
     return static_cast<double>(std::abs(node.frame.d)) > node.half_width ||
            (options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
   });
@@ -132,9 +132,9 @@ void JoinedLegs::chart(const SurfaceCurve& curve, std::size_t leg, const Leg& no
   if (!goes_on) front.restart(options_.radius, options_.order, now.reach);
   front_leg_ = now;
   charted_[leg] = chart_with(front, part, now);
-  for (PlacedNode& node : charted_[leg].nodes) node.leg = static_cast<Index>(leg);
+  for (LegNode& node : charted_[leg].nodes) node.leg = static_cast<Index>(leg);
   if (options_.cap == Cap::butt)
-    std::erase_if(charted_[leg].nodes, [&](const PlacedNode& node) {
+    std::erase_if(charted_[leg].nodes, [&](const LegNode& node) {
       const double t = node.frame.t - now.begin;
       const bool inner_end = options_.join != Join::overlap && (t < 0 ? now.corner_before : now.corner_after);
       return beyond_end(t, part) && !inner_end;
@@ -172,33 +172,33 @@ void JoinedLegs::chart_bends(const SurfaceCurve& curve, double unchanged_t) {
 
 /// Appends the nodes of bends that are legs of their own, and at corners the nodes of vertices that the legs
 /// leave out.
-void JoinedLegs::add_bends(const SurfaceCurve& curve, std::vector<PlacedNode>& nodes) const {
+void JoinedLegs::add_bends(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const {
   const auto add = [&](std::size_t i, const auto& counts) {
-    std::ranges::copy_if(charted_bends_[i].nodes, std::back_inserter(nodes), [&](const PlacedNode& node) {
+    std::ranges::copy_if(charted_bends_[i].nodes, std::back_inserter(nodes), [&](const LegNode& node) {
       return counts(node) && !(options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
     });
   };
   for (std::size_t i = 0; i < cuts_.size(); ++i)
-    if (!is_corner(cuts_[i])) add(i, [](const PlacedNode&) { return true; });
+    if (!is_corner(cuts_[i])) add(i, [](const LegNode&) { return true; });
   std::vector<Index> held;
   held.reserve(nodes.size());
-  for (const PlacedNode& node : nodes) held.push_back(node.vertex);
+  for (const LegNode& node : nodes) held.push_back(node.vertex);
   std::ranges::sort(held);
   for (std::size_t i = 0; i < cuts_.size(); ++i) {
     if (!is_corner(cuts_[i]) || !is_filled(cuts_[i])) continue;
     const std::size_t first = nodes.size();
-    add(i, [&](const PlacedNode& node) { return !std::ranges::binary_search(held, node.vertex); });
+    add(i, [&](const LegNode& node) { return !std::ranges::binary_search(held, node.vertex); });
     if (options_.join == Join::smooth) smooth_bend(curve, cuts_[i], std::span(nodes).subspan(first));
   }
 }
 
 /// At each corner a vertex keeps the node of the leg on whose side of the bisector it lies, which is the node
 /// that reaches less far beyond the corner.
-void JoinedLegs::put_together(std::vector<PlacedNode>& nodes, bool closed) const {
+void JoinedLegs::select_nodes(std::vector<LegNode>& nodes, bool closed) const {
   if (corners_.empty()) return;
-  std::ranges::sort(nodes, {}, [](const PlacedNode& n) { return std::tuple(n.vertex, n.leg, n.frame.t); });
+  std::ranges::sort(nodes, {}, [](const LegNode& n) { return std::tuple(n.vertex, n.leg, n.frame.t); });
   const double near = 4 * options_.radius;
-  const auto keeps = [&](const PlacedNode& node, std::size_t first, std::size_t last, const Corner* corner,
+  const auto keeps = [&](const LegNode& node, std::size_t first, std::size_t last, const Corner* corner,
                          bool first_leg) {
     if (!corner) return true;
     const double beyond = first_leg ? node.frame.t - corner->first : corner->second - node.frame.t;
@@ -210,12 +210,12 @@ void JoinedLegs::put_together(std::vector<PlacedNode>& nodes, bool closed) const
     }
     return beyond <= 0 || on_own_side(*corner, first_leg, node.frame);
   };
-  std::vector<PlacedNode> kept;
+  std::vector<LegNode> kept;
   for (std::size_t first = 0; first < nodes.size();) {
     std::size_t last = first;
     while (last < nodes.size() && nodes[last].vertex == nodes[first].vertex) ++last;
     for (std::size_t i = first; i < last; ++i) {
-      PlacedNode node = nodes[i];
+      LegNode node = nodes[i];
       const Corner *before = corner_before(node.leg, closed), *after = corner_after(node.leg, closed);
       if (!keeps(node, first, last, after, true) || !keeps(node, first, last, before, false)) continue;
       if (options_.join == Join::smooth) {
@@ -230,14 +230,14 @@ void JoinedLegs::put_together(std::vector<PlacedNode>& nodes, bool closed) const
   nodes = std::move(kept);
 }
 
-void JoinedLegs::smooth_long_bends(const SurfaceCurve& curve, std::vector<PlacedNode>& nodes) const {
+void JoinedLegs::smooth_long_bends(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const {
   for (const Bend& bend : bends_.all())
     if (!is_corner(bend)) smooth_bend(curve, bend, nodes);
 }
 
-void JoinedLegs::smooth_bend(const SurfaceCurve& curve, const Bend& bend, std::span<PlacedNode> nodes) const {
+void JoinedLegs::smooth_bend(const SurfaceCurve& curve, const Bend& bend, std::span<LegNode> nodes) const {
   const double reach = span(curve, bend), length = curve.length();
-  for (PlacedNode& node : nodes) {
+  for (LegNode& node : nodes) {
     const double t = node.frame.t;
     const double loops = curve.closed ? std::round((t - bend.middle) / length) : 0;
     node.frame.t = smoothed_t(bends_, bend, reach, t - loops * length, static_cast<double>(node.frame.d)) +

@@ -13,7 +13,7 @@
 namespace burin {
 
 /// A node of the chart of one leg.
-struct PlacedNode {
+struct LegNode {
   Index vertex;
   Index leg;  ///< index of the leg, in the order of t
   ChartFrame frame;
@@ -41,7 +41,7 @@ class JoinedLegs {
   /// used for anything else between begin() and the last call. The curve is as in the last call up to the arc
   /// length `unchanged_t`; only legs that changed since are charted. On closed strokes t is not reduced to
   /// [0, length).
-  void place(const SurfaceCurve& curve, double unchanged_t, Front& front, std::vector<PlacedNode>& nodes);
+  void place(const SurfaceCurve& curve, double unchanged_t, Front& front, std::vector<LegNode>& nodes);
 
   /// The numbers of nodes settled and of queue entries pushed in the last call of place().
   std::uint64_t settled() const { return settled_; }
@@ -56,7 +56,7 @@ class JoinedLegs {
   };
   struct ChartedLeg {
     Leg leg;
-    std::vector<PlacedNode> nodes;
+    std::vector<LegNode> nodes;
 
     /// Whether this chart is still that of the leg `now`, on a curve unchanged up to this arc length.
     bool is(const Leg& now, double unchanged_t) const { return leg == now && now.end < unchanged_t; }
@@ -69,12 +69,12 @@ class JoinedLegs {
   void chart(const SurfaceCurve& curve, std::size_t leg, const Leg& now, Front& front);
   void chart_bends(const SurfaceCurve& curve, double unchanged_t);
   ChartedLeg chart_with(Front& front, const SurfaceCurve& part, const Leg& now);
-  void add_bends(const SurfaceCurve& curve, std::vector<PlacedNode>& nodes) const;
-  void put_together(std::vector<PlacedNode>& nodes, bool closed) const;
+  void add_bends(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const;
+  void select_nodes(std::vector<LegNode>& nodes, bool closed) const;
   const Corner* corner_after(std::size_t leg, bool closed) const;
   const Corner* corner_before(std::size_t leg, bool closed) const;
-  void smooth_long_bends(const SurfaceCurve& curve, std::vector<PlacedNode>& nodes) const;
-  void smooth_bend(const SurfaceCurve& curve, const Bend& bend, std::span<PlacedNode> nodes) const;
+  void smooth_long_bends(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const;
+  void smooth_bend(const SurfaceCurve& curve, const Bend& bend, std::span<LegNode> nodes) const;
   double span(const SurfaceCurve& curve, const Bend& bend) const;
 
   ChartGround ground_;

@@ -54,7 +54,7 @@ class StrokePath {
 
   /// The distance from the stroke according to the coordinates (t, d): |d| beside the stroke, the distance
   /// from the end beyond it.
-  double told_distance(double t, double d) const {
+  double chart_distance(double t, double d) const {
     const double past = beyond(t);
     return past > 0 ? std::sqrt(past * past + d * d) : std::abs(d);
   }
@@ -63,7 +63,7 @@ class StrokePath {
   /// distance according to (t, d). It is 0 when it is at most the tolerance doubt(); otherwise the
   /// coordinates are wrong.
   double excess(double t, double d, const Vec3f& x) const {
-    const double told = told_distance(t, d), allowed = told + doubt_;
+    const double told = chart_distance(t, d), allowed = told + doubt_;
     const auto squared = static_cast<double>((x - position(t)).squaredNorm());
     return squared > allowed * allowed ? std::sqrt(squared) - told : 0;
   }
@@ -72,7 +72,7 @@ class StrokePath {
   /// longer.
   double distance(double t, double d, const Vec3f& x) const {
     const double more = excess(t, d, x);
-    return told_distance(t, d) + (more > 0 ? more - doubt_ : 0);
+    return chart_distance(t, d) + (more > 0 ? more - doubt_ : 0);
   }
 
   /// The tolerance, object units. It covers the distance of the sampled points from a curve that bends four

@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t elements_a_block = 8192;
+constexpr std::size_t elements_per_block = 8192;
 constexpr double least_square = 1e-12;  ///< shorter means of unit vectors (squared length) have no direction
 
 /// Twice the area of a triangle in texture space; negative if the triangle is mirrored there.
@@ -43,12 +43,12 @@ BaseFrames::BaseFrames(const TriangleMesh& base, bool tangents)
       incident_(incident_triangles(base.positions.size(), base.triangles)),
       normals_(base.positions.size()),
       tangents_(tangents ? base.triangles.size() : 0) {
-  parallel_blocks(normals_.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(normals_.size(), elements_per_block, [&](std::size_t begin, std::size_t end) {
     for (Index vertex = static_cast<Index>(begin); vertex < end; ++vertex)
       normals_[vertex] = vertex_normal(base.triangles, incident_, vertex,
                                        [&](Index at) -> const Vec3f& { return base.positions[at]; });
   });
-  parallel_blocks(tangents_.size(), elements_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(tangents_.size(), elements_per_block, [&](std::size_t begin, std::size_t end) {
     for (Index triangle = static_cast<Index>(begin); triangle < end; ++triangle)
       tangents_[triangle] = {tangent(triangle, 0), tangent(triangle, 1), tangent(triangle, 2)};
   });

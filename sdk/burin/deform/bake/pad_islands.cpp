@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t rows_a_block = 32;
+constexpr std::size_t rows_per_block = 32;
 
 /// One round of padding: computes values for unknown texels from the texels known at the start of the round.
 class PaddingRound {
@@ -75,11 +75,11 @@ class PaddingRound {
 
 void pad_islands(FloatImage& image, std::vector<std::uint8_t>& known, int texels) {
   const auto height = static_cast<std::size_t>(image.height), width = static_cast<std::size_t>(image.width);
-  std::vector<std::vector<std::size_t>> reached(height / rows_a_block + 1);  // [block]
+  std::vector<std::vector<std::size_t>> reached(height / rows_per_block + 1);  // [block]
   for (int round = 0; round < texels; ++round) {
-    parallel_blocks(height, rows_a_block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(height, rows_per_block, [&](std::size_t begin, std::size_t end) {
       PaddingRound padding(image, known);
-      std::vector<std::size_t>& found = reached[begin / rows_a_block];
+      std::vector<std::size_t>& found = reached[begin / rows_per_block];
       found.clear();
       for (std::size_t texel = begin * width; texel < end * width; ++texel) {
         if (known[texel] != 0) continue;

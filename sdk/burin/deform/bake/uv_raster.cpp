@@ -10,7 +10,7 @@
 namespace burin {
 namespace {
 
-constexpr int rows_a_band = 16;
+constexpr int rows_per_band = 16;
 
 /// The least barycentric coordinate of a texel's centre that a triangle covers. Centres on a common edge are
 /// covered by both triangles, so that there is no gap.
@@ -46,14 +46,14 @@ Bands sort_into_bands(std::span<const TriangleUv> triangles, int size) {
   const auto each_band = [&](std::size_t i, const auto& visit) {
     const auto [begin, end] = rows(triangles[i], size);
     if (begin >= end) return;
-    for (int band = begin / rows_a_band; band <= (end - 1) / rows_a_band; ++band)
+    for (int band = begin / rows_per_band; band <= (end - 1) / rows_per_band; ++band)
       visit(static_cast<std::size_t>(band));
   };
   std::size_t entries = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) each_band(i, [&](std::size_t) { ++entries; });
   Bands bands;
   bands.triangles.resize(entries);
-  const auto count = static_cast<std::size_t>((size + rows_a_band - 1) / rows_a_band);
+  const auto count = static_cast<std::size_t>((size + rows_per_band - 1) / rows_per_band);
   bands.offsets = counting_sort(triangles.size(), count, each_band, [&](std::size_t i, std::size_t position) {
     bands.triangles[position] = static_cast<Index>(i);
   });
@@ -67,8 +67,8 @@ class BandFiller {
       : triangles_(triangles),
         raster_(raster),
         first_row_(first_row),
-        end_row_(std::min(first_row + rows_a_band, raster.size)),
-        overlaps_(static_cast<std::size_t>(rows_a_band) * static_cast<std::size_t>(raster.size)) {}
+        end_row_(std::min(first_row + rows_per_band, raster.size)),
+        overlaps_(static_cast<std::size_t>(rows_per_band) * static_cast<std::size_t>(raster.size)) {}
 
   void fill(Index triangle) {
     const TriangleUv& uv = triangles_[triangle];
@@ -129,7 +129,7 @@ UvRaster rasterise(std::span<const TriangleUv> triangles, int size) {
   const Bands bands = sort_into_bands(triangles, size);
   std::vector<std::size_t> overlaps(bands.offsets.size() - 1);
   parallel_blocks(overlaps.size(), 1, [&](std::size_t band, std::size_t) {
-    BandFiller filler(triangles, raster, static_cast<int>(band) * rows_a_band);
+    BandFiller filler(triangles, raster, static_cast<int>(band) * rows_per_band);
     for (Index i = bands.offsets[band]; i < bands.offsets[band + 1]; ++i) filler.fill(bands.triangles[i]);
     overlaps[band] = filler.overlaps();
   });

@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-Vec3f unlimited_place(const Vec3f& base, const VertexSheets& sheets, const BlendOptions& options) {
+Vec3f unlimited_position(const Vec3f& base, const VertexSheets& sheets, const BlendOptions& options) {
   if (sheets.count() == 0) return base;
   if (sheets.count() == 1) return sheets.alone_moved(base);
   const Vec3d move = combined_move(sheets.all(), options.overlap, options.radius);
@@ -16,8 +16,8 @@ Vec3f unlimited_place(const Vec3f& base, const VertexSheets& sheets, const Blend
   return (base.cast<double>() + move).cast<float>();
 }
 
-Vec3f blended_place(const Vec3f& base, const VertexSheets& sheets, const BlendOptions& options) {
-  Vec3f free = unlimited_place(base, sheets, options);
+Vec3f blended_position(const Vec3f& base, const VertexSheets& sheets, const BlendOptions& options) {
+  Vec3f free = unlimited_position(base, sheets, options);
   const double distance = (free - base).cast<double>().norm();
   if (!(distance > options.limit)) return free;
   return base + static_cast<float>(options.limit / distance) * (free - base);
@@ -37,7 +37,7 @@ void blend_sheets(const Surface& surface, const StrokeSheets& stroke, std::span<
   parallel_blocks(vertices.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const VertexSheets sheets(stroke, options.radius, vertices[i]);
-      places[i] = blended_place(surface.positions[vertices[i]], sheets, options);
+      places[i] = blended_position(surface.positions[vertices[i]], sheets, options);
       if (!places[i].allFinite()) return failure.note(i, "displaces beyond the range of floats");
     }
   });

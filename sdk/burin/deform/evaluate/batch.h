@@ -2,7 +2,7 @@
 #include <burin/abi/stroke.h>
 #include <burin/deform/evaluate/batch_params.h>
 #include <burin/deform/evaluate/current_base.h>
-#include <burin/deform/evaluate/pass_places.h>
+#include <burin/deform/evaluate/pass_positions.h>
 #include <burin/deform/evaluate/stroke_nodes.h>
 #include <burin/deform/paint.h>
 #include <burin/stroke/curve/foot_line.h>
@@ -20,15 +20,15 @@ namespace burin {
 struct NodeSource {
   const Surface& surface;  ///< the surface before the stroke
   const StrokeNodes& nodes;
-  float radius;                          ///< half width, object units, of nodes without one of their own
-  const Paint* paint = nullptr;          ///< colours and masks before the stroke; null: none
-  const FootLine* foot = nullptr;        ///< the stroke's foot line, if the brush reads it
-  const PassPlaces* places = nullptr;    ///< positions after the previous pass; null: those of the base
-  const CurrentBase* current = nullptr;  ///< geometry of nodes that depend on earlier visits; null: none
-  std::uint32_t symmetry = 0;            ///< index of the symmetry instance
-  bool mirrored = false;                 ///< BURIN_STROKE_MIRRORED: the brush sees d and e2 negated
-  std::span<const float> dab_t = {};     ///< [slot] t within the node's dab, instead of the chart's; or empty
-  BaseSurface* base = nullptr;  ///< the base surface on which the stroke runs; null: the surface itself
+  float radius;                           ///< half width, object units, of nodes without one of their own
+  const Paint* paint = nullptr;           ///< colours and masks before the stroke; null: none
+  const FootLine* foot = nullptr;         ///< the stroke's foot line, if the brush reads it
+  const PassPositions* places = nullptr;  ///< positions after the previous pass; null: those of the base
+  const CurrentBase* current = nullptr;   ///< geometry of nodes that depend on earlier visits; null: none
+  std::uint32_t symmetry = 0;             ///< index of the symmetry instance
+  bool mirrored = false;                  ///< BURIN_STROKE_MIRRORED: the brush sees d and e2 negated
+  std::span<const float> dab_t = {};  ///< [slot] t within the node's dab, instead of the chart's; or empty
+  BaseSurface* base = nullptr;        ///< the base surface on which the stroke runs; null: the surface itself
 
   /// The position of a vertex's foot on the base surface.
   Vec3f base_place(Index vertex) const {

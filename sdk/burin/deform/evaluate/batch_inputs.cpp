@@ -138,7 +138,7 @@ void Batch::fill_surroundings(std::uint64_t inputs, std::span<const Index> nodes
                            : mean_curvature(surface, vertex(node));
     });
   if (!(inputs & BURIN_INPUT_LAPLACIAN)) return;
-  const PassPlaces* places = source_->places;
+  const PassPositions* places = source_->places;
   batch_.laplacian = vectors(nodes.size(), [&](std::size_t i) -> Vec3f {
     if (const CurrentBase::Place* place = current(nodes[i])) return place->laplacian;
     return umbrella(surface, vertex(nodes[i]),

@@ -26,7 +26,7 @@ std::string known_targets(const burin_brush_descriptor& brush) {
 }
 
 void check(const burin_brush_descriptor& brush, const Dynamic& dynamic) {
-  if (const std::string_view fault = fault_of(dynamic); !fault.empty())
+  if (const std::string_view fault = validation_error(dynamic); !fault.empty())
     throw Error(fmt::format("dynamics of {}: {}", quoted_word(dynamic.target), fault));
   if (dynamic.target == "radius" || dynamic.target == "strength") return;
   for (std::uint32_t i = 0; i < brush.param_count; ++i)

@@ -6,7 +6,7 @@ namespace burin {
 bool is_text(const char* text) {
   if (!text || *text == '\0') return false;
   for (std::string_view rest = text; !rest.empty();) {
-    const auto code = take_code_point(rest);
+    const auto code = pop_code_point(rest);
     if (!code || *code < 0x20 || *code == 0x7f) return false;
   }
   return true;

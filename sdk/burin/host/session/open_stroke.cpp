@@ -79,7 +79,7 @@ void OpenStroke::begin_instances() {
     instances_.emplace_back(*surface_, *picker_, *builders_, settings_, image, brush_stroke_,
                             instances_.empty() ? nullptr : &instances_.front());
   if (settings_.accumulate == Accumulate::from_current) accumulate();
-  if (passes_look_around()) look_around();
+  if (passes_read_neighbours()) look_around();
 }
 
 void OpenStroke::begin_piece() {
@@ -104,7 +104,7 @@ void OpenStroke::accumulate() {
   accumulation_.emplace(*surface_, brush_stroke_, settings_.dab_spacing > 0 ? 0 : settings_.radius);
 }
 
-bool OpenStroke::passes_look_around() const {
+bool OpenStroke::passes_read_neighbours() const {
   return brush().inputs_read & BURIN_INPUT_LAPLACIAN && brush_stroke_.plan().passes > 1;
 }
 
@@ -132,7 +132,7 @@ void OpenStroke::trace(const CurveGround::Place& at, double time, const Pen& pen
 }
 
 VertexMoves OpenStroke::draw(const StrokeTools& tools) {
-  if (std::ranges::none_of(instances_, &StrokeInstance::has_news)) return {};
+  if (std::ranges::none_of(instances_, &StrokeInstance::has_changes)) return {};
   std::vector<StrokeChanges> changes;
   for (StrokeInstance& instance : instances_)
     changes.push_back(instance.empty() ? StrokeChanges{}
@@ -145,7 +145,7 @@ VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
   for (StrokeInstance& instance : instances_)
     if (!instance.empty()) instance.close(closure);
   tools.clock.lap(Stage::curve);
-  const bool news = std::ranges::any_of(instances_, &StrokeInstance::has_news);
+  const bool news = std::ranges::any_of(instances_, &StrokeInstance::has_changes);
   std::vector<StrokeChanges> changes;
   for (StrokeInstance& instance : instances_)
     changes.push_back(instance.empty()

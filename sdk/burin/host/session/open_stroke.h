@@ -42,17 +42,17 @@ class OpenStroke {
 
   /// Whether no piece has a sample.
   bool empty() const { return earlier_.count() == 0 && piece_empty(); }
-  bool piece_empty() const { return drawn_by_hand().empty(); }
+  bool piece_empty() const { return primary_instance().empty(); }
   double radius() const { return settings_.radius; }
-  const SurfaceCurve& curve() const { return drawn_by_hand().curve(); }
-  const LiveChart& live() const { return drawn_by_hand().live(); }
+  const SurfaceCurve& curve() const { return primary_instance().curve(); }
+  const LiveChart& live() const { return primary_instance().live(); }
   const burin_brush_descriptor& brush() const { return brush_stroke_.descriptor(); }
 
   /// Whether the current piece can continue at this point.
-  bool connects(const CurveGround::Place& at) const { return drawn_by_hand().connects(at); }
+  bool connects(const CurveGround::Place& at) const { return primary_instance().connects(at); }
 
   /// The ground on which the stroke as drawn by hand runs.
-  const CurveGround& ground() const { return drawn_by_hand().ground(); }
+  const CurveGround& ground() const { return primary_instance().ground(); }
 
   /// Extends the curve to `at`, and the curves of the images to the images of `at`. An image whose next point
   /// is not on the surface, or across a gap, is not extended. Throws ContractError for a time that falls and
@@ -75,11 +75,11 @@ class OpenStroke {
   void begin_piece();
 
  private:
-  const StrokeInstance& drawn_by_hand() const { return instances_.front(); }
+  const StrokeInstance& primary_instance() const { return instances_.front(); }
   void begin_instances();
   void accumulate();
   void look_around();
-  bool passes_look_around() const;
+  bool passes_read_neighbours() const;
   burin_stroke_context context(std::uint64_t flags, const SurfaceCurve& curve) const;
   BlendOptions blend_options() const;
   VertexMoves go_on(const std::vector<StrokeChanges>& changes, std::uint64_t flags, const StrokeTools& tools);

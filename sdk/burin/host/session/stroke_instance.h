@@ -77,14 +77,14 @@ class StrokeInstance {
   void trace(const CurveGround::Place& at, double time, const Pen& pen);
 
   /// Whether anything that influences the brush was traced since the last draw().
-  bool has_news() const { return traced_; }
+  bool has_changes() const { return traced_; }
 
   /// Charts what was traced since the last draw(), and returns the stale nodes. `end_influence` is the
   /// distance from the stroke's end, object units, within which the brush depends on its length.
   StrokeChanges draw(double end_influence, EventCost& cost);
 
   /// Draws what remains when the pen is up, after close(): all of the stroke if it closed. `news` tells
-  /// whether any image has_news().
+  /// whether any image has_changes().
   StrokeChanges finish(bool news, double end_influence, EventCost& cost);
 
   /// Decides whether the stroke closes.

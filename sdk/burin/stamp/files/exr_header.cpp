@@ -170,15 +170,15 @@ void expect_part(const std::string& path, const Part& part, std::uint64_t file_b
   const std::uint64_t rows = tiled ? part.tile_height : part.rows();
   const std::uint64_t chunks = std::max(across * ((part.height + rows - 1) / rows), part.chunks);
   constexpr std::uint64_t bytes_a_place = 8;
-  expect_stamp_size(path, part.width, part.height, 1, file_bytes);
-  expect_stamp_size(path, tiled ? part.tile_width : part.width, rows, part.channels, file_bytes);
+  check_stamp_size(path, part.width, part.height, 1, file_bytes);
+  check_stamp_size(path, tiled ? part.tile_width : part.width, rows, part.channels, file_bytes);
   if (chunks > file_bytes / bytes_a_place)
     throw FileError(path, "is cut off: it tells of more chunks than it has room for");
 }
 
 }  // namespace
 
-void expect_exr_header(const std::filesystem::path& path, std::uint64_t file_bytes) {
+void check_exr_header(const std::filesystem::path& path, std::uint64_t file_bytes) {
   constexpr std::uint32_t several_parts = 0x1000;
   HeaderReader in(path);
   in.number();

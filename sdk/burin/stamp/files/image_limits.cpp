@@ -5,8 +5,8 @@
 
 namespace burin {
 
-void expect_stamp_size(const std::string& path, std::uint64_t width, std::uint64_t height,
-                       std::uint64_t channels, std::uint64_t file_bytes) {
+void check_stamp_size(const std::string& path, std::uint64_t width, std::uint64_t height,
+                      std::uint64_t channels, std::uint64_t file_bytes) {
   constexpr double always = 64e6, times_file = 4000;
   const double values =
       static_cast<double>(width) * static_cast<double>(height) * static_cast<double>(channels);

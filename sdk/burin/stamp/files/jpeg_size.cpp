@@ -41,9 +41,9 @@ std::size_t behind_scan(const Bytes& file, std::size_t at) {
 
 }  // namespace
 
-JpegSize jpeg_size(std::string_view bytes) {
+JpegInfo jpeg_size(std::string_view bytes) {
   const Bytes file(bytes);
-  JpegSize size;
+  JpegInfo size;
   // After the first marker the file consists of segments FF MARKER LENGTH ..., with fill bytes FF between
   // them.
   for (std::size_t at = 2; at + 1 < file.size() && file.byte(at) == 0xff;) {

@@ -30,13 +30,13 @@ class PngReader {
   PngReader& operator=(const PngReader&) = delete;
   ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
-  PngNumbers numbers() {
+  PngImage numbers() {
     expect(read_header());
     image_.width = png_get_image_width(png_, info_);
     image_.height = png_get_image_height(png_, info_);
     const bool palette = png_get_color_type(png_, info_) == PNG_COLOR_TYPE_PALETTE;
-    expect_stamp_size(path_, image_.width, image_.height, palette ? 3 : png_get_channels(png_, info_),
-                      bytes_.size());
+    check_stamp_size(path_, image_.width, image_.height, palette ? 3 : png_get_channels(png_, info_),
+                     bytes_.size());
     expect(set_layout());
     image_.channels = png_get_channels(png_, info_);
     image_.words = png_get_bit_depth(png_, info_) == 16;
@@ -111,12 +111,12 @@ class PngReader {
   std::size_t row_bytes_ = 0;
   std::vector<png_byte> raw_;
   std::vector<png_bytep> rows_;
-  PngNumbers image_;
+  PngImage image_;
 };
 
 }  // namespace
 
-PngNumbers read_png_numbers(const std::filesystem::path& path) {
+PngImage read_png_numbers(const std::filesystem::path& path) {
   return PngReader(path.string(), read_file(path)).numbers();
 }
 

@@ -74,7 +74,7 @@ StampImage read_stamp(const std::filesystem::path& path, const StampOptions& opt
   StoredImage stored = read_stored_image(path, options);
   StampImage& image = stored.image;
   drop_no_data(stored);
-  set_upright(image, stored.file.orientation);
+  apply_orientation(image, stored.file.orientation);
   image.wrap_u = chosen(options.wrap_u, stored.file.wrap_u);
   image.wrap_v = chosen(options.wrap_v, stored.file.wrap_v);
   if (options.clean) stored.file.not_finite = fill_not_finite(image);

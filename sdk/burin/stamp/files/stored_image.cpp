@@ -216,7 +216,7 @@ StampFile describe(ImageFile& file, const ChosenChannels& chosen) {
   described.data_y = spec.y - spec.full_y;
   described.data_width = spec.width;
   described.data_height = spec.height;
-  std::tie(described.wrap_u, described.wrap_v) = wraps_named(spec.get_string_attribute("wrapmodes").c_str());
+  std::tie(described.wrap_u, described.wrap_v) = parse_wraps(spec.get_string_attribute("wrapmodes").c_str());
   return described;
 }
 
@@ -229,7 +229,7 @@ StoredImage read_chosen(ImageFile& file, const StampOptions& options) {
   const int stored = last + 1 - first;
   const auto expect_size = [&](int width, int height) {
     const auto size = [](int number) { return static_cast<std::uint64_t>(std::max(number, 0)); };
-    expect_stamp_size(file.path(), size(width), size(height), size(stored), file.bytes());
+    check_stamp_size(file.path(), size(width), size(height), size(stored), file.bytes());
   };
   expect_size(spec.width, spec.height);
   expect_size(spec.full_width, spec.full_height);
@@ -252,7 +252,7 @@ void make_black_zero(StoredImage& image) {
 }
 
 StoredImage read_tiff(const fs::path& path, std::uintmax_t bytes, const StampOptions& options) {
-  const TiffFacts facts = read_tiff_facts(path, bytes);
+  const TiffInfo facts = read_tiff_facts(path, bytes);
   if (facts.cut_off) throw FileError(path.string(), "is cut off: texels lie beyond its end");
   if (facts.more_images) throw FileError(path.string(), "holds several images; a stamp is one");
   if (!facts.numbers)
@@ -265,15 +265,15 @@ StoredImage read_tiff(const fs::path& path, std::uintmax_t bytes, const StampOpt
 }
 
 StoredImage read_jpeg(const fs::path& path, std::uintmax_t bytes, const StampOptions& options) {
-  const JpegSize size = jpeg_size(read_file(path));
-  expect_stamp_size(path.string(), size.width, size.height, size.components, bytes);
+  const JpegInfo size = jpeg_size(read_file(path));
+  check_stamp_size(path.string(), size.width, size.height, size.components, bytes);
   if (!size.has_end) throw FileError(path.string(), "is cut off: the end of the image is missing");
   ImageFile file(path, "jpeg", bytes);
   return read_chosen(file, options);
 }
 
 StoredImage read_png(const fs::path& path, const StampOptions& options) {
-  PngNumbers png = read_png_numbers(path);
+  PngImage png = read_png_numbers(path);
   Part part;
   part.spec = OIIO::ImageSpec(static_cast<int>(png.width), static_cast<int>(png.height),
                               static_cast<int>(png.channels), png.words ? OIIO::TypeUInt16 : OIIO::TypeUInt8);
@@ -304,7 +304,7 @@ StoredImage read_stored_image(const fs::path& path, const StampOptions& options)
   if (format == "png") return read_png(path, options);
   if (format == "tiff") return read_tiff(path, bytes, options);
   if (format == "jpeg") return read_jpeg(path, bytes, options);
-  expect_exr_header(path, bytes);
+  check_exr_header(path, bytes);
   ImageFile file(path, "openexr", bytes);
   return read_chosen(file, options);
 }

@@ -59,9 +59,9 @@ bool is_part_of_first(TIFF* tiff) {
 
 }  // namespace
 
-TiffFacts read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_bytes) {
+TiffInfo read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_bytes) {
   const Tiff tiff = open(path);
-  TiffFacts facts;
+  TiffInfo facts;
   std::uint16_t meaning = PHOTOMETRIC_MINISBLACK;
   TIFFGetField(tiff.get(), TIFFTAG_PHOTOMETRIC, &meaning);
   facts.white_is_zero = meaning == PHOTOMETRIC_MINISWHITE;

@@ -6,7 +6,7 @@
 namespace burin {
 
 /// Facts about the first image of a TIFF file that OpenImageIO does not return.
-struct TiffFacts {
+struct TiffInfo {
   bool white_is_zero = false;     ///< 0 means white: PhotometricInterpretation 0
   bool numbers = true;            ///< grey or RGB, not another colour space (CIE Lab, CMYK)
   std::optional<double> no_data;  ///< the value that marks texels without data (GDAL's tag)
@@ -15,6 +15,6 @@ struct TiffFacts {
 };
 
 /// Reads the facts. Throws FileError if the file is not readable as a TIFF.
-TiffFacts read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_bytes);
+TiffInfo read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_bytes);
 
 }  // namespace burin

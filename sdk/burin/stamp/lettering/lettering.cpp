@@ -148,9 +148,9 @@ StampImage blank(const Box& box) {
 }  // namespace
 
 Lettering set_lettering(const std::filesystem::path& font, std::string_view text, std::uint32_t em) {
-  if (em < least_em || em > greatest_em)
+  if (em < min_em || em > max_em)
     throw ContractError(
-        fmt::format("set_lettering: an em of {} texels; it must be {} to {}", em, least_em, greatest_em));
+        fmt::format("set_lettering: an em of {} texels; it must be {} to {}", em, min_em, max_em));
   const std::string path = font.string(), bytes = read_file(font);
   const ShapedLine line = shape_line(font, bytes, text);
   const Library library = open_library();

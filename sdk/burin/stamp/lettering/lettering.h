@@ -17,11 +17,11 @@ struct Lettering {
 };
 
 /// The range of sizes of an em, texels.
-constexpr std::uint32_t least_em = 8, greatest_em = 512;
+constexpr std::uint32_t min_em = 8, max_em = 512;
 
 /// Sets a line of UTF-8 text with the first face of an outline font file (TrueType, OpenType or a collection
 /// of these). The text is shaped and kerned by the font's tables, has one direction, and letters stand at
-/// fractions of a texel without hinting. `em`: texels per em, least_em .. greatest_em.
+/// fractions of a texel without hinting. `em`: texels per em, min_em .. max_em.
 /// Throws FileError if the file is not a font, has no outlines or lacks a character; Error if the text is
 /// empty, not UTF-8, has a control character or needs more than 2^28 texels; ContractError if em is out of
 /// range.

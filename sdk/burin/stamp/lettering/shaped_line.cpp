@@ -30,7 +30,7 @@ void expect_line(std::string_view text) {
   if (text.size() > 16384) throw Error("the text is longer than a line of 16384 bytes");
   for (std::string_view rest = text; !rest.empty();) {
     const std::size_t at = text.size() - rest.size();
-    const auto code = take_code_point(rest);
+    const auto code = pop_code_point(rest);
     if (!code) throw Error(fmt::format("the text is no UTF-8 at byte {}", at));
     if (is_control(*code))
       throw Error(fmt::format("the text is no single line: it holds U+{:04X} at byte {}",
@@ -60,7 +60,7 @@ Buffer shaped(hb_font_t* font, std::string_view text) {
 
 [[noreturn]] void refuse_character(const std::filesystem::path& path, std::string_view text, std::size_t at) {
   std::string_view rest = text.substr(at);
-  const auto code = take_code_point(rest);
+  const auto code = pop_code_point(rest);
   const std::string_view character = text.substr(at, text.size() - at - rest.size());
   throw FileError(path.string(), fmt::format("the font has no glyph for '{}' (U+{:04X})", character,
                                              static_cast<std::uint32_t>(code.value_or(0xfffd))));

@@ -36,13 +36,13 @@ std::optional<SurfaceCurve> CurveTracer::closed_curve(Closure closure) const {
   if (closure == Closure::open || knots_.empty() || (closure == Closure::automatic && !came_back()))
     return {};
   CurveTracer loop = *this;
-  loop.leave_out_overshoot();
+  loop.remove_overshoot();
   if (loop.knots_.size() < 3 || !loop.connects(knots_[0].place)) return {};
   loop.retrace_closed();
   return std::move(loop.curve_);
 }
 
-void CurveTracer::leave_out_overshoot() {
+void CurveTracer::remove_overshoot() {
   const auto [point, distance] = return_to_first();
   if (distance <= radius_ / 2) std::erase_if(knots_, [=](const PenKnot& knot) { return knot.point > point; });
   const double mean = curve_.points[knots_.back().point].t / static_cast<double>(knots_.size());

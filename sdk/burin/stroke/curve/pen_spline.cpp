@@ -87,7 +87,7 @@ PenCubic::PenCubic(const MonotoneCubic::Intervals& intervals, const Pens& pens)
 Pen PenCubic::at(double s) const {
   Pen pen = from_;
   pen.pressure = static_cast<float>(pressure_.at(s));
-  pen.twist = within_turn(twist_.at(s));
+  pen.twist = wrap_twist(twist_.at(s));
   if (tilts_) set_upper_end(pen, {upper_[0].at(s), upper_[1].at(s), upper_[2].at(s)});
   return pen;
 }

@@ -86,7 +86,7 @@ void PenWay::take_waiting(std::vector<PenKnot>& knots) {
   waiting_.clear();
   trembles_ = false;
   farthest_ = 0;
-  resting_ = gets_nowhere(knots);
+  resting_ = makes_no_progress(knots);
 }
 
 void PenWay::show(std::vector<PenKnot>& knots) const {
@@ -101,7 +101,7 @@ bool PenWay::turns_back(const std::vector<PenKnot>& knots) const {
   return (last - before).dot(waiting_.back().position() - last) < 0;
 }
 
-bool PenWay::gets_nowhere(const std::vector<PenKnot>& knots) const {
+bool PenWay::makes_no_progress(const std::vector<PenKnot>& knots) const {
   const PenKnot& last = knots.back();
   const auto after = std::ranges::upper_bound(knots, last.way - 2 * zone_, {}, &PenKnot::way);
   if (after == knots.begin()) return false;

@@ -53,7 +53,7 @@ class PenWay {
   void take_waiting(std::vector<PenKnot>& knots);
   void show(std::vector<PenKnot>& knots) const;
   bool turns_back(const std::vector<PenKnot>& knots) const;
-  bool gets_nowhere(const std::vector<PenKnot>& knots) const;
+  bool makes_no_progress(const std::vector<PenKnot>& knots) const;
 
   double least_step_, zone_;
   std::size_t taken_ = 0;

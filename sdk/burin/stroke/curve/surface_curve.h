@@ -68,7 +68,7 @@ class CurveTracer {
     double distance;
   };
   Return return_to_first() const;
-  void leave_out_overshoot();
+  void remove_overshoot();
   void retrace_closed();
   void retrace_tail();
   void trace_segment(std::size_t knot);

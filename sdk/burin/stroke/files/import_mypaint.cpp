@@ -18,7 +18,8 @@ PenEvent parse_event(std::string_view line) {
   event.sample.position = {numbers[1], numbers[2], 0};
   event.sample.pen.pressure = static_cast<float>(numbers[3]);
   event.contact = numbers[3] > 0;
-  if (const std::string_view fault = fault_of(event.sample); !fault.empty()) throw Error(std::string(fault));
+  if (const std::string_view fault = validation_error(event.sample); !fault.empty())
+    throw Error(std::string(fault));
   return event;
 }
 

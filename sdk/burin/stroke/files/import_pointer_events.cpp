@@ -65,7 +65,7 @@ std::vector<PenEvent> PointerEvents::events() const {
     sample.pen.twist = radians(twist, i);
     events[i].contact = buttons.empty() ? sample.pen.pressure > 0 : buttons[i] != 0;
     if (!pointer.empty()) events[i].pointer = pointer[i];
-    if (const std::string_view fault = fault_of(sample); !fault.empty())
+    if (const std::string_view fault = validation_error(sample); !fault.empty())
       root_.reject(fmt::format("event {}: {}", i, fault));
   }
   return events;

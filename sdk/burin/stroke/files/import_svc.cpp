@@ -36,7 +36,8 @@ PenEvent parse_event(std::string_view line) {
   event.sample.position = {x, -y, 0};
   event.sample.pen.pressure = static_cast<float>(pressure);
   set_tilt(event.sample.pen, azimuth * tenth_of_degree, altitude * tenth_of_degree);
-  if (const std::string_view fault = fault_of(event.sample); !fault.empty()) throw Error(std::string(fault));
+  if (const std::string_view fault = validation_error(event.sample); !fault.empty())
+    throw Error(std::string(fault));
   return event;
 }
 

@@ -87,7 +87,7 @@ void fit_to_viewport(std::vector<RecordedStroke>& strokes, const Camera& camera)
 
 Import import_of(const std::filesystem::path& path, const std::vector<PenEvent>& events,
                  const PenFields& fields, const Camera& camera) {
-  if (const std::string_view fault = fault_of(camera); !fault.empty())
+  if (const std::string_view fault = validation_error(camera); !fault.empty())
     throw ContractError(std::string(fault));
   Import import;
   import.counts.events = events.size();

@@ -17,7 +17,7 @@ bool invertible(const Mat4d& matrix) {
 
 }  // namespace
 
-std::string_view fault_of(const Camera& camera) {
+std::string_view validation_error(const Camera& camera) {
   if (!invertible(camera.view)) return "camera: the view matrix has no inverse";
   if (!invertible(camera.projection)) return "camera: the projection matrix has no inverse";
   if (!(camera.projection * camera.view).inverse().allFinite()) return "camera: the matrices overflow";
@@ -25,7 +25,7 @@ std::string_view fault_of(const Camera& camera) {
   return {};
 }
 
-std::string_view fault_of(const Dynamic& dynamic) {
+std::string_view validation_error(const Dynamic& dynamic) {
   const std::vector<double>& curve = dynamic.curve;
   if (curve.empty() || curve.size() % 2 != 0) return "a dynamic's curve must be pairs of numbers x y";
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -35,7 +35,7 @@ std::string_view fault_of(const Dynamic& dynamic) {
   return {};
 }
 
-std::string_view fault_of(const Sample& sample) {
+std::string_view validation_error(const Sample& sample) {
   const Pen& pen = sample.pen;
   if (!finite(sample.time)) return "time is not finite";
   if (!(sample.position.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()) ||

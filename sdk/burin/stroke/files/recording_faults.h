@@ -7,8 +7,8 @@ namespace burin {
 
 /// The reason why a value is not allowed in a `.stroke` file, or an empty text if it is allowed. Reader and
 /// writer use these functions.
-std::string_view fault_of(const Camera& camera);
-std::string_view fault_of(const Dynamic& dynamic);
-std::string_view fault_of(const Sample& sample);
+std::string_view validation_error(const Camera& camera);
+std::string_view validation_error(const Dynamic& dynamic);
+std::string_view validation_error(const Sample& sample);
 
 }  // namespace burin

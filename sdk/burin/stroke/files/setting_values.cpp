@@ -52,10 +52,10 @@ namespace {
 
 Dynamic read_dynamic(const JsonValue& value) {
   const JsonValue source = value.member("source");
-  const auto known = source_named(source.text());
+  const auto known = parse_source(source.text());
   if (!known) source.reject_type("one of " + source_names());
   const Dynamic dynamic{value.member("target").text(), *known, value.member("curve").numbers()};
-  if (const std::string_view fault = fault_of(dynamic); !fault.empty()) value.reject(fault);
+  if (const std::string_view fault = validation_error(dynamic); !fault.empty()) value.reject(fault);
   return dynamic;
 }
 

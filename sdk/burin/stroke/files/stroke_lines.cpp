@@ -48,7 +48,7 @@ Camera parse_camera(const JsonValue& line) {
   if (extents.size() != 2) viewport.reject("must be two whole numbers of pixels");
   camera.width = parse_extent(extents[0]);
   camera.height = parse_extent(extents[1]);
-  reject_fault(line, fault_of(camera));
+  reject_fault(line, validation_error(camera));
   return camera;
 }
 
@@ -140,7 +140,7 @@ Sample parse_sample(const JsonValue& line, const std::vector<Column>& columns) {
   Sample sample;
   for (std::size_t i = 0; i < columns.size(); ++i)
     if (columns[i] != Column::unknown) set(sample, columns[i], line.number_at(i));
-  reject_fault(line, fault_of(sample));
+  reject_fault(line, validation_error(sample));
   return sample;
 }
 

@@ -81,7 +81,7 @@ StrokeWriter::StrokeWriter(const std::filesystem::path& path, StrokeSpace space,
     : path_(path), space_(space) {
   if (space == StrokeSpace::screen && !camera)
     throw ContractError("stroke file: screen space needs a camera");
-  if (camera) expect_no_fault(fault_of(*camera));
+  if (camera) expect_no_fault(validation_error(*camera));
   Json header = {{"burin_stroke", 1}, {"space", space == StrokeSpace::screen ? "screen" : "object"}};
   if (camera) header["camera"] = camera_json(*camera);
   out_.open(path, std::ios::binary | std::ios::trunc);
@@ -100,7 +100,7 @@ void StrokeWriter::begin(const RecordedStroke& stroke) {
 
 void StrokeWriter::add(const Sample& sample) {
   if (!open_) throw ContractError("stroke file: a sample outside a stroke");
-  expect_no_fault(fault_of(sample));
+  expect_no_fault(validation_error(sample));
   if (fields_.time && sample.time < last_time_) throw ContractError("stroke file: time falls");
   std::string line = "[";
   if (fields_.time) append(line, sample.time);

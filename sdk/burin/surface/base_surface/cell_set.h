@@ -13,28 +13,28 @@ namespace burin {
 class CellSet {
  public:
   /// The set holds every point within `distance` of an added point, and some more, all within 2.6 times that.
-  explicit CellSet(double distance) : cells_a_unit_(cells_a_distance / distance) {}
+  explicit CellSet(double distance) : cells_per_unit_(cells_per_distance / distance) {}
 
   void add(const Vec3f& point) {
     const Cell cell = cell_of(point);
     if (!taken_.insert(key(cell)).second) return;
-    for (int x = -cells_a_distance; x <= cells_a_distance; ++x)
-      for (int y = -cells_a_distance; y <= cells_a_distance; ++y)
-        for (int z = -cells_a_distance; z <= cells_a_distance; ++z)
+    for (int x = -cells_per_distance; x <= cells_per_distance; ++x)
+      for (int y = -cells_per_distance; y <= cells_per_distance; ++y)
+        for (int z = -cells_per_distance; z <= cells_per_distance; ++z)
           near_.insert(key({cell[0] + x, cell[1] + y, cell[2] + z}));
   }
 
   bool holds(const Vec3f& point) const { return near_.contains(key(cell_of(point))); }
 
  private:
-  static constexpr int cells_a_distance = 2;
+  static constexpr int cells_per_distance = 2;
   using Cell = std::array<std::int64_t, 3>;
 
   Cell cell_of(const Vec3f& point) const {
     Cell cell{};
     for (int i = 0; i < 3; ++i)
       cell[static_cast<std::size_t>(i)] =
-          static_cast<std::int64_t>(std::floor(static_cast<double>(point[i]) * cells_a_unit_));
+          static_cast<std::int64_t>(std::floor(static_cast<double>(point[i]) * cells_per_unit_));
     return cell;
   }
   /// Cells whose coordinates differ by multiples of 2^21 share a key; the set then holds more than it must,
@@ -45,7 +45,7 @@ class CellSet {
     return key;
   }
 
-  double cells_a_unit_;
+  double cells_per_unit_;
   std::unordered_set<std::uint64_t> taken_, near_;
 };
 

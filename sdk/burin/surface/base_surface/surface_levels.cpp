@@ -22,7 +22,7 @@
 namespace burin {
 namespace {
 
-constexpr Index vertices_a_range = 32768, rows_a_block = 4096, clusters_a_block = 256;
+constexpr Index vertices_a_range = 32768, rows_per_block = 4096, clusters_per_block = 256;
 
 /// Levels with fewer clusters are too coarse for any stroke.
 constexpr Index fewest_clusters = 64;
@@ -122,7 +122,7 @@ void connect(const Graph& graph, Index clusters, SurfaceLevel& level) {
   level.members.offsets = counting_sort(
       level.cluster_of.size(), clusters, [&](std::size_t i, const auto& emit) { emit(level.cluster_of[i]); },
       [&](std::size_t i, std::size_t position) { level.members.items[position] = static_cast<Index>(i); });
-  level.neighbours = collect_rows(clusters, rows_a_block, [&](Index cluster, UnsetVector<Index>& out) {
+  level.neighbours = collect_rows(clusters, rows_per_block, [&](Index cluster, UnsetVector<Index>& out) {
     const auto first = static_cast<std::ptrdiff_t>(out.size());
     for (const Index member : level.members[cluster])
       for (const Index neighbour : graph.neighbours[member])
@@ -317,7 +317,7 @@ ClusterMean SurfaceLevels::mean_of_members(std::size_t level, Index cluster) con
 
 void SurfaceLevels::update_means(std::size_t level, std::span<const Index> clusters) {
   std::vector<ClusterMean>& means = coarser_[level - 1].means;
-  parallel_blocks(clusters.size(), clusters_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(clusters.size(), clusters_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) means[clusters[i]] = mean_of_members(level, clusters[i]);
   });
 }

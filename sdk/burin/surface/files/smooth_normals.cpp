@@ -7,7 +7,7 @@
 namespace burin {
 
 std::vector<Vec3f> smooth_normals(const TriangleMesh& mesh) {
-  const std::vector<Index> first = first_at_place(mesh.positions);
+  const std::vector<Index> first = first_at_position(mesh.positions);
   std::vector<NormalSum> sums(first.size());
   for (const Triangle& triangle : mesh.triangles)
     for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -42,7 +42,7 @@ SplitVertices split(const TriangleMesh& mesh) {
       const Vec2f& uv = mesh.triangle_uv[i][corner];
       places.emplace_back(std::bit_cast<float>(mesh.triangles[i][corner]), uv.x(), uv.y());
     }
-  const std::vector<Index> first = first_at_place(places);
+  const std::vector<Index> first = first_at_position(places);
   std::vector<Index> number(first.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (first[i] == i) {

@@ -24,7 +24,7 @@ std::size_t most_vertices(std::size_t file_bytes) {
   constexpr std::size_t always = std::size_t{1} << 22, ever = std::size_t{1} << 28, times_file = 64;
   return std::min(ever, std::max(always, times_file * file_bytes));
 }
-constexpr std::size_t most_corners_a_vertex = 8;
+constexpr std::size_t most_corners_per_vertex = 8;
 
 constexpr int deepest = 1000;  ///< greatest depth of the tree of nodes
 
@@ -127,9 +127,9 @@ class GltfReader {
     for (std::size_t i = 0; i < places.size(); ++i)
       file_.places.push_back(placed * Eigen::Map<const Vec3d>(places.numbers.data() + 3 * i));
     const std::vector<std::size_t> corners = corners_of(primitive, places.size());
-    if (file_.mesh.face_vertices.size() + 3 * corners.size() > most_corners_a_vertex * most)
+    if (file_.mesh.face_vertices.size() + 3 * corners.size() > most_corners_per_vertex * most)
       document_.fail("meshes", fmt::format("hold more than the {} corners that a file of this size may",
-                                           most_corners_a_vertex * most));
+                                           most_corners_per_vertex * most));
     add_triangles(corners, mode, first, placed.linear().determinant() < 0);
     read_attributes(attributes, first);
     for (const auto& attribute : attributes.items())

@@ -4,7 +4,7 @@
 #include <burin/base/quoted_word.h>
 #include <burin/surface/files/file_colours.h>
 #include <burin/surface/files/mesh_formats.h>
-#include <burin/surface/files/place_line.h>
+#include <burin/surface/files/position_line.h>
 #include <burin/surface/files/text_lines.h>
 #include <burin/surface/files/unused_count.h>
 #include <burin/surface/formats/obj_polypaint.h>
@@ -87,7 +87,7 @@ class ObjReader {
   /// Reads x y z, then an optional w and an optional colour.
   void read_vertex(std::string_view line) {
     Vec3d place;
-    if (const std::string fault = take_place(line, place); !fault.empty()) fail(fault);
+    if (const std::string fault = read_position(line, place); !fault.empty()) fail(fault);
     if (file_.places.size() >= no_index) fail("more vertices than can be counted");
     file_.places.push_back(place);
     ++vertices_.count;

@@ -32,7 +32,7 @@ std::vector<Index> write_texture(std::ostream& out, const TriangleMesh& mesh) {
   std::vector<Vec3f> places;
   for (const auto& corners : mesh.triangle_uv)
     for (const Vec2f& uv : corners) places.emplace_back(uv.x(), uv.y(), 0);
-  std::vector<Index> number = first_at_place(places);
+  std::vector<Index> number = first_at_position(places);
   Index count = 0;
   for (std::size_t i = 0; i < number.size(); ++i) {
     if (number[i] < i) {

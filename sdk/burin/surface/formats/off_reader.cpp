@@ -2,7 +2,7 @@
 #include <burin/base/quoted_word.h>
 #include <burin/surface/files/file_colours.h>
 #include <burin/surface/files/mesh_formats.h>
-#include <burin/surface/files/place_line.h>
+#include <burin/surface/files/position_line.h>
 #include <burin/surface/files/text_lines.h>
 #include <burin/surface/files/unused_count.h>
 #include <fmt/format.h>
@@ -98,7 +98,7 @@ class OffReader {
   /// Reads x y z, then the normal, colour and texture coordinates that the kind announces.
   void read_vertex(std::string_view line) {
     Vec3d place;
-    if (const std::string fault = take_place(line, place); !fault.empty()) fail(fault);
+    if (const std::string fault = read_position(line, place); !fault.empty()) fail(fault);
     const auto numbers = words(line);
     std::size_t at = 0, end = numbers.size();
     if (kind_.normals) {

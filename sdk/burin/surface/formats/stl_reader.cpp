@@ -4,7 +4,7 @@
 #include <burin/base/text/lower_case.h>
 #include <burin/surface/files/little_endian.h>
 #include <burin/surface/files/mesh_formats.h>
-#include <burin/surface/files/place_line.h>
+#include <burin/surface/files/position_line.h>
 #include <burin/surface/files/text_lines.h>
 #include <burin/surface/files/unused_count.h>
 #include <fmt/format.h>
@@ -105,7 +105,7 @@ class TextReader {
 
   void read_vertex(std::string_view& rest) {
     Vec3d place;
-    if (const std::string fault = take_place(rest, place); !fault.empty()) fail(fault);
+    if (const std::string fault = read_position(rest, place); !fault.empty()) fail(fault);
     file_.places.push_back(place);
     ++corners_;
   }

@@ -56,17 +56,17 @@ float gauss_curvature(const Surface& surface, Index vertex) {
 }
 
 void update_gauss_curvature(Surface& surface, std::span<const Index> vertices) {
-  constexpr std::size_t vertices_a_block = 2048;
-  parallel_blocks(vertices.size(), vertices_a_block, [&](std::size_t begin, std::size_t end) {
+  constexpr std::size_t vertices_per_block = 2048;
+  parallel_blocks(vertices.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
     for (const Index vertex : vertices.subspan(begin, end - begin))
       surface.gauss_curvature[vertex] = gauss_curvature(surface, vertex);
   });
 }
 
 void compute_gauss_curvature(Surface& surface) {
-  constexpr std::size_t vertices_a_block = 16384;
+  constexpr std::size_t vertices_per_block = 16384;
   surface.gauss_curvature.resize(surface.positions.size());
-  parallel_blocks(surface.positions.size(), vertices_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(surface.positions.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
     for (Index vertex = static_cast<Index>(begin); vertex < end; ++vertex)
       surface.gauss_curvature[vertex] = gauss_curvature(surface, vertex);
   });

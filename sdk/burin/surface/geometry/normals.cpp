@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t vertices_a_block = 2048;
+constexpr std::size_t vertices_per_block = 2048;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ Vec3f vertex_normal(const Surface& surface, std::span<const Vec3f> positions, In
 
 void update_normals(const Surface& surface, std::span<const Vec3f> positions, std::span<const Index> vertices,
                     std::span<Vec3f> normals) {
-  parallel_blocks(vertices.size(), vertices_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(vertices.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
     for (const Index vertex : vertices.subspan(begin, end - begin))
       normals[vertex] = vertex_normal(surface, positions, vertex);
   });

@@ -5,7 +5,7 @@
 
 namespace burin {
 
-inline bool names_a_vertex_twice(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+inline bool has_repeated_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 /// Whether the corners do not lie exactly on one line.
 bool has_area(const TriangleMesh& mesh, const Triangle& triangle);

@@ -45,7 +45,7 @@ class BoxTree {
   static constexpr std::size_t fan = 8;
   /// Boxes per parallel block: so many that the boxes of one brush event are one block, which takes less time
   /// than waking another thread.
-  static constexpr std::size_t boxes_a_block = 4096;
+  static constexpr std::size_t boxes_per_block = 4096;
 
   struct Node {
     double nearest;
@@ -70,7 +70,7 @@ BoxTree<Items>::BoxTree(Items items) : items_(std::move(items)) {
   do {
     below = (below + fan - 1) / fan;
     levels_.emplace_back(below);
-    parallel_blocks(below, boxes_a_block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(below, boxes_per_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t index = begin; index < end; ++index) fit(levels_.size() - 1, index);
     });
   } while (below > 1);
@@ -102,7 +102,7 @@ void BoxTree<Items>::update(const Changed& changed) {
   for (const Index leaf : touched_) is_touched_[leaf] = 0;
   std::ranges::sort(touched_);
   for (std::size_t level = 0; level < levels_.size(); ++level) {
-    parallel_blocks(touched_.size(), boxes_a_block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(touched_.size(), boxes_per_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) fit(level, touched_[i]);
     });
     for (Index& node : touched_) node = static_cast<Index>(node / fan);

@@ -12,7 +12,7 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t vertices_a_block = 8192;
+constexpr std::size_t vertices_per_block = 8192;
 
 /// Appends the neighbours of `vertex`, ascending, for any arrangement of triangles.
 void append_neighbours(std::span<const Triangle> triangles, std::span<const Index> around, Index vertex,
@@ -75,7 +75,7 @@ Csr incident_triangles(std::size_t vertices, std::span<const Triangle> triangles
 }
 
 Csr neighbour_vertices(std::span<const Triangle> triangles, const Csr& incident) {
-  return collect_rows(incident.rows(), vertices_a_block, [&](Index vertex, UnsetVector<Index>& out) {
+  return collect_rows(incident.rows(), vertices_per_block, [&](Index vertex, UnsetVector<Index>& out) {
     if (!append_closed_fan(triangles, incident[vertex], vertex, out))
       append_neighbours(triangles, incident[vertex], vertex, out);
   });

@@ -20,7 +20,7 @@ std::size_t count_duplicates(std::vector<Triangle> triangles) {
 }
 
 std::size_t count_duplicate_positions(const std::vector<Vec3f>& positions) {
-  const std::vector<Index> first = first_at_place(positions);
+  const std::vector<Index> first = first_at_position(positions);
   std::size_t count = 0;
   for (std::size_t i = 0; i < first.size(); ++i) count += first[i] != i;
   return count;
@@ -41,7 +41,7 @@ void add_triangle(Index index, const Triangle& t, Index vertex, VertexStar& star
 /// Counts defects of edges and fans. Triangles that have a vertex twice are ignored.
 void count_topology(const TriangleMesh& mesh, MeshDefects& defects) {
   std::vector<Triangle> triangles;
-  std::ranges::remove_copy_if(mesh.triangles, std::back_inserter(triangles), names_a_vertex_twice);
+  std::ranges::remove_copy_if(mesh.triangles, std::back_inserter(triangles), has_repeated_vertex);
   const Csr incident = incident_triangles(mesh.positions.size(), triangles);
   VertexStar star;
   for (Index vertex = 0; vertex < incident.rows(); ++vertex) {
@@ -94,7 +94,7 @@ MeshDefects find_defects(const TriangleMesh& mesh) {
   MeshDefects defects;
   count_topology(mesh, defects);
   defects.degenerate_triangles = static_cast<std::size_t>(std::ranges::count_if(
-      mesh.triangles, [&](const Triangle& t) { return names_a_vertex_twice(t) || !has_area(mesh, t); }));
+      mesh.triangles, [&](const Triangle& t) { return has_repeated_vertex(t) || !has_area(mesh, t); }));
   defects.duplicate_triangles = count_duplicates(mesh.triangles);
   defects.duplicate_positions = count_duplicate_positions(mesh.positions);
   defects.unreferenced_vertices = count_unreferenced(mesh);

@@ -12,7 +12,7 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t points_a_block = 16384;
+constexpr std::size_t points_per_block = 16384;
 
 /// The number of cells encoded together, in loops that compilers turn into vector instructions.
 constexpr std::size_t lanes = 16;
@@ -93,7 +93,7 @@ std::vector<Index> spatial_order(std::span<const Vec3f> points) {
   const int bits = std::min(21, (64 - index_bits) / 3);
   const Grid grid(points, bits);
   UnsetVector<std::uint64_t> keys(points.size());
-  parallel_blocks(points.size(), points_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(points.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t first = begin; first < end; first += lanes) {
       const std::span<const Vec3f> together = points.subspan(first, std::min(lanes, end - first));
       const std::array<std::uint64_t, lanes> codes = grid.codes(together);
@@ -105,7 +105,7 @@ std::vector<Index> spatial_order(std::span<const Vec3f> points) {
 
   const std::uint64_t index_mask = (std::uint64_t{1} << index_bits) - 1;
   std::vector<Index> order(points.size());
-  parallel_blocks(points.size(), points_a_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(points.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) order[i] = static_cast<Index>(keys[i] & index_mask);
   });
   return order;

@@ -19,7 +19,7 @@ Place place_of(const Vec3f& point) {
 
 }  // namespace
 
-std::vector<Index> first_at_place(std::span<const Vec3f> points) {
+std::vector<Index> first_at_position(std::span<const Vec3f> points) {
   const auto key = [&](Index i) { return std::pair(place_of(points[i]), i); };
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index{0});

@@ -1,5 +1,5 @@
 #include <burin/base/quoted_word.h>
-#include <burin/surface/files/place_line.h>
+#include <burin/surface/files/position_line.h>
 #include <burin/surface/files/text_lines.h>
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace burin {
 
-std::string take_place(std::string_view& line, Vec3d& place) {
+std::string read_position(std::string_view& line, Vec3d& place) {
   for (double& coordinate : place) {
     const std::string_view word = next_word(line);
     if (word.empty()) return "a vertex needs three coordinates";

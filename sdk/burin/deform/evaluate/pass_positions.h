@@ -7,10 +7,10 @@
 namespace burin {
 
 /// The positions of the vertices under a stroke after one of its passes.
-class PassPlaces {
+class PassPositions {
  public:
   /// `charts` are those of the stroke's instances. Surface and charts must outlive the object.
-  PassPlaces(const Surface& surface, std::vector<const LiveChart*> charts)
+  PassPositions(const Surface& surface, std::vector<const LiveChart*> charts)
       : surface_(&surface), charts_(std::move(charts)), places_(charts_.size()) {}
 
   Vec3f operator[](Index vertex) const {

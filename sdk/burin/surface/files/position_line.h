@@ -8,6 +8,6 @@ namespace burin {
 
 /// Reads the three coordinates of a vertex and removes them from the front of a line. Returns an error
 /// message, or an empty string if all are numbers in the range of floats.
-std::string take_place(std::string_view& line, Vec3d& place);
+std::string read_position(std::string_view& line, Vec3d& place);
 
 }  // namespace burin

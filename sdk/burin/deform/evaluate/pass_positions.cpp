@@ -1,8 +1,8 @@
-#include <burin/deform/evaluate/pass_places.h>
+#include <burin/deform/evaluate/pass_positions.h>
 
 namespace burin {
 
-void PassPlaces::set(Index vertex, const Vec3f& place) {
+void PassPositions::set(Index vertex, const Vec3f& place) {
   for (std::size_t i = 0; i < charts_.size(); ++i) {
     const Index at = charts_[i]->place(vertex);
     if (at == no_index) continue;
