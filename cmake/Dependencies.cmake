@@ -34,6 +34,10 @@ burin_find_library(OpenSubdiv::osdCPU opensubdiv/far/topologyRefiner.h osdCPU RE
 burin_dependency(apt nlohmann-json3-dev why "stroke files, glTF, reports")
 find_package(nlohmann_json 3.11 REQUIRED)
 
+burin_dependency(apt libopenvdb-dev why "level sets of solids: their surfaces, distances and .vdb files")
+burin_find_library(OpenVDB::openvdb openvdb/openvdb.h openvdb REQUIRED)
+find_package(Imath 3 REQUIRED)  # what its headers need besides
+
 # The tools because Debian's configuration of the library insists on finding them.
 burin_dependency(apt libopenimageio-dev openimageio-tools why "stamps in, PNG pictures out")
 find_package(OpenImageIO 2.4 REQUIRED)

@@ -9,14 +9,15 @@ set(BURIN_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/Burin)
 # Not CMAKE_INSTALL_LIBDIR: the command looks here, beside the folder it lies in.
 set(BURIN_BRUSHES_FOLDER lib/burin/brushes)
 
-# The targets of an SDK folder are exported in one of five sets, which the CMake package loads one by one:
-# `abi` is part of both components; `stamps` and `subdiv` need packages that the others do not.
+# The targets of an SDK folder are exported in one of six sets, which the CMake package loads one by one:
+# `abi` is part of both components; `stamps`, `subdiv` and `solids` need packages that the others do not.
 set(burin_set_of_abi abi)
 set(burin_set_of_math abi)
 set(burin_set_of_plugin plugin)
 set(burin_set_of_stamp stamps)
 set(burin_set_of_services stamps)
 set(burin_set_of_subdiv subdiv)
+set(burin_set_of_level_set solids)
 set(burin_components_of_abi plugin runtime)
 set(burin_components_of_plugin plugin)
 
@@ -67,7 +68,7 @@ function(burin_install_package)
     file(INSTALL \${exported} DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${BURIN_PACKAGE_FOLDER}\")"
     COMPONENT runtime)
   burin_install_export(plugin plugin)
-  foreach(export_set runtime stamps subdiv)
+  foreach(export_set runtime stamps subdiv solids)
     burin_install_export(${export_set} runtime)
   endforeach()
 endfunction()

@@ -21,6 +21,7 @@ set(burin_public_headers
   host/replay.h
   host/session.h
   host/stroke_pieces.h
+  level_set/solid_mesh.h
   services/stamp_services.h
   stamp/float_image.h
   stroke/camera.h
@@ -49,4 +50,5 @@ set(burin_public_headers
   surface/triangle_mesh.h
   surface/triangulate.h
   surface/vertex_paint.h
-  surface/weld_mesh.h)
+  surface/weld_mesh.h
+  volume/solid.h)

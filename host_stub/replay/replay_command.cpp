@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/host/replay.h>
+#include <burin/level_set/solid_mesh.h>
 #include <burin/services/stamp_services.h>
 #include <burin/stroke/move_origin.h>
 #include <burin/surface/mesh_file.h>
@@ -25,6 +26,7 @@
 #include "pictures/render.h"
 #include "replay/replay_mesh.h"
 #include "replay/replay_report.h"
+#include "replay/solid_parts.h"
 #include "report/report_folder.h"
 #include "system/output_file.h"
 #include "system/platform.h"
@@ -39,7 +41,7 @@ struct ReplayOptions {
   BakeOptions bake;
   GivenSettings settings;  ///< instead of the recorded ones
   ViewOptions view;
-  std::string save_mesh, png, report;
+  std::string save_mesh, save_vdb, png, report;
   bool json = false;
 };
 
@@ -119,6 +121,7 @@ Eigen::Matrix3d turn_to_save(const ReplayOptions& options) {
 void check_options(const ReplayOptions& options, const BrushLibrary& library) {
   check_mesh_path(options.save_mesh);
   turn_to_save(options);
+  check_output_path(options.save_vdb);
   check_output_path(options.png);
   check_report_folder(options.report);
   check_bake_path(options.bake);
@@ -135,14 +138,23 @@ void finish(ReplayMesh& mesh, const Session& session, ReplaySummary& summary) {
   summary.peak_memory = peak_memory();
 }
 
+/// Of the finest level, on which nothing is painted; parts are plain clay.
+Picture draw_result(const Session& session, const ReplayMesh& mesh, const SolidParts& parts,
+                    const Camera& camera, const Progress& progress) {
+  if (!mesh.has_levels() && parts.empty())
+    return render(session.surface(), session.picker(), camera, painted(session.paint()), progress);
+  TriangleMesh result = mesh.result(session);
+  VertexPaint paint;
+  parts.append_to(result, paint);
+  return draw_mesh(std::move(result), camera, progress);
+}
+
 /// Writes the pictures; on a mesh with levels they show the finest level, on which nothing is painted.
 void write_pictures(const ReplayOptions& options, Session& session, const ReplayMesh& mesh,
-                    const StrokeRecorder& witness, const Camera& camera, const ReplaySummary& summary,
-                    const Json& json) {
+                    const SolidParts& parts, const StrokeRecorder& witness, const Camera& camera,
+                    const ReplaySummary& summary, const Json& json) {
   ProgressBar bar;
-  const Picture result = mesh.has_levels() ? draw_mesh(mesh.result(session), camera, bar.progress())
-                                           : render(session.surface(), session.picker(), camera,
-                                                    painted(session.paint()), bar.progress());
+  const Picture result = draw_result(session, mesh, parts, camera, bar.progress());
   if (!options.png.empty()) write_png(options.png, result);
   if (options.report.empty()) return;
   ReplayPictures pictures = draw_replay(session, witness, camera, bar.progress());
@@ -151,13 +163,16 @@ void write_pictures(const ReplayOptions& options, Session& session, const Replay
   write_report(options.report, summary, json, pictures);
 }
 
-void save_mesh(const ReplayOptions& options, const Session& session, const ReplayMesh& mesh) {
+void save_mesh(const ReplayOptions& options, const Session& session, const ReplayMesh& mesh,
+               const SolidParts& parts) {
   if (options.save_mesh.empty()) return;
   const Eigen::Matrix3d rotation = turn_to_save(options);
   TriangleMesh saved = mesh.saved(session);
+  VertexPaint paint = mesh.saved_paint(session);
+  parts.append_to(saved, paint);
   if (!rotation.isIdentity(0))
     for (Vec3f& position : saved.positions) position = (rotation.cast<float>() * position).eval();
-  write_mesh(options.save_mesh, saved, mesh.saved_paint(session), rotation * mesh.origin());
+  write_mesh(options.save_mesh, saved, paint, rotation * mesh.origin());
 }
 
 /// Parses parameter settings. A value that looks like a number stays text if the brush's parameter is text.
@@ -187,15 +202,19 @@ void run(ReplayOptions& options) {
   warn_of_lost_paint(session, mesh);
   Json json = {{"mesh", mesh.json()}};
   json.update(summary_json(summary));
-  save_mesh(options, session, mesh);
+  const SolidParts parts(session.parts());
+  if (!parts.empty()) json["parts"] = parts.json();
+  save_mesh(options, session, mesh, parts);
+  if (!options.save_vdb.empty()) write_vdb(options.save_vdb, session.parts());
   if (options.bake.asked()) {
     json["bake"] = write_map(options.bake, mesh.before(), mesh.result(session).positions);
   }
   if (draws(options)) {
     const Camera camera = replay_view(session.surface(), witness.extent(), recordings, options.view);
-    write_pictures(options, session, mesh, witness, camera, summary, json);
+    write_pictures(options, session, mesh, parts, witness, camera, summary, json);
   }
-  write_result(options.json ? json_text(json) : mesh.text() + "\n" + summary_text(summary) + "\n");
+  write_result(options.json ? json_text(json)
+                            : mesh.text() + "\n" + summary_text(summary) + parts.text() + "\n");
 }
 
 }  // namespace
@@ -213,6 +232,9 @@ void add_replay(CLI::App& app) {
       .add_option("--save-mesh", options->save_mesh,
                   "surface to write, with what is painted on it: .ply, .glb, .obj or .off")
       ->type_name("FILE");
+  command
+      .add_option("--save-vdb", options->save_vdb, "OpenVDB file to write, with the solids that strokes made")
+      ->type_name("FILE.vdb");
   add_bake_options(command, options->bake);
   command.add_option("--png", options->png, "picture of the result, the strokes filling it")
       ->type_name("FILE");

@@ -44,6 +44,12 @@ picture arrow wave --radius .15 --param colour=.5,.03,.02,1
 picture text wave --radius .15 --param text=Engraver --param size=1.6 --param align=middle --param height=.12 \
   --param bevel=.05
 
+picture tube wave --radius .12 --param wall=.35 --param ends=flat
+picture cable wave --radius .12
+picture chain wave --radius .14
+picture screw wave --radius .12 --param pitch=.35
+picture rivets wave --radius .1
+
 # under OPTION...: sets `surface` to one with relief, for brushes that change the existing surface.
 under() {
   replay samples/strokes/wave.stroke --mesh samples/meshes/ewer.obj --subdivide 6 \

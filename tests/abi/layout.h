@@ -230,10 +230,16 @@
   MEMBER(burin_state, version, 4) \
   MEMBER(burin_state, save, 8) \
   MEMBER(burin_state, load, 16) \
+  STRUCT(burin_solid_plan, 32) \
+  MEMBER(burin_solid_plan, struct_size, 0) \
+  MEMBER(burin_solid_plan, reserved, 4) \
+  MEMBER(burin_solid_plan, h_min, 8) \
+  MEMBER(burin_solid_plan, h_max, 16) \
+  MEMBER(burin_solid_plan, detail, 24) \
   STRUCT(burin_volume, 24) \
   MEMBER(burin_volume, struct_size, 0) \
   MEMBER(burin_volume, reserved, 4) \
-  MEMBER(burin_volume, bounds, 8) \
+  MEMBER(burin_volume, plan, 8) \
   MEMBER(burin_volume, distance, 16) \
   STRUCT(burin_curve_points, 168) \
   MEMBER(burin_curve_points, struct_size, 0) \

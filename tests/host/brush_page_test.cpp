@@ -81,8 +81,9 @@ std::string section(const BrushEntry& entry) {
   const burin_brush_descriptor& brush = *entry.descriptor;
   std::string text = fmt::format("\n## {0}\n\n![{0}](../samples/gallery/{1}.png)\n\n{2}\n\n", brush.name,
                                  entry.module.stem().string(), brush.help);
-  text +=
-      fmt::format("Where a stroke overlaps itself: `{}`.\n\n", name_of(named_overlaps, overlap_of(brush)));
+  text += brush.outputs_written == 0 ? std::string("Makes a solid, see [solids.md](solids.md).\n\n")
+                                     : fmt::format("Where a stroke overlaps itself: `{}`.\n\n",
+                                                   name_of(named_overlaps, overlap_of(brush)));
   text += fmt::format("| `{}` | values | default | |\n|---|---|---|---|\n", brush.id);
   for (std::uint32_t i = 0; i < brush.param_count; ++i) {
     const burin_param_info& param = *brush.params[i];

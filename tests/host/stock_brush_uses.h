@@ -42,6 +42,18 @@ inline const std::vector<BrushUse> stock_brush_uses = {
     {"org.burin.vdm-trail", {{"stamp", std::string(BURIN_SAMPLES "/stamps/thorn.exr")}}},
 };
 
+/// The same of those that make solids and do nothing else.
+inline const std::vector<BrushUse> solid_brush_uses = {
+    {"org.burin.cable", {}},
+    {"org.burin.chain", {}},
+    {"org.burin.rivets", {}},
+    {"org.burin.screw", {}},
+    {"org.burin.tube", {}},
+    {"org.burin.tube", {{"wall", 0.3}, {"ends", std::string("flat")}}, "Pipe"},
+    {"org.burin.tube", {{"profile", std::string("square")}}, "Square"},
+    {"org.burin.tube", {{"profile", std::string("star")}}, "Star"},
+};
+
 inline std::string name_of_use(const testing::TestParamInfo<BrushUse>& use) {
   std::string name = std::string(use.param.id).substr(std::string("org.burin.").size());
   std::replace(name.begin(), name.end(), '-', '_');

@@ -54,6 +54,7 @@ INSTANTIATE_TEST_SUITE_P(All, StockBrushes, testing::ValuesIn(stock_brush_uses),
 TEST(StockBrushFolder, HoldsTheBrushesThatAreTested) {
   std::set<std::string> tested, there;
   for (const BrushUse& use : stock_brush_uses) tested.insert(use.id);
+  for (const BrushUse& use : test::solid_brush_uses) tested.insert(use.id);
   for (const BrushEntry& brush : test::brushes().brushes())
     if (brush.module.parent_path() == test::brushes_folder) there.insert(brush.descriptor->id);
   EXPECT_EQ(tested, there);

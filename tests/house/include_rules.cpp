@@ -26,22 +26,23 @@ const std::map<std::string, Names> may_include = {
     {"stroke", {"surface"}},
     {"chart", {"stroke"}},
     {"stamp", {"base"}},
-    {"deform", {"abi", "chart"}},
+    {"deform", {"abi", "chart", "volume"}},
     {"feature", {"chart"}},
     {"refine", {"chart"}},
     {"volume", {"chart"}},
+    {"level_set", {"volume"}},
     {"host",
      {"abi", "math", "plugin", "base", "surface", "stroke", "chart", "deform", "feature", "refine",
       "volume"}},
     {"services", {"host", "stamp"}},
     {"brushes", {"abi", "math", "plugin"}},
-    {"host_stub", {"services", "subdiv"}},
+    {"host_stub", {"services", "level_set", "subdiv"}},
 };
 
 /// Third-party headers, by how they begin, and the folders that may see them.
 const std::map<std::string, Names> third_party = {
     {"opensubdiv/", {"subdiv"}},
-    {"openvdb/", {"volume"}},
+    {"openvdb/", {"level_set"}},
     {"OpenImageIO/", {"stamp"}},
     {"freetype/", {"stamp"}},
     {"harfbuzz/", {"stamp"}},

@@ -26,16 +26,19 @@ find_package(Burin REQUIRED COMPONENTS ${components})\nmessage(\"found\")\n")
 endfunction()
 
 expect("${WORK}/runtime" "runtime" found "found")
-expect("${WORK}/runtime" "runtime stamps subdiv" found "found")
+expect("${WORK}/runtime" "runtime stamps subdiv solids" found "found")
 expect("${WORK}/plugin" "plugin" found "found" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)
 expect("${WORK}/plugin;${WORK}/runtime" "runtime" missing
   "Component runtime is not installed in ${WORK}/plugin, the first prefix that has Burin; install it there: cmake --install BUILD --component runtime --prefix ${WORK}/plugin")
 expect("${WORK}/runtime" "plugin" missing "Component plugin is not installed in ${WORK}/runtime")
-expect("${WORK}/runtime" "brushes" missing "There is no component brushes: plugin, runtime, stamps or subdiv.")
+expect("${WORK}/runtime" "brushes" missing "There is no component brushes: plugin, runtime, stamps, subdiv or solids.")
 expect("${WORK}/runtime" "runtime" missing
   "Component runtime needs what was not found: fmt::fmt (Debian: libfmt-dev)."
   -DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON)
 expect("${WORK}/runtime" "runtime" found "found" -DCMAKE_DISABLE_FIND_PACKAGE_OpenImageIO=ON)
+expect("${WORK}/runtime" "runtime" found "found" -DCMAKE_DISABLE_FIND_PACKAGE_Imath=ON)
+expect("${WORK}/runtime" "solids" missing "Component solids needs what was not found: Imath::Imath (Debian: libimath-dev)."
+  -DCMAKE_DISABLE_FIND_PACKAGE_Imath=ON)
 expect("${WORK}/runtime" "stamps" missing
   "Component stamps needs what was not found: OpenImageIO::OpenImageIO (Debian: libopenimageio-dev)."
   -DCMAKE_DISABLE_FIND_PACKAGE_OpenImageIO=ON)

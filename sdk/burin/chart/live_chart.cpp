@@ -109,7 +109,7 @@ std::vector<Index> LiveChart::kept_slots(const Chart& chart) const {
   return slots;
 }
 
-Chart LiveChart::sorted() const {
+std::vector<Index> LiveChart::sorted_slots() const {
   Index vertex_end = 0;
   for (Index place = 0; place < places_.size(); ++place)
     vertex_end = std::max(vertex_end, places_.vertex(place) + 1);
@@ -118,14 +118,23 @@ Chart LiveChart::sorted() const {
     if (first_[place] != no_index) occupied.insert(places_.vertex(place));
   std::vector<Index> vertices;
   occupied.drain(vertices);
+  std::vector<Index> slots;
+  slots.reserve(nodes_.size());
+  for (const Index vertex : vertices)
+    for (Index slot = first(vertex); slot != no_index; slot = next_[slot]) slots.push_back(slot);
+  return slots;
+}
+
+Chart LiveChart::sorted() const {
+  const std::vector<Index> slots = sorted_slots();
   Chart chart;
   chart.length = nodes_.length;
   chart.closed = nodes_.closed;
-  chart.resize(nodes_.size() - static_cast<std::size_t>(std::ranges::count(states_, SlotState::vacant)));
-  std::size_t i = 0;
-  for (const Index vertex : vertices)
-    for (Index slot = first(vertex); slot != no_index; slot = next_[slot])
-      chart.set(i++, vertex, nodes_.sheet[slot], nodes_.frame(slot), nodes_.normal[slot]);
+  chart.resize(slots.size());
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const Index slot = slots[i];
+    chart.set(i, nodes_.vertex[slot], nodes_.sheet[slot], nodes_.frame(slot), nodes_.normal[slot]);
+  }
   return chart;
 }
 

@@ -52,6 +52,9 @@ class LiveChart {
   Index place_count() const { return places_.size(); }
   Index vertex_at(Index place) const { return places_.vertex(place); }
 
+  /// The slots that have nodes, by vertex and t. In proportion to the chart.
+  std::vector<Index> sorted_slots() const;
+
   /// Copies the nodes to a chart, ordered by vertex and t. Costs O(n) for a chart of n nodes.
   Chart sorted() const;
 

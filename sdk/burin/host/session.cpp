@@ -38,6 +38,7 @@ struct Session::Impl {
   std::span<const Index> apply(const VertexMoves& moves);
   std::span<const Index> note_changed(std::span<const Index> moved, std::span<const Index> painted);
   void commit(std::span<const Index> displaced);
+  bool add_part();
   void drop();
 
   /// Runs `body`. If it throws, the open stroke is dropped, and the surface is as before the stroke.
@@ -68,6 +69,7 @@ struct Session::Impl {
   SurfaceCurve last_curve;
   std::vector<Index> changed;  ///< vertices that the last call changed
   UndoJournal journal;
+  std::vector<StrokeSolid> parts;
   EventCost cost;
 };
 
@@ -138,11 +140,19 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
   finish_piece(closure);
   StageClock clock(cost);
   const std::vector<Index> displaced = shown.take_displaced(surface);
-  journal.record(displaced, surface.positions, paint.commit());
+  journal.record(displaced, surface.positions, paint.commit(), add_part());
   commit(displaced);
   stroke.reset();
   clock.lap(Stage::record);
   return changed;
+}
+
+/// Whether the stroke made one.
+bool Session::Impl::add_part() {
+  std::optional<StrokeSolid>& solid = stroke->solid();
+  if (!solid || solid->empty()) return false;
+  parts.push_back(std::move(*solid));
+  return true;
 }
 
 /// Copies the shown positions to the surface and updates everything that depends on it.
@@ -192,6 +202,7 @@ const Surface& Session::surface() const { return impl_->surface; }
 const Picker& Session::picker() const { return impl_->picker; }
 std::span<const Vec3f> Session::positions() const { return impl_->shown.positions(); }
 std::span<const Vec3f> Session::normals() const { return impl_->shown.normals(); }
+std::span<const StrokeSolid> Session::parts() const { return impl_->parts; }
 const Paint& Session::paint() const { return impl_->paint.shown(); }
 
 void Session::set_paint(Paint paint) {
@@ -266,6 +277,7 @@ bool Session::undo() {
     clock.lap(Stage::move);
     impl_->commit(step->vertices);
     impl_->paint.restore(step->paint);
+    if (step->made_part) impl_->parts.pop_back();
     clock.lap(Stage::record);
     return true;
   });
@@ -279,10 +291,14 @@ std::uint64_t Session::result_hash() const {
     for (std::size_t v = 0; v < values.size(); ++v) of_source[impl_->surface.source_vertex[v]] = values[v];
     return hash_bytes(of_source.data(), of_source.size() * sizeof(of_source[0]));
   };
-  const std::uint64_t of_positions = ordered(positions());
-  if (paint().colour.empty() && paint().mask.empty()) return of_positions;
-  const std::uint64_t hashes[] = {of_positions, ordered(paint().colour), ordered(paint().mask)};
-  return hash_bytes(hashes, sizeof hashes);
+  std::vector<std::uint64_t> hashes{ordered(positions())};
+  if (!paint().colour.empty() || !paint().mask.empty()) {
+    hashes.push_back(ordered(paint().colour));
+    hashes.push_back(ordered(paint().mask));
+  }
+  for (const StrokeSolid& part : parts())
+    hashes.push_back(hash_bytes(part.blocks().data(), part.blocks().size_bytes()));
+  return hashes.size() == 1 ? hashes.front() : hash_bytes(hashes.data(), hashes.size() * sizeof hashes[0]);
 }
 
 }  // namespace burin

@@ -8,6 +8,7 @@
 #include <burin/stroke/stroke_settings.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
+#include <burin/volume/solid.h>
 
 #include <cstdint>
 #include <memory>
@@ -63,6 +64,10 @@ class Session {
   /// array is neither empty nor has one element per vertex, or if a value is outside 0..1.
   void set_paint(Paint paint);
 
+  /// The solids that strokes with SolidOperation::separate made beside the surface, in the order of the
+  /// strokes.
+  std::span<const StrokeSolid> parts() const;
+
   /// Opens a stroke. Throws Error for an unknown brush or parameter, a value out of range, a file that cannot
   /// be read, a brush with inputs that this host does not provide, or dynamics of something that cannot vary;
   /// ContractError if a stroke is open already.
@@ -110,8 +115,8 @@ class Session {
   /// The cost of the last non-const call (cancel_stroke() does not count).
   const EventCost& cost() const;
 
-  /// XXH3 hash of the current positions, and of colours and masks if there are any, in the vertex order of
-  /// the original mesh.
+  /// XXH3 hash of the current positions, and of colours, masks and parts if there are any, in the vertex
+  /// order of the original mesh.
   std::uint64_t result_hash() const;
 
  private:

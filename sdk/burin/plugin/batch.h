@@ -1,9 +1,9 @@
 #pragma once
 #include <burin/abi/brush.h>
 #include <burin/plugin/detail/complete.h>
+#include <burin/plugin/detail/error.h>
 #include <burin/plugin/detail/param_values.h>
 #include <burin/plugin/detail/views.h>
-#include <burin/plugin/error.h>
 #include <burin/plugin/stroke.h>
 
 #include <cstddef>

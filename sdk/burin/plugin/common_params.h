@@ -75,6 +75,13 @@ constexpr FloatParam width(const char* help, float default_value, float least = 
           .dynamic = true};
 }
 
+/// The same of patterns that one width holds for from end to end: it does not vary along the stroke.
+constexpr FloatParam whole_width(const char* help, float default_value, float least = 0.01f) {
+  FloatParam whole = width(help, default_value, least);
+  whole.dynamic = false;
+  return whole;
+}
+
 /// Length over which the brush fades out at either end of the stroke, radii; as end_factor() takes it.
 constexpr FloatParam taper(const char* help, float default_value) {
   return {.id = "taper",

@@ -1,8 +1,8 @@
 #pragma once
 #include <burin/abi/brush.h>
 #include <burin/plugin/detail/complete.h>
+#include <burin/plugin/detail/error.h>
 #include <burin/plugin/detail/views.h>
-#include <burin/plugin/error.h>
 
 #include <string>
 

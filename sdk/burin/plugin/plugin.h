@@ -3,9 +3,9 @@
 #include <burin/plugin/brush.h>
 #include <burin/plugin/cell.h>
 #include <burin/plugin/common_params.h>
+#include <burin/plugin/detail/error.h>
 #include <burin/plugin/detail/math.h>
 #include <burin/plugin/entry/entry.h>
-#include <burin/plugin/error.h>
 #include <burin/plugin/falloff.h>
 #include <burin/plugin/frames.h>
 #include <burin/plugin/ink.h>
@@ -16,5 +16,6 @@
 #include <burin/plugin/random.h>
 #include <burin/plugin/sample_tiles.h>
 #include <burin/plugin/shapes.h>
+#include <burin/plugin/solid.h>
 #include <burin/plugin/stamps.h>
 #include <burin/plugin/tiling.h>

@@ -1,8 +1,8 @@
 #pragma once
 #include <burin/abi/ext/stamps.h>
+#include <burin/plugin/detail/error.h>
 #include <burin/plugin/detail/host.h>
 #include <burin/plugin/detail/views.h>
-#include <burin/plugin/error.h>
 
 #include <algorithm>
 #include <array>

@@ -39,6 +39,12 @@ enum class Accumulate {
   from_current,  ///< the surface after the stroke's earlier visits, along the normals of that surface
 };
 
+/// What becomes of the solid that a brush makes along a stroke.
+enum class SolidOperation {
+  none,      ///< there is none: the stroke does to the surface what the brush does without
+  separate,  ///< a part of its own, beside the surface
+};
+
 /// Whether a stroke is closed.
 enum class Closure {
   open,
@@ -64,6 +70,9 @@ struct Named {
   std::string_view name;
   Choice choice;
 };
+// Clang 14 cannot deduce it by itself.
+template <class Choice>
+Named(std::string_view, Choice) -> Named<Choice>;
 
 inline constexpr std::array named_caps{Named{"round", Cap::round}, Named{"butt", Cap::butt}};
 inline constexpr std::array named_joins{Named{"round", Join::round}, Named{"smooth", Join::smooth},
@@ -76,6 +85,8 @@ inline constexpr std::array named_overlaps{Named{"strongest", Overlap::strongest
                                            Named{"average", Overlap::average}};
 inline constexpr std::array named_accumulations{Named{"base", Accumulate::from_base},
                                                 Named{"current", Accumulate::from_current}};
+inline constexpr std::array named_solids{Named{"none", SolidOperation::none},
+                                         Named{"separate", SolidOperation::separate}};
 inline constexpr std::array named_closures{Named{"yes", Closure::closed}, Named{"no", Closure::open},
                                            Named{"auto", Closure::automatic}};
 

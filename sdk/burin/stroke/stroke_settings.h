@@ -37,7 +37,10 @@ struct StrokeSettings {
   std::uint64_t seed = 0;  ///< of random numbers: the brush's, and PenSource::random
   Symmetry symmetry;       ///< where else it is drawn
   double dab_spacing = 0;  ///< radii from dab to dab, for a row of dabs instead of one stroke; 0: a stroke
-  bool clamp_to_radius = false;  ///< no vertex goes farther than one radius
+  bool clamp_to_radius = false;         ///< no vertex goes farther than one radius
+  std::optional<SolidOperation> solid;  ///< of brushes that make solids; none: separate of those that do
+                                        ///< nothing else
+  double voxel = 0;  ///< edge of the solid's voxels, object units; 0: as fine as the brush's solid needs
 };
 
 /// What a recorded stroke is drawn with: besides, how its samples become a stroke.

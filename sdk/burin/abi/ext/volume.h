@@ -1,5 +1,6 @@
-/* burin/abi/ext/volume.h - brush interface: solids in stroke space (t, d, h), where h is the height above
- * the base surface along its normal, positive outside. */
+/* burin/abi/ext/volume.h - brush ability: solids in stroke space (t, d, h), h the height over the base
+ * surface along its normal, positive outside. Made of a finished stroke, where the user asks for a solid:
+ * evaluate() is not called then, and a brush without outputs draws nothing else. */
 #ifndef BURIN_ABI_EXT_VOLUME_H
 #define BURIN_ABI_EXT_VOLUME_H
 
@@ -11,20 +12,32 @@ extern "C" {
 
 #define BURIN_EXT_VOLUME "burin.volume/1"
 
-/* The interface; burin_brush.get_extension returns it. */
+/* Where a solid is and how fine it is. The host sets struct_size and zeros. */
+typedef struct burin_solid_plan {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double h_min, h_max; /* object units: the solid is empty outside of them */
+  double detail; /* object units, above 0: the narrowest wall or gap that must not be lost; the host makes
+                    its voxels from it */
+} burin_solid_plan;
+
 typedef struct burin_volume {
   uint32_t struct_size;
   uint32_t reserved;
 
-  /* Writes bounds of h (object units) outside which the solid is empty.
-   * [stroke-thread, between begin and end] */
-  burin_status(BURIN_CALL* bounds)(const burin_brush* brush, void* stroke,
-                                   const burin_stroke_context* context, const burin_params* params,
-                                   double* h_min, double* h_max, burin_text* error);
+  /* Describes the solid of a finished stroke (BURIN_STROKE_FINAL). Numbers in params have stride 0 and are
+   * the values before input dynamics. [stroke-thread, between begin and end] */
+  burin_status(BURIN_CALL* plan)(const burin_brush* brush, void* stroke, const burin_stroke_context* context,
+                                 const burin_params* params, burin_solid_plan* plan, burin_text* error);
 
-  /* Writes the signed distance to the solid (object units, negative inside) at the batch->count points
-   * (t, d, h). The host fills the arrays of the batch that the brush declared in inputs_read. Away from the
-   * solid a lower bound of the distance is enough.
+  /* Writes the signed distance to the solid (object units, negative inside) at every point (t, d, h) of
+   * a batch of batch->count elements, in the flat metric dt^2 + dd^2 + dh^2: the host makes distances in
+   * space of it. Away from the solid a lower bound of the distance is enough. Of the batch's arrays those
+   * that the descriptor's inputs_read declares are filled: with what holds at the foot of the point on the
+   * base surface, for each sheet of the stroke that has one there by itself. A brush that offers a solid may
+   * read T, D, RADIUS, STRETCH, POSITION, NORMAL, E1, SHEET, VISIT_COUNT, NODE_ID, SYMMETRY and the pen's
+   * inputs; the host refuses solids of brushes that read others. The solid is the union over all feet and
+   * sheets, and is cut off where the stroke is farther than its radius in the surface.
    * [any thread, concurrent, between begin and end] */
   burin_status(BURIN_CALL* distance)(const burin_brush* brush, void* stroke,
                                      const burin_stroke_context* context, const burin_batch* batch,

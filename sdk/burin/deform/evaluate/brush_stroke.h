@@ -19,6 +19,14 @@ class BrushStroke {
   const burin_params& params() const { return *params_; }
   const burin_stroke_plan& plan() const { return plan_; }
 
+  /// An optional ability of the brush; null: it has none of this id. Its functions take brush() and handle().
+  const void* extension(const char* id) const {
+    const PluginCall call("brush", descriptor_->id);
+    return brush_->get_extension(brush_, id);
+  }
+  const burin_brush* brush() const { return brush_; }
+  void* handle() const { return stroke_; }
+
   /// May be called from several threads at once.
   burin_status evaluate(const burin_stroke_context& context, const burin_batch& batch,
                         const burin_outputs& outputs, burin_text* error) const {

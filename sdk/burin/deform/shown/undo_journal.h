@@ -14,6 +14,7 @@ struct UndoStep {
   std::vector<Index> vertices;
   std::vector<Vec3f> positions;  ///< [i] of vertices[i]
   PaintStep paint;
+  bool made_part = false;  ///< the stroke's solid is a part beside the surface
 };
 
 /// The undo steps of the finished strokes of a session, newest last. A step takes 16 bytes per vertex that
@@ -24,7 +25,7 @@ class UndoJournal {
   /// Stores the current positions of these vertices, and the paint before the stroke. A stroke that changed
   /// nothing is a step too.
   void record(std::span<const Index> vertices, std::span<const Vec3f> positions_of_surface,
-              PaintStep paint = {});
+              PaintStep paint = {}, bool made_part = false);
 
   /// Removes and returns the newest step; nothing if there is none.
   std::optional<UndoStep> take();

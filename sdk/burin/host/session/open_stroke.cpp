@@ -27,6 +27,8 @@ const StrokeSettings& checked(const StrokeSettings& settings) {
   if (!(settings.dab_spacing == 0 || settings.dab_spacing >= least_dab_spacing))
     throw ContractError(fmt::format("the spacing of dabs must be 0, or at least {} radii, not {}",
                                     least_dab_spacing, settings.dab_spacing));
+  if (!(settings.voxel >= 0 && std::isfinite(settings.voxel)))
+    throw ContractError(fmt::format("a solid's voxel must be 0 or above, not {}", settings.voxel));
   return settings;
 }
 
@@ -71,13 +73,23 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, ChartBuilde
       brush_stroke_(brush, descriptor, context(0, {}), params_.abi()),
       images_(symmetry_instances(settings_.symmetry)),
       last_time_(-std::numeric_limits<double>::infinity()) {
+  if (makes_solid()) {
+    if (settings_.dab_spacing > 0) throw Error(fmt::format("{}: makes no solids of dabs", descriptor.id));
+    solid_stroke_.emplace(brush_stroke_);
+  }
   begin_instances();
+}
+
+bool OpenStroke::makes_solid() const {
+  if (settings_.solid) return settings_.solid == SolidOperation::separate;
+  return brush().outputs_written == 0 && brush_stroke_.extension(BURIN_EXT_VOLUME);
 }
 
 void OpenStroke::begin_instances() {
   for (const SymmetryInstance& image : images_)
     instances_.emplace_back(*surface_, *picker_, *builders_, settings_, image, brush_stroke_,
                             instances_.empty() ? nullptr : &instances_.front());
+  if (solid_stroke_) return;
   if (settings_.accumulate == Accumulate::from_current) accumulate();
   if (passes_read_neighbours()) look_around();
 }
@@ -132,7 +144,8 @@ void OpenStroke::trace(const CurveGround::Place& at, double time, const Pen& pen
 }
 
 VertexMoves OpenStroke::draw(const StrokeTools& tools) {
-  if (std::ranges::none_of(instances_, &StrokeInstance::has_changes)) return {};
+  // Solids are made at the end.
+  if (solid_stroke_ || std::ranges::none_of(instances_, &StrokeInstance::has_changes)) return {};
   std::vector<StrokeChanges> changes;
   for (StrokeInstance& instance : instances_)
     changes.push_back(instance.empty() ? StrokeChanges{}
@@ -152,7 +165,27 @@ VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
                           ? StrokeChanges{}
                           : instance.finish(news, brush_stroke_.plan().end_influence, tools.cost));
   tools.clock.lap(Stage::chart);
-  return go_on(changes, BURIN_STROKE_FINAL, tools);
+  if (!solid_stroke_) return go_on(changes, BURIN_STROKE_FINAL, tools);
+  make_solid(tools.paint);
+  tools.clock.lap(Stage::evaluate);
+  return {};
+}
+
+/// Adds those of the piece's images to the solid of the stroke.
+void OpenStroke::make_solid(const Paint& paint) {
+  for (const StrokeInstance& instance : instances_) {
+    if (instance.empty()) continue;
+    const std::uint64_t mirrored = instance.image().mirrored ? BURIN_STROKE_MIRRORED : 0;
+    const NodeSource source = instance.source(paint);
+    const burin_stroke_context of_image = context(BURIN_STROKE_FINAL | mirrored, instance.curve());
+    // Voxels of one size go together.
+    const double voxel = solid_ ? solid_->voxel() : settings_.voxel;
+    StrokeSolid made = solid_stroke_->make(source, of_image, voxel);
+    if (solid_)
+      solid_->add(made);
+    else
+      solid_ = std::move(made);
+  }
 }
 
 burin_stroke_context OpenStroke::context(std::uint64_t flags, const SurfaceCurve& curve) const {
@@ -231,7 +264,8 @@ VertexMoves OpenStroke::blend(std::vector<Index> vertices, const Paint& paint) c
 }
 
 void OpenStroke::keep_piece() {
-  earlier_.add(piece_sheets(), settings_.radius);
+  // The solid has all of it.
+  if (!solid_stroke_) earlier_.add(piece_sheets(), settings_.radius);
   piece_kept_ = true;
 }
 

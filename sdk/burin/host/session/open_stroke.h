@@ -3,6 +3,7 @@
 #include <burin/deform/blend/earlier_pieces.h>
 #include <burin/deform/evaluate/brush_stroke.h>
 #include <burin/deform/evaluate/evaluate.h>
+#include <burin/deform/solid/solid_stroke.h>
 #include <burin/deform/stroke_passes.h>
 #include <burin/host/event_cost.h>
 #include <burin/host/plugin/param_snapshot.h>
@@ -41,7 +42,7 @@ class OpenStroke {
              const burin_brush_descriptor& descriptor, const StrokeSettings& settings);
 
   /// Whether no piece has a sample.
-  bool empty() const { return earlier_.count() == 0 && piece_empty(); }
+  bool empty() const { return earlier_.count() == 0 && !solid_ && piece_empty(); }
   bool piece_empty() const { return primary_instance().empty(); }
   double radius() const { return settings_.radius; }
   const SurfaceCurve& curve() const { return primary_instance().curve(); }
@@ -67,6 +68,9 @@ class OpenStroke {
   /// final, or all nodes if the piece closes.
   VertexMoves finish(Closure closure, const StrokeTools& tools);
 
+  /// Of a stroke that makes a solid, what its finished pieces have made, if anything.
+  std::optional<StrokeSolid>& solid() { return solid_; }
+
   /// Stores the finished piece with the earlier ones. begin_piece() must follow before the next sample.
   void keep_piece();
   bool piece_kept() const { return piece_kept_; }
@@ -76,6 +80,7 @@ class OpenStroke {
 
  private:
   const StrokeInstance& primary_instance() const { return instances_.front(); }
+  bool makes_solid() const;
   void begin_instances();
   void accumulate();
   void look_around();
@@ -87,6 +92,7 @@ class OpenStroke {
                 std::vector<Index>& vertices);
   VertexMoves blend(std::vector<Index> vertices, const Paint& paint) const;
   std::vector<InstanceSheets> piece_sheets() const;
+  void make_solid(const Paint& paint);
 
   const Surface* surface_;
   const Picker* picker_;
@@ -100,6 +106,8 @@ class OpenStroke {
   std::optional<StrokePasses> passes_;        ///< set for brushes whose passes read neighbours
   std::optional<Accumulation> accumulation_;  ///< set for strokes that accumulate on their own result
   EarlierPieces earlier_;
+  std::optional<SolidStroke> solid_stroke_;  ///< of strokes that make a solid, instead of all else
+  std::optional<StrokeSolid> solid_;
   bool piece_kept_ = false;  ///< the current piece was kept, and no other was started
   double last_time_;
 };

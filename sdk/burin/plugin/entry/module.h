@@ -1,8 +1,9 @@
 #pragma once
 #include <burin/abi/plugin.h>
 #include <burin/plugin/brush.h>
+#include <burin/plugin/detail/error.h>
 #include <burin/plugin/entry/checks.h>
-#include <burin/plugin/error.h>
+#include <burin/plugin/solid.h>
 
 #include <array>
 #include <concepts>
@@ -84,7 +85,11 @@ class Instance {
 
   static void BURIN_CALL destroy(const burin_brush* brush) { delete from(brush); }
 
-  static const void* BURIN_CALL get_extension(const burin_brush*, const char*) { return nullptr; }
+  static const void* BURIN_CALL get_extension(const burin_brush*, const char* id) {
+    if constexpr (std::derived_from<B, SolidBrush>)
+      if (std::string_view(id) == BURIN_EXT_VOLUME) return &volume_;
+    return nullptr;
+  }
 
   static burin_status BURIN_CALL begin(const burin_brush* brush, const burin_stroke_context* context,
                                        const burin_params* params, burin_stroke_plan* plan, void** stroke,
@@ -113,6 +118,36 @@ class Instance {
       static_cast<const B*>(stroke)->evaluate(Batch(descriptor, *context, *batch), Outputs(*outputs));
     });
   }
+
+  static burin_status BURIN_CALL plan_solid(const burin_brush*, void* stroke,
+                                            const burin_stroke_context* context, const burin_params* params,
+                                            burin_solid_plan* plan, burin_text* error) noexcept {
+    return guarded(error, [&] {
+      const SolidPlan made =
+          static_cast<const B*>(stroke)->solid(Stroke(*context), Params(descriptor, params));
+      plan->h_min = made.h_min;
+      plan->h_max = made.h_max;
+      plan->detail = made.detail;
+    });
+  }
+
+  static burin_status BURIN_CALL distance(const burin_brush*, void* stroke,
+                                          const burin_stroke_context* context, const burin_batch* batch,
+                                          burin_floats h, burin_floats_out distance,
+                                          burin_text* error) noexcept {
+    return guarded(error, [&] {
+      static_cast<const B*>(stroke)->distance(Batch(descriptor, *context, *batch), {h.data, h.stride},
+                                              {distance.data, distance.stride});
+    });
+  }
+
+  static constexpr burin_volume volume() {
+    if constexpr (std::derived_from<B, SolidBrush>)
+      return {sizeof(burin_volume), 0, plan_solid, distance};
+    else
+      return {};
+  }
+  static constexpr burin_volume volume_ = volume();
 
   static void BURIN_CALL end(const burin_brush*, void* stroke) { delete static_cast<B*>(stroke); }
 

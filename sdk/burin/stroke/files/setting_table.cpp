@@ -163,6 +163,20 @@ std::vector<SettingRow> shape_rows() {
                  })};
 }
 
+std::vector<SettingRow> solid_rows() {
+  return {choice_row({.key = "solid",
+                      .help = "what becomes of the solid that the brush makes along the stroke",
+                      .initial = "separate, if the brush does nothing else"},
+                     &S::solid, named_solids),
+          number_row({.key = "voxel",
+                      .help = "edge of the solid's voxels",
+                      .values = "a number above 0",
+                      .typed = "NUMBER > 0",
+                      .unit = "object units",
+                      .initial = "as fine as the brush's solid needs"},
+                     &S::voxel, read_radius)};
+}
+
 constexpr std::array named_axes{Named{"x", 0}, Named{"y", 1}, Named{"z", 2}};
 
 std::vector<SettingRow> symmetry_rows() {
@@ -220,7 +234,7 @@ std::vector<SettingRow> sample_rows() {
 
 std::vector<SettingRow> all_rows() {
   std::vector<SettingRow> rows;
-  for (auto some : {basic_rows, shape_rows, symmetry_rows, sample_rows})
+  for (auto some : {basic_rows, shape_rows, solid_rows, symmetry_rows, sample_rows})
     std::ranges::move(some(), std::back_inserter(rows));
   for (SettingRow& row : rows) {
     if (!row.option.empty()) continue;

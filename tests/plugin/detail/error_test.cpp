@@ -1,9 +1,9 @@
-#include <burin/plugin/error.h>
+#include <burin/plugin/detail/error.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "driver.h"
+#include "plugin/driver.h"
 
 namespace burin {
 namespace {

@@ -1,0 +1,31 @@
+#pragma once
+#include <burin/abi/ext/volume.h>
+#include <burin/deform/evaluate/batch.h>
+#include <burin/deform/evaluate/brush_stroke.h>
+#include <burin/volume/solid.h>
+
+namespace burin {
+
+/// The solid that a brush makes of a finished stroke: "burin.volume/1". The stroke must outlive it.
+class SolidStroke {
+ public:
+  /// Throws Error "ID: ..." where the brush makes no solids, or reads for them what there is none of.
+  explicit SolidStroke(const BrushStroke& stroke);
+
+  /// Throws Error where the brush fails, or describes no solid.
+  burin_solid_plan plan(const burin_stroke_context& context) const;
+
+  /// The solid over the nodes of one image of the stroke, in voxels of this edge, object units, of one sixth
+  /// of the plan's detail for 0. Throws Error as StrokeSolid, ContractError where the brush fails.
+  StrokeSolid make(const NodeSource& source, const burin_stroke_context& context, double voxel,
+                   const Progress& progress = {}) const;
+
+ private:
+  DistanceToSolid distance(const NodeSource& source, const burin_stroke_context& context,
+                           std::span<const Index> slots) const;
+
+  const BrushStroke* stroke_;
+  const burin_volume* volume_;
+};
+
+}  // namespace burin

@@ -1,0 +1,190 @@
+#include <burin/chart/chart_triangles.h>
+#include <burin/volume/shell.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace burin {
+namespace {
+
+/// By which weights may be below 0 so that no point between two prisms is in neither.
+constexpr double rounding = 1e-6;
+
+/// The same at the chart's rim: about one triangle beyond it.
+constexpr double beyond_rim = 1;
+
+/// Below this cosine between the directions of the stroke at two corners their coordinates are those of
+/// different legs of it, or of a bend no wider than the triangle.
+constexpr double least_agreement = 0.9;
+
+double determinant(const Eigen::Matrix3d& m) { return m.col(0).cross(m.col(1)).dot(m.col(2)); }
+
+}  // namespace
+
+Prism::Prism(const std::array<Corner, 3>& corners, const std::array<Index, 3>& nodes,
+             const std::array<bool, 3>& rim)
+    : corners_(corners),
+      nodes_(nodes),
+      edge_a_(corners[1].position - corners[0].position),
+      edge_b_(corners[2].position - corners[0].position),
+      normal_a_(corners[1].normal - corners[0].normal),
+      normal_b_(corners[2].normal - corners[0].normal) {
+  // Next to an edge at the rim there are corners at the rim, around which there may be no triangle.
+  const bool any = rim[0] || rim[1] || rim[2];
+  for (std::size_t i = 0; i < 3; ++i)
+    least_weight_[i] = rim[i] ? -beyond_rim : any ? -beyond_rim / 2 : -rounding;
+  parted_ = is_parted();
+}
+
+/// Whether the corners belong to different legs of a bend: their directions differ, and what the distance of
+/// one goes on to is more than the other has, which is the least of both legs'. Around the outside of a bend
+/// it is less.
+bool Prism::is_parted() const {
+  bool differ = false;
+  double excess = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner& from = corners_[i];
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Corner& to = corners_[j];
+      differ = differ || from.e1.dot(to.e1) < least_agreement;
+      const double told = static_cast<double>(from.d) + from.along_d.dot(to.position - from.position);
+      excess += std::abs(told) - std::abs(static_cast<double>(to.d));
+    }
+  }
+  return differ && excess > 0;
+}
+
+Vec3d Prism::position(double a, double b, double h) const {
+  return corners_[0].position + a * edge_a_ + b * edge_b_ +
+         h * (corners_[0].normal + a * normal_a_ + b * normal_b_);
+}
+
+Eigen::Matrix3d Prism::jacobian(double a, double b, double h) const {
+  Eigen::Matrix3d columns;
+  columns << edge_a_ + h * normal_a_, edge_b_ + h * normal_b_,
+      corners_[0].normal + a * normal_a_ + b * normal_b_;
+  return columns;
+}
+
+bool Prism::upright() const {
+  const Vec3d area = edge_a_.cross(edge_b_);
+  return std::ranges::all_of(corners_, [&](const Corner& corner) { return area.dot(corner.normal) > 0; });
+}
+
+bool Prism::within(double a, double b) const {
+  return 1 - a - b >= least_weight_[0] && a >= least_weight_[1] && b >= least_weight_[2];
+}
+
+/// Whether the prism turns inside out between the triangle and this height: its volume is a quadratic in the
+/// height, whose least value counts.
+bool Prism::folded(double a, double b, double h) const {
+  const double at_0 = determinant(jacobian(a, b, 0)), half = determinant(jacobian(a, b, h / 2)),
+               whole = determinant(jacobian(a, b, h));
+  const double square = 2 * (at_0 + whole - 2 * half), linear = 4 * half - 3 * at_0 - whole;
+  double least = std::min(at_0, whole);
+  if (square > 0 && linear < 0 && -linear < 2 * square)
+    least = std::min(least, at_0 - linear * linear / (4 * square));
+  return !(least > 0);
+}
+
+std::optional<Prism::Foot> Prism::foot_of(const Vec3d& p) const {
+  constexpr int most_steps = 12;
+  constexpr double close = 1e-9, farthest = 100;
+  const Vec3d up = edge_a_.cross(edge_b_).normalized();
+  const double size = std::sqrt(std::max(edge_a_.squaredNorm(), edge_b_.squaredNorm()));
+  double a = 1. / 3, b = 1. / 3, h = (p - corners_[0].position).dot(up);
+  for (int step = 0;; ++step) {
+    const Vec3d miss = p - position(a, b, h);
+    if (miss.squaredNorm() <= close * close * size * size) break;
+    const Eigen::Matrix3d columns = jacobian(a, b, h);
+    const double whole = determinant(columns);
+    if (step == most_steps || !(std::abs(whole) > 0)) return {};
+    a += miss.cross(columns.col(1)).dot(columns.col(2)) / whole;
+    b += columns.col(0).cross(miss).dot(columns.col(2)) / whole;
+    h += columns.col(0).cross(columns.col(1)).dot(miss) / whole;
+    if (!(std::abs(a) < farthest && std::abs(b) < farthest)) return {};
+  }
+  if (!within(a, b) || folded(a, b, h)) return {};
+  const double height = h * (corners_[0].normal + a * normal_a_ + b * normal_b_).norm();
+  return Foot{a, b, height, position(a, b, 0)};
+}
+
+/// The mean of the line between the corners' values and of those that their gradients go on to is right to
+/// second order, since their errors are opposite.
+ShellPoint Prism::between(const Foot& foot) const {
+  const Vec3d weights(1 - foot.a - foot.b, foot.a, foot.b);
+  ShellPoint point;
+  point.h = static_cast<float>(foot.h);
+  point.nodes = nodes_;
+  point.weights = weights.cast<float>();
+  double d = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d way = foot.position - corners_[i].position;
+    const double weight = weights[static_cast<Eigen::Index>(i)];
+    point.t += weight * (corners_[i].t + corners_[i].along_t.dot(way) / 2);
+    d += weight * (static_cast<double>(corners_[i].d) + corners_[i].along_d.dot(way) / 2);
+  }
+  point.d = static_cast<float>(d);
+  return point;
+}
+
+ShellPoint Prism::from_corner(const Foot& foot, std::size_t corner) const {
+  const Corner& from = corners_[corner];
+  const Vec3d way = foot.position - from.position;
+  ShellPoint point;
+  point.t = from.t + from.along_t.dot(way);
+  point.d = static_cast<float>(static_cast<double>(from.d) + from.along_d.dot(way));
+  point.h = static_cast<float>(foot.h);
+  point.nodes = nodes_;
+  point.weights[static_cast<Eigen::Index>(corner)] = 1;
+  return point;
+}
+
+Eigen::AlignedBox3d Prism::box(double h_min, double h_max) const {
+  Eigen::AlignedBox3d box;
+  const double a0 = least_weight_[1], b0 = least_weight_[2], c0 = least_weight_[0];
+  // The corners of the triangle that the least weights bound.
+  for (const auto& [a, b] : {std::pair{a0, b0}, {1 - b0 - c0, b0}, {a0, 1 - a0 - c0}})
+    for (const double h : {h_min, h_max}) box.extend(position(a, b, h));
+  return box;
+}
+
+std::vector<Prism> shell_over(const SolidGround& ground) {
+  const Chart& chart = ground.chart;
+  const std::vector<ChartTriangle> triangles = chart_triangles(ground.surface, chart);
+  std::map<std::pair<Index, Index>, int> sides;
+  const auto side = [](const ChartTriangle& triangle, std::size_t opposite) {
+    const Index from = triangle.nodes[(opposite + 1) % 3], to = triangle.nodes[(opposite + 2) % 3];
+    return std::pair{std::min(from, to), std::max(from, to)};
+  };
+  for (const ChartTriangle& triangle : triangles)
+    for (std::size_t i = 0; i < 3; ++i) ++sides[side(triangle, i)];
+  std::vector<Prism> prisms;
+  prisms.reserve(triangles.size());
+  for (const ChartTriangle& triangle : triangles) {
+    std::array<Prism::Corner, 3> corners;
+    std::array<bool, 3> rim{};
+    // Around round ends (t, d) are normal coordinates, which the surface stretches only by its curvature.
+    const bool beyond =
+        !chart.closed && std::ranges::any_of(triangle.t, [&](double t) { return t < 0 || t > chart.length; });
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index node = triangle.nodes[i];
+      const Vec3d normal = chart.normal[node].cast<double>(), e1 = chart.e1[node].cast<double>();
+      corners[i] = {.position = ground.position(chart.vertex[node]).cast<double>(),
+                    .normal = normal,
+                    .t = triangle.t[i],
+                    .d = chart.d[node],
+                    .along_t = e1 / (beyond ? 1 : static_cast<double>(chart.stretch[node])),
+                    .along_d = normal.cross(e1),
+                    .e1 = e1};
+      rim[i] = sides[side(triangle, i)] == 1;
+    }
+    const Prism prism(corners, triangle.nodes, rim);
+    if (prism.upright()) prisms.push_back(prism);
+  }
+  return prisms;
+}
+
+}  // namespace burin

@@ -1,0 +1,90 @@
+#pragma once
+#include <burin/base/progress.h>
+#include <burin/chart/chart.h>
+#include <burin/surface/surface.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// A point of the space around a stroke, in the stroke's coordinates.
+struct ShellPoint {
+  double t = 0;  ///< of its foot on the base surface, object units; of a closed stroke in
+                 ///< [0, length)
+  float d = 0;   ///< likewise
+  float h = 0;   ///< height over the foot along the base normal, positive outside, object units
+  std::array<Index, 3> nodes{};   ///< of the chart, around the foot
+  Vec3f weights = Vec3f::Zero();  ///< of the nodes; they sum up to 1, and some may be below 0 at the chart's
+                                  ///< rim
+};
+
+/// Writes the signed distance to a solid, negative inside, object units, at each point. Called on any thread,
+/// concurrently.
+using DistanceToSolid = std::function<void(std::span<const ShellPoint>, std::span<float>)>;
+
+/// Where a solid is, and how finely it is to be made.
+struct SolidExtent {
+  double h_min = 0, h_max = 0;  ///< object units; the solid is empty outside of them
+  double radius = 0;  ///< of the stroke, object units: the solid is cut off where the stroke is farther
+  double voxel = 0;   ///< edge of a voxel, object units
+  std::size_t most_bytes = std::size_t{2} << 30;  ///< that the grid may take
+};
+
+/// The surface that a chart was made of.
+struct SolidGround {
+  const Surface& surface;
+  const Chart& chart;
+  std::function<Vec3f(Index vertex)> position;  ///< on the base surface
+};
+
+/// A cube of voxels with the signed distance to a solid at their middles, object units; not below -half_width
+/// and not above half_width voxels. Voxel (i, j, k), whose middle is at (i, j, k) times its edge, has the
+/// number 64 i + 8 j + k within its block.
+struct VoxelBlock {
+  static constexpr int side = 8, voxels = side * side * side;
+  static constexpr int half_width = 3;  ///< voxels, of the band in which distances are known
+
+  Eigen::Vector3i origin = Eigen::Vector3i::Zero();  ///< its least voxel, multiples of `side`
+  std::array<float, voxels> values{};                ///< [voxel]
+};
+
+/// A solid along a stroke in voxels: the union of what the distance makes of all feet that a point has on
+/// the base surface, in every sheet of the stroke.
+///
+/// A point p lies over a triangle of the chart where p = x + h n, with x and n interpolated between the base
+/// positions and normals of its corners, so that the prisms over neighbouring triangles meet without gap or
+/// overlap [S. Porumbescu et al., Shell Maps, 2005]. Beyond the focal surface of the base, where prisms have
+/// turned inside out, a point has no foot.
+///
+/// Made on all threads; the bits do not depend on their number.
+class StrokeSolid {
+ public:
+  /// Throws Error where the extent or the voxel is none, the grid would need more than `most_bytes`, or a
+  /// distance is not finite: that of the lowest block; and what `distance` throws. Costs time and memory in
+  /// proportion to the voxels near the solid's surface and within, and to the chart.
+  StrokeSolid(const SolidGround& ground, const SolidExtent& extent, const DistanceToSolid& distance,
+              const Progress& progress = {});
+
+  /// Adds another solid of the same voxel: afterwards this is both.
+  void add(const StrokeSolid& other);
+
+  bool empty() const { return blocks_.empty(); }
+  double voxel() const { return voxel_; }  ///< edge, object units
+
+  /// Where the solid is and around it, ascending by x, y and z. Elsewhere there is none of it. Values are as
+  /// the distance has them in the stroke's coordinates, so that only where they are 0 they mean what they say
+  /// in space; see level_set/solid_mesh.h for the surface there.
+  std::span<const VoxelBlock> blocks() const { return blocks_; }
+
+ private:
+  double voxel_;
+  std::vector<VoxelBlock> blocks_;
+};
+
+}  // namespace burin

@@ -1,0 +1,200 @@
+// Each stock brush that makes solids, on a plane and on a sphere.
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/level_set/solid_mesh.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <numbers>
+
+#include "host/stock_brush_uses.h"
+#include "support/rods.h"
+
+namespace burin {
+namespace {
+
+using test::BrushUse;
+
+std::vector<Vec3d> line(const Vec3d& from, const Vec3d& to) {
+  std::vector<Vec3d> places;
+  for (int i = 0; i <= 40; ++i) places.push_back(from + i / 40. * (to - from));
+  return places;
+}
+
+std::vector<Vec3d> circle(double radius) {
+  std::vector<Vec3d> places;
+  for (int i = 0; i < 100; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 100;
+    places.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+  }
+  return places;
+}
+
+StrokeSettings settings_of(const BrushUse& use, double radius = 0.2) {
+  StrokeSettings settings = test::settings(use.id, radius);
+  settings.params = use.params;
+  return settings;
+}
+
+/// Draws one stroke, and returns the part that it made.
+const StrokeSolid& draw(Session& session, const StrokeSettings& settings, const std::vector<Vec3d>& places,
+                        Closure closure = Closure::open) {
+  session.begin_stroke(settings);
+  double time = 0;
+  for (const Vec3d& place : places) session.add_sample(place, time += 0.01, {});
+  session.end_stroke(closure);
+  if (session.parts().empty()) throw Error("the stroke made no part");
+  return session.parts().back();
+}
+
+/// The pieces of a mesh that hang together.
+std::size_t components(const TriangleMesh& mesh) {
+  std::vector<Index> parent(mesh.positions.size());
+  for (Index v = 0; v < parent.size(); ++v) parent[v] = v;
+  const auto root = [&](Index v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const Triangle& t : mesh.triangles) {
+    parent[root(t[1])] = root(t[0]);
+    parent[root(t[2])] = root(t[0]);
+  }
+  std::size_t count = 0;
+  for (Index v = 0; v < parent.size(); ++v) count += root(v) == v;
+  return count;
+}
+
+class SolidBrushes : public testing::TestWithParam<BrushUse> {};
+
+INSTANTIATE_TEST_SUITE_P(All, SolidBrushes, testing::ValuesIn(test::solid_brush_uses), test::name_of_use);
+
+TEST_P(SolidBrushes, MakeClosedMeshesOfGoodTriangles) {
+  Session session(make_surface(test::plane(1, 0.025, 4)), test::brushes());
+  for (const bool closed : {false, true}) {
+    const StrokeSolid& solid =
+        closed ? draw(session, settings_of(GetParam()), circle(0.5), Closure::closed)
+               : draw(session, settings_of(GetParam()), line({-0.6, -0.1, 0}, {0.6, 0.1, 0}));
+    const TriangleMesh mesh = mesh_of(solid);
+    const test::Edges edges = test::edges_of(mesh);
+    const std::vector<double> angles = test::angles_of(mesh);
+    std::cout << fmt::format("{} triangles, least angle {:.1f}, 1 in 100 below {:.1f}\n",
+                             mesh.triangles.size(), angles[0], angles[angles.size() / 100]);
+    EXPECT_GT(mesh.triangles.size(), 1000u);
+    EXPECT_EQ(edges.open, 0u);
+    EXPECT_EQ(edges.multi, 0u);
+    EXPECT_GE(angles[angles.size() / 100], 15);
+    EXPECT_GT(test::extent_of(mesh).volume, 0);
+  }
+}
+
+TEST_P(SolidBrushes, LeaveTheSurfaceAlone) {
+  Session session(make_surface(test::sphere(5, 0.2, 6)), test::brushes());
+  const test::Snapshot untouched(session);
+  std::vector<Vec3d> places;
+  for (int i = 0; i <= 60; ++i) places.emplace_back(std::cos(0.03 * i), std::sin(0.03 * i), 0.2);
+  draw(session, settings_of(GetParam()), places);
+  EXPECT_TRUE(test::Snapshot(session) == untouched);
+}
+
+// To the bit, whatever is shown in between and on how many threads.
+TEST_P(SolidBrushes, GiveTheSamePartHoweverItIsDrawn) {
+  std::vector<std::uint64_t> hashes;
+  for (const auto& [threads, show] : {std::pair{1, Show::now}, {2, Show::later}}) {
+    const ThreadLimit limit(static_cast<std::size_t>(threads));
+    Session session(make_surface(test::plane(1, 0.04, 4)), test::brushes());
+    session.begin_stroke(settings_of(GetParam()));
+    double time = 0;
+    for (const Vec3d& place : circle(0.4)) session.add_sample(place, time += 0.01, {}, show);
+    session.end_stroke();
+    hashes.push_back(session.result_hash());
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(Chain, HasLinksThatHangTogetherAndDoNotTouch) {
+  Session session(make_surface(test::plane(1, 0.025, 4)), test::brushes());
+  for (const bool closed : {false, true}) {
+    const StrokeSolid& solid =
+        closed ? draw(session, settings_of({"org.burin.chain", {}}), circle(0.5), Closure::closed)
+               : draw(session, settings_of({"org.burin.chain", {}}), line({-0.7, -0.1, 0}, {0.7, 0.1, 0}));
+    const TriangleMesh mesh = mesh_of(solid);
+    const std::size_t links = components(mesh);
+    std::cout << links << " links\n";
+    EXPECT_GE(links, 5u);
+    if (closed) {
+      EXPECT_EQ(links % 2, 0u);
+    }
+    // Each is a ring.
+    EXPECT_EQ(test::edges_of(mesh).euler, 0);
+  }
+}
+
+TEST(Tube, HasTheVolumeOfAPipe) {
+  Session session(make_surface(test::plane(1, 0.025, 4)), test::brushes());
+  const BrushUse pipe{"org.burin.tube",
+                      {{"width", 0.3}, {"wall", 0.4}, {"ends", std::string("flat")}, {"height", 1.5}}};
+  const StrokeSolid& solid = draw(session, settings_of(pipe), circle(0.5), Closure::closed);
+  const double outer = 0.3 * 0.2, inner = 0.6 * outer;
+  const double exact = std::numbers::pi * (outer * outer - inner * inner) * session.chart().length;
+  EXPECT_NEAR(test::extent_of(mesh_of(solid)).volume, exact, 0.003 * exact);
+}
+
+TEST(SolidStrokes, AreUndoneOneByOne) {
+  Session session(make_surface(test::plane(1, 0.04, 4)), test::brushes());
+  const std::uint64_t bare = session.result_hash();
+  const StrokeSettings settings = settings_of({"org.burin.tube", {}});
+  draw(session, settings, line({-0.5, 0, 0}, {0.5, 0, 0}));
+  const std::uint64_t one = session.result_hash();
+  draw(session, settings, line({0, -0.5, 0}, {0, 0.5, 0}));
+  EXPECT_EQ(session.parts().size(), 2u);
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.result_hash(), one);
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.result_hash(), bare);
+  EXPECT_TRUE(session.parts().empty());
+}
+
+TEST(SolidStrokes, AreOnePartOfAllPiecesAndImages) {
+  Session session(make_surface(test::plane(1, 0.04, 4)), test::brushes());
+  StrokeSettings settings = settings_of({"org.burin.tube", {}}, 0.1);
+  settings.symmetry.mirror_y = true;
+  session.begin_stroke(settings);
+  double time = 0;
+  for (const Vec3d& place : line({-0.7, 0.3, 0}, {-0.3, 0.3, 0})) session.add_sample(place, time += 0.01, {});
+  session.end_piece();
+  for (const Vec3d& place : line({0.3, 0.3, 0}, {0.7, 0.3, 0})) session.add_sample(place, time += 0.01, {});
+  session.end_stroke();
+  ASSERT_EQ(session.parts().size(), 1u);
+  EXPECT_EQ(components(mesh_of(session.parts()[0])), 4u);
+}
+
+std::string message(const StrokeSettings& settings) {
+  Session session(make_surface(test::plane(1, 0.04, 4)), test::brushes());
+  try {
+    draw(session, settings, line({-0.5, 0, 0}, {0.5, 0, 0}));
+  } catch (const Error& error) {
+    EXPECT_TRUE(session.parts().empty());
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SolidStrokes, AreRefusedWithOneLine) {
+  StrokeSettings groove = test::settings("org.burin.groove", 0.2);
+  groove.solid = SolidOperation::separate;
+  EXPECT_EQ(message(groove), "org.burin.groove: makes no solids");
+  StrokeSettings dabs = settings_of({"org.burin.tube", {}});
+  dabs.dab_spacing = 0.5;
+  EXPECT_EQ(message(dabs), "org.burin.tube: makes no solids of dabs");
+  StrokeSettings tiny = settings_of({"org.burin.tube", {}});
+  tiny.voxel = 1e-5;
+  EXPECT_NE(message(tiny).find("org.burin.tube: the solid's grid would take"), std::string::npos);
+  tiny.voxel = -1;
+  EXPECT_EQ(message(tiny), "a solid's voxel must be 0 or above, not -1");
+}
+
+}  // namespace
+}  // namespace burin
