@@ -13,7 +13,7 @@ namespace {
 constexpr double rounding = 1e-6;
 
 /// The same at the chart's rim: about one triangle beyond it.
-constexpr double beyond_rim = 1;
+constexpr double beyond_rim = 1, beside_rim = 0.5;
 
 /// Below this cosine between the directions of the stroke at two corners their coordinates are those of
 /// different legs of it, or of a bend no wider than the triangle.
@@ -27,15 +27,15 @@ Prism::Prism(const std::array<Corner, 3>& corners, const std::array<Index, 3>& n
              const std::array<bool, 3>& rim)
     : corners_(corners),
       nodes_(nodes),
+      rim_(rim),
       edge_a_(corners[1].position - corners[0].position),
       edge_b_(corners[2].position - corners[0].position),
       normal_a_(corners[1].normal - corners[0].normal),
       normal_b_(corners[2].normal - corners[0].normal) {
-  // Next to an edge at the rim there are corners at the rim, around which there may be no triangle.
   const bool any = rim[0] || rim[1] || rim[2];
-  for (std::size_t i = 0; i < 3; ++i)
-    least_weight_[i] = rim[i] ? -beyond_rim : any ? -beyond_rim / 2 : -rounding;
+  for (std::size_t i = 0; i < 3; ++i) least_weight_[i] = rim[i] ? -beyond_rim : any ? -beside_rim : -rounding;
   parted_ = is_parted();
+  (corners_[0].normal + corners_[1].normal + corners_[2].normal).cwiseAbs().maxCoeff(&axis_);
 }
 
 /// Whether the corners belong to different legs of a bend: their directions differ, and what the distance of
@@ -73,8 +73,17 @@ bool Prism::upright() const {
   return std::ranges::all_of(corners_, [&](const Corner& corner) { return area.dot(corner.normal) > 0; });
 }
 
+/// Within the triangle, or beyond one of its edges at the rim: also a little beside it, since there may be no
+/// triangle at all around the edge's ends.
 bool Prism::within(double a, double b) const {
-  return 1 - a - b >= least_weight_[0] && a >= least_weight_[1] && b >= least_weight_[2];
+  const std::array<double, 3> weights{1 - a - b, a, b};
+  const double least = std::ranges::min(weights);
+  if (least >= -rounding) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!rim_[i] || weights[i] >= 0 || weights[i] < -beyond_rim) continue;
+    if (std::min(weights[(i + 1) % 3], weights[(i + 2) % 3]) >= -beside_rim) return true;
+  }
+  return false;
 }
 
 /// Whether the prism turns inside out between the triangle and this height: its volume is a quadratic in the
@@ -142,13 +151,37 @@ ShellPoint Prism::from_corner(const Foot& foot, std::size_t corner) const {
   return point;
 }
 
+/// The corners, at this height, of the triangle that the least weights bound.
+std::array<Vec3d, 3> Prism::edge_at(double h) const {
+  const double a0 = least_weight_[1], b0 = least_weight_[2], c0 = least_weight_[0];
+  return {position(a0, b0, h), position(1 - b0 - c0, b0, h), position(a0, 1 - a0 - c0, h)};
+}
+
 Eigen::AlignedBox3d Prism::box(double h_min, double h_max) const {
   Eigen::AlignedBox3d box;
-  const double a0 = least_weight_[1], b0 = least_weight_[2], c0 = least_weight_[0];
-  // The corners of the triangle that the least weights bound.
-  for (const auto& [a, b] : {std::pair{a0, b0}, {1 - b0 - c0, b0}, {a0, 1 - a0 - c0}})
-    for (const double h : {h_min, h_max}) box.extend(position(a, b, h));
+  for (const double h : {h_min, h_max})
+    for (const Vec3d& corner : edge_at(h)) box.extend(corner);
   return box;
+}
+
+/// Along each of the three edges that run outward the coordinate changes evenly with the height. Only heights
+/// count at which an edge, and so the prism, can be between the bounds.
+Eigen::AlignedBox3d Prism::layer(double h_min, double h_max, double low, double high) const {
+  const std::array<Vec3d, 3> bottom = edge_at(h_min), top = edge_at(h_max);
+  double least = 1, most = 0;  // shares of the way from the bottom to the top
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double from = bottom[i][axis_], way = top[i][axis_] - from;
+    // An edge that does not run along the axis may be anywhere.
+    if (!(std::abs(way) > 0)) return box(h_min, h_max);
+    const auto [first, last] = std::minmax({(low - from) / way, (high - from) / way});
+    least = std::min(least, first);
+    most = std::max(most, last);
+  }
+  least = std::max(least, 0.);
+  most = std::min(most, 1.);
+  if (!(least <= most)) return {};
+  const double height = h_max - h_min;
+  return box(h_min + least * height, h_min + most * height);
 }
 
 std::vector<Prism> shell_over(const SolidGround& ground) {

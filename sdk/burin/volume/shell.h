@@ -35,8 +35,14 @@ class Prism {
     for (std::size_t corner = 0; corner < 3; ++corner) visit(from_corner(*foot, corner));
   }
 
+  /// The axis along which the prism is longest: the layers across it are small.
+  int axis() const { return axis_; }
+
   /// Holds all points of heights between these that find() finds.
   Eigen::AlignedBox3d box(double h_min, double h_max) const;
+
+  /// The same of those whose coordinate along axis() is within these bounds. Empty where there are none.
+  Eigen::AlignedBox3d layer(double h_min, double h_max, double low, double high) const;
 
   const std::array<Index, 3>& nodes() const { return nodes_; }
 
@@ -55,14 +61,17 @@ class Prism {
   Vec3d position(double a, double b, double h) const;
   /// Of (a, b, h) at this height: the columns are the derivatives of position().
   Eigen::Matrix3d jacobian(double a, double b, double h) const;
+  std::array<Vec3d, 3> edge_at(double h) const;
   bool is_parted() const;
   bool folded(double a, double b, double h) const;
   bool within(double a, double b) const;
 
   std::array<Corner, 3> corners_;
   std::array<Index, 3> nodes_;
+  std::array<bool, 3> rim_;                      ///< of the edge opposite a corner
   Vec3d edge_a_, edge_b_, normal_a_, normal_b_;  ///< from corner 0 to 1 and 2
-  std::array<double, 3> least_weight_;
+  std::array<double, 3> least_weight_;           ///< that within() allows
+  int axis_;
   bool parted_ = false;  ///< see is_parted()
 };
 

@@ -55,31 +55,41 @@ void check_memory(std::size_t bytes, std::size_t most_bytes) {
         bytes / mega, most_bytes / mega));
 }
 
+/// Calls visit(range) with the blocks of a prism, one layer of them after another along its axis. A voxel
+/// belongs to the block that holds its middle.
+template <class Visit>
+void for_each_layer(const Prism& prism, double h_min, double h_max, double voxel, const Visit& visit) {
+  const double block_size = VoxelBlock::side * voxel, half = voxel / 2;
+  const auto range_of = [&](Eigen::AlignedBox3d box) {
+    box.translate(Vec3d::Constant(half));
+    return blocks_of(box, block_size);
+  };
+  const int axis = prism.axis();
+  const Range whole = range_of(prism.box(h_min, h_max));
+  for (int layer = whole.first[axis]; layer <= whole.last[axis]; ++layer) {
+    const double low = layer * block_size - half;
+    const Eigen::AlignedBox3d box = prism.layer(h_min, h_max, low, low + block_size);
+    if (box.isEmpty()) continue;
+    Range range = range_of(box);
+    range.first[axis] = range.last[axis] = layer;
+    visit(range);
+  }
+}
+
 }  // namespace
 
 ShellBlocks::ShellBlocks(std::span<const Prism> prisms, double h_min, double h_max, double voxel,
                          std::size_t most_bytes) {
-  const double block_size = VoxelBlock::side * voxel;
-  // A voxel belongs to the block that holds its middle.
-  const double half = voxel / 2;
-  std::vector<Range> ranges;
-  std::size_t count = 0;
-  ranges.reserve(prisms.size());
-  for (const Prism& prism : prisms) {
-    Eigen::AlignedBox3d box = prism.box(h_min, h_max);
-    box.translate(Vec3d::Constant(half));
-    ranges.push_back(blocks_of(box, block_size));
-    count += ranges.back().blocks();
-    check_memory(count * sizeof(Pair), most_bytes);
-  }
   std::vector<Pair> pairs;
-  pairs.reserve(count);
-  for (std::size_t prism = 0; prism < ranges.size(); ++prism) {
-    const Range& range = ranges[prism];
-    for (int x = range.first.x(); x <= range.last.x(); ++x)
-      for (int y = range.first.y(); y <= range.last.y(); ++y)
-        for (int z = range.first.z(); z <= range.last.z(); ++z)
-          pairs.push_back({key_of({x, y, z}), static_cast<Index>(prism)});
+  for (std::size_t prism = 0; prism < prisms.size(); ++prism) {
+    const auto add = [&](const Range& range) {
+      check_memory((pairs.size() + range.blocks()) * sizeof(Pair), most_bytes);
+      for (int x = range.first.x(); x <= range.last.x(); ++x)
+        for (int y = range.first.y(); y <= range.last.y(); ++y)
+          for (int z = range.first.z(); z <= range.last.z(); ++z)
+            pairs.push_back({key_of({x, y, z}), static_cast<Index>(prism)});
+    };
+    for_each_layer(prisms[prism], h_min, h_max, voxel, add);
   }
   parallel_sort(pairs.begin(), pairs.end());
   for (const Pair& pair : pairs) {

@@ -108,18 +108,36 @@ class BlockFiller {
     return prism.box(extent_->h_min - margin, extent_->h_max + margin);
   }
 
+  /// Layer by layer: a prism that leans has a wide box, of which it fills little.
   void add_voxels_of(const Prism& prism) {
-    const Eigen::AlignedBox3d box = bounds(prism);
-    Eigen::Vector3i first, last;
-    for (int axis = 0; axis < 3; ++axis) {
-      first[axis] =
-          std::max(0, static_cast<int>(std::ceil(box.min()[axis] / extent_->voxel)) - origin_[axis]);
-      last[axis] =
-          std::min(side - 1, static_cast<int>(std::floor(box.max()[axis] / extent_->voxel)) - origin_[axis]);
+    const int axis = prism.axis();
+    const double margin = VoxelBlock::half_width * extent_->voxel, h_min = extent_->h_min - margin,
+                 h_max = extent_->h_max + margin;
+    const Range whole = voxels_within(prism.box(h_min, h_max));
+    for (int layer = whole.first[axis]; layer <= whole.last[axis]; ++layer) {
+      const double middle = extent_->voxel * (origin_[axis] + layer), half = extent_->voxel / 2;
+      Range range = voxels_within(prism.layer(h_min, h_max, middle - half, middle + half));
+      range.first[axis] = range.last[axis] = layer;
+      for (int i = range.first.x(); i <= range.last.x(); ++i)
+        for (int j = range.first.y(); j <= range.last.y(); ++j)
+          for (int k = range.first.z(); k <= range.last.z(); ++k) add(prism, {i, j, k});
     }
-    for (int i = first.x(); i <= last.x(); ++i)
-      for (int j = first.y(); j <= last.y(); ++j)
-        for (int k = first.z(); k <= last.z(); ++k) add(prism, {i, j, k});
+  }
+
+  struct Range {
+    Eigen::Vector3i first, last;
+  };
+
+  /// Those of the block whose middles are in the box.
+  Range voxels_within(const Eigen::AlignedBox3d& box) const {
+    Range range{Eigen::Vector3i::Zero(), Eigen::Vector3i::Constant(-1)};
+    if (box.isEmpty()) return range;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = box.min()[axis] / extent_->voxel, high = box.max()[axis] / extent_->voxel;
+      range.first[axis] = std::max(0, static_cast<int>(std::ceil(low)) - origin_[axis]);
+      range.last[axis] = std::min(side - 1, static_cast<int>(std::floor(high)) - origin_[axis]);
+    }
+    return range;
   }
 
   void add(const Prism& prism, const Voxel& voxel) {
