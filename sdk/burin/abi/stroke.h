@@ -56,7 +56,7 @@ extern "C" {
 
 /* Bits of burin_stroke_context.flags. */
 #define BURIN_STROKE_CLOSED (UINT64_C(1) << 0)   /* t is periodic in length; only with BURIN_STROKE_FINAL */
-#define BURIN_STROKE_FINAL (UINT64_C(1) << 1)    /* the pen is up: length does not change any more */
+#define BURIN_STROKE_FINAL (UINT64_C(1) << 1)    /* the piece has ended: length stays as it is */
 #define BURIN_STROKE_MIRRORED (UINT64_C(1) << 2) /* a symmetry instance that is a mirror image: d, e2 and */
                                                  /* `across` point to the right of the direction of travel */
 #define BURIN_STROKE_DAB (UINT64_C(1) << 3)      /* one dab of a stroke of dabs: length is 0, t and d are */

@@ -3,7 +3,8 @@
 
 namespace burin {
 
-/// A stretch below this means that a focal point is near, where Fermi coordinates fold.
+/// The least stretch that frames have. A smaller one means that a focal point is near, where Fermi
+/// coordinates fold, and is raised to this.
 constexpr float least_stretch = 0.15F;
 
 /// The Fermi coordinates of a node, in which the metric is J^2 dt^2 + dd^2, with their first and second

@@ -31,7 +31,7 @@ struct BrushInfo {
 struct StrokeStart {
   Stroke stroke;            ///< of length 0
   Params params;            ///< all numbers uniform: the values before input dynamics
-  Host host;                ///< for Log and Stamp
+  Host host;                ///< for Log, Stamp and Lettering
   std::string module_path;  ///< the plugin's file, UTF-8, for files that lie beside it
 
   /// How far back from the end (object units, >= 0) results depend on Stroke::length() or finished(); may be

@@ -57,7 +57,7 @@ constexpr FloatParam height(const char* help, Range soft, float default_value) {
   return height;
 }
 
-/// The height of what is round across the stroke, a multiple of half its width.
+/// The height of a shape that is round across the stroke, a multiple of half the shape's own width.
 constexpr FloatParam roundness(const char* help, float default_value) {
   FloatParam roundness = height(help, {0, 2}, default_value);
   roundness.unit = BURIN_UNIT_NONE;

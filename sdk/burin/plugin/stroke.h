@@ -24,7 +24,7 @@ class Stroke {
   /// Whether the stroke is closed: t is periodic in length.
   bool closed() const { return context_.flags & BURIN_STROKE_CLOSED; }
 
-  /// Whether the pen is up, so that length does not change any more.
+  /// Whether the piece has ended, so that length does not change any more; always true for dabs.
   bool finished() const { return context_.flags & BURIN_STROKE_FINAL; }
 
   /// Whether this is a mirror image, in which d, e2 and `across` point to the right of the direction of
