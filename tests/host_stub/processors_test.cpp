@@ -61,7 +61,7 @@ std::string strokes_of_all_brushes() {
     text += wavy_stroke(settings, -0.6 + 0.06 * (count % 10));
     ++count;
   }
-  EXPECT_EQ(count, 17);
+  EXPECT_EQ(count, 22);
   return text;
 }
 
