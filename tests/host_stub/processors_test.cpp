@@ -111,7 +111,8 @@ void expect_same_everywhere(const test::CommandFolder& folder, const Words& argu
 
 TEST(Processors, GiveAllBrushesTheSameBits) {
   const test::CommandFolder folder;
-  expect_same_everywhere(folder, {folder.write("all.stroke", strokes_of_all_brushes())});
+  // Coarse voxels, since other processors are slow here.
+  expect_same_everywhere(folder, {folder.write("all.stroke", strokes_of_all_brushes()), "--voxel", "0.02"});
 }
 
 TEST(Processors, GiveSymmetricStabilisedAndScreenStrokesTheSameBits) {
