@@ -1,10 +1,10 @@
+#include <burin/base/parallel.h>
 #include <burin/chart/chart_triangles.h>
 #include <burin/volume/shell.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -21,6 +21,31 @@ constexpr double least_agreement = 0.9;
 
 double determinant(const Eigen::Matrix3d& m) { return m.col(0).cross(m.col(1)).dot(m.col(2)); }
 
+/// The sides of a chart's triangles.
+class Sides {
+ public:
+  explicit Sides(std::span<const ChartTriangle> triangles) {
+    sides_.reserve(3 * triangles.size());
+    for (const ChartTriangle& triangle : triangles)
+      for (std::size_t i = 0; i < 3; ++i) sides_.push_back(side(triangle, i));
+    parallel_sort(sides_.begin(), sides_.end());
+  }
+
+  /// Whether the side opposite a corner has no other triangle beyond it.
+  bool is_rim(const ChartTriangle& triangle, std::size_t opposite) const {
+    return std::ranges::equal_range(sides_, side(triangle, opposite)).size() == 1;
+  }
+
+ private:
+  using Side = std::pair<Index, Index>;
+
+  static Side side(const ChartTriangle& triangle, std::size_t opposite) {
+    return std::minmax({triangle.nodes[(opposite + 1) % 3], triangle.nodes[(opposite + 2) % 3]});
+  }
+
+  std::vector<Side> sides_;
+};
+
 }  // namespace
 
 Prism::Prism(const std::array<Corner, 3>& corners, const std::array<Index, 3>& nodes,
@@ -31,7 +56,9 @@ Prism::Prism(const std::array<Corner, 3>& corners, const std::array<Index, 3>& n
       edge_a_(corners[1].position - corners[0].position),
       edge_b_(corners[2].position - corners[0].position),
       normal_a_(corners[1].normal - corners[0].normal),
-      normal_b_(corners[2].normal - corners[0].normal) {
+      normal_b_(corners[2].normal - corners[0].normal),
+      up_(edge_a_.cross(edge_b_).normalized()),
+      size_(std::sqrt(std::max(edge_a_.squaredNorm(), edge_b_.squaredNorm()))) {
   const bool any = rim[0] || rim[1] || rim[2];
   for (std::size_t i = 0; i < 3; ++i) least_weight_[i] = rim[i] ? -beyond_rim : any ? -beside_rim : -rounding;
   parted_ = is_parted();
@@ -101,12 +128,10 @@ bool Prism::folded(double a, double b, double h) const {
 std::optional<Prism::Foot> Prism::foot_of(const Vec3d& p) const {
   constexpr int most_steps = 12;
   constexpr double close = 1e-9, farthest = 100;
-  const Vec3d up = edge_a_.cross(edge_b_).normalized();
-  const double size = std::sqrt(std::max(edge_a_.squaredNorm(), edge_b_.squaredNorm()));
-  double a = 1. / 3, b = 1. / 3, h = (p - corners_[0].position).dot(up);
+  double a = 1. / 3, b = 1. / 3, h = (p - corners_[0].position).dot(up_);
   for (int step = 0;; ++step) {
     const Vec3d miss = p - position(a, b, h);
-    if (miss.squaredNorm() <= close * close * size * size) break;
+    if (miss.squaredNorm() <= close * close * size_ * size_) break;
     const Eigen::Matrix3d columns = jacobian(a, b, h);
     const double whole = determinant(columns);
     if (step == most_steps || !(std::abs(whole) > 0)) return {};
@@ -187,13 +212,7 @@ Eigen::AlignedBox3d Prism::layer(double h_min, double h_max, double low, double 
 std::vector<Prism> shell_over(const SolidGround& ground) {
   const Chart& chart = ground.chart;
   const std::vector<ChartTriangle> triangles = chart_triangles(ground.surface, chart);
-  std::map<std::pair<Index, Index>, int> sides;
-  const auto side = [](const ChartTriangle& triangle, std::size_t opposite) {
-    const Index from = triangle.nodes[(opposite + 1) % 3], to = triangle.nodes[(opposite + 2) % 3];
-    return std::pair{std::min(from, to), std::max(from, to)};
-  };
-  for (const ChartTriangle& triangle : triangles)
-    for (std::size_t i = 0; i < 3; ++i) ++sides[side(triangle, i)];
+  const Sides sides(triangles);
   std::vector<Prism> prisms;
   prisms.reserve(triangles.size());
   for (const ChartTriangle& triangle : triangles) {
@@ -212,7 +231,7 @@ std::vector<Prism> shell_over(const SolidGround& ground) {
                     .along_t = e1 / (beyond ? 1 : static_cast<double>(chart.stretch[node])),
                     .along_d = normal.cross(e1),
                     .e1 = e1};
-      rim[i] = sides[side(triangle, i)] == 1;
+      rim[i] = sides.is_rim(triangle, i);
     }
     const Prism prism(corners, triangle.nodes, rim);
     if (prism.upright()) prisms.push_back(prism);

@@ -70,6 +70,8 @@ class Prism {
   std::array<Index, 3> nodes_;
   std::array<bool, 3> rim_;                      ///< of the edge opposite a corner
   Vec3d edge_a_, edge_b_, normal_a_, normal_b_;  ///< from corner 0 to 1 and 2
+  Vec3d up_;                                     ///< unit normal of the triangle
+  double size_;                                  ///< length of the longer of the two edges, object units
   std::array<double, 3> least_weight_;           ///< that within() allows
   int axis_;
   bool parted_ = false;  ///< see is_parted()

@@ -49,7 +49,12 @@ class BlockFiller {
  public:
   BlockFiller(const Chart& chart, std::span<const Prism> prisms, const SolidExtent& extent,
               const DistanceToSolid& distance)
-      : chart_(&chart), prisms_(prisms), extent_(&extent), distance_(&distance) {}
+      : chart_(&chart),
+        prisms_(prisms),
+        extent_(&extent),
+        distance_(&distance),
+        h_min_(extent.h_min - VoxelBlock::half_width * extent.voxel),
+        h_max_(extent.h_max + VoxelBlock::half_width * extent.voxel) {}
 
   VoxelBlock fill(const Eigen::Vector3i& origin, std::span<const Index> prisms) {
     origin_ = origin;
@@ -77,8 +82,9 @@ class BlockFiller {
     for (const Index number : prisms) {
       const Prism& prism = prisms_[number];
       for (const Index node : prism.nodes()) least_stretch = std::min(least_stretch, chart_->stretch[node]);
+      const Eigen::AlignedBox3d box = prism.box(h_min_, h_max_);
       for (const Voxel& voxel : scattered)
-        if (bounds(prism).contains(middle(voxel))) add(prism, voxel);
+        if (box.contains(middle(voxel))) add(prism, voxel);
     }
     std::array<float, VoxelBlock::voxels> values;
     values.fill(nowhere);
@@ -91,7 +97,8 @@ class BlockFiller {
     }
     constexpr double curved = 1.5;
     const double way = curved / static_cast<double>(least_stretch) * (all ? from_scattered : diagonal);
-    return least<nowhere&& static_cast<double>(least)>(way + VoxelBlock::half_width) * extent_->voxel;
+    const double far = (way + VoxelBlock::half_width) * extent_->voxel;
+    return least != nowhere && static_cast<double>(least) > far;
   }
 
   void start() {
@@ -103,20 +110,13 @@ class BlockFiller {
     return extent_->voxel * (origin_ + Eigen::Vector3i(voxel.i, voxel.j, voxel.k)).cast<double>();
   }
 
-  Eigen::AlignedBox3d bounds(const Prism& prism) const {
-    const double margin = VoxelBlock::half_width * extent_->voxel;
-    return prism.box(extent_->h_min - margin, extent_->h_max + margin);
-  }
-
   /// Layer by layer: a prism that leans has a wide box, of which it fills little.
   void add_voxels_of(const Prism& prism) {
     const int axis = prism.axis();
-    const double margin = VoxelBlock::half_width * extent_->voxel, h_min = extent_->h_min - margin,
-                 h_max = extent_->h_max + margin;
-    const Range whole = voxels_within(prism.box(h_min, h_max));
+    const Range whole = voxels_within(prism.box(h_min_, h_max_));
     for (int layer = whole.first[axis]; layer <= whole.last[axis]; ++layer) {
       const double middle = extent_->voxel * (origin_[axis] + layer), half = extent_->voxel / 2;
-      Range range = voxels_within(prism.layer(h_min, h_max, middle - half, middle + half));
+      Range range = voxels_within(prism.layer(h_min_, h_max_, middle - half, middle + half));
       range.first[axis] = range.last[axis] = layer;
       for (int i = range.first.x(); i <= range.last.x(); ++i)
         for (int j = range.first.y(); j <= range.last.y(); ++j)
@@ -169,6 +169,7 @@ class BlockFiller {
   std::span<const Prism> prisms_;
   const SolidExtent* extent_;
   const DistanceToSolid* distance_;
+  double h_min_, h_max_;  ///< of the solid and its band, object units
   Eigen::Vector3i origin_ = Eigen::Vector3i::Zero();
   std::vector<ShellPoint> points_;
   std::vector<std::size_t> voxels_;  ///< [point]
