@@ -125,8 +125,7 @@ std::vector<Index> LiveChart::sorted_slots() const {
   return slots;
 }
 
-Chart LiveChart::sorted() const {
-  const std::vector<Index> slots = sorted_slots();
+Chart LiveChart::chart_of(std::span<const Index> slots) const {
   Chart chart;
   chart.length = nodes_.length;
   chart.closed = nodes_.closed;

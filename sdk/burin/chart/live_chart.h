@@ -55,8 +55,11 @@ class LiveChart {
   /// The slots that have nodes, by vertex and t. In proportion to the chart.
   std::vector<Index> sorted_slots() const;
 
-  /// Copies the nodes to a chart, ordered by vertex and t. Costs O(n) for a chart of n nodes.
-  Chart sorted() const;
+  /// Copies the nodes of these slots to a chart, in their order. Costs O(n) for n slots.
+  Chart chart_of(std::span<const Index> slots) const;
+
+  /// Copies all nodes to a chart, ordered by vertex and t. Costs O(n) for a chart of n nodes.
+  Chart sorted() const { return chart_of(sorted_slots()); }
 
   /// Removes all nodes.
   void clear();

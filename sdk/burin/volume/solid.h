@@ -1,5 +1,4 @@
 #pragma once
-#include <burin/base/progress.h>
 #include <burin/chart/chart.h>
 #include <burin/surface/surface.h>
 
@@ -68,8 +67,7 @@ class StrokeSolid {
   /// Throws Error where the extent or the voxel is none, the grid would need more than `most_bytes`, or a
   /// distance is not finite: that of the lowest block; and what `distance` throws. Costs time and memory in
   /// proportion to the voxels near the solid's surface and within, and to the chart.
-  StrokeSolid(const SolidGround& ground, const SolidExtent& extent, const DistanceToSolid& distance,
-              const Progress& progress = {});
+  StrokeSolid(const SolidGround& ground, const SolidExtent& extent, const DistanceToSolid& distance);
 
   /// Adds another solid of the same voxel: afterwards this is both.
   void add(const StrokeSolid& other);

@@ -7,34 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numeric>
 #include <string>
 #include <utility>
 
 namespace burin {
-
-/// A pool of unused batches. They are not thread-local, since a brush that runs parallel loops of its own may
-/// make a thread start a second batch in the middle of the first.
-class Evaluator::BatchPool {
- public:
-  std::unique_ptr<Batch> take() {
-    const std::lock_guard lock(mutex_);
-    if (free_.empty()) return std::make_unique<Batch>();
-    std::unique_ptr<Batch> batch = std::move(free_.back());
-    free_.pop_back();
-    return batch;
-  }
-
-  void give_back(std::unique_ptr<Batch> batch) {
-    const std::lock_guard lock(mutex_);
-    free_.push_back(std::move(batch));
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<Batch>> free_;
-};
 
 namespace {
 
@@ -97,9 +74,6 @@ bool paints(const burin_brush_descriptor& brush) {
   return brush.outputs_written & (BURIN_OUTPUT_MASK | BURIN_OUTPUT_COLOUR);
 }
 
-Evaluator::Evaluator() : pool_(std::make_unique<BatchPool>()) {}
-Evaluator::~Evaluator() = default;
-
 void Evaluator::pass(const BrushStroke& stroke, const burin_stroke_context& context, const NodeSource& source,
                      std::span<const Index> nodes, NodeOutputs& outputs) {
   if (source.dab_t.empty()) return run(stroke, context, source, nodes, outputs);
@@ -139,9 +113,9 @@ void Evaluator::run(const BrushStroke& stroke, const burin_stroke_context& conte
   const Pass pass{stroke, context, source, nodes, outputs, failure};
   parallel_blocks(nodes.size(), Batch::capacity, [&](std::size_t begin, std::size_t end) {
     if (failure.lies_before(begin)) return;
-    std::unique_ptr<Batch> batch = pool_->take();
+    std::unique_ptr<Batch> batch = pool_.take();
     evaluate_batch(pass, *batch, begin, end);
-    pool_->give_back(std::move(batch));
+    pool_.give_back(std::move(batch));
   });
   throw_if_any(failure, stroke, source, nodes);
 }

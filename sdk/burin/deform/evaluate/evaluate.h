@@ -1,8 +1,8 @@
 #pragma once
 #include <burin/deform/evaluate/batch.h>
 #include <burin/deform/evaluate/brush_stroke.h>
+#include <burin/deform/evaluate/object_pool.h>
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -38,11 +38,6 @@ bool paints(const burin_brush_descriptor& brush);
 /// call.
 class Evaluator {
  public:
-  Evaluator();
-  ~Evaluator();
-  Evaluator(const Evaluator&) = delete;
-  Evaluator& operator=(const Evaluator&) = delete;
-
   /// Runs all passes of the stroke over these nodes of source.nodes and applies scale() to the result. Only
   /// for brushes whose passes do not read neighbours. The result is valid until the next call.
   const NodeOutputs& evaluate(const BrushStroke& stroke, const burin_stroke_context& context,
@@ -64,8 +59,7 @@ class Evaluator {
   void run_dab(const BrushStroke& stroke, const burin_stroke_context& context, const NodeSource& source,
                std::span<const Index> nodes, std::span<const std::size_t> chosen, NodeOutputs& outputs);
 
-  class BatchPool;
-  std::unique_ptr<BatchPool> pool_;
+  ObjectPool<Batch> pool_;
   NodeOutputs outputs_;
 };
 

@@ -1,3 +1,4 @@
+#include <burin/deform/evaluate/supported_inputs.h>
 #include <burin/deform/solid/solid_batch.h>
 
 #include <algorithm>
@@ -5,10 +6,6 @@
 
 namespace burin {
 namespace {
-
-/// The most columns of floats: t, d, radius, stretch; position, normal and e1; the pen's six; one for each
-/// parameter besides.
-constexpr std::size_t columns = 4 + 9 + 6;
 
 std::size_t heaviest(const Vec3f& weights) {
   Eigen::Index at = 0;
@@ -24,7 +21,7 @@ std::uint32_t element(const burin_indices& values, std::size_t i) { return value
 void SolidBatch::fill(const NodeSource& source, std::uint64_t inputs, const burin_params& params,
                       std::span<const ShellPoint> points, std::span<const Index> slots) {
   points_ = points;
-  columns_.resize((columns + params.count) * capacity);
+  columns_.resize((sum(all_inputs).columns + params.count) * capacity);
   used_columns_ = 0;
   nodes_.resize(points.size());
   for (std::size_t corner = 0; corner < 3; ++corner) {

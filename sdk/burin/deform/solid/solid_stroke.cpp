@@ -1,11 +1,13 @@
 #include <burin/base/error.h>
 #include <burin/deform/evaluate/error_text.h>
+#include <burin/deform/evaluate/object_pool.h>
 #include <burin/deform/solid/solid_batch.h>
 #include <burin/deform/solid/solid_stroke.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace burin {
 
@@ -34,19 +36,31 @@ burin_solid_plan SolidStroke::plan(const burin_stroke_context& context) const {
   return plan;
 }
 
-StrokeSolid SolidStroke::make(const NodeSource& source, const burin_stroke_context& context, double voxel,
-                              const Progress& progress) const {
+StrokeSolid SolidStroke::make(const NodeSource& source, const burin_stroke_context& context,
+                              double voxel) const {
   constexpr double voxels_over_detail = 6;
   const burin_solid_plan made = plan(context);
-  const std::vector<Index> slots = source.nodes.live().sorted_slots();
-  const Chart chart = source.nodes.live().sorted();
+  const LiveChart& live = source.nodes.live();
+  const std::vector<Index> slots = live.sorted_slots();
+  const Chart chart = live.chart_of(slots);
   const SolidGround ground{source.surface, chart, [&](Index vertex) { return source.base_place(vertex); }};
   const SolidExtent extent{.h_min = made.h_min,
                            .h_max = made.h_max,
                            .radius = static_cast<double>(source.radius),
                            .voxel = voxel > 0 ? voxel : made.detail / voxels_over_detail};
+  ObjectPool<SolidBatch> pool;
+  const auto distance = [&](std::span<const ShellPoint> points, std::span<float> distances) {
+    std::unique_ptr<SolidBatch> batch = pool.take();
+    for (std::size_t begin = 0; begin < points.size(); begin += SolidBatch::capacity) {
+      const std::size_t count = std::min(SolidBatch::capacity, points.size() - begin);
+      batch->fill(source, stroke_->descriptor().inputs_read, stroke_->params(), points.subspan(begin, count),
+                  slots);
+      find_distances(*batch, context, distances.subspan(begin, count));
+    }
+    pool.give_back(std::move(batch));
+  };
   try {
-    return StrokeSolid(ground, extent, distance(source, context, slots), progress);
+    return StrokeSolid(ground, extent, distance);
   } catch (const ContractError&) {
     throw;
   } catch (const Error& error) {
@@ -54,24 +68,17 @@ StrokeSolid SolidStroke::make(const NodeSource& source, const burin_stroke_conte
   }
 }
 
-DistanceToSolid SolidStroke::distance(const NodeSource& source, const burin_stroke_context& context,
-                                      std::span<const Index> slots) const {
-  return [this, &source, &context, slots](std::span<const ShellPoint> points, std::span<float> distances) {
-    thread_local SolidBatch batch;
-    const std::uint64_t inputs = stroke_->descriptor().inputs_read;
-    for (std::size_t begin = 0; begin < points.size(); begin += SolidBatch::capacity) {
-      const auto part = points.subspan(begin, std::min(SolidBatch::capacity, points.size() - begin));
-      batch.fill(source, inputs, stroke_->params(), part, slots);
-      ErrorText error;
-      const PluginCall call("brush", stroke_->descriptor().id);
-      const burin_status status =
-          volume_->distance(stroke_->brush(), stroke_->handle(), &context, &batch.inputs(), batch.heights(),
-                            batch.distances(), error.abi());
-      if (status != BURIN_OK)
-        throw ContractError(fmt::format("{}: {}", stroke_->descriptor().id, error.line(status)));
-      std::ranges::copy(batch.written(), distances.begin() + static_cast<std::ptrdiff_t>(begin));
-    }
-  };
+/// The brush's, of the points that the batch is filled with.
+void SolidStroke::find_distances(SolidBatch& batch, const burin_stroke_context& context,
+                                 std::span<float> distances) const {
+  const char* id = stroke_->descriptor().id;
+  ErrorText error;
+  const PluginCall call("brush", id);
+  const burin_status status =
+      volume_->distance(stroke_->brush(), stroke_->handle(), &context, &batch.inputs(), batch.heights(),
+                        batch.distances(), error.abi());
+  if (status != BURIN_OK) throw ContractError(fmt::format("{}: {}", id, error.line(status)));
+  std::ranges::copy(batch.written(), distances.begin());
 }
 
 }  // namespace burin

@@ -6,6 +6,8 @@
 
 namespace burin {
 
+class SolidBatch;
+
 /// The solid that a brush makes of a finished stroke: "burin.volume/1". The stroke must outlive it.
 class SolidStroke {
  public:
@@ -17,12 +19,11 @@ class SolidStroke {
 
   /// The solid over the nodes of one image of the stroke, in voxels of this edge, object units, of one sixth
   /// of the plan's detail for 0. Throws Error as StrokeSolid, ContractError where the brush fails.
-  StrokeSolid make(const NodeSource& source, const burin_stroke_context& context, double voxel,
-                   const Progress& progress = {}) const;
+  StrokeSolid make(const NodeSource& source, const burin_stroke_context& context, double voxel) const;
 
  private:
-  DistanceToSolid distance(const NodeSource& source, const burin_stroke_context& context,
-                           std::span<const Index> slots) const;
+  void find_distances(SolidBatch& batch, const burin_stroke_context& context,
+                      std::span<float> distances) const;
 
   const BrushStroke* stroke_;
   const burin_volume* volume_;
