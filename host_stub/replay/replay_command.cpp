@@ -74,12 +74,12 @@ std::vector<double> radii(const ReplayOptions& options, const std::vector<Record
 bool draws(const ReplayOptions& options) { return !options.png.empty() || !options.report.empty(); }
 
 ReplaySummary replay_all(Session& session, const ReplayOptions& options,
-                         const std::vector<Recording>& recordings, StrokeRecorder& witness) {
+                         const std::vector<Recording>& recordings, StrokeRecorder& recorder) {
   ReplaySummary summary{
       options.strokes, {}, session.surface().vertex_count(), seconds_since_process_start(), 0};
   ProgressBar bar;
   ReplayObserver observer{bar.progress(), {}};
-  if (draws(options)) observer.piece_ended = [&](const Session& done) { witness.piece_ended(done); };
+  if (draws(options)) observer.piece_ended = [&](const Session& done) { recorder.piece_ended(done); };
   for (std::size_t i = 0; i < recordings.size(); ++i) {
     with_file_context(options.strokes[i], [&] {
       add_result(summary, replay(session, recordings[i], options.settings, observer));
@@ -151,13 +151,13 @@ Picture draw_result(const Session& session, const ReplayMesh& mesh, const SolidP
 
 /// Writes the pictures; on a mesh with levels they show the finest level, on which nothing is painted.
 void write_pictures(const ReplayOptions& options, Session& session, const ReplayMesh& mesh,
-                    const SolidParts& parts, const StrokeRecorder& witness, const Camera& camera,
+                    const SolidParts& parts, const StrokeRecorder& recorder, const Camera& camera,
                     const ReplaySummary& summary, const Json& json) {
   ProgressBar bar;
   const Picture result = draw_result(session, mesh, parts, camera, bar.progress());
   if (!options.png.empty()) write_png(options.png, result);
   if (options.report.empty()) return;
-  ReplayPictures pictures = draw_replay(session, witness, camera, bar.progress());
+  ReplayPictures pictures = draw_replay(session, recorder, camera, bar.progress());
   pictures.after = result;
   if (mesh.has_levels()) pictures.before = draw_mesh(mesh.before(), camera, bar.progress());
   write_report(options.report, summary, json, pictures);
@@ -195,8 +195,8 @@ void run(ReplayOptions& options) {
   Session session(mesh.take_surface(), library);
   session.set_paint(mesh.take_paint());
   warn_of_radii(options.mesh.mesh.path, session.surface(), radii(options, recordings));
-  StrokeRecorder witness;
-  ReplaySummary summary = replay_all(session, options, recordings, witness);
+  StrokeRecorder recorder;
+  ReplaySummary summary = replay_all(session, options, recordings, recorder);
   finish(mesh, session, summary);
   warn_of_left_out(summary);
   warn_of_lost_paint(session, mesh);
@@ -210,8 +210,8 @@ void run(ReplayOptions& options) {
     json["bake"] = write_map(options.bake, mesh.before(), mesh.result(session).positions);
   }
   if (draws(options)) {
-    const Camera camera = replay_view(session.surface(), witness.extent(), recordings, options.view);
-    write_pictures(options, session, mesh, parts, witness, camera, summary, json);
+    const Camera camera = replay_view(session.surface(), recorder.extent(), recordings, options.view);
+    write_pictures(options, session, mesh, parts, recorder, camera, summary, json);
   }
   write_result(options.json ? json_text(json)
                             : mesh.text() + "\n" + summary_text(summary) + parts.text() + "\n");

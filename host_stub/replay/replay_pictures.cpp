@@ -48,17 +48,17 @@ Camera replay_view(const Surface& surface, const StrokeExtent& extent,
   return stroke_view(surface, extent.curves(), extent.widest(), options);
 }
 
-ReplayPictures draw_replay(Session& session, const StrokeRecorder& witness, const Camera& camera,
+ReplayPictures draw_replay(Session& session, const StrokeRecorder& recorder, const Camera& camera,
                            const Progress& progress) {
   ReplayPictures pictures;
   while (session.undo()) {
   }
   pictures.before = render(session.surface(), session.picker(), camera, painted(session.paint()), progress);
-  const Albedo checkers = [&](const SurfacePoint& point) { return witness.colour(point); };
+  const Albedo checkers = [&](const SurfacePoint& point) { return recorder.colour(point); };
   pictures.chart = render(session.surface(), session.picker(), camera, checkers, progress);
   // Later strokes run on the surface that earlier ones moved, which may lie below the surface in the picture.
-  for (const SurfaceCurve& curve : witness.extent().curves()) {
-    draw_curve(pictures.chart, camera, session.picker(), curve, witness.extent().widest());
+  for (const SurfaceCurve& curve : recorder.extent().curves()) {
+    draw_curve(pictures.chart, camera, session.picker(), curve, recorder.extent().widest());
   }
   return pictures;
 }

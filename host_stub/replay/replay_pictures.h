@@ -53,7 +53,7 @@ Camera replay_view(const Surface& surface, const StrokeExtent& extent,
 
 /// Undoes the session's strokes and draws the surface without them, plain and with their charts. The picture
 /// of the result is left empty.
-ReplayPictures draw_replay(Session& session, const StrokeRecorder& witness, const Camera& camera,
+ReplayPictures draw_replay(Session& session, const StrokeRecorder& recorder, const Camera& camera,
                            const Progress& progress);
 
 /// Draws a mesh as plain clay.
