@@ -58,7 +58,7 @@ class Bead : public Brush {
     const double period = in.stroke.whole_period(period_);
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float half_width = std::min(width_ * radius[i], static_cast<float>(period / 2));
-      const float from_middle = form_ == rod ? in.stroke.beyond(t[i]) : from_bead(in.stroke, t[i], period);
+      const float from_middle = form_ == rod ? in.stroke.beyond(t[i]) : in.stroke.from_mark(t[i], period);
       const float x = math::hypot(from_middle, d[i]) / half_width;
       if (x >= 1) continue;
       const float angle = 0.5f * std::numbers::pi_v<float> * x;  // from the top of the half circle
@@ -70,14 +70,6 @@ class Bead : public Brush {
   }
 
  private:
-  /// The offset along t from the middle of the nearest bead. The first bead of an open stroke is centred at
-  /// its start, the last one at or before its end.
-  static float from_bead(const Stroke& stroke, float t, double period) {
-    double bead = std::round(t / period);
-    if (!stroke.closed()) bead = std::clamp(bead, 0.0, std::floor(stroke.length() / period));
-    return static_cast<float>(t - bead * period);
-  }
-
   const float width_;  // radii
   const int form_;
   const double period_;  // distance of beads on an open stroke, object units

@@ -65,17 +65,11 @@ class Cable : public SolidBrush {
       const double turns = t[i] / lay_length;
       const float turned = 2 * std::numbers::pi_v<float> * static_cast<float>(turns - std::floor(turns));
       const float least = join(circle(p, ring_), strand(p, turned, steep));
-      const float beyond = std::abs(in.stroke.beyond(t[i]));
-      out[i] = beyond > 0 ? cut(least, beyond)
-                          : cut(least, in.stroke.has_ends() ? -to_end(in.stroke, t[i]) : least);
+      out[i] = cut(least, in.stroke.past_ends(t[i]));
     }
   }
 
  private:
-  static float to_end(const Stroke& stroke, float t) {
-    return std::min(t, static_cast<float>(stroke.length()) - t);
-  }
-
   /// Cosine of the angle between a strand at this distance from the middle and the stroke.
   static float slant(double lay, float from_middle) {
     return static_cast<float>(lay / math::hypot(lay, 2 * std::numbers::pi * double{from_middle}));

@@ -55,20 +55,13 @@ class Rivets : public SolidBrush {
     const Floats t = in.t(), d = in.d();
     const double period = in.stroke.whole_period(spacing_);
     for (std::size_t i = 0; i < in.size(); ++i) {
-      const float along = from_head(in.stroke, t[i], period);
+      const float along = in.stroke.from_mark(t[i], period);
       const float ball = circle({math::hypot(along, d[i]), h[i] - (height_ - sphere_)}, sphere_);
       out[i] = cut(cut(ball, math::hypot(along, d[i]) - half_), -h[i] - height_ / 4);
     }
   }
 
  private:
-  /// Along t from the middle of the nearest head; of an open stroke the first is at its start.
-  static float from_head(const Stroke& stroke, float t, double period) {
-    double head = std::round(t / period);
-    if (!stroke.closed()) head = std::clamp(head, 0.0, std::floor(stroke.length() / period));
-    return static_cast<float>(t - head * period);
-  }
-
   const float half_, height_;  // object units
   const float sphere_;         // radius of the sphere that a head is part of
   const double spacing_;

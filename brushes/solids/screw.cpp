@@ -62,17 +62,11 @@ class Screw : public SolidBrush {
       const double turns = t[i] / period - math::atan2(double{p.y}, double{p.x}) / (2 * std::numbers::pi);
       const auto from_crest = static_cast<float>(std::abs(turns - std::round(turns)) * 2);
       const float flank = cosine * (math::hypot(p.x, p.y) - (outer_ - depth_ * from_crest));
-      const float beyond = std::abs(in.stroke.beyond(t[i]));
-      out[i] = beyond > 0 ? cut(flank, beyond) : cut(flank, -to_end(in.stroke, t[i]));
+      out[i] = cut(flank, in.stroke.past_ends(t[i]));
     }
   }
 
  private:
-  /// From an end of the stroke; far where there is none.
-  float to_end(const Stroke& stroke, float t) const {
-    return stroke.has_ends() ? std::min(t, static_cast<float>(stroke.length()) - t) : outer_;
-  }
-
   const float outer_;  // half width over the thread, object units
   const double pitch_;
   const float depth_;

@@ -2,6 +2,8 @@
 #include <burin/plugin/stroke.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace burin {
 namespace {
 
@@ -25,6 +27,23 @@ TEST(Stroke, KnowsTheWayBeyondItsEnds) {
   EXPECT_EQ(stroke(10, BURIN_STROKE_CLOSED).distance(-3, -4), 4);
   EXPECT_EQ(stroke(0, BURIN_STROKE_DAB).distance(3, 4), 5);
   EXPECT_EQ(stroke(0, BURIN_STROKE_DAB).beyond(-3), -3);
+}
+
+TEST(Stroke, KnowsHowFarItIsPastItsEnds) {
+  EXPECT_EQ(stroke(10).past_ends(-3), 3);
+  EXPECT_EQ(stroke(10).past_ends(13), 3);
+  EXPECT_EQ(stroke(10).past_ends(4), -4);
+  EXPECT_EQ(stroke(10).past_ends(8), -2);
+  for (const std::uint64_t endless : {BURIN_STROKE_CLOSED, BURIN_STROKE_DAB})
+    EXPECT_EQ(stroke(10, endless).past_ends(13), -std::numeric_limits<float>::infinity());
+}
+
+TEST(Stroke, HasMarksAtEqualDistances) {
+  EXPECT_EQ(stroke(10).from_mark(3.5F, 3), 0.5F);
+  EXPECT_EQ(stroke(10).from_mark(2.5F, 3), -0.5F);
+  EXPECT_EQ(stroke(10).from_mark(-4, 3), -4);
+  EXPECT_EQ(stroke(10).from_mark(12, 3), 3);
+  EXPECT_EQ(stroke(9, BURIN_STROKE_CLOSED).from_mark(-2.5F, 3), 0.5F);
 }
 
 TEST(Stroke, FitsPeriodsIntoALoop) {

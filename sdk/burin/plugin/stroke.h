@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace burin::plugin {
 
@@ -59,6 +60,12 @@ class Stroke {
     return along != 0 ? math::hypot(along, d) : std::abs(d);
   }
 
+  /// How far t is past the nearer end: below 0 between the ends, -infinity where there are none.
+  float past_ends(float t) const {
+    if (!has_ends()) return -std::numeric_limits<float>::infinity();
+    return std::max(-t, t - static_cast<float>(context_.length));
+  }
+
   /// The arc length along the drawn line, also for dabs, so that they can continue a pattern along the line.
   double along_line(float t) const { return dab_t() + t; }
 
@@ -67,6 +74,14 @@ class Stroke {
   double whole_period(double period) const {
     if (!closed() || !(length() > 0)) return period;
     return length() / std::max(1.0, std::round(length() / period));
+  }
+
+  /// The offset along t from the nearest of marks that are `period` apart (object units, > 0). The first mark
+  /// of an open stroke is at its start, the last one at or before its end.
+  float from_mark(float t, double period) const {
+    double mark = std::round(t / period);
+    if (!closed()) mark = std::clamp(mark, 0.0, std::floor(length() / period));
+    return static_cast<float>(t - mark * period);
   }
 
  private:
