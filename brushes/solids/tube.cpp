@@ -74,19 +74,18 @@ class Tube : public SolidBrush {
     const Floats t = in.t(), d = in.d(), radius = in.radius(), widths = in.params[width];
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float half = widths[i] * radius[i];
-      const float beyond = std::abs(in.stroke.beyond(t[i]));
-      out[i] = pipe({d[i], h[i] - height_ * half}, beyond, half);
+      out[i] = pipe({d[i], h[i] - height_ * half}, in.stroke.past_ends(t[i]), half);
     }
   }
 
  private:
-  /// At this place of the section's plane, so far beyond an end.
-  float pipe(Place p, float beyond, float half) const {
-    const float reach = ends_ == round_ends ? beyond : 0;
+  /// At this place of the section's plane, so far past an end.
+  float pipe(Place p, float past, float half) const {
+    const float reach = ends_ == round_ends ? std::max(past, 0.0F) : 0;
     const float inner = half * (1 - wall_);
     const float outside = capped(p, reach, half);
     const float solid = wall_ < 1 ? cut(outside, -section(p, inner)) : outside;
-    return ends_ == flat_ends ? cut(solid, beyond > 0 ? beyond : -half) : solid;
+    return ends_ == flat_ends ? cut(solid, past) : solid;
   }
 
   /// Beyond an end the section shrinks as a round cap does.

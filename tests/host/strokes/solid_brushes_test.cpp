@@ -142,6 +142,28 @@ TEST(Tube, HasTheVolumeOfAPipe) {
   EXPECT_NEAR(test::extent_of(mesh_of(solid)).volume, exact, 0.003 * exact);
 }
 
+// Voxels lie a third of a voxel off the end, at which a distance that jumps there would be told wrongly.
+TEST(Tube, EndsFlatWhereTheStrokeEnds) {
+  Session session(make_surface(test::plane(1, 0.025, 4)), test::brushes());
+  StrokeSettings settings =
+      settings_of({"org.burin.tube", {{"width", 0.3}, {"ends", std::string("flat")}, {"height", 1.5}}});
+  settings.voxel = 0.01;
+  const double end = 0.6033;
+  const TriangleMesh mesh = mesh_of(draw(session, settings, line({-end, 0, 0}, {end, 0, 0})));
+  const double radius = 0.3 * 0.2, height = 1.5 * radius;
+  int on_faces = 0;
+  for (const Vec3f& position : mesh.positions) {
+    const Vec3d p = position.cast<double>();
+    // Edges are about a voxel round.
+    if (std::abs(p.x()) < 0.5 || std::hypot(p.y(), p.z() - height) > radius / 2) continue;
+    ++on_faces;
+    EXPECT_NEAR(std::abs(p.x()), end, 0.05 * settings.voxel) << p.transpose();
+  }
+  EXPECT_GT(on_faces, 20);
+  const double exact = std::numbers::pi * radius * radius * 2 * end;
+  EXPECT_NEAR(test::extent_of(mesh).volume, exact, 0.005 * exact);
+}
+
 TEST(SolidStrokes, AreUndoneOneByOne) {
   Session session(make_surface(test::plane(1, 0.04, 4)), test::brushes());
   const std::uint64_t bare = session.result_hash();
