@@ -38,6 +38,10 @@ burin_dependency(apt libopenvdb-dev why "level sets of solids: their surfaces, d
 burin_find_library(OpenVDB::openvdb openvdb/openvdb.h openvdb REQUIRED)
 find_package(Imath 3 REQUIRED)  # what its headers need besides
 
+burin_dependency(apt libopenmesh-dev why "half-edges of meshes that are cut, joined and remeshed")
+# Not find_package: Debian's configuration of it names files beside itself that are elsewhere.
+burin_find_library(OpenMesh::core OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh OpenMeshCore REQUIRED)
+
 # The tools because Debian's configuration of the library insists on finding them.
 burin_dependency(apt libopenimageio-dev openimageio-tools why "stamps in, PNG pictures out")
 find_package(OpenImageIO 2.4 REQUIRED)
@@ -71,7 +75,7 @@ if(BURIN_TESTS)
   find_package(GTest REQUIRED)
 
   # Tests only: its licence (GPL) keeps it out of everything that is installed.
-  burin_test_dependency(apt libcgal-dev why "exact geodesic distances, which tests measure charts against")
+  burin_test_dependency(apt libcgal-dev why "exact geodesic distances, which tests measure charts against; checks of meshes")
   find_package(CGAL 5.5 REQUIRED)
 
   burin_test_dependency(apt libbenchmark-dev why "benchmarks of single kernels")

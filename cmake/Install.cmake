@@ -18,6 +18,7 @@ set(burin_set_of_stamp stamps)
 set(burin_set_of_services stamps)
 set(burin_set_of_subdiv subdiv)
 set(burin_set_of_level_set solids)
+set(burin_set_of_remesh solids)
 set(burin_components_of_abi plugin runtime)
 set(burin_components_of_plugin plugin)
 

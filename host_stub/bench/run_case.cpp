@@ -3,6 +3,7 @@
 #include <burin/base/hash.h>
 #include <burin/base/quoted_word.h>
 #include <burin/host/replay.h>
+#include <burin/level_set/solid_mesh.h>
 #include <burin/stroke/move_origin.h>
 #include <fmt/format.h>
 
@@ -137,7 +138,7 @@ void CaseRunner::load(const BrushLibrary& brushes) {
   LoadedSurface loaded = load_surface(case_.mesh, progress_);
   origin_ = loaded.from.origin;
   settings_[&StrokeSettings::symmetry].centre -= origin_;
-  session_.emplace(std::move(loaded.surface), brushes);
+  session_.emplace(std::move(loaded.surface), brushes, merge_solid);
   session_->set_paint(std::move(loaded.paint));
   result_.load_seconds = seconds_since(start);
   result_.seconds_to_first_event = seconds_since_process_start();

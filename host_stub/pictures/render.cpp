@@ -63,6 +63,7 @@ class Painter {
   void paint_row(int y, std::uint8_t* rgb) const;
 
  private:
+  Vec3f corner_normal(Index vertex, const Vec3f& flat_normal) const;
   std::optional<Hit> hit(const Ray& ray) const;
   Vec3f radiance(const Hit& hit, int sample, const Vec2f& noise) const;
   SkyLight sky_light(const Hit& hit, int sample, const Vec2f& noise) const;
@@ -95,18 +96,26 @@ Vec3f Painter::from_camera(float right, float up, float towards_eye) const {
   return (to_world_ * Vec3f(right, up, towards_eye)).normalized();
 }
 
+/// That of the vertex, unless it lies on a crease.
+Vec3f Painter::corner_normal(Index vertex, const Vec3f& flat_normal) const {
+  constexpr float crease = 0.88f;  // cosine
+  const Vec3f& normal = surface_.normals[vertex];
+  return normal.dot(flat_normal) < crease ? flat_normal : normal;
+}
+
 std::optional<Hit> Painter::hit(const Ray& ray) const {
   const auto point = picker_.pick(ray);
   if (!point) return std::nullopt;
   const auto& [a, b, c] = point->corners;
-  const Vec3f smooth = point->weights[0] * surface_.normals[a] + point->weights[1] * surface_.normals[b] +
-                       point->weights[2] * surface_.normals[c];
   Hit hit;
   hit.point = *point;
   hit.to_eye = -ray.direction.normalized();
   hit.flat_normal = (surface_.positions[b] - surface_.positions[a])
                         .cross(surface_.positions[c] - surface_.positions[a])
                         .normalized();
+  const Vec3f smooth = point->weights[0] * corner_normal(a, hit.flat_normal) +
+                       point->weights[1] * corner_normal(b, hit.flat_normal) +
+                       point->weights[2] * corner_normal(c, hit.flat_normal);
   hit.normal = smooth.squaredNorm() > 1e-12f ? smooth.normalized() : hit.flat_normal;
   if (hit.flat_normal.dot(hit.to_eye) < 0) {
     hit.flat_normal = -hit.flat_normal;

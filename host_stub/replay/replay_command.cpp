@@ -24,6 +24,7 @@
 #include "options/view.h"
 #include "pictures/painted.h"
 #include "pictures/render.h"
+#include "replay/merge_text.h"
 #include "replay/replay_mesh.h"
 #include "replay/replay_report.h"
 #include "replay/solid_parts.h"
@@ -106,6 +107,14 @@ void warn_of_left_out(const ReplaySummary& summary) {
 void warn_of_lost_paint(const Session& session, const ReplayMesh& mesh) {
   if (mesh.has_levels() && !paint_in_source_order(session.surface(), session.paint()).empty())
     warn("--sculpt-level is below the finest level, which takes no colours and masks: they are lost");
+}
+
+/// Throws Error for what cannot be done with triangles that are not those of the mesh any more.
+void check_replaced(const Session& session, const ReplayMesh& mesh, const ReplayOptions& options) {
+  if (session.generation() == 0) return;
+  if (mesh.has_levels())
+    throw Error("solids can be merged with the surface on the finest level only, see --sculpt-level");
+  if (options.bake.asked()) throw Error("a surface that solids were merged with cannot be baked");
 }
 
 void check_mesh_path(const std::string& path) {
@@ -192,11 +201,12 @@ void run(ReplayOptions& options) {
   ReplayMesh mesh(options.mesh, {.baked = options.bake.asked(), .saved = !options.save_mesh.empty()});
   for (Recording& recording : recordings) move_origin(recording, mesh.origin());
   options.settings[&StrokeSettings::symmetry].centre -= mesh.origin();
-  Session session(mesh.take_surface(), library);
+  Session session(mesh.take_surface(), library, merge_solid);
   session.set_paint(mesh.take_paint());
   warn_of_radii(options.mesh.mesh.path, session.surface(), radii(options, recordings));
   StrokeRecorder recorder;
   ReplaySummary summary = replay_all(session, options, recordings, recorder);
+  with_file_context(options.mesh.mesh.path, [&] { check_replaced(session, mesh, options); });
   finish(mesh, session, summary);
   warn_of_left_out(summary);
   warn_of_lost_paint(session, mesh);
@@ -204,6 +214,7 @@ void run(ReplayOptions& options) {
   json.update(summary_json(summary));
   const SolidParts parts(session.parts());
   if (!parts.empty()) json["parts"] = parts.json();
+  if (!session.merges().empty()) json["merges"] = merges_json(session.merges());
   save_mesh(options, session, mesh, parts);
   if (!options.save_vdb.empty()) write_vdb(options.save_vdb, session.parts());
   if (options.bake.asked()) {
@@ -214,7 +225,8 @@ void run(ReplayOptions& options) {
     write_pictures(options, session, mesh, parts, recorder, camera, summary, json);
   }
   write_result(options.json ? json_text(json)
-                            : mesh.text() + "\n" + summary_text(summary) + parts.text() + "\n");
+                            : mesh.text() + "\n" + summary_text(summary) + parts.text() +
+                                  merges_text(session.merges()) + "\n");
 }
 
 }  // namespace

@@ -99,6 +99,7 @@ TriangleMesh ReplayMesh::result(const Session& session) const {
 
 TriangleMesh ReplayMesh::saved(const Session& session) const {
   TriangleMesh mesh = result(session);
+  if (session.generation() != 0) return mesh;
   mesh.triangles = before_.triangles;
   mesh.triangle_uv = before_.triangle_uv;
   if (!apart_) return mesh;
@@ -132,7 +133,7 @@ std::vector<Value> apart_again(const std::vector<Value>& own, const std::vector<
 VertexPaint ReplayMesh::saved_paint(const Session& session) const {
   if (levels_) return {};
   VertexPaint after = paint_in_source_order(session.surface(), session.paint());
-  if (!apart_) return after;
+  if (!apart_ || session.generation() != 0) return after;
   const VertexPaint &own = apart_->paint, &before = joined_paint_;
   const std::vector<Index>& vertex_of = drawn_.from.vertex_of;
   return {apart_again(own.colours, before.colours, after.colours, vertex_of),

@@ -56,7 +56,7 @@ class ReplayMesh {
   const TriangleMesh& before() const { return before_; }
 
   /// The result and its paint for saving: with the vertices and texture coordinates of the file if the mesh
-  /// was not refined. Positions are relative to origin().
+  /// was not refined and no solid merged with it. Positions are relative to origin().
   TriangleMesh saved(const Session& session) const;
   VertexPaint saved_paint(const Session& session) const;
 

@@ -232,7 +232,7 @@
   MEMBER(burin_state, load, 16) \
   STRUCT(burin_solid_plan, 32) \
   MEMBER(burin_solid_plan, struct_size, 0) \
-  MEMBER(burin_solid_plan, reserved, 4) \
+  MEMBER(burin_solid_plan, operation, 4) \
   MEMBER(burin_solid_plan, h_min, 8) \
   MEMBER(burin_solid_plan, h_max, 16) \
   MEMBER(burin_solid_plan, detail, 24) \

@@ -30,7 +30,8 @@ const std::map<std::string, Names> may_include = {
     {"feature", {"chart"}},
     {"refine", {"chart"}},
     {"volume", {"chart"}},
-    {"level_set", {"volume"}},
+    {"remesh", {"base"}},
+    {"level_set", {"volume", "remesh"}},
     {"host",
      {"abi", "math", "plugin", "base", "surface", "stroke", "chart", "deform", "feature", "refine",
       "volume"}},
@@ -43,6 +44,7 @@ const std::map<std::string, Names> may_include = {
 const std::map<std::string, Names> third_party = {
     {"opensubdiv/", {"subdiv"}},
     {"openvdb/", {"level_set"}},
+    {"OpenMesh/", {"remesh"}},
     {"OpenImageIO/", {"stamp"}},
     {"freetype/", {"stamp"}},
     {"harfbuzz/", {"stamp"}},
@@ -54,10 +56,10 @@ const std::map<std::string, Names> third_party = {
     {"nlohmann/", {"base", "surface", "stroke", "host_stub"}},
     {"fmt/",
      {"base", "surface", "subdiv", "stroke", "chart", "stamp", "deform", "feature", "refine", "volume",
-      "host", "services", "host_stub"}},
+      "remesh", "level_set", "host", "services", "host_stub"}},
     {"Eigen/",
      {"base", "surface", "subdiv", "stroke", "chart", "stamp", "deform", "feature", "refine", "volume",
-      "host", "services", "host_stub"}},
+      "remesh", "level_set", "host", "services", "host_stub"}},
     {"CGAL/", {}},
 };
 

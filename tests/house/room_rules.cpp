@@ -44,6 +44,7 @@ const std::map<std::string, Names> room_may_include = {
     {"deform/solid", {"deform/evaluate"}},
     {"host/plugin", {}},
     {"host/session", {"host/plugin"}},
+    {"level_set/grid", {}},
     {"brushes/solids", {}},
     {"host_stub/system", {}},
     {"host_stub/options", {"host_stub/system"}},

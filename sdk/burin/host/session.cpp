@@ -7,25 +7,28 @@
 #include <burin/deform/shown/shown_surface.h>
 #include <burin/deform/shown/undo_journal.h>
 #include <burin/host/session.h>
+#include <burin/host/session/merged_surface.h>
 #include <burin/host/session/open_stroke.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 namespace burin {
 
 struct Session::Impl {
-  Impl(Surface given, const BrushLibrary& library)
+  Impl(Surface given, const BrushLibrary& library, SolidMerger solid_merger)
       : surface(std::move(given)),
         picker(surface),
-        builders(surface, picker),
+        builders(std::in_place, surface, picker),
         shown(surface),
         paint(surface.vertex_count()),
-        brushes(&library) {}
+        brushes(&library),
+        merger(std::move(solid_merger)) {}
 
   const burin_brush& brush(const BrushEntry& entry);
   OpenStroke& open_stroke();
@@ -39,6 +42,9 @@ struct Session::Impl {
   std::span<const Index> note_changed(std::span<const Index> moved, std::span<const Index> painted);
   void commit(std::span<const Index> displaced);
   bool add_part();
+  bool merges_solid() const;
+  void merge_solid();
+  void replace_surface(Surface made, Paint painted);
   void drop();
 
   /// Runs `body`. If it throws, the open stroke is dropped, and the surface is as before the stroke.
@@ -57,7 +63,7 @@ struct Session::Impl {
 
   Surface surface;
   Picker picker;
-  ChartBuilders builders;
+  std::optional<ChartBuilders> builders;
   ShownSurface shown;
   ShownPaint paint;
   const BrushLibrary* brushes;
@@ -70,6 +76,9 @@ struct Session::Impl {
   std::vector<Index> changed;  ///< vertices that the last call changed
   UndoJournal journal;
   std::vector<StrokeSolid> parts;
+  SolidMerger merger;
+  std::vector<MergeReport> merges;
+  std::uint64_t generation = 0;
   EventCost cost;
 };
 
@@ -139,6 +148,11 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
   }
   finish_piece(closure);
   StageClock clock(cost);
+  if (merges_solid()) {
+    merge_solid();
+    clock.lap(Stage::record);
+    return changed;
+  }
   const std::vector<Index> displaced = shown.take_displaced(surface);
   journal.record(displaced, surface.positions, paint.commit(), add_part());
   commit(displaced);
@@ -155,6 +169,39 @@ bool Session::Impl::add_part() {
   return true;
 }
 
+bool Session::Impl::merges_solid() const {
+  const std::optional<StrokeSolid>& solid = std::as_const(*stroke).solid();
+  return solid && !solid->empty() && burin::merges(stroke->solid_operation());
+}
+
+/// Merges the stroke's solid with the surface. The stroke is gone then.
+void Session::Impl::merge_solid() {
+  if (!merger) throw Error("this application cannot merge solids with the surface");
+  const StrokeSolid& solid = *stroke->solid();
+  const MergedSolid merged = merger({surface, picker, solid, stroke->solid_operation(), stroke->blend()});
+  PaintedSurface made = with_patch(surface, picker, paint.base(), merged.patch);
+  merges.push_back(report_of(merged, solid.voxel(), surface, made.surface));
+  stroke.reset();
+  Paint before = paint.base();
+  Surface replaced = std::move(surface);
+  replace_surface(std::move(made.surface), std::move(made.paint));
+  journal.record(std::move(replaced), std::move(before));
+}
+
+/// All that depends on the surface is made anew.
+void Session::Impl::replace_surface(Surface made, Paint painted) {
+  last_live = nullptr;
+  surface = std::move(made);
+  picker = Picker(surface);
+  builders.emplace(surface, picker);
+  shown = ShownSurface(surface);
+  paint = ShownPaint(surface.vertex_count());
+  paint.assign(std::move(painted));
+  ++generation;
+  changed.resize(surface.vertex_count());
+  std::iota(changed.begin(), changed.end(), Index{0});
+}
+
 /// Copies the shown positions to the surface and updates everything that depends on it.
 void Session::Impl::commit(std::span<const Index> displaced) {
   float farthest = 0;
@@ -162,7 +209,7 @@ void Session::Impl::commit(std::span<const Index> displaced) {
     farthest = std::max(farthest, (shown.positions()[vertex] - surface.positions[vertex]).squaredNorm());
   shown.commit(surface, displaced);
   picker.update(displaced);
-  builders.moved(displaced, std::sqrt(static_cast<double>(farthest)));
+  builders->moved(displaced, std::sqrt(static_cast<double>(farthest)));
 }
 
 void Session::Impl::drop() {
@@ -190,9 +237,9 @@ void Session::Impl::set_paint(Paint given) {
   paint.assign(std::move(given));
 }
 
-Session::Session(Surface surface, const BrushLibrary& brushes) {
+Session::Session(Surface surface, const BrushLibrary& brushes, SolidMerger merger) {
   if (surface.is_point_set()) throw ContractError("a point set cannot be sculpted");
-  impl_ = std::make_unique<Impl>(std::move(surface), brushes);
+  impl_ = std::make_unique<Impl>(std::move(surface), brushes, std::move(merger));
 }
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
@@ -202,7 +249,9 @@ const Surface& Session::surface() const { return impl_->surface; }
 const Picker& Session::picker() const { return impl_->picker; }
 std::span<const Vec3f> Session::positions() const { return impl_->shown.positions(); }
 std::span<const Vec3f> Session::normals() const { return impl_->shown.normals(); }
+std::uint64_t Session::generation() const { return impl_->generation; }
 std::span<const StrokeSolid> Session::parts() const { return impl_->parts; }
+std::span<const MergeReport> Session::merges() const { return impl_->merges; }
 const Paint& Session::paint() const { return impl_->paint.shown(); }
 
 void Session::set_paint(Paint paint) {
@@ -213,7 +262,7 @@ void Session::begin_stroke(const StrokeSettings& settings) {
   impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open already");
     const BrushEntry& entry = impl_->brushes->find(settings.brush);
-    impl_->stroke.emplace(impl_->surface, impl_->picker, impl_->builders, impl_->brush(entry),
+    impl_->stroke.emplace(impl_->surface, impl_->picker, *impl_->builders, impl_->brush(entry),
                           *entry.descriptor, settings);
     impl_->last_live = &impl_->stroke->live();
     impl_->paint.prepare(entry.descriptor->outputs_written);
@@ -268,9 +317,15 @@ const SurfaceCurve& Session::curve() const {
 bool Session::undo() {
   return impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open");
-    const std::optional<UndoStep> step = impl_->journal.take();
+    std::optional<UndoStep> step = impl_->journal.take();
     if (!step) return false;
     StageClock clock(impl_->cost);
+    if (step->surface) {
+      impl_->replace_surface(std::move(*step->surface), std::move(step->surface_paint));
+      impl_->merges.pop_back();
+      clock.lap(Stage::record);
+      return true;
+    }
     impl_->note_changed(impl_->shown.move(impl_->surface, step->vertices, step->positions),
                         step->paint.vertices);
     impl_->cost.moved = step->vertices.size();

@@ -36,21 +36,36 @@ struct StrokeEvent {
   std::span<const Index> changed;
 };
 
+/// What a stroke did that merged a solid with the surface.
+struct MergeReport {
+  double voxel = 0;        ///< edge, object units
+  std::size_t voxels = 0;  ///< in which both were compared
+  std::size_t bytes = 0;   ///< of their grids
+  std::size_t triangles_removed = 0, triangles_added = 0;
+  long euler_before = 0, euler_after = 0;  ///< vertices - edges + triangles
+  double least_angle = 0;                  ///< of the added triangles, degrees
+};
+
 /// A surface that is being sculpted: the main class for embedding applications. One stroke at a time is
 /// drawn, sample by sample; it displaces the surface as it was when the stroke began. Vertex indices are
 /// those of surface(). A session belongs to one thread at a time; inside it uses all threads of oneTBB. If a
 /// call throws, the open stroke is dropped: the surface is as before the stroke, and no stroke is open.
 class Session {
  public:
-  /// Takes the surface; see make_surface(). `brushes` must outlive the session. Throws ContractError for a
-  /// point set, since the normals of moved points would require triangles.
-  Session(Surface surface, const BrushLibrary& brushes);
+  /// Takes the surface; see make_surface(). `brushes` must outlive the session. `merger`: what merges solids
+  /// with the surface, such as merge_solid() of the component `solids`; without it strokes that would throw
+  /// Error. Throws ContractError for a point set, since the normals of moved points would require triangles.
+  Session(Surface surface, const BrushLibrary& brushes, SolidMerger merger = {});
   ~Session();
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
 
-  /// The surface after the last finished stroke. Its arrays stay in place as long as the session.
+  /// The surface after the last finished stroke. Its arrays stay in place until generation() changes.
   const Surface& surface() const;
+
+  /// Changes whenever the surface is replaced by one of other vertices and triangles: when a stroke ends that
+  /// merged a solid with it, and when that is undone. All indices of vertices are new then.
+  std::uint64_t generation() const;
   const Picker& picker() const;
 
   /// The current positions, object units, and unit normals by vertex, including the open stroke.
@@ -67,6 +82,9 @@ class Session {
   /// The solids that strokes with SolidOperation::separate made beside the surface, in the order of the
   /// strokes.
   std::span<const StrokeSolid> parts() const;
+
+  /// What the strokes did that merged a solid with the surface, in their order.
+  std::span<const MergeReport> merges() const;
 
   /// Opens a stroke. Throws Error for an unknown brush or parameter, a value out of range, a file that cannot
   /// be read, a brush with inputs that this host does not provide, or dynamics of something that cannot vary;
@@ -92,7 +110,8 @@ class Session {
   /// Ends the open stroke and makes it part of the surface. A stroke without a sample has no effect and
   /// cannot be undone. Strokes are open while they are drawn; here the stroke may become closed, which
   /// changes all of it. curve().closed tells whether it did; CurveTracer::closed_curve() documents the
-  /// conditions. Returns the vertices that changed, as StrokeEvent::changed; valid until the next call.
+  /// conditions. Returns the vertices that changed, as StrokeEvent::changed; all where the stroke merged a
+  /// solid with the surface; valid until the next call. Throws Error where a solid cannot be merged.
   std::span<const Index> end_stroke(Closure closure = Closure::open);
 
   /// Drops the open stroke, if there is one. changed() then lists the vertices that returned to their
@@ -104,7 +123,8 @@ class Session {
   /// here. Valid until the next call.
   std::span<const Index> changed() const;
 
-  /// The chart and the curve of the last piece of the open stroke, or of the last stroke.
+  /// The chart and the curve of the last piece of the open stroke, or of the last stroke; the chart is empty
+  /// after generation() has changed.
   const Chart& chart() const;
   const SurfaceCurve& curve() const;
 

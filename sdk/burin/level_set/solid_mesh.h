@@ -12,6 +12,13 @@ namespace burin {
 /// edges of the solid become about a voxel round. On all threads; the bits do not depend on their number.
 TriangleMesh mesh_of(const StrokeSolid& solid);
 
+/// Joins a solid with a surface, or takes it away, through voxels around the solid, and sews the new
+/// triangles to the rest. Vertices farther from the solid than the blend radius and two voxels stay as they
+/// are, except where walls meet at so acute an angle that the fillet reaches farther. Throws Error where the
+/// surface is open or no manifold near the solid, or the new triangles do not fit to it. On all threads; the
+/// bits do not depend on their number.
+MergedSolid merge_solid(const SolidMerge& merge);
+
 /// Writes solids as an OpenVDB file: a level set named "solid" each, in object units, distances in space
 /// three voxels to either side. Throws FileError naming the file.
 void write_vdb(const std::filesystem::path& path, std::span<const StrokeSolid> solids);

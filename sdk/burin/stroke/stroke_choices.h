@@ -41,9 +41,15 @@ enum class Accumulate {
 
 /// What becomes of the solid that a brush makes along a stroke.
 enum class SolidOperation {
-  none,      ///< there is none: the stroke does to the surface what the brush does without
-  separate,  ///< a part of its own, beside the surface
+  none,          ///< there is none: the stroke does to the surface what the brush does without
+  separate,      ///< a part of its own, beside the surface
+  unite,         ///< it becomes part of the surface
+  difference,    ///< the surface loses it
+  intersection,  ///< the surface keeps only what is in it
 };
+
+/// Whether the triangles of the surface change.
+inline bool merges(SolidOperation operation) { return operation > SolidOperation::separate; }
 
 /// Whether a stroke is closed.
 enum class Closure {
@@ -85,8 +91,10 @@ inline constexpr std::array named_overlaps{Named{"strongest", Overlap::strongest
                                            Named{"average", Overlap::average}};
 inline constexpr std::array named_accumulations{Named{"base", Accumulate::from_base},
                                                 Named{"current", Accumulate::from_current}};
-inline constexpr std::array named_solids{Named{"none", SolidOperation::none},
-                                         Named{"separate", SolidOperation::separate}};
+inline constexpr std::array named_solids{
+    Named{"none", SolidOperation::none}, Named{"separate", SolidOperation::separate},
+    Named{"union", SolidOperation::unite}, Named{"difference", SolidOperation::difference},
+    Named{"intersection", SolidOperation::intersection}};
 inline constexpr std::array named_closures{Named{"yes", Closure::closed}, Named{"no", Closure::open},
                                            Named{"auto", Closure::automatic}};
 

@@ -41,6 +41,7 @@ struct StrokeSettings {
   std::optional<SolidOperation> solid;  ///< of brushes that make solids; none: separate of those that do
                                         ///< nothing else
   double voxel = 0;  ///< edge of the solid's voxels, object units; 0: as fine as the brush's solid needs
+  double blend = 0;  ///< radius of the fillet where a merged solid meets the surface, object units; 0: none
 };
 
 /// What a recorded stroke is drawn with: besides, how its samples become a stroke.

@@ -24,6 +24,13 @@ struct Surface {
   bool is_point_set() const { return triangles.empty(); }
 };
 
+/// Triangles that take the place of others of a surface.
+struct SurfacePatch {
+  std::vector<Index> removed;       ///< triangles of the surface, ascending
+  std::vector<Vec3f> positions;     ///< [new vertex] object units
+  std::vector<Triangle> triangles;  ///< vertices of the surface, and from its vertex_count() on new ones
+};
+
 /// Makes a surface of a triangle mesh. Triangles that have a vertex twice are left out; unreferenced vertices
 /// stay. `progress` may be empty. The result depends on the mesh alone. Throws Error if no triangle has an
 /// area or a position is not finite, ContractError if a triangle refers to a vertex that does not exist.

@@ -1,5 +1,7 @@
 #pragma once
 #include <burin/chart/chart.h>
+#include <burin/stroke/stroke_choices.h>
+#include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
 
 #include <Eigen/Core>
@@ -84,5 +86,24 @@ class StrokeSolid {
   double voxel_;
   std::vector<VoxelBlock> blocks_;
 };
+
+/// What is to be done with a solid and a surface.
+struct SolidMerge {
+  const Surface& surface;
+  const Picker& picker;
+  const StrokeSolid& solid;
+  SolidOperation operation;  ///< unite, difference or intersection
+  double blend = 0;          ///< radius of the fillet where surface and solid meet, object units
+};
+
+/// What became of it.
+struct MergedSolid {
+  SurfacePatch patch;
+  std::size_t voxels = 0;  ///< in which both were compared
+  std::size_t bytes = 0;   ///< of the largest of their grids together
+};
+
+/// Does it; merge_solid() of level_set is one. Throws Error with a line that says what cannot be done.
+using SolidMerger = std::function<MergedSolid(const SolidMerge&)>;
 
 }  // namespace burin

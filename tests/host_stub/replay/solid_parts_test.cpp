@@ -66,5 +66,46 @@ TEST(SolidParts, AreRefusedWhereTheyWouldTakeTooMuch) {
   EXPECT_FALSE(std::filesystem::exists(saved));
 }
 
+TEST(SolidMerges, AreListedAndSavedAsOneSurface) {
+  const Laid laid;
+  const std::string saved = laid.folder.path("out.ply");
+  const json told = laid.replayed({"--solid", "union", "--blend", "0.02", "--voxel", "0.02", "--param",
+                                   "height=0", "--save-mesh", saved});
+  EXPECT_FALSE(told.contains("parts"));
+  ASSERT_EQ(told["merges"].size(), 1u);
+  const json& merge = told["merges"][0];
+  EXPECT_EQ(merge["voxel"], 0.02);
+  EXPECT_EQ(merge["euler_before"], 2);
+  EXPECT_EQ(merge["euler_after"], 2);
+  EXPECT_GE(merge["least_angle"], 5);
+  const PolygonMesh mesh = read_mesh(saved);
+  EXPECT_EQ(mesh.face_sizes.size(), laid.mesh.triangles.size() -
+                                        merge["triangles_removed"].get<std::size_t>() +
+                                        merge["triangles_added"].get<std::size_t>());
+}
+
+TEST(SolidMerges, AreRefusedOnOpenSurfacesAndBelowTheFinestLevel) {
+  const Laid laid;
+  TriangleMesh open = laid.mesh;
+  std::erase_if(open.triangles, [&](const Triangle& t) {
+    const Vec3f& p = open.positions[t[0]];
+    return p.x() > 0.9F && std::abs(p.y()) < 0.1F && p.z() > 0.02F && p.z() < 0.2F;
+  });
+  const std::string path = laid.folder.write("open.obj", obj_text(open)), saved = laid.folder.path("out.ply");
+  const auto refused = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"replay",     laid.stroke,   "--solid",
+                                          "difference", "--save-mesh", saved};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProcessResult result = burin(arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_FALSE(std::filesystem::exists(saved));
+    return result.err;
+  };
+  EXPECT_NE(refused({"--mesh", path}).find("the surface is open at ("), std::string::npos);
+  EXPECT_NE(
+      refused({"--mesh", laid.mesh_path, "--subdivide", "1", "--sculpt-level", "0"}).find("--sculpt-level"),
+      std::string::npos);
+}
+
 }  // namespace
 }  // namespace burin::test

@@ -12,10 +12,18 @@ extern "C" {
 
 #define BURIN_EXT_VOLUME "burin.volume/1"
 
+/* What becomes of a solid unless the user says otherwise. */
+enum {
+  BURIN_SOLID_SEPARATE = 0,    /* a part of its own, beside the surface */
+  BURIN_SOLID_UNION = 1,       /* part of the surface */
+  BURIN_SOLID_DIFFERENCE = 2,  /* the surface loses it */
+  BURIN_SOLID_INTERSECTION = 3 /* the surface keeps only what is in it */
+};
+
 /* Where a solid is and how fine it is. The host sets struct_size and zeros. */
 typedef struct burin_solid_plan {
   uint32_t struct_size;
-  uint32_t reserved;
+  uint32_t operation;  /* BURIN_SOLID_... */
   double h_min, h_max; /* object units: the solid is empty outside of them */
   double detail; /* object units, above 0: the narrowest wall or gap that must not be lost; the host makes
                     its voxels from it */

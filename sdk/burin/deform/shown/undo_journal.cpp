@@ -15,6 +15,13 @@ void UndoJournal::record(std::span<const Index> vertices, std::span<const Vec3f>
   steps_.push_back(std::move(step));
 }
 
+void UndoJournal::record(Surface surface, Paint paint) {
+  UndoStep step;
+  step.surface = std::move(surface);
+  step.surface_paint = std::move(paint);
+  steps_.push_back(std::move(step));
+}
+
 std::optional<UndoStep> UndoJournal::take() {
   if (steps_.empty()) return std::nullopt;
   UndoStep step = std::move(steps_.back());

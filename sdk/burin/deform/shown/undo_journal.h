@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/base/vector.h>
 #include <burin/deform/shown/shown_paint.h>
+#include <burin/surface/surface.h>
 
 #include <cstddef>
 #include <optional>
@@ -14,7 +15,9 @@ struct UndoStep {
   std::vector<Index> vertices;
   std::vector<Vec3f> positions;  ///< [i] of vertices[i]
   PaintStep paint;
-  bool made_part = false;  ///< the stroke's solid is a part beside the surface
+  bool made_part = false;          ///< the stroke's solid is a part beside the surface
+  std::optional<Surface> surface;  ///< instead of all else but surface_paint: what the stroke replaced
+  Paint surface_paint;             ///< of that
 };
 
 /// The undo steps of the finished strokes of a session, newest last. A step takes 16 bytes per vertex that
@@ -26,6 +29,9 @@ class UndoJournal {
   /// nothing is a step too.
   void record(std::span<const Index> vertices, std::span<const Vec3f> positions_of_surface,
               PaintStep paint = {}, bool made_part = false);
+
+  /// Stores a surface and its paint that a stroke replaced.
+  void record(Surface surface, Paint paint);
 
   /// Removes and returns the newest step; nothing if there is none.
   std::optional<UndoStep> take();

@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/chart/chart_triangles.h>
 #include <burin/deform/evaluate/error_text.h>
 #include <burin/deform/evaluate/object_pool.h>
 #include <burin/deform/solid/solid_batch.h>
@@ -33,12 +34,51 @@ burin_solid_plan SolidStroke::plan(const burin_stroke_context& context) const {
   if (!finite || !(plan.h_min < plan.h_max) || !(plan.detail > 0))
     throw ContractError(fmt::format("{}: asked for a solid from h {} to {} of a detail of {}", id, plan.h_min,
                                     plan.h_max, plan.detail));
+  if (plan.operation > BURIN_SOLID_INTERSECTION)
+    throw ContractError(
+        fmt::format("{}: asked for the unknown operation {} with its solid", id, plan.operation));
   return plan;
 }
 
-StrokeSolid SolidStroke::make(const NodeSource& source, const burin_stroke_context& context,
-                              double voxel) const {
-  constexpr double voxels_over_detail = 6;
+SolidOperation SolidStroke::operation(const burin_stroke_context& context) const {
+  switch (plan(context).operation) {
+    case BURIN_SOLID_UNION:
+      return SolidOperation::unite;
+    case BURIN_SOLID_DIFFERENCE:
+      return SolidOperation::difference;
+    case BURIN_SOLID_INTERSECTION:
+      return SolidOperation::intersection;
+    default:
+      return SolidOperation::separate;
+  }
+}
+
+namespace {
+
+/// Of the base surface's triangles in the chart, object units.
+double mean_edge(const SolidGround& ground) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const ChartTriangle& triangle : chart_triangles(ground.surface, ground.chart))
+    for (std::size_t i = 0; i < 3; ++i, ++count) {
+      const auto place = [&](std::size_t k) {
+        return ground.position(ground.chart.vertex[triangle.nodes[k % 3]]);
+      };
+      sum += static_cast<double>((place(i + 1) - place(i)).norm());
+    }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+double voxel_for(double detail, const SolidGround& ground, bool merged) {
+  constexpr double most = 6, finest = 12;  // voxels over the detail
+  if (!merged) return detail / most;
+  return std::clamp(mean_edge(ground), detail / finest, detail / most);
+}
+
+}  // namespace
+
+StrokeSolid SolidStroke::make(const NodeSource& source, const burin_stroke_context& context, double voxel,
+                              bool merged) const {
   const burin_solid_plan made = plan(context);
   const LiveChart& live = source.nodes.live();
   const std::vector<Index> slots = live.sorted_slots();
@@ -47,7 +87,7 @@ StrokeSolid SolidStroke::make(const NodeSource& source, const burin_stroke_conte
   const SolidExtent extent{.h_min = made.h_min,
                            .h_max = made.h_max,
                            .radius = static_cast<double>(source.radius),
-                           .voxel = voxel > 0 ? voxel : made.detail / voxels_over_detail};
+                           .voxel = voxel > 0 ? voxel : voxel_for(made.detail, ground, merged)};
   ObjectPool<SolidBatch> pool;
   const auto distance = [&](std::span<const ShellPoint> points, std::span<float> distances) {
     std::unique_ptr<SolidBatch> batch = pool.take();

@@ -29,6 +29,8 @@ const StrokeSettings& checked(const StrokeSettings& settings) {
                                     least_dab_spacing, settings.dab_spacing));
   if (!(settings.voxel >= 0 && std::isfinite(settings.voxel)))
     throw ContractError(fmt::format("a solid's voxel must be 0 or above, not {}", settings.voxel));
+  if (!(settings.blend >= 0 && std::isfinite(settings.blend)))
+    throw ContractError(fmt::format("a solid's blend must be 0 or above, not {}", settings.blend));
   return settings;
 }
 
@@ -81,7 +83,7 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, ChartBuilde
 }
 
 bool OpenStroke::makes_solid() const {
-  if (settings_.solid) return settings_.solid == SolidOperation::separate;
+  if (settings_.solid) return settings_.solid != SolidOperation::none;
   return brush().outputs_written == 0 && brush_stroke_.extension(BURIN_EXT_VOLUME);
 }
 
@@ -180,7 +182,8 @@ void OpenStroke::make_solid(const Paint& paint) {
     const burin_stroke_context of_image = context(BURIN_STROKE_FINAL | mirrored, instance.curve());
     // Voxels of one size go together.
     const double voxel = solid_ ? solid_->voxel() : settings_.voxel;
-    StrokeSolid made = solid_stroke_->make(source, of_image, voxel);
+    solid_operation_ = settings_.solid ? *settings_.solid : solid_stroke_->operation(of_image);
+    StrokeSolid made = solid_stroke_->make(source, of_image, voxel, merges(solid_operation_));
     if (solid_)
       solid_->add(made);
     else

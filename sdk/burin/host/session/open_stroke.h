@@ -70,6 +70,9 @@ class OpenStroke {
 
   /// Of a stroke that makes a solid, what its finished pieces have made, if anything.
   std::optional<StrokeSolid>& solid() { return solid_; }
+  const std::optional<StrokeSolid>& solid() const { return solid_; }
+  SolidOperation solid_operation() const { return solid_operation_; }
+  double blend() const { return settings_.blend; }
 
   /// Stores the finished piece with the earlier ones. begin_piece() must follow before the next sample.
   void keep_piece();
@@ -108,6 +111,7 @@ class OpenStroke {
   EarlierPieces earlier_;
   std::optional<SolidStroke> solid_stroke_;  ///< of strokes that make a solid, instead of all else
   std::optional<StrokeSolid> solid_;
+  SolidOperation solid_operation_ = SolidOperation::none;
   bool piece_kept_ = false;  ///< the current piece was kept, and no other was started
   double last_time_;
 };

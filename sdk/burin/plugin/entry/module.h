@@ -128,6 +128,7 @@ class Instance {
       plan->h_min = made.h_min;
       plan->h_max = made.h_max;
       plan->detail = made.detail;
+      plan->operation = static_cast<std::uint32_t>(made.use);
     });
   }
 

@@ -174,7 +174,14 @@ std::vector<SettingRow> solid_rows() {
                       .typed = "NUMBER > 0",
                       .unit = "object units",
                       .initial = "as fine as the brush's solid needs"},
-                     &S::voxel, read_radius)};
+                     &S::voxel, read_radius),
+          number_row({.key = "blend",
+                      .help = "radius of the fillet where a solid and the surface meet",
+                      .values = "a number from 0",
+                      .typed = "NUMBER >= 0",
+                      .unit = "object units",
+                      .initial = "0"},
+                     &S::blend, read_not_negative)};
 }
 
 constexpr std::array named_axes{Named{"x", 0}, Named{"y", 1}, Named{"z", 2}};

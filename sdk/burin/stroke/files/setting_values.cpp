@@ -24,6 +24,11 @@ double read_radius(const JsonValue& value) {
   return read_finite(value);
 }
 
+double read_not_negative(const JsonValue& value) {
+  if (!(value.number() >= 0)) value.reject_type("a number from 0");
+  return read_finite(value);
+}
+
 double read_share(const JsonValue& value) {
   if (const double share = value.number(); share >= 0 && share <= 1) return share;
   value.reject_type("a number from 0 to 1");

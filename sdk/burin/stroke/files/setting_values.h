@@ -20,8 +20,9 @@ namespace burin {
 /// Finite as a float, in which brushes compute; so are the others.
 double read_finite(const JsonValue& value);
 double read_radius(const JsonValue& value);  ///< above 0
-double read_share(const JsonValue& value);   ///< 0..1
-Vec3d read_point(const JsonValue& value);    ///< [x, y, z], doubles
+double read_not_negative(const JsonValue& value);
+double read_share(const JsonValue& value);  ///< 0..1
+Vec3d read_point(const JsonValue& value);   ///< [x, y, z], doubles
 /// Truth, number, text or numbers.
 ParamSetting read_param(const JsonValue& value);
 ParamSettings read_params(const JsonValue& value);

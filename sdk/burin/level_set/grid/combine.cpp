@@ -1,0 +1,183 @@
+// Set operations of distances: the union is their least, and the difference and the intersection are unions
+// of complements. The fillet of radius r is what a ball of that radius outside of both cannot reach where it
+// touches both; see rolling_ball.h.
+#include <burin/base/parallel.h>
+#include <burin/level_set/grid/combine.h>
+#include <burin/level_set/grid/rolling_ball.h>
+#include <openvdb/tree/LeafManager.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace burin {
+namespace {
+
+using Tree = Grid::TreeType;
+using Leaf = Tree::LeafNodeType;
+using Leaves = openvdb::tree::LeafManager<Tree>;
+
+/// How far distances matter on the inner and the outer side of a surface, object units.
+struct Band {
+  double inside, outside;
+};
+
+/// Fills a cube of a leaf's voxels: at once where it is farther from the surface than the band.
+class LeafFiller {
+ public:
+  LeafFiller(Leaf& leaf, const BoundedDistance& base, double voxel, const Band& band)
+      : leaf_(&leaf), base_(&base), voxel_(voxel), band_(band) {
+    const openvdb::Coord& origin = leaf.origin();
+    origin_ = Vec3d(origin.x(), origin.y(), origin.z());
+  }
+
+  void fill(const Eigen::Vector3i& low, int side, double bound) {
+    const Vec3d middle = voxel_ * (origin_ + low.cast<double>() + Vec3d::Constant((side - 1) / 2.));
+    const double value = (*base_)(middle, bound), radius = std::sqrt(3.) * (side - 1) / 2 * voxel_;
+    if (side == 1 || value > band_.outside + radius || value < -band_.inside - radius)
+      return set(low, side, value);
+    const int half = side / 2;
+    for (int i = 0; i < 8; ++i)
+      fill(low + half * Eigen::Vector3i(i >> 2, i >> 1 & 1, i & 1), half, std::abs(value) + radius);
+  }
+
+ private:
+  void set(const Eigen::Vector3i& low, int side, double value) {
+    const auto clamped = static_cast<float>(std::clamp(value, -band_.inside, band_.outside));
+    for (int i = 0; i < side; ++i)
+      for (int j = 0; j < side; ++j)
+        for (int k = 0; k < side; ++k)
+          leaf_->setValueOn(static_cast<openvdb::Index>(((low.x() + i) * 8 + low.y() + j) * 8 + low.z() + k),
+                            clamped);
+  }
+
+  Leaf* leaf_;
+  const BoundedDistance* base_;
+  double voxel_;
+  Band band_;
+  Vec3d origin_;  ///< voxels
+};
+
+/// Calls visit(leaf) for all leaves of a grid on all threads.
+template <class Visit>
+void for_each_leaf(Grid& grid, const Visit& visit) {
+  Leaves leaves(grid.tree());
+  parallel_blocks(leaves.leafCount(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) visit(leaves.leaf(i));
+  });
+}
+
+/// The origins of all leaves that may be as near to the solid as `reach` voxels, ascending.
+std::vector<openvdb::Coord> leaves_near(const StrokeSolid& solid, double reach) {
+  const int rings = static_cast<int>(std::ceil((reach + VoxelBlock::half_width) / VoxelBlock::side));
+  std::vector<openvdb::Coord> origins;
+  for (const VoxelBlock& block : solid.blocks())
+    for (int i = -rings; i <= rings; ++i)
+      for (int j = -rings; j <= rings; ++j)
+        for (int k = -rings; k <= rings; ++k) {
+          const Eigen::Vector3i at = block.origin + VoxelBlock::side * Eigen::Vector3i(i, j, k);
+          origins.emplace_back(at.x(), at.y(), at.z());
+        }
+  parallel_sort(origins.begin(), origins.end());
+  origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
+  return origins;
+}
+
+/// Distances in these leaves, as far as the band; outside everywhere else.
+Grid::Ptr filled(const std::vector<openvdb::Coord>& origins, const BoundedDistance& distance, double voxel,
+                 const Band& band) {
+  const Grid::Ptr grid = empty_grid(voxel, band.outside / voxel);
+  for (const openvdb::Coord& origin : origins)
+    grid->tree().addLeaf(new Leaf(origin, grid->background(), true));
+  for_each_leaf(*grid, [&](Leaf& leaf) {
+    LeafFiller(leaf, distance, voxel, band)
+        .fill(Eigen::Vector3i::Zero(), Leaf::DIM, std::numeric_limits<double>::infinity());
+  });
+  return grid;
+}
+
+/// Without leaves that are farther outside than the band.
+void drop_far_leaves(Grid& grid) {
+  std::vector<openvdb::Coord> far;
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
+    const float* values = leaf->buffer().data();
+    if (std::all_of(values, values + Leaf::SIZE, [&](float value) { return value >= grid.background(); }))
+      far.push_back(leaf->origin());
+  }
+  for (const openvdb::Coord& origin : far) grid.tree().addTile(1, origin, grid.background(), false);
+}
+
+std::vector<openvdb::Coord> origins_of(const Grid& grid) {
+  std::vector<openvdb::Coord> origins;
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) origins.push_back(leaf->origin());
+  return origins;
+}
+
+/// Calls change(value, others...) for all voxels of a grid, with the values of others of the same leaves.
+template <class Change, class... Others>
+void change_values(Grid& grid, const Change& change, const Others&... others) {
+  for_each_leaf(grid, [&](Leaf& leaf) {
+    const auto values = [&](openvdb::Index i) {
+      return change(leaf.getValue(i), others.tree().probeConstLeaf(leaf.origin())->getValue(i)...);
+    };
+    for (openvdb::Index i = 0; i < Leaf::SIZE; ++i) leaf.setValueOn(i, values(i));
+  });
+}
+
+/// The surface's distances with the sign by which the operation is a union.
+float base_sign(SolidOperation operation) { return operation == SolidOperation::unite ? 1.0F : -1.0F; }
+float solid_sign(SolidOperation operation) {
+  return operation == SolidOperation::intersection ? -1.0F : 1.0F;
+}
+
+/// The value of the solid farthest from it at which the result differs from the surface, near that.
+double farthest_contact(const Combined& combined, const Grid& base, float sign, double voxel) {
+  const auto near = static_cast<float>(voxel), differs = static_cast<float>(0.02 * voxel);
+  std::atomic<float> farthest = 0;
+  Grid& result = *combined.result;
+  for_each_leaf(result, [&](Leaf& leaf) {
+    const Leaf &surface = *base.tree().probeConstLeaf(leaf.origin()),
+               &solid = *combined.solid->tree().probeConstLeaf(leaf.origin());
+    float most = 0;
+    for (openvdb::Index i = 0; i < Leaf::SIZE; ++i)
+      if (std::abs(surface.getValue(i)) < near && std::abs(leaf.getValue(i) - surface.getValue(i)) > differs)
+        most = std::max(most, sign * solid.getValue(i));
+    float before = farthest;
+    while (before < most && !farthest.compare_exchange_weak(before, most)) {
+    }
+  });
+  return static_cast<double>(farthest.load());
+}
+
+}  // namespace
+
+Combined combine(const Operands& operands) {
+  const double voxel = operands.voxels.voxel(), reach = 2 * operands.blend + 4 * voxel;
+  Combined combined;
+  const float of_base = base_sign(operands.operation), of_solid = solid_sign(operands.operation);
+  // A fillet needs distances on the side that is outside of the union.
+  const double near = 3 * voxel;
+  const Band beyond{near, reach}, within{reach, near};
+  combined.solid = filled(leaves_near(operands.voxels, reach / voxel), operands.solid, voxel,
+                          of_solid > 0 ? beyond : Band{reach, reach});
+  drop_far_leaves(*combined.solid);
+  const Grid::Ptr base =
+      filled(origins_of(*combined.solid), operands.base, voxel, of_base > 0 ? beyond : within);
+
+  const Grid::Ptr first = base->deepCopy(), second = combined.solid->deepCopy();
+  change_values(*first, [&](float value) { return of_base * value; });
+  change_values(*second, [&](float value) { return of_solid * value; });
+  combined.result = first->deepCopy();
+  change_values(
+      *combined.result, [](float a, float b) { return std::min(a, b); }, *second);
+  if (operands.blend > 0) add_fillet(*combined.result, *first, *second, operands.blend);
+  change_values(*combined.result, [&](float value) { return of_base * value; });
+  combined.bytes = base->memUsage() + first->memUsage() + second->memUsage() + combined.solid->memUsage() +
+                   combined.result->memUsage();
+  combined.contact = farthest_contact(combined, *base, of_solid, voxel);
+  return combined;
+}
+
+}  // namespace burin

@@ -1,0 +1,32 @@
+#pragma once
+#include <burin/level_set/grid/grids.h>
+#include <burin/volume/solid.h>
+
+#include <functional>
+
+namespace burin {
+
+/// The signed distance to a surface, object units; `bound` is no less than its absolute value. Any thread.
+using BoundedDistance = std::function<double(const Vec3d& point, double bound)>;
+
+/// What is combined.
+struct Operands {
+  const StrokeSolid& voxels;
+  BoundedDistance solid;  ///< to the same solid
+  BoundedDistance base;   ///< to the surface
+  SolidOperation operation;
+  double
+      blend;  ///< radius of a ball that leaves a fillet where it rolls along both; object units, 0 for none
+};
+
+/// A surface and a solid in the voxels around the solid, and what they become together.
+struct Combined {
+  Grid::Ptr solid;        ///< distance to the solid, object units
+  Grid::Ptr result;       ///< negative inside the result; where its surface is near, a distance
+  double contact = 0;     ///< farthest from the solid that the result leaves the surface, object units
+  std::size_t bytes = 0;  ///< that the grids took together
+};
+
+Combined combine(const Operands& operands);
+
+}  // namespace burin

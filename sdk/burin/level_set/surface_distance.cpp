@@ -1,0 +1,98 @@
+// The sign of a distance to triangles is that of the angle-weighted pseudonormal at the closest point [J. A.
+// Baerentzen and H. Aanaes, Signed Distance Computation Using the Angle Weighted Pseudonormal, 2005].
+#include <burin/level_set/surface_distance.h>
+#include <burin/math/elementary.h>
+#include <burin/surface/geometry/triangle_shape.h>
+#include <burin/surface/picking/closest_point.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace burin {
+namespace {
+
+Vec3d edge(const Surface& surface, Index from, Index to) {
+  return surface.positions[to].cast<double>() - surface.positions[from].cast<double>();
+}
+
+Vec3d unit_normal(const Surface& surface, const Triangle& t) {
+  return edge(surface, t[0], t[1]).cross(edge(surface, t[0], t[2])).stableNormalized();
+}
+
+Vec3d at_vertex(const Surface& surface, Index vertex) {
+  Vec3d sum = Vec3d::Zero();
+  for (const Index number : surface.incident[vertex]) {
+    const Triangle& t = surface.triangles[number];
+    const std::size_t corner = corner_of(t, vertex);
+    const Vec3d a = edge(surface, vertex, t[(corner + 1) % 3]),
+                b = edge(surface, vertex, t[(corner + 2) % 3]);
+    sum += math::atan2(a.cross(b).norm(), a.dot(b)) * unit_normal(surface, t);
+  }
+  return sum;
+}
+
+/// Of the triangles that have both vertices.
+Vec3d at_edge(const Surface& surface, Index a, Index b) {
+  Vec3d sum = Vec3d::Zero();
+  for (const Index number : surface.incident[a]) {
+    const Triangle& t = surface.triangles[number];
+    if (std::ranges::find(t, b) != t.end()) sum += unit_normal(surface, t);
+  }
+  return sum;
+}
+
+/// At a point of a triangle, by which of its corners have a weight.
+Vec3d pseudonormal(const Surface& surface, const Triangle& t, const std::array<double, 3>& weights) {
+  constexpr double none = 1e-9;
+  std::array<Index, 3> corners{};
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (weights[i] > none) corners[count++] = t[i];
+  if (count == 1) return at_vertex(surface, corners[0]);
+  if (count == 2) return at_edge(surface, corners[0], corners[1]);
+  return unit_normal(surface, t);
+}
+
+/// The closest point of a triangle, and the pseudonormal there.
+struct Side {
+  Vec3d foot, normal;
+};
+
+Side side_of(const Surface& surface, Index triangle, const Vec3d& p) {
+  const TrianglePoint point = closest_point(surface, triangle, p);
+  return {point.position,
+          pseudonormal(surface, surface.triangles[triangle], {1 - point.u - point.v, point.u, point.v})};
+}
+
+}  // namespace
+
+double SurfaceDistance::operator()(const Vec3d& p, double bound) const {
+  // The bound may be exceeded by rounding.
+  constexpr double all = std::numeric_limits<float>::max(), more = 1.001;
+  const auto within = [&](double reach) {
+    const std::optional<SurfacePoint> place = picker_->closest(p.cast<float>(), static_cast<float>(reach));
+    return place ? place->triangle : no_index;
+  };
+  Index triangle = within(std::min(more * bound, all));
+  if (triangle == no_index) triangle = within(all);
+  const Side side = side_of(*surface_, triangle, p);
+  const double distance = (p - side.foot).norm();
+  return side.normal.dot(p - side.foot) < 0 ? -distance : distance;
+}
+
+std::optional<SurfaceDistance::Linear> SurfaceDistance::near(const Vec3d& p, double reach) const {
+  const std::optional<SurfacePoint> place = picker_->closest(p.cast<float>(), static_cast<float>(reach));
+  if (!place) return {};
+  const Side side = side_of(*surface_, place->triangle, p);
+  const Vec3d normal = side.normal.stableNormalized();
+  return Linear{normal.dot(p - side.foot), normal};
+}
+
+std::optional<Vec3d> SurfaceDistance::closest(const Vec3d& p, double reach) const {
+  const std::optional<SurfacePoint> place = picker_->closest(p.cast<float>(), static_cast<float>(reach));
+  if (!place) return {};
+  return closest_point(*surface_, place->triangle, p).position;
+}
+
+}  // namespace burin

@@ -1,0 +1,34 @@
+#pragma once
+#include <burin/surface/picker.h>
+#include <burin/surface/surface.h>
+
+#include <limits>
+#include <optional>
+
+namespace burin {
+
+/// The signed distance to a surface, negative on the inner side of its triangles, object units. Any thread,
+/// concurrently. Surface and picker must outlive it.
+class SurfaceDistance {
+ public:
+  SurfaceDistance(const Surface& surface, const Picker& picker) : surface_(&surface), picker_(&picker) {}
+
+  /// `bound`: no less than its absolute value, as far as is known; the closer, the faster.
+  double operator()(const Vec3d& p, double bound = std::numeric_limits<double>::infinity()) const;
+
+  /// The distance near a point within reach, as linear.
+  struct Linear {
+    double value;
+    Vec3d normal;  ///< unit, outward
+  };
+  std::optional<Linear> near(const Vec3d& p, double reach) const;
+
+  /// The closest point of the surface, if there is one within reach.
+  std::optional<Vec3d> closest(const Vec3d& p, double reach) const;
+
+ private:
+  const Surface* surface_;
+  const Picker* picker_;
+};
+
+}  // namespace burin

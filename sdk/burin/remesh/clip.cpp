@@ -1,0 +1,70 @@
+#include <burin/remesh/clip.h>
+#include <burin/remesh/edge_mesh.h>
+
+#include <cmath>
+
+namespace burin {
+namespace {
+
+/// Where the field is 0 between two points of different signs, as a share of the way.
+double crossing(const PointField& field, const Vec3d& from, const Vec3d& to, double at_from) {
+  double low = 0, high = 1;
+  constexpr int halvings = 40;
+  for (int i = 0; i < halvings; ++i) {
+    const double share = (low + high) / 2, value = field(from + share * (to - from));
+    if ((value > 0) == (at_from > 0))
+      low = share;
+    else
+      high = share;
+  }
+  return (low + high) / 2;
+}
+
+/// Splits the edges on which the field changes its sign. Returns the field at the vertices.
+std::vector<double> split_edges(EdgeMesh& mesh, const PointField& field, const BringPoint& bring) {
+  std::vector<double> value;
+  for (const auto vertex : mesh.vertices()) value.push_back(field(mesh.data(vertex).position));
+  const auto at = [&](EdgeMesh::VertexHandle vertex) {
+    return value[static_cast<std::size_t>(vertex.idx())];
+  };
+  // Only edges that were there before have ends of different signs: new ones end at the line.
+  const std::size_t edges = mesh.n_edges();
+  for (std::size_t e = 0; e < edges; ++e) {
+    const EdgeMesh::EdgeHandle edge(static_cast<int>(e));
+    const auto half = mesh.halfedge_handle(edge, 0);
+    const auto from = mesh.from_vertex_handle(half), to = mesh.to_vertex_handle(half);
+    if (!(at(from) > 0 && at(to) < 0) && !(at(from) < 0 && at(to) > 0)) continue;
+    const Vec3d start = mesh.data(from).position, way = mesh.data(to).position - start;
+    const double share = crossing(field, start, start + way, at(from));
+    mesh.split(edge, add_vertex(mesh, bring(start + share * way)));
+    value.push_back(0);
+  }
+  return value;
+}
+
+}  // namespace
+
+std::vector<double> cut(PatchMesh& patch, const PointField& field, const BringPoint& bring) {
+  EdgeMesh mesh = to_edges(patch);
+  std::vector<double> value = split_edges(mesh, field, bring);
+  patch = to_patch(mesh);
+  return value;
+}
+
+void clip(PatchMesh& patch, const PointField& field, const BringPoint& bring) {
+  EdgeMesh mesh = to_edges(patch);
+  const std::vector<double> value = split_edges(mesh, field, bring);
+  const auto outside = [&](EdgeMesh::FaceHandle face) {
+    for (const auto vertex : mesh.fv_range(face))
+      if (value[static_cast<std::size_t>(vertex.idx())] < 0) return true;
+    return false;
+  };
+  std::vector<EdgeMesh::FaceHandle> removed;
+  for (const auto face : mesh.faces())
+    if (outside(face)) removed.push_back(face);
+  for (const auto face : removed) mesh.delete_face(face, true);
+  mesh.garbage_collection();
+  patch = to_patch(mesh);
+}
+
+}  // namespace burin

@@ -1,0 +1,26 @@
+#pragma once
+#include <burin/base/vector.h>
+
+#include <functional>
+#include <vector>
+
+namespace burin {
+
+/// A piece of a triangle mesh that is being rebuilt. Its border is where the rest of the mesh goes on.
+struct PatchMesh {
+  std::vector<Vec3d> positions;  ///< object units
+  std::vector<Triangle> triangles;
+  std::vector<Index> kept;  ///< [vertex] the number elsewhere of one that is neither moved nor removed; of
+                            ///< others no_index
+
+  bool is_fixed(Index vertex) const { return kept[vertex] != no_index; }
+  Index vertex_count() const { return static_cast<Index>(positions.size()); }
+};
+
+/// A value at a point, such as a distance, object units.
+using PointField = std::function<double(const Vec3d& point)>;
+
+/// The point of the surface that stands for one near it.
+using BringPoint = std::function<Vec3d(const Vec3d& point)>;
+
+}  // namespace burin

@@ -1,0 +1,126 @@
+// Strokes whose solids become part of the surface.
+#include <burin/base/error.h>
+#include <burin/level_set/solid_mesh.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "host/sessions.h"
+#include "support/rods.h"
+#include "support/shapes.h"
+
+namespace burin {
+namespace {
+
+std::vector<Vec3d> arc(double from, double to) {
+  std::vector<Vec3d> places;
+  for (int i = 0; i <= 40; ++i) {
+    const double angle = from + i / 40. * (to - from);
+    places.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  return places;
+}
+
+StrokeSettings tube(SolidOperation operation) {
+  StrokeSettings settings = test::settings("org.burin.tube", 0.2);
+  settings.params = {{"height", 0.0}};
+  settings.solid = operation;
+  settings.voxel = 0.015;
+  return settings;
+}
+
+void draw(Session& session, const StrokeSettings& settings, const std::vector<Vec3d>& places) {
+  session.begin_stroke(settings);
+  double time = 0;
+  for (const Vec3d& place : places) session.add_sample(place, time += 0.01, {});
+  session.end_stroke();
+}
+
+Session sphere_session(SolidMerger merger = merge_solid) {
+  return Session(make_surface(test::sphere(5, 0.2, 3)), test::brushes(), std::move(merger));
+}
+
+TriangleMesh mesh_of(const Session& session) {
+  return {session.surface().positions, session.surface().triangles, {}};
+}
+
+TEST(SolidMerge, IsUndoneExactly) {
+  Session session = sphere_session();
+  draw(session, test::settings("org.burin.bead", 0.2), arc(2, 3));
+  const std::uint64_t before = session.result_hash();
+  const std::vector<Triangle> triangles = session.surface().triangles;
+  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  EXPECT_NE(session.result_hash(), before);
+  EXPECT_EQ(session.generation(), 1u);
+  EXPECT_EQ(session.changed().size(), session.surface().vertex_count());
+  ASSERT_EQ(session.merges().size(), 1u);
+  EXPECT_EQ(session.merges()[0].euler_after, 2);
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.result_hash(), before);
+  EXPECT_TRUE(session.surface().triangles == triangles);
+  EXPECT_EQ(session.generation(), 2u);
+  EXPECT_TRUE(session.merges().empty());
+  EXPECT_TRUE(session.undo());
+  EXPECT_FALSE(session.undo());
+}
+
+TEST(SolidMerge, GoesOnFromTheResult) {
+  Session session = sphere_session();
+  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  const double united = test::extent_of(mesh_of(session)).volume;
+  // Across the tube, and along it once more.
+  draw(session, test::settings("org.burin.bead", 0.15), arc(-0.3, 0.3));
+  EXPECT_GT(test::extent_of(mesh_of(session)).volume, united);
+  const std::uint64_t beaded = session.result_hash();
+  const double with_bead = test::extent_of(mesh_of(session)).volume;
+  draw(session, tube(SolidOperation::difference), arc(-0.2, 0.8));
+  EXPECT_LT(test::extent_of(mesh_of(session)).volume, with_bead);
+  const test::Edges edges = test::edges_of(mesh_of(session));
+  EXPECT_EQ(edges.open + edges.multi, 0u);
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.result_hash(), beaded);
+}
+
+TEST(SolidMerge, IsTheSameFromSampleToSampleAndAtOnce) {
+  const auto hash = [](Show show) {
+    Session session = sphere_session();
+    session.begin_stroke(tube(SolidOperation::unite));
+    double time = 0;
+    for (const Vec3d& place : arc(-0.5, 0.5)) session.add_sample(place, time += 0.01, {}, show);
+    session.end_stroke();
+    return session.result_hash();
+  };
+  EXPECT_EQ(hash(Show::now), hash(Show::later));
+}
+
+TEST(SolidMerge, CarriesPaint) {
+  Session session = sphere_session();
+  Paint paint;
+  for (const Vec3f& p : session.surface().positions) paint.colour.push_back({1, 0, 0, p.z() > 0 ? 1.0F : 0.0F});
+  session.set_paint(paint);
+  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  const Surface& surface = session.surface();
+  ASSERT_EQ(session.paint().colour.size(), surface.vertex_count());
+  for (Index v = 0; v < surface.vertex_count(); ++v) {
+    // Edges are about 0.04 long.
+    if (std::abs(surface.positions[v].z()) < 0.08F) continue;
+    EXPECT_NEAR(session.paint().colour[v].w(), surface.positions[v].z() > 0 ? 1 : 0, 1e-6);
+  }
+  session.undo();
+  EXPECT_TRUE(session.paint().colour == paint.colour);
+}
+
+TEST(SolidMerge, RefusesAndLeavesTheSurfaceAsItWas) {
+  Session plain = sphere_session({});
+  const std::uint64_t before = plain.result_hash();
+  plain.begin_stroke(tube(SolidOperation::unite));
+  plain.add_sample(Vec3d(1, 0, 0), 0, {});
+  EXPECT_THROW(plain.end_stroke(), Error);
+  EXPECT_EQ(plain.result_hash(), before);
+  EXPECT_FALSE(plain.undo());
+  draw(plain, test::settings("org.burin.bead", 0.2), arc(0, 1));
+  EXPECT_NE(plain.result_hash(), before);
+}
+
+}  // namespace
+}  // namespace burin
