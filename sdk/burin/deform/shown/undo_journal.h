@@ -9,12 +9,15 @@
 
 namespace burin {
 
+/// What a stroke made beside the surface.
+enum class MadePart { none, solid, mesh };
+
 /// The positions and paint of the changed vertices before a stroke.
 struct UndoStep {
   std::vector<Index> vertices;
   std::vector<Vec3f> positions;  ///< [i] of vertices[i]
   PaintStep paint;
-  bool made_part = false;  ///< the stroke's solid is a part beside the surface
+  MadePart made = MadePart::none;
 };
 
 /// The undo steps of the finished strokes of a session, newest last. A step takes 16 bytes per vertex that
@@ -25,7 +28,7 @@ class UndoJournal {
   /// Stores the current positions of these vertices, and the paint before the stroke. A stroke that changed
   /// nothing is a step too.
   void record(std::span<const Index> vertices, std::span<const Vec3f> positions_of_surface,
-              PaintStep paint = {}, bool made_part = false);
+              PaintStep paint = {}, MadePart made = MadePart::none);
 
   /// Removes and returns the newest step; nothing if there is none.
   std::optional<UndoStep> take();
