@@ -55,7 +55,7 @@ const std::map<std::string, Names> third_party = {
     {"nlohmann/", {"base", "surface", "stroke", "host_stub"}},
     {"fmt/",
      {"base", "surface", "subdiv", "stroke", "chart", "stamp", "deform", "feature", "refine", "volume",
-      "along", "host", "services", "host_stub"}},
+      "along", "level_set", "host", "services", "host_stub"}},
     {"Eigen/",
      {"base", "surface", "subdiv", "stroke", "chart", "stamp", "deform", "feature", "refine", "volume",
       "along", "host", "services", "host_stub"}},
