@@ -41,7 +41,7 @@ void add_strand(double phase, PolygonMesh& mesh) {
         return first + static_cast<Index>((step + along) * sides + (side + around) % sides);
       };
       mesh.face_sizes.push_back(4);
-      mesh.face_vertices.insert(mesh.face_vertices.end(), {at(0, 0), at(1, 0), at(1, 1), at(0, 1)});
+      mesh.face_vertices.insert(mesh.face_vertices.end(), {at(0, 0), at(0, 1), at(1, 1), at(1, 0)});
     }
   }
 }
