@@ -57,7 +57,9 @@ void read_strokes(const JsonValue& value, const fs::path& folder, BenchCase& int
   read_if(value, "stroke", into.straight, straight_stroke);
   if (into.strokes.empty() == !into.straight) value.reject("takes either 'strokes' or 'stroke'");
   if (!into.straight) return;
-  if (!into.settings.find(&StrokeSettings::brush)) value.reject("lacks 'brush', which a made stroke needs");
+  const AlongSettings* along = into.settings.find(&StrokeSettings::along);
+  if (!into.settings.find(&StrokeSettings::brush) && !(along && along->given()))
+    value.reject("lacks 'brush', which a made stroke needs");
   if (!into.settings.find(&StrokeSettings::radius) && !into.radius_edges)
     value.reject("lacks 'radius' or 'radius_edges', which a made stroke needs");
 }

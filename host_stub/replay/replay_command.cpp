@@ -212,7 +212,7 @@ void run(ReplayOptions& options) {
   warn_of_lost_paint(session, mesh);
   Json json = {{"mesh", mesh.json()}};
   json.update(summary_json(summary));
-  const SolidParts parts(session.parts());
+  const SolidParts parts(session.parts(), session.bent_meshes());
   if (!parts.empty()) json["parts"] = parts.json();
   if (!session.merges().empty()) json["merges"] = merges_json(session.merges());
   save_mesh(options, session, mesh, parts);

@@ -1,6 +1,7 @@
 #include "replay/solid_parts.h"
 
 #include <burin/level_set/solid_mesh.h>
+#include <burin/surface/append_mesh.h>
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -35,20 +36,17 @@ void append_bare(std::vector<Value>& values, std::size_t count, const Value& bar
 
 }  // namespace
 
-SolidParts::SolidParts(std::span<const StrokeSolid> solids) {
+SolidParts::SolidParts(std::span<const StrokeSolid> solids, std::span<const TriangleMesh> bent) {
   for (const StrokeSolid& solid : solids) {
     voxels_.push_back(solid.voxel());
     meshes_.push_back(mesh_of(solid));
   }
+  meshes_.insert(meshes_.end(), bent.begin(), bent.end());
 }
 
 void SolidParts::append_to(TriangleMesh& mesh, VertexPaint& paint) const {
   for (const TriangleMesh& part : meshes_) {
-    const auto first = static_cast<Index>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
-    for (const Triangle& t : part.triangles)
-      mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-    append_bare(mesh.triangle_uv, part.triangles.size(), {Vec2f::Zero(), Vec2f::Zero(), Vec2f::Zero()});
+    append(part, mesh);
     append_bare(paint.colours, part.positions.size(), {0, 0, 0, 0});
     append_bare(paint.masks, part.positions.size(), 1.0F);
   }
@@ -56,20 +54,25 @@ void SolidParts::append_to(TriangleMesh& mesh, VertexPaint& paint) const {
 
 Json SolidParts::json() const {
   Json parts = Json::array();
-  for (std::size_t i = 0; i < meshes_.size(); ++i)
-    parts.push_back({{"voxel", voxels_[i]},
-                     {"vertices", meshes_[i].positions.size()},
-                     {"triangles", meshes_[i].triangles.size()},
-                     {"volume", volume_of(meshes_[i])},
-                     {"area", area_of(meshes_[i])}});
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    Json part = Json::object();
+    if (i < voxels_.size()) part["voxel"] = voxels_[i];
+    part["vertices"] = meshes_[i].positions.size();
+    part["triangles"] = meshes_[i].triangles.size();
+    part["volume"] = volume_of(meshes_[i]);
+    part["area"] = area_of(meshes_[i]);
+    parts.push_back(std::move(part));
+  }
   return parts;
 }
 
 std::string SolidParts::text() const {
   std::string text;
   for (std::size_t i = 0; i < meshes_.size(); ++i)
-    text += fmt::format("part            {} triangles in voxels of {:.3g}, volume {:.4g}, area {:.4g}\n",
-                        meshes_[i].triangles.size(), voxels_[i], volume_of(meshes_[i]), area_of(meshes_[i]));
+    text += fmt::format(
+        "part            {} triangles{}, volume {:.4g}, area {:.4g}\n", meshes_[i].triangles.size(),
+        i < voxels_.size() ? fmt::format(" in voxels of {:.3g}", voxels_[i]) : " bent along the stroke",
+        volume_of(meshes_[i]), area_of(meshes_[i]));
   return text;
 }
 

@@ -10,22 +10,22 @@
 
 namespace burin {
 
-/// The surfaces of the solids that strokes made beside the surface.
+/// What strokes made beside the surface: the surfaces of solids, then meshes that were bent along strokes.
 class SolidParts {
  public:
-  explicit SolidParts(std::span<const StrokeSolid> solids);
+  SolidParts(std::span<const StrokeSolid> solids, std::span<const TriangleMesh> bent);
 
   bool empty() const { return meshes_.empty(); }
 
   /// Appends the parts to a mesh, and to its paint, bare, where it has some.
   void append_to(TriangleMesh& mesh, VertexPaint& paint) const;
 
-  /// Voxel, vertices, triangles, volume and area of each, in object units.
+  /// Vertices, triangles, volume and area of each, and the voxel of those of solids, in object units.
   Json json() const;
   std::string text() const;
 
  private:
-  std::vector<double> voxels_;
+  std::vector<double> voxels_;  ///< [i] of meshes_[i]; of solids only
   std::vector<TriangleMesh> meshes_;
 };
 

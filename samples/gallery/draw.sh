@@ -50,6 +50,11 @@ picture chain wave --radius .14
 picture screw wave --radius .12 --param pitch=.35
 picture rivets wave --radius .1
 
+if is_wanted along; then
+  replay samples/strokes/wave.stroke --along-mesh samples/meshes/plait.obj --radius .1 "${surface[@]}" \
+    --png samples/gallery/along.png --view 0,-.15,-1 --fov 12 --width 520 --height 390
+fi
+
 # under OPTION...: sets `surface` to one with relief, for brushes that change the existing surface.
 under() {
   replay samples/strokes/wave.stroke --mesh samples/meshes/ewer.obj --subdivide 6 \

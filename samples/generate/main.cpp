@@ -9,6 +9,7 @@
 
 #include "cage_file.h"
 #include "ewer_cage.h"
+#include "plait.h"
 #include "sample_strokes.h"
 #include "scales_stamp.h"
 #include "thorn_stamp.h"
@@ -22,6 +23,8 @@ void write_samples(const fs::path& folder) {
   for (const char* name : {"meshes", "strokes", "stamps"}) fs::create_directories(folder / name);
   const burin::PolygonMesh cage = burin::samples::ewer_cage();
   burin::samples::write_cage(folder / "meshes/ewer.obj", "A ewer, to be refined by Catmull-Clark", cage);
+  burin::samples::write_cage(folder / "meshes/plait.obj", "A period of a plait, to be bent along strokes",
+                             burin::samples::plait());
   burin::samples::write_scales(folder / "stamps/scales.exr");
   burin::samples::write_treads(folder / "stamps");
   burin::samples::write_thorn(folder / "stamps/thorn.exr");

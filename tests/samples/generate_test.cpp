@@ -37,7 +37,7 @@ std::map<std::string, fs::path> sample_files(const fs::path& root) {
 
 TEST(Generator, WritesTheCommittedFilesAndNoOthers) {
   const auto expected = sample_files(committed), written = sample_files(generated());
-  ASSERT_EQ(expected.size(), 10u);
+  ASSERT_EQ(expected.size(), 11u);
   for (const auto& [name, path] : expected) EXPECT_TRUE(written.contains(name)) << name;
   EXPECT_EQ(written.size(), expected.size());
 }

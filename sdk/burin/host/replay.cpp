@@ -162,9 +162,11 @@ ReplaySettings replay_settings(const RecordedStroke& stroke, std::size_t number,
   ReplaySettings settings = recorded, told;
   overrides.apply_to(settings);
   overrides.apply_to(told);
-  if (settings.brush.empty()) throw Error(fmt::format("stroke {} names no brush", number + 1));
+  if (settings.along.given()) settings.brush.clear();
+  if (settings.brush.empty() && !settings.along.given())
+    throw Error(fmt::format("stroke {} names no brush", number + 1));
   if (settings.radius == 0) throw Error(fmt::format("stroke {} has no radius", number + 1));
-  const bool same_brush = settings.brush == recorded.brush;
+  const bool same_brush = !settings.along.given() && settings.brush == recorded.brush;
   settings.params = told.params;
   // Parameters of another brush mean nothing to this one.
   if (same_brush) settings.params.insert(recorded.params.begin(), recorded.params.end());

@@ -8,6 +8,7 @@
 #include <burin/deform/shown/undo_journal.h>
 #include <burin/host/session.h>
 #include <burin/host/session/merged_surface.h>
+#include <burin/host/session/no_brush.h>
 #include <burin/host/session/open_stroke.h>
 
 #include <algorithm>
@@ -41,7 +42,7 @@ struct Session::Impl {
   std::span<const Index> apply(const VertexMoves& moves);
   std::span<const Index> note_changed(std::span<const Index> moved, std::span<const Index> painted);
   void commit(std::span<const Index> displaced);
-  bool add_part();
+  MadePart add_part();
   bool merges_solid() const;
   void merge_solid();
   void replace_surface(Surface made, Paint painted);
@@ -79,6 +80,7 @@ struct Session::Impl {
   SolidMerger merger;
   std::vector<MergeReport> merges;
   std::uint64_t generation = 0;
+  std::vector<TriangleMesh> bent_meshes;
   EventCost cost;
 };
 
@@ -161,12 +163,16 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
   return changed;
 }
 
-/// Whether the stroke made one.
-bool Session::Impl::add_part() {
+/// What the stroke made, if anything.
+MadePart Session::Impl::add_part() {
+  if (stroke->bent()) {
+    bent_meshes.push_back(std::move(*stroke->bent()));
+    return MadePart::mesh;
+  }
   std::optional<StrokeSolid>& solid = stroke->solid();
-  if (!solid || solid->empty()) return false;
+  if (!solid || solid->empty()) return MadePart::none;
   parts.push_back(std::move(*solid));
-  return true;
+  return MadePart::solid;
 }
 
 bool Session::Impl::merges_solid() const {
@@ -252,6 +258,7 @@ std::span<const Vec3f> Session::normals() const { return impl_->shown.normals();
 std::uint64_t Session::generation() const { return impl_->generation; }
 std::span<const StrokeSolid> Session::parts() const { return impl_->parts; }
 std::span<const MergeReport> Session::merges() const { return impl_->merges; }
+std::span<const TriangleMesh> Session::bent_meshes() const { return impl_->bent_meshes; }
 const Paint& Session::paint() const { return impl_->paint.shown(); }
 
 void Session::set_paint(Paint paint) {
@@ -261,11 +268,12 @@ void Session::set_paint(Paint paint) {
 void Session::begin_stroke(const StrokeSettings& settings) {
   impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open already");
-    const BrushEntry& entry = impl_->brushes->find(settings.brush);
-    impl_->stroke.emplace(impl_->surface, impl_->picker, *impl_->builders, impl_->brush(entry),
-                          *entry.descriptor, settings);
+    const BrushEntry* entry = settings.along.given() ? nullptr : &impl_->brushes->find(settings.brush);
+    const burin_brush_descriptor& descriptor = entry ? *entry->descriptor : no_brush_descriptor();
+    impl_->stroke.emplace(impl_->surface, impl_->picker, *impl_->builders,
+                          entry ? impl_->brush(*entry) : no_brush(), descriptor, settings);
     impl_->last_live = &impl_->stroke->live();
-    impl_->paint.prepare(entry.descriptor->outputs_written);
+    impl_->paint.prepare(descriptor.outputs_written);
   });
 }
 
@@ -332,7 +340,8 @@ bool Session::undo() {
     clock.lap(Stage::move);
     impl_->commit(step->vertices);
     impl_->paint.restore(step->paint);
-    if (step->made_part) impl_->parts.pop_back();
+    if (step->made == MadePart::solid) impl_->parts.pop_back();
+    if (step->made == MadePart::mesh) impl_->bent_meshes.pop_back();
     clock.lap(Stage::record);
     return true;
   });
@@ -353,6 +362,10 @@ std::uint64_t Session::result_hash() const {
   }
   for (const StrokeSolid& part : parts())
     hashes.push_back(hash_bytes(part.blocks().data(), part.blocks().size_bytes()));
+  for (const TriangleMesh& mesh : bent_meshes()) {
+    hashes.push_back(hash_bytes(mesh.positions.data(), mesh.positions.size() * sizeof mesh.positions[0]));
+    hashes.push_back(hash_bytes(mesh.triangles.data(), mesh.triangles.size() * sizeof mesh.triangles[0]));
+  }
   return hashes.size() == 1 ? hashes.front() : hash_bytes(hashes.data(), hashes.size() * sizeof hashes[0]);
 }
 

@@ -8,6 +8,7 @@
 #include <burin/stroke/stroke_settings.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
+#include <burin/surface/triangle_mesh.h>
 #include <burin/volume/solid.h>
 
 #include <cstdint>
@@ -85,10 +86,13 @@ class Session {
 
   /// What the strokes did that merged a solid with the surface, in their order.
   std::span<const MergeReport> merges() const;
+  /// The meshes that strokes with StrokeSettings::along laid beside the surface, one of each stroke, in the
+  /// order of the strokes. Object units; with the texture coordinates that their sources have.
+  std::span<const TriangleMesh> bent_meshes() const;
 
   /// Opens a stroke. Throws Error for an unknown brush or parameter, a value out of range, a file that cannot
-  /// be read, a brush with inputs that this host does not provide, or dynamics of something that cannot vary;
-  /// ContractError if a stroke is open already.
+  /// be read, a mesh that cannot be bent, a brush with inputs that this host does not provide, or dynamics of
+  /// something that cannot vary; ContractError if a stroke is open already.
   void begin_stroke(const StrokeSettings& settings);
 
   /// Adds a sample at the first intersection of a ray with the surface, or at the surface point closest to a
@@ -135,8 +139,8 @@ class Session {
   /// The cost of the last non-const call (cancel_stroke() does not count).
   const EventCost& cost() const;
 
-  /// XXH3 hash of the current positions, and of colours, masks and parts if there are any, in the vertex
-  /// order of the original mesh.
+  /// XXH3 hash of the current positions, and of colours, masks, parts and bent meshes if there are any, in
+  /// the vertex order of the original mesh.
   std::uint64_t result_hash() const;
 
  private:

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/vector.h>
 #include <burin/stroke/dynamics.h>
 #include <burin/stroke/param_setting.h>
 #include <burin/stroke/pen.h>
@@ -7,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +17,33 @@ namespace burin {
 
 /// Least StrokeSettings::dab_spacing.
 inline constexpr double least_dab_spacing = 0.01;
+
+struct PolygonMesh;
+
+/// A mesh in memory, or the file that it is read from.
+struct MeshSource {
+  std::shared_ptr<const PolygonMesh> mesh;
+  std::string file;  ///< as read_mesh() takes it; read where there is no mesh
+
+  bool given() const { return mesh || !file.empty(); }
+};
+
+/// Meshes that a stroke bends along itself, as parts of their own beside the surface, instead of what a brush
+/// does. The middle of the repeated mesh across runs over the stroke, its lowest point over the surface; half
+/// its width is as wide as the stroke, wherever pen and dynamics make that narrower. The mesh at the start
+/// and that at the end keep their places beside it: all three are drawn in one frame.
+struct AlongSettings {
+  MeshSource middle;      ///< repeated along the stroke; none: the brush draws
+  MeshSource start, end;  ///< once each on strokes that are not closed; may be none
+  Vec3d forward = Vec3d::UnitX(), up = Vec3d::UnitY();  ///< axes of the meshes, at right angles, that run
+                                                        ///< along the stroke and over the surface
+  double spacing = 0;  ///< radii from copy to copy; 0: as many whole copies as fit best, end to end
+  double twist = 0;   ///< turns along the whole stroke, counter-clockwise seen along it; whole ones on closed
+                      ///< strokes
+  double height = 0;  ///< radii, of the lowest point over the surface
+
+  bool given() const { return middle.given(); }
+};
 
 /// What a stroke is drawn with. stroke/files/setting_table.h has the keys and texts of what people set.
 struct StrokeSettings {
@@ -42,6 +71,7 @@ struct StrokeSettings {
                                         ///< nothing else
   double voxel = 0;  ///< edge of the solid's voxels, object units; 0: as fine as the brush's solid needs
   double blend = 0;  ///< radius of the fillet where a merged solid meets the surface, object units; 0: none
+  AlongSettings along;  ///< if given, brush and params decide nothing
 };
 
 /// What a recorded stroke is drawn with: besides, how its samples become a stroke.

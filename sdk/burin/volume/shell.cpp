@@ -147,21 +147,31 @@ std::optional<Prism::Foot> Prism::foot_of(const Vec3d& p) const {
 
 /// The mean of the line between the corners' values and of those that their gradients go on to is right to
 /// second order, since their errors are opposite.
+Vec2d Prism::coordinates_at(double a, double b, const Vec3d& foot) const {
+  const std::array<double, 3> weights{1 - a - b, a, b};
+  double t = 0, d = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d way = foot - corners_[i].position;
+    t += weights[i] * (corners_[i].t + corners_[i].along_t.dot(way) / 2);
+    d += weights[i] * (static_cast<double>(corners_[i].d) + corners_[i].along_d.dot(way) / 2);
+  }
+  return {t, d};
+}
+
 ShellPoint Prism::between(const Foot& foot) const {
-  const Vec3d weights(1 - foot.a - foot.b, foot.a, foot.b);
+  const Vec2d coordinates = coordinates_at(foot.a, foot.b, foot.position);
   ShellPoint point;
+  point.t = coordinates.x();
+  point.d = static_cast<float>(coordinates.y());
   point.h = static_cast<float>(foot.h);
   point.nodes = nodes_;
-  point.weights = weights.cast<float>();
-  double d = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3d way = foot.position - corners_[i].position;
-    const double weight = weights[static_cast<Eigen::Index>(i)];
-    point.t += weight * (corners_[i].t + corners_[i].along_t.dot(way) / 2);
-    d += weight * (static_cast<double>(corners_[i].d) + corners_[i].along_d.dot(way) / 2);
-  }
-  point.d = static_cast<float>(d);
+  point.weights = Vec3d(1 - foot.a - foot.b, foot.a, foot.b).cast<float>();
   return point;
+}
+
+Vec3d Prism::point(double a, double b, double height) const {
+  const Vec3d normal = corners_[0].normal + a * normal_a_ + b * normal_b_;
+  return position(a, b, height / normal.norm());
 }
 
 ShellPoint Prism::from_corner(const Foot& foot, std::size_t corner) const {

@@ -46,6 +46,18 @@ class Prism {
 
   const std::array<Index, 3>& nodes() const { return nodes_; }
 
+  /// The other way around: (t, d) where the corners 1 and 2 have the weights a and b, to second order, and
+  /// the point of space at a height over there, object units. Beyond the triangle both go on.
+  Vec2d coordinates(double a, double b) const { return coordinates_at(a, b, position(a, b, 0)); }
+  Vec3d point(double a, double b, double height) const;
+
+  Vec2d coordinates_of(std::size_t corner) const {
+    return {corners_[corner].t, static_cast<double>(corners_[corner].d)};
+  }
+
+  /// Whether the coordinates at the corners are those of different legs of a bend.
+  bool parted() const { return parted_; }
+
   /// Whether the triangle's own side is that of its normals: others hold no points.
   bool upright() const;
 
@@ -57,6 +69,7 @@ class Prism {
 
   std::optional<Foot> foot_of(const Vec3d& p) const;
   ShellPoint between(const Foot& foot) const;
+  Vec2d coordinates_at(double a, double b, const Vec3d& foot) const;
   ShellPoint from_corner(const Foot& foot, std::size_t corner) const;
   Vec3d position(double a, double b, double h) const;
   /// Of (a, b, h) at this height: the columns are the derivatives of position().
@@ -74,7 +87,7 @@ class Prism {
   double size_;                                  ///< length of the longer of the two edges, object units
   std::array<double, 3> least_weight_;           ///< that within() allows
   int axis_;
-  bool parted_ = false;  ///< see is_parted()
+  bool parted_ = false;
 };
 
 /// All prisms over a chart, in the order of its triangles.

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -70,6 +71,9 @@ class StrokeSolid {
   /// distance is not finite: that of the lowest block; and what `distance` throws. Costs time and memory in
   /// proportion to the voxels near the solid's surface and within, and to the chart.
   StrokeSolid(const SolidGround& ground, const SolidExtent& extent, const DistanceToSolid& distance);
+
+  /// Takes voxels of this edge as they are: blocks as blocks() has them.
+  StrokeSolid(double voxel, std::vector<VoxelBlock> blocks) : voxel_(voxel), blocks_(std::move(blocks)) {}
 
   /// Adds another solid of the same voxel: afterwards this is both.
   void add(const StrokeSolid& other);

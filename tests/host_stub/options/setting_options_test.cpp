@@ -27,6 +27,19 @@ struct Example {
   bool draws_the_same = false;  ///< as without it
 };
 
+/// A mesh to bend along strokes.
+const std::string& wedge() {
+  static const CommandFolder folder;
+  static const std::string path =
+      folder.write("wedge.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
+  return path;
+}
+
+/// An example of what wants a mesh along the stroke.
+Example along(const json& value, const std::string& typed) {
+  return {value, {typed}, {{"along_mesh", wedge()}}, {"--along-mesh", wedge()}};
+}
+
 const std::map<std::string, Example>& examples() {
   static const std::map<std::string, Example> all = {
       {"brush", {"org.burin.bead", {"org.burin.bead"}}},
@@ -58,6 +71,13 @@ const std::map<std::string, Example>& examples() {
         {"0.03"},
         {{"brush", "org.burin.tube"}, {"solid", "union"}, {"voxel", 0.02}},
         {"--brush", "org.burin.tube", "--solid", "union", "--voxel", "0.02"}}},
+      {"along_mesh", {wedge(), {wedge()}}},
+      {"along_start", along(wedge(), wedge())},
+      {"along_end", along(wedge(), wedge())},
+      {"along_axes", along("-z,y", "-z,y")},
+      {"along_spacing", along(3, "3")},
+      {"along_twist", along(-0.5, "-0.5")},
+      {"along_height", along(0.25, "0.25")},
       {"mirror", {"xz", {"xz"}}},
       {"radial", {3, {"3"}}},
       {"radial_axis", {"z", {"z"}, {{"radial", 3}}, {"--radial", "3"}}},
@@ -164,9 +184,10 @@ TEST(Settings, AreRefusedByTheirOption) {
   const Settings in;
   const std::string stroke = in.write("a.stroke", crossing_stroke(json::object()));
   for (const SettingRow& row : setting_table()) {
-    if (row.form == SettingForm::flag || row.key == "brush") continue;  // takes any text, or none
-    const ProcessResult result =
-        burin({"replay", stroke, "--mesh", in.mesh, row.option, "?", "--radial", "2"});
+    if (row.form == SettingForm::flag || row.key == "brush" || row.typed == "FILE")
+      continue;  // takes any text, or none
+    const ProcessResult result = burin(
+        {"replay", stroke, "--mesh", in.mesh, row.option, "?", "--radial", "2", "--along-mesh", wedge()});
     EXPECT_EQ(result.exit_code, 2) << row.option;
     EXPECT_EQ(result.err.rfind("burin: " + row.option + ": ", 0), 0u) << result.err;
   }

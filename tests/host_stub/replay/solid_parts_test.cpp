@@ -93,7 +93,7 @@ TEST(SolidMerges, AreRefusedOnOpenSurfacesAndBelowTheFinestLevel) {
   });
   const std::string path = laid.folder.write("open.obj", obj_text(open)), saved = laid.folder.path("out.ply");
   const auto refused = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> arguments = {"replay",     laid.stroke,   "--solid",
+    std::vector<std::string> arguments = {"replay", laid.stroke, "--param", "height=0", "--solid",
                                           "difference", "--save-mesh", saved};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const ProcessResult result = burin(arguments);
@@ -105,6 +105,69 @@ TEST(SolidMerges, AreRefusedOnOpenSurfacesAndBelowTheFinestLevel) {
   EXPECT_NE(
       refused({"--mesh", laid.mesh_path, "--subdivide", "1", "--sculpt-level", "0"}).find("--sculpt-level"),
       std::string::npos);
+}
+
+/// The stroke of a Laid, with a box bent along it; no brush.
+struct LaidBox : Laid {
+  std::string box = folder.write("box.obj",
+                                 "v 0 0 0\nv 4 0 0\nv 0 1 0\nv 4 1 0\nv 0 0 2\nv 4 0 2\nv 0 1 2\nv 4 1 2\n"
+                                 "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                                 "f 1/1 3/2 4/3 2/4\nf 5/1 6/2 8/3 7/4\nf 1/1 2/2 6/3 5/4\n"
+                                 "f 3/1 7/2 8/3 4/4\nf 1/1 5/2 7/3 3/4\nf 2/1 4/2 8/3 6/4\n");
+
+  ProcessResult refused(const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments = {"replay", stroke, "--mesh", mesh_path, "--save-mesh", saved};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return burin(arguments);
+  }
+  std::string saved = folder.path("out.ply");
+};
+
+// A box of 1.2 x 0.4 x 0.2 before it is bent, on a sphere.
+TEST(BentParts, AreListedAndSavedBesideTheSurface) {
+  const LaidBox laid;
+  const json told = laid.replayed({"--along-mesh", laid.box, "--save-mesh", laid.saved});
+  ASSERT_EQ(told["parts"].size(), 1u);
+  const json& part = told["parts"][0];
+  EXPECT_FALSE(part.contains("voxel"));
+  const double volume = 1.2 * 2 * std::sin(0.2) * (std::pow(1.2, 3) - 1) / 3;
+  EXPECT_NEAR(part["volume"].get<double>(), volume, 0.005 * volume);
+  const PolygonMesh mesh = read_mesh(laid.saved);
+  EXPECT_EQ(mesh.positions.size(), laid.mesh.positions.size() + part["vertices"].get<std::size_t>());
+  ASSERT_EQ(mesh.corner_uv.size(), mesh.face_vertices.size());
+  EXPECT_EQ(std::ranges::max(mesh.corner_uv, {}, [](const Vec2f& uv) { return uv.x(); }).x(), 1);
+  const auto two =
+      laid.replayed({"--along-mesh", laid.box, "--along-spacing", "4.5", "--along-axes=-z,y", "--along-start",
+                     laid.box, "--along-end", laid.box, "--along-twist", "0.5", "--along-height", "-0.5"});
+  EXPECT_NE(two["result_hash"], told["result_hash"]);
+}
+
+TEST(BentParts, AreRefusedInOneLine) {
+  const LaidBox laid;
+  const std::string empty = laid.folder.write("empty.obj", "v 0 0 0\n"),
+                    flat = laid.folder.write("flat.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
+  const auto line = [&](const std::vector<std::string>& options) {
+    const ProcessResult result = laid.refused(options);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(laid.saved));
+    return result.err;
+  };
+  const std::string stroke = "burin: " + laid.stroke + ": stroke 1: ";
+  EXPECT_EQ(line({"--along-mesh", laid.folder.path("none.obj")}),
+            stroke + laid.folder.path("none.obj") + ": No such file or directory\n");
+  EXPECT_EQ(line({"--along-mesh", empty}), stroke + empty + ": has no face\n");
+  EXPECT_EQ(line({"--along-mesh", flat}), stroke + flat + ": the mesh has no length along the stroke\n");
+  EXPECT_EQ(line({"--along-mesh", laid.box, "--along-end", flat}),
+            stroke + flat + ": the mesh has no length along the stroke\n");
+  EXPECT_NE(line({"--along-mesh", laid.box, "--along-spacing", "0"}).find("must be a number above 0"),
+            std::string::npos);
+  EXPECT_NE(line({"--along-mesh", laid.box, "--along-spacing", "1e-9"}).find("copies of the mesh"),
+            std::string::npos);
+  EXPECT_NE(line({"--along-mesh", laid.box, "--along-axes", "x,-x"}).find("must be two axes"),
+            std::string::npos);
+  EXPECT_NE(line({"--along-mesh", laid.box, "--dabs", "1"}).find("row of dabs"), std::string::npos);
+  EXPECT_NE(line({"--along-twist", "1"}).find("--along-mesh"), std::string::npos);
 }
 
 }  // namespace

@@ -5,13 +5,13 @@
 namespace burin {
 
 void UndoJournal::record(std::span<const Index> vertices, std::span<const Vec3f> positions_of_surface,
-                         PaintStep paint, bool made_part) {
+                         PaintStep paint, MadePart made) {
   UndoStep step;
   step.vertices.assign(vertices.begin(), vertices.end());
   step.positions.reserve(vertices.size());
   for (const Index vertex : vertices) step.positions.push_back(positions_of_surface[vertex]);
   step.paint = std::move(paint);
-  step.made_part = made_part;
+  step.made = made;
   steps_.push_back(std::move(step));
 }
 

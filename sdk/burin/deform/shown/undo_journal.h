@@ -10,12 +10,15 @@
 
 namespace burin {
 
+/// What a stroke made beside the surface.
+enum class MadePart { none, solid, mesh };
+
 /// The positions and paint of the changed vertices before a stroke.
 struct UndoStep {
   std::vector<Index> vertices;
   std::vector<Vec3f> positions;  ///< [i] of vertices[i]
   PaintStep paint;
-  bool made_part = false;          ///< the stroke's solid is a part beside the surface
+  MadePart made = MadePart::none;
   std::optional<Surface> surface;  ///< instead of all else but surface_paint: what the stroke replaced
   Paint surface_paint;             ///< of that
 };
@@ -28,7 +31,7 @@ class UndoJournal {
   /// Stores the current positions of these vertices, and the paint before the stroke. A stroke that changed
   /// nothing is a step too.
   void record(std::span<const Index> vertices, std::span<const Vec3f> positions_of_surface,
-              PaintStep paint = {}, bool made_part = false);
+              PaintStep paint = {}, MadePart made = MadePart::none);
 
   /// Stores a surface and its paint that a stroke replaced.
   void record(Surface surface, Paint paint);

@@ -2,6 +2,7 @@
 #include <burin/base/sort_unique.h>
 #include <burin/deform/blend/blend.h>
 #include <burin/host/session/open_stroke.h>
+#include <burin/surface/append_mesh.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +13,20 @@
 namespace burin {
 namespace {
 
-const StrokeSettings& checked(const StrokeSettings& settings) {
+void check(const AlongSettings& along) {
+  const auto unit = [](const Vec3d& axis) { return std::abs(axis.norm() - 1) < 1e-9; };
+  if (!unit(along.forward) || !unit(along.up) || std::abs(along.forward.dot(along.up)) > 1e-9)
+    throw ContractError("the axes of meshes along a stroke must be unit vectors at right angles");
+  if (!(along.spacing >= 0 && std::isfinite(along.spacing)))
+    throw ContractError(
+        fmt::format("the spacing of meshes along a stroke must be 0 or above, not {}", along.spacing));
+  if (!std::isfinite(along.twist) || !std::isfinite(along.height))
+    throw ContractError("twist and height of meshes along a stroke must be finite");
+}
+
+/// With meshes along the stroke there is no brush whose parameters there could be, and their chart goes on
+/// beyond its ends.
+StrokeSettings checked(StrokeSettings settings) {
   // Brushes compute in floats, so the values must be finite and positive as floats.
   const auto radius = static_cast<float>(settings.radius), strength = static_cast<float>(settings.strength);
   if (!(std::isfinite(radius) && radius > 0))
@@ -31,6 +45,11 @@ const StrokeSettings& checked(const StrokeSettings& settings) {
     throw ContractError(fmt::format("a solid's voxel must be 0 or above, not {}", settings.voxel));
   if (!(settings.blend >= 0 && std::isfinite(settings.blend)))
     throw ContractError(fmt::format("a solid's blend must be 0 or above, not {}", settings.blend));
+  if (settings.along.given()) {
+    check(settings.along);
+    settings.params.clear();
+    settings.cap = Cap::round;
+  }
   return settings;
 }
 
@@ -68,14 +87,17 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, ChartBuilde
       picker_(&picker),
       builders_(&builders),
       settings_(checked(settings)),
-      params_(descriptor, settings.params),
+      params_(descriptor, settings_.params),
       narrowest_(StrokeWidth(settings.pressure_width, settings.dynamics,
                              {.fields = settings.fields, .radius = settings.radius, .seed = settings.seed})
                      .narrowest()),
       brush_stroke_(brush, descriptor, context(0, {}), params_.abi()),
       images_(symmetry_instances(settings_.symmetry)),
       last_time_(-std::numeric_limits<double>::infinity()) {
-  if (makes_solid()) {
+  if (settings_.along.given()) {
+    if (settings_.dab_spacing > 0) throw Error("meshes cannot be bent along a row of dabs");
+    along_.emplace(settings_.along);
+  } else if (makes_solid()) {
     if (settings_.dab_spacing > 0) throw Error(fmt::format("{}: makes no solids of dabs", descriptor.id));
     solid_stroke_.emplace(brush_stroke_);
   }
@@ -91,7 +113,7 @@ void OpenStroke::begin_instances() {
   for (const SymmetryInstance& image : images_)
     instances_.emplace_back(*surface_, *picker_, *builders_, settings_, image, brush_stroke_,
                             instances_.empty() ? nullptr : &instances_.front());
-  if (solid_stroke_) return;
+  if (makes_part()) return;
   if (settings_.accumulate == Accumulate::from_current) accumulate();
   if (passes_read_neighbours()) look_around();
 }
@@ -146,8 +168,8 @@ void OpenStroke::trace(const CurveGround::Place& at, double time, const Pen& pen
 }
 
 VertexMoves OpenStroke::draw(const StrokeTools& tools) {
-  // Solids are made at the end.
-  if (solid_stroke_ || std::ranges::none_of(instances_, &StrokeInstance::has_changes)) return {};
+  // Parts are made at the end.
+  if (makes_part() || std::ranges::none_of(instances_, &StrokeInstance::has_changes)) return {};
   std::vector<StrokeChanges> changes;
   for (StrokeInstance& instance : instances_)
     changes.push_back(instance.empty() ? StrokeChanges{}
@@ -167,8 +189,8 @@ VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
                           ? StrokeChanges{}
                           : instance.finish(news, brush_stroke_.plan().end_influence, tools.cost));
   tools.clock.lap(Stage::chart);
-  if (!solid_stroke_) return go_on(changes, BURIN_STROKE_FINAL, tools);
-  make_solid(tools.paint);
+  if (!makes_part()) return go_on(changes, BURIN_STROKE_FINAL, tools);
+  along_ ? bend_meshes(tools.paint) : make_solid(tools.paint);
   tools.clock.lap(Stage::evaluate);
   return {};
 }
@@ -188,6 +210,25 @@ void OpenStroke::make_solid(const Paint& paint) {
       solid_->add(made);
     else
       solid_ = std::move(made);
+  }
+}
+
+/// Adds those along the piece's images to the part of the stroke.
+void OpenStroke::bend_meshes(const Paint& paint) {
+  for (const StrokeInstance& instance : instances_) {
+    if (instance.empty()) continue;
+    const NodeSource source = instance.source(paint);
+    const Chart chart = instance.live().sorted();
+    const SurfaceCurve& curve = instance.curve();
+    const SolidGround ground{*surface_, chart, [&](Index vertex) { return source.base_place(vertex); }};
+    TriangleMesh made =
+        along_->bend({.ground = ground,
+                      .radius = settings_.radius,
+                      .width = [&](double t) { return static_cast<double>(pen_at(curve, t).width); },
+                      .mirrored = instance.image().mirrored});
+    if (made.triangles.empty()) continue;
+    if (!bent_) bent_.emplace();
+    append(made, *bent_);
   }
 }
 
@@ -267,8 +308,8 @@ VertexMoves OpenStroke::blend(std::vector<Index> vertices, const Paint& paint) c
 }
 
 void OpenStroke::keep_piece() {
-  // The solid has all of it.
-  if (!solid_stroke_) earlier_.add(piece_sheets(), settings_.radius);
+  // The part has all of it.
+  if (!makes_part()) earlier_.add(piece_sheets(), settings_.radius);
   piece_kept_ = true;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/along/along_parts.h>
 #include <burin/deform/accumulation.h>
 #include <burin/deform/blend/earlier_pieces.h>
 #include <burin/deform/evaluate/brush_stroke.h>
@@ -42,7 +43,7 @@ class OpenStroke {
              const burin_brush_descriptor& descriptor, const StrokeSettings& settings);
 
   /// Whether no piece has a sample.
-  bool empty() const { return earlier_.count() == 0 && !solid_ && piece_empty(); }
+  bool empty() const { return earlier_.count() == 0 && !solid_ && !bent_ && piece_empty(); }
   bool piece_empty() const { return primary_instance().empty(); }
   double radius() const { return settings_.radius; }
   const SurfaceCurve& curve() const { return primary_instance().curve(); }
@@ -74,6 +75,9 @@ class OpenStroke {
   SolidOperation solid_operation() const { return solid_operation_; }
   double blend() const { return settings_.blend; }
 
+  /// Of a stroke that bends meshes along itself, what its finished pieces have made, if anything.
+  std::optional<TriangleMesh>& bent() { return bent_; }
+
   /// Stores the finished piece with the earlier ones. begin_piece() must follow before the next sample.
   void keep_piece();
   bool piece_kept() const { return piece_kept_; }
@@ -84,6 +88,7 @@ class OpenStroke {
  private:
   const StrokeInstance& primary_instance() const { return instances_.front(); }
   bool makes_solid() const;
+  bool makes_part() const { return solid_stroke_ || along_; }
   void begin_instances();
   void accumulate();
   void look_around();
@@ -96,6 +101,7 @@ class OpenStroke {
   VertexMoves blend(std::vector<Index> vertices, const Paint& paint) const;
   std::vector<InstanceSheets> piece_sheets() const;
   void make_solid(const Paint& paint);
+  void bend_meshes(const Paint& paint);
 
   const Surface* surface_;
   const Picker* picker_;
@@ -112,6 +118,8 @@ class OpenStroke {
   std::optional<SolidStroke> solid_stroke_;  ///< of strokes that make a solid, instead of all else
   std::optional<StrokeSolid> solid_;
   SolidOperation solid_operation_ = SolidOperation::none;
+  std::optional<AlongParts> along_;  ///< of strokes that bend meshes along themselves, instead of all else
+  std::optional<TriangleMesh> bent_;
   bool piece_kept_ = false;  ///< the current piece was kept, and no other was started
   double last_time_;
 };

@@ -1,3 +1,4 @@
+#include <burin/along/along_parts.h>
 #include <burin/host/session/stroke_instance.h>
 
 #include <algorithm>
@@ -66,8 +67,14 @@ CurveGround StrokeInstance::begun(const Surface& surface, const Picker& picker, 
     return {surface, picker, base_};
   }
   builder_ = &builders[image.index].stroke;
-  builder_->begin(
-      {.radius = settings.radius, .cap = settings.cap, .join = settings.join, .follow = settings.follow});
+  ChartOptions options{
+      .radius = settings.radius, .cap = settings.cap, .join = settings.join, .follow = settings.follow};
+  if (settings.along.given()) {
+    // Wider, on the same base surface, whose relief is as fine as radius * (1 - follow).
+    options.radius *= AlongParts::chart_radii;
+    options.follow = 1 - (1 - settings.follow) / AlongParts::chart_radii;
+  }
+  builder_->begin(options);
   base_ = builder_->base();
   return {surface, picker, base_};
 }

@@ -184,6 +184,69 @@ std::vector<SettingRow> solid_rows() {
                      &S::blend, read_not_negative)};
 }
 
+/// A row of a part of the meshes along the stroke, which decides nothing without one.
+template <class Read>
+SettingRow along_row(SettingRow row, const Read& read) {
+  if (row.key != "along_mesh") row.needs = "along_mesh";
+  row.read = [read](const JsonValue& value, GivenSettings& into) {
+    read(value, into[&StrokeSettings::along]);
+  };
+  return row;
+}
+
+SettingRow along_file_row(SettingRow row, MeshSource AlongSettings::*source) {
+  row.values = "a file";
+  row.typed = "FILE";
+  return along_row(std::move(row), [source](const JsonValue& value, AlongSettings& into) {
+    into.*source = {{}, value.text()};
+  });
+}
+
+SettingRow along_number_row(SettingRow row, double AlongSettings::*member, double (*read)(const JsonValue&)) {
+  row.form = SettingForm::number;
+  if (row.values.empty()) row.values = "a number";
+  if (row.typed.empty()) row.typed = "NUMBER";
+  return along_row(std::move(row), [member, read](const JsonValue& value, AlongSettings& into) {
+    into.*member = read(value);
+  });
+}
+
+std::vector<SettingRow> along_rows() {
+  return {along_file_row({.key = "along_mesh",
+                          .help = "bend copies of this mesh along the stroke, instead of what a brush does",
+                          .initial = "none"},
+                         &AlongSettings::middle),
+          along_file_row(
+              {.key = "along_start", .help = "bend this mesh to the start of the stroke", .initial = "none"},
+              &AlongSettings::start),
+          along_file_row(
+              {.key = "along_end", .help = "bend this mesh to the end of the stroke", .initial = "none"},
+              &AlongSettings::end),
+          along_row({.key = "along_axes",
+                     .help = "axes of these meshes that run along the stroke and up",
+                     .values = "two of `x`, `y`, `z`, `-x`, `-y` and `-z`: `-z,y`",
+                     .typed = "FORWARD,UP",
+                     .initial = "x,y"},
+                    read_axes),
+          along_number_row({.key = "along_spacing",
+                            .help = "from copy to copy",
+                            .values = "a number above 0",
+                            .typed = "NUMBER > 0",
+                            .unit = "radii",
+                            .initial = "as many whole copies as fit, end to end"},
+                           &AlongSettings::spacing, read_radius),
+          along_number_row({.key = "along_twist",
+                            .help = "turn the meshes so often from the start of the stroke to its end",
+                            .unit = "turns",
+                            .initial = "0"},
+                           &AlongSettings::twist, read_finite),
+          along_number_row({.key = "along_height",
+                            .help = "height of the meshes' lowest point over the surface",
+                            .unit = "radii",
+                            .initial = "0"},
+                           &AlongSettings::height, read_finite)};
+}
+
 constexpr std::array named_axes{Named{"x", 0}, Named{"y", 1}, Named{"z", 2}};
 
 std::vector<SettingRow> symmetry_rows() {
@@ -241,7 +304,7 @@ std::vector<SettingRow> sample_rows() {
 
 std::vector<SettingRow> all_rows() {
   std::vector<SettingRow> rows;
-  for (auto some : {basic_rows, shape_rows, solid_rows, symmetry_rows, sample_rows})
+  for (auto some : {basic_rows, shape_rows, solid_rows, along_rows, symmetry_rows, sample_rows})
     std::ranges::move(some(), std::back_inserter(rows));
   for (SettingRow& row : rows) {
     if (!row.option.empty()) continue;

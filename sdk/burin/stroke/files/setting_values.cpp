@@ -90,6 +90,28 @@ Stabilising read_stabilising(const JsonValue& value) {
   return {kind == "string" ? Stabilising::Kind::string : Stabilising::Kind::exponential, amount};
 }
 
+namespace {
+
+/// "x", "-y" ...; none for anything else.
+std::optional<Vec3d> parse_axis(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  if (text.size() != 1 || text[0] < 'x' || text[0] > 'z') return {};
+  return (negative ? -1 : 1) * Vec3d::Unit(text[0] - 'x');
+}
+
+}  // namespace
+
+void read_axes(const JsonValue& value, AlongSettings& into) {
+  const std::string text = value.is_text() ? value.text() : "";
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const auto forward = parse_axis(std::string_view(text).substr(0, comma)),
+             up = parse_axis(std::string_view(text).substr(std::min(comma + 1, text.size())));
+  if (!forward || !up || forward->dot(*up) != 0) value.reject_type("two axes such as x,y or -z,y");
+  into.forward = *forward;
+  into.up = *up;
+}
+
 void read_mirrors(const JsonValue& value, Symmetry& into) {
   const std::string axes = value.text();
   if (axes.empty() || axes.find_first_not_of("xyz") != std::string::npos)

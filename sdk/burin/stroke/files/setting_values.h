@@ -4,6 +4,7 @@
 #include <burin/stroke/dynamics.h>
 #include <burin/stroke/param_setting.h>
 #include <burin/stroke/stroke_choices.h>
+#include <burin/stroke/stroke_settings.h>
 #include <burin/stroke/symmetry.h>
 
 #include <array>
@@ -31,6 +32,8 @@ std::vector<Dynamic> read_dynamics(const JsonValue& value);
 Closure read_closure(const JsonValue& value);
 /// "string:LENGTH" or "exponential:SECONDS".
 Stabilising read_stabilising(const JsonValue& value);
+/// "-z,y": the axes that run along the stroke and up.
+void read_axes(const JsonValue& value, AlongSettings& into);
 /// "x", "yz" ...: sets these mirrors.
 void read_mirrors(const JsonValue& value, Symmetry& into);
 

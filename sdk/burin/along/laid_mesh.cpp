@@ -1,0 +1,21 @@
+#include <burin/along/laid_mesh.h>
+
+namespace burin {
+
+void lay(const SourcePart& part, const CopyPlace& place, const LaidFrame& frame, bool with_uv,
+         LaidMesh& into) {
+  const auto first = static_cast<Index>(into.points.size());
+  for (const Vec3d& point : part.points) {
+    const double share = part.share(point);
+    const double t = share == 1 ? place.end : place.begin + share * (place.end - place.begin);
+    into.points.emplace_back(t, frame.scale * (point.y() - frame.across),
+                             frame.scale * (point.z() - frame.up));
+  }
+  for (const Triangle& t : part.triangles)
+    into.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  if (!with_uv) return;
+  into.triangle_uv.insert(into.triangle_uv.end(), part.triangle_uv.begin(), part.triangle_uv.end());
+  into.triangle_uv.resize(into.triangles.size(), {Vec2f::Zero(), Vec2f::Zero(), Vec2f::Zero()});
+}
+
+}  // namespace burin
