@@ -41,6 +41,7 @@ picture patterned-line wave --radius .1 --param figure=chain --param spacing=2.6
 picture patterned-fill wave --radius .14 --param pattern=hexagons --param fill=.85 --param cell=.5 \
   --param height=.12 --param bevel=.08
 picture arrow wave --radius .15 --param colour=.5,.03,.02,1
+picture wave wave --radius .07 --param wavelength=2.6 --param amplitude=.5 --param width=.4 --param height=.25
 picture text wave --radius .15 --param text=Engraver --param size=1.6 --param align=middle --param height=.12 \
   --param bevel=.05
 

@@ -241,6 +241,11 @@
   MEMBER(burin_volume, reserved, 4) \
   MEMBER(burin_volume, plan, 8) \
   MEMBER(burin_volume, distance, 16) \
+  STRUCT(burin_curve_reach, 24) \
+  MEMBER(burin_curve_reach, struct_size, 0) \
+  MEMBER(burin_curve_reach, reserved, 4) \
+  MEMBER(burin_curve_reach, behind, 8) \
+  MEMBER(burin_curve_reach, ahead, 16) \
   STRUCT(burin_curve_points, 168) \
   MEMBER(burin_curve_points, struct_size, 0) \
   MEMBER(burin_curve_points, count, 4) \
@@ -251,7 +256,7 @@
   STRUCT(burin_curve_filter, 24) \
   MEMBER(burin_curve_filter, struct_size, 0) \
   MEMBER(burin_curve_filter, reserved, 4) \
-  MEMBER(burin_curve_filter, lookahead, 8) \
+  MEMBER(burin_curve_filter, reach, 8) \
   MEMBER(burin_curve_filter, filter, 16) \
   STRUCT(burin_bench_budget, 16) \
   MEMBER(burin_bench_budget, struct_size, 0) \

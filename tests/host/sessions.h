@@ -23,7 +23,7 @@ inline const BrushLibrary& brushes() {
   static const auto library = [] {
     auto loaded = std::make_unique<BrushLibrary>(nullptr, stamp_services());
     loaded->load_folder(brushes_folder);
-    for (const char* brush : {"every_input.burin", "raise_to.burin"})
+    for (const char* brush : {"curve_filters.burin", "every_input.burin", "raise_to.burin"})
       loaded->load(test_brushes_folder / brush);
     loaded->load(test_plugins_folder / "absurd_brush.burin");
     loaded->load(test_plugins_folder / "nan_brush.burin");

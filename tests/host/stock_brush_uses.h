@@ -40,6 +40,7 @@ inline const std::vector<BrushUse> stock_brush_uses = {
     {"org.burin.text", {}},
     {"org.burin.tread", {{"stamp", std::string(BURIN_SAMPLES "/stamps/tread.exr")}}},
     {"org.burin.vdm-trail", {{"stamp", std::string(BURIN_SAMPLES "/stamps/thorn.exr")}}},
+    {"org.burin.wave", {}},
 };
 
 /// The same of those that make solids and do nothing else.
