@@ -1,5 +1,5 @@
-// The one source that sees OpenVDB. Surfaces come of its dual contouring, whose vertices are brought to where
-// the distance is 0, taken as quadratic between voxels, and relaxed along the surface.
+// Surfaces come of OpenVDB's dual contouring, whose vertices are brought to where the distance is 0, taken as
+// quadratic between voxels, and relaxed along the surface.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/base/parallel.h>
