@@ -1,6 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
+#include <burin/level_set/solid_mesh.h>
 #include <burin/services/stamp_services.h>
 #include <fmt/format.h>
 
@@ -57,7 +58,7 @@ std::filesystem::path picture_folder(const BenchOptions& options) {
 }
 
 SuiteResult run_here(const Suite& suite, const BenchOptions& options) {
-  BrushLibrary brushes(log_on_console, stamp_services());
+  BrushLibrary brushes(log_on_console, stamp_services(read_vdb));
   load_brushes(brushes);
   const BenchCase& one = suite.cases[0];
   ProgressBar bar;

@@ -193,7 +193,7 @@ ParamSettings read_params(const ReplayOptions& options, const BrushLibrary& libr
 }
 
 void run(ReplayOptions& options) {
-  BrushLibrary library(log_on_console, stamp_services());
+  BrushLibrary library(log_on_console, stamp_services(read_vdb));
   load_brushes(library);
   check_options(options, library);
   options.settings[&StrokeSettings::params] = read_params(options, library);

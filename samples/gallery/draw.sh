@@ -41,6 +41,7 @@ picture patterned-line wave --radius .1 --param figure=chain --param spacing=2.6
 picture patterned-fill wave --radius .14 --param pattern=hexagons --param fill=.85 --param cell=.5 \
   --param height=.12 --param bevel=.08
 picture arrow wave --radius .15 --param colour=.5,.03,.02,1
+picture wave wave --radius .07 --param wavelength=2.6 --param amplitude=.5 --param width=.4 --param height=.25
 picture text wave --radius .15 --param text=Engraver --param size=1.6 --param align=middle --param height=.12 \
   --param bevel=.05
 
@@ -49,6 +50,9 @@ picture cable wave --radius .12
 picture chain wave --radius .14
 picture screw wave --radius .12 --param pitch=.35
 picture rivets wave --radius .1
+picture carve wave --radius .14
+picture zipper wave --radius .12
+picture vdb-trail wave --radius .14 --param stamp=samples/solids/rail.vdb
 
 if is_wanted along; then
   replay samples/strokes/wave.stroke --along-mesh samples/meshes/plait.obj --radius .1 "${surface[@]}" \

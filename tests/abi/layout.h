@@ -14,6 +14,7 @@
 #include <burin/abi/ext/log.h>
 #include <burin/abi/ext/stamps.h>
 #include <burin/abi/ext/state.h>
+#include <burin/abi/ext/vdb_stamps.h>
 #include <burin/abi/ext/volume.h>
 #include <burin/abi/plugin.h>
 
@@ -241,6 +242,11 @@
   MEMBER(burin_volume, reserved, 4) \
   MEMBER(burin_volume, plan, 8) \
   MEMBER(burin_volume, distance, 16) \
+  STRUCT(burin_curve_reach, 24) \
+  MEMBER(burin_curve_reach, struct_size, 0) \
+  MEMBER(burin_curve_reach, reserved, 4) \
+  MEMBER(burin_curve_reach, behind, 8) \
+  MEMBER(burin_curve_reach, ahead, 16) \
   STRUCT(burin_curve_points, 168) \
   MEMBER(burin_curve_points, struct_size, 0) \
   MEMBER(burin_curve_points, count, 4) \
@@ -251,8 +257,28 @@
   STRUCT(burin_curve_filter, 24) \
   MEMBER(burin_curve_filter, struct_size, 0) \
   MEMBER(burin_curve_filter, reserved, 4) \
-  MEMBER(burin_curve_filter, lookahead, 8) \
+  MEMBER(burin_curve_filter, reach, 8) \
   MEMBER(burin_curve_filter, filter, 16) \
+  STRUCT(burin_vdb_stamp, 8) \
+  MEMBER(burin_vdb_stamp, handle, 0) \
+  STRUCT(burin_vdb_options, 24) \
+  MEMBER(burin_vdb_options, struct_size, 0) \
+  MEMBER(burin_vdb_options, periodic, 4) \
+  MEMBER(burin_vdb_options, grid, 8) \
+  MEMBER(burin_vdb_options, surface_at, 16) \
+  STRUCT(burin_vdb_info, 32) \
+  MEMBER(burin_vdb_info, struct_size, 0) \
+  MEMBER(burin_vdb_info, kind, 4) \
+  MEMBER(burin_vdb_info, size, 8) \
+  MEMBER(burin_vdb_info, minimum, 20) \
+  MEMBER(burin_vdb_info, maximum, 24) \
+  MEMBER(burin_vdb_info, reserved, 28) \
+  STRUCT(burin_vdb_stamps, 32) \
+  MEMBER(burin_vdb_stamps, struct_size, 0) \
+  MEMBER(burin_vdb_stamps, reserved, 4) \
+  MEMBER(burin_vdb_stamps, open, 8) \
+  MEMBER(burin_vdb_stamps, close, 16) \
+  MEMBER(burin_vdb_stamps, sample, 24) \
   STRUCT(burin_bench_budget, 16) \
   MEMBER(burin_bench_budget, struct_size, 0) \
   MEMBER(burin_bench_budget, reserved, 4) \

@@ -38,7 +38,7 @@ TEST(Layout, IsTheSameInCAndCpp) {
 TEST(Layout, PutsStructSizeFirstUnlessFrozen) {
   const std::set<std::string> frozen = {"burin_floats",      "burin_indices", "burin_floats_out",
                                         "burin_stamp_area",  "burin_vectors", "burin_colours",
-                                        "burin_param_value", "burin_stamp"};
+                                        "burin_param_value", "burin_stamp",   "burin_vdb_stamp"};
   const auto lines = lines_in_c();
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
     if (*lines[i].member) continue;

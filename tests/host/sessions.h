@@ -3,6 +3,7 @@
 
 #include <burin/base/error.h>
 #include <burin/host/session.h>
+#include <burin/level_set/solid_mesh.h>
 #include <burin/services/stamp_services.h>
 #include <burin/stroke/recording.h>
 #include <gtest/gtest.h>
@@ -21,9 +22,9 @@ inline const std::filesystem::path test_plugins_folder = BURIN_TEST_PLUGINS;
 /// The stock brushes and those that tests draw with.
 inline const BrushLibrary& brushes() {
   static const auto library = [] {
-    auto loaded = std::make_unique<BrushLibrary>(nullptr, stamp_services());
+    auto loaded = std::make_unique<BrushLibrary>(nullptr, stamp_services(read_vdb));
     loaded->load_folder(brushes_folder);
-    for (const char* brush : {"every_input.burin", "raise_to.burin"})
+    for (const char* brush : {"curve_filters.burin", "every_input.burin", "raise_to.burin"})
       loaded->load(test_brushes_folder / brush);
     loaded->load(test_plugins_folder / "absurd_brush.burin");
     loaded->load(test_plugins_folder / "nan_brush.burin");

@@ -40,11 +40,15 @@ inline const std::vector<BrushUse> stock_brush_uses = {
     {"org.burin.text", {}},
     {"org.burin.tread", {{"stamp", std::string(BURIN_SAMPLES "/stamps/tread.exr")}}},
     {"org.burin.vdm-trail", {{"stamp", std::string(BURIN_SAMPLES "/stamps/thorn.exr")}}},
+    {"org.burin.wave", {}},
 };
 
 /// The same of those that make solids and do nothing else.
 inline const std::vector<BrushUse> solid_brush_uses = {
     {"org.burin.cable", {}},
+    {"org.burin.carve", {}},
+    {"org.burin.carve", {{"profile", std::string("slot")}, {"ends", std::string("flat")}}, "Slot"},
+    {"org.burin.carve", {{"profile", std::string("round")}}, "Round"},
     {"org.burin.chain", {}},
     {"org.burin.rivets", {}},
     {"org.burin.screw", {}},
@@ -52,6 +56,8 @@ inline const std::vector<BrushUse> solid_brush_uses = {
     {"org.burin.tube", {{"wall", 0.3}, {"ends", std::string("flat")}}, "Pipe"},
     {"org.burin.tube", {{"profile", std::string("square")}}, "Square"},
     {"org.burin.tube", {{"profile", std::string("star")}}, "Star"},
+    {"org.burin.vdb-trail", {{"stamp", std::string(BURIN_SAMPLES "/solids/rail.vdb")}}},
+    {"org.burin.zipper", {}},
 };
 
 inline std::string name_of_use(const testing::TestParamInfo<BrushUse>& use) {

@@ -1,4 +1,3 @@
-#include <burin/plugin/sample_tiles.h>
 #include <burin/plugin/tiling.h>
 #include <gtest/gtest.h>
 

@@ -3,9 +3,13 @@
 #include <burin/volume/solid.h>
 
 #include <filesystem>
+#include <memory>
 #include <span>
 
 namespace burin {
+
+class VoxelField;
+struct VoxelFieldOptions;
 
 /// The surface of a solid: closed, counter-clockwise seen from outside, its triangles near to equilateral.
 /// Holds the solid's volume to better than second order in the voxel's edge where the surface is smooth;
@@ -22,5 +26,12 @@ MergedSolid merge_solid(const SolidMerge& merge);
 /// Writes solids as an OpenVDB file: a level set named "solid" each, in object units, distances in space
 /// three voxels to either side. Throws FileError naming the file.
 void write_vdb(const std::filesystem::path& path, std::span<const StrokeSolid> solids);
+
+/// Reads a grid of floats of an OpenVDB file as a stamp: stamp_services(read_vdb) lets brushes open such
+/// files. The box is that of the grid's active voxels. Throws FileError naming the file where it cannot be
+/// read, is cut off, or has no such grid; where the grid is empty, holds a value that is not finite, has
+/// voxels that are no cubes of one size, or a box of more than 2^28 voxels.
+std::shared_ptr<const VoxelField> read_vdb(const std::filesystem::path& path,
+                                           const VoxelFieldOptions& options);
 
 }  // namespace burin

@@ -3,6 +3,7 @@
 #include <burin/plugin/brush.h>
 #include <burin/plugin/cell.h>
 #include <burin/plugin/common_params.h>
+#include <burin/plugin/curve_filter.h>
 #include <burin/plugin/detail/error.h>
 #include <burin/plugin/detail/math.h>
 #include <burin/plugin/entry/entry.h>
@@ -14,7 +15,6 @@
 #include <burin/plugin/noise.h>
 #include <burin/plugin/params.h>
 #include <burin/plugin/random.h>
-#include <burin/plugin/sample_tiles.h>
 #include <burin/plugin/shapes.h>
 #include <burin/plugin/solid.h>
 #include <burin/plugin/stamps.h>

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/abi/ext/stamps.h>
+#include <burin/abi/ext/vdb_stamps.h>
 #include <burin/plugin/detail/error.h>
 #include <burin/plugin/detail/host.h>
 #include <burin/plugin/detail/views.h>
@@ -36,6 +37,19 @@ struct StampOptions {
   float zero = 0;            ///< the file's value that becomes 0; does not apply to alpha
 };
 
+namespace detail {
+
+/// Calls `open(burin_text*)`. Throws Error with the host's text, or `otherwise`, unless it returns BURIN_OK.
+template <class Open>
+void open_or_throw(const char* otherwise, const Open& open) {
+  std::array<char, 512> line{};
+  burin_text text{sizeof text, static_cast<std::uint32_t>(line.size()), line.data()};
+  const burin_status status = open(&text);
+  if (status != BURIN_OK) throw Error(line[0] ? line.data() : otherwise, status);
+}
+
+}  // namespace detail
+
 /// An image file that the host keeps open during the object's lifetime. Usually a member of a brush, opened
 /// by the brush's constructor. Sampling may run on any thread, concurrently.
 class Stamp {
@@ -56,12 +70,9 @@ class Stamp {
     if (!stamps || !BURIN_HAS(stamps, burin_stamps, sample_area))
       throw Error("this host cannot sample stamps", BURIN_UNSUPPORTED);
     service_ = complete(*stamps);
-    std::array<char, 512> line{};
-    burin_text text{sizeof text, static_cast<std::uint32_t>(line.size()), line.data()};
     info_.struct_size = sizeof info_;
-    const burin_status status = open(service_, &stamp_, &info_, &text);
-    if (status != BURIN_OK)
-      throw Error(line[0] ? line.data() : std::string("the stamp cannot be opened"), status);
+    detail::open_or_throw("the stamp cannot be opened",
+                          [&](burin_text* text) { return open(service_, &stamp_, &info_, text); });
   }
   Stamp(Stamp&& other) noexcept
       : host_(other.host_),
@@ -117,6 +128,71 @@ class Stamp {
   burin_stamps service_{};
   burin_stamp stamp_{};
   burin_stamp_info info_{};
+};
+
+/// A place in a .vdb stamp, from the least corner of its box, where a voxel is `voxel` long; lengths in one
+/// unit.
+struct VdbPlace {
+  float x, y, z, voxel;
+};
+
+/// Options for opening a grid of a .vdb file.
+struct VdbOptions {
+  std::uint32_t periodic = BURIN_VDB_PERIODIC_X;  ///< BURIN_VDB_PERIODIC_*: where the box repeats
+  const char* grid = "";                          ///< its name; empty: the first grid of floats
+  double surface_at = 0;  ///< above 0: a fog volume is opened as the level set of this density
+};
+
+/// A grid of a .vdb file, as burin/abi/ext/vdb_stamps.h describes it, that the host keeps open during the
+/// object's lifetime. Sampling may run on any thread, concurrently.
+class VdbStamp {
+ public:
+  /// Throws Error if the host has no .vdb stamps or cannot open the file; the text is the host's.
+  VdbStamp(const Host& host, const char* path, const VdbOptions& options = {}) : host_(host.raw()) {
+    const auto* stamps = host.service<burin_vdb_stamps>(BURIN_EXT_VDB_STAMPS);
+    if (!stamps || !BURIN_HAS(stamps, burin_vdb_stamps, sample))
+      throw Error("this host cannot sample .vdb files", BURIN_UNSUPPORTED);
+    service_ = complete(*stamps);
+    info_.struct_size = sizeof info_;
+    const burin_vdb_options raw{sizeof raw, options.periodic, options.grid, options.surface_at};
+    detail::open_or_throw("the .vdb file cannot be opened", [&](burin_text* text) {
+      return service_.open(host_, path, &raw, &stamp_, &info_, text);
+    });
+  }
+  VdbStamp(const VdbStamp&) = delete;
+  VdbStamp& operator=(const VdbStamp&) = delete;
+  ~VdbStamp() { service_.close(host_, stamp_); }
+
+  /// Kind, size of the box in voxels, range of the values.
+  const burin_vdb_info& info() const { return info_; }
+
+  /// Writes the values at place(0) .. place(count - 1), each a VdbPlace: distances in the places' unit, or
+  /// densities. Throws Error if the host cannot sample, as for a place that is not finite.
+  template <class PlaceAt>
+  void sample(std::size_t count, const PlaceAt& place, const FloatsOut& values) const {
+    constexpr std::size_t capacity = 256;
+    std::array<std::array<float, capacity>, 4> columns;
+    const auto column = [&](std::size_t k) { return burin_floats{columns[k].data(), 1, 0}; };
+    for (std::size_t first = 0; first < count; first += capacity) {
+      const std::size_t size = std::min(capacity, count - first);
+      for (std::size_t i = 0; i < size; ++i) {
+        const VdbPlace at = place(first + i);
+        columns[0][i] = at.voxel;
+        columns[1][i] = at.x;
+        columns[2][i] = at.y;
+        columns[3][i] = at.z;
+      }
+      const burin_status status = service_.sample(host_, stamp_, static_cast<std::uint32_t>(size), column(0),
+                                                  column(1), column(2), column(3), values.from(first).raw());
+      if (status != BURIN_OK) throw Error("the host refused to sample a .vdb stamp", status);
+    }
+  }
+
+ private:
+  const burin_host* host_;
+  burin_vdb_stamps service_{};
+  burin_vdb_stamp stamp_{};
+  burin_vdb_info info_{};
 };
 
 }  // namespace burin::plugin

@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/abi/ext/lettering.h>
 #include <burin/abi/ext/stamps.h>
+#include <burin/abi/ext/vdb_stamps.h>
 #include <burin/services/stamp_extensions.h>
 
 #include <algorithm>
@@ -14,11 +15,14 @@ namespace burin {
 /// The service tables that StampExtensions::find() returns.
 extern const burin_stamps stamps_service;
 extern const burin_lettering lettering_service;
+extern const burin_vdb_stamps vdb_stamps_service;
 
-/// The stamps of a host that returned one of these tables.
-inline StampStore& stamps_of(const burin_host* host) {
-  return static_cast<StampExtensions*>(services(host).extensions())->stamps();
+/// The extensions of a host that returned one of these tables.
+inline StampExtensions& extensions_of(const burin_host* host) {
+  return *static_cast<StampExtensions*>(services(host).extensions());
 }
+
+inline StampStore& stamps_of(const burin_host* host) { return extensions_of(host).stamps(); }
 
 /// A copy of a struct that the caller filled. Members that the caller's version does not have are zero.
 template <class Struct>

@@ -2,6 +2,7 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/level_set/solid_mesh.h>
+#include <burin/volume/voxel_field.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -164,6 +165,99 @@ TEST(Tube, EndsFlatWhereTheStrokeEnds) {
   EXPECT_NEAR(test::extent_of(mesh).volume, exact, 0.005 * exact);
 }
 
+std::string message(const StrokeSettings& settings) {
+  Session session(make_surface(test::plane(1, 0.04, 4)), test::brushes());
+  try {
+    draw(session, settings, line({-0.5, 0, 0}, {0.5, 0, 0}));
+  } catch (const Error& error) {
+    EXPECT_TRUE(session.parts().empty());
+    return error.what();
+  }
+  return "";
+}
+
+// By Pappus: the section is symmetric.
+TEST(Carve, HasTheVolumeOfItsSection) {
+  constexpr double mouth = 0.3 * 0.2, depth = 0.4 * 0.2, below = 1.5 * mouth, above = depth / 2;
+  const std::map<std::string, double> areas{
+      {"dovetail", above * 2 * mouth + depth * (mouth + below)},
+      {"slot", (above + depth / 2) * 2 * mouth + depth / 2 * 2 * below}};
+  for (const auto& [profile, area] : areas) {
+    Session session(make_surface(test::plane(1, 0.025, 4)), test::brushes());
+    StrokeSettings settings = settings_of(
+        {"org.burin.carve", {{"profile", profile}, {"width", 0.3}, {"depth", 0.4}, {"undercut", 0.5}}});
+    settings.voxel = depth / 20;
+    const TriangleMesh mesh = mesh_of(draw(session, settings, circle(0.5), Closure::closed));
+    const double exact = area * session.chart().length;
+    EXPECT_NEAR(test::extent_of(mesh).volume, exact, 0.01 * exact) << profile;
+    EXPECT_EQ(components(mesh), 1u);
+    double at_mouth = 0, widest = 0;
+    for (const Vec3f& place : mesh.positions) {
+      const double off = std::abs(std::hypot(place.x(), place.y()) - 0.5);
+      widest = std::max(widest, off);
+      if (place.z() > 0.1 * depth) at_mouth = std::max(at_mouth, off);
+    }
+    EXPECT_NEAR(at_mouth, mouth, 0.5 * settings.voxel) << profile;
+    EXPECT_NEAR(widest, below, settings.voxel) << profile << ": an undercut";
+  }
+}
+
+TEST(Zipper, HasTwoRowsOfTeethThatInterlockAndDoNotTouch) {
+  Session session(make_surface(test::plane(1, 0.025, 4)), test::brushes());
+  for (const bool closed : {false, true}) {
+    const StrokeSettings settings = settings_of({"org.burin.zipper", {}});
+    const TriangleMesh mesh = mesh_of(closed ? draw(session, settings, circle(0.5), Closure::closed)
+                                             : draw(session, settings, line({-0.7, -0.1, 0}, {0.7, 0.1, 0})));
+    EXPECT_EQ(components(mesh), 2u) << "each row hangs together";
+    // Of a closed one, both rows are rings. The teeth of both reach across the middle.
+    EXPECT_EQ(test::edges_of(mesh).euler, closed ? 0 : 4);
+    if (!closed) continue;
+    const double spacing = 0.9 * 0.6 * 0.2,
+                 period = session.chart().length / std::round(session.chart().length / spacing);
+    std::size_t outside = 0, inside = 0;
+    for (const Vec3f& place : mesh.positions) {
+      const double across = 0.5 - std::hypot(place.x(), place.y());
+      if (across < -0.45 * period && across > -0.5 * period) ++outside;
+      if (across > 0.45 * period && across < 0.5 * period) ++inside;
+    }
+    EXPECT_GT(outside, 50u);
+    EXPECT_GT(inside, 50u);
+  }
+}
+
+/// Of what is inside over one period of the sample stamp, cubic voxels.
+double stamp_volume() {
+  const auto field = read_vdb(BURIN_SAMPLES "/solids/rail.vdb", {});
+  constexpr double step = 0.1;
+  double volume = 0;
+  for (double x = step / 2; x < field->size().x(); x += step)
+    for (double y = step / 2; y < field->size().y(); y += step)
+      for (double z = step / 2; z < field->size().z(); z += step)
+        if (field->at({x, y, z}, {true}) < 0) volume += step * step * step;
+  return volume;
+}
+
+// The stamp is symmetric across the stroke, so that its volume is that along a straight line [Pappus].
+TEST(VdbTrail, RepeatsTheStampAWholeNumberOfTimesAroundAClosedStroke) {
+  Session session(make_surface(test::plane(1, 0.025, 4)), test::brushes());
+  const BrushUse rail{"org.burin.vdb-trail", {{"stamp", std::string(BURIN_SAMPLES "/solids/rail.vdb")}}};
+  const TriangleMesh mesh = mesh_of(draw(session, settings_of(rail), circle(0.5), Closure::closed));
+  const double voxel = 0.2 / 30, length = session.chart().length;
+  const double exact = stamp_volume() / 32 * voxel * voxel * length;
+  EXPECT_NEAR(test::extent_of(mesh).volume, exact, 0.01 * exact);
+  // Each ring has a hole that the rail leaves open on either side, and all hang on one closed rail: a ring on
+  // the rail is not connected to it.
+  const auto periods = static_cast<std::size_t>(std::round(length / (32 * voxel)));
+  EXPECT_EQ(components(mesh), periods + 1);
+  EXPECT_EQ(test::edges_of(mesh).euler, 0) << "tori";
+}
+
+TEST(VdbTrail, SaysWhatIsWrongWithItsFile) {
+  EXPECT_EQ(message(settings_of({"org.burin.vdb-trail", {{"stamp", std::string("/no/such.vdb")}}}))
+                .find("org.burin.vdb-trail: /no/such.vdb: "),
+            0u);
+}
+
 TEST(SolidStrokes, AreUndoneOneByOne) {
   Session session(make_surface(test::plane(1, 0.04, 4)), test::brushes());
   const std::uint64_t bare = session.result_hash();
@@ -191,17 +285,6 @@ TEST(SolidStrokes, AreOnePartOfAllPiecesAndImages) {
   session.end_stroke();
   ASSERT_EQ(session.parts().size(), 1u);
   EXPECT_EQ(components(mesh_of(session.parts()[0])), 4u);
-}
-
-std::string message(const StrokeSettings& settings) {
-  Session session(make_surface(test::plane(1, 0.04, 4)), test::brushes());
-  try {
-    draw(session, settings, line({-0.5, 0, 0}, {0.5, 0, 0}));
-  } catch (const Error& error) {
-    EXPECT_TRUE(session.parts().empty());
-    return error.what();
-  }
-  return "";
 }
 
 TEST(SolidStrokes, AreRefusedWithOneLine) {

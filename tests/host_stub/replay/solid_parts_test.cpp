@@ -170,5 +170,32 @@ TEST(BentParts, AreRefusedInOneLine) {
   EXPECT_NE(line({"--along-twist", "1"}).find("--along-mesh"), std::string::npos);
 }
 
+TEST(SolidParts, RepeatWhatSaveVdbWrote) {
+  const Laid laid;
+  const std::string vdb = laid.folder.path("tube.vdb");
+  laid.replayed({"--save-vdb", vdb, "--voxel", "0.02"});
+  const json told = laid.replayed({"--brush", "org.burin.vdb-trail", "--param", "stamp=" + vdb});
+  ASSERT_EQ(told["parts"].size(), 1u);
+  EXPECT_GT(told["parts"][0]["volume"].get<double>(), 0);
+}
+
+TEST(SolidParts, AreNotMadeOfABrokenFile) {
+  const Laid laid;
+  const std::string vdb = laid.folder.path("tube.vdb"), saved = laid.folder.path("out.ply");
+  laid.replayed({"--save-vdb", vdb, "--voxel", "0.02"});
+  const std::string whole = read_file(vdb);
+  for (const std::string& bytes :
+       {std::string(), whole.substr(0, whole.size() / 2), std::string("no volume")}) {
+    const std::string broken = laid.folder.write("broken.vdb", bytes);
+    const ProcessResult refused =
+        burin({"replay", laid.stroke, "--mesh", laid.mesh_path, "--brush", "org.burin.vdb-trail", "--param",
+               "stamp=" + broken, "--save-mesh", saved});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("broken.vdb: "), std::string::npos) << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(saved));
+  }
+}
+
 }  // namespace
 }  // namespace burin::test

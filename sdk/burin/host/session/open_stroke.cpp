@@ -92,6 +92,7 @@ OpenStroke::OpenStroke(const Surface& surface, const Picker& picker, ChartBuilde
                              {.fields = settings.fields, .radius = settings.radius, .seed = settings.seed})
                      .narrowest()),
       brush_stroke_(brush, descriptor, context(0, {}), params_.abi()),
+      curve_filter_(CurveFilter::of(brush_stroke_, context(0, {}))),
       images_(symmetry_instances(settings_.symmetry)),
       last_time_(-std::numeric_limits<double>::infinity()) {
   if (settings_.along.given()) {
@@ -112,6 +113,7 @@ bool OpenStroke::makes_solid() const {
 void OpenStroke::begin_instances() {
   for (const SymmetryInstance& image : images_)
     instances_.emplace_back(*surface_, *picker_, *builders_, settings_, image, brush_stroke_,
+                            curve_filter_ ? &*curve_filter_ : nullptr,
                             instances_.empty() ? nullptr : &instances_.front());
   if (makes_part()) return;
   if (settings_.accumulate == Accumulate::from_current) accumulate();

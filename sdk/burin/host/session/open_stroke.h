@@ -3,6 +3,7 @@
 #include <burin/deform/accumulation.h>
 #include <burin/deform/blend/earlier_pieces.h>
 #include <burin/deform/evaluate/brush_stroke.h>
+#include <burin/deform/evaluate/curve_filter.h>
 #include <burin/deform/evaluate/evaluate.h>
 #include <burin/deform/solid/solid_stroke.h>
 #include <burin/deform/stroke_passes.h>
@@ -110,6 +111,7 @@ class OpenStroke {
   ParamSnapshot params_;
   double narrowest_;  ///< least half width that the stroke may have, as a share of its radius
   BrushStroke brush_stroke_;
+  std::optional<CurveFilter> curve_filter_;  ///< of brushes that move the curve
   std::vector<SymmetryInstance> images_;
   std::deque<StrokeInstance> instances_;
   std::optional<StrokePasses> passes_;        ///< set for brushes whose passes read neighbours

@@ -45,16 +45,29 @@ LiveChart& ChartBuilders::image(std::size_t instance) {
 
 StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, ChartBuilders& builders,
                                const StrokeSettings& settings, const SymmetryInstance& image,
-                               const BrushStroke& brush, const StrokeInstance* original)
+                               const BrushStroke& brush, const CurveFilter* filter,
+                               const StrokeInstance* original)
     : surface_(&surface),
       image_(image),
       width_(settings.pressure_width, settings.dynamics, driven_stroke(settings, image)),
       dynamics_(brush.descriptor(), brush.params(), settings.dynamics, driven_stroke(settings, image)),
       reads_(read_inputs(settings, brush.descriptor().inputs_read)),
+      filter_(filter),
       original_(original),
       tracer_(begun(surface, picker, builders, settings, image), settings.radius, width_) {
   if (original) image_chart_.emplace(surface, picker, image, settings.radius, builders.image(image.index));
   nodes_.emplace(live(), reads_);
+  if (filter && std::isfinite(filter->reach().ahead)) begin_moving();
+}
+
+void StrokeInstance::begin_moving() { moved_.emplace(tracer_, reads_.radius, width_, filter_->reach()); }
+
+/// Lets the brush move what was drawn since the last call. `flags`: BURIN_STROKE_FINAL, at the end.
+void StrokeInstance::move_curve(std::uint64_t flags) {
+  const std::uint64_t of_image = flags | (image_.mirrored ? BURIN_STROKE_MIRRORED : 0);
+  moved_->follow(drawn(), tracer_.final_points(), [&](const SurfaceCurve& curve, std::size_t first) {
+    return filter_->offsets(curve, first, of_image);
+  });
 }
 
 /// Starts the stroke's chart; returns the ground on which its curve must run.
@@ -92,10 +105,11 @@ void StrokeInstance::trace(const CurveGround::Place& at, double time, const Pen&
   traced_ |= change == PenWay::Change::way || (change == PenWay::Change::pen && pen_matters);
 }
 
-StrokeChanges StrokeInstance::draw(double end_influence, EventCost& cost) {
+StrokeChanges StrokeInstance::draw(double end_influence, std::uint64_t flags, EventCost& cost) {
   const std::size_t unchanged = drawn_points_;
   const double length_before = drawn_length_;
-  drawn_points_ = tracer_.final_points();
+  if (moved_) move_curve(flags);
+  drawn_points_ = moved_ ? moved_->final_points() : tracer_.final_points();
   drawn_length_ = curve().length();
   traced_ = false;
   chart(unchanged, cost);
@@ -114,11 +128,14 @@ double StrokeInstance::other_feet_from(double same_curve_up_to) const {
 }
 
 StrokeChanges StrokeInstance::finish(bool news, double end_influence, EventCost& cost) {
-  if (closed_curve_) {
+  const bool moves_at_last = filter_ && !moved_;
+  if (moves_at_last) begin_moving();
+  if (closed_curve_ || moves_at_last) {
+    if (moved_) move_curve(BURIN_STROKE_FINAL);
     chart(0, cost);
     return nodes_->follow(curve(), everywhere);
   }
-  if (news) return draw(end_influence, cost);
+  if (news || moved_) return draw(end_influence, BURIN_STROKE_FINAL, cost);
   return nodes_->in_zone(dabs_ ? nowhere : curve().length() - end_influence);
 }
 

@@ -2,6 +2,7 @@
 #include <burin/chart/dabs/live_dabs.h>
 #include <burin/chart/stroke_chart_builder.h>
 #include <burin/deform/evaluate/brush_stroke.h>
+#include <burin/deform/evaluate/curve_filter.h>
 #include <burin/deform/evaluate/param_dynamics.h>
 #include <burin/deform/evaluate/stroke_nodes.h>
 #include <burin/deform/stroke_passes.h>
@@ -52,17 +53,18 @@ class ChartBuilders {
 class StrokeInstance {
  public:
   /// `original` is the stroke as drawn by hand, or null if this is it. The original must outlive its images
-  /// and be drawn and finished before them in every event. Throws Error for dynamics that the brush does not
-  /// support.
+  /// and be drawn and finished before them in every event. `filter` is what the brush does to curves, or
+  /// null, and must outlive the object. Throws Error for dynamics that the brush does not support.
   StrokeInstance(const Surface& surface, const Picker& picker, ChartBuilders& builders,
                  const StrokeSettings& settings, const SymmetryInstance& image, const BrushStroke& brush,
-                 const StrokeInstance* original);
+                 const CurveFilter* filter, const StrokeInstance* original);
   StrokeInstance(const StrokeInstance&) = delete;
   StrokeInstance& operator=(const StrokeInstance&) = delete;
 
   const SymmetryInstance& image() const { return image_; }
   bool empty() const { return tracer_.curve().points.empty(); }
-  const SurfaceCurve& curve() const { return closed_curve_ ? *closed_curve_ : tracer_.curve(); }
+  /// The curve that is charted: the drawn one, or what the brush makes of it.
+  const SurfaceCurve& curve() const { return moved_ ? moved_->curve() : drawn(); }
   const LiveChart& live() const { return image_chart_ ? image_chart_->live() : own_live(); }
   NodeOutputs& outputs() { return outputs_; }
   /// The nodes and outputs to blend. Valid until the next event.
@@ -81,7 +83,7 @@ class StrokeInstance {
 
   /// Charts what was traced since the last draw(), and returns the stale nodes. `end_influence` is the
   /// distance from the stroke's end, object units, within which the brush depends on its length.
-  StrokeChanges draw(double end_influence, EventCost& cost);
+  StrokeChanges draw(double end_influence, EventCost& cost) { return draw(end_influence, 0, cost); }
 
   /// Draws what remains when the pen is up, after close(): all of the stroke if it closed. `news` tells
   /// whether any image has_changes().
@@ -97,6 +99,10 @@ class StrokeInstance {
   CurveGround begun(const Surface& surface, const Picker& picker, ChartBuilders& builders,
                     const StrokeSettings& settings, const SymmetryInstance& image);
   ReadInputs read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const;
+  StrokeChanges draw(double end_influence, std::uint64_t flags, EventCost& cost);
+  const SurfaceCurve& drawn() const { return closed_curve_ ? *closed_curve_ : tracer_.curve(); }
+  void begin_moving();
+  void move_curve(std::uint64_t flags);
   const LiveChart& own_live() const { return dabs_ ? dabs_->live() : builder_->live(); }
   std::span<const float> dab_t() const;
   bool runs_like_original() const;
@@ -113,10 +119,13 @@ class StrokeInstance {
   StrokeChartBuilder* builder_ = nullptr;
   BaseSurface* base_ = nullptr;  ///< the base surface on which the stroke runs; null: the surface itself
   LiveDabs* dabs_ = nullptr;     ///< set instead of the chart builder in strokes of dabs
+  const CurveFilter* filter_;
   const StrokeInstance* original_;
   std::optional<ImageChart> image_chart_;  ///< set if this is an image of another instance
   CurveTracer tracer_;
   std::optional<SurfaceCurve> closed_curve_;  ///< set when the stroke was finished as a closed one
+  /// Set where the brush moves curves; if it must know all of a curve for that, only when it is finished.
+  std::optional<MovedCurve> moved_;
   std::optional<FootLine> foot_;
   std::size_t drawn_points_ = 0;  ///< number of drawn points of the curve that are final
   double drawn_length_ = 0;

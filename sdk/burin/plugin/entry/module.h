@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/abi/plugin.h>
 #include <burin/plugin/brush.h>
+#include <burin/plugin/curve_filter.h>
 #include <burin/plugin/detail/error.h>
 #include <burin/plugin/entry/checks.h>
 #include <burin/plugin/solid.h>
@@ -88,6 +89,8 @@ class Instance {
   static const void* BURIN_CALL get_extension(const burin_brush*, const char* id) {
     if constexpr (std::derived_from<B, SolidBrush>)
       if (std::string_view(id) == BURIN_EXT_VOLUME) return &volume_;
+    if constexpr (std::derived_from<B, CurveFilter>)
+      if (std::string_view(id) == BURIN_EXT_CURVE_FILTER) return &curve_filter_;
     return nullptr;
   }
 
@@ -149,6 +152,30 @@ class Instance {
       return {};
   }
   static constexpr burin_volume volume_ = volume();
+
+  static void BURIN_CALL reach(const burin_brush*, void* stroke, burin_curve_reach* reach) noexcept {
+    const CurveReach told = static_cast<const B*>(stroke)->reach();
+    reach->behind = told.behind;
+    reach->ahead = told.ahead;
+  }
+
+  static burin_status BURIN_CALL move_curve(const burin_brush*, void* stroke,
+                                            const burin_stroke_context* context, const burin_params* params,
+                                            const burin_curve_points* points, burin_floats_out along,
+                                            burin_floats_out across, burin_text* error) noexcept {
+    return guarded(error, [&] {
+      static_cast<const B*>(stroke)->move(CurvePoints(descriptor, *context, params, *points),
+                                          {along.data, along.stride}, {across.data, across.stride});
+    });
+  }
+
+  static constexpr burin_curve_filter curve_filter() {
+    if constexpr (std::derived_from<B, CurveFilter>)
+      return {sizeof(burin_curve_filter), 0, reach, move_curve};
+    else
+      return {};
+  }
+  static constexpr burin_curve_filter curve_filter_ = curve_filter();
 
   static void BURIN_CALL end(const burin_brush*, void* stroke) { delete static_cast<B*>(stroke); }
 

@@ -1,6 +1,7 @@
 // Closed strokes: detects that the pen came back to its start, and traces the periodic centripetal Catmull-
 // Rom spline through the samples. O(points) per closed curve, since the seam changes all speeds.
 #include <burin/math/elementary.h>
+#include <burin/stroke/curve/curve_spline.h>
 #include <burin/stroke/curve/surface_curve.h>
 
 #include <algorithm>
@@ -69,7 +70,7 @@ void CurveTracer::retrace_closed() {
   const double speed = curve_.points.back().speed;
   curve_.points.pop_back();
   if (seam_time > 0) set_speed_around(speed, seam_time);
-  set_widths(0);
+  set_widths(curve_, width_, 0);
 }
 
 /// Adds to the speed of all points what the pen's motion before the seam contributes: a closed curve

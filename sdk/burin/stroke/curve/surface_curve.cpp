@@ -3,6 +3,7 @@
 // points. A new sample traces only the segments that are not final, so its cost does not depend on the
 // length of the stroke.
 #include <burin/math/elementary.h>
+#include <burin/stroke/curve/curve_spline.h>
 #include <burin/stroke/curve/surface_curve.h>
 #include <burin/surface/geometry/unit_tangent.h>
 
@@ -11,67 +12,6 @@
 
 namespace burin {
 namespace {
-
-/// One segment of the spline in Hermite form over [0, 1].
-struct HermiteSegment {
-  Vec3d from, to, tangent_from, tangent_to;
-
-  Vec3d position(double s) const {
-    const double s2 = s * s, s3 = s2 * s;
-    return (2 * s3 - 3 * s2 + 1) * from + (s3 - 2 * s2 + s) * tangent_from + (3 * s2 - 2 * s3) * to +
-           (s3 - s2) * tangent_to;
-  }
-  Vec3d velocity(double s) const {
-    const double s2 = s * s;
-    return 6 * (s2 - s) * (from - to) + (3 * s2 - 4 * s + 1) * tangent_from + (3 * s2 - 2 * s) * tangent_to;
-  }
-};
-
-/// The tangent at b of the spline through a, b, c with centripetal knots, per unit of the knot interval.
-Vec3d knot_tangent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const double before = std::sqrt((b - a).norm()), after = std::sqrt((c - b).norm());
-  return (b - a) / before - (c - a) / (before + after) + (c - b) / after;
-}
-
-/// The tangent at a, per unit of the knot interval, of the parabola through a, b, c: the spline's tangent at
-/// its start or, with the points in reverse order, the reversed tangent at its end.
-Vec3d end_tangent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const double near = std::sqrt((b - a).norm()), far = std::sqrt((c - b).norm());
-  const Vec3d first = (b - a) / near, second = (c - b) / far;
-  return first + near / (near + far) * (first - second);
-}
-
-/// The segment from b to c; a or d may be missing.
-HermiteSegment spline_segment(const Vec3d* a, const Vec3d& b, const Vec3d& c, const Vec3d* d) {
-  const double interval = std::sqrt((c - b).norm());
-  const Vec3d chord = c - b;
-  const Vec3d at_b = a   ? Vec3d(interval * knot_tangent(*a, b, c))
-                     : d ? Vec3d(interval * end_tangent(b, c, *d))
-                         : chord;
-  const Vec3d at_c = d   ? Vec3d(interval * knot_tangent(b, c, *d))
-                     : a ? Vec3d(-interval * end_tangent(c, b, *a))
-                         : chord;
-  return {b, c, at_b, at_c};
-}
-
-/// The length of the circular arc over the chord from a point to `to` that turns from one tangent to the
-/// other, to second order in the turn. At a corner, the length of the chord.
-double arc_length(const CurvePoint& from, const Vec3f& to, const Vec3f& tangent) {
-  const double chord = (to - from.at.position).cast<double>().norm();
-  const double turn = (tangent - from.tangent).cast<double>().squaredNorm();
-  constexpr double corner = 0.25;
-  return turn < corner ? chord * (1 + turn / 24) : chord;
-}
-
-PenAt pen_of(const CurvePoint& point) {
-  return {.pen = point.pen,
-          .time = point.time,
-          .speed = point.speed,
-          .width = point.width,
-          .t = point.t,
-          .tangent = point.tangent,
-          .normal = point.normal};
-}
 
 /// CurvePoint::speed after a step of this length and duration from a point.
 double faded_speed(const CurvePoint& from, double length, double seconds) {
@@ -113,16 +53,7 @@ void CurveTracer::retrace_tail() {
       final_segments_ = segment + 1;
     }
   }
-  set_widths(kept);
-}
-
-void CurveTracer::set_widths(std::size_t from_point) {
-  if (!width_.varies()) return;
-  const double loop = curve_.closed ? curve_.length() : 0;
-  for (std::size_t i = from_point; i < curve_.points.size(); ++i) {
-    CurvePoint& point = curve_.points[i];
-    point.width = width_.at(pen_of(point), loop);
-  }
+  set_widths(curve_, width_, kept);
 }
 
 /// Appends the points from knot k to the next; on a closed curve the first knot follows the last.
@@ -134,7 +65,7 @@ void CurveTracer::trace_segment(std::size_t k) {
   };
   const Vec3d place_before = place(before), place_after = place(after);
   const HermiteSegment spline = spline_segment(before ? &place_before : nullptr, place(&from), place(&to),
-                                               after ? &place_after : nullptr);
+                                               after ? &place_after : nullptr, KnotSpacing::centripetal);
   const PenSpline pens = pen_spline(k);
   const double chord = (spline.to - spline.from).norm();
 

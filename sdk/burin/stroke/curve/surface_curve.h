@@ -42,6 +42,9 @@ class CurveTracer {
 
   const CurveGround& ground() const { return ground_; }
 
+  /// The distance of the curve's points here, object units.
+  double spacing(const SurfacePoint& at) const;
+
   const SurfaceCurve& curve() const { return curve_; }
 
   /// Whether the pen came back to its start. Three conditions hold: the curve is at least four radii long;
@@ -73,11 +76,8 @@ class CurveTracer {
   void retrace_tail();
   void trace_segment(std::size_t knot);
   const PenKnot* neighbour(std::size_t knot, std::size_t steps, bool forward) const;
-  double spacing(const SurfacePoint& at) const;
-
   PenSpline pen_spline(std::size_t knot) const;
   void append(const CurveGround::Place& place, const Vec3d& direction, double time, const Pen& pen);
-  void set_widths(std::size_t from_point);
   void set_speed_around(double at_seam, double seam_time);
 
   CurveGround ground_;
