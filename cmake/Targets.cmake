@@ -55,6 +55,15 @@ if(BURIN_TESTS)
   endif()
 endif()
 
+# burin_use_openvdb(TARGET): for sources that include it. OpenVDB's templates hold data that the library and its
+# users must share: hidden, each would have its own, and openvdb::initialize() would read what nobody has written.
+# Headers that were compiled with hidden visibility can't serve sources of another one.
+function(burin_use_openvdb target)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang>:-fvisibility=default>)
+  set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
+  target_link_libraries(${target} PRIVATE OpenVDB::openvdb Imath::Imath)
+endfunction()
+
 # burin_interface_library(NAME LINK...): a folder of headers.
 function(burin_interface_library name)
   add_library(burin_${name} INTERFACE)

@@ -16,7 +16,7 @@ class Carve : public SolidBrush {
       .name = "Carve",
       .vendor = "Burin",
       .version = "1.0.0",
-      .help = "Makes the solid of a channel with an undercut, to be taken away from the surface.",
+      .help = "Makes the solid of a channel with an undercut, to be cut out by --solid difference.",
       .features = {"procedural", "solid"},
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
       .outputs = 0,

@@ -50,7 +50,7 @@ picture cable wave --radius .12
 picture chain wave --radius .14
 picture screw wave --radius .12 --param pitch=.35
 picture rivets wave --radius .1
-picture carve wave --radius .14
+picture carve wave --radius .14 --solid difference
 picture zipper wave --radius .12
 picture vdb-trail wave --radius .14 --param stamp=samples/solids/rail.vdb
 
