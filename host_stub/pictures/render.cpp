@@ -98,7 +98,7 @@ Vec3f Painter::from_camera(float right, float up, float towards_eye) const {
 
 /// That of the vertex, unless it lies on a crease.
 Vec3f Painter::corner_normal(Index vertex, const Vec3f& flat_normal) const {
-  constexpr float crease = 0.88f;  // cosine
+  constexpr float crease = 0.75f;  // cosine
   const Vec3f& normal = surface_.normals[vertex];
   return normal.dot(flat_normal) < crease ? flat_normal : normal;
 }

@@ -38,10 +38,12 @@ constexpr const char* object_header = "{\"burin_stroke\":1,\"space\":\"object\"}
 
 /// Parameters without which a brush has nothing to draw.
 std::string params_of(const std::string& brush) {
-  const std::pair<const char*, const char*> stamps[] = {
-      {"org.burin.scales", "scales"}, {"org.burin.tread", "tread"}, {"org.burin.vdm-trail", "thorn"}};
+  const std::pair<const char*, const char*> stamps[] = {{"org.burin.scales", "stamps/scales.exr"},
+                                                        {"org.burin.tread", "stamps/tread.exr"},
+                                                        {"org.burin.vdm-trail", "stamps/thorn.exr"},
+                                                        {"org.burin.vdb-trail", "solids/rail.vdb"}};
   for (const auto& [id, stamp] : stamps)
-    if (brush == id) return fmt::format("\"stamp\":\"{}/stamps/{}.exr\"", BURIN_SAMPLES, stamp);
+    if (brush == id) return fmt::format("\"stamp\":\"{}/{}\"", BURIN_SAMPLES, stamp);
   return brush == "org.burin.patterned-line" ? "\"figure\":\"waves\"" : "";
 }
 
@@ -61,7 +63,7 @@ std::string strokes_of_all_brushes() {
     text += wavy_stroke(settings, -0.6 + 0.06 * (count % 10));
     ++count;
   }
-  EXPECT_EQ(count, 22);
+  EXPECT_EQ(count, 26);
   return text;
 }
 

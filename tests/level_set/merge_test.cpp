@@ -188,6 +188,16 @@ TEST(Merge, RefusesASurfaceThatIsOpenThere) {
   }
 }
 
+TEST(Merge, RefusesABlendThatNeedsTooMuchMemory) {
+  const Ground ground = half_sunk(test::sphere(5, 0.2, 4), 1, rod_radius / 3);
+  try {
+    ground.merged(SolidOperation::unite, 20);
+    FAIL() << "a blend of 20 was taken";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("a smaller blend"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Merge, HasTheSameBitsForAnyNumberOfThreads) {
   const Ground ground = half_sunk(test::sphere(5, 0.2, 4), 1, rod_radius / 3);
   const SurfacePatch all = ground.merged(SolidOperation::unite, 0.02);

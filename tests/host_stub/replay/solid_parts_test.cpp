@@ -89,7 +89,7 @@ TEST(SolidMerges, AreRefusedOnOpenSurfacesAndBelowTheFinestLevel) {
   TriangleMesh open = laid.mesh;
   std::erase_if(open.triangles, [&](const Triangle& t) {
     const Vec3f& p = open.positions[t[0]];
-    return p.x() > 0.9F && std::abs(p.y()) < 0.1F && p.z() > 0.02F && p.z() < 0.2F;
+    return p.z() > 0.9F && std::abs(p.x()) < 0.1F && p.y() > 0.02F && p.y() < 0.2F;
   });
   const std::string path = laid.folder.write("open.obj", obj_text(open)), saved = laid.folder.path("out.ply");
   const auto refused = [&](const std::vector<std::string>& options) {

@@ -1,9 +1,11 @@
 // Set operations of distances: the union is their least, and the difference and the intersection are unions
 // of complements. The fillet of radius r is what a ball of that radius outside of both cannot reach where it
 // touches both; see rolling_ball.h.
+#include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/level_set/grid/combine.h>
 #include <burin/level_set/grid/rolling_ball.h>
+#include <fmt/format.h>
 #include <openvdb/tree/LeafManager.h>
 
 #include <algorithm>
@@ -69,9 +71,23 @@ void for_each_leaf(Grid& grid, const Visit& visit) {
   });
 }
 
+/// Throws Error where as many leaves would take more memory than a solid may.
+void check_memory(double leaves) {
+  constexpr double grids = 5, mega = 1e6;
+  const double bytes = leaves * grids * sizeof(float) * Leaf::SIZE,
+               most = static_cast<double>(SolidExtent{}.most_bytes);
+  if (bytes > most)
+    throw Error(fmt::format("merging the solid would take {:.0f} MB or more, which is above the bound of {:.0f} "
+                            "MB: use larger voxels or a smaller blend",
+                            bytes / mega, most / mega));
+}
+
 /// The origins of all leaves that may be as near to the solid as `reach` voxels, ascending.
 std::vector<openvdb::Coord> leaves_near(const StrokeSolid& solid, double reach) {
   const int rings = static_cast<int>(std::ceil((reach + VoxelBlock::half_width) / VoxelBlock::side));
+  // At least those around one block; and no list of all neighbours that is longer than the grids themselves.
+  const double side = 2. * rings + 1, blocks = static_cast<double>(solid.blocks().size());
+  check_memory(side * side * side * std::max(1., blocks / 800));
   std::vector<openvdb::Coord> origins;
   for (const VoxelBlock& block : solid.blocks())
     for (int i = -rings; i <= rings; ++i)
@@ -82,6 +98,7 @@ std::vector<openvdb::Coord> leaves_near(const StrokeSolid& solid, double reach) 
         }
   parallel_sort(origins.begin(), origins.end());
   origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
+  check_memory(static_cast<double>(origins.size()));
   return origins;
 }
 
