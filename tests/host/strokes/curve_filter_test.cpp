@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 #include <numbers>
 
 #include "host/symmetric.h"
@@ -159,6 +160,23 @@ TEST(CurveFilter, MovesImagesOfASurfaceThatIsNotSymmetricToTheirOwnSide) {
     if (on_one || on_other) worst = std::max(worst, std::abs(static_cast<double>(place.z()) - 0.03));
   }
   EXPECT_LT(worst, 1.5e-3);
+}
+
+TEST(CurveFilter, StopsTheWaveWhereTheSurfaceEnds) {
+  for (const double follow : {0., 1.}) {
+    Session session = test::plane_session();
+    StrokeSettings wave = wave_settings(1, 4);
+    wave.follow = follow;
+    draw(session, wave, line({-0.7, 0.92, 0}, {0.7, 0.92, 0}));
+    double highest = 0, lowest = 1;
+    for (const CurvePoint& point : session.curve().points) {
+      highest = std::max(highest, static_cast<double>(point.at.position.y()));
+      lowest = std::min(lowest, static_cast<double>(point.at.position.y()));
+    }
+    std::cout << "the curve ends " << (highest - 1) / 0.15 << " radii beyond the border\n";
+    EXPECT_NEAR(highest, 1, follow > 0 ? 1e-6 : 0.01 * 0.15);
+    EXPECT_NEAR(lowest, 0.77, 1e-4);
+  }
 }
 
 TEST(CurveFilter, MovesEachPieceByItself) {

@@ -112,6 +112,14 @@ std::optional<CurveGround::Place> CurveGround::closest(const Vec3f& point, float
   return place;
 }
 
+bool CurveGround::is_covered(const Place& place, double reach) const {
+  if (!base_) return true;
+  const auto height = static_cast<float>(reach);
+  const Vec3f above = place.at.position + height * place.normal;
+  const std::optional<SurfacePoint> hit = picker_->pick({above, -place.normal});
+  return hit && (hit->position - above).norm() <= 2 * height;
+}
+
 double CurveGround::point_spacing(const SurfacePoint& at) const {
   if (base_) return base_->spacing() / 2;
   const auto& c = at.corners;

@@ -43,6 +43,10 @@ class CurveGround {
   /// it is farther than `reach` (object units).
   std::optional<Place> closest(const Vec3f& point, float reach, const SurfacePoint& near) const;
 
+  /// Whether the surface lies within `reach` (object units) over or under a point of the ground, along its
+  /// normal. False where the base surface goes on beyond the end of the surface.
+  bool is_covered(const Place& place, double reach) const;
+
   /// The spacing of the points of a curve here: half an edge, object units.
   double point_spacing(const SurfacePoint& at) const;
 

@@ -84,7 +84,7 @@ bool MovedCurve::step(CurveGround::Place& place, Vec3f& direction, double length
   const Vec3f side = place.normal.cross(direction);
   constexpr float least = 0.25F, most_aside = 0.125F, folded = -0.5F;
   if (!(chord.dot(direction) > least * reach && std::abs(chord.dot(side)) < most_aside * reach)) return false;
-  if (next->normal.dot(place.normal) < folded) return false;
+  if (next->normal.dot(place.normal) < folded || !tracer_->ground().is_covered(*next, radius_)) return false;
   const Vec3f turned = unit_tangent(direction, next->normal);
   const double turn = (turned - direction).cast<double>().squaredNorm();
   left -= chord.cast<double>().norm() * (1 + turn / 24);
