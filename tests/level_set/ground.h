@@ -22,7 +22,7 @@ struct Ground {
   Ground(TriangleMesh mesh, const std::vector<Vec3d>& samples, bool closed) : charted(std::move(mesh)) {
     charted.builder.begin({.radius = radius});
     charted.curve = traced(CurveGround(charted.surface, charted.picker, charted.builder.base()),
-                                 charted.picker, radius, samples);
+                           charted.picker, radius, samples);
     if (closed) close(charted.curve);
     chart = charted.builder.draw(charted.curve).sorted();
   }

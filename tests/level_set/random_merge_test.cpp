@@ -49,7 +49,8 @@ TEST(RandomMerges, AreClosedAndDoNotIntersectThemselves) {
   for (int i = 0; i < strokes; ++i) {
     test::Ground ground(bumpy(), wander(random), false);
     const double height = 0.03 * static_cast<double>(i % 4) - 0.03;
-    ground.lay(test::rod(ground.chart, rod_radius, height), height - rod_radius, height + rod_radius, rod_radius / 4);
+    ground.lay(test::rod(ground.chart, rod_radius, height), height - rod_radius, height + rod_radius,
+               rod_radius / 4);
     const SolidOperation operation = i % 2 == 0 ? SolidOperation::unite : SolidOperation::difference;
     const double blend = i % 3 == 0 ? 0 : 0.02;
     try {

@@ -14,7 +14,8 @@ double beyond_circle(const Vec3d& p) { return (p - Vec3d(4, 4, 0)).norm() - 2.3;
 
 TEST(Clip, LeavesWhatIsAboveZero) {
   PatchMesh patch = test::flat_patch(8);
-  clip(patch, [](const Vec3d& p) { return p.x() - 2.25; }, same);
+  clip(
+      patch, [](const Vec3d& p) { return p.x() - 2.25; }, same);
   EXPECT_NEAR(test::twice_area(patch), 2 * 5.75 * 8, 1e-9);
 }
 
@@ -34,8 +35,8 @@ TEST(Clip, CutsWithoutRemoving) {
   EXPECT_NEAR(test::twice_area(patch), 128, 1e-9);
   EXPECT_EQ(test::border_sides(patch), 32);
   for (const Triangle& t : patch.triangles) {
-    const double product = std::min({value[t[0]], value[t[1]], value[t[2]]}) *
-                           std::max({value[t[0]], value[t[1]], value[t[2]]});
+    const double product =
+        std::min({value[t[0]], value[t[1]], value[t[2]]}) * std::max({value[t[0]], value[t[1]], value[t[2]]});
     EXPECT_GE(product, 0) << "a triangle reaches over the line";
   }
 }

@@ -6,7 +6,8 @@
 
 namespace burin::test {
 
-/// The square from 0 to `cells` in the plane z = 0, two triangles a unit; the vertices of its border are fixed.
+/// The square from 0 to `cells` in the plane z = 0, two triangles a unit; the vertices of its border are
+/// fixed.
 inline PatchMesh flat_patch(int cells) {
   PatchMesh patch;
   const auto number = [&](int i, int j) { return static_cast<Index>(i * (cells + 1) + j); };
@@ -32,7 +33,8 @@ inline double twice_area(const PatchMesh& patch) {
   return area;
 }
 
-/// Sides of triangles that no other triangle has in the other direction; -1 where several have one in the same.
+/// Sides of triangles that no other triangle has in the other direction; -1 where several have one in the
+/// same.
 inline int border_sides(const PatchMesh& patch) {
   std::map<std::pair<Index, Index>, int> sides;
   for (const Triangle& t : patch.triangles)

@@ -79,7 +79,8 @@ TEST(Improve, LeavesCreasesWhereTheyAre) {
   improve(patch, how);
   for (const auto& [a, b, c] : patch.triangles) {
     const double x[] = {patch.positions[a].x() - 6, patch.positions[b].x() - 6, patch.positions[c].x() - 6};
-    EXPECT_GE(*std::ranges::min_element(x) * *std::ranges::max_element(x), -1e-9) << "a triangle cuts the ridge";
+    EXPECT_GE(*std::ranges::min_element(x) * *std::ranges::max_element(x), -1e-9)
+        << "a triangle cuts the ridge";
   }
 }
 

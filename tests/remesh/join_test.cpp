@@ -26,7 +26,8 @@ struct Parts {
       return [r](const Vec3d& p) { return (p - Vec3d(4, 4, 0)).norm() - r; };
     };
     clip(outer, beyond(radius), same);
-    clip(inner, [&](const Vec3d& p) { return -beyond(other_radius)(p); }, same);
+    clip(
+        inner, [&](const Vec3d& p) { return -beyond(other_radius)(p); }, same);
   }
 };
 

@@ -96,7 +96,8 @@ TEST(SolidMerge, IsTheSameFromSampleToSampleAndAtOnce) {
 TEST(SolidMerge, CarriesPaint) {
   Session session = sphere_session();
   Paint paint;
-  for (const Vec3f& p : session.surface().positions) paint.colour.push_back({1, 0, 0, p.z() > 0 ? 1.0F : 0.0F});
+  for (const Vec3f& p : session.surface().positions)
+    paint.colour.push_back({1, 0, 0, p.z() > 0 ? 1.0F : 0.0F});
   session.set_paint(paint);
   draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
   const Surface& surface = session.surface();

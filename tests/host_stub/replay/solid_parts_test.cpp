@@ -93,8 +93,8 @@ TEST(SolidMerges, AreRefusedOnOpenSurfacesAndBelowTheFinestLevel) {
   });
   const std::string path = laid.folder.write("open.obj", obj_text(open)), saved = laid.folder.path("out.ply");
   const auto refused = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> arguments = {"replay", laid.stroke, "--param", "height=0", "--solid",
-                                          "difference", "--save-mesh", saved};
+    std::vector<std::string> arguments = {"replay",  laid.stroke,  "--param",     "height=0",
+                                          "--solid", "difference", "--save-mesh", saved};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const ProcessResult result = burin(arguments);
     EXPECT_EQ(result.exit_code, 2);

@@ -77,9 +77,10 @@ void check_memory(double leaves) {
   const double bytes = leaves * grids * sizeof(float) * Leaf::SIZE,
                most = static_cast<double>(SolidExtent{}.most_bytes);
   if (bytes > most)
-    throw Error(fmt::format("merging the solid would take {:.0f} MB or more, which is above the bound of {:.0f} "
-                            "MB: use larger voxels or a smaller blend",
-                            bytes / mega, most / mega));
+    throw Error(
+        fmt::format("merging the solid would take {:.0f} MB or more, which is above the bound of {:.0f} "
+                    "MB: use larger voxels or a smaller blend",
+                    bytes / mega, most / mega));
 }
 
 /// The origins of all leaves that may be as near to the solid as `reach` voxels, ascending.
