@@ -95,6 +95,41 @@ TEST(Merge, HasTheVolumeOfARingAroundASphere) {
               0, 0);
 }
 
+/// A closed rod that rests on the surface, sunk by a fifth of its radius.
+Ground resting(TriangleMesh mesh, double ring_radius, double voxel) {
+  Ground ground(std::move(mesh), ring(ring_radius), true);
+  ground.lay(test::rod(ground.chart, rod_radius, 0.8 * rod_radius), 0, 2 * rod_radius, voxel);
+  return ground;
+}
+
+// The gap beside the line in which both meet is narrower than voxels: nothing of it may be left as a ragged
+// edge or as tunnels.
+TEST(Merge, ClosesGapsThatVoxelsCannotHold) {
+  for (const double voxel : {rod_radius / 4, rod_radius / 7}) {
+    const Ground ground = resting(test::sphere(6, 0.2, 4), 1, voxel);
+    for (const auto operation : {SolidOperation::unite, SolidOperation::difference}) {
+      const SurfacePatch patch = ground.merged(operation, 0);
+      const test::Edges edges = test::edges_of(ground.after(patch));
+      EXPECT_EQ(edges.euler, 2);
+      EXPECT_EQ(edges.open + edges.multi, 0u);
+      EXPECT_GE(test::angles_of(ground.fresh(patch))[0], 10);
+    }
+  }
+}
+
+// Edges of the surface from half a voxel to fifteen voxels.
+TEST(Merge, MakesNoSliversWhateverTheSurfacesEdges) {
+  for (const auto& [level, voxel] : {std::pair(7, 0.02), {5, 0.02}, {4, 0.0075}}) {
+    const Ground ground = half_sunk(test::sphere(level, 0.2, 4), 1, voxel);
+    for (const double blend : {0., 0.03}) {
+      const std::vector<double> angles =
+          test::angles_of(ground.fresh(ground.merged(SolidOperation::unite, blend)));
+      EXPECT_GE(angles[0], 5) << level << ' ' << blend;
+      EXPECT_GE(angles[angles.size() / 100], 15) << level << ' ' << blend;
+    }
+  }
+}
+
 // What is left is the inner half of the rod.
 TEST(Merge, LeavesTheIntersection) {
   const Ground ground = half_sunk(test::sphere(6, 0.2, 4), 1, rod_radius / 5);

@@ -32,8 +32,7 @@ Improvement flat(double size) {
   return {.size = [size](const Vec3d&) { return size; },
           .bring = [](const Vec3d& p) { return Vec3d(p.x(), p.y(), 0); },
           .crease = nowhere,
-          .smooth = everywhere,
-          .mendable = everywhere};
+          .smooth = everywhere};
 }
 
 TEST(Improve, WidensSmallAngles) {
@@ -63,6 +62,28 @@ TEST(Improve, KeepsFixedVertices) {
       EXPECT_EQ(patch.positions[v], before.positions[patch.kept[v]]);
     }
   EXPECT_EQ(fixed, 48u);
+}
+
+// A strip of triangles whose corners all are on the border, beside edges that are far too short: collapsing
+// these must not leave ears along the border.
+TEST(Improve, LeavesNoEarsOnTheBorder) {
+  PatchMesh patch = test::flat_patch(24);
+  improve(patch, flat(5));
+  EXPECT_GE(std::ranges::min(least_angles(patch)), 15);
+  EXPECT_LT(patch.triangles.size(), 24u * 24);
+  EXPECT_EQ(test::border_sides(patch), 96);
+}
+
+// Edges from a vertex that stays to all of a row of small triangles are not halved again and again.
+TEST(Improve, GradesEdgesTowardsFineTriangles) {
+  PatchMesh patch = test::flat_patch(12);
+  Improvement how = flat(1);
+  const auto from_middle = [](const Vec3d& p) { return std::hypot(p.x() - 6, p.y() - 6); };
+  how.size = [&](const Vec3d& p) { return std::max(0.15, 0.5 * from_middle(p)); };
+  how.smooth = [&](const Vec3d& p) { return from_middle(p) < 1; };
+  improve(patch, how);
+  EXPECT_GE(std::ranges::min(least_angles(patch)), 15);
+  EXPECT_GT(patch.triangles.size(), 350u);
 }
 
 // A roof: its ridge, at x = 6, stays sharp.

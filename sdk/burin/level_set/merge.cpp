@@ -5,6 +5,7 @@
 #include <burin/base/parallel.h>
 #include <burin/level_set/grid/combine.h>
 #include <burin/level_set/grid/grid_surface.h>
+#include <burin/level_set/grid/rolling_ball.h>
 #include <burin/level_set/relaxed_mesh.h>
 #include <burin/level_set/solid_mesh.h>
 #include <burin/level_set/surface_distance.h>
@@ -130,6 +131,7 @@ class Merger {
   std::optional<Vec3d> on_crease(Vec3d p) const {
     constexpr int steps = 4;
     constexpr double parallel = 0.99;
+    const double sign = merge_->operation == SolidOperation::difference ? -1 : 1;
     const double near = crease_width * voxel_;
     if (merge_->blend > 0) return {};
     const Vec3d start = p;
@@ -137,7 +139,7 @@ class Merger {
       const auto a = base_.near(p, 2 * near), b = solid_.near(p, 2 * near);
       if (!a || !b || std::abs(a->value) > near || std::abs(b->value) > near) return {};
       const double c = a->normal.dot(b->normal), whole = 1 - c * c;
-      if (std::abs(c) > parallel) return {};
+      if (sign * c < acute_walls || std::abs(c) > parallel) return {};
       p -= ((a->value - c * b->value) * a->normal + (b->value - c * a->value) * b->normal) / whole;
     }
     if ((p - start).norm() > near) return {};
@@ -166,8 +168,7 @@ class Merger {
     improve(*joined, {.size = [this](const Vec3d& p) { return size(p); },
                       .bring = [this](const Vec3d& p) { return on_result(p); },
                       .crease = [this](const Vec3d& p) { return is_on_crease(p); },
-                      .smooth = [this](const Vec3d& p) { return is_seam(p); },
-                      .mendable = [this](const Vec3d& p) { return beyond(p) < cut_ + seam_width * voxel_; }});
+                      .smooth = [this](const Vec3d& p) { return is_seam(p); }});
     return as_patch(*joined, std::move(removed));
   }
 
@@ -262,7 +263,8 @@ class Merger {
           number[vertex] = piece.vertex_count();
           piece.positions.push_back(surface_->positions[vertex].cast<double>());
           const bool inside = std::ranges::all_of(surface_->incident[vertex], is_removed);
-          const bool far = beyond(piece.positions.back()) > std::max(cut_, merge_->blend + 2 * voxel_);
+          const bool far =
+              beyond(piece.positions.back()) > std::max(combined_.contact, merge_->blend) + 2 * voxel_;
           piece.kept.push_back(!inside || far ? vertex : no_index);
         }
         own[i] = number[vertex];

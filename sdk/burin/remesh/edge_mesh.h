@@ -14,6 +14,7 @@ struct EdgeMeshTraits : OpenMesh::DefaultTraits {
     burin::Vec3d position = burin::Vec3d::Zero();  // object units
     burin::Index kept = burin::no_index;
     double size = 0;      // of the edges that it should have, object units
+    bool added = false;   // to make edges shorter
     bool chosen = false;  // may change now
     bool crease = false;
   };

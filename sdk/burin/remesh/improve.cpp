@@ -38,7 +38,7 @@ class Remesher {
       move();
     }
     for (int round = 0; round < rounds; ++round) {
-      choose([this](Vertex v) { return how_->mendable(mesh_.data(v).position) && is_at_sliver(v); });
+      choose([this](Vertex v) { return is_at_sliver(v); });
       remove_slivers();
       flip();
       move();
@@ -50,7 +50,8 @@ class Remesher {
   /// Sets which vertices the round may change.
   void choose(const auto& wanted) {
     for (const Vertex v : mesh_.vertices())
-      mesh_.data(v).chosen = mesh_.data(v).kept == no_index && !mesh_.is_boundary(v) && wanted(v);
+      mesh_.data(v).chosen =
+          mesh_.data(v).kept == no_index && !mesh_.is_boundary(v) && (mesh_.data(v).added || wanted(v));
   }
 
   bool is_at_sliver(Vertex v) const {
@@ -78,6 +79,12 @@ class Remesher {
     return (corner[1] - corner[0]).cross(corner[2] - corner[0]);
   }
 
+  Vec3d area_around(Vertex v) const {
+    Vec3d sum = Vec3d::Zero();
+    for (const Face face : mesh_.vf_range(v)) sum += area(face);
+    return sum;
+  }
+
   void find_creases() {
     for (const Vertex v : mesh_.vertices()) mesh_.data(v).crease = how_->crease(mesh_.data(v).position);
   }
@@ -90,7 +97,6 @@ class Remesher {
 
   /// As asked for, but beside edges of the border that stay no longer than what lets triangles grow evenly.
   void find_sizes() {
-    constexpr double growth = 0.5;
     std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue;
     for (const Vertex v : mesh_.vertices()) {
       double size = how_->size(mesh_.data(v).position);
@@ -128,12 +134,12 @@ class Remesher {
   void split_long() {
     constexpr double too_long = 4. / 3;
     for (const Edge edge : edges_where([&](Edge e) { return length(mesh_, e) > too_long * size_of(e); })) {
-      const double size = size_of(edge);
+      const double size = size_of(edge) + growth * length(mesh_, edge) / 2;
       const bool crease = is_crease(edge);
       const Vertex vertex = add_vertex(mesh_, how_->bring(middle(mesh_, edge)));
       mesh_.split(edge, vertex);
-      mesh_.data(vertex).size = size;
-      mesh_.data(vertex).chosen = true;
+      mesh_.data(vertex).size = std::min(size, how_->size(mesh_.data(vertex).position));
+      mesh_.data(vertex).chosen = mesh_.data(vertex).added = true;
       mesh_.data(vertex).crease = crease;
     }
   }
@@ -152,14 +158,22 @@ class Remesher {
     double cost[2];
     for (int i = 0; i < 2; ++i) cost[i] = cost_of(halves[i], longest);
     const int better = cost[0] <= cost[1] ? 0 : 1;
-    if (!(cost[better] < 1)) return false;
+    const Vertex gone = mesh_.from_vertex_handle(halves[better]);
+    if (!(cost[better] < std::max(worst_around(gone, mesh_.data(gone).position), passable))) return false;
     mesh_.collapse(halves[better]);
     return true;
   }
 
+  double longest_around(Vertex v) const {
+    double longest = 0;
+    for (const Edge edge : mesh_.ve_range(v)) longest = std::max(longest, length(mesh_, edge));
+    return longest;
+  }
+
   /// The worst cosine of an angle after moving the half-edge's first vertex onto its second; 2 where that is
-  /// not allowed.
-  double cost_of(Half half, double longest) {
+  /// not allowed, also because an edge became longer than `longest` times the size of its ends and than
+  /// `longest_now`.
+  double cost_of(Half half, double longest, double longest_now = 0) {
     constexpr double refused = 2;
     const Vertex gone = mesh_.from_vertex_handle(half), stays = mesh_.to_vertex_handle(half);
     if (!may_move(gone) || !mesh_.is_collapse_ok(half)) return refused;
@@ -168,9 +182,9 @@ class Remesher {
     double worst = -1;
     for (const Half around : mesh_.voh_range(gone)) {
       const Vertex other = mesh_.to_vertex_handle(around);
-      if (other != stays && (mesh_.data(other).position - target).norm() >
-                                longest * std::max(mesh_.data(other).size, mesh_.data(stays).size))
-        return refused;
+      const double most =
+          std::max(longest * std::max(mesh_.data(other).size, mesh_.data(stays).size), longest_now);
+      if (other != stays && (mesh_.data(other).position - target).norm() > most) return refused;
       const Face face = mesh_.face_handle(around);
       const Vertex next = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(around));
       if (other == stays || next == stays) continue;
@@ -180,8 +194,10 @@ class Remesher {
     return worst;
   }
 
+  /// Whether a triangle still faces to the same side when a corner is moved. Slivers, whose own direction
+  /// says little, are compared with the triangles around that corner.
   bool stays_upright(Face face, Vertex moved, const Vec3d& to) const {
-    const Vec3d before = area(face);
+    const Vec3d before = worst_of(face) > sliver ? area_around(moved) : area(face);
     Vec3d corner[3];
     int i = 0;
     for (const Vertex v : mesh_.fv_range(face)) corner[i++] = v == moved ? to : mesh_.data(v).position;
@@ -197,11 +213,30 @@ class Remesher {
     for (int pass = 0; pass < most_passes && any; ++pass) {
       any = false;
       for (const Edge edge : mesh_.edges())
-        if (may_change(edge) && !is_crease(edge) && mesh_.is_flip_ok(edge) && is_flip_better(edge)) {
+        if (may_flip(edge) && is_flip_better(edge)) {
           mesh_.flip(edge);
           any = true;
         }
     }
+  }
+
+  /// Also an edge between vertices that stay, if a triangle beside it is a sliver. An edge of the crease only
+  /// if it is the longest side of a sliver along the crease.
+  bool may_flip(Edge edge) const {
+    if (mesh_.is_boundary(edge) || !mesh_.is_flip_ok(edge)) return false;
+    const bool crease = is_crease(edge);
+    for (const unsigned side : {0U, 1U}) {
+      const Half half = mesh_.halfedge_handle(edge, side);
+      const Vertex opposite = mesh_.opposite_vh(half);
+      const bool narrow = worst_of(mesh_.face_handle(half)) > well_shaped;
+      if (crease ? narrow && mesh_.data(opposite).crease && is_longest(edge, half) : narrow) return true;
+    }
+    return !crease && may_change(edge);
+  }
+
+  bool is_longest(Edge edge, Half half) const {
+    return std::ranges::none_of(mesh_.fe_range(mesh_.face_handle(half)),
+                                [&](Edge other) { return length(mesh_, other) > length(mesh_, edge); });
   }
 
   bool is_flip_better(Edge edge) const {
@@ -220,10 +255,10 @@ class Remesher {
       return p.dot(q) >= cosine * p.norm() * q.norm();
     };
     // Triangles without area have no direction.
-    const bool sliver = now > 1 - 1e-4;
+    const bool flat = now > 1 - 1e-4;
     const Vec3d both = n0 + n1;
     return agree(both, m0, least_turn) && agree(both, m1, least_turn) &&
-           (sliver || agree(n0, n1, least_flatness));
+           (flat || agree(n0, n1, least_flatness));
   }
 
   /// Towards the mean of the triangles around, weighted by their areas, and back to the surface.
@@ -278,12 +313,11 @@ class Remesher {
     std::ranges::stable_sort(edges, {}, [&](Edge edge) { return length(mesh_, edge); });
     for (const Edge edge : edges) {
       if (mesh_.status(edge).deleted()) continue;
-      const Half half = mesh_.halfedge_handle(edge, 0);
-      const double now = std::max(worst_of(mesh_.face_handle(half)),
-                                  worst_of(mesh_.face_handle(mesh_.opposite_halfedge_handle(half))));
-      const double costs[] = {cost_of(half, 2), cost_of(mesh_.opposite_halfedge_handle(half), 2)};
-      if (std::min(costs[0], costs[1]) < now)
-        mesh_.collapse(costs[0] <= costs[1] ? half : mesh_.opposite_halfedge_handle(half));
+      const Half half = mesh_.halfedge_handle(edge, 0), back = mesh_.halfedge_handle(edge, 1);
+      const double now = std::max(worst_of(mesh_.face_handle(half)), worst_of(mesh_.face_handle(back)));
+      const double costs[] = {cost_of(half, 2, longest_around(mesh_.from_vertex_handle(half))),
+                              cost_of(back, 2, longest_around(mesh_.from_vertex_handle(back)))};
+      if (std::min(costs[0], costs[1]) < now) mesh_.collapse(costs[0] <= costs[1] ? half : back);
     }
     mesh_.garbage_collection();
   }
@@ -295,7 +329,10 @@ class Remesher {
     return worst_cosine(corner[0], corner[1], corner[2]);
   }
 
-  static constexpr double well_shaped = 0.9063;  // cosine of 25 degrees
+  /// Of the edges' sizes along the way from one to the next.
+  static constexpr double growth = 0.5;
+  /// Cosines of 25, 10 and 5 degrees.
+  static constexpr double well_shaped = 0.9063, passable = 0.9848, sliver = 0.9962;
 
   PatchMesh* patch_;
   const Improvement* how_;

@@ -9,10 +9,8 @@ struct Improvement {
   BringPoint bring;  ///< to the surface, from near it
   /// Whether a vertex is on a crease, along which alone it may change.
   std::function<bool(const Vec3d&)> crease;
-  /// Whether edges there shall have the size.
+  /// Whether edges there shall have the size. Small angles are mended everywhere.
   std::function<bool(const Vec3d&)> smooth;
-  /// Whether small angles there may be mended.
-  std::function<bool(const Vec3d&)> mendable;
 };
 
 /// Remeshes a patch so that its triangles have edges of about the size and no small angles. Fixed vertices,

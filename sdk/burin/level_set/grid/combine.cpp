@@ -172,7 +172,7 @@ double farthest_contact(const Combined& combined, const Grid& base, float sign, 
 }  // namespace
 
 Combined combine(const Operands& operands) {
-  const double voxel = operands.voxels.voxel(), reach = 2 * operands.blend + 4 * voxel;
+  const double voxel = operands.voxels.voxel(), reach = 2 * std::max(operands.blend, voxel) + 4 * voxel;
   Combined combined;
   const float of_base = base_sign(operands.operation), of_solid = solid_sign(operands.operation);
   // A fillet needs distances on the side that is outside of the union.
@@ -190,7 +190,7 @@ Combined combine(const Operands& operands) {
   combined.result = first->deepCopy();
   change_values(
       *combined.result, [](float a, float b) { return std::min(a, b); }, *second);
-  if (operands.blend > 0) add_fillet(*combined.result, *first, *second, operands.blend);
+  add_fillet(*combined.result, *first, *second, operands.blend);
   change_values(*combined.result, [&](float value) { return of_base * value; });
   combined.bytes = base->memUsage() + first->memUsage() + second->memUsage() + combined.solid->memUsage() +
                    combined.result->memUsage();

@@ -4,6 +4,9 @@
 // solids this is the fillet, and it goes over into them smoothly. The place is the minimum of |x - p| under
 // the two conditions a(x) >= r and b(x) >= r, found by sequential quadratic programming with linearized
 // distances a and b.
+//
+// Voxels cannot hold the gap between two walls that meet at an acute angle: its edge would be ragged, with
+// tunnels through it. There the ball has at least the radius of a voxel.
 #include <burin/base/parallel.h>
 #include <burin/level_set/grid/rolling_ball.h>
 #include <openvdb/tools/Interpolation.h>
@@ -64,11 +67,19 @@ Least least(const Vec3d& n1, double b1, const Vec3d& n2, double b2) {
   return {((b1 - c * b2) * n1 + (b2 - c * b1) * n2) / whole, true};
 }
 
+/// The least radius of the ball between walls whose normals have this scalar product, voxels.
+double least_radius(double cosine) {
+  constexpr double whole = -0.65;
+  return std::clamp((acute_walls - cosine) / (acute_walls - whole), 0., 1.);
+}
+
 /// r - D at a place within the fillet; all in voxels. Nothing elsewhere.
 std::optional<double> in_fillet(const Distance& first, const Distance& second, const Vec3d& p,
                                 double radius) {
   constexpr int steps = 8;
   constexpr double close = 1e-3, parallel = -0.995;
+  radius = std::max(radius, least_radius(first.at(p).gradient.dot(second.at(p).gradient)));
+  if (!(radius > 0)) return {};
   Vec3d x = p;
   Least found;
   for (int step = 0; step < steps; ++step) {
@@ -90,7 +101,8 @@ std::optional<double> in_fillet(const Distance& first, const Distance& second, c
 
 void add_fillet(Grid& both, const Grid& first, const Grid& second, double radius) {
   const double voxel = both.voxelSize().x();
-  const auto near = static_cast<float>(radius), far = static_cast<float>(2 * radius);
+  const double most_radius = std::max(radius, voxel);
+  const auto near = static_cast<float>(most_radius), far = static_cast<float>(2 * most_radius);
   openvdb::tree::LeafManager<Grid::TreeType> leaves(both.tree());
   parallel_blocks(leaves.leafCount(), 1, [&](std::size_t begin, std::size_t end) {
     const Distance a(first), b(second);
