@@ -3,7 +3,7 @@
 // the surface and a voxel more; there both lie on the surface, and are joined. The seam is remeshed.
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
-#include <burin/level_set/grid/combine.h>
+#include <burin/level_set/combine.h>
 #include <burin/level_set/grid/grid_surface.h>
 #include <burin/level_set/grid/rolling_ball.h>
 #include <burin/level_set/relaxed_mesh.h>

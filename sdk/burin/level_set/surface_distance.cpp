@@ -67,14 +67,37 @@ Side side_of(const Surface& surface, Index triangle, const Vec3d& p) {
 
 }  // namespace
 
-double SurfaceDistance::operator()(const Vec3d& p, double bound) const {
+/// A distance that the closest point has at most: that of the triangle, or of the vertex that is reached from
+/// it by going on to the nearest neighbour.
+double SurfaceDistance::bound(const Vec3d& p, Index triangle) const {
+  const auto from = [&](Index v) { return (surface_->positions[v].cast<double>() - p).squaredNorm(); };
+  Index vertex = *std::ranges::min_element(surface_->triangles[triangle], {}, from);
+  double nearest = from(vertex);
+  for (Index at = no_index; at != vertex;) {
+    at = vertex;
+    for (const Index next : surface_->incident[at])
+      for (const Index corner : surface_->triangles[next])
+        if (const double to = from(corner); to < nearest) {
+          nearest = to;
+          vertex = corner;
+        }
+  }
+  return std::sqrt(std::min(nearest, closest_point(*surface_, triangle, p).squared_distance));
+}
+
+double SurfaceDistance::operator()(const Vec3d& p) const {
+  Index triangle = no_index;
+  return (*this)(p, triangle);
+}
+
+double SurfaceDistance::operator()(const Vec3d& p, Index& triangle) const {
   // The bound may be exceeded by rounding.
-  constexpr double all = std::numeric_limits<float>::max(), more = 1.001;
+  constexpr double all = std::numeric_limits<float>::max(), more = 1.0001;
   const auto within = [&](double reach) {
     const std::optional<SurfacePoint> place = picker_->closest(p.cast<float>(), static_cast<float>(reach));
     return place ? place->triangle : no_index;
   };
-  Index triangle = within(std::min(more * bound, all));
+  triangle = triangle == no_index ? no_index : within(more * bound(p, triangle));
   if (triangle == no_index) triangle = within(all);
   const Side side = side_of(*surface_, triangle, p);
   const double distance = (p - side.foot).norm();

@@ -2,7 +2,6 @@
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
 
-#include <limits>
 #include <optional>
 
 namespace burin {
@@ -13,8 +12,11 @@ class SurfaceDistance {
  public:
   SurfaceDistance(const Surface& surface, const Picker& picker) : surface_(&surface), picker_(&picker) {}
 
-  /// `bound`: no less than its absolute value, as far as is known; the closer, the faster.
-  double operator()(const Vec3d& p, double bound = std::numeric_limits<double>::infinity()) const;
+  double operator()(const Vec3d& p) const;
+
+  /// `triangle`: one that is near the point, or no_index; becomes the closest one. The nearer it is, the
+  /// faster; the result is the same.
+  double operator()(const Vec3d& p, Index& triangle) const;
 
   /// The distance near a point within reach, as linear.
   struct Linear {
@@ -27,6 +29,8 @@ class SurfaceDistance {
   std::optional<Vec3d> closest(const Vec3d& p, double reach) const;
 
  private:
+  double bound(const Vec3d& p, Index triangle) const;
+
   const Surface* surface_;
   const Picker* picker_;
 };

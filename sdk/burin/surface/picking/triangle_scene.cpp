@@ -89,6 +89,8 @@ class ClosestPoint {
 
   void meet(Index begin, Index end) {
     for (Index triangle = begin; triangle < end; ++triangle) {
+      // Rules out most triangles at a quarter of the cost.
+      if (!reaches(nearest(box_of(triangle)))) continue;
       const TrianglePoint found = closest_point(surface_, triangle, query_);
       const bool nearer = found.squared_distance < squared_distance_;
       const bool same = found.squared_distance == squared_distance_;
@@ -106,6 +108,12 @@ class ClosestPoint {
   }
 
  private:
+  Box box_of(Index triangle) const {
+    Box box;
+    Triangles{surface_}.extend(box, triangle);
+    return box;
+  }
+
   const Surface& surface_;
   Vec3d query_;
   double squared_distance_;

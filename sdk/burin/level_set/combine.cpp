@@ -3,7 +3,7 @@
 // touches both; see rolling_ball.h.
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
-#include <burin/level_set/grid/combine.h>
+#include <burin/level_set/combine.h>
 #include <burin/level_set/grid/rolling_ball.h>
 #include <fmt/format.h>
 #include <openvdb/tree/LeafManager.h>
@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace burin {
@@ -29,20 +28,20 @@ struct Band {
 /// Fills a cube of a leaf's voxels: at once where it is farther from the surface than the band.
 class LeafFiller {
  public:
-  LeafFiller(Leaf& leaf, const BoundedDistance& base, double voxel, const Band& band)
-      : leaf_(&leaf), base_(&base), voxel_(voxel), band_(band) {
+  LeafFiller(Leaf& leaf, const SurfaceDistance& distance, double voxel, const Band& band)
+      : leaf_(&leaf), distance_(&distance), voxel_(voxel), band_(band) {
     const openvdb::Coord& origin = leaf.origin();
     origin_ = Vec3d(origin.x(), origin.y(), origin.z());
   }
 
-  void fill(const Eigen::Vector3i& low, int side, double bound) {
+  /// `triangle`: see SurfaceDistance.
+  void fill(const Eigen::Vector3i& low, int side, Index triangle) {
     const Vec3d middle = voxel_ * (origin_ + low.cast<double>() + Vec3d::Constant((side - 1) / 2.));
-    const double value = (*base_)(middle, bound), radius = std::sqrt(3.) * (side - 1) / 2 * voxel_;
+    const double value = (*distance_)(middle, triangle), radius = std::sqrt(3.) * (side - 1) / 2 * voxel_;
     if (side == 1 || value > band_.outside + radius || value < -band_.inside - radius)
       return set(low, side, value);
     const int half = side / 2;
-    for (int i = 0; i < 8; ++i)
-      fill(low + half * Eigen::Vector3i(i >> 2, i >> 1 & 1, i & 1), half, std::abs(value) + radius);
+    for (int i = 0; i < 8; ++i) fill(low + half * Eigen::Vector3i(i >> 2, i >> 1 & 1, i & 1), half, triangle);
   }
 
  private:
@@ -56,7 +55,7 @@ class LeafFiller {
   }
 
   Leaf* leaf_;
-  const BoundedDistance* base_;
+  const SurfaceDistance* distance_;
   double voxel_;
   Band band_;
   Vec3d origin_;  ///< voxels
@@ -104,14 +103,13 @@ std::vector<openvdb::Coord> leaves_near(const StrokeSolid& solid, double reach) 
 }
 
 /// Distances in these leaves, as far as the band; outside everywhere else.
-Grid::Ptr filled(const std::vector<openvdb::Coord>& origins, const BoundedDistance& distance, double voxel,
+Grid::Ptr filled(const std::vector<openvdb::Coord>& origins, const SurfaceDistance& distance, double voxel,
                  const Band& band) {
   const Grid::Ptr grid = empty_grid(voxel, band.outside / voxel);
   for (const openvdb::Coord& origin : origins)
     grid->tree().addLeaf(new Leaf(origin, grid->background(), true));
   for_each_leaf(*grid, [&](Leaf& leaf) {
-    LeafFiller(leaf, distance, voxel, band)
-        .fill(Eigen::Vector3i::Zero(), Leaf::DIM, std::numeric_limits<double>::infinity());
+    LeafFiller(leaf, distance, voxel, band).fill(Eigen::Vector3i::Zero(), Leaf::DIM, no_index);
   });
   return grid;
 }

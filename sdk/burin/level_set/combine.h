@@ -1,19 +1,15 @@
 #pragma once
 #include <burin/level_set/grid/grids.h>
+#include <burin/level_set/surface_distance.h>
 #include <burin/volume/solid.h>
 
-#include <functional>
-
 namespace burin {
-
-/// The signed distance to a surface, object units; `bound` is no less than its absolute value. Any thread.
-using BoundedDistance = std::function<double(const Vec3d& point, double bound)>;
 
 /// What is combined.
 struct Operands {
   const StrokeSolid& voxels;
-  BoundedDistance solid;  ///< to the same solid
-  BoundedDistance base;   ///< to the surface
+  const SurfaceDistance& solid;  ///< to the same solid
+  const SurfaceDistance& base;   ///< to the surface
   SolidOperation operation;
   double
       blend;  ///< radius of a ball that leaves a fillet where it rolls along both; object units, 0 for none
