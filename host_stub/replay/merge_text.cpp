@@ -6,6 +6,17 @@
 
 namespace burin {
 
+namespace {
+
+/// Of the steps, in their order.
+Json seconds_json(const MergeReport& merge) {
+  return {{"solid", merge.solid_seconds},     {"distances", merge.seconds.distances},
+          {"contour", merge.seconds.contour}, {"join", merge.seconds.join},
+          {"remesh", merge.seconds.remesh},   {"rebuild", merge.rebuild_seconds}};
+}
+
+}  // namespace
+
 Json merges_json(std::span<const MergeReport> merges) {
   Json all = Json::array();
   for (const MergeReport& merge : merges)
@@ -16,7 +27,8 @@ Json merges_json(std::span<const MergeReport> merges) {
                    {"triangles_added", merge.triangles_added},
                    {"euler_before", merge.euler_before},
                    {"euler_after", merge.euler_after},
-                   {"least_angle", merge.least_angle}});
+                   {"least_angle", merge.least_angle},
+                   {"seconds", seconds_json(merge)}});
   return all;
 }
 

@@ -210,6 +210,7 @@ void run(ReplayOptions& options) {
   finish(mesh, session, summary);
   warn_of_left_out(summary);
   warn_of_lost_paint(session, mesh);
+  for (const std::string& line : session.warnings()) warn(line);
   Json json = {{"mesh", mesh.json()}};
   json.update(summary_json(summary));
   const SolidParts parts(session.parts(), session.bent_meshes());

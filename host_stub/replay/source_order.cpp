@@ -13,6 +13,7 @@ TriangleMesh in_source_order(const Surface& surface, std::span<const Vec3f> posi
   for (const Triangle& triangle : surface.triangles) {
     mesh.triangles.push_back({source[triangle[0]], source[triangle[1]], source[triangle[2]]});
   }
+  mesh.triangle_uv = surface.triangle_uv;
   return mesh;
 }
 

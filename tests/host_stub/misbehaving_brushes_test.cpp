@@ -52,6 +52,18 @@ TEST_F(MisbehavingBrushes, AreNamedWhenTheyAreAskedFor) {
   EXPECT_NE(lines[0].find("wrong_major.burin: is made for version 999"), std::string::npos);
 }
 
+TEST_F(MisbehavingBrushes, AreWarnedOfWhenADistanceIsNone) {
+  const ProcessResult result = replay("org.burin.test.flat-solid");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(result.out)["parts"].size(), 1u);
+  const std::vector<std::string> lines = own_lines(result.err);
+  ASSERT_EQ(lines.size(), 1u) << result.err;
+  EXPECT_EQ(lines[0].find("burin: warning: org.burin.test.flat-solid: what it gives as the distance to its "
+                          "solid changes by 0.2"),
+            0u)
+      << lines[0];
+}
+
 TEST_F(MisbehavingBrushes, PrintToTheStandardError) {
   const ProcessResult result = replay("org.burin.test.printing");
   EXPECT_EQ(result.exit_code, 0);

@@ -45,6 +45,18 @@ double volume_inside(const StrokeSolid& solid) {
   return static_cast<double>(inside) * std::pow(solid.voxel(), 3);
 }
 
+TEST(StrokeSolid, TellsHowSteeplyADistanceChanges) {
+  const Ground ground;
+  EXPECT_NEAR(median_slope(ground.rod()), 1, 0.01);
+  const DistanceToSolid rod = test::rod(ground.chart, rod_radius, 0);
+  const auto flat = [&](std::span<const ShellPoint> points, std::span<float> distances) {
+    rod(points, distances);
+    for (float& distance : distances) distance *= 0.25F;
+  };
+  EXPECT_NEAR(median_slope(ground.solid(Ground::extent(), flat)), 0.25, 0.01);
+  EXPECT_EQ(median_slope(StrokeSolid(voxel, {})), 1);
+}
+
 TEST(StrokeSolid, HoldsTheDistancesOfItsBand) {
   const Ground ground;
   const StrokeSolid solid = ground.rod();

@@ -3,6 +3,7 @@
 #include <burin/abi/plugin.h>
 #include <burin/base/error.h>
 #include <burin/base/hash.h>
+#include <burin/base/stopwatch.h>
 #include <burin/deform/shown/shown_paint.h>
 #include <burin/deform/shown/shown_surface.h>
 #include <burin/deform/shown/undo_journal.h>
@@ -43,8 +44,7 @@ struct Session::Impl {
   std::span<const Index> note_changed(std::span<const Index> moved, std::span<const Index> painted);
   void commit(std::span<const Index> displaced);
   MadePart add_part();
-  bool merges_solid() const;
-  void merge_solid();
+  void merge_solid(const SolidMerge& merge);
   void replace_surface(Surface made, Paint painted);
   void drop();
 
@@ -79,6 +79,7 @@ struct Session::Impl {
   std::vector<StrokeSolid> parts;
   SolidMerger merger;
   std::vector<MergeReport> merges;
+  std::vector<std::string> warnings;  ///< of finished strokes
   std::uint64_t generation = 0;
   std::vector<TriangleMesh> bent_meshes;
   EventCost cost;
@@ -149,9 +150,10 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
     return {};
   }
   finish_piece(closure);
+  warnings.insert(warnings.end(), stroke->warnings().begin(), stroke->warnings().end());
   StageClock clock(cost);
-  if (merges_solid()) {
-    merge_solid();
+  if (const std::optional<SolidMerge> merge = stroke->merge()) {
+    merge_solid(*merge);
     clock.lap(Stage::record);
     return changed;
   }
@@ -175,22 +177,20 @@ MadePart Session::Impl::add_part() {
   return MadePart::solid;
 }
 
-bool Session::Impl::merges_solid() const {
-  const std::optional<StrokeSolid>& solid = std::as_const(*stroke).solid();
-  return solid && !solid->empty() && burin::merges(stroke->solid_operation());
-}
-
-/// Merges the stroke's solid with the surface. The stroke is gone then.
-void Session::Impl::merge_solid() {
+/// Merges what the stroke made with the surface. The stroke is gone then.
+void Session::Impl::merge_solid(const SolidMerge& merge) {
   if (!merger) throw Error("this application cannot merge solids with the surface");
-  const StrokeSolid& solid = *stroke->solid();
-  const MergedSolid merged = merger({surface, picker, solid, stroke->solid_operation(), stroke->blend()});
+  const MergedSolid merged = merger(merge);
+  Stopwatch watch;
   PaintedSurface made = with_patch(surface, picker, paint.base(), merged.patch);
-  merges.push_back(report_of(merged, solid.voxel(), surface, made.surface));
+  MergeReport report = report_of(merged, voxel_of(merge), surface, made.surface);
+  report.solid_seconds = stroke->solid_seconds();
   stroke.reset();
   Paint before = paint.base();
   Surface replaced = std::move(surface);
   replace_surface(std::move(made.surface), std::move(made.paint));
+  report.rebuild_seconds = watch.lap();
+  merges.push_back(report);
   journal.record(std::move(replaced), std::move(before));
 }
 
@@ -258,6 +258,7 @@ std::span<const Vec3f> Session::normals() const { return impl_->shown.normals();
 std::uint64_t Session::generation() const { return impl_->generation; }
 std::span<const StrokeSolid> Session::parts() const { return impl_->parts; }
 std::span<const MergeReport> Session::merges() const { return impl_->merges; }
+std::span<const std::string> Session::warnings() const { return impl_->warnings; }
 std::span<const TriangleMesh> Session::bent_meshes() const { return impl_->bent_meshes; }
 const Paint& Session::paint() const { return impl_->paint.shown(); }
 

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace burin {
 
@@ -45,6 +46,8 @@ struct MergeReport {
   std::size_t triangles_removed = 0, triangles_added = 0;
   long euler_before = 0, euler_after = 0;  ///< vertices - edges + triangles
   double least_angle = 0;                  ///< of the added triangles, degrees
+  MergeSeconds seconds;
+  double solid_seconds = 0, rebuild_seconds = 0;  ///< making the solid, and all that depends on the surface
 };
 
 /// A surface that is being sculpted: the main class for embedding applications. One stroke at a time is
@@ -86,8 +89,13 @@ class Session {
 
   /// What the strokes did that merged a solid with the surface, in their order.
   std::span<const MergeReport> merges() const;
-  /// The meshes that strokes with StrokeSettings::along laid beside the surface, one of each stroke, in the
-  /// order of the strokes. Object units; with the texture coordinates that their sources have.
+
+  /// What authors should know of what their brushes did in the strokes so far: lines "ID: ...".
+  std::span<const std::string> warnings() const;
+
+  /// The meshes that strokes with StrokeSettings::along laid beside the surface, one of each stroke that did
+  /// not merge them with it, in the order of the strokes. Object units; with the texture coordinates that
+  /// their sources have.
   std::span<const TriangleMesh> bent_meshes() const;
 
   /// Opens a stroke. Throws Error for an unknown brush or parameter, a value out of range, a file that cannot

@@ -3,10 +3,13 @@
 // the surface and a voxel more; there both lie on the surface, and are joined. The seam is remeshed.
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
+#include <burin/base/stopwatch.h>
 #include <burin/level_set/combine.h>
 #include <burin/level_set/grid/grid_surface.h>
 #include <burin/level_set/grid/rolling_ball.h>
+#include <burin/level_set/mesh_solid.h>
 #include <burin/level_set/relaxed_mesh.h>
+#include <burin/level_set/replaced.h>
 #include <burin/level_set/solid_mesh.h>
 #include <burin/level_set/surface_distance.h>
 #include <burin/remesh/clip.h>
@@ -14,12 +17,12 @@
 #include <burin/remesh/join.h>
 #include <burin/remesh/refine.h>
 #include <burin/remesh/specks.h>
-#include <fmt/format.h>
 #include <openvdb/tools/Interpolation.h>
 
 #include <algorithm>
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace burin {
 namespace {
@@ -47,19 +50,21 @@ struct SolidSurface {
 
 class Merger {
  public:
-  explicit Merger(const SolidMerge& merge)
+  Merger(const SolidMerge& merge, const StrokeSolid& solid)
       : merge_(&merge),
         surface_(&merge.surface),
-        voxel_(merge.solid.voxel()),
+        voxel_(solid.voxel()),
         base_(merge.surface, merge.picker),
-        solid_surface_(merge.solid),
+        solid_surface_(solid),
         solid_(solid_surface_.surface, solid_surface_.picker),
-        combined_(combine({merge.solid, solid_, base_, merge.operation, merge.blend})),
+        combined_(combine({solid, solid_, base_, merge.operation, merge.blend})),
         surface_of_(*combined_.result),
         side_(merge.operation == SolidOperation::intersection ? -1 : 1) {}
 
   MergedSolid run() {
+    seconds_.distances = watch_.lap();
     const PatchMesh contour = contoured();
+    seconds_.contour = watch_.lap();
     // Where the line that they are cut along nearly touches itself, the two may differ; elsewhere they do
     // not.
     constexpr int tries = 6;
@@ -67,7 +72,7 @@ class Merger {
     for (int i = 0; i < tries; ++i) {
       cut_ = combined_.contact + (cut_beyond + i * step) * voxel_;
       if (std::optional<SurfacePatch> patch = attempt(contour))
-        return {std::move(*patch), combined_.result->tree().leafCount() * VoxelBlock::voxels,
+        return {std::move(*patch), seconds_, combined_.result->tree().leafCount() * VoxelBlock::voxels,
                 combined_.bytes};
     }
     throw Error("the solid's surface and the rest cannot be joined here: try another voxel");
@@ -157,19 +162,34 @@ class Merger {
     clip(
         inner, [this](const Vec3d& p) { return cut_ - beyond(p); }, bring);
     remove_specks(inner, voxel_ * voxel_ * voxel_);
-    std::vector<Index> removed = replaced();
-    grow(removed);
-    PatchMesh outer = piece(removed);
+    std::vector<Index> removed = replaced_triangles(replacement());
+    PatchMesh outer = piece_of(*surface_, removed, [this](const Vec3d& p) {
+      return beyond(p) > std::max(combined_.contact, merge_->blend) + 2 * voxel_;
+    });
     refine(outer, [this](const Vec3d& p) { return size(p); });
     clip(
         outer, [this](const Vec3d& p) { return beyond(p) - cut_; }, bring);
     std::optional<PatchMesh> joined = join(outer, inner, 0.5 * voxel_);
+    seconds_.join += watch_.lap();
     if (!joined) return {};
     improve(*joined, {.size = [this](const Vec3d& p) { return size(p); },
                       .bring = [this](const Vec3d& p) { return on_result(p); },
                       .crease = [this](const Vec3d& p) { return is_on_crease(p); },
                       .smooth = [this](const Vec3d& p) { return is_seam(p); }});
+    seconds_.remesh += watch_.lap();
     return as_patch(*joined, std::move(removed));
+  }
+
+  Replacement replacement() const {
+    const openvdb::CoordBBox voxels = combined_.solid->evalActiveVoxelBoundingBox();
+    const openvdb::Coord low = voxels.min(), high = voxels.max();
+    return {.surface = *surface_,
+            .beyond = [this](const Vec3d& p) { return beyond(p); },
+            .known = known(),
+            .box = {voxel_ * Vec3d(low.x(), low.y(), low.z()), voxel_ * Vec3d(high.x(), high.y(), high.z())},
+            .near = cut_ + replaced_beyond * voxel_,
+            .voxel = voxel_,
+            .size = [this](const Vec3d& p) { return size(p); }};
   }
 
   double size(const Vec3d& p) const {
@@ -179,120 +199,6 @@ class Merger {
 
   /// Whether triangles there shall be made even. Farther away they are parts of the surface's own.
   bool is_seam(const Vec3d& p) const { return is_base(p) && beyond(p) < cut_ + seam_width * voxel_; }
-
-  /// Whether a part of the triangle may be as near as triangles are replaced.
-  bool is_near(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
-    const Vec3d middle = (a + b + c) / 3;
-    const double radius = std::sqrt(
-        std::max({(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()}));
-    const double at = beyond(middle), near = cut_ + replaced_beyond * voxel_;
-    if (at < near) return true;
-    if (at < known() ? at - radius >= near : known() - radius >= near) return false;
-    if (!box_.intersects(
-            Eigen::AlignedBox3d(middle - Vec3d::Constant(radius), middle + Vec3d::Constant(radius))))
-      return false;
-    if (radius < voxel_) return at - radius < near;
-    const Vec3d ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
-    return is_near(a, ab, ca) || is_near(ab, b, bc) || is_near(ca, bc, c) || is_near(ab, bc, ca);
-  }
-
-  /// The triangles of the surface that a part of is near the solid, ascending.
-  std::vector<Index> replaced() {
-    const openvdb::CoordBBox voxels = combined_.solid->evalActiveVoxelBoundingBox();
-    const openvdb::Coord low = voxels.min(), high = voxels.max();
-    box_ = {voxel_ * Vec3d(low.x(), low.y(), low.z()), voxel_ * Vec3d(high.x(), high.y(), high.z())};
-    std::vector<char> near(surface_->triangles.size(), 0);
-    parallel_blocks(near.size(), 4096, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end; ++t) {
-        const Triangle& triangle = surface_->triangles[t];
-        const Vec3d a = corner(triangle, 0), b = corner(triangle, 1), c = corner(triangle, 2);
-        near[t] = is_near(a, b, c);
-      }
-    });
-    std::vector<Index> list;
-    for (Index t = 0; t < near.size(); ++t)
-      if (near[t]) list.push_back(t);
-    return list;
-  }
-
-  Vec3d corner(const Triangle& triangle, std::size_t i) const {
-    return surface_->positions[triangle[i]].cast<double>();
-  }
-
-  /// Adds triangles beyond sides that are too long for what is to come beside them, so that these can be
-  /// split.
-  void grow(std::vector<Index>& removed) const {
-    constexpr double too_long = 2;
-    std::vector<bool> chosen(surface_->triangles.size(), false);
-    for (const Index t : removed) chosen[t] = true;
-    for (std::size_t i = 0; i < removed.size(); ++i) {
-      const Triangle triangle = surface_->triangles[removed[i]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3d from = corner(triangle, k), to = corner(triangle, (k + 1) % 3);
-        if ((to - from).norm() <= too_long * least_size([this](const Vec3d& p) { return size(p); }, from, to))
-          continue;
-        const Index other = across(triangle[(k + 1) % 3], triangle[k]);
-        if (other == no_index || chosen[other]) continue;
-        chosen[other] = true;
-        removed.push_back(other);
-      }
-    }
-    std::ranges::sort(removed);
-  }
-
-  /// The triangle whose side leads from one vertex to the other.
-  Index across(Index from, Index to) const {
-    for (const Index number : surface_->incident[from]) {
-      const Triangle& t = surface_->triangles[number];
-      for (std::size_t i = 0; i < 3; ++i)
-        if (t[i] == from && t[(i + 1) % 3] == to) return number;
-    }
-    return no_index;
-  }
-
-  /// These triangles by themselves. Vertices that others have too, or that are far from the solid, are kept.
-  PatchMesh piece(const std::vector<Index>& triangles) const {
-    std::vector<Index> number(surface_->vertex_count(), no_index);
-    PatchMesh piece;
-    const auto is_removed = [&](Index t) { return std::ranges::binary_search(triangles, t); };
-    for (const Index t : triangles) {
-      Triangle own{};
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Index vertex = surface_->triangles[t][i];
-        if (number[vertex] == no_index) {
-          number[vertex] = piece.vertex_count();
-          piece.positions.push_back(surface_->positions[vertex].cast<double>());
-          const bool inside = std::ranges::all_of(surface_->incident[vertex], is_removed);
-          const bool far =
-              beyond(piece.positions.back()) > std::max(combined_.contact, merge_->blend) + 2 * voxel_;
-          piece.kept.push_back(!inside || far ? vertex : no_index);
-        }
-        own[i] = number[vertex];
-      }
-      check_sides(surface_->triangles[t]);
-      piece.triangles.push_back(own);
-    }
-    return piece;
-  }
-
-  /// Each side must be that of one other triangle, in the other direction.
-  void check_sides(const Triangle& triangle) const {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index from = triangle[i], to = triangle[(i + 1) % 3];
-      std::size_t same = 0, other = 0;
-      for (const Index number : surface_->incident[from]) {
-        const Triangle& t = surface_->triangles[number];
-        for (std::size_t k = 0; k < 3; ++k) {
-          if (t[k] == from && t[(k + 1) % 3] == to) ++same;
-          if (t[k] == to && t[(k + 1) % 3] == from) ++other;
-        }
-      }
-      if (same == 1 && other == 1) continue;
-      const Vec3f& at = surface_->positions[from];
-      throw Error(fmt::format("the surface is {} at ({:.6g}, {:.6g}, {:.6g}), where the solid meets it",
-                              same == 1 && other == 0 ? "open" : "no manifold", at.x(), at.y(), at.z()));
-    }
-  }
 
   SurfacePatch as_patch(const PatchMesh& mesh, std::vector<Index> removed) const {
     SurfacePatch patch;
@@ -310,6 +216,7 @@ class Merger {
     return patch;
   }
 
+  Stopwatch watch_;
   const SolidMerge* merge_;
   const Surface* surface_;
   double voxel_;
@@ -320,14 +227,18 @@ class Merger {
   GridSurface surface_of_;  ///< of the result
   double side_;
   double cut_ = 0;  ///< distance from the solid along which surface and contour are cut, object units
-  Eigen::AlignedBox3d box_;  ///< of the voxels
+  MergeSeconds seconds_;
 };
 
 }  // namespace
 
 MergedSolid merge_solid(const SolidMerge& merge) {
-  if (merge.solid.empty()) return {};
-  return Merger(merge).run();
+  if (const auto* closed = std::get_if<MeshSolid>(&merge.solid)) {
+    const StrokeSolid solid = solid_of(closed->mesh, closed->voxel);
+    return merge_solid({merge.surface, merge.picker, solid, merge.operation, merge.blend});
+  }
+  const StrokeSolid& solid = std::get<0>(merge.solid);
+  return solid.empty() ? MergedSolid{} : Merger(merge, solid).run();
 }
 
 }  // namespace burin

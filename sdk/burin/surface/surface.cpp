@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <span>
+#include <tuple>
 
 namespace burin {
 namespace {
@@ -59,24 +61,56 @@ void sort_vertices(TriangleMesh& mesh, Surface& surface) {
   });
 }
 
-/// Sorts triangles by lowest vertex, then lexicographically, and removes those that have a vertex twice.
-/// Triangles that compare equal are identical, so every sorting method gives the same result.
-void sort_triangles(std::vector<Triangle>& triangles, std::size_t vertices) {
-  UnsetVector<Triangle> sorted(triangles.size());
+/// What `item` makes of each triangle, sorted by the triangle's lowest vertex and then by `less`, without
+/// triangles that have a vertex twice.
+template <class Item, class MakeItem, class Less>
+UnsetVector<Item> sorted_by_lowest(const std::vector<Triangle>& triangles, std::size_t vertices,
+                                   const MakeItem& item, const Less& less) {
+  UnsetVector<Item> sorted(triangles.size());
   const std::vector<Index> offsets = counting_sort(
       triangles.size(), vertices,
       [&](std::size_t i, const auto& emit) {
         const auto& [a, b, c] = triangles[i];
         if (!has_repeated_vertex(triangles[i])) emit(std::min(std::min(a, b), c));
       },
-      [&](std::size_t i, std::size_t position) { sorted[position] = triangles[i]; });
-  triangles.resize(offsets.back());
+      [&](std::size_t i, std::size_t position) { sorted[position] = item(i); });
+  sorted.resize(offsets.back());
   parallel_blocks(vertices, elements_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t vertex = begin; vertex < end; ++vertex)
-      std::sort(sorted.begin() + offsets[vertex], sorted.begin() + offsets[vertex + 1]);
-    std::copy(sorted.begin() + offsets[begin], sorted.begin() + offsets[end],
-              triangles.begin() + offsets[begin]);
+      std::sort(sorted.begin() + offsets[vertex], sorted.begin() + offsets[vertex + 1], less);
   });
+  return sorted;
+}
+
+/// The values of these elements, in their order.
+template <class Value>
+std::vector<Value> chosen(const std::vector<Value>& values, const UnsetVector<Index>& elements) {
+  std::vector<Value> result(elements.size());
+  parallel_blocks(result.size(), elements_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) result[i] = values[elements[i]];
+  });
+  return result;
+}
+
+/// Sorts triangles by lowest vertex, then lexicographically. Triangles that compare equal are identical, so
+/// every sorting method gives the same result; with texture coordinates they keep their order.
+void sort_triangles(TriangleMesh& mesh, Surface& surface) {
+  const std::size_t vertices = surface.positions.size();
+  if (mesh.triangle_uv.empty()) {
+    const UnsetVector<Triangle> sorted = sorted_by_lowest<Triangle>(
+        mesh.triangles, vertices, [&](std::size_t i) { return mesh.triangles[i]; }, std::less<>());
+    mesh.triangles.resize(sorted.size());
+    parallel_blocks(sorted.size(), elements_per_block, [&](std::size_t begin, std::size_t end) {
+      std::copy(sorted.begin() + begin, sorted.begin() + end, mesh.triangles.begin() + begin);
+    });
+    surface.triangles = std::move(mesh.triangles);
+    return;
+  }
+  const UnsetVector<Index> order = sorted_by_lowest<Index>(
+      mesh.triangles, vertices, [](std::size_t i) { return static_cast<Index>(i); },
+      [&](Index a, Index b) { return std::tie(mesh.triangles[a], a) < std::tie(mesh.triangles[b], b); });
+  surface.triangles = chosen(mesh.triangles, order);
+  surface.triangle_uv = chosen(mesh.triangle_uv, order);
 }
 
 void compute_all_normals(Surface& surface) {
@@ -96,8 +130,8 @@ Surface make_surface(TriangleMesh mesh, const Progress& progress) {
   sort_vertices(mesh, surface);
   surface.scale = bounding_box_diagonal(surface.positions);
   report(progress, "sorting the surface", 0.3);
-  surface.triangles = std::move(mesh.triangles);
-  sort_triangles(surface.triangles, surface.positions.size());
+  sort_triangles(mesh, surface);
+  mesh = {};
   report(progress, "connecting the surface", 0.6);
   surface.incident = incident_triangles(surface.positions.size(), surface.triangles);
   surface.neighbours = neighbour_vertices(surface.triangles, surface.incident);

@@ -11,14 +11,15 @@ namespace burin {
 /// vertex normals, curvature and neighbourhoods. Any triangle soup is accepted: non-manifold, open,
 /// degenerate. A point set (make_point_surface()) is a surface without triangles.
 struct Surface {
-  std::vector<Vec3f> positions;        ///< object units
-  std::vector<Vec3f> normals;          ///< [vertex] outward, unit and finite; see normals.h
-  std::vector<Triangle> triangles;     ///< no triangle has a vertex twice
-  std::vector<float> gauss_curvature;  ///< [vertex] see curvature.h
-  Csr neighbours;                      ///< [vertex] vertices joined by an edge or link, ascending
-  Csr incident;                        ///< [vertex] triangles around it, ascending
-  std::vector<Index> source_vertex;    ///< [vertex] its index in the original mesh or point set
-  double scale = 0;                    ///< diagonal of the original bounding box, object units
+  std::vector<Vec3f> positions;         ///< object units
+  std::vector<Vec3f> normals;           ///< [vertex] outward, unit and finite; see normals.h
+  std::vector<Triangle> triangles;      ///< no triangle has a vertex twice
+  std::vector<float> gauss_curvature;   ///< [vertex] see curvature.h
+  std::vector<TriangleUv> triangle_uv;  ///< [triangle], or empty; those of the original mesh
+  Csr neighbours;                       ///< [vertex] vertices joined by an edge or link, ascending
+  Csr incident;                         ///< [vertex] triangles around it, ascending
+  std::vector<Index> source_vertex;     ///< [vertex] its index in the original mesh or point set
+  double scale = 0;                     ///< diagonal of the original bounding box, object units
 
   Index vertex_count() const { return static_cast<Index>(positions.size()); }
   bool is_point_set() const { return triangles.empty(); }
@@ -26,9 +27,10 @@ struct Surface {
 
 /// Triangles that take the place of others of a surface.
 struct SurfacePatch {
-  std::vector<Index> removed;       ///< triangles of the surface, ascending
-  std::vector<Vec3f> positions;     ///< [new vertex] object units
-  std::vector<Triangle> triangles;  ///< vertices of the surface, and from its vertex_count() on new ones
+  std::vector<Index> removed;           ///< triangles of the surface, ascending
+  std::vector<Vec3f> positions;         ///< [new vertex] object units
+  std::vector<Triangle> triangles;      ///< vertices of the surface, and from its vertex_count() on new ones
+  std::vector<TriangleUv> triangle_uv;  ///< [new triangle], or empty
 };
 
 /// Makes a surface of a triangle mesh. Triangles that have a vertex twice are left out; unreferenced vertices

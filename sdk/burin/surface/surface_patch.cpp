@@ -6,19 +6,21 @@
 namespace burin {
 namespace {
 
-/// The triangles of the surface that stay, then the new ones.
-std::vector<Triangle> all_triangles(const Surface& surface, const SurfacePatch& patch) {
-  std::vector<Triangle> triangles;
-  triangles.reserve(surface.triangles.size() - patch.removed.size() + patch.triangles.size());
-  auto removed = patch.removed.begin();
-  for (Index t = 0; t < surface.triangles.size(); ++t) {
-    if (removed != patch.removed.end() && *removed == t)
-      ++removed;
+/// Of the surface's triangles that stay, then of the new ones.
+template <class Value>
+std::vector<Value> kept_then_new(const std::vector<Value>& old, const std::vector<Index>& removed,
+                                 const std::vector<Value>& fresh) {
+  std::vector<Value> all;
+  all.reserve(old.size() - removed.size() + fresh.size());
+  auto next = removed.begin();
+  for (Index t = 0; t < old.size(); ++t) {
+    if (next != removed.end() && *next == t)
+      ++next;
     else
-      triangles.push_back(surface.triangles[t]);
+      all.push_back(old[t]);
   }
-  triangles.insert(triangles.end(), patch.triangles.begin(), patch.triangles.end());
-  return triangles;
+  all.insert(all.end(), fresh.begin(), fresh.end());
+  return all;
 }
 
 /// Old and new vertices in the order of the source, without those that had triangles and have none now.
@@ -40,7 +42,9 @@ std::vector<Index> vertices_left(const Surface& surface, const SurfacePatch& pat
 
 PatchedSurface patched(const Surface& surface, const SurfacePatch& patch) {
   TriangleMesh mesh;
-  mesh.triangles = all_triangles(surface, patch);
+  mesh.triangles = kept_then_new(surface.triangles, patch.removed, patch.triangles);
+  if (!surface.triangle_uv.empty())
+    mesh.triangle_uv = kept_then_new(surface.triangle_uv, patch.removed, patch.triangle_uv);
   const std::vector<Index> order = vertices_left(surface, patch, mesh.triangles);
   std::vector<Index> number(surface.vertex_count() + patch.positions.size(), no_index);
   for (const Index vertex : order) {

@@ -11,6 +11,7 @@
 #include <functional>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace burin {
@@ -91,18 +92,37 @@ class StrokeSolid {
   std::vector<VoxelBlock> blocks_;
 };
 
-/// What is to be done with a solid and a surface.
+/// By how much the distance changes over a length of 1 in space: the median over the voxels near the solid's
+/// surface. 1 where it is a true distance, but for what bends and curvature stretch; 1 also for no solid.
+double median_slope(const StrokeSolid& solid);
+
+/// The solid that a closed mesh bounds, and the edge of the voxels that it is to be taken in, object units.
+struct MeshSolid {
+  const TriangleMesh& mesh;
+  double voxel;
+};
+
+/// What is to be done with a solid and a surface. Non-owning.
 struct SolidMerge {
   const Surface& surface;
   const Picker& picker;
-  const StrokeSolid& solid;
+  std::variant<std::reference_wrapper<const StrokeSolid>, MeshSolid> solid;
   SolidOperation operation;  ///< unite, difference or intersection
   double blend = 0;          ///< radius of the fillet where surface and solid meet, object units
+};
+
+/// Wall time of the steps of a merge, seconds.
+struct MergeSeconds {
+  double distances = 0;  ///< of voxels to both surfaces, and the fillet
+  double contour = 0;    ///< the result's surface in these
+  double join = 0;       ///< cutting both surfaces and joining them
+  double remesh = 0;     ///< of the seam
 };
 
 /// What became of it.
 struct MergedSolid {
   SurfacePatch patch;
+  MergeSeconds seconds;
   std::size_t voxels = 0;  ///< in which both were compared
   std::size_t bytes = 0;   ///< of the largest of their grids together
 };

@@ -111,6 +111,32 @@ TEST(SolidMerge, CarriesPaint) {
   EXPECT_TRUE(session.paint().colour == paint.colour);
 }
 
+// Texture coordinates (x, y), which are linear in space: so are those of new triangles on the sphere.
+TEST(SolidMerge, CarriesTextureCoordinates) {
+  TriangleMesh mesh = test::sphere(5, 0.2, 3);
+  const auto uv_of = [](const Vec3f& p) { return Vec2f(p.x(), p.y()); };
+  for (const Triangle& t : mesh.triangles)
+    mesh.triangle_uv.push_back(
+        {uv_of(mesh.positions[t[0]]), uv_of(mesh.positions[t[1]]), uv_of(mesh.positions[t[2]])});
+  Session session(make_surface(mesh), test::brushes(), merge_solid);
+  const std::vector<TriangleUv> before = session.surface().triangle_uv;
+  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  const Surface& surface = session.surface();
+  ASSERT_EQ(surface.triangle_uv.size(), surface.triangles.size());
+  std::size_t on_sphere = 0;
+  for (Index t = 0; t < surface.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3f& p = surface.positions[surface.triangles[t][i]];
+      if (std::abs(p.norm() - 1) > 1e-3F) continue;
+      ++on_sphere;
+      // A triangle's plane leaves the next one's by the bend of an edge over its length.
+      EXPECT_LT((surface.triangle_uv[t][i] - uv_of(p)).norm(), 2e-3F) << p.transpose();
+    }
+  EXPECT_GT(on_sphere, surface.triangles.size()) << "the sample is not representative";
+  session.undo();
+  EXPECT_TRUE(session.surface().triangle_uv == before);
+}
+
 TEST(SolidMerge, RefusesAndLeavesTheSurfaceAsItWas) {
   Session plain = sphere_session({});
   const std::uint64_t before = plain.result_hash();

@@ -1,13 +1,16 @@
 // `burin replay` with a brush that makes solids.
 #include <burin/base/file.h>
 #include <burin/surface/mesh_file.h>
+#include <burin/surface/triangulate.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <sstream>
 
+#include "host_stub/programs.h"
 #include "host_stub/run_command.h"
 #include "support/rods.h"
 #include "support/shapes.h"
@@ -78,10 +81,37 @@ TEST(SolidMerges, AreListedAndSavedAsOneSurface) {
   EXPECT_EQ(merge["euler_before"], 2);
   EXPECT_EQ(merge["euler_after"], 2);
   EXPECT_GE(merge["least_angle"], 5);
+  for (const char* step : {"solid", "distances", "contour", "join", "remesh", "rebuild"})
+    EXPECT_GT(merge["seconds"][step], 0) << step;
   const PolygonMesh mesh = read_mesh(saved);
   EXPECT_EQ(mesh.face_sizes.size(), laid.mesh.triangles.size() -
                                         merge["triangles_removed"].get<std::size_t>() +
                                         merge["triangles_added"].get<std::size_t>());
+}
+
+// Manifold repairs nothing: what is no closed, oriented 2-manifold is refused.
+TEST(SolidMerges, AreTakenByManifold) {
+  if (!is_installed("node")) GTEST_SKIP() << not_installed("node");
+  if (!std::filesystem::exists(BURIN_TESTS "/host_stub/programs/node_modules/manifold-3d"))
+    GTEST_SKIP() << not_installed("Manifold");
+  const Laid laid;
+  const std::string saved = laid.folder.path("out.ply");
+  for (const char* operation : {"union", "difference"})
+    for (const char* blend : {"0", "0.02"}) {
+      laid.replayed({"--solid", operation, "--blend", blend, "--voxel", "0.02", "--param", "height=0",
+                     "--save-mesh", saved});
+      const ProcessResult result =
+          run_process({"node", BURIN_TESTS "/host_stub/programs/manifold_check.mjs", saved});
+      std::istringstream told(result.out);
+      std::string status;
+      int genus = -1;
+      double volume = 0;
+      told >> status >> genus >> volume;
+      EXPECT_EQ(status, "NoError") << result.err;
+      EXPECT_EQ(genus, 0);
+      const double own = extent_of(triangulate(read_mesh(saved))).volume;
+      EXPECT_NEAR(volume, own, 1e-4 * own);
+    }
 }
 
 TEST(SolidMerges, AreRefusedOnOpenSurfacesAndBelowTheFinestLevel) {
@@ -140,6 +170,24 @@ TEST(BentParts, AreListedAndSavedBesideTheSurface) {
       laid.replayed({"--along-mesh", laid.box, "--along-spacing", "4.5", "--along-axes=-z,y", "--along-start",
                      laid.box, "--along-end", laid.box, "--along-twist", "0.5", "--along-height", "-0.5"});
   EXPECT_NE(two["result_hash"], told["result_hash"]);
+}
+
+// The box of 0.4 x 0.2, sunk by half of its height: what is above the sphere is added to it.
+TEST(BentParts, BecomePartOfTheSurface) {
+  const LaidBox laid;
+  const json told = laid.replayed({"--along-mesh", laid.box, "--along-height", "-0.5", "--solid", "union",
+                                   "--voxel", "0.01", "--save-mesh", laid.saved});
+  EXPECT_FALSE(told.contains("parts"));
+  ASSERT_EQ(told["merges"].size(), 1u);
+  EXPECT_EQ(told["merges"][0]["voxel"], 0.01);
+  EXPECT_EQ(told["merges"][0]["euler_after"], 2);
+  EXPECT_GE(told["merges"][0]["least_angle"], 5);
+  const double added = 1.2 * 2 * std::sin(0.2) * (std::pow(1.1, 3) - 1) / 3;
+  EXPECT_NEAR(extent_of(triangulate(read_mesh(laid.saved))).volume - extent_of(laid.mesh).volume, added,
+              0.02 * added);
+  const json coarse = laid.replayed({"--along-mesh", laid.box, "--along-height", "-0.5", "--solid", "union"});
+  const double voxel = coarse["merges"][0]["voxel"];
+  EXPECT_TRUE(voxel >= 0.2 / 24 && voxel <= 0.2 / 8) << voxel;
 }
 
 TEST(BentParts, AreRefusedInOneLine) {

@@ -1,6 +1,7 @@
 #include <burin/base/parallel.h>
 #include <burin/host/session/merged_surface.h>
 #include <burin/math/elementary.h>
+#include <burin/surface/patch_uv.h>
 #include <burin/surface/surface_patch.h>
 #include <burin/surface/topology/euler.h>
 
@@ -43,7 +44,8 @@ double least_angle(const Surface& surface, const SurfacePatch& patch) {
 }  // namespace
 
 PaintedSurface with_patch(const Surface& surface, const Picker& picker, const Paint& paint,
-                          const SurfacePatch& patch) {
+                          SurfacePatch patch) {
+  patch.triangle_uv = carried_uv(surface, picker, patch);
   PatchedSurface made = patched(surface, patch);
   PaintedSurface painted{std::move(made.surface), {}};
   const std::size_t count = made.came_from.size();
@@ -63,6 +65,11 @@ PaintedSurface with_patch(const Surface& surface, const Picker& picker, const Pa
   return painted;
 }
 
+double voxel_of(const SolidMerge& merge) {
+  if (const auto* mesh = std::get_if<MeshSolid>(&merge.solid)) return mesh->voxel;
+  return std::get<0>(merge.solid).get().voxel();
+}
+
 MergeReport report_of(const MergedSolid& merged, double voxel, const Surface& before, const Surface& after) {
   return {.voxel = voxel,
           .voxels = merged.voxels,
@@ -71,7 +78,8 @@ MergeReport report_of(const MergedSolid& merged, double voxel, const Surface& be
           .triangles_added = merged.patch.triangles.size(),
           .euler_before = euler_characteristic(before),
           .euler_after = euler_characteristic(after),
-          .least_angle = least_angle(before, merged.patch)};
+          .least_angle = least_angle(before, merged.patch),
+          .seconds = merged.seconds};
 }
 
 }  // namespace burin

@@ -13,9 +13,12 @@ struct PaintedSurface {
 };
 
 /// Puts a patch into a painted surface. New vertices take the paint of the closest place of the surface, to
-/// which the picker belongs.
+/// which the picker belongs, and new triangles its texture coordinates.
 PaintedSurface with_patch(const Surface& surface, const Picker& picker, const Paint& paint,
-                          const SurfacePatch& patch);
+                          SurfacePatch patch);
+
+/// The edge of a merge's voxels, object units.
+double voxel_of(const SolidMerge& merge);
 
 /// What a merge did to a surface, of which `after` came.
 MergeReport report_of(const MergedSolid& merged, double voxel, const Surface& before, const Surface& after);

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/base/sort_unique.h>
+#include <burin/base/stopwatch.h>
 #include <burin/deform/blend/blend.h>
 #include <burin/host/session/open_stroke.h>
 #include <burin/surface/append_mesh.h>
@@ -192,7 +193,9 @@ VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
                           : instance.finish(news, brush_stroke_.plan().end_influence, tools.cost));
   tools.clock.lap(Stage::chart);
   if (!makes_part()) return go_on(changes, BURIN_STROKE_FINAL, tools);
+  Stopwatch watch;
   along_ ? bend_meshes(tools.paint) : make_solid(tools.paint);
+  solid_seconds_ += watch.lap();
   tools.clock.lap(Stage::evaluate);
   return {};
 }
@@ -208,11 +211,22 @@ void OpenStroke::make_solid(const Paint& paint) {
     const double voxel = solid_ ? solid_->voxel() : settings_.voxel;
     solid_operation_ = settings_.solid ? *settings_.solid : solid_stroke_->operation(of_image);
     StrokeSolid made = solid_stroke_->make(source, of_image, voxel, merges(solid_operation_));
+    check_slope(made);
     if (solid_)
       solid_->add(made);
     else
       solid_ = std::move(made);
   }
+}
+
+void OpenStroke::check_slope(const StrokeSolid& made) {
+  constexpr double least = 0.5, most = 2;
+  const double slope = median_slope(made);
+  if (!warnings_.empty() || (slope >= least && slope <= most)) return;
+  warnings_.push_back(
+      fmt::format("{}: what it gives as the distance to its solid changes by {:.2g} over a length of 1; "
+                  "a distance changes by 1, and voxels and fillets rely on it",
+                  brush().id, slope));
 }
 
 /// Adds those along the piece's images to the part of the stroke.
@@ -232,6 +246,27 @@ void OpenStroke::bend_meshes(const Paint& paint) {
     if (!bent_) bent_.emplace();
     append(made, *bent_);
   }
+}
+
+/// Edge of the voxels in which bent meshes are merged: about as long as their edges.
+double OpenStroke::mesh_voxel() const {
+  constexpr double coarsest = 8, finest = 24;  // voxels over the radius
+  if (settings_.voxel > 0) return settings_.voxel;
+  double sum = 0;
+  for (const Triangle& t : bent_->triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      sum += static_cast<double>((bent_->positions[t[(i + 1) % 3]] - bent_->positions[t[i]]).norm());
+  const double mean = sum / (3 * static_cast<double>(bent_->triangles.size()));
+  return std::clamp(mean, settings_.radius / finest, settings_.radius / coarsest);
+}
+
+std::optional<SolidMerge> OpenStroke::merge() const {
+  if (bent_ && settings_.solid && merges(*settings_.solid))
+    return SolidMerge{*surface_, *picker_, MeshSolid{*bent_, mesh_voxel()}, *settings_.solid,
+                      settings_.blend};
+  if (solid_ && !solid_->empty() && merges(solid_operation_))
+    return SolidMerge{*surface_, *picker_, *solid_, solid_operation_, settings_.blend};
+  return {};
 }
 
 burin_stroke_context OpenStroke::context(std::uint64_t flags, const SurfaceCurve& curve) const {

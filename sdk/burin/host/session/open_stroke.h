@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace burin {
@@ -72,12 +73,18 @@ class OpenStroke {
 
   /// Of a stroke that makes a solid, what its finished pieces have made, if anything.
   std::optional<StrokeSolid>& solid() { return solid_; }
-  const std::optional<StrokeSolid>& solid() const { return solid_; }
-  SolidOperation solid_operation() const { return solid_operation_; }
-  double blend() const { return settings_.blend; }
 
   /// Of a stroke that bends meshes along itself, what its finished pieces have made, if anything.
   std::optional<TriangleMesh>& bent() { return bent_; }
+
+  /// How the surface takes in what the finished pieces have made, if it does. Refers to the stroke.
+  std::optional<SolidMerge> merge() const;
+
+  /// What its author should know of what the brush has done, a line each.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  /// Wall time that making solids and meshes has taken, seconds.
+  double solid_seconds() const { return solid_seconds_; }
 
   /// Stores the finished piece with the earlier ones. begin_piece() must follow before the next sample.
   void keep_piece();
@@ -102,7 +109,9 @@ class OpenStroke {
   VertexMoves blend(std::vector<Index> vertices, const Paint& paint) const;
   std::vector<InstanceSheets> piece_sheets() const;
   void make_solid(const Paint& paint);
+  void check_slope(const StrokeSolid& made);
   void bend_meshes(const Paint& paint);
+  double mesh_voxel() const;
 
   const Surface* surface_;
   const Picker* picker_;
@@ -122,6 +131,8 @@ class OpenStroke {
   SolidOperation solid_operation_ = SolidOperation::none;
   std::optional<AlongParts> along_;  ///< of strokes that bend meshes along themselves, instead of all else
   std::optional<TriangleMesh> bent_;
+  double solid_seconds_ = 0;
+  std::vector<std::string> warnings_;
   bool piece_kept_ = false;  ///< the current piece was kept, and no other was started
   double last_time_;
 };

@@ -1,0 +1,42 @@
+// How steeply the distance to a solid changes in space: by differences over two voxels inside of each block.
+#include <burin/base/parallel.h>
+#include <burin/volume/solid.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr int side = VoxelBlock::side;
+
+/// Of the voxels of a block whose neighbours are in the block and in the band; per voxel's edge.
+void append_slopes(const VoxelBlock& block, float band, std::vector<float>& slopes) {
+  constexpr int strides[] = {side * side, side, 1};
+  for (int i = 1; i < side - 1; ++i)
+    for (int j = 1; j < side - 1; ++j)
+      for (int k = 1; k < side - 1; ++k) {
+        const float* at = &block.values[static_cast<std::size_t>((i * side + j) * side + k)];
+        float squared = 0;
+        bool known = true;
+        for (const int stride : strides) {
+          known = known && std::max(std::abs(at[stride]), std::abs(at[-stride])) < band;
+          squared += (at[stride] - at[-stride]) * (at[stride] - at[-stride]) / 4;
+        }
+        if (known) slopes.push_back(std::sqrt(squared));
+      }
+}
+
+}  // namespace
+
+double median_slope(const StrokeSolid& solid) {
+  const auto voxel = static_cast<float>(solid.voxel());
+  std::vector<float> slopes;
+  for (const VoxelBlock& block : solid.blocks()) append_slopes(block, VoxelBlock::half_width * voxel, slopes);
+  if (slopes.empty()) return 1;
+  const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
+  std::nth_element(slopes.begin(), middle, slopes.end());
+  return static_cast<double>(*middle / voxel);
+}
+
+}  // namespace burin
