@@ -38,7 +38,9 @@ class Wanderer {
       : surface_(make_surface(mesh)), picker_(surface_), random_(&random) {}
 
   std::vector<Vec3d> stroke(int samples, double step) {
-    Index triangle = static_cast<Index>((*random_)() % surface_.triangles.size());
+    Index triangle = 0;
+    do triangle = static_cast<Index>((*random_)() % surface_.triangles.size());
+    while (normal(triangle).norm() < 0.5);
     Vec3d at = surface_.positions[surface_.triangles[triangle][0]].cast<double>();
     Vec3d way = normal(triangle).unitOrthogonal();
     double turn = 0;
@@ -46,9 +48,11 @@ class Wanderer {
     for (int i = 0; i < samples; ++i) {
       places.push_back(at);
       turn = 0.9 * turn + 0.08 * (share() - 0.5) + 0.02;
-      const Vec3d n = normal(triangle);
-      way = (Eigen::AngleAxisd(turn, n) * way).eval();
-      way = (way - way.dot(n) * n).normalized();
+      // A triangle without area has no normal.
+      if (const Vec3d n = normal(triangle); n.norm() > 0.5) {
+        way = (Eigen::AngleAxisd(turn, n) * way).eval();
+        way = (way - way.dot(n) * n).stableNormalized();
+      }
       const Vec3f ahead = (at + step * way).cast<float>();
       const SurfacePoint next = *picker_.closest(ahead, std::numeric_limits<float>::max());
       at = next.position.cast<double>();

@@ -49,7 +49,8 @@ SurfacePatch fan(const Surface& surface, const Vec3f& middle) {
   std::set<std::pair<Index, Index>> sides;
   for (Index t = 0; t < surface.triangles.size(); ++t) {
     const Triangle& triangle = surface.triangles[t];
-    if (!std::ranges::all_of(triangle, [&](Index v) { return surface.positions[v].cwiseAbs().maxCoeff() < 2.5F; }))
+    if (!std::ranges::all_of(triangle,
+                             [&](Index v) { return surface.positions[v].cwiseAbs().maxCoeff() < 2.5F; }))
       continue;
     patch.removed.push_back(t);
     for (std::size_t i = 0; i < 3; ++i) {

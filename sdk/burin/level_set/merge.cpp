@@ -14,9 +14,11 @@
 #include <burin/level_set/surface_distance.h>
 #include <burin/remesh/clip.h>
 #include <burin/remesh/improve.h>
+#include <burin/remesh/intersection.h>
 #include <burin/remesh/join.h>
 #include <burin/remesh/refine.h>
 #include <burin/remesh/specks.h>
+#include <fmt/format.h>
 #include <openvdb/tools/Interpolation.h>
 
 #include <algorithm>
@@ -176,7 +178,13 @@ class Merger {
                       .bring = [this](const Vec3d& p) { return on_result(p); },
                       .crease = [this](const Vec3d& p) { return is_on_crease(p); },
                       .smooth = [this](const Vec3d& p) { return is_seam(p); }});
+    const std::optional<Vec3d> crossing = self_intersection(*joined);
     seconds_.remesh += watch_.lap();
+    if (crossing)
+      throw Error(
+          fmt::format("at ({:.6g}, {:.6g}, {:.6g}) something is thinner than the voxels: try another "
+                      "voxel",
+                      crossing->x(), crossing->y(), crossing->z()));
     return as_patch(*joined, std::move(removed));
   }
 

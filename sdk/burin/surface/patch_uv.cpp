@@ -27,8 +27,8 @@ class LinearUv {
       along_c_ = area.cross(ab) / squared;
     }
     const double longest = std::max({ab.norm(), ac.norm(), (ac - ab).norm()});
-    const double most = static_cast<double>(std::max(
-        {(uv_[1] - uv_[0]).norm(), (uv_[2] - uv_[0]).norm(), (uv_[2] - uv_[1]).norm()}));
+    const double most = static_cast<double>(
+        std::max({(uv_[1] - uv_[0]).norm(), (uv_[2] - uv_[0]).norm(), (uv_[2] - uv_[1]).norm()}));
     scale_ = longest > 0 ? most / longest : 0;
   }
 

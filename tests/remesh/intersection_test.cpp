@@ -1,0 +1,47 @@
+#include <burin/remesh/intersection.h>
+#include <gtest/gtest.h>
+
+#include "remesh/flat_patch.h"
+
+namespace burin {
+namespace {
+
+void add_triangle(PatchMesh& patch, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const Index first = patch.vertex_count();
+  for (const Vec3d& p : {a, b, c}) {
+    patch.positions.push_back(p);
+    patch.kept.push_back(no_index);
+  }
+  patch.triangles.push_back({first, first + 1, first + 2});
+}
+
+TEST(SelfIntersection, IsFoundWhereTrianglesCross) {
+  PatchMesh patch = test::flat_patch(20);
+  EXPECT_FALSE(self_intersection(patch));
+  add_triangle(patch, {5.3, 5.2, 0.1}, {5.4, 5.6, 1}, {5.9, 5.1, 1});
+  EXPECT_FALSE(self_intersection(patch)) << "above";
+  add_triangle(patch, {12.3, 7.2, -0.1}, {12.4, 7.6, 1}, {12.9, 7.1, 1});
+  const std::optional<Vec3d> at = self_intersection(patch);
+  ASSERT_TRUE(at);
+  EXPECT_LT((*at - Vec3d(12.3, 7.2, 0)).norm(), 1.5);
+}
+
+// A fan that is folded over: triangles that share the middle go through each other.
+TEST(SelfIntersection, IsFoundAroundAVertex) {
+  PatchMesh patch{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.5, 0.6, -0.5}, {0.9, 0.2, 0.5}},
+                  {{0, 1, 2}, {0, 3, 4}},
+                  std::vector<Index>(5, no_index)};
+  EXPECT_TRUE(self_intersection(patch));
+  patch.positions[3].z() = 0.1;
+  EXPECT_FALSE(self_intersection(patch));
+}
+
+TEST(SelfIntersection, IsNoneWhereTrianglesTouch) {
+  PatchMesh patch = test::flat_patch(4);
+  add_triangle(patch, {1.3, 1.2, 0}, {1.4, 1.6, 1}, {1.9, 1.1, 1});
+  EXPECT_FALSE(self_intersection(patch));
+  EXPECT_FALSE(self_intersection({}));
+}
+
+}  // namespace
+}  // namespace burin
