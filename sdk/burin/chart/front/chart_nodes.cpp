@@ -1,3 +1,6 @@
+// Makes the nodes of a front on demand, and finds the samples of their visits. A visit grows sample by sample
+// towards the one that is asked for, and is found whole where the stroke may turn or the vertex has other
+// visits. A query costs O(1) if the vertex's first node is known to have the sample.
 #include <burin/chart/front/chart_nodes.h>
 
 #include <algorithm>
