@@ -1,3 +1,5 @@
+// Computes the frames of a mesh with texture coordinates: vertex normals, and for each corner the sum of
+// dP/du over the triangles of its island around the vertex. Costs O(n) on all threads.
 #include <burin/base/parallel.h>
 #include <burin/deform/bake/base_frames.h>
 #include <burin/surface/geometry/normals.h>

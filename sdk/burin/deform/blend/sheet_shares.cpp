@@ -1,3 +1,5 @@
+// Computes the shares of a vertex's sheets. Sheets are stacked by the operator `over` [Porter and Duff 1984]
+// with their weights as opacities, and the shares are divided by their sum.
 #include <burin/deform/blend/sheet_shares.h>
 
 #include <algorithm>
