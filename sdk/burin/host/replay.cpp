@@ -1,3 +1,5 @@
+// Replays a recording: repairs its times, stabilises its samples, completes the settings of each stroke, and
+// draws the strokes piece by piece with the time and cost of every call.
 #include <burin/base/error.h>
 #include <burin/host/replay.h>
 #include <burin/host/stroke_pieces.h>

@@ -1,3 +1,6 @@
+// Computes what an event of the pen moves: for each symmetric image it extends curve and chart and evaluates
+// the stale nodes, then it blends the sheets of all images vertex by vertex. Solids and meshes along the
+// stroke are made when a piece ends.
 #include <burin/base/error.h>
 #include <burin/base/sort_unique.h>
 #include <burin/base/stopwatch.h>
