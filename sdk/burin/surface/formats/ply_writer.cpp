@@ -1,3 +1,5 @@
+// Writes binary little-endian PLY files, 65536 elements at a time. Texture coordinates are vertex properties
+// if triangles agree on them at every vertex, else lists of the faces.
 #include <burin/base/file.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/files/over_clay.h>
