@@ -1,3 +1,5 @@
+// The command `burin bench`: runs the cases of a suite and prints or reports their figures, compares them
+// with a baseline, or compares this build with another one.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/base/quoted_word.h>

@@ -1,3 +1,5 @@
+// Runs a case: draws its strokes several times on one session, with undo in between, and collects times,
+// counters and memory. All repeats must give the same hash and the same counters.
 #include "bench/run_case.h"
 
 #include <burin/base/hash.h>

@@ -1,3 +1,4 @@
+// Loads the brushes of a command. At the end of the process a function checks that no plugin called exit().
 #include "input/brush_folder.h"
 
 #include <burin/deform/evaluate/plugin_call.h>

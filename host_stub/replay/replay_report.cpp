@@ -1,3 +1,5 @@
+// Writes the report of a replay: pictures, figures as JSON, and a page that shows them with a histogram of
+// latencies.
 #include "replay/replay_report.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Asks Linux about this process. Its memory and its start are read from /proc; its limit of memory is the
+// least of the machine's, its control group's and its own.
 #include "system/platform.h"
 
 #include <fcntl.h>
