@@ -90,6 +90,7 @@ void print(const SuiteResult& result, bool json) {
 
 std::vector<NamedResult> read_history(const std::vector<std::string>& files) {
   std::vector<NamedResult> results;
+  results.reserve(files.size());
   for (const std::string& file : files) results.push_back({file, read_result(JsonValue::read(file))});
   return results;
 }
