@@ -119,7 +119,7 @@ class CaseRunner {
   void load(const BrushLibrary& brushes);
   Drawn draw();
   void draw_picture(const std::filesystem::path& file);
-  void take_back();
+  void undo_all();
   void take(const Drawn& drawn, std::size_t number);
   CaseResult finish();
 
@@ -175,7 +175,7 @@ void CaseRunner::draw_picture(const std::filesystem::path& file) {
   result_.picture = file;
 }
 
-void CaseRunner::take_back() {
+void CaseRunner::undo_all() {
   while (true) {
     const auto start = Clock::now();
     if (!session_->undo()) return;
@@ -202,7 +202,7 @@ CaseResult CaseRunner::run(std::size_t repeat, const std::filesystem::path& pict
     if (number == 0) result_.memory.strokes = growth(memory_ready, resident_memory());
     result_.memory.peak = peak_memory();
     if (number + 1 == repeat && !picture.empty()) draw_picture(picture);
-    take_back();
+    undo_all();
   }
   return finish();
 }
