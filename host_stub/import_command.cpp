@@ -1,3 +1,5 @@
+// The command `burin import`: converts a pen recording of another program to a `.stroke` file, with a camera
+// that looks at the surface of the command.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/stroke/files/import.h>

@@ -1,3 +1,4 @@
+// The command `burin list`: prints the brushes and their parameters as text or as JSON.
 #include <burin/abi/plugin.h>
 #include <burin/deform/overlap.h>
 #include <burin/host/brush_library.h>

@@ -1,3 +1,4 @@
+// The command `burin`: runs the subcommand, and converts exceptions to a message on stderr and an exit code.
 #include <burin/base/error.h>
 
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// The command `burin render`: draws a shaded picture of a surface.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,3 +1,5 @@
+// Compares two builds. They run alternately, each in its own process, so that slow changes of the machine's
+// speed affect both alike; the ratio of their times is estimated by a bootstrap over the rounds.
 #include "bench/against.h"
 
 #include <burin/base/quoted_word.h>

@@ -1,3 +1,4 @@
+// Compares the hashes and counters of a result with those of a baseline, name by name.
 #include "bench/baseline.h"
 
 #include <burin/base/quoted_word.h>

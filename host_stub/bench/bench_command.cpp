@@ -1,3 +1,5 @@
+// The command `burin bench`: runs the cases of a suite and prints or reports their figures, compares them
+// with a baseline, or compares this build with another one.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
@@ -88,6 +90,7 @@ void print(const SuiteResult& result, bool json) {
 
 std::vector<NamedResult> read_history(const std::vector<std::string>& files) {
   std::vector<NamedResult> results;
+  results.reserve(files.size());
   for (const std::string& file : files) results.push_back({file, read_result(JsonValue::read(file))});
   return results;
 }

@@ -1,3 +1,5 @@
+// Summarises the times of calls, as a whole and by stage, by their mean and their nearest-rank percentiles,
+// and converts these figures to JSON and back. Costs O(n log n) for n calls.
 #include "bench/call_figures.h"
 
 #include <algorithm>

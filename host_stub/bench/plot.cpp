@@ -1,3 +1,5 @@
+// Draws plots of a fixed size as SVG. Ticks are at 1, 2 and 5 times powers of ten on logarithmic axes (the
+// powers alone on long ones), and at multiples of such a number on linear axes.
 #include "bench/plot.h"
 
 #include <fmt/format.h>

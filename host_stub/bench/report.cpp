@@ -1,3 +1,5 @@
+// Writes the report of a bench run: result.json, and index.html, one page that contains its tables, plots and
+// pictures.
 #include "bench/report.h"
 
 #include <burin/base/file.h>

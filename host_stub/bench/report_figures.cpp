@@ -1,3 +1,5 @@
+// Draws the figures of a bench report as SVG: distributions of latencies, bars of stages, costs over sizes,
+// and the history of results.
 #include "bench/report_figures.h"
 
 #include <fmt/format.h>

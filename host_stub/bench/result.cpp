@@ -1,3 +1,4 @@
+// Converts the results of a suite to JSON and back. Reading checks that all that reports show is there.
 #include "bench/result.h"
 
 #include <fmt/format.h>

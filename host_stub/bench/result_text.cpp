@@ -1,3 +1,4 @@
+// Formats the results of a suite as tables with columns of fixed width for the terminal.
 #include "bench/result_text.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Runs a case: draws its strokes several times on one session, with undo in between, and collects times,
+// counters and memory. All repeats must give the same hash and the same counters.
 #include "bench/run_case.h"
 
 #include <burin/base/hash.h>
@@ -117,7 +119,7 @@ class CaseRunner {
   void load(const BrushLibrary& brushes);
   Drawn draw();
   void draw_picture(const std::filesystem::path& file);
-  void take_back();
+  void undo_all();
   void take(const Drawn& drawn, std::size_t number);
   CaseResult finish();
 
@@ -173,7 +175,7 @@ void CaseRunner::draw_picture(const std::filesystem::path& file) {
   result_.picture = file;
 }
 
-void CaseRunner::take_back() {
+void CaseRunner::undo_all() {
   while (true) {
     const auto start = Clock::now();
     if (!session_->undo()) return;
@@ -200,7 +202,7 @@ CaseResult CaseRunner::run(std::size_t repeat, const std::filesystem::path& pict
     if (number == 0) result_.memory.strokes = growth(memory_ready, resident_memory());
     result_.memory.peak = peak_memory();
     if (number + 1 == repeat && !picture.empty()) draw_picture(picture);
-    take_back();
+    undo_all();
   }
   return finish();
 }

@@ -1,3 +1,5 @@
+// Runs each case in a process of its own, `burin bench SUITE --case NAME --json`, and reads the result from
+// the standard output of that process.
 #include "bench/run_suite.h"
 
 #include <burin/base/error.h>

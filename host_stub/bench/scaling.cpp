@@ -1,3 +1,5 @@
+// Fits the growth of costs: the cases of a suite that share an axis give the sizes and costs of one power
+// law.
 #include "bench/scaling.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Makes a straight stroke by walking over the surface in steps of at most a mean edge. Each step goes to the
+// closest point of the surface and parallel transports the direction, which approximates a geodesic. It costs
+// one closest-point query of the picker.
 #include "bench/straight_stroke.h"
 
 #include <burin/base/error.h>

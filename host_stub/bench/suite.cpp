@@ -1,3 +1,5 @@
+// Reads suites, which are JSON files of cases. Unknown keys, missing files and members that exclude each
+// other are refused with the place of the fault.
 #include "bench/suite.h"
 
 #include <burin/base/text/json_value.h>

@@ -1,3 +1,5 @@
+// The command `burin chart`: computes the chart of one recorded stroke, and writes it as a table or a picture
+// or checks it.
 #include <burin/base/file.h>
 #include <burin/chart/stroke_chart_builder.h>
 #include <burin/stroke/move_origin.h>

@@ -1,3 +1,4 @@
+// Loads the brushes of a command. At the end of the process a function checks that no plugin called exit().
 #include "input/brush_folder.h"
 
 #include <burin/deform/evaluate/plugin_call.h>
@@ -13,7 +14,7 @@ namespace burin {
 namespace {
 
 /// Runs at the end of the process: reports a plugin that called exit().
-void tell_of_exit_in_plugin() {
+void report_exit_in_plugin() {
   const std::string plugin = PluginCall::running();
   if (plugin.empty()) return;
   std::fputs(fmt::format("burin: {} called exit()\n", plugin).c_str(), stderr);
@@ -30,11 +31,11 @@ std::filesystem::path own_brush_folder() {
 
 void load_brushes(BrushLibrary& library) {
   keep_plugins_off_standard_output();
-  std::atexit(tell_of_exit_in_plugin);
+  std::atexit(report_exit_in_plugin);
   library.load_search_path(own_brush_folder());
   // It is registered again because the last registered function runs first: before the destruction of
   // anything that brushes on other threads still use.
-  std::atexit(tell_of_exit_in_plugin);
+  std::atexit(report_exit_in_plugin);
 }
 
 }  // namespace burin

@@ -1,3 +1,5 @@
+// Loads the mesh of a command: joins its vertices, refines it as the options request, and makes the surface.
+// Levels that need more memory than there is are refused before any of it is allocated.
 #include "input/mesh_input.h"
 
 #include <burin/surface/mesh_file.h>

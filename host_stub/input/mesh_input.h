@@ -46,8 +46,8 @@ struct LoadedSurface {
 /// to be refined.
 struct Cage {
   PolygonMesh polygons;
-  SubdivisionScheme scheme;
-  int level;
+  SubdivisionScheme scheme = SubdivisionScheme::catmull_clark;
+  int level = 0;
   FromFile from;
   /// The mesh with the vertices of the file, if vertices were joined and the mesh is not to be refined.
   std::optional<PolygonMesh> apart = {};

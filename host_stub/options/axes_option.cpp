@@ -1,3 +1,4 @@
+// Parses which axis is up in the files of a command, and computes the rotations between y-up and z-up axes.
 #include "options/axes_option.h"
 
 #include <burin/base/error.h>

@@ -1,3 +1,4 @@
+// Parses the options of displacement maps, bakes and writes the map, and warns of its defects.
 #include "options/bake_option.h"
 
 #include <burin/base/error.h>

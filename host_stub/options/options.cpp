@@ -1,3 +1,4 @@
+// Parses what the options of several commands have in common: numbers, vectors, and parameters NAME=VALUE.
 #include "options/options.h"
 
 #include <burin/base/quoted_word.h>

@@ -1,3 +1,5 @@
+// Makes command-line options of the rows of the setting table. Their texts are converted to JSON values,
+// which the same functions read and check as those of files.
 #include "options/setting_options.h"
 
 #include <burin/stroke/files/setting_table.h>

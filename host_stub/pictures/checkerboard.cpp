@@ -1,3 +1,6 @@
+// Interpolates the coordinates of charts at points of a surface. Of the combinations of nodes at a triangle's
+// corners, the topmost one whose coordinates are close enough for neighbours is used. Costs O(1) per point
+// where vertices have one node, and O(s^3) at most where they have s.
 #include "pictures/checkerboard.h"
 
 #include <burin/chart/path/closed_length.h>

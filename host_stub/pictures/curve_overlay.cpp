@@ -1,3 +1,5 @@
+// Draws a curve as dots half a pixel apart. A ray from the eye decides whether the surface hides a dot; each
+// costs one query of the picker.
 #include "pictures/curve_overlay.h"
 
 #include <Eigen/Geometry>

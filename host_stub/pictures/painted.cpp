@@ -1,3 +1,5 @@
+// Converts paint between sRGB bytes in the vertex order of the mesh and linear floats in that of the surface,
+// and computes the colours of painted clay for pictures.
 #include "pictures/painted.h"
 
 #include <algorithm>

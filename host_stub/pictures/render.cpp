@@ -26,8 +26,8 @@ struct Hit {
   Vec3f normal;       // smooth, towards the eye
   Vec3f flat_normal;  // normal of the triangle, towards the eye
   Vec3f to_eye;
-  float
-      frame_height;  // height of the picture at the distance of the hit, object units; the scale for offsets
+  // Height of the picture at the distance of the hit, object units; the scale for offsets.
+  float frame_height = 0;
 };
 
 /// Two numbers in 0..1 that differ between close pixels: interleaved gradient noise [Jimenez 2014].
@@ -188,8 +188,8 @@ void Painter::paint_row(int y, std::uint8_t* rgb) const {
     const Vec2f noise = pixel_noise(x, y);
     Vec3f light = Vec3f::Zero();
     for (int sample = 0; sample < samples; ++sample) {
-      const double column = x + (sample % grid + 0.5) / grid;
-      const double row = y + (sample / grid + 0.5) / grid;
+      const int i = sample % grid, j = sample / grid;
+      const double column = x + (i + 0.5) / grid, row = y + (j + 0.5) / grid;
       const auto seen = hit(pixel_ray(camera_, column, row));
       light += seen ? radiance(*seen, sample, noise) : background(y);
     }

@@ -1,3 +1,5 @@
+// Draws a stamp tiled 3 x 3: samples its mip pyramid over the area of each pixel, and maps values to bytes
+// linearly.
 #include "pictures/stamp_preview.h"
 
 #include <burin/stamp/area_filter.h>

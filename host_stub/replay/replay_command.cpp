@@ -1,3 +1,5 @@
+// The command `burin replay`: draws recorded strokes on a surface, and writes the results: a summary, the
+// mesh, solids, a displacement map, pictures and a report.
 #include <burin/base/error.h>
 #include <burin/host/replay.h>
 #include <burin/level_set/solid_mesh.h>

@@ -1,3 +1,5 @@
+// Prepares the mesh of a replay, with levels if strokes are drawn below the finest one, and makes the mesh to
+// save: where the mesh of the file was not refined, it has the vertices and texture coordinates of the file.
 #include "replay/replay_mesh.h"
 
 #include <burin/base/hash.h>

@@ -1,3 +1,5 @@
+// Draws the pictures of a replay. Strokes are undone to show the surface without them, plain and with their
+// charts.
 #include "replay/replay_pictures.h"
 
 #include <algorithm>

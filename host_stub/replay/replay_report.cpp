@@ -1,3 +1,5 @@
+// Writes the report of a replay: pictures, figures as JSON, and a page that shows them with a histogram of
+// latencies.
 #include "replay/replay_report.h"
 
 #include <fmt/format.h>
@@ -16,12 +18,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double bins_a_decade = 8;
+constexpr double bins_per_decade = 8;
 
 /// The number of latencies in each bin of a logarithmic scale from the lowest to the highest.
 std::vector<std::size_t> histogram(const std::vector<double>& sorted) {
   const auto bin = [&](double seconds) {
-    return static_cast<std::size_t>(bins_a_decade *
+    return static_cast<std::size_t>(bins_per_decade *
                                     std::log10(std::max(seconds, 1e-9) / std::max(sorted[0], 1e-9)));
   };
   std::vector<std::size_t> counts(bin(sorted.back()) + 1);

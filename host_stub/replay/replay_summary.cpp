@@ -1,3 +1,4 @@
+// Merges the results of recordings, and formats the figures of the whole replay as JSON and as text.
 #include "replay/replay_summary.h"
 
 #include <burin/base/hash.h>

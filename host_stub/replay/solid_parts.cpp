@@ -1,3 +1,5 @@
+// Makes meshes of the solids of strokes, and measures all parts. Volumes are sums of the signed volumes of
+// the tetrahedra from the origin to the triangles.
 #include "replay/solid_parts.h"
 
 #include <burin/level_set/solid_mesh.h>

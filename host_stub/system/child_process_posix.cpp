@@ -1,3 +1,5 @@
+// Runs programs by fork() and execvp(), with temporary files for their output. On Linux they end with this
+// process.
 #if !defined(_WIN32)
 #include <burin/base/error.h>
 #include <fcntl.h>

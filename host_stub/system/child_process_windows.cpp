@@ -1,3 +1,4 @@
+// Runs programs by CreateProcessW(), with temporary files for their output.
 #if defined(_WIN32)
 #include <burin/base/error.h>
 #include <io.h>

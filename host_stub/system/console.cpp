@@ -1,3 +1,5 @@
+// Writes results to the original standard output, and messages, progress and whatever plugins print to
+// stderr.
 #include "system/console.h"
 
 #include <burin/abi/ext/log.h>

@@ -1,3 +1,5 @@
+// Asks Linux about this process. Its memory and its start are read from /proc; its limit of memory is the
+// least of the machine's, its control group's and its own.
 #include "system/platform.h"
 
 #include <fcntl.h>
@@ -45,9 +47,9 @@ std::size_t resident_memory() {
 }
 
 std::size_t memory_limit() {
-  const long pages = sysconf(_SC_PHYS_PAGES), bytes_a_page = sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || bytes_a_page <= 0) return 0;
-  std::size_t limit = static_cast<std::size_t>(pages) * static_cast<std::size_t>(bytes_a_page),
+  const long pages = sysconf(_SC_PHYS_PAGES), bytes_per_page = sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || bytes_per_page <= 0) return 0;
+  std::size_t limit = static_cast<std::size_t>(pages) * static_cast<std::size_t>(bytes_per_page),
               of_container = 0;
   std::ifstream container("/sys/fs/cgroup/memory.max");
   if (container >> of_container) limit = std::min(limit, of_container);

@@ -1,18 +1,17 @@
 // Boxes and pipes bent along strokes, whose volume is known, by Pappus where their middle runs along the
 // stroke.
 #include <burin/along/along_parts.h>
-#include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <iostream>
 #include <numbers>
 #include <string>
 
 #include "along/bent.h"
+#include "support/error_of.h"
 #include "support/rods.h"
 #include "support/shapes.h"
 
@@ -294,25 +293,17 @@ TEST(AlongParts, OfAnUprightSheetAreAsHighAsTheStrokeIsWide) {
   EXPECT_NEAR(test::extent_of(mesh).area, 2 * radius, 1e-5);
 }
 
-std::string message(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(AlongParts, RefuseWhatCannotBeBent) {
   const auto with = [](const MeshSource& source) {
-    return message([&] { AlongParts({.middle = source, .start = {}, .end = {}}); });
+    return test::error_of([&] { AlongParts({.middle = source, .start = {}, .end = {}}); });
   };
   EXPECT_EQ(with({{}, "nowhere.obj"}), "nowhere.obj: No such file or directory");
   EXPECT_EQ(with(test::source(test::box(0, 1, 1))), "the mesh has no length along the stroke");
   EXPECT_EQ(with(test::source(test::box(1, 0, 0))), "the mesh along the stroke has no width");
   AlongSettings dense = boxes();
   dense.spacing = 1e-7;
-  EXPECT_EQ(message([&] { straight().bend(dense); }), "the stroke would take 6e+07 copies of the mesh");
+  EXPECT_EQ(test::error_of([&] { straight().bend(dense); }),
+            "the stroke would take 6e+07 copies of the mesh");
 }
 
 TEST(AlongParts, HaveTheSameBitsOnOneThread) {

@@ -8,6 +8,7 @@
 
 #include "support/chart_error.h"
 #include "support/same_chart.h"
+#include "support/scene.h"
 #include "support/shapes.h"
 #include "support/traced.h"
 
@@ -18,15 +19,7 @@ using test::ChartError;
 using test::Coordinates;
 using test::error_against;
 using test::sampled;
-
-struct Scene {
-  Surface surface;
-  Picker picker;
-  StrokeChartBuilder builder;
-
-  explicit Scene(TriangleMesh mesh)
-      : surface(make_surface(std::move(mesh))), picker(surface), builder(surface) {}
-};
+using test::Scene;
 
 TEST(StrokeChart, IsExactForAStraightStrokeOnAPlane) {
   Scene scene(test::shuffled(test::plane(1, 0.01, 7), 8));

@@ -1,7 +1,7 @@
 #pragma once
+#include "support/error_of.h"
 #include "support/shapes.h"
 
-#include <burin/base/error.h>
 #include <burin/host/session.h>
 #include <burin/level_set/solid_mesh.h>
 #include <burin/services/stamp_services.h>
@@ -99,16 +99,5 @@ struct Snapshot {
 
   std::vector<Vec3f> positions, normals, shown_positions, shown_normals;
 };
-
-/// The line of the Error that `body` throws, or "none".
-template <class Body>
-std::string error_of(const Body& body) {
-  try {
-    body();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "none";
-}
 
 }  // namespace burin::test

@@ -1,14 +1,13 @@
-#include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/level_set/mesh_solid.h>
 #include <burin/level_set/solid_mesh.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <string>
 
+#include "support/error_of.h"
 #include "support/rods.h"
 #include "support/shapes.h"
 
@@ -69,21 +68,13 @@ TEST(MeshSolid, UnitesWhatOverlaps) {
   EXPECT_NEAR(test::extent_of(mesh).volume, volume, 0.005 * volume);
 }
 
-std::string message(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(MeshSolid, RefusesWhatIsNone) {
   TriangleMesh mesh = ball(0.6, Vec3d::Zero());
-  EXPECT_EQ(message([&] { solid_of(mesh, 0); }), "the voxel must be above 0");
-  EXPECT_NE(message([&] { solid_of(mesh, 1e-5); }).find("use larger voxels"), std::string::npos);
+  EXPECT_EQ(test::error_of([&] { solid_of(mesh, 0); }), "the voxel must be above 0");
+  EXPECT_NE(test::error_of([&] { solid_of(mesh, 1e-5); }).find("use larger voxels"), std::string::npos);
   mesh.triangles.pop_back();
-  EXPECT_EQ(message([&] { solid_of(mesh, 0.05); }), "the mesh is open: only a closed one bounds a solid");
+  EXPECT_EQ(test::error_of([&] { solid_of(mesh, 0.05); }),
+            "the mesh is open: only a closed one bounds a solid");
 }
 
 TEST(MeshSolid, HasTheSameBitsOnOneThread) {

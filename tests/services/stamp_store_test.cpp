@@ -1,24 +1,13 @@
-#include <burin/base/error.h>
 #include <burin/services/stamp_store.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "support/error_of.h"
 #include "support/shared_data.h"
 
 namespace burin {
 namespace {
-
-/// The line of the Error that `body` throws.
-template <class Body>
-std::string complaint(const Body& body) {
-  try {
-    body();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "none";
-}
 
 constexpr const char* rock = "stamps/Rock035_height_1024_half_zip.exr";
 
@@ -42,7 +31,7 @@ TEST(StampStore, HoldsAFileOnceUntilItsLastClose) {
 
 TEST(StampStore, SaysWhyAFileCannotBeRead) {
   StampStore store;
-  EXPECT_EQ(complaint([&] { store.open("/no/such/stamp.exr"); }).find("/no/such/stamp.exr: "), 0u);
+  EXPECT_EQ(test::error_of([&] { store.open("/no/such/stamp.exr"); }).find("/no/such/stamp.exr: "), 0u);
 }
 
 TEST(StampStore, HoldsAFileApartForOtherOptions) {
@@ -74,7 +63,7 @@ TEST(StampStore, HoldsAsManyAsItSays) {
   const StampImage image{1, 1, 1, {1}, 1, 1};
   for (std::size_t i = 1; i < StampStore::capacity; ++i) store.add(image);
   const std::uint64_t last = store.add(image);
-  EXPECT_EQ(complaint([&] { store.add(image); }), "more than 256 stamps open at once");
+  EXPECT_EQ(test::error_of([&] { store.add(image); }), "more than 256 stamps open at once");
   store.close(last);
   EXPECT_NE(store.add(image), last);
 }

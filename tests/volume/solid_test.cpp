@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "support/charted.h"
+#include "support/error_of.h"
 #include "support/rods.h"
 #include "support/shapes.h"
 
@@ -114,21 +115,12 @@ TEST(StrokeSolid, IsEmptyWhereTheDistanceIsNowhereNegative) {
   EXPECT_TRUE(ground.solid(Ground::extent(), none).empty());
 }
 
-std::string message(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(StrokeSolid, RefusesWhatIsNone) {
   const Ground ground;
   const auto with = [&](auto change) {
     SolidExtent extent = Ground::extent();
     change(extent);
-    return message([&] { ground.solid(extent, test::rod(ground.chart, rod_radius, 0)); });
+    return test::error_of([&] { ground.solid(extent, test::rod(ground.chart, rod_radius, 0)); });
   };
   EXPECT_EQ(with([](SolidExtent& e) { e.voxel = 0; }), "the voxel must be above 0");
   EXPECT_EQ(with([](SolidExtent& e) { e.voxel = std::numeric_limits<double>::quiet_NaN(); }),
@@ -147,7 +139,8 @@ TEST(StrokeSolid, NamesWhereADistanceIsNotFinite) {
     for (std::size_t i = 0; i < points.size(); ++i)
       distances[i] = points[i].t > 0.7 ? std::numeric_limits<float>::quiet_NaN() : 0.0F;
   };
-  EXPECT_EQ(message([&] { ground.solid(Ground::extent(), broken); }).rfind("the distance at t 0.7", 0), 0u);
+  EXPECT_EQ(test::error_of([&] { ground.solid(Ground::extent(), broken); }).rfind("the distance at t 0.7", 0),
+            0u);
 }
 
 }  // namespace

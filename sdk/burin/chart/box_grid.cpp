@@ -1,3 +1,4 @@
+// Builds the grid by counting sort: the boxes of each cell are counted, then listed in consecutive memory.
 #include <burin/chart/box_grid.h>
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Covers a chart with triangles of its nodes. Where vertices have several nodes, all combinations at a
+// triangle's corners are tried, and those whose nodes lie nearest to each other in the chart are taken first.
+// Costs about O(s^3) per triangle whose corners have s nodes each.
 #include <burin/chart/chart_triangles.h>
 #include <burin/chart/path/closed_length.h>
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+// The functions may be called on any thread, also on several at once.
 namespace burin {
 
 /// Nodes of a chart at the corners of a triangle that belong to the same visit of the stroke.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 
+// The functions may be called on any thread, also on several at once. Inside they use all threads of oneTBB.
 namespace burin {
 
 struct BakeSettings {

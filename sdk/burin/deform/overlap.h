@@ -5,6 +5,7 @@
 
 struct burin_brush_descriptor;
 
+// The functions may be called on any thread, also on several at once.
 namespace burin {
 
 /// The rule to use for a brush with this many passes. Each pass starts from the result of the previous one,

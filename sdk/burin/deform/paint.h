@@ -3,6 +3,7 @@
 
 #include <vector>
 
+// The functions may be called on any thread, also on several at once.
 namespace burin {
 
 /// Colours and masks of a surface's vertices. An empty array means that no vertex is painted.

@@ -1,3 +1,5 @@
+// Loads modules and finds their brushes. A module of a folder that cannot be loaded is remembered, so that a
+// request for one of its brushes fails with the reason.
 #include <burin/abi/ext/log.h>
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>

@@ -1,3 +1,5 @@
+// Replays a recording: repairs its times, stabilises its samples, completes the settings of each stroke, and
+// draws the strokes piece by piece with the time and cost of every call.
 #include <burin/base/error.h>
 #include <burin/host/replay.h>
 #include <burin/host/stroke_pieces.h>
@@ -55,9 +57,9 @@ class Replayer {
 
  private:
   Outcome add(const Sample& sample);
-  StrokeEvent hand_over(const Sample& sample, Show show);
-  void spend(double seconds);
-  void note(std::vector<double>& latencies, std::vector<EventCost>& costs);
+  StrokeEvent add_to_session(const Sample& sample, Show show);
+  void add_cost(double seconds);
+  void record_event(std::vector<double>& latencies, std::vector<EventCost>& costs);
   template <class EndPiece>
   void end(const EndPiece& end_piece);
   void report_progress();
@@ -98,11 +100,11 @@ void Replayer::draw(const RecordedStroke& stroke, const ReplaySettings& settings
 Outcome Replayer::add(const Sample& sample) {
   const bool shown = show_every_ > 0 && (drawn_in_piece_ + 1) % show_every_ == 0;
   const auto start = std::chrono::steady_clock::now();
-  const StrokeEvent event = hand_over(sample, shown ? Show::now : Show::later);
+  const StrokeEvent event = add_to_session(sample, shown ? Show::now : Show::later);
   const double seconds = seconds_since(start);
   if (event.outcome != Outcome::drawn) return event.outcome;
-  spend(seconds);
-  if (shown) note(result_.latencies, result_.costs);
+  add_cost(seconds);
+  if (shown) record_event(result_.latencies, result_.costs);
   result_.vertices_changed += event.changed.size();
   ++result_.samples_drawn;
   ++drawn_in_piece_;
@@ -110,17 +112,17 @@ Outcome Replayer::add(const Sample& sample) {
 }
 
 /// Counts a call of the session towards the next event.
-void Replayer::spend(double seconds) {
+void Replayer::add_cost(double seconds) {
   seconds_ += seconds;
   cost_ += session_.cost();
 }
 
-void Replayer::note(std::vector<double>& latencies, std::vector<EventCost>& costs) {
+void Replayer::record_event(std::vector<double>& latencies, std::vector<EventCost>& costs) {
   latencies.push_back(std::exchange(seconds_, 0));
   costs.push_back(std::exchange(cost_, {}));
 }
 
-StrokeEvent Replayer::hand_over(const Sample& sample, Show show) {
+StrokeEvent Replayer::add_to_session(const Sample& sample, Show show) {
   if (recording_.space == StrokeSpace::object)
     return session_.add_sample(sample.position, sample.time, sample.pen, show);
   const Ray ray = pixel_ray(*recording_.camera, sample.position.x(), sample.position.y());
@@ -134,8 +136,8 @@ void Replayer::end(const EndPiece& end_piece) {
   result_.vertices_changed += end_piece().size();
   const double seconds = seconds_since(start);
   if (drawn_in_piece_ == 0) return;
-  spend(seconds);
-  note(result_.end_latencies, result_.end_costs);
+  add_cost(seconds);
+  record_event(result_.end_latencies, result_.end_costs);
   ++result_.pieces;
   drawn_in_piece_ = 0;
   if (observer_.piece_ended) observer_.piece_ended(session_);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+// replay() is to be called on the session's thread, replay_settings() on any, also on several at once.
 namespace burin {
 
 /// Who watches a replay; both may be empty.

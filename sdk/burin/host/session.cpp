@@ -119,7 +119,7 @@ StrokeEvent Session::Impl::draw(const std::optional<CurveGround::Place>& at, dou
 
 std::span<const Index> Session::Impl::apply(const VertexMoves& moves) {
   cost.moved = moves.vertices.size();
-  const std::span<const Index> moved = shown.move(surface, moves.vertices, moves.places);
+  const std::span<const Index> moved = shown.move(surface, moves.vertices, moves.positions);
   std::vector<Index> painted;
   if (!moves.tints.empty()) paint.set(moves.vertices, moves.tints, painted);
   std::ranges::sort(painted);

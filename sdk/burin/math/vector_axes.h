@@ -1,5 +1,5 @@
 #pragma once
-/// The axes of the channels of a vector displacement map.
+/// The axes of the channels of a vector displacement map. vector_axes() may be called on any thread.
 #include <array>
 #include <cstddef>
 #include <optional>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+// The functions may be called on any thread, also on several at once.
 namespace burin::plugin {
 
 /// A smooth step: 0 for x <= 0, 1 for x >= 1, and between them a cubic with zero slope at both ends.

@@ -7,6 +7,7 @@
 /// Plane figures as signed distance functions: the distance of a point from the outline, negative inside.
 /// Unions, intersections and outlines of figures are figures again; outside a corner of an intersection the
 /// distance is a lower bound. Formulas after I. Quilez, "2D distance functions".
+/// The functions may be called on any thread, also on several at once.
 namespace burin::plugin {
 
 /// A point in the plane of a figure: x along the stroke, y across it.

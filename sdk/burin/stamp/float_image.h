@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+// May be called on any thread, also on several at once for different files.
 namespace burin {
 
 /// Writes an EXR file of 32-bit floats, whole or not at all. Throws FileError, and ContractError for an image

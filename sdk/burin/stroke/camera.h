@@ -2,6 +2,7 @@
 #include <burin/base/vector.h>
 #include <burin/surface/picker.h>
 
+// The functions may be called on any thread, also on several at once.
 namespace burin {
 
 /// A camera with OpenGL's conventions: clip = projection * view * (position, 1); eye space has z towards the

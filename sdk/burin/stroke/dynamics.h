@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+// The free functions may be called on any thread, also on several at once.
 namespace burin {
 
 /// A quantity of the pen or of the curve that drives a value along the stroke. Angles lie in -pi..pi.

@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/stroke/recording.h>
 
+// The functions may be called on any thread, also on several at once for different recordings.
 namespace burin {
 
 /// Makes the positions of a recording, or its camera, relative to `origin`, like the positions of a mesh that

@@ -3,6 +3,7 @@
 
 #include <span>
 
+// The functions may be called on any thread, also on several at once for different samples.
 namespace burin {
 
 /// Whether there are several samples and all have the same time stamp, so that times are useless.

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+// The free functions may be called on any thread, also on several at once.
 namespace burin {
 
 /// Filters the samples of one stroke before they are drawn, in object space or in pixels. The result is exact

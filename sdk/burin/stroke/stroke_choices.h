@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
+// The functions may be called on any thread, also on several at once.
 namespace burin {
 
 /// How a stroke ends.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+// read_strokes() may be called on any thread, also on several at once.
 namespace burin {
 
 /// Reads a `.stroke` file (docs/stroke_format.md). Ignores blank lines and unknown keys and fields. A last

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+// The functions may be called on any thread, also on several at once.
 namespace burin {
 
 /// The symmetric images that are drawn with a stroke. Mirror planes and the axis of rotation pass through a

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 
+// The functions may be called on any thread, also on several at once. Inside they use all threads of oneTBB.
 namespace burin {
 
 /// The rules of subdivision.

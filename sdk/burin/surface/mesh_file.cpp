@@ -1,3 +1,5 @@
+// Chooses the reader or writer of a mesh file by its extension, and checks what all formats have in common:
+// finite positions, sizes of faces and numbers of vertices.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <burin/base/text/lower_case.h>

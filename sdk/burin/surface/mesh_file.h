@@ -6,6 +6,8 @@
 
 #include <filesystem>
 
+// The functions may be called on any thread, also on several at once, but not on a file that one of them
+// writes.
 namespace burin {
 
 /// Reads a mesh from an OBJ (polygons, texture coordinates, colours, subdivision tags), PLY, STL, OFF, glTF

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+// make_point_surface() may be called on any thread, also on several at once. Inside it uses all threads of
+// oneTBB.
 namespace burin {
 
 /// Oriented points in the order of a file.

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+// make_surface() may be called on any thread, also on several at once. Inside it uses all threads of oneTBB.
 namespace burin {
 
 /// A triangle mesh prepared for strokes: vertices and triangles sorted along a space-filling curve, with unit

@@ -1,3 +1,5 @@
+// Makes a surface of the triangles that stay and those of a patch, with its vertices numbered in the order of
+// the source.
 #include <burin/surface/surface_patch.h>
 
 #include <algorithm>

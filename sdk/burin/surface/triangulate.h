@@ -2,6 +2,7 @@
 #include <burin/surface/polygon_mesh.h>
 #include <burin/surface/triangle_mesh.h>
 
+// The functions may be called on any thread, also on several at once.
 namespace burin {
 
 /// Splits every face except holes into triangles without new vertices. Quads are split along the shorter

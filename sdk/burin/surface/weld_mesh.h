@@ -3,6 +3,7 @@
 
 #include <vector>
 
+// The functions may be called on any thread, also on several at once.
 namespace burin {
 
 /// The distance between equal positions that rounding to six digits in a text file may cause: 4e-6 of the

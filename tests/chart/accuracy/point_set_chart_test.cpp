@@ -11,6 +11,7 @@
 
 #include "support/chart_error.h"
 #include "support/point_shapes.h"
+#include "support/scene.h"
 #include "support/traced.h"
 
 namespace burin {
@@ -20,15 +21,7 @@ using test::ChartError;
 using test::Coordinates;
 using test::error_against;
 using test::sampled;
-
-struct Scene {
-  Surface surface;
-  Picker picker;
-  StrokeChartBuilder builder;
-
-  explicit Scene(PointSet points)
-      : surface(make_point_surface(std::move(points))), picker(surface), builder(surface) {}
-};
+using test::Scene;
 
 TEST(PointSetChart, IsExactForAStraightStrokeOnAPlane) {
   Scene scene(test::plane_points(1, 0.01, 7));

@@ -70,7 +70,7 @@ TEST(Visits, AreRunsInReachOfAStraightStroke) {
   EXPECT_EQ(samples.t(visits[0].begin), 4);
   EXPECT_EQ(samples.t(visits[0].begin + visits[0].length - 1), 6);
   EXPECT_TRUE(visits[0].ends);
-  EXPECT_EQ(visits[0].told_by, no_index);
+  EXPECT_EQ(visits[0].decided_by, no_index);
 }
 
 TEST(Visits, AreOneForEachLegOfAHairpinAllInReach) {
@@ -81,7 +81,7 @@ TEST(Visits, AreOneForEachLegOfAHairpinAllInReach) {
   // They part where the stroke is farthest away, in the bend.
   const double apart_at = samples.t(visits[1].begin);
   EXPECT_NEAR(apart_at, 4 + 0.3 * std::numbers::pi / 2, 0.25);
-  EXPECT_GE(visits[0].told_by, visits[1].begin);
+  EXPECT_GE(visits[0].decided_by, visits[1].begin);
 }
 
 TEST(Visits, AreOneBeyondTheCentreOfABend) {
@@ -128,9 +128,9 @@ TEST(Visits, StayWhateverComesAfterWhatTold) {
     const Visit was = Visits(before, x, Vec3f::UnitZ()).find(first, 0).visit;
     const Visit is = Visits(after, x, Vec3f::UnitZ()).find(first, 0).visit;
     EXPECT_EQ(is.begin, was.begin);
-    open += was.told_by == before.size() ? 1 : 0;
+    open += was.decided_by == before.size() ? 1 : 0;
     cut += was.ends ? 1 : 0;
-    if (was.told_by == no_index || was.told_by < stay) {
+    if (was.decided_by == no_index || was.decided_by < stay) {
       EXPECT_EQ(std::min(is.begin + is.length, stay), std::min(was.begin + was.length, stay)) << count;
     }
   }

@@ -1,6 +1,6 @@
 #include "deform/deform_fixtures.h"
+#include "support/error_of.h"
 
-#include <burin/base/error.h>
 #include <burin/deform/evaluate/brush_stroke.h>
 #include <gtest/gtest.h>
 
@@ -15,12 +15,7 @@ burin_status nothing(const burin_stroke_context&, const burin_batch&, const buri
 }
 
 std::string failure(test::TestBrush& brush) {
-  try {
-    const BrushStroke stroke(brush.brush, brush.descriptor, brush.context, brush.params);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "none";
+  return test::error_of([&] { BrushStroke(brush.brush, brush.descriptor, brush.context, brush.params); });
 }
 
 TEST(BrushStroke, EndsWhatItBegan) {

@@ -1,7 +1,7 @@
 #include "descriptors.h"
+#include "support/error_of.h"
 
 #include <burin/abi/plugin.h>
-#include <burin/base/error.h>
 #include <burin/host/plugin/param_snapshot.h>
 #include <gtest/gtest.h>
 
@@ -23,12 +23,7 @@ std::vector<burin_param_info> one_of_each() {
 }
 
 std::string failure(const burin_brush_descriptor& brush, const ParamSettings& settings) {
-  try {
-    const ParamSnapshot snapshot(brush, settings);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "none";
+  return test::error_of([&] { ParamSnapshot(brush, settings); });
 }
 
 TEST(ParamSnapshot, HoldsDefaultsInTheOrderOfTheDescriptor) {

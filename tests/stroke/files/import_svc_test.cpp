@@ -84,7 +84,8 @@ TEST_F(SvcText, RejectsBadLines) {
   const std::string good = "0 0 0 1 0 900 0.5\n1 1 1 1 0 900 0.5\n";
   EXPECT_EQ(complaint("2\n" + good), "accepted");
   EXPECT_EQ(complaint("3\n" + good), "1: 3 lines are told, 2 follow");
-  EXPECT_EQ(complaint("1.5\n" + good), "1: the number of the lines that follow must be whole");
+  for (const char* count : {"1.5", "-1", "2e9"})
+    EXPECT_EQ(complaint(count + ("\n" + good)), "1: the number of the lines that follow must be whole");
   EXPECT_EQ(complaint(good), "1: expected one number, found more");
   EXPECT_EQ(complaint("3\n" + good + "1 2 3 1 0 900\n"),
             "4: expected seven numbers: x y time pen_down azimuth altitude pressure");

@@ -121,8 +121,8 @@ void ClusterContest::find_rivals(const LiveChart& nodes, Index slot, std::vector
   if (!chosen_[slot]) rivals.clear();
 }
 
-ChartFrame ClusterContest::told_by(const LiveChart& nodes, const StrokePath& path, Index slot,
-                                   const GroundVertex& place) const {
+ChartFrame ClusterContest::extrapolate(const LiveChart& nodes, const StrokePath& path, Index slot,
+                                       const GroundVertex& place) const {
   const BasePatch patch = base_->patch(nodes.nodes().vertex[slot]);
   const ChartFrame frame = nodes.nodes().frame(slot);
   const FrameStep step =

@@ -32,8 +32,8 @@ class ClusterContest {
   void find_rivals(const LiveChart& nodes, Index slot, std::vector<Index>& rivals);
 
   /// The frame at a point of the base surface, extrapolated by one straight step from the slot's node.
-  ChartFrame told_by(const LiveChart& nodes, const StrokePath& path, Index slot,
-                     const GroundVertex& place) const;
+  ChartFrame extrapolate(const LiveChart& nodes, const StrokePath& path, Index slot,
+                         const GroundVertex& place) const;
 
  private:
   bool is_contested(const LiveChart& nodes, Index slot) const;

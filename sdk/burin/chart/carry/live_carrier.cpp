@@ -152,7 +152,7 @@ void LiveCarrier::carry_contested(const Event& event, Index slot, const BasePatc
     ChartFrame nearest;
     double least = std::numeric_limits<double>::infinity();
     for (const Index rival : carried.rivals) {
-      const ChartFrame told = contest_.told_by(event.nodes, path, rival, vertex);
+      const ChartFrame told = contest_.extrapolate(event.nodes, path, rival, vertex);
       const double distance = path.distance(told.t, static_cast<double>(told.d), vertex.position);
       range.last_t = std::max(range.last_t, told.t + StrokeSamples::most_spacing(stroke_.radius));
       if (distance >= least) continue;

@@ -1,3 +1,5 @@
+// Averages the normal coordinates and frames that upwind neighbours predict for a vertex [Schmidt 2010], in
+// O(n) for n neighbours. Only predictions that agree with that of the shortest path count.
 #include <burin/chart/dabs/normal_coordinates.h>
 #include <burin/surface/geometry/unit_tangent.h>
 

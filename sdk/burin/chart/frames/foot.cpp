@@ -1,3 +1,6 @@
+// Computes the foot of a vertex on the stroke, and from it the vertex's Fermi coordinates to second order in
+// the distance. The nearest segment is found by walking along the polyline; then Newton's method finds the
+// foot on a cubic arc through the segment's ends, in at most four steps.
 #include <burin/chart/frames/float_rounding.h>
 #include <burin/chart/frames/foot.h>
 #include <burin/chart/frames/frame_step.h>

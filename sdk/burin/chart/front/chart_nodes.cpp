@@ -1,3 +1,6 @@
+// Makes the nodes of a front on demand, and finds the samples of their visits. A visit grows sample by sample
+// towards the one that is asked for, and is found whole where the stroke may turn or the vertex has other
+// visits. A query costs O(1) if the vertex's first node is known to have the sample.
 #include <burin/chart/front/chart_nodes.h>
 
 #include <algorithm>
@@ -10,7 +13,7 @@ void ChartNodes::restart(VertexRange own) {
   foreign_.clear();
   least_changed_.clear();
   epoch_ = 0;
-  told_by_.clear();
+  decided_by_.clear();
   parted_.clear();
   first_parted_ = no_index;
 }
@@ -23,26 +26,26 @@ void ChartNodes::samples_changed(Index first_changed) {
   ++epoch_;
   parted_.clear();
   first_parted_ = no_index;
-  std::vector<Told> told;
-  for (std::size_t sample = first_changed; sample < told_by_.size(); ++sample)
-    told.insert(told.end(), told_by_[sample].begin(), told_by_[sample].end());
-  told_by_.resize(std::min<std::size_t>(told_by_.size(), first_changed));
-  told_by_.resize(samples_->size() + 1);
-  for (const Told& each : told) part(each, first_changed);
+  std::vector<Decision> decisions;
+  for (std::size_t sample = first_changed; sample < decided_by_.size(); ++sample)
+    decisions.insert(decisions.end(), decided_by_[sample].begin(), decided_by_[sample].end());
+  decided_by_.resize(std::min<std::size_t>(decided_by_.size(), first_changed));
+  decided_by_.resize(samples_->size() + 1);
+  for (const Decision& decision : decisions) part(decision, first_changed);
 }
 
-/// Looks anew at what a sample told that has changed.
-void ChartNodes::part(const Told& told, Index first_changed) {
-  FrontNode& node = nodes_[told.node];
+/// Finds the start or the end of a visit again after the sample that decided it has changed.
+void ChartNodes::part(const Decision& decision, Index first_changed) {
+  FrontNode& node = nodes_[decision.node];
   if (node.run_length == 0 || !node.run_whole) return;
-  if (told.begin || node.run_begin >= first_changed) {
+  if (decision.begin || node.run_begin >= first_changed) {
     vacate(node);
-    return note_parted(told.node, node.run_begin);
+    return note_parted(decision.node, node.run_begin);
   }
   const Index end_before = std::min(node.run_begin + node.run_length, first_changed);
-  set_visit(told.node, visits_to(node).from(node.run_begin));
+  set_visit(decision.node, visits_to(node).from(node.run_begin));
   const Index end = std::min(node.run_begin + node.run_length, first_changed);
-  if (end != end_before) note_parted(told.node, std::min(end, end_before));
+  if (end != end_before) note_parted(decision.node, std::min(end, end_before));
 }
 
 void ChartNodes::note_parted(Index node, Index sample) {
@@ -75,7 +78,7 @@ void ChartNodes::forget_changed(Index index) {
   node.run_epoch = epoch_;
   if (node.run_length == 0) return;
   if (node.run_begin >= changed) return vacate(node);
-  // What ends before has been told by samples before, or part() has looked at it.
+  // The end of a visit that ends earlier was decided by earlier samples, or part() has found it again.
   if (node.run_ends && end < changed) return;
   if (node.run_whole) return set_visit(index, visits_to(node).from(node.run_begin));
   node.run_length = std::min(end, changed) - node.run_begin;
@@ -135,7 +138,7 @@ void ChartNodes::find_whole(Index index) {
   const Visits::Found found = visits_to(node).find(node.run_begin, floor);
   node.run_whole = node.run_begins = true;
   set_visit(index, found.visit);
-  if (found.begin_told_by != no_index) told_by_[found.begin_told_by].push_back({index, true});
+  if (found.begin_decided_by != no_index) decided_by_[found.begin_decided_by].push_back({index, true});
 }
 
 void ChartNodes::set_visit(Index index, const Visit& visit) {
@@ -144,7 +147,7 @@ void ChartNodes::set_visit(Index index, const Visit& visit) {
   node.run_length = visit.length;
   node.run_ends = visit.ends;
   node.run_epoch = epoch_;
-  if (visit.told_by != no_index) told_by_[visit.told_by].push_back({index, false});
+  if (visit.decided_by != no_index) decided_by_[visit.decided_by].push_back({index, false});
 }
 
 Index ChartNodes::find_or_add(Index vertex, Index sample, Index head) {

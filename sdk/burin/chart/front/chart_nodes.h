@@ -80,8 +80,8 @@ class ChartNodes {
   }
 
  private:
-  /// What a sample tells: where a node's visit begins, or where it ends.
-  struct Told {
+  /// What a sample decides: where a node's visit begins, or where it ends.
+  struct Decision {
     Index node;
     bool begin;
   };
@@ -104,7 +104,7 @@ class ChartNodes {
   bool extends_backward(Index node, Index sample);
   void find_whole(Index node);
   void set_visit(Index node, const Visit& visit);
-  void part(const Told& told, Index first_changed);
+  void part(const Decision& decision, Index first_changed);
   void note_parted(Index node, Index sample);
   static void vacate(FrontNode& node);
   Visits visits_to(const FrontNode& node) const { return {*samples_, node.position, node.normal}; }
@@ -115,9 +115,9 @@ class ChartNodes {
   std::span<Index> block_of_;  ///< [vertex / block_size] its first node, perhaps of another use
   std::unordered_map<Index, Index> foreign_;  ///< first nodes of other vertices
   std::vector<FrontNode> nodes_;
-  Index epoch_ = 0;                         ///< counts the changes of the samples
-  std::vector<Index> least_changed_;        ///< [epoch] the first sample that has changed after it
-  std::vector<std::vector<Told>> told_by_;  ///< [sample, and the next to come]
+  Index epoch_ = 0;                                ///< counts the changes of the samples
+  std::vector<Index> least_changed_;               ///< [epoch] the first sample that has changed after it
+  std::vector<std::vector<Decision>> decided_by_;  ///< [sample, and the next to come]
   std::vector<Index> parted_;
   Index first_parted_ = no_index;
 };

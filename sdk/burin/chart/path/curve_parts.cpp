@@ -1,3 +1,5 @@
+// Finds segments and points of a curve by arc length with a binary search, and cuts parts out of a curve in
+// O(n).
 #include <burin/chart/path/closed_length.h>
 #include <burin/chart/path/curve_parts.h>
 

@@ -1,3 +1,5 @@
+// Samples the stroke at equal distances, so that position and curvature at any t cost O(1). After a change
+// only the samples from the last unchanged point of the curve on are computed again.
 #include <burin/chart/path/curve_parts.h>
 #include <burin/chart/path/stroke_path.h>
 

@@ -13,11 +13,11 @@ constexpr float least_turn = 0.1F;
 
 Visits::Found Visits::find(Index sample, Index floor) const {
   const Index count = samples_->size();
-  Index begin = run_begin(sample, floor), most = count, told_by = no_index;
+  Index begin = run_begin(sample, floor), most = count, decided_by = no_index;
   for (;;) {
     const Visit visit = from(begin, most);
-    if (samples_->steps(begin, sample) < visit.length) return {visit, told_by};
-    told_by = visit.told_by;
+    if (samples_->steps(begin, sample) < visit.length) return {visit, decided_by};
+    decided_by = visit.decided_by;
     most -= visit.length;
     begin = (begin + visit.length) % count;
   }
@@ -47,21 +47,21 @@ Index Visits::farthest() const {
 Visit Visits::from(Index begin, Index most) const {
   const Index count = samples_->size();
   float low = distance(begin), high = low, last = low;
-  Index length = 1, up_to_high = 1, at = begin, told_by = no_index;
+  Index length = 1, up_to_high = 1, at = begin, decided_by = no_index;
   for (;; ++length) {
     const float turn = least_turn * samples_->disc(at);
     const bool went_away = high - low >= turn, comes_back = went_away && last < high;
-    if (length == most) return {begin, length, true, told_by};
+    if (length == most) return {begin, length, true, decided_by};
     if (++at == count) {
-      if (!samples_->closed()) return {begin, length, false, comes_back ? count : told_by};
+      if (!samples_->closed()) return {begin, length, false, comes_back ? count : decided_by};
       at = 0;
     }
-    if (!any(at)) return {begin, length, true, comes_back ? at : told_by};
+    if (!any(at)) return {begin, length, true, comes_back ? at : decided_by};
     last = distance(at);
     if (went_away && high - last >= turn) return {begin, up_to_high, true, at};
     if (last < low) low = high = last;
     if (last < high) continue;
-    if (comes_back) told_by = at;
+    if (comes_back) decided_by = at;
     high = last;
     up_to_high = length + 1;
   }

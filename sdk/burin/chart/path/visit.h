@@ -13,7 +13,7 @@ struct Visit {
   /// The last sample that was needed to decide whether the stroke comes back, or the one after the last
   /// sample while that is undecided; no_index when the stroke never started to come back. The samples of the
   /// visit stay the same as long as the stroke's samples up to this one do.
-  Index told_by = no_index;
+  Index decided_by = no_index;
 };
 
 /// The visits to a vertex at `position`, with this normal.
@@ -26,10 +26,10 @@ class Visits {
   /// Whether the sample belongs to any visit.
   bool any(Index sample) const { return samples_->disc_holds(sample, position_, normal_); }
 
-  /// A visit, and the `told_by` of the visit before it in the same run.
+  /// A visit, and the `decided_by` of the visit before it in the same run.
   struct Found {
     Visit visit;
-    Index begin_told_by = no_index;
+    Index begin_decided_by = no_index;
   };
 
   /// Finds the visit of a sample that belongs to one. The search for the start of the run goes back to

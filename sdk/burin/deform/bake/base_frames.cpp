@@ -1,3 +1,6 @@
+// Computes the frames of a mesh with texture coordinates: vertex normals, and for each corner the direction
+// of the mean dP/du of the triangles around the vertex in its island, weighted by their areas in texture
+// space. Costs O(n) on all threads.
 #include <burin/base/parallel.h>
 #include <burin/deform/bake/base_frames.h>
 #include <burin/surface/geometry/normals.h>

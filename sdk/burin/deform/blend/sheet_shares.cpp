@@ -1,3 +1,5 @@
+// Computes the shares of a vertex's sheets. Sheets are stacked by the operator `over` [Porter and Duff 1984]
+// with their weights as opacities, and the shares are divided by their sum.
 #include <burin/deform/blend/sheet_shares.h>
 
 #include <algorithm>
@@ -21,7 +23,7 @@ double smooth_step(double x) {
 
 double weight(const Sheet& sheet) { return std::max(smooth_step(sheet.inside / feather), least); }
 
-void bring_to_one(Shares& shares) {
+void normalise(Shares& shares) {
   const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
   for (double& share : shares) share /= sum;
 }
@@ -37,7 +39,7 @@ void stack(std::span<const Sheet> sheets, std::span<const std::size_t> order, Sh
   for (const std::size_t i : order) shares[i] /= sum;
 }
 
-std::vector<std::size_t> numbers_below(std::size_t count) {
+std::vector<std::size_t> indices_below(std::size_t count) {
   std::vector<std::size_t> numbers(count);
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
   return numbers;
@@ -48,12 +50,12 @@ std::vector<std::size_t> numbers_below(std::size_t count) {
 Shares mean_shares(std::span<const Sheet> sheets) {
   Shares shares;
   for (const Sheet& sheet : sheets) shares.push_back(weight(sheet));
-  bring_to_one(shares);
+  normalise(shares);
   return shares;
 }
 
 Shares stacked_shares(std::span<const Sheet> sheets, std::span<const double> keys) {
-  std::vector<std::size_t> order = numbers_below(sheets.size());
+  std::vector<std::size_t> order = indices_below(sheets.size());
   std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return keys[i]; });
   Shares shares(sheets.size());
   stack(sheets, order, shares);
@@ -69,12 +71,12 @@ Shares softly_stacked_shares(std::span<const Sheet> sheets, std::span<const doub
         share *= 1 - weight(sheets[above]) * smooth_step((1 + (keys[above] - keys[i]) / soft) / 2);
     shares.push_back(share);
   }
-  bring_to_one(shares);
+  normalise(shares);
   return shares;
 }
 
 Shares latest_shares(std::span<const Sheet> sheets) {
-  std::vector<std::size_t> order = numbers_below(sheets.size());
+  std::vector<std::size_t> order = indices_below(sheets.size());
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
     return std::tuple(sheets[a].image, sheets[b].piece, sheets[b].t) <
            std::tuple(sheets[b].image, sheets[a].piece, sheets[a].t);
@@ -90,7 +92,7 @@ Shares latest_shares(std::span<const Sheet> sheets) {
     for (const std::size_t i : of_image) shares[i] *= near;
     first = last;
   }
-  bring_to_one(shares);
+  normalise(shares);
   return shares;
 }
 

@@ -1,3 +1,5 @@
+// Fills the inputs that a brush declares, column by column, from the chart, the surface, its paint, the pen
+// and earlier passes. An input costs O(1) per node; footprints, curvatures and Laplacians cost O(valence).
 #include <burin/deform/evaluate/batch.h>
 #include <burin/deform/evaluate/displacement.h>
 #include <burin/surface/topology/surroundings.h>

@@ -1,3 +1,5 @@
+// Asks a brush for the offsets of a curve's points and checks them. The brush is given the points from its
+// reach behind the first requested one to the end of the curve.
 #include <burin/base/error.h>
 #include <burin/deform/evaluate/curve_filter.h>
 #include <burin/deform/evaluate/error_text.h>

@@ -1,3 +1,5 @@
+// Checks at compile time that the tables of inputs and outputs cover every bit and every member of the ABI's
+// structs, and formats their names for messages.
 #include <burin/deform/evaluate/supported_inputs.h>
 #include <fmt/format.h>
 

@@ -1,3 +1,5 @@
+// Keeps the shown paint beside the paint before the stroke, and a list of the vertices that were set, so that
+// commit() and drop() cost O(k log k) for k of them, whatever the size of the surface.
 #include <burin/abi/stroke.h>
 #include <burin/base/sort_unique.h>
 #include <burin/deform/shown/shown_paint.h>

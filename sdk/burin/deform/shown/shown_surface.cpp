@@ -1,3 +1,5 @@
+// Moves shown vertices and computes the normals of these and of their neighbours again; after the stroke also
+// the Gauss curvature of the neighbours' neighbours.
 #include <burin/deform/shown/shown_surface.h>
 #include <burin/surface/geometry/curvature.h>
 #include <burin/surface/geometry/normals.h>

@@ -1,3 +1,5 @@
+// Interpolates the inputs of a brush at points between chart nodes. A batch is filled for each of the points'
+// three nodes, and the batches are averaged by the points' weights; directions are normalised again.
 #include <burin/deform/evaluate/supported_inputs.h>
 #include <burin/deform/solid/solid_batch.h>
 

@@ -1,3 +1,5 @@
+// Makes the solid of a finished stroke with a brush: asks for its plan, then for distances in batches of up
+// to 1024 points, and checks both.
 #include <burin/base/error.h>
 #include <burin/chart/chart_triangles.h>
 #include <burin/deform/evaluate/error_text.h>

@@ -1,3 +1,4 @@
+// Checks a brush's descriptor member by member before any other code reads it.
 #include <burin/host/plugin/descriptor_check.h>
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// Loads plugin modules with dlopen().
 #if !defined(_WIN32)
 #include <burin/base/error.h>
 #include <burin/host/plugin/module.h>

@@ -1,3 +1,4 @@
+// Checks the descriptions of a brush's parameters: ids, ranges, choices, knots and defaults.
 #include <burin/host/plugin/descriptor_check.h>
 #include <fmt/format.h>
 

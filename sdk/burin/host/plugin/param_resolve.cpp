@@ -1,3 +1,5 @@
+// Converts the setting of a parameter to a value of the declared type and checks its range, or takes the
+// default.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <burin/host/plugin/descriptor_check.h>

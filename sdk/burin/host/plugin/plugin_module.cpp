@@ -1,3 +1,4 @@
+// Loads a module and checks its entry, its factory and all its descriptors, on which later code relies.
 #include <burin/base/error.h>
 #include <burin/deform/evaluate/error_text.h>
 #include <burin/host/plugin/descriptor_check.h>

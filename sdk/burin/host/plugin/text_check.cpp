@@ -1,3 +1,4 @@
+// Checks a plugin's text code point by code point.
 #include <burin/base/text/utf8.h>
 #include <burin/host/plugin/descriptor_check.h>
 

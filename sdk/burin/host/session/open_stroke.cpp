@@ -1,3 +1,6 @@
+// Computes what an event of the pen moves: for each symmetric image it extends curve and chart and evaluates
+// the stale nodes, then it blends the sheets of all images vertex by vertex. Solids and meshes along the
+// stroke are made when a piece ends.
 #include <burin/base/error.h>
 #include <burin/base/sort_unique.h>
 #include <burin/base/stopwatch.h>
@@ -118,7 +121,7 @@ void OpenStroke::begin_instances() {
                             instances_.empty() ? nullptr : &instances_.front());
   if (makes_part()) return;
   if (settings_.accumulate == Accumulate::from_current) accumulate();
-  if (passes_read_neighbours()) look_around();
+  if (passes_read_neighbours()) set_up_passes();
 }
 
 void OpenStroke::begin_piece() {
@@ -130,7 +133,7 @@ void OpenStroke::begin_piece() {
 }
 
 /// Sets up passes that read neighbours, which need the result of the previous pass at these.
-void OpenStroke::look_around() {
+void OpenStroke::set_up_passes() {
   std::vector<const LiveChart*> charts;
   for (const StrokeInstance& instance : instances_) charts.push_back(&instance.live());
   passes_.emplace(*surface_, brush_stroke_, std::move(charts), blend_options());
@@ -178,7 +181,7 @@ VertexMoves OpenStroke::draw(const StrokeTools& tools) {
     changes.push_back(instance.empty() ? StrokeChanges{}
                                        : instance.draw(brush_stroke_.plan().end_influence, tools.cost));
   tools.clock.lap(Stage::chart);
-  return go_on(changes, 0, tools);
+  return evaluate_and_blend(changes, 0, tools);
 }
 
 VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
@@ -192,7 +195,7 @@ VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
                           ? StrokeChanges{}
                           : instance.finish(news, brush_stroke_.plan().end_influence, tools.cost));
   tools.clock.lap(Stage::chart);
-  if (!makes_part()) return go_on(changes, BURIN_STROKE_FINAL, tools);
+  if (!makes_part()) return evaluate_and_blend(changes, BURIN_STROKE_FINAL, tools);
   Stopwatch watch;
   along_ ? bend_meshes(tools.paint) : make_solid(tools.paint);
   solid_seconds_ += watch.lap();
@@ -283,8 +286,8 @@ burin_stroke_context OpenStroke::context(std::uint64_t flags, const SurfaceCurve
 }
 
 /// Evaluates stale nodes and computes the new positions and tints of their vertices.
-VertexMoves OpenStroke::go_on(const std::vector<StrokeChanges>& changes, std::uint64_t flags,
-                              const StrokeTools& tools) {
+VertexMoves OpenStroke::evaluate_and_blend(const std::vector<StrokeChanges>& changes, std::uint64_t flags,
+                                           const StrokeTools& tools) {
   std::vector<Index> vertices = all_vertices(changes);
   evaluate(changes, flags, tools, vertices);
   tools.clock.lap(Stage::evaluate);
@@ -336,8 +339,8 @@ VertexMoves OpenStroke::blend(std::vector<Index> vertices, const Paint& paint) c
   const StrokeSheets stroke{piece, &earlier_};
   VertexMoves moves;
   moves.vertices = std::move(vertices);
-  moves.places.resize(moves.vertices.size());
-  blend_sheets(*surface_, stroke, moves.vertices, blend_options(), brush().id, moves.places);
+  moves.positions.resize(moves.vertices.size());
+  blend_sheets(*surface_, stroke, moves.vertices, blend_options(), brush().id, moves.positions);
   if (!paints(brush())) return moves;
   moves.tints.resize(moves.vertices.size());
   blend_tints(paint, stroke, moves.vertices, blend_options(), moves.tints);

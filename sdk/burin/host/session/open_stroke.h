@@ -22,9 +22,9 @@ namespace burin {
 
 /// The effect of an event on vertices.
 struct VertexMoves {
-  std::vector<Index> vertices;  ///< each once
-  std::vector<Vec3f> places;    ///< [i] new position of vertices[i]
-  std::vector<Tint> tints;      ///< [i] new tint of vertices[i]; empty if the brush writes none
+  std::vector<Index> vertices;   ///< each once
+  std::vector<Vec3f> positions;  ///< [i] new position of vertices[i]
+  std::vector<Tint> tints;       ///< [i] new tint of vertices[i]; empty if the brush writes none
 };
 
 /// Objects that a session keeps from stroke to stroke. Non-owning.
@@ -99,11 +99,12 @@ class OpenStroke {
   bool makes_part() const { return solid_stroke_ || along_; }
   void begin_instances();
   void accumulate();
-  void look_around();
+  void set_up_passes();
   bool passes_read_neighbours() const;
   burin_stroke_context context(std::uint64_t flags, const SurfaceCurve& curve) const;
   BlendOptions blend_options() const;
-  VertexMoves go_on(const std::vector<StrokeChanges>& changes, std::uint64_t flags, const StrokeTools& tools);
+  VertexMoves evaluate_and_blend(const std::vector<StrokeChanges>& changes, std::uint64_t flags,
+                                 const StrokeTools& tools);
   void evaluate(const std::vector<StrokeChanges>& changes, std::uint64_t flags, const StrokeTools& tools,
                 std::vector<Index>& vertices);
   VertexMoves blend(std::vector<Index> vertices, const Paint& paint) const;

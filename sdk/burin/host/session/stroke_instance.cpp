@@ -1,3 +1,6 @@
+// Traces and charts one symmetric image of a stroke, and finds the nodes whose results may have changed. An
+// image that runs like the original takes over the nodes of the original's chart instead of computing its
+// own.
 #include <burin/along/along_parts.h>
 #include <burin/host/session/stroke_instance.h>
 

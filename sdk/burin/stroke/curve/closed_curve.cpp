@@ -45,7 +45,8 @@ std::optional<SurfaceCurve> CurveTracer::closed_curve(Closure closure) const {
 
 void CurveTracer::remove_overshoot() {
   const auto [point, distance] = return_to_first();
-  if (distance <= radius_ / 2) std::erase_if(knots_, [=](const PenKnot& knot) { return knot.point > point; });
+  if (distance <= radius_ / 2)
+    std::erase_if(knots_, [last = point](const PenKnot& knot) { return knot.point > last; });
   const double mean = curve_.points[knots_.back().point].t / static_cast<double>(knots_.size());
   const double on_top = std::max(mean / 2, spacing(knots_[0].place.at));
   const auto from_first = [&](const PenKnot& knot) {

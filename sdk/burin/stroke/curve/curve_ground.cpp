@@ -45,7 +45,7 @@ template <class OnPlane>
 CurveGround::Place CurveGround::settled(const SurfacePoint& at, const OnPlane& on_plane) const {
   constexpr int rounds = 3;
   constexpr double farthest = 8;  // spacings
-  const Place foot = this->place(at);
+  Place foot = this->place(at);
   if (!base_) return foot;
   Place place = foot;
   for (int round = 0; round < rounds; ++round) {

@@ -21,8 +21,8 @@ class MonotoneCubic {
   double at(double s) const;
 
  private:
-  double from_, to_;
-  double slope_from_, slope_to_;  ///< per unit of s
+  double from_ = 0, to_ = 0;
+  double slope_from_ = 0, slope_to_ = 0;  ///< per unit of s
 };
 
 /// Monotone cubics of the fields of a pen. The tilt is interpolated as the direction of the pen's upper end,

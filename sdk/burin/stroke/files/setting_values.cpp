@@ -1,3 +1,4 @@
+// Reads the values of stroke settings from JSON and checks their ranges; writes those that recordings hold.
 #include <burin/stroke/files/recording_faults.h>
 #include <burin/stroke/files/setting_values.h>
 #include <fmt/format.h>

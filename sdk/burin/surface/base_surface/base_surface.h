@@ -71,7 +71,7 @@ class BaseSurface {
   /// A paraboloid and its weight.
   struct Weighted {
     BasePatch patch;
-    double weight;  ///< above 0
+    double weight = 0;  ///< above 0
   };
 
   /// The paraboloids whose weighted mean is the base surface at a position near a node; none if the position

@@ -1,3 +1,5 @@
+// Collects the colours of vertices until all are known, since only all together tell whether channels range
+// to 1 or to 255. Costs O(n).
 #include <burin/surface/files/colour_byte.h>
 #include <burin/surface/files/file_colours.h>
 

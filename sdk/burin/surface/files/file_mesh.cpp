@@ -1,3 +1,5 @@
+// Chooses an origin near the positions of a file, in O(n), so that floats relative to it keep the digits of
+// the file.
 #include <burin/surface/files/file_mesh.h>
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+// Composites colours over clay in linear RGB, and detects colours that another program has painted over.
 #include <burin/base/srgb.h>
 #include <burin/surface/files/over_clay.h>
 

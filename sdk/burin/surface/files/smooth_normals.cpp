@@ -1,3 +1,5 @@
+// Computes vertex normals that are equal on both sides of seams: all corners at one position are summed.
+// Costs O(n log n) for finding equal positions.
 #include <burin/surface/files/smooth_normals.h>
 #include <burin/surface/geometry/normals.h>
 #include <burin/surface/topology/weld.h>

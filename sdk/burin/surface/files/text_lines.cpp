@@ -1,3 +1,5 @@
+// Splits texts into lines and words, and parses numbers with std::from_chars, which does not depend on the
+// locale.
 #include <burin/surface/files/text_lines.h>
 
 #include <algorithm>

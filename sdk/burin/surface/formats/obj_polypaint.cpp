@@ -1,3 +1,4 @@
+// Parses ZBrush's colours and masks in the comments of an OBJ file, in one pass over the text.
 #include <burin/surface/files/text_lines.h>
 #include <burin/surface/formats/obj_polypaint.h>
 

@@ -1,3 +1,5 @@
+// Writes OBJ files: vertices with their colours, each distinct pair of texture coordinates once, and
+// triangles. Coordinates have the fewest digits that read back as the same bits.
 #include <burin/base/file.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/files/over_clay.h>

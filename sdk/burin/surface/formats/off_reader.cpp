@@ -1,3 +1,5 @@
+// Reads text files in Geomview's OFF format, with colours and texture coordinates of vertices. Normals and
+// colours of faces are counted as unused.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <burin/surface/files/file_colours.h>

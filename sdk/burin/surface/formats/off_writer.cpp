@@ -1,3 +1,4 @@
+// Writes text files in Geomview's OFF format, with vertex colours as they appear over clay.
 #include <burin/base/file.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/files/over_clay.h>

@@ -1,3 +1,4 @@
+// Parses the header of a PLY file [Turk 1994] line by line.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <burin/surface/files/text_lines.h>

@@ -1,3 +1,4 @@
+// Collects the colours and masks among the vertex properties of a PLY file, scaled to bytes and to 0..1.
 #include <burin/surface/files/colour_byte.h>
 #include <burin/surface/files/over_clay.h>
 #include <burin/surface/formats/ply_paint.h>

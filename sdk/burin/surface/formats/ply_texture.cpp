@@ -1,3 +1,4 @@
+// Collects the texture coordinates of a PLY file from vertex properties or from lists of its faces.
 #include <burin/surface/formats/ply_texture.h>
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Reads the numbers of a PLY file, as text or as bytes in either order. The result does not depend on the
+// processor's byte order.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <burin/surface/files/text_lines.h>

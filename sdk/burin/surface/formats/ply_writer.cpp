@@ -1,3 +1,5 @@
+// Writes binary little-endian PLY files, 65536 elements at a time. Texture coordinates are vertex properties
+// if triangles agree on them at every vertex, else lists of the faces.
 #include <burin/base/file.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/files/over_clay.h>
@@ -10,7 +12,7 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t elements_a_chunk = 65536;
+constexpr std::size_t elements_per_chunk = 65536;
 
 template <class Bits>
 void put_little_endian(std::string& bytes, Bits value) {
@@ -108,9 +110,9 @@ class PlyContents {
 template <class Put>
 void write_elements(std::ostream& out, std::size_t count, const Put& put_element) {
   std::string bytes;
-  for (std::size_t begin = 0; begin < count; begin += elements_a_chunk) {
+  for (std::size_t begin = 0; begin < count; begin += elements_per_chunk) {
     bytes.clear();
-    for (std::size_t i = begin; i < std::min(begin + elements_a_chunk, count); ++i) put_element(bytes, i);
+    for (std::size_t i = begin; i < std::min(begin + elements_per_chunk, count); ++i) put_element(bytes, i);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   }
 }

@@ -17,9 +17,8 @@ float swept_over_area(const Surface& surface, Index vertex) {
   const Vec3f& normal = surface.normals[vertex];
   float swept = 0, area = 0;
   for (const Index triangle : surface.incident[vertex]) {
-    const auto& [a, b, c] = surface.triangles[triangle];
-    const auto doubled = [&](const std::vector<Vec3f>& at) {
-      return (at[b] - at[a]).cross(at[c] - at[a]).dot(normal);
+    const auto doubled = [&, &t = surface.triangles[triangle]](const std::vector<Vec3f>& at) {
+      return (at[t[1]] - at[t[0]]).cross(at[t[2]] - at[t[0]]).dot(normal);
     };
     swept += doubled(surface.normals);
     area += doubled(surface.positions);

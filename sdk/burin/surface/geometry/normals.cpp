@@ -1,3 +1,5 @@
+// Computes vertex normals as sums over the triangles' corners [Max 1999], in O(valence) per vertex and on all
+// threads.
 #include <burin/base/parallel.h>
 #include <burin/surface/geometry/normals.h>
 

@@ -1,3 +1,5 @@
+// Computes closest points of triangles in doubles, by the Voronoi regions of corners and edges [Ericson
+// 2005].
 #include <burin/surface/picking/closest_point.h>
 
 #include <Eigen/Geometry>

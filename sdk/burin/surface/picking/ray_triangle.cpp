@@ -1,3 +1,5 @@
+// Intersects rays with triangles in doubles and without gaps between neighbours [Woop, Benthin, Wald 2013].
+// The ray is sheared to the z axis once, so that a triangle costs three signed areas.
 #include <burin/surface/picking/ray_triangle.h>
 
 #include <algorithm>

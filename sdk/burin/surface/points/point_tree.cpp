@@ -1,3 +1,4 @@
+// Wraps the kd-tree of nanoflann. The results of nearest() are sorted by distance, then by index.
 #include <burin/surface/points/point_tree.h>
 
 #include <algorithm>

@@ -32,7 +32,7 @@ bool append_closed_fan(std::span<const Triangle> triangles, std::span<const Inde
                        UnsetVector<Index>& out) {
   constexpr std::size_t most = 8;
   if (around.size() > most) return false;
-  std::array<Index, most> next, ranks{};
+  std::array<Index, most> next{}, ranks{};
   next.fill(no_index);
   std::array<Index, most> previous = next;
   for (std::size_t i = 0; i < around.size(); ++i) {

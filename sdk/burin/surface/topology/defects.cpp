@@ -1,3 +1,5 @@
+// Counts the defects of a mesh in O(n log n): those of edges and fans vertex by vertex, repeated triangles
+// and positions by sorting.
 #include <burin/base/parallel.h>
 #include <burin/surface/geometry/triangle_shape.h>
 #include <burin/surface/topology/adjacency.h>

@@ -44,7 +44,7 @@ std::array<std::uint64_t, lanes> hilbert_codes(Cells cells, int bits) {
       z[i] ^= swapped_z;
     }
   }
-  std::array<std::uint64_t, lanes> codes;
+  std::array<std::uint64_t, lanes> codes{};
   for (std::size_t i = 0; i < lanes; ++i) {
     y[i] ^= x[i];
     z[i] ^= y[i];

@@ -1,3 +1,5 @@
+// Measures the surroundings of a vertex on the edges to its neighbours, in O(valence): the size of its cell,
+// and the mean curvature by a least-squares fit of the shape operator.
 #include <burin/surface/topology/surroundings.h>
 
 #include <Eigen/Cholesky>

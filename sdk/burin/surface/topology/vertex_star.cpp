@@ -1,3 +1,5 @@
+// Finds the edges and fans around a vertex: the sides of its faces are sorted, so that those at one edge are
+// consecutive, and faces with a common edge are united by union-find with path halving.
 #include <burin/surface/topology/vertex_star.h>
 
 #include <algorithm>

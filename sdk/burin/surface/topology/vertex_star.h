@@ -8,7 +8,7 @@ namespace burin {
 
 /// An edge from a vertex to `other`, with the numbers of faces that traverse it in either direction.
 struct StarEdge {
-  Index other;
+  Index other = no_index;
   int outward = 0,
       inward = 0;         ///< faces in which `other` follows the vertex, and those in which it precedes it
   Index face = no_index;  ///< one of the faces

@@ -1,3 +1,5 @@
+// Finds equal positions by sorting the bits of their coordinates. Equal ones are ordered by index, so that
+// the result does not depend on the number of threads.
 #include <burin/base/parallel.h>
 #include <burin/surface/topology/weld.h>
 
