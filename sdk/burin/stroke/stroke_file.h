@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace burin {
 
@@ -13,14 +14,19 @@ namespace burin {
 /// within a stroke, a missing header or camera, a sample outside a stroke.
 Recording read_strokes(const std::filesystem::path& path);
 
+/// Those of the settings that a recording keeps (docs/stroke_format.md). Throws ContractError for values that
+/// read_strokes() would refuse.
+GivenSettings recorded_settings(const GivenSettings& given);
+
 /// Writes a `.stroke` file line by line as samples arrive. Each call passes its line to the operating system
 /// before it returns, so that a crash of the process loses at most the line being written. read_strokes()
 /// reads the numbers back bit for bit. Throws FileError; ContractError, without writing, for values that
 /// read_strokes() would refuse. One thread.
 class StrokeWriter {
  public:
-  /// Creates or replaces the file. StrokeSpace::screen needs a camera.
-  StrokeWriter(const std::filesystem::path& path, StrokeSpace space, const std::optional<Camera>& camera);
+  /// Creates or replaces the file. StrokeSpace::screen needs a camera. `device`: Recording::device.
+  StrokeWriter(const std::filesystem::path& path, StrokeSpace space, const std::optional<Camera>& camera,
+               std::string_view device = {});
 
   /// Begins a stroke with the settings and fields of `stroke`. Does not write its samples.
   void begin(const RecordedStroke& stroke);

@@ -76,17 +76,25 @@ void expect_no_fault(std::string_view fault) {
 
 }  // namespace
 
+GivenSettings recorded_settings(const GivenSettings& given) {
+  GivenSettings recorded;
+  read_settings(JsonValue::of(settings_json(given), "settings"), SettingsOf::recording, recorded);
+  return recorded;
+}
+
 StrokeWriter::StrokeWriter(const std::filesystem::path& path, StrokeSpace space,
-                           const std::optional<Camera>& camera)
+                           const std::optional<Camera>& camera, std::string_view device)
     : path_(path), space_(space) {
   if (space == StrokeSpace::screen && !camera)
     throw ContractError("stroke file: screen space needs a camera");
   if (camera) expect_no_fault(validation_error(*camera));
   Json header = {{"burin_stroke", 1}, {"space", space == StrokeSpace::screen ? "screen" : "object"}};
   if (camera) header["camera"] = camera_json(*camera);
+  if (!device.empty()) header["device"] = device;
+  std::string line = dump(header);
   out_.open(path, std::ios::binary | std::ios::trunc);
   if (!out_) throw FileError(path_.string(), std::strerror(errno));
-  write_line(dump(header));
+  write_line(std::move(line));
 }
 
 void StrokeWriter::begin(const RecordedStroke& stroke) {
