@@ -87,16 +87,23 @@ void fit_to_viewport(std::vector<RecordedStroke>& strokes, const Camera& camera)
 
 Import import_of(const std::filesystem::path& path, const std::vector<PenEvent>& events,
                  const PenFields& fields, const Camera& camera) {
+  ImportCounts counts;
+  counts.events = events.size();
+  ContactRuns runs(fields, counts);
+  for (const PenEvent& event : events) runs.take(event);
+  return import_of(path, std::move(runs).strokes(), counts, camera);
+}
+
+Import import_of(const std::filesystem::path& path, std::vector<RecordedStroke> strokes,
+                 const ImportCounts& counts, const Camera& camera) {
   if (const std::string_view fault = validation_error(camera); !fault.empty())
     throw ContractError(std::string(fault));
   Import import;
-  import.counts.events = events.size();
-  ContactRuns runs(fields, import.counts);
-  for (const PenEvent& event : events) runs.take(event);
+  import.counts = counts;
   Recording& recording = import.recording;
   recording.space = StrokeSpace::screen;
   recording.camera = camera;
-  recording.strokes = std::move(runs).strokes();
+  recording.strokes = std::move(strokes);
   if (recording.strokes.empty()) throw FileError(path.string(), "holds no stroke");
   drop_void_pressure(recording.strokes, import.counts);
   fit_to_viewport(recording.strokes, camera);

@@ -17,4 +17,8 @@ struct PenEvent {
 Import import_of(const std::filesystem::path& path, const std::vector<PenEvent>& events,
                  const PenFields& fields, const Camera& camera);
 
+/// Fits strokes into the camera's viewport, by the same rules. `counts` are passed on.
+Import import_of(const std::filesystem::path& path, std::vector<RecordedStroke> strokes,
+                 const ImportCounts& counts, const Camera& camera);
+
 }  // namespace burin
