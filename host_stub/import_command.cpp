@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
+#include <burin/ink/pen_strokes.h>
 #include <burin/stroke/files/import.h>
 #include <burin/stroke/move_origin.h>
 #include <burin/stroke/stroke_file.h>
@@ -28,11 +29,14 @@ struct ImportOptions {
 
 std::string format_of(const ImportOptions& options) {
   if (options.format != "auto") return options.format;
+  // A pipe can be read only once.
+  if (std::filesystem::is_regular_file(options.recording) && is_pen_file(options.recording)) return "pen";
   const std::filesystem::path extension = std::filesystem::path(options.recording).extension();
   return extension == ".json" ? "pointer" : extension == ".svc" ? "svc" : "mypaint";
 }
 
 Import import_as(const std::string& format, const std::string& path, const Camera& camera) {
+  if (format == "pen") return import_pen_file(path, camera);
   if (format == "pointer") return import_pointer_events(path, camera);
   return format == "svc" ? import_svc(path, camera) : import_mypaint_events(path, camera);
 }
@@ -44,12 +48,13 @@ Import read_recording(const ImportOptions& options, const Camera& camera) {
 }
 
 void write_strokes(const std::filesystem::path& path, const Recording& recording) {
-  StrokeWriter writer(path, recording.space, recording.camera);
+  StrokeWriter writer(path, recording.space, recording.camera, recording.device, PassLines::in_blocks);
   for (const RecordedStroke& stroke : recording.strokes) {
     writer.begin(stroke);
     for (const Sample& sample : stroke.samples) writer.add(sample);
     writer.end();
   }
+  writer.flush();
 }
 
 void print_result(const ImportOptions& options, const Recording& recording, const ImportCounts& counts) {
@@ -95,12 +100,13 @@ void add_import(CLI::App& app) {
   const auto options = std::make_shared<ImportOptions>();
   CLI::App& command =
       *app.add_subcommand("import", "turn a pen recording into a .stroke file in front of a surface");
-  command.add_option("recording", options->recording, "libmypaint events, HTML PointerEvent JSON or SVC")
+  command.add_option("recording", options->recording, "a pen file of any kind in docs/recordings.md")
       ->required();
   command
       .add_option("--format", options->format,
-                  "of the recording; auto: pointer for .json, svc for .svc, else mypaint")
-      ->check(CLI::IsMember({"auto", "mypaint", "pointer", "svc"}))
+                  "of the recording; auto: pen if its first bytes are those of a pen file, else by the name: "
+                  "pointer for .json, svc for .svc, else mypaint")
+      ->check(CLI::IsMember({"auto", "pen", "mypaint", "pointer", "svc"}))
       ->capture_default_str();
   add_mesh_options(command, options->mesh);
   add_view_options(command, options->view);

@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
   burin::command::add_list(app);
   burin::command::add_stamp(app);
   burin::command::add_import(app);
+  burin::command::add_export(app);
   burin::command::add_bench(app);
   return run(app, argc, argv);
 }

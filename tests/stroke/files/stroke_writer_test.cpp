@@ -112,6 +112,26 @@ TEST(StrokeWriter, HasEveryLineOnDiskBeforeItReturns) {
   EXPECT_FALSE(read_strokes(path).cut_off_at);
 }
 
+TEST(StrokeWriter, WritesTheSameInBlocks) {
+  test::TemporaryFolder folder;
+  const auto once = folder.path() / "a.stroke", blocks = folder.path() / "b.stroke";
+  {
+    StrokeWriter at_once(once, StrokeSpace::object, {});
+    StrokeWriter in_blocks(blocks, StrokeSpace::object, {}, {}, PassLines::in_blocks);
+    for (StrokeWriter* writer : {&at_once, &in_blocks}) {
+      writer->begin({});
+      writer->add({});
+      writer->end();
+    }
+    EXPECT_EQ(read_file(blocks), "");
+    in_blocks.flush();
+    EXPECT_EQ(read_file(blocks), read_file(once));
+  }
+  if (!std::filesystem::exists("/dev/full")) return;
+  StrokeWriter full("/dev/full", StrokeSpace::object, {}, {}, PassLines::in_blocks);
+  EXPECT_THROW(full.flush(), FileError);
+}
+
 TEST(StrokeWriter, RefusesWhatTheReaderWouldRefuse) {
   test::TemporaryFolder folder;
   const auto path = folder.path() / "a.stroke";
