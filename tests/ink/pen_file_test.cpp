@@ -142,10 +142,11 @@ TEST(PenFile, NamesWhatIsKnownForWhatIsNot) {
   const test::PenFileFolder folder;
   EXPECT_EQ(
       folder.complaint("nothing that anybody knows\n"),
-      " no pen file that is known; known are InkML, Xournal and Xournal++, SVG paths, EVEMU recordings, "
-      "hid-recorder, libinput record, lists of pointers from the web, Blender's brush strokes, CSV with "
-      "named "
-      "columns");
+      " no pen file that is known; known are Universal Ink Model, Universal Ink Model in JSON, WILL, Tilt "
+      "Brush, Ink Serialized Format, reMarkable lines, Excalidraw, scap drawings, InkML, Xournal and "
+      "Xournal++, SVG paths, EVEMU recordings, hid-recorder, libinput record, lists of pointers from the "
+      "web, "
+      "Blender's brush strokes, named lists of points, CSV with named columns");
   EXPECT_NE(folder.complaint(""), "accepted");
 }
 

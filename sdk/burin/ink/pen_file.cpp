@@ -42,7 +42,15 @@ void check(const PenFileText& file, const PenFile& content) {
 }  // namespace
 
 std::vector<PenFileKind> pen_file_kinds() {
-  return {{"inkml", "InkML", is_inkml, read_inkml},
+  return {{"uim", "Universal Ink Model", is_uim, read_uim},
+          {"uim_json", "Universal Ink Model in JSON", is_uim_json, read_uim_json},
+          {"will", "WILL", is_will, read_will},
+          {"tilt", "Tilt Brush", is_tilt, read_tilt},
+          {"isf", "Ink Serialized Format", is_isf, read_isf},
+          {"remarkable", "reMarkable lines", is_remarkable, read_remarkable},
+          {"excalidraw", "Excalidraw", is_excalidraw, read_excalidraw},
+          {"scap", "scap drawings", is_scap, read_scap},
+          {"inkml", "InkML", is_inkml, read_inkml},
           {"xournal", "Xournal and Xournal++", is_xournal, read_xournal},
           {"svg", "SVG paths", is_svg, read_svg},
           {"evemu", "EVEMU recordings", is_evemu, read_evemu},
@@ -50,6 +58,7 @@ std::vector<PenFileKind> pen_file_kinds() {
           {"libinput", "libinput record", is_libinput, read_libinput},
           {"pointers", "lists of pointers from the web", is_pointers, read_pointers},
           {"brush_stroke", "Blender's brush strokes", is_brush_strokes, read_brush_strokes},
+          {"point_lists", "named lists of points", is_point_lists, read_point_lists},
           {"csv", "CSV with named columns", is_csv, read_csv}};
 }
 

@@ -13,10 +13,11 @@ namespace burin {
 /// One stroke of a pen file. What the file does not have is absent, never a neutral value that somebody could
 /// take for a measured one.
 struct PenStroke {
-  PenFields fields;                 ///< what `samples` have beside x and y
-  bool has_z = false;               ///< else z is 0
-  bool eraser = false;              ///< drawn with the pen's eraser, or an eraser tool
-  bool made_pressure = false;       ///< the program made the pressure from the speed; no device measured it
+  PenFields fields;            ///< what `samples` have beside x and y
+  bool has_z = false;          ///< else z is 0
+  bool eraser = false;         ///< drawn with the pen's eraser, or an eraser tool
+  std::string_view tool = {};  ///< "pen", "touch", "mouse" or "controller"; empty if the file does not tell
+  bool made_pressure = false;  ///< the program made the pressure from the speed; no device measured it
   std::size_t page = 1, layer = 1;  ///< from 1
   /// Positions in PenFile::unit, y down. Times in seconds, from any start, up to those of 1970. Tilts in
   /// radians from upright, towards +x and +y. Pressure 0..1.
@@ -28,7 +29,8 @@ struct PenStroke {
 struct PenFile {
   std::string_view kind;     ///< PenFileKind::name
   std::string device;        ///< as the file names it; empty if it does not
-  std::string unit;          ///< of positions: "mm", "px", "pt" (1/72 inch); empty if unknown
+  std::string unit;          ///< of positions: "mm", "px", "pt" (1/72 inch), "dm"; empty if unknown
+  double millimetres = 0;    ///< that a unit stands for; 0 if unknown
   std::size_t hovering = 0;  ///< samples left out since the pen did not touch
   std::vector<PenStroke> strokes;
 };

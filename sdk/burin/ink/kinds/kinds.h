@@ -6,6 +6,33 @@ namespace burin {
 // The kinds of pen file: whether a text begins like one, and its reader. docs/recordings.md has their units,
 // time bases and ranges.
 
+bool is_uim(std::string_view text);
+PenFile read_uim(const PenFileText& file);
+
+bool is_uim_json(std::string_view text);
+PenFile read_uim_json(const PenFileText& file);
+
+bool is_will(std::string_view text);
+PenFile read_will(const PenFileText& file);
+
+bool is_tilt(std::string_view text);
+PenFile read_tilt(const PenFileText& file);
+
+bool is_isf(std::string_view text);
+PenFile read_isf(const PenFileText& file);
+
+bool is_remarkable(std::string_view text);
+PenFile read_remarkable(const PenFileText& file);
+
+bool is_excalidraw(std::string_view text);
+PenFile read_excalidraw(const PenFileText& file);
+
+bool is_point_lists(std::string_view text);
+PenFile read_point_lists(const PenFileText& file);
+
+bool is_scap(std::string_view text);
+PenFile read_scap(const PenFileText& file);
+
 bool is_inkml(std::string_view text);
 PenFile read_inkml(const PenFileText& file);
 

@@ -16,7 +16,7 @@ namespace {
 /// Reads a packed file in memory.
 class Archive {
  public:
-  Archive(const std::filesystem::path& path, const std::string& bytes) : path_(path) {
+  Archive(const std::filesystem::path& path, std::string_view bytes) : path_(path) {
     archive_read_support_filter_gzip(archive_.get());
     archive_read_support_filter_xz(archive_.get());
     archive_read_support_format_zip(archive_.get());
@@ -24,8 +24,10 @@ class Archive {
     expect_ok(archive_read_open_memory(archive_.get(), bytes.data(), bytes.size()));
   }
 
-  /// Goes to the member that has the strokes. Returns false if there is none.
-  bool find_content() {
+  /// Goes to the only content, or to the first member of a zip whose name is one that `fits`. Returns false
+  /// if there is none.
+  template <class Fits>
+  bool find_content(const Fits& fits) {
     archive_entry* entry = nullptr;
     for (;;) {
       const int result = archive_read_next_header(archive_.get(), &entry);
@@ -33,7 +35,7 @@ class Archive {
       expect_ok(result);
       const char* name = archive_entry_pathname(entry);
       const bool zip = (archive_format(archive_.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
-      if (!zip || (name && std::string_view(name) == "content.xml")) return true;
+      if (!zip || (name && fits(std::string_view(name)))) return true;
     }
   }
 
@@ -68,13 +70,26 @@ bool packed(std::string_view bytes) {
          bytes.starts_with("PK\x03\x04");
 }
 
+/// Whether a member of a zip is what holds the strokes: of Xournal++, of WILL.
+bool holds_strokes(std::string_view name) {
+  return name == "content.xml" || name.ends_with(".will") || name.ends_with(".protobuf");
+}
+
 }  // namespace
+
+std::string zip_member(const std::filesystem::path& path, std::string_view bytes, std::string_view name) {
+  Archive archive(path, bytes);
+  if (!packed(bytes) || !archive.find_content([&](std::string_view member) { return member == name; }))
+    throw FileError(path.string(), fmt::format("a zip without {}", name));
+  return archive.content();
+}
 
 std::string unpacked_pen_file(const std::filesystem::path& path) {
   std::string bytes = read_file(path);
   if (!packed(bytes)) return bytes;
   Archive archive(path, bytes);
-  if (!archive.find_content()) throw FileError(path.string(), "a zip without content.xml");
+  if (!archive.find_content(holds_strokes))
+    throw FileError(path.string(), "a zip without content.xml, .will or .protobuf");
   return archive.content();
 }
 
