@@ -146,7 +146,8 @@ TEST(PenFile, NamesWhatIsKnownForWhatIsNot) {
       "Brush, Ink Serialized Format, reMarkable lines, Excalidraw, scap drawings, InkML, Xournal and "
       "Xournal++, SVG paths, EVEMU recordings, hid-recorder, libinput record, lists of pointers from the "
       "web, "
-      "Blender's brush strokes, named lists of points, CSV with named columns");
+      "Blender's brush strokes, PointerEvent arrays, SVC, libmypaint events, named lists of points, CSV with "
+      "named columns");
   EXPECT_NE(folder.complaint(""), "accepted");
 }
 
@@ -154,8 +155,11 @@ TEST(PenFile, IsKnownByItsFirstBytesWhateverItsName) {
   const test::PenFileFolder folder;
   EXPECT_EQ(read_pen_file(folder.write("a.svg", "x,y\n1,2\n")).kind, "csv");
   EXPECT_EQ(read_pen_file(folder.write("a.csv", "<ink><trace>1 2</trace></ink>")).kind, "inkml");
-  EXPECT_TRUE(is_pen_file(folder.write("a", "x\ty\n")));
-  EXPECT_FALSE(is_pen_file(folder.write("b", "0.1 2 3 0.5\n")));
+  EXPECT_EQ(kind_of_pen_file(folder.write("a", "x\ty\n")), "csv");
+  EXPECT_EQ(kind_of_pen_file(folder.write("b", "0.1 2 3 0.5\n")), "mypaint");
+  EXPECT_EQ(kind_of_pen_file(folder.write("c", "1\n1 2 0 1 0 900 1\n")), "svc");
+  EXPECT_EQ(kind_of_pen_file(folder.write("d", "{\"time\": [1]}")), "pointer");
+  EXPECT_EQ(kind_of_pen_file(folder.write("e", "0.1 2 3\n")), "");
 }
 
 }  // namespace

@@ -50,6 +50,8 @@ const Stated stated[] = {
     {"rm_v6_two_layers_points1.rm", "remarkable", "px", 14, 2, 7, 7, 0.044, 0.914},
     {"rm_v6_lines.rm", "remarkable", "px", 469, 10, 2, 64, 0, 1},
     {"perfect_freehand_test_inputs.json", "point_lists", "px", 2041, 12, 1, 675, 0.5, 0.5},
+    {"painting30sec.dat", "mypaint", "px", 2253, 30, 4, 454, 0.0059, 0.546},
+    {"bdalab_signal.svc", "svc", "mm", 819, 5, 90, 226, 0, 0.93, 0.907, 1.047},
     {"strokestrip_triceratops.scap", "scap", "px", 10565, 325, 30, 101},
 };
 

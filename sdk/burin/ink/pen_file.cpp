@@ -58,6 +58,9 @@ std::vector<PenFileKind> pen_file_kinds() {
           {"libinput", "libinput record", is_libinput, read_libinput},
           {"pointers", "lists of pointers from the web", is_pointers, read_pointers},
           {"brush_stroke", "Blender's brush strokes", is_brush_strokes, read_brush_strokes},
+          {"pointer", "PointerEvent arrays", is_pointer_arrays, read_pointer_arrays},
+          {"svc", "SVC", is_svc, read_svc},
+          {"mypaint", "libmypaint events", is_mypaint, read_mypaint},
           {"point_lists", "named lists of points", is_point_lists, read_point_lists},
           {"csv", "CSV with named columns", is_csv, read_csv}};
 }
@@ -77,6 +80,9 @@ PenFile read_pen_file(const std::filesystem::path& path) {
   return content;
 }
 
-bool is_pen_file(const std::filesystem::path& path) { return kind_of(unpacked(path).text).has_value(); }
+std::string_view kind_of_pen_file(const std::filesystem::path& path) {
+  const std::optional<PenFileKind> kind = kind_of(unpacked(path).text);
+  return kind ? kind->name : std::string_view();
+}
 
 }  // namespace burin

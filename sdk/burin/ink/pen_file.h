@@ -58,7 +58,8 @@ std::vector<PenFileKind> pen_file_kinds();
 /// that is none, cannot be read, or is malformed; more than 64 MiB, unpacked or of XML, are refused.
 PenFile read_pen_file(const std::filesystem::path& path);
 
-/// Whether read_pen_file() would take the file for one of its kinds. Throws FileError if it cannot be read.
-bool is_pen_file(const std::filesystem::path& path);
+/// The name of the kind that read_pen_file() would take the file for, or an empty one. Throws FileError if it
+/// cannot be read.
+std::string_view kind_of_pen_file(const std::filesystem::path& path);
 
 }  // namespace burin

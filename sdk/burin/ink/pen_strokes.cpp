@@ -32,8 +32,12 @@ RecordedStroke recorded(PenStroke& stroke, double start, ImportCounts& counts) {
 
 }  // namespace
 
-Import import_pen_file(const std::filesystem::path& path, const Camera& camera) {
+Import import_pen_file(const std::filesystem::path& path, const Camera& camera, const PenChoice& choice) {
   PenFile file = read_pen_file(path);
+  std::erase_if(file.strokes, [&](const PenStroke& stroke) {
+    return choice.page.value_or(stroke.page) != stroke.page ||
+           choice.layer.value_or(stroke.layer) != stroke.layer;
+  });
   ImportCounts counts;
   const double start = first_time(file);
   std::vector<RecordedStroke> strokes;

@@ -57,6 +57,15 @@ PenFile read_pointers(const PenFileText& file);
 bool is_brush_strokes(std::string_view text);
 PenFile read_brush_strokes(const PenFileText& file);
 
+bool is_mypaint(std::string_view text);
+PenFile read_mypaint(const PenFileText& file);
+
+bool is_svc(std::string_view text);
+PenFile read_svc(const PenFileText& file);
+
+bool is_pointer_arrays(std::string_view text);
+PenFile read_pointer_arrays(const PenFileText& file);
+
 bool is_csv(std::string_view text);
 PenFile read_csv(const PenFileText& file);
 

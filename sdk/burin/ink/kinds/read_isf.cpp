@@ -24,9 +24,12 @@ enum Tag : std::uint64_t {
 
 constexpr double hundredth_of_millimetre = 0.01;
 
-/// What strokes have in common until a tag changes it.
+/// Most points of a file: packed ones take a bit each, so that a small file could fill the memory.
+constexpr std::size_t most_points = std::size_t{1} << 20;
+
+/// What strokes have in common until a tag changes it, and how many points there were.
 struct Chosen {
-  std::size_t descriptor = 0, transform = 0, metrics = 0;
+  std::size_t descriptor = 0, transform = 0, metrics = 0, points = 0;
 };
 
 template <class Item>
@@ -80,7 +83,7 @@ void set_tilts(const Columns& columns, const Metrics& metrics, PenStroke& stroke
          [](Pen& pen, double azimuth, double altitude) { set_tilt(pen, azimuth, altitude); });
 }
 
-PenStroke read_stroke(ByteReader content, const IsfTables& tables, const Chosen& chosen) {
+PenStroke read_stroke(ByteReader content, const IsfTables& tables, Chosen& chosen) {
   constexpr std::uint64_t x_property = 50, y_property = 51;
   const IsfDescriptor descriptor = item_or_default(tables.descriptors, chosen.descriptor, IsfDescriptor{});
   const Metrics metrics = item_or_default(tables.metrics, chosen.metrics, Metrics{});
@@ -89,6 +92,8 @@ PenStroke read_stroke(ByteReader content, const IsfTables& tables, const Chosen&
   constexpr std::size_t most_points_a_byte = 8;
   const std::uint64_t told = content.varint();
   if (told > content.left() * most_points_a_byte) content.reject("more points are told than bytes can hold");
+  if (told > most_points - chosen.points) content.reject("a file of more than 1048576 points");
+  chosen.points += told;
   const auto points = static_cast<std::size_t>(told);
   Columns columns;
   if (descriptor.x) columns[x_property] = take_isf_array(content, points);

@@ -85,13 +85,17 @@ void fit_to_viewport(std::vector<RecordedStroke>& strokes, const Camera& camera)
 
 }  // namespace
 
-Import import_of(const std::filesystem::path& path, const std::vector<PenEvent>& events,
-                 const PenFields& fields, const Camera& camera) {
+std::vector<RecordedStroke> contact_strokes(const PenEvents& recorded, ImportCounts& counts) {
+  counts.events = recorded.events.size();
+  ContactRuns runs(recorded.fields, counts);
+  for (const PenEvent& event : recorded.events) runs.take(event);
+  return std::move(runs).strokes();
+}
+
+Import import_of(const std::filesystem::path& path, const PenEvents& recorded, const Camera& camera) {
   ImportCounts counts;
-  counts.events = events.size();
-  ContactRuns runs(fields, counts);
-  for (const PenEvent& event : events) runs.take(event);
-  return import_of(path, std::move(runs).strokes(), counts, camera);
+  std::vector<RecordedStroke> strokes = contact_strokes(recorded, counts);
+  return import_of(path, std::move(strokes), counts, camera);
 }
 
 Import import_of(const std::filesystem::path& path, std::vector<RecordedStroke> strokes,
