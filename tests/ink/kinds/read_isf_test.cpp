@@ -51,7 +51,7 @@ TEST(ReadIsf, NamesTheByteOfAFault) {
             "byte 9: more points are told than bytes can hold");
   const std::string more = Bytes().add_varint((1U << 20) + 1).add_text(std::string(1U << 18, '\0')).text();
   EXPECT_EQ(folder.complaint(stream_of("\x0a" + with_length(more))),
-            "byte 10: a file of more than 1048576 points");
+            "byte 11: a file of more than 1048576 points");
   EXPECT_EQ(folder.complaint("GIF89a" + std::string(7, '\0') + ";"),
             " a GIF without a comment, which would have the strokes");
   EXPECT_EQ(folder.complaint("base64:?"), " a letter that is none of base64");

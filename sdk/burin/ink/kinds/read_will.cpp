@@ -65,6 +65,7 @@ void read_paths(ByteReader paths, PenFile& content) {
 /// path.
 bool are_paths(std::string_view text) {
   constexpr std::string_view first_fields = "\x0d\x15\x18\x22";
+  if (text.starts_with('{')) return false;  // of JSON, whose {" reads as a length and a field
   const std::filesystem::path none;
   ByteReader paths(text, none);
   try {
