@@ -34,6 +34,15 @@ burin_find_library(OpenSubdiv::osdCPU opensubdiv/far/topologyRefiner.h osdCPU RE
 burin_dependency(apt nlohmann-json3-dev why "stroke files, glTF, reports")
 find_package(nlohmann_json 3.11 REQUIRED)
 
+burin_dependency(apt libpugixml-dev why "InkML, Xournal and SVG")
+find_package(pugixml REQUIRED)
+
+burin_dependency(apt libarchive-dev why "pen files packed by gzip, xz and zip")
+find_package(LibArchive 3.6 REQUIRED)
+
+burin_dependency(apt libyaml-cpp-dev why "recordings of libinput")
+find_package(yaml-cpp REQUIRED)
+
 burin_dependency(apt libopenvdb-dev why "level sets of solids: their surfaces, distances and .vdb files")
 burin_find_library(OpenVDB::openvdb openvdb/openvdb.h openvdb REQUIRED)
 find_package(Imath 3 REQUIRED)  # what its headers need besides

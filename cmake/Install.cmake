@@ -22,8 +22,14 @@ set(burin_set_of_remesh solids)
 set(burin_components_of_abi plugin runtime)
 set(burin_components_of_plugin plugin)
 
+# Folders of the command alone, whose packages applications need not have.
+set(burin_not_installed ink)
+
 # Library and headers of the SDK folder whose CMakeLists.txt is being read.
 function(burin_install_library name)
+  if(name IN_LIST burin_not_installed)
+    return()
+  endif()
   set(export_set runtime)
   if(burin_set_of_${name})
     set(export_set ${burin_set_of_${name}})

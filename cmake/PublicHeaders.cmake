@@ -21,6 +21,7 @@ set(burin_public_headers
   host/replay.h
   host/session.h
   host/stroke_pieces.h
+  host/stroke_recorder.h
   level_set/solid_mesh.h
   services/stamp_services.h
   stamp/float_image.h

@@ -11,6 +11,8 @@ void add_render(CLI::App& app);
 void add_list(CLI::App& app);
 void add_stamp(CLI::App& app);
 void add_import(CLI::App& app);
+void add_export(CLI::App& app);
+void add_strokes(CLI::App& app);
 void add_bench(CLI::App& app);
 
 }  // namespace burin::command

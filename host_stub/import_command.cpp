@@ -2,6 +2,7 @@
 // that looks at the surface of the command.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
+#include <burin/ink/pen_strokes.h>
 #include <burin/stroke/files/import.h>
 #include <burin/stroke/move_origin.h>
 #include <burin/stroke/stroke_file.h>
@@ -25,33 +26,45 @@ struct ImportOptions {
   MeshOptions mesh;
   ViewOptions view;
   GivenSettings settings;
+  PenChoice choice;
   bool json = false;
 };
 
 std::string format_of(const ImportOptions& options) {
   if (options.format != "auto") return options.format;
+  // A pipe can be read only once.
+  if (std::filesystem::is_regular_file(options.recording)) {
+    const std::string_view kind = kind_of_pen_file(options.recording);
+    if (kind == "pointer" || kind == "svc" || kind == "mypaint") return std::string(kind);
+    if (!kind.empty()) return "pen";
+  }
   const std::filesystem::path extension = std::filesystem::path(options.recording).extension();
   return extension == ".json" ? "pointer" : extension == ".svc" ? "svc" : "mypaint";
 }
 
-Import import_as(const std::string& format, const std::string& path, const Camera& camera) {
+Import import_as(const std::string& format, const ImportOptions& options, const Camera& camera) {
+  const std::string& path = options.recording;
+  if (format == "pen") return import_pen_file(path, camera, options.choice);
+  if (options.choice.page || options.choice.layer)
+    throw FileError(path, "has neither pages nor layers, as --page and --layer ask for");
   if (format == "pointer") return import_pointer_events(path, camera);
   return format == "svc" ? import_svc(path, camera) : import_mypaint_events(path, camera);
 }
 
 Import read_recording(const ImportOptions& options, const Camera& camera) {
-  Import import = import_as(format_of(options), options.recording, camera);
+  Import import = import_as(format_of(options), options, camera);
   for (RecordedStroke& stroke : import.recording.strokes) stroke.settings = options.settings;
   return import;
 }
 
 void write_strokes(const std::filesystem::path& path, const Recording& recording) {
-  StrokeWriter writer(path, recording.space, recording.camera);
+  StrokeWriter writer(path, recording.space, recording.camera, recording.device, PassLines::in_blocks);
   for (const RecordedStroke& stroke : recording.strokes) {
     writer.begin(stroke);
     for (const Sample& sample : stroke.samples) writer.add(sample);
     writer.end();
   }
+  writer.flush();
 }
 
 void print_result(const ImportOptions& options, const Recording& recording, const ImportCounts& counts) {
@@ -97,13 +110,18 @@ void add_import(CLI::App& app) {
   const auto options = std::make_shared<ImportOptions>();
   CLI::App& command =
       *app.add_subcommand("import", "turn a pen recording into a .stroke file in front of a surface");
-  command.add_option("recording", options->recording, "libmypaint events, HTML PointerEvent JSON or SVC")
+  command.add_option("recording", options->recording, "a pen file of any kind in docs/recordings.md")
       ->required();
   command
       .add_option("--format", options->format,
-                  "of the recording; auto: pointer for .json, svc for .svc, else mypaint")
-      ->check(CLI::IsMember({"auto", "mypaint", "pointer", "svc"}))
+                  "of the recording; auto: pen if its first bytes are those of a pen file, else by the name: "
+                  "pointer for .json, svc for .svc, else mypaint")
+      ->check(CLI::IsMember({"auto", "pen", "mypaint", "pointer", "svc"}))
       ->capture_default_str();
+  command.add_option("--page", options->choice.page, "only strokes of this page, from 1")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--layer", options->choice.layer, "only strokes of this layer, from 1")
+      ->check(CLI::PositiveNumber);
   add_mesh_options(command, options->mesh);
   add_view_options(command, options->view);
   constexpr std::string_view keys[] = {"brush", "radius"};

@@ -56,6 +56,8 @@ int main(int argc, char** argv) {
   burin::command::add_list(app);
   burin::command::add_stamp(app);
   burin::command::add_import(app);
+  burin::command::add_export(app);
+  burin::command::add_strokes(app);
   burin::command::add_bench(app);
   return run(app, argc, argv);
 }

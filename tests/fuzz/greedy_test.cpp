@@ -34,6 +34,13 @@ const Greedy greedy_files[] = {
      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]})"},
     {"glb", std::string("glTF\2\0\0\0\xff\xff\xff\xff\xff\xff\xff\xffJSON", 20)},
     {"svc", "1000000000\n1 1 0 1 0 900 1\n"},
+    {"uim", std::string("RIFF\x0c\0\0\0UINKINPT\xff\xff\xff\xff\x0a\xff\xff\xff\xff\x0f", 26)},
+    {"will", std::string("RIFF\x0c\0\0\0WILLINK \x05\0\0\0\xff\xff\xff\xff\x0f\0", 26)},
+    {"tilt", std::string("\xcd\xa5\x76\xc5\5\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80", 20)},
+    {"isf", std::string("\0\x0c\x0a\x0a\xff\xff\xff\xff\x07\x87\x87\0\0\0", 14)},
+    {"remarkable", "reMarkable .lines file, version=5          \xff\xff\xff\x7f"},
+    {"remarkable", "reMarkable .lines file, version=6          \xff\xff\xff\xff"},
+    {"scap", "#1 1\n@1\n{\nnan 1 0\n"},
     {"pointer", R"({"x":[1e308],"y":[1],"time":[0],"pointerId":[4294967295]})"},
 };
 

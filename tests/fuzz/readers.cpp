@@ -1,6 +1,7 @@
 #include "readers.h"
 
 #include <burin/base/error.h>
+#include <burin/ink/pen_file.h>
 #include <burin/stamp/files/stamp_file.h>
 #include <burin/stroke/files/import.h>
 #include <burin/stroke/stroke_file.h>
@@ -38,6 +39,8 @@ void load_stamp(const fs::path& path) {
 
 Camera camera() { return framing_camera({-1, -1, -1}, {1, 1, 1}, {0, 0, -1}, {0, 1, 0}, 640, 480, 0.6); }
 
+void load_pen_file(const fs::path& path) { read_pen_file(path); }
+
 constexpr Reader all[] = {
     {"obj", ".obj", load_mesh},
     {"ply", ".ply", load_mesh},
@@ -49,6 +52,20 @@ constexpr Reader all[] = {
     {"pointer", ".json", [](const fs::path& path) { import_pointer_events(path, camera()); }},
     {"svc", ".svc", [](const fs::path& path) { import_svc(path, camera()); }},
     {"mypaint", ".dat", [](const fs::path& path) { import_mypaint_events(path, camera()); }},
+    {"uim", ".pen", load_pen_file},
+    {"will", ".pen", load_pen_file},
+    {"tilt", ".pen", load_pen_file},
+    {"isf", ".pen", load_pen_file},
+    {"remarkable", ".pen", load_pen_file},
+    {"excalidraw", ".pen", load_pen_file},
+    {"point_lists", ".pen", load_pen_file},
+    {"scap", ".pen", load_pen_file},
+    {"inkml", ".pen", load_pen_file},
+    {"xournal", ".pen", load_pen_file},
+    {"svg", ".pen", load_pen_file},
+    {"evemu", ".pen", load_pen_file},
+    {"pointers", ".pen", load_pen_file},
+    {"csv", ".pen", load_pen_file},
     {"exr", ".exr", load_stamp},
     {"png", ".png", load_stamp},
     {"tiff", ".tif", load_stamp},

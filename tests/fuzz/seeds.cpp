@@ -6,6 +6,7 @@
 
 #include "image_seeds.h"
 #include "mesh_seeds.h"
+#include "pen_seeds.h"
 #include "readers.h"
 
 namespace burin::fuzz {
@@ -59,6 +60,9 @@ std::vector<fs::path> write_seeds(const Reader& reader, const fs::path& folder) 
   if (found != texts().end())
     for (const std::string& text : found->second())
       write_file_whole(next(), [&](std::ostream& out) { out << text; });
+  for (const PenSeed& seed : pen_seeds())
+    if (seed.kind == std::string_view(reader.name))
+      write_file_whole(next(), [&](std::ostream& out) { out << seed.bytes; });
   if (extension == ".ply" || extension == ".obj" || extension == ".off" || extension == ".glb")
     write_mesh_seeds(next());
   return files.empty() ? write_image_seeds(extension, folder) : files;

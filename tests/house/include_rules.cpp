@@ -24,6 +24,7 @@ const std::map<std::string, Names> may_include = {
     {"surface", {"base"}},
     {"subdiv", {"surface"}},
     {"stroke", {"surface"}},
+    {"ink", {"stroke"}},
     {"chart", {"stroke"}},
     {"stamp", {"base"}},
     {"deform", {"abi", "chart", "volume"}},
@@ -38,7 +39,7 @@ const std::map<std::string, Names> may_include = {
       "along"}},
     {"services", {"host", "stamp"}},
     {"brushes", {"abi", "math", "plugin"}},
-    {"host_stub", {"services", "level_set", "subdiv"}},
+    {"host_stub", {"services", "level_set", "subdiv", "ink"}},
 };
 
 /// Third-party headers, by how they begin, and the folders that may see them.
@@ -52,14 +53,17 @@ const std::map<std::string, Names> third_party = {
     {"nanoflann", {"surface"}},
     {"tbb/", {"base", "surface"}},
     {"oneapi/tbb", {"base", "surface"}},
+    {"pugixml", {"ink"}},
+    {"archive", {"ink"}},
+    {"yaml-cpp/", {"ink"}},
     {"xxh", {"base"}},
     {"CLI/", {"host_stub"}},
     {"nlohmann/", {"base", "surface", "stroke", "host_stub"}},
     {"fmt/",
-     {"base", "surface", "subdiv", "stroke", "chart", "stamp", "deform", "feature", "refine", "volume",
+     {"base", "surface", "subdiv", "stroke", "ink", "chart", "stamp", "deform", "feature", "refine", "volume",
       "along", "remesh", "level_set", "host", "services", "host_stub"}},
     {"Eigen/",
-     {"base", "surface", "subdiv", "stroke", "chart", "stamp", "deform", "feature", "refine", "volume",
+     {"base", "surface", "subdiv", "stroke", "ink", "chart", "stamp", "deform", "feature", "refine", "volume",
       "along", "remesh", "level_set", "host", "services", "host_stub"}},
     {"CGAL/", {}},
 };

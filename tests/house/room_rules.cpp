@@ -29,6 +29,7 @@ const std::map<std::string, Names> room_may_include = {
     {"surface/formats", {"surface/files"}},
     {"stroke/curve", {}},
     {"stroke/files", {}},
+    {"ink/kinds", {}},
     {"chart/path", {}},
     {"chart/frames", {"chart/path"}},
     {"chart/front", {"chart/frames"}},

@@ -34,6 +34,7 @@ struct RecordedStroke {
 struct Recording {
   StrokeSpace space = StrokeSpace::object;
   std::optional<Camera> camera;  ///< never empty for StrokeSpace::screen
+  std::string device;            ///< name of what the pen was drawn with; empty if unknown
   std::vector<RecordedStroke> strokes;
   /// The line (from 1) at which the file was cut off: either this last line was incomplete and left out, or
   /// the last stroke has no end and holds the samples that were written.

@@ -20,7 +20,7 @@ namespace burin {
 namespace {
 
 void write(const std::filesystem::path& path, const Recording& recording) {
-  StrokeWriter writer(path, recording.space, recording.camera);
+  StrokeWriter writer(path, recording.space, recording.camera, recording.device);
   for (const RecordedStroke& stroke : recording.strokes) {
     writer.begin(stroke);
     for (const Sample& sample : stroke.samples) writer.add(sample);
@@ -50,6 +50,7 @@ Recording any_recording(std::mt19937_64& random) {
   recording.camera->view.topRightCorner<3, 1>() << 1 / 3.0, -1e-300, 1e7;
   recording.camera->width = 1920;
   recording.camera->height = 1080;
+  recording.device = "Tablet \"M\", pen 2";
   std::vector<double> times(3000);
   for (double& time : times) time = any_number<double, std::uint64_t>(random);
   std::sort(times.begin(), times.end());
@@ -111,11 +112,32 @@ TEST(StrokeWriter, HasEveryLineOnDiskBeforeItReturns) {
   EXPECT_FALSE(read_strokes(path).cut_off_at);
 }
 
+TEST(StrokeWriter, WritesTheSameInBlocks) {
+  test::TemporaryFolder folder;
+  const auto once = folder.path() / "a.stroke", blocks = folder.path() / "b.stroke";
+  {
+    StrokeWriter at_once(once, StrokeSpace::object, {});
+    StrokeWriter in_blocks(blocks, StrokeSpace::object, {}, {}, PassLines::in_blocks);
+    for (StrokeWriter* writer : {&at_once, &in_blocks}) {
+      writer->begin({});
+      writer->add({});
+      writer->end();
+    }
+    EXPECT_EQ(read_file(blocks), "");
+    in_blocks.flush();
+    EXPECT_EQ(read_file(blocks), read_file(once));
+  }
+  if (!std::filesystem::exists("/dev/full")) return;
+  StrokeWriter full("/dev/full", StrokeSpace::object, {}, {}, PassLines::in_blocks);
+  EXPECT_THROW(full.flush(), FileError);
+}
+
 TEST(StrokeWriter, RefusesWhatTheReaderWouldRefuse) {
   test::TemporaryFolder folder;
   const auto path = folder.path() / "a.stroke";
   EXPECT_THROW(StrokeWriter(path, StrokeSpace::screen, {}), ContractError);
   EXPECT_THROW(StrokeWriter(path, StrokeSpace::screen, Camera{}), ContractError) << "viewport of no pixels";
+  EXPECT_THROW(StrokeWriter(path, StrokeSpace::object, {}, "\xff"), ContractError);
   EXPECT_FALSE(std::filesystem::exists(path));
 
   StrokeWriter writer(path, StrokeSpace::object, {});

@@ -1,5 +1,6 @@
 // Reads libmypaint's event recordings.
 #include <burin/base/error.h>
+#include <burin/base/file.h>
 #include <burin/stroke/files/import.h>
 #include <burin/stroke/files/number_lines.h>
 #include <burin/stroke/files/pen_events.h>
@@ -25,10 +26,15 @@ PenEvent parse_event(std::string_view line) {
 
 }  // namespace
 
+PenEvents mypaint_events(const std::string& text, const std::filesystem::path& path) {
+  PenEvents recorded{{}, {.time = true, .pressure = true}};
+  for_each_line(text, path,
+                [&](std::string_view line, std::size_t) { recorded.events.push_back(parse_event(line)); });
+  return recorded;
+}
+
 Import import_mypaint_events(const std::filesystem::path& path, const Camera& camera) {
-  std::vector<PenEvent> events;
-  for_each_line(path, [&](std::string_view line, std::size_t) { events.push_back(parse_event(line)); });
-  return import_of(path, events, {.time = true, .pressure = true}, camera);
+  return import_of(path, mypaint_events(read_file(path), path), camera);
 }
 
 }  // namespace burin

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 /// The arrays of one file.
 class PointerEvents {
  public:
-  explicit PointerEvents(const std::filesystem::path& path) : root_(JsonValue::read(path)) {
+  explicit PointerEvents(JsonValue root) : root_(std::move(root)) {
     if (!root_.is_object()) root_.reject("expected an object of arrays x, y, time");
   }
 
@@ -73,9 +74,14 @@ std::vector<PenEvent> PointerEvents::events() const {
 
 }  // namespace
 
+PenEvents pointer_events(const std::string& text, const std::filesystem::path& path) {
+  const PointerEvents file(JsonValue::parse(text, path.string()));
+  return {file.events(), file.fields()};
+}
+
 Import import_pointer_events(const std::filesystem::path& path, const Camera& camera) {
-  const PointerEvents file(path);
-  return import_of(path, file.events(), file.fields(), camera);
+  const PointerEvents file(JsonValue::read(path));
+  return import_of(path, {file.events(), file.fields()}, camera);
 }
 
 }  // namespace burin

@@ -1,5 +1,6 @@
 // Reads recordings of handwriting in SVC files.
 #include <burin/base/error.h>
+#include <burin/base/file.h>
 #include <burin/math/elementary.h>
 #include <burin/stroke/files/import.h>
 #include <burin/stroke/files/number_lines.h>
@@ -52,10 +53,11 @@ std::size_t parse_count(std::string_view line) {
 
 }  // namespace
 
-Import import_svc(const std::filesystem::path& path, const Camera& camera) {
+PenEvents svc_events(const std::string& text, const std::filesystem::path& path) {
   std::size_t count = 0;
-  std::vector<PenEvent> events;
-  for_each_line(path, [&](std::string_view line, std::size_t number) {
+  PenEvents recorded{{}, {.time = true, .pressure = true, .tilt = true}};
+  std::vector<PenEvent>& events = recorded.events;
+  for_each_line(text, path, [&](std::string_view line, std::size_t number) {
     if (number == 1)
       count = parse_count(line);
     else
@@ -63,7 +65,11 @@ Import import_svc(const std::filesystem::path& path, const Camera& camera) {
   });
   if (events.size() != count)
     throw FileError(path.string(), "1", fmt::format("{} lines are told, {} follow", count, events.size()));
-  return import_of(path, events, {.time = true, .pressure = true, .tilt = true}, camera);
+  return recorded;
+}
+
+Import import_svc(const std::filesystem::path& path, const Camera& camera) {
+  return import_of(path, svc_events(read_file(path), path), camera);
 }
 
 }  // namespace burin

@@ -1,6 +1,5 @@
 // Reads lines of numbers.
 #include <burin/base/error.h>
-#include <burin/base/file.h>
 #include <burin/stroke/files/number_lines.h>
 #include <fmt/format.h>
 
@@ -31,9 +30,8 @@ void parse_numbers(std::string_view line, std::string_view expected, std::span<d
     throw Error(fmt::format("expected {}, found more", expected.substr(0, expected.find(':'))));
 }
 
-void for_each_line(const std::filesystem::path& path,
+void for_each_line(const std::string& text, const std::filesystem::path& path,
                    const std::function<void(std::string_view line, std::size_t number)>& take) {
-  const std::string text = read_file(path);
   std::size_t number = 0;
   for (std::size_t begin = 0; begin < text.size(); ++begin) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());

@@ -85,18 +85,29 @@ void fit_to_viewport(std::vector<RecordedStroke>& strokes, const Camera& camera)
 
 }  // namespace
 
-Import import_of(const std::filesystem::path& path, const std::vector<PenEvent>& events,
-                 const PenFields& fields, const Camera& camera) {
+std::vector<RecordedStroke> contact_strokes(const PenEvents& recorded, ImportCounts& counts) {
+  counts.events = recorded.events.size();
+  ContactRuns runs(recorded.fields, counts);
+  for (const PenEvent& event : recorded.events) runs.take(event);
+  return std::move(runs).strokes();
+}
+
+Import import_of(const std::filesystem::path& path, const PenEvents& recorded, const Camera& camera) {
+  ImportCounts counts;
+  std::vector<RecordedStroke> strokes = contact_strokes(recorded, counts);
+  return import_of(path, std::move(strokes), counts, camera);
+}
+
+Import import_of(const std::filesystem::path& path, std::vector<RecordedStroke> strokes,
+                 const ImportCounts& counts, const Camera& camera) {
   if (const std::string_view fault = validation_error(camera); !fault.empty())
     throw ContractError(std::string(fault));
   Import import;
-  import.counts.events = events.size();
-  ContactRuns runs(fields, import.counts);
-  for (const PenEvent& event : events) runs.take(event);
+  import.counts = counts;
   Recording& recording = import.recording;
   recording.space = StrokeSpace::screen;
   recording.camera = camera;
-  recording.strokes = std::move(runs).strokes();
+  recording.strokes = std::move(strokes);
   if (recording.strokes.empty()) throw FileError(path.string(), "holds no stroke");
   drop_void_pressure(recording.strokes, import.counts);
   fit_to_viewport(recording.strokes, camera);

@@ -117,6 +117,7 @@ HeaderLine parse_header(const JsonValue& line) {
   HeaderLine header;
   header.space = line.member("space").choice(spaces);
   if (line.find("camera")) header.camera = parse_camera(line);
+  if (const auto device = line.find("device")) header.device = device->text();
   if (header.space == StrokeSpace::screen && !header.camera)
     line.reject("lacks 'camera', which screen space needs");
   return header;

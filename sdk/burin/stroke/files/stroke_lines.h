@@ -11,6 +11,7 @@ namespace burin {
 struct HeaderLine {
   StrokeSpace space = StrokeSpace::object;
   std::optional<Camera> camera;
+  std::string device;
 };
 HeaderLine parse_header(const JsonValue& line);
 

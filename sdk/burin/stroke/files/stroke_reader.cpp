@@ -63,6 +63,7 @@ void Reader::take(const JsonValue& line) {
     HeaderLine header = parse_header(line);
     recording_.space = header.space;
     recording_.camera = header.camera;
+    recording_.device = header.device;
     header_seen_ = true;
   } else if (line.is_array()) {
     take_sample(line);

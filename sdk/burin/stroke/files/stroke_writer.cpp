@@ -76,17 +76,25 @@ void expect_no_fault(std::string_view fault) {
 
 }  // namespace
 
+GivenSettings recorded_settings(const GivenSettings& given) {
+  GivenSettings recorded;
+  read_settings(JsonValue::of(settings_json(given), "settings"), SettingsOf::recording, recorded);
+  return recorded;
+}
+
 StrokeWriter::StrokeWriter(const std::filesystem::path& path, StrokeSpace space,
-                           const std::optional<Camera>& camera)
-    : path_(path), space_(space) {
+                           const std::optional<Camera>& camera, std::string_view device, PassLines pass_lines)
+    : path_(path), space_(space), pass_lines_(pass_lines) {
   if (space == StrokeSpace::screen && !camera)
     throw ContractError("stroke file: screen space needs a camera");
   if (camera) expect_no_fault(validation_error(*camera));
   Json header = {{"burin_stroke", 1}, {"space", space == StrokeSpace::screen ? "screen" : "object"}};
   if (camera) header["camera"] = camera_json(*camera);
+  if (!device.empty()) header["device"] = device;
+  std::string line = dump(header);
   out_.open(path, std::ios::binary | std::ios::trunc);
   if (!out_) throw FileError(path_.string(), std::strerror(errno));
-  write_line(dump(header));
+  write_line(std::move(line));
 }
 
 void StrokeWriter::begin(const RecordedStroke& stroke) {
@@ -124,10 +132,16 @@ void StrokeWriter::end() {
   open_ = false;
 }
 
-/// Writes a line by one write and one flush, so that the system usually gets it whole or not at all.
+/// Where each line is passed at once, it is by one write and one flush, so that the system usually gets it
+/// whole or not at all.
 void StrokeWriter::write_line(std::string line) {
   line += '\n';
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));
+  if (pass_lines_ == PassLines::at_once) return flush();
+  if (!out_) throw FileError(path_.string(), "writing failed");
+}
+
+void StrokeWriter::flush() {
   out_.flush();
   if (!out_) throw FileError(path_.string(), "writing failed");
 }

@@ -1,0 +1,82 @@
+#include <burin/base/error.h>
+#include <burin/base/file.h>
+#include <burin/base/text/lower_case.h>
+#include <burin/ink/pen_file_writers.h>
+#include <burin/stroke/stroke_file.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "system/console.h"
+#include "system/output_file.h"
+
+namespace burin::command {
+namespace {
+
+struct ExportOptions {
+  std::vector<std::string> recordings;
+  std::string out;
+  bool json = false;
+};
+
+using WriteStrokes = void (*)(std::span<const Recording> recordings, std::ostream& out);
+
+WriteStrokes writer_for(const std::string& path) {
+  const std::string extension = in_lower_case(std::filesystem::path(path).extension().string());
+  if (extension == ".inkml") return write_inkml;
+  if (extension == ".csv") return write_pen_csv;
+  throw FileError(path, "strokes are exported as .inkml or .csv");
+}
+
+struct Counts {
+  std::size_t strokes = 0, samples = 0, empty = 0;
+};
+
+Counts count(std::span<const Recording> recordings) {
+  Counts counts;
+  for (const Recording& recording : recordings)
+    for (const RecordedStroke& stroke : recording.strokes) {
+      ++(stroke.samples.empty() ? counts.empty : counts.strokes);
+      counts.samples += stroke.samples.size();
+    }
+  return counts;
+}
+
+void run(const ExportOptions& options) {
+  const WriteStrokes write = writer_for(options.out);
+  check_output_path(options.out);
+  std::vector<Recording> recordings;
+  for (const std::string& path : options.recordings) {
+    recordings.push_back(read_strokes(path));
+    if (const auto line = recordings.back().cut_off_at)
+      warn(fmt::format("{}:{}: the recording was cut off here", path, *line));
+  }
+  write_file_whole(options.out, [&](std::ostream& out) { write(recordings, out); });
+  const Counts counts = count(recordings);
+  if (options.json) {
+    write_result(json_text({{"out", options.out}, {"strokes", counts.strokes}, {"samples", counts.samples}}));
+  } else {
+    write_result(fmt::format("{}: {} strokes, {} samples\n", options.out, counts.strokes, counts.samples));
+  }
+  if (counts.empty > 0) warn(fmt::format("strokes without samples, left out: {}", counts.empty));
+}
+
+}  // namespace
+
+void add_export(CLI::App& app) {
+  const auto options = std::make_shared<ExportOptions>();
+  CLI::App& command = *app.add_subcommand("export", "write recorded strokes as InkML or CSV");
+  command.add_option("recordings", options->recordings, ".stroke files")
+      ->required()
+      ->type_name("FILE.stroke");
+  command.add_option("--out", options->out, "file to write; its extension decides the format")
+      ->required()
+      ->type_name("FILE.inkml|FILE.csv");
+  command.add_flag("--json", options->json, "write JSON to the standard output");
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace burin::command

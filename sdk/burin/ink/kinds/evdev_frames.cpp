@@ -1,0 +1,141 @@
+// Makes strokes of the events of a tablet, as Linux has them.
+//
+// Contact is BTN_TOUCH, whatever the pressure. When the pen leaves, drivers set position, tilt and pressure
+// to 0 in the frame that takes the tool away: that frame is no sample. Pucks with a lens touch all the time
+// and make no strokes.
+#include <burin/ink/kinds/evdev_frames.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace burin {
+namespace {
+
+// Of linux/input-event-codes.h.
+constexpr unsigned ev_syn = 0, ev_key = 1, ev_abs = 3;
+constexpr unsigned syn_report = 0, syn_dropped = 3;
+constexpr unsigned abs_x = 0x00, abs_y = 0x01, abs_pressure = 0x18, abs_tilt_x = 0x1a, abs_tilt_y = 0x1b;
+constexpr unsigned first_tool = 0x140, tool_rubber = 0x141, tool_mouse = 0x146, tool_lens = 0x147,
+                   touch_code = 0x14a;
+
+bool is_tool(const EvdevEvent& event) {
+  return event.type == ev_key && event.code >= first_tool && event.code <= tool_lens;
+}
+
+}  // namespace
+
+void EvdevFrames::take(const EvdevEvent& event) {
+  if (event.type != ev_syn) {
+    frame_.push_back(event);
+  } else if (event.code == syn_dropped) {
+    // What the kernel threw away is unknown until the next frame, and the pen may have been lifted.
+    lost_ = true;
+    down_ = false;
+  } else if (event.code == syn_report) {
+    end_frame(event.time);
+  }
+}
+
+void EvdevFrames::end_frame(double time) {
+  const bool leaves = pen_leaves();
+  for (const EvdevEvent& event : frame_) apply(event);
+  frame_.clear();
+  const bool lost = std::exchange(lost_, false);
+  if (leaves || lost || !touches()) {
+    down_ = false;
+    ++content_.hovering;
+  } else {
+    add_sample(time);
+  }
+}
+
+bool EvdevFrames::pen_leaves() const {
+  return std::ranges::any_of(frame_,
+                             [](const EvdevEvent& event) { return is_tool(event) && event.value == 0; });
+}
+
+void EvdevFrames::apply(const EvdevEvent& event) {
+  if (event.type == ev_abs) values_[event.code] = event.value;
+  if (event.type == ev_key && event.code == touch_code) touch_ = event.value != 0;
+  if (!is_tool(event)) return;
+  sends_tools_ = true;
+  if (event.value != 0)
+    tool_ = event.code;
+  else if (tool_ == event.code)
+    tool_.reset();
+}
+
+bool EvdevFrames::touches() const {
+  const bool placed = values_.contains(abs_x) && values_.contains(abs_y);
+  const bool puck = tool_ == tool_mouse || tool_ == tool_lens;
+  return touch_ && placed && !puck && (tool_ || !sends_tools_);
+}
+
+void EvdevFrames::add_sample(double time) {
+  const bool rubber = tool_ == tool_rubber;
+  if (!down_ || content_.strokes.back().eraser != rubber) {
+    content_.strokes.emplace_back().eraser = rubber;
+    set_fields(content_.strokes.back());
+  }
+  down_ = true;
+  PenStroke& stroke = content_.strokes.back();
+  Sample& sample = stroke.samples.emplace_back();
+  sample.time = time;
+  sample.position = {position(abs_x), position(abs_y), 0};
+  if (stroke.fields.pressure) {
+    const EvdevAxis& range = *axis(abs_pressure);
+    const double share = (values_[abs_pressure] - range.least) / (range.most - range.least);
+    sample.pen.pressure = static_cast<float>(std::clamp(share, 0., 1.));
+  }
+  if (stroke.fields.tilt) {
+    sample.pen.tilt_x = static_cast<float>(tilt(abs_tilt_x));
+    sample.pen.tilt_y = static_cast<float>(tilt(abs_tilt_y));
+  }
+}
+
+/// What the device has sent so far; of axes without a range only the position means something.
+void EvdevFrames::set_fields(PenStroke& stroke) const {
+  stroke.fields.time = true;
+  stroke.fields.pressure = values_.contains(abs_pressure) && axis(abs_pressure);
+  stroke.fields.tilt =
+      values_.contains(abs_tilt_x) && values_.contains(abs_tilt_y) && axis(abs_tilt_x) && axis(abs_tilt_y);
+}
+
+/// An axis whose range is known.
+const EvdevAxis* EvdevFrames::axis(unsigned code) const {
+  const auto found = axes_.find(code);
+  return found != axes_.end() && found->second.most > found->second.least ? &found->second : nullptr;
+}
+
+bool EvdevFrames::has_millimetres() const {
+  const EvdevAxis *x = axis(abs_x), *y = axis(abs_y);
+  return x && y && x->resolution > 0 && y->resolution > 0;
+}
+
+/// Millimetres from the left or top of the tablet where the device tells them, else its own units.
+double EvdevFrames::position(unsigned code) const {
+  const double value = values_.at(code);
+  return has_millimetres() ? (value - axis(code)->least) / axis(code)->resolution : value;
+}
+
+/// Radians. A resolution of 57 per radian means degrees, one of 5730 hundredths; without one it is degrees
+/// from the middle of the range.
+double EvdevFrames::tilt(unsigned code) const {
+  constexpr double degree = std::numbers::pi / 180;
+  const EvdevAxis& range = *axis(code);
+  const double value = values_.at(code);
+  if (range.resolution > 0) {
+    const double per_degree = range.resolution * degree;
+    const bool power_of_ten = std::abs(per_degree - 1) < 0.01 || std::abs(per_degree - 100) < 1;
+    return power_of_ten ? value * degree / std::round(per_degree) : value / range.resolution;
+  }
+  return (value - std::ceil((range.least + range.most) / 2)) * degree;
+}
+
+PenFile EvdevFrames::finish() {
+  if (has_millimetres()) content_.unit = "mm";
+  return std::move(content_);
+}
+
+}  // namespace burin

@@ -1,0 +1,28 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// A field of the input reports of a HID device.
+struct HidField {
+  std::uint8_t report = 0;     ///< id of the report; 0 if the device has only one
+  std::size_t bit = 0;         ///< from the first byte after the id
+  unsigned bits = 0;           ///< 1..32
+  std::uint32_t usage = 0;     ///< page << 16 | usage; Wacom's own pages as those of the standard
+  double least = 0, most = 0;  ///< of the value, which is two's complement where `least` is negative
+  double physical_least = 0, physical_most = 0;  ///< what these mean in `unit`; 0, 0: the same
+  std::uint32_t unit = 0;  ///< code of the HID specification; 0x11: cm, 0x13: in, 0x14: degrees
+  int exponent = 0;        ///< of 10, on the unit
+};
+
+/// The variable input fields that a report descriptor describes. Throws Error for one that is cut off or
+/// counts more bits than a report can have.
+std::vector<HidField> hid_fields(std::span<const std::uint8_t> descriptor);
+
+/// The value of a field in a report, without its id byte. The report must have all bits of it.
+std::int32_t hid_value(const HidField& field, std::span<const std::uint8_t> report);
+
+}  // namespace burin

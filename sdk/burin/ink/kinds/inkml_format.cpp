@@ -1,0 +1,102 @@
+// Collects the formats of traces in an InkML file: those of traceFormat elements, and through them those of
+// the contexts and sources around them.
+#include <burin/base/error.h>
+#include <burin/base/quoted_word.h>
+#include <burin/ink/kinds/inkml_format.h>
+#include <burin/ink/kinds/scan.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+std::optional<double> number_of(const pugi::xml_attribute& attribute) {
+  std::string_view text = attribute.value();
+  double value = 0;
+  return take_number(text, value) ? std::optional(value) : std::nullopt;
+}
+
+InkmlChannel channel_of(const pugi::xml_node& node) {
+  return {.name = attribute(node, "name").value(),
+          .units = attribute(node, "units").value(),
+          .least = number_of(attribute(node, "min")),
+          .most = number_of(attribute(node, "max")),
+          .resolution = 0,
+          .resolution_units = {}};
+}
+
+InkmlFormat format_of(const pugi::xml_node& node) {
+  InkmlFormat format;
+  for (const pugi::xml_node& one : node.children())
+    if (local_name(one.name()) == "channel") format.channels.push_back(channel_of(one));
+  format.regular = format.channels.size();
+  for (const pugi::xml_node& one : child(node, "intermittentChannels").children())
+    if (local_name(one.name()) == "channel") format.channels.push_back(channel_of(one));
+  return format;
+}
+
+void add_properties(InkmlFormat& format, const pugi::xml_node& properties) {
+  for (const pugi::xml_node& property : properties.children()) {
+    const std::string_view of = attribute(property, "channel").value();
+    const auto channel = std::ranges::find(format.channels, of, &InkmlChannel::name);
+    if (channel == format.channels.end() ||
+        std::string_view(attribute(property, "name").value()) != "resolution")
+      continue;
+    channel->resolution = number_of(attribute(property, "value")).value_or(0);
+    channel->resolution_units = attribute(property, "units").value();
+  }
+}
+
+std::string id_of(const pugi::xml_node& node) { return attribute(node, "id").value(); }
+
+}  // namespace
+
+InkmlFormats::InkmlFormats(const XmlFile& file) : file_(file) {
+  collect(file.root());
+  if (plain_.channels.empty()) plain_ = {{InkmlChannel{.name = "X"}, InkmlChannel{.name = "Y"}}, 2};
+}
+
+/// An element that has a format, or names one that came before, gives it to those around it: a source to its
+/// context.
+void InkmlFormats::collect(const pugi::xml_node& node) {
+  const std::string_view name = local_name(node.name());
+  if (name == "trace") return;
+  if (name == "traceFormat") {
+    InkmlFormat format = format_of(node);
+    if (format.channels.empty()) return;
+    const pugi::xml_node around = node.parent();
+    const bool of_source = local_name(around.name()) == "inkSource";
+    if (of_source) add_properties(format, child(around, "channelProperties"));
+    const pugi::xml_node context = of_source ? around.parent() : around;
+    for (const pugi::xml_node& one : {node, around, context})
+      if (const std::string id = id_of(one); !id.empty()) formats_[id] = format;
+    if (plain_.channels.empty() && id_of(node).empty() && id_of(around).empty()) plain_ = format;
+    return;
+  }
+  for (const char* reference : {"traceFormatRef", "inkSourceRef", "contextRef"}) {
+    std::string_view to = attribute(node, reference).value();
+    if (name != "context" || to.empty()) continue;
+    to.remove_prefix(to.starts_with('#') ? 1 : 0);
+    if (const auto found = formats_.find(to); found != formats_.end()) {
+      const InkmlFormat format = found->second;
+      formats_[id_of(node)] = format;
+    }
+  }
+  for (const pugi::xml_node& one : node.children()) collect(one);
+}
+
+const InkmlFormat& InkmlFormats::of(const pugi::xml_node& node, std::string_view reference) const {
+  if (reference.empty()) return plain_;
+  const std::string_view id = reference.substr(reference.starts_with('#') ? 1 : 0);
+  const auto found = formats_.find(id);
+  if (found == formats_.end()) {
+    // A context without a format has X and Y.
+    if (!formats_.empty())
+      file_.reject(node, fmt::format("names {}, which has no format", quoted_word(reference)));
+    return plain_;
+  }
+  return found->second;
+}
+
+}  // namespace burin

@@ -1,0 +1,45 @@
+#pragma once
+#include <burin/ink/kinds/xml.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// What InkML says of a channel.
+struct InkmlChannel {
+  std::string name = {};   ///< "X", "F", "OTx"
+  std::string units = {};  ///< "cm", "deg"; empty if not said
+  std::optional<double> least = {}, most = {};
+  double resolution = 0;              ///< values per `resolution_units`; 0: not said
+  std::string resolution_units = {};  ///< "1/cm"
+};
+
+/// The channels of a point, in their order.
+struct InkmlFormat {
+  std::vector<InkmlChannel> channels;
+  std::size_t regular = 0;  ///< of these, those that all points have
+};
+
+/// The formats of an InkML file, by the ids of the elements that say them.
+class InkmlFormats {
+ public:
+  explicit InkmlFormats(const XmlFile& file);
+
+  /// The format that a reference "#id" names. Throws FileError that names the line of `node` if there is
+  /// none.
+  const InkmlFormat& of(const pugi::xml_node& node, std::string_view reference) const;
+
+  /// The format of traces that name none: the first one that has no id, or X and Y.
+  const InkmlFormat& plain() const { return plain_; }
+
+ private:
+  void collect(const pugi::xml_node& node);
+
+  const XmlFile& file_;
+  std::map<std::string, InkmlFormat, std::less<>> formats_;
+  InkmlFormat plain_;
+};
+
+}  // namespace burin

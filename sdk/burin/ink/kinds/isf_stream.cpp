@@ -1,0 +1,82 @@
+// Takes the Ink Serialized Format out of what wraps it: base64, and the comments of a GIF.
+#include <burin/base/error.h>
+#include <burin/ink/kinds/byte_reader.h>
+#include <burin/ink/kinds/isf_stream.h>
+#include <burin/ink/kinds/scan.h>
+
+namespace burin {
+namespace {
+
+constexpr std::string_view base64_head = "base64:";
+
+std::string from_base64(std::string_view text, const std::filesystem::path& path) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned value = 0, bits = 0;
+  for (const char letter : text) {
+    if (letter == '=' || letter == '\0') break;
+    if (blanks.find(letter) != blanks.npos) continue;
+    const std::size_t digit = digits.find(letter);
+    if (digit == digits.npos) throw FileError(path.string(), "a letter that is none of base64");
+    value = (value << 6 | static_cast<unsigned>(digit)) & 0xFFFFU;
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(value >> bits & 0xFFU);
+  }
+  return bytes;
+}
+
+/// Appends the blocks up to the empty one to `to`, if that is not null.
+void take_blocks(ByteReader& gif, std::string* to) {
+  while (const auto length = gif.take<std::uint8_t>()) {
+    const std::string_view block = gif.take_bytes(length);
+    if (to) *to += block;
+  }
+}
+
+/// The table of colours that follows where the flags say so.
+void skip_colours(ByteReader& gif, std::uint8_t flags) {
+  constexpr std::uint8_t has_table = 0x80, size_bits = 7;
+  if (flags & has_table) gif.take_bytes(std::size_t{3} << ((flags & size_bits) + 1));
+}
+
+std::string comments_of(std::string_view bytes, const std::filesystem::path& path) {
+  constexpr std::size_t signature = 6, screen_size = 4, image_place = 8;
+  constexpr std::uint8_t extension = 0x21, comment = 0xFE, image = 0x2C;
+  ByteReader gif(bytes, path);
+  gif.take_bytes(signature + screen_size);
+  const auto flags = gif.take<std::uint8_t>();
+  gif.take_bytes(2);  // background and aspect
+  skip_colours(gif, flags);
+  std::string comments;
+  while (!gif.empty()) {
+    const auto block = gif.take<std::uint8_t>();
+    if (block == extension) {
+      take_blocks(gif, gif.take<std::uint8_t>() == comment ? &comments : nullptr);
+    } else if (block == image) {
+      gif.take_bytes(image_place);
+      skip_colours(gif, gif.take<std::uint8_t>());
+      gif.take_bytes(1);  // the size of its codes
+      take_blocks(gif, nullptr);
+    } else {
+      break;
+    }
+  }
+  return comments;
+}
+
+}  // namespace
+
+std::string isf_stream(const PenFileText& file) {
+  const std::string_view text = file.text;
+  std::string bytes = text.starts_with(base64_head) ? from_base64(text.substr(base64_head.size()), file.path)
+                                                    : std::string(text);
+  if (!bytes.starts_with("GIF8")) return bytes;
+  bytes = comments_of(bytes, file.path);
+  if (bytes.empty())
+    throw FileError(file.path.string(), "a GIF without a comment, which would have the strokes");
+  return bytes;
+}
+
+}  // namespace burin

@@ -1,0 +1,107 @@
+// Reads the tables of the Ink Serialized Format: what packets have, how they are placed, and what their
+// numbers mean.
+#include <burin/ink/kinds/isf_array.h>
+#include <burin/ink/kinds/isf_tables.h>
+#include <burin/math/elementary.h>
+
+#include <numbers>
+
+namespace burin {
+namespace {
+
+enum Tag : std::uint64_t {
+  descriptor_table = 4,
+  descriptor_block = 5,
+  transform_table = 15,
+  transform = 16,
+  same_scale = 17,
+  two_scales = 18,
+  turned = 19,
+  moved = 20,
+  scaled_and_moved = 21,
+  metric_table = 24,
+  metric_block = 25
+};
+
+IsfDescriptor read_descriptor(ByteReader content) {
+  constexpr std::uint64_t buttons = 6, no_x = 7, no_y = 8, stroke_properties = 11;
+  IsfDescriptor descriptor;
+  while (!content.empty()) {
+    const std::uint64_t tag = content.varint();
+    if (tag == buttons || tag == stroke_properties) break;
+    if (tag == no_x)
+      descriptor.x = false;
+    else if (tag == no_y)
+      descriptor.y = false;
+    else
+      descriptor.properties.push_back(tag);
+  }
+  return descriptor;
+}
+
+std::map<std::uint64_t, IsfMetric> read_metrics(ByteReader content) {
+  std::map<std::uint64_t, IsfMetric> metrics;
+  while (!content.empty()) {
+    const std::uint64_t property = content.varint();
+    ByteReader of_property = content.part(content.varint());
+    IsfMetric& metric = metrics[property];
+    if (!of_property.empty()) metric.least = take_isf_signed(of_property);
+    if (!of_property.empty()) metric.most = take_isf_signed(of_property);
+    if (!of_property.empty()) metric.unit = of_property.varint();
+    if (of_property.left() >= sizeof(float)) metric.precision = of_property.take<float>();
+  }
+  return metrics;
+}
+
+/// A matrix as the file has it: x by x, y by x, x by y, y by y, and what is added.
+Eigen::Affine2d affine(double xx, double xy, double yx, double yy, double dx, double dy) {
+  Eigen::Affine2d made = Eigen::Affine2d::Identity();
+  made.linear() << xx, xy, yx, yy;
+  made.translation() << dx, dy;
+  return made;
+}
+
+Eigen::Affine2d read_transform(std::uint64_t tag, ByteReader& stream) {
+  const auto next = [&stream] { return double{stream.take<float>()}; };
+  if (tag == Tag::turned) {
+    constexpr double hundredth_of_degree = std::numbers::pi / 18000;
+    const double angle = static_cast<double>(stream.varint()) * hundredth_of_degree;
+    return affine(math::cos(angle), -math::sin(angle), math::sin(angle), math::cos(angle), 0, 0);
+  }
+  const double a = next(), b = tag == Tag::same_scale ? a : next();
+  if (tag == Tag::moved) return affine(1, 0, 0, 1, a, b);
+  if (tag == Tag::same_scale || tag == Tag::two_scales) return affine(a, 0, 0, b, 0, 0);
+  const double c = next(), d = next();
+  if (tag == Tag::scaled_and_moved) return affine(a, 0, 0, b, c, d);
+  const double e = next(), f = next();
+  return affine(a, b, c, d, e, f);
+}
+
+bool is_transform(std::uint64_t tag) { return tag >= Tag::transform && tag <= Tag::scaled_and_moved; }
+
+}  // namespace
+
+bool read_isf_table(std::uint64_t tag, ByteReader& stream, IsfTables& tables) {
+  if (is_transform(tag)) {
+    tables.transforms.push_back(read_transform(tag, stream));
+    return true;
+  }
+  if (tag != Tag::descriptor_table && tag != Tag::descriptor_block && tag != Tag::transform_table &&
+      tag != Tag::metric_table && tag != Tag::metric_block)
+    return false;
+  ByteReader content = stream.part(stream.varint());
+  if (tag == Tag::descriptor_block) tables.descriptors.push_back(read_descriptor(content));
+  if (tag == Tag::metric_block) tables.metrics.push_back(read_metrics(content));
+  while (tag == Tag::descriptor_table && !content.empty())
+    tables.descriptors.push_back(read_descriptor(content.part(content.varint())));
+  while (tag == Tag::metric_table && !content.empty())
+    tables.metrics.push_back(read_metrics(content.part(content.varint())));
+  while (tag == Tag::transform_table && !content.empty()) {
+    const std::uint64_t of_table = content.varint();
+    if (!is_transform(of_table)) content.reject("no transform in the table of transforms");
+    tables.transforms.push_back(read_transform(of_table, content));
+  }
+  return true;
+}
+
+}  // namespace burin

@@ -1,0 +1,44 @@
+#pragma once
+#include <burin/ink/kinds/byte_reader.h>
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace burin {
+
+/// Property tags of packets that are read.
+enum IsfProperty : std::uint64_t {
+  isf_pressure = 56,
+  isf_tilt_x = 59,
+  isf_tilt_y = 60,
+  isf_azimuth = 61,
+  isf_altitude = 62
+};
+
+/// What a packet of a stroke has.
+struct IsfDescriptor {
+  bool x = true, y = true;
+  std::vector<std::uint64_t> properties;  ///< behind x and y
+};
+
+/// Range and unit of a property.
+struct IsfMetric {
+  std::int64_t least = 0, most = 0;
+  std::uint64_t unit = 0;
+  float precision = 0;  ///< numbers per unit; 0 if unknown
+};
+
+/// The tables of a stream, from which strokes choose by their index.
+struct IsfTables {
+  std::vector<IsfDescriptor> descriptors;
+  std::vector<Eigen::Affine2d> transforms;
+  std::vector<std::map<std::uint64_t, IsfMetric>> metrics;
+};
+
+/// Reads the content of a tag into the tables. Returns false, and reads nothing, for a tag of something else.
+bool read_isf_table(std::uint64_t tag, ByteReader& stream, IsfTables& tables);
+
+}  // namespace burin

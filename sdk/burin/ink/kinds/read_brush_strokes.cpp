@@ -1,0 +1,116 @@
+// Reads the `stroke` lists that Blender's operators take, as scripts and its information editor show them:
+//   bpy.ops.sculpt.brush_stroke(stroke=[{"name": "", "location": (x, y, z), "mouse": (x, y), "pressure": 1,
+//     "size": 50, "pen_flip": False, "time": 0, "is_start": True, ...}, ...])
+// or the list alone, in Python or JSON. "mouse" is in pixels of the region, y up; "time" is in seconds;
+// "size" the radius of the brush in pixels. "is_start" begins another stroke.
+#include <burin/base/error.h>
+#include <burin/base/text/json_value.h>
+#include <burin/ink/kinds/kinds.h>
+#include <burin/ink/kinds/python_literal.h>
+#include <burin/ink/kinds/scan.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace burin {
+namespace {
+
+/// The lists of strokes in a text: what follows each "stroke=", or all of it. Line breaks before them are
+/// kept for messages.
+std::vector<std::string> lists_in(std::string_view text) {
+  constexpr std::string_view argument = "stroke=";
+  std::vector<std::string> lists;
+  for (std::size_t at = 0; (at = text.find(argument, at)) != text.npos;) {
+    const std::size_t begin = at + argument.size();
+    int depth = 0;
+    std::size_t end = begin;
+    for (; end < text.size(); ++end) {
+      if (text[end] == '[' || text[end] == '(') ++depth;
+      if ((text[end] == ']' || text[end] == ')') && --depth <= 0) break;
+    }
+    const std::ptrdiff_t lines =
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
+    lists.push_back(std::string(static_cast<std::size_t>(lines), '\n') +
+                    std::string(text.substr(begin, end + 1 - begin)));
+    at = end;
+  }
+  if (lists.empty()) lists.emplace_back(text);
+  return lists;
+}
+
+bool flag(const JsonValue& element, const char* name) {
+  const auto found = element.find(name);
+  return found && found->is_boolean() && found->boolean();
+}
+
+/// Whether the elements move in object space: then "mouse" may be missing or the same everywhere.
+bool has_mouse(const std::vector<JsonValue>& elements) {
+  return std::ranges::all_of(elements, [](const JsonValue& one) { return one.find("mouse").has_value(); });
+}
+
+std::vector<double> place_of(const JsonValue& element, bool mouse) {
+  const JsonValue place = element.member(mouse ? "mouse" : "location");
+  std::vector<double> numbers = place.numbers();
+  const std::size_t needed = mouse ? 2 : 3;
+  if (numbers.size() < needed)
+    place.reject(fmt::format("has {} numbers, a place needs {}", numbers.size(), needed));
+  return numbers;
+}
+
+Sample sample_of(const JsonValue& element, bool mouse) {
+  Sample sample;
+  const std::vector<double> place = place_of(element, mouse);
+  sample.position = mouse ? Vec3d(place[0], -place[1], 0) : Vec3d(place[0], place[1], place[2]);
+  if (const auto time = element.find("time")) sample.time = time->number();
+  if (const auto pressure = element.find("pressure"))
+    sample.pen.pressure = static_cast<float>(pressure->number());
+  if (const auto x_tilt = element.find("x_tilt"))  // a share of a right angle
+    sample.pen.tilt_x = static_cast<float>(x_tilt->number() * std::numbers::pi / 2);
+  if (const auto y_tilt = element.find("y_tilt"))
+    sample.pen.tilt_y = static_cast<float>(y_tilt->number() * std::numbers::pi / 2);
+  return sample;
+}
+
+void read_list(const JsonValue& list, PenFile& content) {
+  const std::vector<JsonValue> elements = list.items();
+  const bool mouse = has_mouse(elements);
+  const auto all_have = [&](const char* name) {
+    return std::ranges::all_of(elements, [&](const JsonValue& one) { return one.find(name).has_value(); });
+  };
+  const PenFields fields = {.time = all_have("time"),
+                            .pressure = all_have("pressure"),
+                            .tilt = all_have("x_tilt") && all_have("y_tilt"),
+                            .twist = false};
+  const bool sizes = all_have("size") && mouse;
+  if (mouse) content.unit = "px";
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (i == 0 || flag(elements[i], "is_start")) {
+      PenStroke& stroke = content.strokes.emplace_back();
+      stroke.fields = fields;
+      stroke.has_z = !mouse;
+      stroke.eraser = flag(elements[i], "pen_flip");
+    }
+    PenStroke& stroke = content.strokes.back();
+    stroke.samples.push_back(sample_of(elements[i], mouse));
+    if (sizes) stroke.widths.push_back(static_cast<float>(2 * elements[i].member("size").number()));
+  }
+}
+
+}  // namespace
+
+bool is_brush_strokes(std::string_view text) {
+  const std::string_view head = text.substr(0, 65536);
+  return (head.find("stroke=") != head.npos || head.find_first_not_of(blanks) == head.find('[')) &&
+         (head.find("\"mouse\"") != head.npos || head.find("'mouse'") != head.npos ||
+          head.find("\"location\"") != head.npos || head.find("'location'") != head.npos);
+}
+
+PenFile read_brush_strokes(const PenFileText& file) {
+  PenFile content;
+  for (const std::string& list : lists_in(file.text))
+    read_list(JsonValue::parse(json_of_python(list), file.path.string()), content);
+  return content;
+}
+
+}  // namespace burin

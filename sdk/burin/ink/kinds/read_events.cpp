@@ -1,0 +1,75 @@
+// Reads recordings of events that stroke/files/import.h describes: of libmypaint, SVC, and arrays of
+// PointerEvents. They have no first bytes of their own, but lines of so many numbers, or such names.
+#include <burin/base/error.h>
+#include <burin/ink/kinds/kinds.h>
+#include <burin/ink/kinds/scan.h>
+#include <burin/stroke/files/pen_events.h>
+
+#include <algorithm>
+#include <array>
+
+namespace burin {
+namespace {
+
+/// Removes the first line; returns how many numbers it has, or 0 if it has anything else.
+std::size_t take_numbers_of_line(std::string_view& text) {
+  std::string_view line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(line.size() + 1, text.size()));
+  std::size_t count = 0;
+  double number = 0;
+  for (skip_blanks(line); !line.empty(); skip_blanks(line), ++count)
+    if (!take_number(line, number)) return 0;
+  return count;
+}
+
+PenFile pen_file_of(const PenEvents& recorded, std::string_view unit) {
+  PenFile content;
+  content.unit = unit;
+  ImportCounts counts;
+  for (RecordedStroke& stroke : contact_strokes(recorded, counts)) {
+    PenStroke& made = content.strokes.emplace_back();
+    made.fields = stroke.fields;
+    made.samples = std::move(stroke.samples);
+  }
+  content.hovering = counts.lifted;
+  return content;
+}
+
+}  // namespace
+
+bool is_mypaint(std::string_view text) {
+  constexpr std::size_t numbers = 4;
+  return take_numbers_of_line(text) == numbers;
+}
+
+PenFile read_mypaint(const PenFileText& file) {
+  return pen_file_of(mypaint_events(file.text, file.path), "px");
+}
+
+bool is_svc(std::string_view text) {
+  constexpr std::size_t numbers = 7;
+  return take_numbers_of_line(text) == 1 && take_numbers_of_line(text) == numbers;
+}
+
+PenFile read_svc(const PenFileText& file) { return pen_file_of(svc_events(file.text, file.path), "mm"); }
+
+bool is_pointer_arrays(std::string_view text) {
+  constexpr std::array<std::string_view, 9> names = {"x",     "y",     "time",  "pressure", "buttons",
+                                                     "tiltX", "tiltY", "twist", "pointerId"};
+  const auto take = [&text](char expected) {
+    skip_blanks(text);
+    const bool found = text.starts_with(expected);
+    if (found) text.remove_prefix(1);
+    return found;
+  };
+  if (!take('{') || !take('"')) return false;
+  const std::string_view name = text.substr(0, text.find('"'));
+  text.remove_prefix(name.size());
+  return std::ranges::find(names, name) != names.end() && take('"') && take(':') && take('[');
+}
+
+PenFile read_pointer_arrays(const PenFileText& file) {
+  return pen_file_of(pointer_events(file.text, file.path), "px");
+}
+
+}  // namespace burin

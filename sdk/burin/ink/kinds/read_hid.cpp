@@ -1,0 +1,168 @@
+// Reads recordings of hid-recorder: "R: n bytes" is the device's report descriptor, by which the reports
+// "E: time n bytes" are cut into fields.
+//
+// Contact is the tip switch or the eraser switch. Reports that lack the position belong to something else:
+// the battery, or the tablet's buttons.
+#include <burin/base/error.h>
+#include <burin/ink/kinds/hid_descriptor.h>
+#include <burin/ink/kinds/kinds.h>
+#include <burin/ink/kinds/scan.h>
+#include <burin/math/elementary.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <numbers>
+#include <optional>
+
+namespace burin {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::uint32_t usage_x = 0x010030, usage_y = 0x010031, usage_pressure = 0x0d0030,
+                        usage_tilt_x = 0x0d003d, usage_tilt_y = 0x0d003e, usage_twist = 0x0d0041,
+                        usage_tip = 0x0d0042, usage_eraser = 0x0d0045;
+
+/// "n bytes", the bytes in hexadecimal.
+Bytes parse_bytes(std::string_view rest) {
+  std::size_t count = 0;
+  if (!read_whole(take_word(rest), count) || count > rest.size()) throw Error("expected a count of bytes");
+  Bytes bytes(count);
+  for (std::uint8_t& byte : bytes)
+    if (!read_whole(take_word(rest), byte, 16)) throw Error("expected as many bytes as the line counts");
+  if (!take_word(rest).empty()) throw Error("more bytes than the line counts");
+  return bytes;
+}
+
+/// What a value means: the physical range for the logical one, times the exponent.
+double physical(const HidField& field, std::int32_t value) {
+  const double span = field.physical_most - field.physical_least, logical = field.most - field.least;
+  double meant = value;
+  if (span > 0 && logical > 0) meant = field.physical_least + (meant - field.least) / logical * span;
+  const double unit = math::pow(10., std::abs(field.exponent));
+  return field.exponent < 0 ? meant / unit : meant * unit;
+}
+
+/// Millimetres in the unit of a field, or 0 if that is no length.
+double millimetres(const HidField& field) {
+  constexpr std::uint32_t centimetre = 0x11, inch = 0x13;
+  return field.unit == centimetre ? 10 : field.unit == inch ? 25.4 : 0;
+}
+
+/// Reads the reports of a device.
+class HidPen {
+ public:
+  explicit HidPen(std::vector<HidField> fields) : fields_(std::move(fields)) {}
+
+  void take(double time, const Bytes& report);
+  PenFile finish() { return std::move(content_); }
+
+ private:
+  const HidField* find(std::uint32_t usage, const Bytes& report) const;
+  std::optional<std::int32_t> value(std::uint32_t usage, const Bytes& report) const;
+  double position(const HidField& field, const Bytes& report);
+  float angle(std::uint32_t usage, const Bytes& report) const;
+  void add_sample(double time, const Bytes& report, bool eraser);
+
+  std::vector<HidField> fields_;
+  bool down_ = false;
+  PenFile content_;
+};
+
+/// The field of this usage in the report.
+const HidField* HidPen::find(std::uint32_t usage, const Bytes& report) const {
+  const auto found = std::ranges::find_if(fields_, [&](const HidField& field) {
+    const std::size_t id_bytes = field.report != 0 ? 1 : 0;
+    const bool same = id_bytes == 0 || (!report.empty() && report.front() == field.report);
+    return same && field.usage == usage && field.bit + field.bits <= 8 * (report.size() - id_bytes);
+  });
+  return found == fields_.end() ? nullptr : &*found;
+}
+
+std::optional<std::int32_t> HidPen::value(std::uint32_t usage, const Bytes& report) const {
+  const HidField* field = find(usage, report);
+  if (!field) return std::nullopt;
+  return hid_value(*field, std::span(report).subspan(field->report != 0 ? 1 : 0));
+}
+
+void HidPen::take(double time, const Bytes& report) {
+  if (!find(usage_x, report) || !find(usage_y, report) || !find(usage_tip, report)) return;
+  const bool tip = value(usage_tip, report).value_or(0) != 0;
+  const bool eraser = value(usage_eraser, report).value_or(0) != 0;
+  if (tip || eraser)
+    add_sample(time, report, eraser);
+  else
+    ++content_.hovering;
+  down_ = tip || eraser;
+}
+
+double HidPen::position(const HidField& field, const Bytes& report) {
+  const std::int32_t raw = *value(field.usage, report);
+  const double unit = millimetres(field);
+  if (unit > 0) content_.unit = "mm";
+  return unit > 0 ? physical(field, raw) * unit : raw;
+}
+
+float HidPen::angle(std::uint32_t usage, const Bytes& report) const {
+  const HidField& field = *find(usage, report);
+  return static_cast<float>(physical(field, *value(usage, report)) * std::numbers::pi / 180);
+}
+
+void HidPen::add_sample(double time, const Bytes& report, bool eraser) {
+  const HidField* pressure = find(usage_pressure, report);
+  const bool tilt = find(usage_tilt_x, report) && find(usage_tilt_y, report);
+  if (!down_ || content_.strokes.back().eraser != eraser) {
+    PenStroke& stroke = content_.strokes.emplace_back();
+    stroke.eraser = eraser;
+    stroke.fields = {.time = true,
+                     .pressure = pressure && pressure->most > pressure->least,
+                     .tilt = tilt,
+                     .twist = find(usage_twist, report) != nullptr};
+  }
+  PenStroke& stroke = content_.strokes.back();
+  Sample& sample = stroke.samples.emplace_back();
+  sample.time = time;
+  sample.position = {position(*find(usage_x, report), report), position(*find(usage_y, report), report), 0};
+  if (stroke.fields.pressure && pressure) {
+    const double span = pressure->most - pressure->least;
+    const double share = (*value(usage_pressure, report) - pressure->least) / span;
+    sample.pen.pressure = static_cast<float>(std::clamp(share, 0., 1.));
+  }
+  if (stroke.fields.tilt && tilt) {
+    sample.pen.tilt_x = angle(usage_tilt_x, report);
+    sample.pen.tilt_y = angle(usage_tilt_y, report);
+  }
+  if (stroke.fields.twist && find(usage_twist, report)) sample.pen.twist = angle(usage_twist, report);
+}
+
+}  // namespace
+
+bool is_hid(std::string_view text) {
+  return text.starts_with("R: ") || text.substr(0, 65536).find("\nR: ") != text.npos;
+}
+
+PenFile read_hid(const PenFileText& file) {
+  std::optional<HidPen> pen;
+  std::string device;
+  for_each_line_of(file.text, file.path.string(), [&](std::string_view line) {
+    if (line.starts_with("R:")) {
+      if (!pen) pen.emplace(hid_fields(parse_bytes(line.substr(2))));
+    } else if (line.starts_with("N:")) {
+      line.remove_prefix(2);
+      skip_blanks(line);
+      device = line.substr(0, line.find_last_not_of(blanks) + 1);
+    } else if (line.starts_with("E:")) {
+      if (!pen) throw Error("a report before the descriptor");
+      line.remove_prefix(2);
+      double time = 0;
+      skip_blanks(line);
+      if (!take_number(line, time)) throw Error("expected a time, seconds");
+      pen->take(time, parse_bytes(line));
+    }
+  });
+  PenFile content = pen ? pen->finish() : PenFile();
+  content.device = device;
+  return content;
+}
+
+}  // namespace burin

@@ -1,0 +1,180 @@
+// Reads the Ink Serialized Format of Microsoft: a stream of tags, each with its content. Positions become
+// millimetres by the transform that a stroke chooses; pressures become 0..1 by the range of their metric. No
+// time of samples is read. Bytes behind the stream are what an older, longer file left.
+#include <burin/base/error.h>
+#include <burin/ink/kinds/isf_array.h>
+#include <burin/ink/kinds/isf_stream.h>
+#include <burin/ink/kinds/isf_tables.h>
+#include <burin/ink/kinds/kinds.h>
+#include <burin/ink/kinds/tilt_angles.h>
+
+#include <numbers>
+
+namespace burin {
+namespace {
+
+enum Tag : std::uint64_t {
+  rectangle = 0,
+  attributes_index = 9,
+  stroke = 10,
+  descriptor_index = 13,
+  transform_index = 23,
+  metric_index = 26
+};
+
+constexpr double hundredth_of_millimetre = 0.01;
+
+/// Most points of a file: packed ones take a bit each, so that a small file could fill the memory.
+constexpr std::size_t most_points = std::size_t{1} << 20;
+
+/// What strokes have in common until a tag changes it, and how many points there were.
+struct Chosen {
+  std::size_t descriptor = 0, transform = 0, metrics = 0, points = 0;
+};
+
+template <class Item>
+Item item_or_default(const std::vector<Item>& items, std::size_t index, Item otherwise) {
+  return index < items.size() ? items[index] : otherwise;
+}
+
+using Columns = std::map<std::uint64_t, std::vector<std::int64_t>>;
+using Metrics = std::map<std::uint64_t, IsfMetric>;
+
+void set_pressures(const Columns& columns, const Metrics& metrics, PenStroke& stroke) {
+  const auto found = columns.find(isf_pressure);
+  if (found == columns.end()) return;
+  constexpr std::int64_t usual_most = 1023;
+  const auto metric = metrics.find(isf_pressure);
+  const std::int64_t most = metric == metrics.end() ? usual_most : metric->second.most,
+                     least = metric == metrics.end() ? 0 : metric->second.least;
+  if (most <= least) return;
+  stroke.fields.pressure = true;
+  for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
+    const double share = (static_cast<double>(found->second[i]) - static_cast<double>(least)) /
+                         (static_cast<double>(most) - static_cast<double>(least));
+    stroke.samples[i].pen.pressure = static_cast<float>(share);
+  }
+}
+
+/// Radians of a number of this property; 0 if its metric does not tell.
+double radians_of_one(const Metrics& metrics, std::uint64_t property) {
+  constexpr std::uint64_t degrees = 3, radians = 4;
+  const auto metric = metrics.find(property);
+  if (metric == metrics.end() || !(metric->second.precision > 0)) return 0;
+  if (metric->second.unit == radians) return 1 / double{metric->second.precision};
+  return metric->second.unit == degrees ? std::numbers::pi / 180 / metric->second.precision : 0;
+}
+
+void set_tilts(const Columns& columns, const Metrics& metrics, PenStroke& stroke) {
+  const auto angles = [&](std::uint64_t x, std::uint64_t y, const auto& set) {
+    const auto first = columns.find(x), second = columns.find(y);
+    const double by_first = radians_of_one(metrics, x), by_second = radians_of_one(metrics, y);
+    if (first == columns.end() || second == columns.end() || by_first == 0 || by_second == 0) return;
+    stroke.fields.tilt = true;
+    for (std::size_t i = 0; i < stroke.samples.size(); ++i)
+      set(stroke.samples[i].pen, static_cast<double>(first->second[i]) * by_first,
+          static_cast<double>(second->second[i]) * by_second);
+  };
+  angles(isf_tilt_x, isf_tilt_y, [](Pen& pen, double x, double y) {
+    pen.tilt_x = static_cast<float>(x);
+    pen.tilt_y = static_cast<float>(y);
+  });
+  angles(isf_azimuth, isf_altitude,
+         [](Pen& pen, double azimuth, double altitude) { set_tilt(pen, azimuth, altitude); });
+}
+
+PenStroke read_stroke(ByteReader content, const IsfTables& tables, Chosen& chosen) {
+  constexpr std::uint64_t x_property = 50, y_property = 51;
+  const IsfDescriptor descriptor = item_or_default(tables.descriptors, chosen.descriptor, IsfDescriptor{});
+  const Metrics metrics = item_or_default(tables.metrics, chosen.metrics, Metrics{});
+  const Eigen::Affine2d place =
+      item_or_default(tables.transforms, chosen.transform, Eigen::Affine2d(Eigen::Affine2d::Identity()));
+  constexpr std::size_t most_points_a_byte = 8;
+  const std::uint64_t told = content.varint();
+  if (told > content.left() * most_points_a_byte) content.reject("more points are told than bytes can hold");
+  if (told > most_points - chosen.points) content.reject("a file of more than 1048576 points");
+  chosen.points += told;
+  const auto points = static_cast<std::size_t>(told);
+  Columns columns;
+  if (descriptor.x) columns[x_property] = take_isf_array(content, points);
+  if (descriptor.y) columns[y_property] = take_isf_array(content, points);
+  for (const std::uint64_t property : descriptor.properties)
+    columns[property] = take_isf_array(content, points);
+  PenStroke made;
+  made.samples.resize(points);
+  for (std::size_t i = 0; i < points; ++i) {
+    const Eigen::Vector2d raw(descriptor.x ? static_cast<double>(columns[x_property][i]) : 0,
+                              descriptor.y ? static_cast<double>(columns[y_property][i]) : 0);
+    made.samples[i].position.head<2>() = hundredth_of_millimetre * (place * raw);
+  }
+  set_pressures(columns, metrics, made);
+  set_tilts(columns, metrics, made);
+  return made;
+}
+
+void read_tag(std::uint64_t tag, ByteReader& stream, IsfTables& tables, Chosen& chosen, PenFile& content) {
+  if (read_isf_table(tag, stream, tables)) return;
+  switch (tag) {
+    case Tag::rectangle:
+      for (int i = 0; i < 4; ++i) stream.varint();
+      break;
+    case Tag::attributes_index:
+      stream.varint();
+      break;
+    case Tag::descriptor_index:
+      chosen.descriptor = stream.varint();
+      break;
+    case Tag::transform_index:
+      chosen.transform = stream.varint();
+      break;
+    case Tag::metric_index:
+      chosen.metrics = stream.varint();
+      break;
+    case Tag::stroke: {
+      PenStroke made = read_stroke(stream.part(stream.varint()), tables, chosen);
+      if (!made.samples.empty()) content.strokes.push_back(std::move(made));
+      break;
+    }
+    default: {
+      // The length of a property does not count the byte that tells how it is packed.
+      constexpr std::uint64_t first_property = 50;
+      const std::uint64_t length = stream.varint();
+      stream.part(length);
+      if (tag >= first_property) stream.take_bytes(1);
+    }
+  }
+}
+
+}  // namespace
+
+bool is_isf(std::string_view text) {
+  if (text.starts_with("GIF8") || text.starts_with("base64:")) return true;
+  if (!text.starts_with('\0')) return false;
+  const std::filesystem::path none;
+  try {
+    ByteReader stream(text.substr(1), none);
+    const std::uint64_t size = stream.varint();
+    return size > 0 && size <= stream.left();
+  } catch (const FileError&) {
+    return false;
+  }
+}
+
+PenFile read_isf(const PenFileText& file) {
+  const std::string bytes = isf_stream(file);
+  ByteReader whole(bytes, file.path);
+  if (whole.varint() != 0) whole.reject("no stream of the Ink Serialized Format");
+  ByteReader stream = whole.part(whole.varint());
+  PenFile content;
+  content.unit = "mm";
+  content.millimetres = 1;
+  IsfTables tables;
+  Chosen chosen;
+  while (!stream.empty()) {
+    const std::uint64_t tag = stream.varint();
+    read_tag(tag, stream, tables, chosen, content);
+  }
+  return content;
+}
+
+}  // namespace burin

@@ -1,0 +1,175 @@
+// Reads what `libinput record` writes: YAML with the axes of each device under devices/evdev/absinfo, and its
+// events as lists [sec, usec, type, code, value] under devices/events. It is parsed as a stream, since
+// recordings have hundreds of thousands of numbers.
+#include <burin/base/error.h>
+#include <burin/ink/kinds/evdev_frames.h>
+#include <burin/ink/kinds/kinds.h>
+#include <burin/ink/kinds/scan.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
+
+#include <sstream>
+
+namespace burin {
+namespace {
+
+/// A fault at a line of the YAML, from 0.
+struct YamlFault : Error {
+  YamlFault(const std::string& what, const YAML::Mark& mark) : Error(what), line(mark.line) {}
+  int line;
+};
+
+/// Follows the stream of a recording.
+class Recorded : public YAML::EventHandler {
+ public:
+  std::string device;
+  PenFile finish();
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { take_scalar(mark, {}); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { take_scalar(mark, {}); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                const std::string& value) override {
+    take_scalar(mark, value);
+  }
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {
+    open(false);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    open(true);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  /// An open map or list; of a map, the key of the value that comes next, if it was read.
+  struct Level {
+    bool map = false, has_key = false;
+    std::string key = {};
+  };
+  void open(bool map);
+  void close();
+  void take_scalar(const YAML::Mark& mark, const std::string& value);
+  void take_number(const YAML::Mark& mark, const std::string& value);
+  void value_ended();
+  bool in_event() const;
+  bool in_axis() const;
+  bool at_path(std::initializer_list<std::string_view> path) const;
+
+  std::vector<Level> levels_;
+  std::vector<std::int64_t> numbers_;  ///< of the event or axis that is open
+  YAML::Mark mark_;
+  EvdevAxes axes_;
+  std::optional<EvdevFrames> frames_;  ///< of the device
+  PenFile content_;
+};
+
+/// Whether the open levels have these keys; "" stands for a list, "*" for a map at any key.
+bool Recorded::at_path(std::initializer_list<std::string_view> path) const {
+  if (levels_.size() < path.size()) return false;
+  std::size_t i = 0;
+  for (const std::string_view key : path) {
+    const Level& level = levels_[i++];
+    const bool fits = key.empty() ? !level.map : level.map && (key == "*" || level.key == key);
+    if (!fits) return false;
+  }
+  return true;
+}
+
+// devices: [{evdev: {absinfo: {0: [...]}}, events: [{evdev: [[...], ...]}]}]
+bool Recorded::in_axis() const {
+  return levels_.size() == 6 && at_path({"devices", "", "evdev", "absinfo", "*", ""});
+}
+bool Recorded::in_event() const {
+  return levels_.size() == 7 && at_path({"devices", "", "events", "", "evdev", "", ""});
+}
+
+void Recorded::open(bool map) {
+  // A new device.
+  if (map && levels_.size() == 2 && at_path({"devices", ""})) {
+    axes_.clear();
+    frames_.reset();
+  }
+  levels_.push_back({.map = map});
+  if (in_axis() || in_event()) numbers_.clear();
+}
+
+void Recorded::close() {
+  if (in_axis() && numbers_.size() == 5) {
+    unsigned code = 0;
+    if (read_whole(levels_[4].key, code))
+      axes_[code] = {static_cast<double>(numbers_[0]), static_cast<double>(numbers_[1]),
+                     static_cast<double>(numbers_[4])};
+  } else if (in_event()) {
+    if (numbers_.size() != 5) throw YamlFault("an event needs five numbers: sec usec type code value", mark_);
+    if (!frames_) frames_.emplace(axes_);
+    frames_->take({static_cast<double>(numbers_[0]) + static_cast<double>(numbers_[1]) / 1e6,
+                   static_cast<unsigned>(numbers_[2]), static_cast<unsigned>(numbers_[3]),
+                   static_cast<int>(numbers_[4])});
+  }
+  levels_.pop_back();
+  // The end of a device.
+  if (frames_ && levels_.size() == 2 && at_path({"devices", ""})) {
+    PenFile of_device = frames_->finish();
+    frames_.reset();
+    content_.hovering += of_device.hovering;
+    if (!of_device.strokes.empty()) content_.unit = of_device.unit;
+    for (PenStroke& stroke : of_device.strokes) content_.strokes.push_back(std::move(stroke));
+  }
+  value_ended();
+}
+
+void Recorded::value_ended() {
+  if (!levels_.empty()) levels_.back().has_key = false;
+}
+
+void Recorded::take_scalar(const YAML::Mark& mark, const std::string& value) {
+  mark_ = mark;
+  if (levels_.empty()) throw YamlFault("expected a map", mark);
+  Level& level = levels_.back();
+  if (level.map && !level.has_key) {
+    level.key = value;
+    level.has_key = true;
+    return;
+  }
+  if (in_axis() || in_event()) take_number(mark, value);
+  if (at_path({"devices", "", "evdev", "name"}) && levels_.size() == 4) content_.device = value;
+  value_ended();
+}
+
+void Recorded::take_number(const YAML::Mark& mark, const std::string& value) {
+  std::int64_t number = 0;
+  constexpr std::int64_t most = std::int64_t{1} << 40;
+  if (!read_whole(value, number) || number > most || number < -most)
+    throw YamlFault("expected a whole number", mark);
+  if (numbers_.size() < 16) numbers_.push_back(number);
+}
+
+PenFile Recorded::finish() { return std::move(content_); }
+
+}  // namespace
+
+bool is_libinput(std::string_view text) {
+  const std::string_view head = text.substr(0, 4096);
+  return head.starts_with("# libinput record") || head.starts_with("libinput:") ||
+         head.find("\nlibinput:") != head.npos;
+}
+
+PenFile read_libinput(const PenFileText& file) {
+  Recorded recorded;
+  try {
+    std::istringstream stream(file.text);
+    YAML::Parser parser(stream);
+    parser.HandleNextDocument(recorded);
+  } catch (const YamlFault& fault) {
+    throw FileError(file.path.string(), std::to_string(fault.line + 1), fault.what());
+  } catch (const YAML::Exception& exception) {
+    throw FileError(file.path.string(), std::to_string(exception.mark.line + 1),
+                    "malformed YAML: " + exception.msg);
+  }
+  return recorded.finish();
+}
+
+}  // namespace burin

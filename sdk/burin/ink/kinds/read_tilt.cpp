@@ -1,0 +1,99 @@
+// Reads sketches of Tilt Brush and Open Brush: a head of 16 bytes and a zip whose member data.sketch has the
+// strokes, or that member by itself. Points lie in space, x to the right, y up and z forward, in units of 0.1
+// m; y is turned down here as in all pen files. The brush is held in the air: it has an orientation, and no
+// tilt against a plane.
+#include <burin/ink/kinds/byte_reader.h>
+#include <burin/ink/kinds/kinds.h>
+#include <burin/ink/kinds/unpack.h>
+
+namespace burin {
+namespace {
+
+constexpr std::string_view sketch_magic = "\xcd\xa5\x76\xc5";
+constexpr std::size_t zip_head = 16;
+constexpr unsigned mask_bits = 32, short_bits = 16;
+
+/// The words that a mask tells of a stroke.
+float read_extension(ByteReader& bytes, std::uint32_t mask) {
+  constexpr unsigned scale_bit = 1;
+  float scale = 1;
+  for (unsigned bit = 0; bit < mask_bits; ++bit) {
+    if (!(mask >> bit & 1)) continue;
+    if (bit >= short_bits)
+      bytes.take_bytes(bytes.take<std::uint32_t>());
+    else if (bit == scale_bit)
+      scale = bytes.take<float>();
+    else
+      bytes.take_bytes(4);
+  }
+  return scale;
+}
+
+Sample read_point(ByteReader& bytes, std::uint32_t mask) {
+  constexpr std::size_t quaternion_bytes = 16;
+  Sample sample;
+  for (int axis = 0; axis < 3; ++axis) sample.position[axis] = bytes.take<float>();
+  sample.position.y() = -sample.position.y();
+  bytes.take_bytes(quaternion_bytes);
+  for (unsigned bit = 0; bit < mask_bits; ++bit) {
+    if (!(mask >> bit & 1)) continue;
+    if (bit == 0)
+      sample.pen.pressure = bytes.take<float>();
+    else if (bit == 1)
+      sample.time = bytes.take<std::uint32_t>() / 1000.;
+    else
+      bytes.take_bytes(4);
+  }
+  return sample;
+}
+
+PenStroke read_stroke(ByteReader& bytes) {
+  constexpr std::size_t brush_and_colour = 20, least_point = 28;
+  bytes.take_bytes(brush_and_colour);
+  const auto size = bytes.take<float>();
+  const auto stroke_mask = bytes.take<std::uint32_t>(), point_mask = bytes.take<std::uint32_t>();
+  const float scale = read_extension(bytes, stroke_mask);
+  PenStroke stroke;
+  stroke.has_z = true;
+  stroke.fields.pressure = point_mask & 1;
+  stroke.fields.time = point_mask & 2;
+  const std::size_t points = bytes.count(bytes.take<std::uint32_t>(), least_point);
+  for (std::size_t i = 0; i < points; ++i) stroke.samples.push_back(read_point(bytes, point_mask));
+  stroke.widths.assign(points, size * scale);
+  return stroke;
+}
+
+void read_sketch(ByteReader bytes, PenFile& content) {
+  constexpr std::size_t version_and_reserved = 8, least_stroke = 40;
+  if (bytes.take_bytes(sketch_magic.size()) != sketch_magic) bytes.reject("no sketch");
+  bytes.take_bytes(version_and_reserved);
+  bytes.take_bytes(bytes.take<std::uint32_t>());
+  const std::size_t strokes = bytes.count(bytes.take<std::uint32_t>(), least_stroke);
+  for (std::size_t i = 0; i < strokes; ++i) {
+    PenStroke stroke = read_stroke(bytes);
+    if (!stroke.samples.empty()) content.strokes.push_back(std::move(stroke));
+  }
+  if (!bytes.empty()) bytes.reject("bytes follow the last stroke");
+}
+
+}  // namespace
+
+bool is_tilt(std::string_view text) { return text.starts_with("tilT") || text.starts_with(sketch_magic); }
+
+PenFile read_tilt(const PenFileText& file) {
+  PenFile content;
+  content.unit = "dm";
+  content.millimetres = 100;
+  const std::string_view text = file.text;
+  if (text.starts_with(sketch_magic)) {
+    read_sketch({text, file.path}, content);
+  } else {
+    ByteReader head(text, file.path);
+    head.take_bytes(zip_head);
+    const std::string sketch = zip_member(file.path, head.bytes(), "data.sketch");
+    read_sketch({sketch, file.path}, content);
+  }
+  return content;
+}
+
+}  // namespace burin

@@ -1,0 +1,134 @@
+// Reads the Universal Ink Model of Wacom, 3.0 and 3.1: RIFF around messages of Protocol Buffers. Strokes are
+// what the sensors measured, never the splines that the program made of it. In 3.0 one chunk DATA holds the
+// model, whose field 1 is the input data; in 3.1 that is the chunk INPT.
+#include <burin/base/error.h>
+#include <burin/ink/kinds/kinds.h>
+#include <burin/ink/kinds/protobuf.h>
+#include <burin/ink/kinds/riff.h>
+#include <burin/ink/kinds/uim_sensors.h>
+#include <fmt/format.h>
+
+#include <array>
+
+namespace burin {
+namespace {
+
+template <class Take>
+void for_each_field(ByteReader message, const Take& take) {
+  while (!message.empty()) take(next_field(message));
+}
+
+/// What the file tells of its sensors.
+struct Sensors {
+  UimChannels channels;
+  std::map<std::string, std::string_view, std::less<>> tool_of_provider;
+  std::size_t groups = 0;
+};
+
+std::string text_of(const ProtobufField& field) { return std::string(field.content.bytes()); }
+
+void read_provider(const ByteReader& message, Sensors& sensors) {
+  constexpr std::array<std::string_view, 4> tools = {"pen", "touch", "mouse", "controller"};
+  std::string id;
+  std::uint64_t type = 0;
+  for_each_field(message, [&](const ProtobufField& field) {
+    if (field.number == 1) id = text_of(field);
+    if (field.number == 2) type = field.value;
+  });
+  sensors.tool_of_provider[id] = type < tools.size() ? tools[type] : std::string_view();
+}
+
+void read_channel(const ByteReader& message, std::size_t group, Sensors& sensors) {
+  std::string id;
+  UimChannel channel;
+  channel.group = group;
+  for_each_field(message, [&](const ProtobufField& field) {
+    if (field.number == 1) id = text_of(field);
+    if (field.number == 2) channel.type = text_of(field);
+    if (field.number == 4) channel.resolution = field.as_double();
+    if (field.number == 7) channel.precision = static_cast<std::int64_t>(field.value);
+  });
+  sensors.channels[id] = channel;
+}
+
+/// Channels that are measured together, by one device.
+void read_group(const ByteReader& message, Sensors& sensors) {
+  const std::size_t group = ++sensors.groups;
+  std::string provider;
+  for_each_field(message, [&](const ProtobufField& field) {
+    if (field.number == 2) read_channel(field.content, group, sensors);
+    if (field.number == 5) provider = text_of(field);
+  });
+  const auto tool = sensors.tool_of_provider.find(provider);
+  if (tool == sensors.tool_of_provider.end()) return;
+  for (auto& [id, channel] : sensors.channels)
+    if (channel.group == group) channel.tool = tool->second;
+}
+
+void read_contexts(const ByteReader& message, Sensors& sensors) {
+  for_each_field(message, [&](const ProtobufField& field) {
+    if (field.number == 2) read_provider(field.content, sensors);
+  });
+  for_each_field(message, [&](const ProtobufField& field) {
+    if (field.number != 5) return;
+    for_each_field(field.content, [&](const ProtobufField& of_context) {
+      if (of_context.number == 2) read_group(of_context.content, sensors);
+    });
+  });
+}
+
+void read_numbers(const ByteReader& message, UimSensorData& data) {
+  auto& [id, numbers] = data.numbers.emplace_back();
+  for_each_field(message, [&, &to_id = id, &to_numbers = numbers](const ProtobufField& field) {
+    if (field.number == 1) to_id = text_of(field);
+    if (field.number == 2) field.append_signed(to_numbers);
+  });
+}
+
+UimSensorData sensor_data(const ByteReader& message) {
+  UimSensorData data;
+  for_each_field(message, [&](const ProtobufField& field) {
+    if (field.number == 3) data.hovering = field.value == 1;
+    if (field.number == 4) data.start = static_cast<double>(field.value) / 1000;
+    if (field.number == 5) read_numbers(field.content, data);
+  });
+  return data;
+}
+
+void read_input(const ByteReader& message, PenFile& content) {
+  Sensors sensors;
+  for_each_field(message, [&](const ProtobufField& field) {
+    if (field.number == 1) read_contexts(field.content, sensors);
+  });
+  for_each_field(message, [&](const ProtobufField& field) {
+    if (field.number != 2) return;
+    try {
+      add_stroke(sensor_data(field.content), sensors.channels, content);
+    } catch (const FileError&) {
+      throw;
+    } catch (const Error& error) {
+      field.content.reject(error.what());
+    }
+  });
+}
+
+}  // namespace
+
+bool is_uim(std::string_view text) { return is_riff(text, "UINK"); }
+
+PenFile read_uim(const PenFileText& file) {
+  PenFile content;
+  content.unit = "px";
+  content.millimetres = 25.4 / 96;
+  for (RiffChunks chunks(file.text, file.path); !chunks.empty();) {
+    const RiffChunk chunk = chunks.next();
+    if (chunk.name == "INPT") read_input(chunk.content, content);
+    if (chunk.name != "DATA") continue;
+    for_each_field(chunk.content, [&](const ProtobufField& field) {
+      if (field.number == 1) read_input(field.content, content);
+    });
+  }
+  return content;
+}
+
+}  // namespace burin

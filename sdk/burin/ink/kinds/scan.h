@@ -1,0 +1,63 @@
+#pragma once
+#include <burin/base/error.h>
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace burin {
+
+inline constexpr std::string_view blanks = " \t\r\n\f\v";
+
+/// Removes blanks from the front of a text.
+inline void skip_blanks(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+}
+
+/// Removes a finite number from the front of a text, which may begin with a plus sign. Returns false, and
+/// leaves the text, if there is none.
+inline bool take_number(std::string_view& text, double& value) {
+  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || !std::isfinite(value)) return false;
+  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+  return true;
+}
+
+/// Removes the next word, up to a blank, from the front of a text.
+inline std::string_view take_word(std::string_view& text) {
+  skip_blanks(text);
+  const std::string_view word = text.substr(0, text.find_first_of(blanks));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+/// Reads all of a word as a whole number of this base. Returns false if it is none.
+template <class Whole>
+bool read_whole(std::string_view word, Whole& value, int base = 10) {
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value, base);
+  return error == std::errc() && stop == word.data() + word.size() && !word.empty();
+}
+
+/// Calls `take` with every line of a text, without its newline. An Error that it throws becomes a FileError
+/// that names the line.
+template <class Take>
+void for_each_line_of(const std::string& text, const std::string& path, const Take& take) {
+  std::size_t number = 0;
+  for (std::size_t begin = 0; begin < text.size(); ++begin) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    ++number;
+    try {
+      take(std::string_view(text).substr(begin, end - begin));
+    } catch (const FileError&) {
+      throw;
+    } catch (const Error& error) {
+      throw FileError(path, std::to_string(number), error.what());
+    }
+    begin = end;
+  }
+}
+
+}  // namespace burin

@@ -1,0 +1,96 @@
+// Unpacks gzip, xz and zip by libarchive.
+#include <archive.h>
+#include <archive_entry.h>
+#include <burin/base/error.h>
+#include <burin/base/file.h>
+#include <burin/ink/kinds/unpack.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+#include <string_view>
+
+namespace burin {
+namespace {
+
+/// Reads a packed file in memory.
+class Archive {
+ public:
+  Archive(const std::filesystem::path& path, std::string_view bytes) : path_(path) {
+    archive_read_support_filter_gzip(archive_.get());
+    archive_read_support_filter_xz(archive_.get());
+    archive_read_support_format_zip(archive_.get());
+    archive_read_support_format_raw(archive_.get());
+    expect_ok(archive_read_open_memory(archive_.get(), bytes.data(), bytes.size()));
+  }
+
+  /// Goes to the only content, or to the first member of a zip whose name is one that `fits`. Returns false
+  /// if there is none.
+  template <class Fits>
+  bool find_content(const Fits& fits) {
+    archive_entry* entry = nullptr;
+    for (;;) {
+      const int result = archive_read_next_header(archive_.get(), &entry);
+      if (result == ARCHIVE_EOF) return false;
+      expect_ok(result);
+      const char* name = archive_entry_pathname(entry);
+      const bool zip = (archive_format(archive_.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
+      if (!zip || (name && fits(std::string_view(name)))) return true;
+    }
+  }
+
+  std::string content() {
+    std::string text;
+    std::array<char, 1 << 16> block{};
+    for (;;) {
+      const la_ssize_t got = archive_read_data(archive_.get(), block.data(), block.size());
+      if (got < 0) fail();
+      if (got == 0) return text;
+      if (text.size() + static_cast<std::size_t>(got) > most_unpacked_bytes)
+        throw FileError(path_.string(), "unpacks to more than 64 MiB");
+      text.append(block.data(), static_cast<std::size_t>(got));
+    }
+  }
+
+ private:
+  void expect_ok(int result) {
+    if (result < ARCHIVE_WARN) fail();
+  }
+  [[noreturn]] void fail() {
+    const char* what = archive_error_string(archive_.get());
+    throw FileError(path_.string(), fmt::format("cannot be unpacked: {}", what ? what : "damaged"));
+  }
+
+  std::filesystem::path path_;
+  std::unique_ptr<archive, int (*)(archive*)> archive_{archive_read_new(), archive_read_free};
+};
+
+bool packed(std::string_view bytes) {
+  return bytes.starts_with("\x1f\x8b") || bytes.starts_with(std::string_view("\xfd\x37zXZ\0", 6)) ||
+         bytes.starts_with("PK\x03\x04");
+}
+
+/// Whether a member of a zip is what holds the strokes: of Xournal++, of WILL.
+bool holds_strokes(std::string_view name) {
+  return name == "content.xml" || name.ends_with(".will") || name.ends_with(".protobuf");
+}
+
+}  // namespace
+
+std::string zip_member(const std::filesystem::path& path, std::string_view bytes, std::string_view name) {
+  Archive archive(path, bytes);
+  if (!packed(bytes) || !archive.find_content([&](std::string_view member) { return member == name; }))
+    throw FileError(path.string(), fmt::format("a zip without {}", name));
+  return archive.content();
+}
+
+std::string unpacked_pen_file(const std::filesystem::path& path) {
+  std::string bytes = read_file(path);
+  if (!packed(bytes)) return bytes;
+  Archive archive(path, bytes);
+  if (!archive.find_content(holds_strokes))
+    throw FileError(path.string(), "a zip without content.xml, .will or .protobuf");
+  return archive.content();
+}
+
+}  // namespace burin

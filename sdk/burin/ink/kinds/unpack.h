@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace burin {
+
+/// Most bytes that a packed file may unpack to: 64 MiB.
+constexpr std::size_t most_unpacked_bytes = std::size_t{1} << 26;
+
+/// The bytes of a file; unpacked if they are gzip or xz, and content.xml or the first .will or .protobuf
+/// if they are a zip that has one. Throws FileError for a damaged archive, and where more than
+/// most_unpacked_bytes come out.
+std::string unpacked_pen_file(const std::filesystem::path& path);
+
+/// The member of a zip with this name. Throws FileError as above, and if there is none.
+std::string zip_member(const std::filesystem::path& path, std::string_view bytes, std::string_view name);
+
+}  // namespace burin

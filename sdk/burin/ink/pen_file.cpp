@@ -1,0 +1,88 @@
+// Finds the kind of a pen file by its first bytes, and has it read.
+#include <burin/base/error.h>
+#include <burin/base/file.h>
+#include <burin/ink/kinds/kinds.h>
+#include <burin/ink/kinds/unpack.h>
+#include <burin/ink/pen_file.h>
+#include <burin/stroke/files/recording_faults.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace burin {
+namespace {
+
+std::optional<PenFileKind> kind_of(std::string_view text) {
+  const std::vector<PenFileKind> kinds = pen_file_kinds();
+  const auto found =
+      std::ranges::find_if(kinds, [&](const PenFileKind& kind) { return kind.recognises(text); });
+  return found == kinds.end() ? std::nullopt : std::optional(*found);
+}
+
+PenFileText unpacked(const std::filesystem::path& path) {
+  PenFileText file{path, unpacked_pen_file(path)};
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (file.text.starts_with(byte_order_mark)) file.text.erase(0, byte_order_mark.size());
+  return file;
+}
+
+/// Refuses what no sample may have.
+void check(const PenFileText& file, const PenFile& content) {
+  for (std::size_t stroke = 0; stroke < content.strokes.size(); ++stroke)
+    for (std::size_t i = 0; i < content.strokes[stroke].samples.size(); ++i) {
+      const Sample& sample = content.strokes[stroke].samples[i];
+      const std::string_view fault = validation_error(sample);
+      if (!fault.empty())
+        throw FileError(file.path.string(),
+                        fmt::format("stroke {}, sample {}: {}", stroke + 1, i + 1, fault));
+    }
+}
+
+}  // namespace
+
+std::vector<PenFileKind> pen_file_kinds() {
+  return {{"uim", "Universal Ink Model", is_uim, read_uim},
+          {"uim_json", "Universal Ink Model in JSON", is_uim_json, read_uim_json},
+          {"will", "WILL", is_will, read_will},
+          {"tilt", "Tilt Brush", is_tilt, read_tilt},
+          {"isf", "Ink Serialized Format", is_isf, read_isf},
+          {"remarkable", "reMarkable lines", is_remarkable, read_remarkable},
+          {"excalidraw", "Excalidraw", is_excalidraw, read_excalidraw},
+          {"scap", "scap drawings", is_scap, read_scap},
+          {"inkml", "InkML", is_inkml, read_inkml},
+          {"xournal", "Xournal and Xournal++", is_xournal, read_xournal},
+          {"svg", "SVG paths", is_svg, read_svg},
+          {"evemu", "EVEMU recordings", is_evemu, read_evemu},
+          {"hid", "hid-recorder", is_hid, read_hid},
+          {"libinput", "libinput record", is_libinput, read_libinput},
+          {"pointers", "lists of pointers from the web", is_pointers, read_pointers},
+          {"brush_stroke", "Blender's brush strokes", is_brush_strokes, read_brush_strokes},
+          {"pointer", "PointerEvent arrays", is_pointer_arrays, read_pointer_arrays},
+          {"svc", "SVC", is_svc, read_svc},
+          {"mypaint", "libmypaint events", is_mypaint, read_mypaint},
+          {"point_lists", "named lists of points", is_point_lists, read_point_lists},
+          {"csv", "CSV with named columns", is_csv, read_csv}};
+}
+
+PenFile read_pen_file(const std::filesystem::path& path) {
+  const PenFileText file = unpacked(path);
+  const std::optional<PenFileKind> kind = kind_of(file.text);
+  if (!kind) {
+    std::string known;
+    for (const PenFileKind& one : pen_file_kinds())
+      known += fmt::format("{}{}", known.empty() ? "" : ", ", one.about);
+    throw FileError(path.string(), fmt::format("no pen file that is known; known are {}", known));
+  }
+  PenFile content = kind->read(file);
+  content.kind = kind->name;
+  check(file, content);
+  return content;
+}
+
+std::string_view kind_of_pen_file(const std::filesystem::path& path) {
+  const std::optional<PenFileKind> kind = kind_of(unpacked(path).text);
+  return kind ? kind->name : std::string_view();
+}
+
+}  // namespace burin

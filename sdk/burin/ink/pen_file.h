@@ -1,0 +1,65 @@
+#pragma once
+#include <burin/stroke/recording.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// One stroke of a pen file. What the file does not have is absent, never a neutral value that somebody could
+/// take for a measured one.
+struct PenStroke {
+  PenFields fields;            ///< what `samples` have beside x and y
+  bool has_z = false;          ///< else z is 0
+  bool eraser = false;         ///< drawn with the pen's eraser, or an eraser tool
+  std::string_view tool = {};  ///< "pen", "touch", "mouse" or "controller"; empty if the file does not tell
+  bool made_pressure = false;  ///< the program made the pressure from the speed; no device measured it
+  std::size_t page = 1, layer = 1;  ///< from 1
+  /// Positions in PenFile::unit, y down. Times in seconds, from any start, up to those of 1970. Tilts in
+  /// radians from upright, towards +x and +y. Pressure 0..1.
+  std::vector<Sample> samples;
+  std::vector<float> widths;  ///< drawn width by sample, in PenFile::unit; empty if absent
+};
+
+/// What a pen file holds: the samples as recorded, in the order of the file.
+struct PenFile {
+  std::string_view kind;     ///< PenFileKind::name
+  std::string device;        ///< as the file names it; empty if it does not
+  std::string unit;          ///< of positions: "mm", "px", "pt" (1/72 inch), "dm"; empty if unknown
+  double millimetres = 0;    ///< that a unit stands for; 0 if unknown
+  std::size_t hovering = 0;  ///< samples left out since the pen did not touch
+  std::vector<PenStroke> strokes;
+};
+
+/// A file in memory.
+struct PenFileText {
+  std::filesystem::path path;  ///< for messages, and for files beside it
+  std::string text;            ///< unpacked
+};
+
+/// A kind of pen file.
+struct PenFileKind {
+  std::string_view name;   ///< "inkml"
+  std::string_view about;  ///< for people, "InkML"
+  /// Whether the text begins like one. Looks at the beginning only, and never at the name.
+  bool (*recognises)(std::string_view text);
+  /// Throws FileError that names the place: a line, or an element.
+  PenFile (*read)(const PenFileText& file);
+};
+
+/// All kinds, in the order in which a file is compared with them.
+std::vector<PenFileKind> pen_file_kinds();
+
+/// Reads a pen file of any kind, unpacking gzip, xz and the zip of Xournal++. Throws FileError for a file
+/// that is none, cannot be read, or is malformed; more than 64 MiB, unpacked or of XML, are refused.
+PenFile read_pen_file(const std::filesystem::path& path);
+
+/// The name of the kind that read_pen_file() would take the file for, or an empty one. Throws FileError if it
+/// cannot be read.
+std::string_view kind_of_pen_file(const std::filesystem::path& path);
+
+}  // namespace burin

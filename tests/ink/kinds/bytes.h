@@ -1,0 +1,63 @@
+#pragma once
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace burin::test {
+
+/// Writes the values of binary pen files, little-endian.
+class Bytes {
+ public:
+  template <class Value>
+  Bytes& add(Value value) {
+    char raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    text_.append(raw, sizeof value);
+    return *this;
+  }
+  Bytes& add_text(std::string_view text) {
+    text_ += text;
+    return *this;
+  }
+  Bytes& add_varint(std::uint64_t value) {
+    for (; value >= 0x80; value >>= 7) text_ += static_cast<char>(value | 0x80);
+    text_ += static_cast<char>(value);
+    return *this;
+  }
+  /// A signed number whose sign is the lowest bit, as Protocol Buffers have it.
+  Bytes& add_zigzag(std::int64_t value) {
+    return add_varint(static_cast<std::uint64_t>(value << 1) ^ static_cast<std::uint64_t>(value >> 63));
+  }
+  /// A field of a message of Protocol Buffers.
+  Bytes& add_field(std::uint64_t number, std::string_view content) {
+    return add_varint(number << 3 | 2).add_varint(content.size()).add_text(content);
+  }
+  Bytes& add_field(std::uint64_t number, std::uint64_t value) {
+    return add_varint(number << 3).add_varint(value);
+  }
+  Bytes& add_field(std::uint64_t number, double value) { return add_varint(number << 3 | 1).add(value); }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// Signed numbers one behind the other.
+inline std::string zigzags(std::initializer_list<std::int64_t> values) {
+  Bytes bytes;
+  for (const std::int64_t value : values) bytes.add_zigzag(value);
+  return bytes.text();
+}
+
+/// A RIFF with one chunk.
+inline std::string riff(std::string_view form, std::string_view chunk, std::string_view content) {
+  const auto size = static_cast<std::uint32_t>(content.size());
+  Bytes bytes;
+  bytes.add_text("RIFF").add(size + 12).add_text(form).add_text(chunk).add(size).add_text(content);
+  if (size % 2 != 0) bytes.add_text(std::string(1, '\0'));
+  return bytes.text();
+}
+
+}  // namespace burin::test

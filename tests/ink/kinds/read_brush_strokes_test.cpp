@@ -1,0 +1,36 @@
+#include "ink/pen_files.h"
+
+namespace burin {
+namespace {
+
+using test::PenFileFolder;
+using test::places;
+
+TEST(ReadBrushStrokes, ReadsWhatBlenderWrites) {
+  const PenFile file = PenFileFolder().read(
+      R"(bpy.ops.sculpt.brush_stroke(stroke=[{"name":"", "location":(0.1, 0.2, 0.3), "mouse":(10, 20), "pressure":0.5, "size":25, "pen_flip":False, "time":1.5, "is_start":True},
+{"name":'it\'s', "location":(0, 0, 0), "mouse":(12, 30), "pressure":1, "size":30, "pen_flip":False, "time":1.6, "is_start":False},
+{"name":"", "location":(0, 0, 0), "mouse":(1, 2), "pressure":1, "size":30, "pen_flip":True, "time":2, "is_start":True,},], mode='NORMAL')
+bpy.ops.sculpt.brush_stroke(stroke=[{'location':(0.1, 0.2, 0.3), "time": 0, "x_tilt": 0.5, 'y_tilt': 0}])
+)");
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "10 -20, 12 -30") << "y down";
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
+  EXPECT_EQ(file.strokes[0].widths, (std::vector<float>{50, 60}));
+  EXPECT_TRUE(file.strokes[1].eraser);
+  EXPECT_TRUE(file.strokes[2].has_z);
+  EXPECT_EQ(file.strokes[2].samples[0].position, Vec3d(0.1, 0.2, 0.3));
+  EXPECT_FLOAT_EQ(file.strokes[2].samples[0].pen.tilt_x, 0.785398F);
+  EXPECT_FALSE(file.strokes[2].fields.pressure);
+}
+
+TEST(ReadBrushStrokes, NamesThePlaceOfAFault) {
+  const PenFileFolder folder;
+  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2), 'time': 'late'}])"),
+            " [0].time: must be a number, not 'late'");
+  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, )}])"), " [0].mouse: has 1 numbers, a place needs 2");
+  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2}])").substr(0, 17), "2: malformed JSON");
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,96 @@
+#include <numbers>
+
+#include "ink/pen_files.h"
+
+namespace burin {
+namespace {
+
+using test::PenFileFolder;
+using test::places;
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// A tablet of 10 and 20 units per mm, with 1000 levels of pressure.
+const std::string tablet =
+    "# EVEMU 1.2\nN: A Tablet\nI: 0003 056a 00c6 0100\nP: 01 00\nA: 00 100 53020 4 0 10\nA: 01 0 33440 4 0 "
+    "20\n"
+    "A: 18 0 1000 0 0 0\nA: 1a -64 63 0 0 57\nA: 1b -64 63 0 0 57\n";
+
+/// Events at one time, with the end of their frame.
+std::string frame(const std::string& time, std::initializer_list<const char*> events) {
+  std::string text;
+  for (const char* event : events) text += "E: " + time + " " + event + "\n";
+  return text + "E: " + time + " 0000 0000 0\t# ---- SYN_REPORT ----\n";
+}
+
+const std::string near = frame("0.000001", {"0003 0000 200", "0003 0001 400", "0003 001a -10", "0003 001b 5",
+                                            "0003 0018 1", "0001 0140 1"});
+
+TEST(ReadEvemu, AppliesWhatChangedAtTheEndOfEachFrame) {
+  const PenFile file = PenFileFolder().read(
+      tablet + near + frame("0.005", {"0001 014a 1", "0003 0018 0250"}) + frame("0.010", {"0003 0000 300"}) +
+      frame("0.015", {"0003 0001 600", "0003 0018 0", "0003 001a 20"}) +
+      frame("0.020", {"0003 0000 0", "0003 0001 0", "0003 0018 0", "0001 014a 0", "0001 0140 0"}));
+  EXPECT_EQ(file.device, "A Tablet");
+  EXPECT_EQ(file.unit, "mm");
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "10 20, 20 20, 20 30");
+  EXPECT_EQ(file.hovering, 2u);
+  const auto& samples = file.strokes[0].samples;
+  EXPECT_FLOAT_EQ(samples[0].pen.pressure, 0.25F);
+  EXPECT_EQ(samples[2].pen.pressure, 0) << "pressure 0 in contact is a sample";
+  EXPECT_FLOAT_EQ(samples[1].pen.tilt_x, static_cast<float>(-10 * degree));
+  EXPECT_FLOAT_EQ(samples[2].pen.tilt_x, static_cast<float>(20 * degree));
+  EXPECT_DOUBLE_EQ(samples[2].time, 0.015);
+}
+
+TEST(ReadEvemu, HasTheEraserOfAFrameInWhateverOrder) {
+  const PenFile file = PenFileFolder().read(
+      tablet + frame("1", {"0003 0000 200", "0003 0001 400", "0001 014a 1", "0001 0141 1"}) +
+      frame("2", {"0001 014a 0", "0001 0141 0"}) + frame("3", {"0001 014a 1", "0001 0147 1"}));
+  ASSERT_EQ(file.strokes.size(), 1u) << "a puck makes none";
+  EXPECT_TRUE(file.strokes[0].eraser);
+  EXPECT_EQ(file.strokes[0].samples.size(), 1u);
+  EXPECT_FALSE(file.strokes[0].fields.pressure) << "the range is there, and nothing was sent";
+}
+
+TEST(ReadEvemu, EndsAStrokeWhereEventsWereLost) {
+  const PenFile file = PenFileFolder().read(
+      tablet + frame("1", {"0003 0000 200", "0003 0001 400", "0001 014a 1"}) + frame("2", {"0003 0000 300"}) +
+      "E: 3 0000 0003 0\n" + frame("3", {"0003 0000 900"}) + frame("4", {"0003 0000 500"}));
+  ASSERT_EQ(file.strokes.size(), 2u) << "of a device that never sends a tool";
+  EXPECT_EQ(places(file.strokes[1]), "40 20");
+}
+
+TEST(ReadEvemu, TakesTheDescriptionBesideTheRecording) {
+  const PenFileFolder folder;
+  folder.write("pen.desc", "# EVEMU 1.0\nN: Short\n");
+  folder.write("pen_4x5.desc",
+               "# EVEMU 1.1\nN: Old\nA: 00 0 1000 0 0\nA: 01 0 1000 0 0\nA: 18 100 300 0 0\n"
+               "A: 1a 0 127 0 0\nA: 1b 0 127 0 0\n");
+  const std::string events = frame("7", {"0003 0000 200", "0003 0001 400", "0003 001a 74", "0003 001b 64",
+                                         "0003 0018 200", "0001 014a 1"});
+  const PenFile file = read_pen_file(folder.write("pen_4x5_drag.events", events));
+  EXPECT_EQ(file.device, "Old");
+  EXPECT_EQ(file.unit, "") << "no resolution";
+  const Sample& sample = file.strokes.at(0).samples.at(0);
+  EXPECT_EQ(sample.position, Vec3d(200, 400, 0));
+  EXPECT_EQ(sample.pen.pressure, 0.5F);
+  EXPECT_FLOAT_EQ(sample.pen.tilt_x, static_cast<float>(10 * degree)) << "64 is upright";
+  EXPECT_EQ(sample.pen.tilt_y, 0);
+  const PenFile alone = read_pen_file(folder.write("other.events", events));
+  EXPECT_EQ(alone.strokes.at(0).fields, (PenFields{.time = true})) << "no ranges, no pressure and no tilt";
+}
+
+TEST(ReadEvemu, NamesTheLineOfAFault) {
+  const PenFileFolder folder;
+  EXPECT_EQ(folder.complaint("# EVEMU 1.2\nE: 1 0003 0000\n"), "2: expected an event: time type code value");
+  EXPECT_EQ(folder.complaint("# EVEMU 1.2\n\nE: x 0003 0000 1\n"), "3: expected a time, seconds");
+  EXPECT_EQ(folder.complaint("# EVEMU 1.2\nE: 1 0003 0000 99999999999\n"),
+            "2: expected an event: time type code value");
+  EXPECT_EQ(folder.complaint("# EVEMU 1.2\nA: 00 0 x 0 0\n"),
+            "2: expected an axis: code min max fuzz flat resolution");
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,58 @@
+#include <numbers>
+
+#include "ink/pen_files.h"
+
+namespace burin {
+namespace {
+
+using test::PenFileFolder;
+using test::places;
+
+/// A pen of report 2: tip, barrel, eraser and in range, 4 bits of padding; X and Y of 12 bits in 1/100 cm
+/// each 0..1000 for 0..2000; pressure of 16 bits; tilt in degrees. Report 3 is something else.
+const std::string descriptor =
+    "# a comment\nR: 105 05 0d 09 02 a1 01 85 02 09 20 a1 00 09 42 09 44 09 45 09 32 15 00 25 01 75 01 95 04 "
+    "81 02 "
+    "95 04 81 03 05 01 09 30 09 31 65 11 55 0e 35 00 46 e8 03 26 d0 07 75 0c 95 02 81 02 05 0d 09 30 65 00 "
+    "55 00 "
+    "45 00 26 ff 03 75 10 95 01 81 02 09 3d 09 3e 65 14 15 c0 25 3f 35 c0 45 3f 75 08 95 02 81 02 85 03 09 "
+    "3b 81 "
+    "02 c0 c0\nN: A Pen\nI: 3 056a 0357\n";
+
+TEST(ReadHid, CutsReportsByTheDescriptor) {
+  // x = 200, y = 400: 0x0c8 and 0x190 in 12 bits each.
+  const PenFile file = PenFileFolder().read(descriptor +
+                                            "E: 000000.000000 9 02 08 c8 00 19 00 00 0a f6\n"
+                                            "E: 000000.005000 9 02 09 c8 00 19 ff 01 0a f6\n"
+                                            "E: 000000.006000 2 03 50\n"
+                                            "E: 000000.010000 9 02 0b 90 01 19 ff 03 00 00\n"
+                                            "E: 000000.015000 9 02 0c 90 01 19 ff 03 00 00\n");
+  EXPECT_EQ(file.device, "A Pen");
+  EXPECT_EQ(file.unit, "mm");
+  EXPECT_EQ(file.hovering, 1u);
+  ASSERT_EQ(file.strokes.size(), 2u);
+  // Logical 0..2000 mean 0..1000 times 10^-2 cm.
+  EXPECT_EQ(places(file.strokes[0]), "10 20, 20 20");
+  EXPECT_TRUE(file.strokes[1].eraser);
+  const Sample& sample = file.strokes[0].samples[0];
+  EXPECT_NEAR(sample.pen.pressure, 511 / 1023., 1e-6);
+  EXPECT_NEAR(sample.pen.tilt_x, 10 * std::numbers::pi / 180, 1e-6);
+  EXPECT_NEAR(sample.pen.tilt_y, -10 * std::numbers::pi / 180, 1e-6);
+  EXPECT_DOUBLE_EQ(sample.time, 0.005);
+}
+
+TEST(ReadHid, NamesTheLineOfAFault) {
+  const PenFileFolder folder;
+  EXPECT_EQ(folder.complaint(descriptor + "E: 1 9 02\n"), "5: expected a count of bytes");
+  EXPECT_EQ(folder.complaint(descriptor + "E: 1 3 02 08 zz\n"),
+            "5: expected as many bytes as the line counts");
+  EXPECT_EQ(folder.complaint(descriptor + "E: 1 1 02 08\n"), "5: more bytes than the line counts");
+  EXPECT_EQ(folder.complaint("R: 4000000000 05 0d\n"), "1: expected a count of bytes");
+  EXPECT_EQ(folder.complaint("R: 2 26 ff\n"), "1: the descriptor is cut off");
+  EXPECT_EQ(folder.complaint("R: 14 05 0d 09 42 77 ff ff ff 7f 95 01 81 02 c0\n"),
+            "1: the descriptor's reports are longer than any report");
+  EXPECT_EQ(folder.complaint("R: 1 b4\n"), "1: the descriptor pops what was not pushed");
+}
+
+}  // namespace
+}  // namespace burin

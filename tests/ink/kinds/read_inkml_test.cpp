@@ -1,0 +1,107 @@
+#include <numbers>
+
+#include "ink/pen_files.h"
+
+namespace burin {
+namespace {
+
+using test::PenFileFolder;
+using test::places;
+
+std::string ink(const std::string& content) {
+  return "\xEF\xBB\xBF<?xml version=\"1.0\"?>\n<ink xmlns=\"http://www.w3.org/2003/InkML\">\n" + content +
+         "</ink>\n";
+}
+
+TEST(ReadInkml, DecodesDifferencesAndValuesWithoutBlanks) {
+  const PenFile file = PenFileFolder().read(ink(R"(<traceFormat><channel name="X" type="integer"/>
+    <channel name="Y" type="integer"/><channel name="F" type="integer" max="4000"/></traceFormat>
+    <trace>32 635 2757,'34'0'1090,"0"0"-2950,-2 0-100,!1 2 3,*'5*,* * ?</trace>)"));
+  ASSERT_EQ(file.strokes.size(), 1u);
+  // The force's last difference is 1090, then -1860, then -1960.
+  EXPECT_EQ(places(file.strokes[0]), "32 635, 66 635, 100 635, 132 635, 1 637, 1 642, 1 647");
+  ASSERT_EQ(file.strokes[0].samples.size(), 7u);
+  EXPECT_FLOAT_EQ(file.strokes[0].samples[0].pen.pressure, 2757 / 4000.F);
+  EXPECT_FLOAT_EQ(file.strokes[0].samples[1].pen.pressure, 3847 / 4000.F);
+  EXPECT_FLOAT_EQ(file.strokes[0].samples[2].pen.pressure, 1987 / 4000.F);
+  EXPECT_FLOAT_EQ(file.strokes[0].samples[3].pen.pressure, 27 / 4000.F);
+}
+
+TEST(ReadInkml, TakesChannelsFromContextsOfNestedGroups) {
+  const PenFile file = PenFileFolder().read(ink(R"(<definitions>
+    <context xml:id="a"><inkSource xml:id="s"><traceFormat><channel name="Y"/><channel name="X"/>
+      <channel name="T" units="ms"/></traceFormat></inkSource></context>
+    <context xml:id="b"><traceFormat><channel name="X"/><channel name="Y"/>
+      <intermittentChannels><channel name="F" max="2"/></intermittentChannels></traceFormat></context>
+    <context xml:id="c" inkSourceRef="#s"/></definitions>
+    <traceGroup contextRef="#b"><traceGroup><trace>1 2 1, 3 4</trace></traceGroup>
+      <trace contextRef="#a" timeOffset="500">1 2 100, 3 4 250</trace></traceGroup>
+    <trace contextRef="#c">5 6 0</trace><trace type="penUp" contextRef="#c">5 6 0, 7 8 0</trace>)"));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4");
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.pressure = true}));
+  EXPECT_EQ(file.strokes[0].samples[0].pen.pressure, 0.5F);
+  EXPECT_EQ(places(file.strokes[1]), "2 1, 4 3");
+  EXPECT_EQ(file.strokes[1].fields, (PenFields{.time = true}));
+  EXPECT_DOUBLE_EQ(file.strokes[1].samples[1].time, 0.75);
+  EXPECT_EQ(places(file.strokes[2]), "6 5");
+  EXPECT_EQ(file.hovering, 2u);
+  EXPECT_EQ(file.unit, "");
+}
+
+TEST(ReadInkml, HasUnitsOfChannelsAndOfOfficePrograms) {
+  const std::string format = R"(<traceFormat><channel name="X" units="cm"/><channel name="Y" units="cm"/>
+      <channel name="OTx" units="deg"/><channel name="OTy" units="deg"/></traceFormat>
+      <channelProperties><channelProperty channel="X" name="resolution" value="100" units="1/cm"/>
+      <channelProperty channel="Y" name="resolution" value="50" units="1/cm"/>
+      <channelProperty channel="OTx" name="resolution" value="100" units="1/deg"/></channelProperties>)";
+  const std::string trace = "<trace contextRef=\"#c\">100 200 3719 -10</trace>";
+  const PenFile device = PenFileFolder().read(
+      ink("<context xml:id=\"c\"><inkSource>" + format + "</inkSource></context>" + trace));
+  EXPECT_EQ(device.unit, "mm");
+  EXPECT_EQ(places(device.strokes.at(0)), "10 40");
+  EXPECT_NEAR(device.strokes[0].samples[0].pen.tilt_x, 37.19 * std::numbers::pi / 180, 1e-6);
+  EXPECT_NEAR(device.strokes[0].samples[0].pen.tilt_y, -10 * std::numbers::pi / 180, 1e-6);
+  const std::string office =
+      "<context xml:id=\"c\"><inkSource xml:id=\"inkSrc0\">" + format + "</inkSource></context>";
+  EXPECT_EQ(places(PenFileFolder().read(ink(office + trace)).strokes.at(0)), "1 2");
+  const PenFile flat =
+      PenFileFolder().read(ink(office + "<trace contextRef=\"#c\">100 200 0 0,1 2 0 0</trace>"));
+  EXPECT_FALSE(flat.strokes.at(0).fields.tilt) << "not measured";
+}
+
+TEST(ReadInkml, HasTheUpperEndWhereAzimuthAndElevationSay) {
+  const PenFile file = PenFileFolder().read(ink(R"(<traceFormat><channel name="X"/><channel name="Y"/>
+    <channel name="OA" units="deg"/><channel name="OE" units="deg"/></traceFormat>
+    <trace>0 0 0 60, 0 0 90 60, 0 0 180 90</trace>)"));
+  const auto& samples = file.strokes.at(0).samples;
+  EXPECT_NEAR(samples[0].pen.tilt_x, std::numbers::pi / 6, 1e-6);
+  EXPECT_NEAR(samples[0].pen.tilt_y, 0, 1e-6);
+  EXPECT_NEAR(samples[1].pen.tilt_x, 0, 1e-6);
+  EXPECT_NEAR(samples[1].pen.tilt_y, std::numbers::pi / 6, 1e-6);
+  EXPECT_NEAR(samples[2].pen.tilt_x, 0, 1e-6);
+}
+
+TEST(ReadInkml, NamesTheLineOfAFault) {
+  const PenFileFolder folder;
+  EXPECT_EQ(folder.complaint(ink("<trace>1 2,\n3</trace>")), "3: a point of 1 values, its format has 2");
+  EXPECT_EQ(folder.complaint(ink("<trace>1 2 3</trace>")),
+            "3: a point of more than the 2 channels of its format");
+  EXPECT_EQ(folder.complaint(ink("\n<trace>1 x</trace>")), "4: expected a number, found 'x'");
+  EXPECT_EQ(folder.complaint(ink("<trace>1 ?</trace>")), "3: a point without X or Y");
+  EXPECT_EQ(folder.complaint(ink("<trace>1e999 2</trace>")), "3: expected a number, found '1e999 2'");
+  EXPECT_EQ(
+      folder.complaint(ink("<context xml:id=\"a\"><traceFormat><channel name=\"X\"/></traceFormat></context>"
+                           "<trace contextRef=\"#b\">1</trace>")),
+      "3: names '#b', which has no format");
+  EXPECT_EQ(folder.complaint("<ink>\n<trace>1 2</trac"), "2: malformed XML: Start-end tags mismatch");
+  std::string deep;
+  for (int i = 0; i < 300; ++i) deep += "<traceGroup>\n";
+  for (int i = 0; i < 300; ++i) deep += "</traceGroup>";
+  EXPECT_EQ(folder.complaint(ink(deep)), "203: nested deeper than 200 elements");
+  const std::string laughs = "<!DOCTYPE ink [<!ENTITY a \"1 2,\">]><ink><trace>&a;</trace></ink>";
+  EXPECT_NE(folder.complaint(laughs), "accepted") << "entities of the file are not expanded";
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,61 @@
+#include "ink/kinds/bytes.h"
+#include "ink/pen_files.h"
+
+namespace burin {
+namespace {
+
+using test::Bytes;
+using test::PenFileFolder;
+using test::places;
+
+std::string with_length(std::string_view content) {
+  return Bytes().add_varint(content.size()).add_text(content).text();
+}
+
+std::string stream_of(const std::string& tags) { return std::string(1, '\0') + with_length(tags); }
+
+/// Two points with pressure, in arrays of 8 and 9 bits: 10 20, 30 -40, 51 255 of 255.
+std::string ink() {
+  constexpr char descriptor = 5, metrics = 25, scale = 17, stroke = 10, pressure = 56;
+  Bytes bytes;
+  bytes.add(descriptor).add_text(with_length(std::string(1, pressure)));
+  bytes.add(metrics).add_text(
+      with_length(pressure + with_length(Bytes().add_varint(0).add_varint(510).text())));
+  bytes.add(scale).add(100.F);
+  bytes.add(stroke).add_text(
+      with_length("\x02" + std::string("\x08\x0a\x14\x08\x1e\xd8\x09\x19\xbf\xc0", 10)));
+  return stream_of(bytes.text());
+}
+
+std::string gif_of(const std::string& comment) {
+  return std::string("GIF89a\1\0\1\0\0\0\0", 13) + "\x21\xFE" + with_length(comment) + std::string(1, '\0') +
+         ";";
+}
+
+TEST(ReadIsf, HasTheSameInEachWrapping) {
+  for (const std::string& text : {ink(), ink() + "an older, longer file", gif_of(ink())}) {
+    const PenFile file = PenFileFolder().read(text);
+    EXPECT_EQ(file.kind, "isf");
+    ASSERT_EQ(file.strokes.size(), 1u);
+    EXPECT_EQ(places(file.strokes[0]), "10 30, 20 -40");
+    EXPECT_EQ(file.strokes[0].fields, PenFields{.pressure = true});
+    EXPECT_FLOAT_EQ(file.strokes[0].samples[0].pen.pressure, 51 / 255.F);
+    EXPECT_EQ(file.strokes[0].samples[1].pen.pressure, 1.F);
+  }
+  EXPECT_EQ(PenFileFolder().read("base64:AAcKBQEICggU").strokes.size(), 1u);
+}
+
+TEST(ReadIsf, NamesTheByteOfAFault) {
+  const PenFileFolder folder;
+  EXPECT_EQ(folder.complaint(stream_of("\x0a" + with_length("\xff\xff\xff\xff\x07"))),
+            "byte 9: more points are told than bytes can hold");
+  const std::string more = Bytes().add_varint((1U << 20) + 1).add_text(std::string(1U << 18, '\0')).text();
+  EXPECT_EQ(folder.complaint(stream_of("\x0a" + with_length(more))),
+            "byte 11: a file of more than 1048576 points");
+  EXPECT_EQ(folder.complaint("GIF89a" + std::string(7, '\0') + ";"),
+            " a GIF without a comment, which would have the strokes");
+  EXPECT_EQ(folder.complaint("base64:?"), " a letter that is none of base64");
+}
+
+}  // namespace
+}  // namespace burin

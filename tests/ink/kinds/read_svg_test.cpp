@@ -1,0 +1,49 @@
+#include "ink/pen_files.h"
+
+namespace burin {
+namespace {
+
+using test::PenFileFolder;
+using test::places;
+
+std::string svg(const std::string& content) {
+  return "<?xml version=\"1.0\"?>\n<!DOCTYPE svg>\n<svg:svg xmlns:svg=\"http://www.w3.org/2000/svg\">\n" +
+         content + "</svg:svg>\n";
+}
+
+TEST(ReadSvg, FollowsLines) {
+  const PenFile file = PenFileFolder().read(svg(R"svg(<svg:g transform="translate(10,20) scale(2)">
+    <path transform="rotate(90)" d="M1-2.5l1.5.5 2,3 H7v-1z m1 1 2 2M9 9"/></svg:g>
+    <polyline points="0,0 1,2 3 4"/><defs><path d="M0 0L5 5"/></defs>)svg"));
+  ASSERT_EQ(file.strokes.size(), 3u) << "a move alone is none";
+  EXPECT_EQ(file.strokes[0].samples.size(), 6u);
+  EXPECT_EQ(places(file.strokes[0]), "15 22, 14 25, 8 29, 8 34, 10 34, 15 22");
+  EXPECT_EQ(places(file.strokes[1]), "13 24, 9 28") << "a closed path leaves the pen at its start";
+  EXPECT_EQ(places(file.strokes[2]), "0 0, 1 2, 3 4");
+  EXPECT_EQ(file.strokes[0].fields, PenFields());
+}
+
+TEST(ReadSvg, GivesChordsOfCurves) {
+  const PenFile file = PenFileFolder().read(svg(
+      R"(<path d="M0 0C0 8 8 8 8 0S16-8 16 0"/><path d="M0,0Q4,8 8,0T16,0"/><path d="M-5 0A5 5 0 015 0"/>)"));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  ASSERT_EQ(file.strokes[0].samples.size(), 17u);
+  EXPECT_EQ(file.strokes[0].samples[4].position, Vec3d(4, 6, 0));
+  EXPECT_EQ(file.strokes[0].samples[12].position, Vec3d(12, -6, 0));
+  EXPECT_EQ(file.strokes[1].samples[4].position, Vec3d(4, 4, 0));
+  EXPECT_EQ(file.strokes[1].samples[12].position, Vec3d(12, -4, 0));
+  ASSERT_EQ(file.strokes[2].samples.size(), 9u);
+  for (const Sample& sample : file.strokes[2].samples) EXPECT_NEAR(sample.position.norm(), 5, 1e-12);
+  EXPECT_NEAR(file.strokes[2].samples[4].position.y(), -5, 1e-12) << "clockwise on the screen";
+}
+
+TEST(ReadSvg, NamesTheLineOfAFault) {
+  const PenFileFolder folder;
+  EXPECT_EQ(folder.complaint(svg("<path d=\"M0 0L1\"/>")), "4: expected a number in a path, found ''");
+  EXPECT_EQ(folder.complaint(svg("\n<path d=\"M0 0X\"/>")), "5: no command of a path: 'X'");
+  EXPECT_EQ(folder.complaint(svg("<g transform=\"skewX(3)\"/>")),
+            "4: a transform that is not known: 'skewX'");
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,43 @@
+#include "ink/kinds/bytes.h"
+#include "ink/pen_files.h"
+
+namespace burin {
+namespace {
+
+using test::Bytes;
+using test::PenFileFolder;
+
+/// A sketch with one stroke that tells `told` points and has one.
+std::string sketch(std::uint32_t told) {
+  Bytes bytes;
+  bytes.add(0xc576a5cdU).add(5).add(0).add(4U).add_text("more").add(1);
+  bytes.add(0).add(1.F).add(0.F).add(0.F).add(1.F).add(0.5F);            // brush, colour, size
+  bytes.add(0x10003U).add(3U).add(0U).add(2.F).add(3U).add_text("xyz");  // masks, flags, scale, an extension
+  bytes.add(told).add(1.F).add(2.F).add(3.F).add(0.F).add(0.F).add(0.F).add(1.F).add(0.25F).add(1500U);
+  return bytes.text();
+}
+
+TEST(ReadTilt, HasPointsInSpace) {
+  const PenFile file = PenFileFolder().read(sketch(1));
+  EXPECT_EQ(file.kind, "tilt");
+  ASSERT_EQ(file.strokes.size(), 1u);
+  const PenStroke& stroke = file.strokes[0];
+  EXPECT_TRUE(stroke.has_z);
+  EXPECT_EQ(stroke.fields, (PenFields{.time = true, .pressure = true}));
+  ASSERT_EQ(stroke.samples.size(), 1u);
+  EXPECT_EQ(stroke.samples[0].position, Vec3d(1, -2, 3)) << "y down";
+  EXPECT_EQ(stroke.samples[0].time, 1.5);
+  EXPECT_EQ(stroke.samples[0].pen.pressure, 0.25F);
+  EXPECT_EQ(stroke.widths, std::vector<float>{1}) << "size by scale";
+}
+
+TEST(ReadTilt, NamesTheByteOfAFault) {
+  const PenFileFolder folder;
+  EXPECT_EQ(folder.complaint(sketch(0x80000000U)), "byte 75: 2147483648 items are told, 36 bytes follow");
+  EXPECT_EQ(folder.complaint(sketch(1) + "!"), "byte 111: bytes follow the last stroke");
+  EXPECT_EQ(folder.complaint("tilT" + std::string(12, '\0')),
+            " cannot be unpacked: Unrecognized archive format");
+}
+
+}  // namespace
+}  // namespace burin

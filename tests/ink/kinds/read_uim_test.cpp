@@ -1,0 +1,115 @@
+#include <cmath>
+
+#include "ink/kinds/bytes.h"
+#include "ink/pen_files.h"
+
+namespace burin {
+namespace {
+
+using test::Bytes;
+using test::PenFileFolder;
+using test::places;
+using test::riff;
+using test::zigzags;
+
+std::string channel(const char* id, const char* type, double resolution, std::uint64_t precision) {
+  return Bytes()
+      .add_field(1, id)
+      .add_field(2, std::string("will://input/3.0/channel/") + type)
+      .add_field(4, resolution)
+      .add_field(7, precision)
+      .text();
+}
+
+std::string numbers(const char* id, std::initializer_list<std::int64_t> values) {
+  return Bytes().add_field(1, id).add_field(2, zigzags(values)).text();
+}
+
+/// Sensors of a pen with a clock, and of a microphone with another.
+std::string contexts() {
+  const std::string pen = Bytes()
+                              .add_field(2, channel("x", "X", 96 / 0.0254, 1))
+                              .add_field(2, channel("y", "Y", 96 / 0.0254, 1))
+                              .add_field(2, channel("t", "Timestamp", 1000, 0))
+                              .add_field(2, channel("p", "Pressure", 1, 2))
+                              .add_field(5, "pen")
+                              .text();
+  const std::string microphone = Bytes().add_field(2, channel("u", "Timestamp", 1000, 0)).text();
+  const std::string context = Bytes().add_field(2, pen).add_field(2, microphone).text();
+  return Bytes()
+      .add_field(2, Bytes().add_field(1, "pen").add_field(2, std::uint64_t{2}).text())
+      .add_field(5, context)
+      .text();
+}
+
+std::string data(std::uint64_t state, std::initializer_list<std::int64_t> x,
+                 std::initializer_list<std::int64_t> y) {
+  return Bytes()
+      .add_field(3, state)
+      .add_field(4, std::uint64_t{1600000000500})
+      .add_field(5, numbers("u", {7}))
+      .add_field(5, numbers("x", x))
+      .add_field(5, numbers("y", y))
+      .add_field(5, numbers("t", {0, 8}))
+      .add_field(5, numbers("p", {50, -25}))
+      .text();
+}
+
+std::string input(const std::string& sensor_data) {
+  return Bytes().add_field(1, contexts()).add_field(2, sensor_data).text();
+}
+
+TEST(ReadUim, HasWhatTheSensorsMeasured) {
+  const std::string message = input(data(0, {10, 20}, {30, -5}));
+  for (const std::string& text :
+       {riff("UINK", "INPT", message), riff("UINK", "DATA", Bytes().add_field(1, message).text())}) {
+    const PenFile file = PenFileFolder().read(text);
+    EXPECT_EQ(file.kind, "uim");
+    ASSERT_EQ(file.strokes.size(), 1u);
+    const PenStroke& stroke = file.strokes[0];
+    EXPECT_EQ(places(stroke), "1 3, 3 2.5");
+    EXPECT_EQ(stroke.fields, (PenFields{.time = true, .pressure = true}));
+    EXPECT_EQ(stroke.tool, "mouse");
+    EXPECT_DOUBLE_EQ(stroke.samples[1].time, 1600000000.508);
+    EXPECT_EQ(stroke.samples[1].pen.pressure, 0.25F);
+  }
+}
+
+TEST(ReadUim, LeavesHoveringOut) {
+  const PenFile file = PenFileFolder().read(riff("UINK", "INPT", input(data(1, {10, 20}, {30, -5}))));
+  EXPECT_TRUE(file.strokes.empty());
+  EXPECT_EQ(file.hovering, 2u);
+}
+
+TEST(ReadUim, NamesTheByteOfAFault) {
+  const PenFileFolder folder;
+  const auto complaint = [&](const std::string& message) {
+    return folder.complaint(riff("UINK", "INPT", message));
+  };
+  EXPECT_NE(complaint(input(data(0, {10, 20}, {30}))).find("X and Y differ in their counts"),
+            std::string::npos);
+  EXPECT_EQ(complaint("\x0a\x7f"), "byte 22: 127 bytes are told, 0 follow");
+  EXPECT_EQ(complaint("\x0f"), "byte 21: no field of a message");
+  EXPECT_EQ(folder.complaint(Bytes().add_text("RIFFxxxxUINKINPT").add(0x80000000U).text()),
+            "byte 20: 2147483648 bytes are told, 0 follow");
+}
+
+TEST(ReadUimJson, HasTheSame) {
+  const PenFile file = PenFileFolder().read(R"({"inputData": {"inputContextData": {"sensorContexts": [
+    {"sensorChannelsContext": [{"channels": [{"id": "x", "type": "a/X", "precision": 1}, {"id": "y", "type": "a/Y"},
+    {"id": "t", "type": "a/Timestamp", "resolution": 1000}, {"id": "l", "type": "a/Altitude", "precision": 2},
+    {"id": "z", "type": "a/Azimuth"}]}]}]}, "sensorData": [{"timestamp": "1600000000500", "dataChannels": [
+    {"sensorChannelID": "x", "values": [10, 20]}, {"sensorChannelID": "y", "values": [3, -1]},
+    {"sensorChannelID": "t", "values": [0, 8]}, {"sensorChannelID": "l", "values": [100, 0]},
+    {"sensorChannelID": "z", "values": [0, 0]}]}]}})");
+  EXPECT_EQ(file.kind, "uim_json");
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "1 3, 3 2");
+  EXPECT_DOUBLE_EQ(file.strokes[0].samples[1].time, 1600000000.508);
+  // The upper end leans to +x: the tilt there is what is missing to upright.
+  EXPECT_NEAR(file.strokes[0].samples[0].pen.tilt_x, M_PI / 2 - 1, 1e-6);
+  EXPECT_NEAR(file.strokes[0].samples[0].pen.tilt_y, 0, 1e-6);
+}
+
+}  // namespace
+}  // namespace burin

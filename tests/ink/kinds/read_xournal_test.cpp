@@ -1,0 +1,60 @@
+#include "ink/pen_files.h"
+#include "support/process.h"
+
+namespace burin {
+namespace {
+
+using test::PenFileFolder;
+using test::places;
+
+std::string page(const std::string& strokes) {
+  return "<?xml version=\"1.0\" standalone=\"no\"?>\n<xournal version=\"0.4.5\">\n<page width=\"595\" "
+         "height=\"842\">\n"
+         "<layer/>\n<layer>\n" +
+         strokes + "</layer>\n</page>\n</xournal>\n";
+}
+
+TEST(ReadXournal, HasPositionsAndWidths) {
+  const PenFile file = PenFileFolder().read(page(R"(<stroke tool="pen" width="2 1 1.5">1 2
+3 4	5 6 </stroke><stroke width="1.41">7 8</stroke><stroke width="2 nan -1">1 1 2 2 3 3</stroke>)"));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4, 5 6");
+  EXPECT_EQ(file.strokes[0].widths, (std::vector<float>{1, 1.5, 1.5})) << "the last point has no segment";
+  EXPECT_EQ(file.strokes[0].fields, PenFields()) << "widths are no pressure";
+  EXPECT_EQ(file.strokes[0].layer, 2u);
+  EXPECT_EQ(file.strokes[1].widths, std::vector<float>{1.41F});
+  EXPECT_EQ(file.strokes[2].widths, (std::vector<float>{2, 2, 2})) << "those of a damaged file are unknown";
+  EXPECT_EQ(file.unit, "pt");
+}
+
+TEST(ReadXournal, UnpacksGzipAndXz) {
+  const PenFileFolder folder;
+  for (const char* program : {"gzip", "xz"}) {
+    const auto path = folder.write("a.xopp", page("<stroke width=\"1\">1 2</stroke>"));
+    ASSERT_EQ(test::run_process({program, path.string()}).exit_code, 0);
+    const auto packed = path.string() + (program == std::string("gzip") ? ".gz" : ".xz");
+    EXPECT_EQ(read_pen_file(packed).strokes.size(), 1u);
+    std::string cut = read_file(packed);
+    cut.resize(cut.size() - 20);
+    EXPECT_NE(folder.complaint(cut), "accepted");
+  }
+}
+
+TEST(ReadXournal, RefusesWhatUnpacksToTooMuch) {
+  const PenFileFolder folder;
+  const auto path = folder.write("a.xopp", page(std::string(100'000'000, ' ')));
+  ASSERT_EQ(test::run_process({"gzip", path.string()}).exit_code, 0);
+  EXPECT_EQ(folder.complaint(read_file(path.string() + ".gz")), " unpacks to more than 64 MiB");
+}
+
+TEST(ReadXournal, NamesTheLineOfAFault) {
+  const PenFileFolder folder;
+  EXPECT_EQ(folder.complaint(page("\n<stroke width=\"1\">1 2 3</stroke>")),
+            "7: a stroke with an x without y");
+  EXPECT_EQ(folder.complaint(page("<stroke width=\"1\">1 nan</stroke>")),
+            "6: expected a coordinate, found 'nan'");
+  EXPECT_EQ(folder.complaint("PK\x03\x04zz").substr(0, 21), " cannot be unpacked: ");
+}
+
+}  // namespace
+}  // namespace burin
