@@ -10,6 +10,7 @@
 #include "cage_file.h"
 #include "ewer_cage.h"
 #include "plait.h"
+#include "sample_recordings.h"
 #include "sample_strokes.h"
 #include "scales_stamp.h"
 #include "thorn_stamp.h"
@@ -20,7 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 void write_samples(const fs::path& folder) {
-  for (const char* name : {"meshes", "strokes", "stamps"}) fs::create_directories(folder / name);
+  for (const char* name : {"meshes", "strokes", "recordings", "stamps"})
+    fs::create_directories(folder / name);
   const burin::PolygonMesh cage = burin::samples::ewer_cage();
   burin::samples::write_cage(folder / "meshes/ewer.obj", "A ewer, to be refined by Catmull-Clark", cage);
   burin::samples::write_cage(folder / "meshes/plait.obj", "A period of a plait, to be bent along strokes",
@@ -32,6 +34,7 @@ void write_samples(const fs::path& folder) {
   // radius R bulges by e^2 / 8R, about 0.011^2 / (8 * 0.7).
   const auto ewer = burin::make_surface(burin::refine(cage, burin::SubdivisionScheme::catmull_clark, 4));
   burin::samples::write_sample_strokes(folder / "strokes", ewer);
+  burin::samples::write_recordings(folder / "recordings", ewer);
 }
 
 }  // namespace

@@ -118,6 +118,15 @@ void write_on_body(const fs::path& path, const Picker& picker, std::pair<double,
   write_stroke(path, StrokeSpace::object, {}, stroke, 1e5);
 }
 
+void write_scroll(const fs::path& path, const Surface& ewer, const BrushUse& use, const PenStyle& style) {
+  const PenPath on_screen = [](double u) -> Vec3d {
+    return Vec3d(673, 528, 0) + 170 * scroll_at(u).cwiseProduct(Vec3d(1, -1, 0));
+  };
+  write_stroke(path, StrokeSpace::screen, side_camera(ewer), drawn(use, on_screen, style), 1e2);
+}
+
+}  // namespace
+
 Camera side_camera(const Surface& ewer) {
   Vec3f low = ewer.positions.front(), high = low;
   for (const Vec3f& p : ewer.positions) {
@@ -132,15 +141,6 @@ Camera side_camera(const Surface& ewer) {
     *matrix = matrix->unaryExpr([](double x) { return rounded(x, 1e9); });
   return camera;
 }
-
-void write_scroll(const fs::path& path, const Surface& ewer, const BrushUse& use, const PenStyle& style) {
-  const PenPath on_screen = [](double u) -> Vec3d {
-    return Vec3d(673, 528, 0) + 170 * scroll_at(u).cwiseProduct(Vec3d(1, -1, 0));
-  };
-  write_stroke(path, StrokeSpace::screen, side_camera(ewer), drawn(use, on_screen, style), 1e2);
-}
-
-}  // namespace
 
 void write_sample_strokes(const fs::path& folder, const Surface& ewer) {
   const Picker picker(ewer);

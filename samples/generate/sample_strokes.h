@@ -1,9 +1,13 @@
 #pragma once
+#include <burin/stroke/camera.h>
 #include <burin/surface/surface.h>
 
 #include <filesystem>
 
 namespace burin::samples {
+
+/// Looks at the belly of the ewer, 1280 x 960 pixels.
+Camera side_camera(const Surface& ewer);
 
 /// Writes the sample strokes on the ewer: meander.stroke (groove, once around the shoulder, down past the
 /// handle and once around the foot), scale_band.stroke (scales, around the belly between the two),

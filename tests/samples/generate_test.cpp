@@ -29,7 +29,7 @@ const fs::path& generated() {
 /// The sample files of a folder by relative path.
 std::map<std::string, fs::path> sample_files(const fs::path& root) {
   std::map<std::string, fs::path> files;
-  for (const char* kind : {"meshes", "strokes", "stamps"})
+  for (const char* kind : {"meshes", "strokes", "recordings", "stamps"})
     for (const auto& entry : fs::recursive_directory_iterator(root / kind))
       if (entry.is_regular_file()) files[fs::relative(entry.path(), root).string()] = entry.path();
   return files;
@@ -37,7 +37,7 @@ std::map<std::string, fs::path> sample_files(const fs::path& root) {
 
 TEST(Generator, WritesTheCommittedFilesAndNoOthers) {
   const auto expected = sample_files(committed), written = sample_files(generated());
-  ASSERT_EQ(expected.size(), 11u);
+  ASSERT_EQ(expected.size(), 31u);
   for (const auto& [name, path] : expected) EXPECT_TRUE(written.contains(name)) << name;
   EXPECT_EQ(written.size(), expected.size());
 }

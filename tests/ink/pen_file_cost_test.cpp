@@ -1,0 +1,94 @@
+// Measures the reading of large files, in a process of its own.
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <iostream>
+
+#include "ink/pen_files.h"
+
+namespace burin {
+namespace {
+
+constexpr std::size_t most_samples = 1'000'000;
+
+Sample numbered(std::size_t number) {
+  const double x = static_cast<double>(number);
+  return {x / 200, {x / 64 - 1000, 500 - x / 128, 0}, {static_cast<float>(number % 1024) / 1024}};
+}
+
+std::string csv_text() {
+  std::string text = "stroke,x,y,time,pressure\n";
+  for (std::size_t i = 0; i < most_samples; ++i) {
+    const Sample s = numbered(i);
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", i / 1000, s.position.x(), s.position.y(),
+                   s.time, s.pen.pressure);
+  }
+  return text;
+}
+
+std::string inkml_text() {
+  std::string text =
+      "<ink><traceFormat><channel name=\"X\"/><channel name=\"Y\"/><channel name=\"T\" units=\"s\"/>"
+      "<channel name=\"F\" max=\"1\"/></traceFormat>";
+  for (std::size_t i = 0; i < most_samples; ++i) {
+    const Sample s = numbered(i);
+    if (i % 1000 == 0) text += "<trace>";
+    fmt::format_to(std::back_inserter(text), "{} {} {} {}", s.position.x(), s.position.y(), s.time,
+                   s.pen.pressure);
+    text += i % 1000 == 999 ? "</trace>\n" : ",";
+  }
+  return text + "</ink>";
+}
+
+struct Cost {
+  double seconds = 0, megabytes = 0;
+  bool right = false;
+};
+
+/// Reads the file in a child process, whose memory is all its own.
+Cost cost_of_reading(const std::filesystem::path& path) {
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("pipe");
+  const pid_t child = fork();
+  if (child == 0) {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const long before = usage.ru_maxrss;
+    const auto start = std::chrono::steady_clock::now();
+    const PenFile file = read_pen_file(path);
+    Cost cost;
+    cost.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    getrusage(RUSAGE_SELF, &usage);
+    cost.megabytes = static_cast<double>(usage.ru_maxrss - before) / 1024;
+    const Sample &last = file.strokes.back().samples.back(), expected = numbered(most_samples - 1);
+    cost.right =
+        file.strokes.size() == 1000 && last.position == expected.position && last.time == expected.time;
+    const bool told = write(ends[1], &cost, sizeof cost) == sizeof cost;
+    _exit(told ? 0 : 1);
+  }
+  Cost cost;
+  EXPECT_EQ(read(ends[0], &cost, sizeof cost), static_cast<ssize_t>(sizeof cost));
+  waitpid(child, nullptr, 0);
+  close(ends[0]);
+  close(ends[1]);
+  return cost;
+}
+
+void expect_cheap(const std::string& text) {
+  const test::PenFileFolder folder;
+  const std::filesystem::path path = folder.write("million", text);
+  const Cost cost = cost_of_reading(path);
+  std::cout << cost.seconds << " s, " << cost.megabytes << " MB\n";
+  EXPECT_TRUE(cost.right);
+  EXPECT_LT(cost.seconds, 3) << "well below 1 when nothing else runs";
+  EXPECT_LT(cost.megabytes, 200);
+}
+
+TEST(PenFileCost, OfAMillionSamplesOfCsvIsSmall) { expect_cheap(csv_text()); }
+TEST(PenFileCost, OfAMillionSamplesOfInkmlIsSmall) { expect_cheap(inkml_text()); }
+
+}  // namespace
+}  // namespace burin
