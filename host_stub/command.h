@@ -12,5 +12,6 @@ void add_list(CLI::App& app);
 void add_stamp(CLI::App& app);
 void add_import(CLI::App& app);
 void add_bench(CLI::App& app);
+void add_validate(CLI::App& app);
 
 }  // namespace burin::command

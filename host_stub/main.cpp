@@ -56,5 +56,6 @@ int main(int argc, char** argv) {
   burin::command::add_stamp(app);
   burin::command::add_import(app);
   burin::command::add_bench(app);
+  burin::command::add_validate(app);
   return run(app, argc, argv);
 }
