@@ -3,9 +3,9 @@
 #include <burin/plugin/plugin.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace {
 
@@ -19,7 +19,7 @@ class Text : public Brush {
       .vendor = "Burin",
       .version = "1.0.0",
       .help = "Sets a line of text along the stroke, its top to the left of the direction of travel.",
-      .features = {"stamp", "vector"},
+      .features = {"stamp", "vector", BURIN_FEATURE_ONE_HANDED},
       .inputs = ink::inputs,
       .outputs = ink::outputs,
   };
@@ -85,28 +85,15 @@ class Text : public Brush {
   }
 
   void evaluate(const Batch& in, const Outputs& out) const override {
-    const Cells cells(in);
-    const ink::Ink ink(in, out);
     const Row row = lay_out(in.stroke);
-    std::vector<float> covered(in.size()), rise(in.size());
-    const auto sample = [&](bool sloped, std::vector<float>& values) {
-      const auto area = [&](std::size_t i) {
-        Cell cell = cells[i];
-        for (float* side : {&cell.footprint_t, &cell.footprint_d})
-          if (sloped) *side = ink.slope(i, *side);
-        return seen(in.stroke, row, cell);
-      };
-      lettering_.stamp().sample(in.size(), area, FloatsOut(values.data(), 1));
-    };
-    sample(false, covered);
-    sample(true, rise);  // blurring a letter gives its edge a slope
-    for (std::size_t i = 0; i < in.size(); ++i) {
-      const float fade = rim_factor(in.stroke, cells[i].t, cells[i].d, cells[i].radius, 0.1f);
-      ink.draw_covered(i, covered[i] * fade, rise[i] * fade);
-    }
+    for (std::size_t first = 0; first < in.size(); first += block)
+      draw(in, out, row, first, std::min(block, in.size() - first));
   }
 
  private:
+  /// Elements at a time, whose samples fit on the stack.
+  static constexpr std::size_t block = 256;
+
   static const char* written(const char* line) {
     if (!*line) throw Error("there is nothing to write: parameter 'text' is empty");
     return line;
@@ -116,6 +103,29 @@ class Text : public Brush {
   struct Row {
     double first, pitch, count;
   };
+
+  /// Draws `count` elements from `first` on, at most a block.
+  void draw(const Batch& in, const Outputs& out, const Row& row, std::size_t first, std::size_t count) const {
+    const Cells cells(in);
+    const ink::Ink ink(in, out);
+    std::array<float, block> covered, rise;
+    const auto sample = [&](bool sloped, std::array<float, block>& values) {
+      const auto area = [&](std::size_t i) {
+        Cell cell = cells[first + i];
+        for (float* side : {&cell.footprint_t, &cell.footprint_d})
+          if (sloped) *side = ink.slope(first + i, *side);
+        return seen(in.stroke, row, cell);
+      };
+      lettering_.stamp().sample(count, area, FloatsOut(values.data(), 1));
+    };
+    sample(false, covered);
+    sample(true, rise);  // blurring a letter gives its edge a slope
+    for (std::size_t i = 0; i < count; ++i) {
+      const Cell cell = cells[first + i];
+      const float fade = rim_factor(in.stroke, cell.t, cell.d, cell.radius, 0.1f);
+      ink.draw_covered(first + i, covered[i] * fade, rise[i] * fade);
+    }
+  }
 
   Row lay_out(const Stroke& stroke) const {
     const double width = lettering_.info().width * em_, length = stroke.length();

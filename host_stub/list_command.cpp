@@ -13,6 +13,7 @@
 #include "command.h"
 #include "input/brush_folder.h"
 #include "system/console.h"
+#include "validate/badge.h"
 
 namespace burin::command {
 namespace {
@@ -104,6 +105,7 @@ Json brush_json(const BrushEntry& entry) {
   const burin_brush_descriptor& brush = *entry.descriptor;
   Json params = Json::array();
   for (std::uint32_t i = 0; i < brush.param_count; ++i) params.push_back(param_json(*brush.params[i]));
+  const auto validated = validate::badge_level(entry.module);
   return {{"id", brush.id},
           {"name", brush.name},
           {"vendor", text_or_empty(brush.vendor)},
@@ -111,6 +113,7 @@ Json brush_json(const BrushEntry& entry) {
           {"help", text_or_empty(brush.help)},
           {"overlap", name_of(named_overlaps, overlap_of(brush))},
           {"module", entry.module.string()},
+          {"validated", validated ? Json(*validated) : Json()},
           {"params", params}};
 }
 
@@ -127,6 +130,8 @@ void print_brush(const BrushEntry& entry) {
   write_result(fmt::format("{}  {} {}\n  {}\n", brush.id, brush.name, text_or_empty(brush.version),
                            entry.module.string()));
   if (brush.help) write_result(fmt::format("  {}\n", brush.help));
+  if (const auto level = validate::badge_level(entry.module))
+    write_result(fmt::format("  validated: level {}\n", *level));
   write_result(fmt::format("  overlap: {}\n", name_of(named_overlaps, overlap_of(brush))));
   for (std::uint32_t i = 0; i < brush.param_count; ++i) {
     const burin_param_info& param = *brush.params[i];

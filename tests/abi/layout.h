@@ -136,7 +136,7 @@
   MEMBER(burin_outputs, up, 40) \
   MEMBER(burin_outputs, mask, 56) \
   MEMBER(burin_outputs, colour, 72) \
-  STRUCT(burin_brush_descriptor, 88) \
+  STRUCT(burin_brush_descriptor, 96) \
   MEMBER(burin_brush_descriptor, struct_size, 0) \
   MEMBER(burin_brush_descriptor, param_count, 4) \
   MEMBER(burin_brush_descriptor, id, 8) \
@@ -150,6 +150,8 @@
   MEMBER(burin_brush_descriptor, outputs_written, 72) \
   MEMBER(burin_brush_descriptor, overlap, 80) \
   MEMBER(burin_brush_descriptor, reserved, 84) \
+  MEMBER(burin_brush_descriptor, rim_slope, 88) \
+  MEMBER(burin_brush_descriptor, reserved2, 92) \
   STRUCT(burin_stroke_plan, 16) \
   MEMBER(burin_stroke_plan, struct_size, 0) \
   MEMBER(burin_stroke_plan, passes, 4) \

@@ -4,7 +4,8 @@
  *  - Lengths are in object units of the mesh, angles in radians, time in seconds, pressure in 0..1.
  *  - Every struct that may grow starts with `uint32_t struct_size`, set by whoever fills the struct.
  *    A reader reads a member only if struct_size covers it (BURIN_HAS). A missing member has the default
- *    that its comment states, else zero or null. Structs marked FROZEN never grow.
+ *    that its comment states, else zero or null. Structs marked FROZEN never grow. The least struct_size is
+ *    that of version 1.0; a reader refuses a smaller one.
  *  - Whoever allocates memory frees it. Buffers belong to the caller; text that a call returns lives until
  *    the object that returned it is destroyed.
  *  - Enumerations are int32_t or bit masks in uint64_t; the value 0 of an enumeration means "unknown".
@@ -13,6 +14,10 @@
  *      [stroke-thread]      the one thread that owns a stroke; different strokes may have different ones
  *      [any thread, concurrent]  at any time within the stated state, also several calls at once
  *  - No exception and no longjmp crosses the ABI.
+ *  - A call leaves the process as it was: locale, standard streams, signal handlers, working directory,
+ *    environment, rounding mode and the flushing of denormals. init, create and begin may read files;
+ *    evaluate and whatever else is marked concurrent must not open files or write to streams.
+ *  - Every call returns. A host may end a process whose call takes longer than 20 seconds.
  */
 #ifndef BURIN_ABI_BASE_H
 #define BURIN_ABI_BASE_H
@@ -26,7 +31,7 @@ extern "C" {
 
 /* A host refuses a plugin whose major version differs from its own. The minor version counts additions. */
 #define BURIN_ABI_MAJOR 1u
-#define BURIN_ABI_MINOR 1u
+#define BURIN_ABI_MINOR 2u
 
 #if defined(_WIN32)
 #define BURIN_CALL __cdecl
@@ -50,9 +55,9 @@ enum {
 };
 
 /* A buffer for one line of UTF-8 text that explains why a call failed. The caller owns `data`; the callee
- * writes at most `capacity` bytes including the terminating zero and truncates longer text. A null
- * burin_text* or a capacity of 0 means that the caller wants no text. The content is defined only when the
- * call failed. */
+ * writes at most `capacity` bytes including the terminating zero and cuts longer text, between characters. A
+ * null burin_text* or a capacity of 0 means that the caller wants no text. The content is defined only when
+ * the call failed. */
 typedef struct burin_text {
   uint32_t struct_size;
   uint32_t capacity; /* bytes */

@@ -6,8 +6,14 @@
  *   create -> { begin -> evaluate* -> end }* -> destroy
  *
  * Several strokes of one brush may be open at once, each with a `stroke` of its own; evaluate may run
- * on many threads at once for one stroke. evaluate is a pure function of context, parameters and batch:
- * the host may split nodes into batches as it likes, evaluate them in any order and evaluate them again.
+ * on many threads at once for one stroke. evaluate is a pure function of context, parameters, batch and of
+ * what begin made of the stroke, which may hold the brush's state (ext/state.h), contents of files and
+ * services of the host that do not change during a stroke: the host may split nodes into batches as it likes,
+ * evaluate them in any order and evaluate them again.
+ *
+ * Results follow the surface: a surface and stroke that are moved, mirrored or scaled, with parameters in
+ * units of length scaled too, get the same result moved, mirrored or scaled, within rounding. A brush for
+ * which that does not hold, since it looks at places in space or writes letters, says so by features.
  */
 #ifndef BURIN_ABI_BRUSH_H
 #define BURIN_ABI_BRUSH_H
@@ -35,21 +41,32 @@ enum {
   BURIN_OVERLAP_AVERAGE = 6    /* the mean of all sheets */
 };
 
+/* Features that mean something to a host; others are tags for people, "procedural", "stamp". Those that begin
+ * with "burin." are the ABI's. Each of these three excepts a brush from following the surface. */
+#define BURIN_FEATURE_FIXED_PLACE "burin.fixed-place" /* rotations and moves change the result */
+#define BURIN_FEATURE_ONE_HANDED "burin.one-handed"   /* mirroring changes the result */
+#define BURIN_FEATURE_FIXED_SCALE "burin.fixed-scale" /* scaling changes the result */
+
 /* Describes a brush. Owned by the plugin; lives from init to deinit. Ids and texts are UTF-8. */
 typedef struct burin_brush_descriptor {
   uint32_t struct_size;
   uint32_t param_count;
-  const char* id;   /* reverse DNS, "org.burin.groove": never changes */
+  const char* id;   /* reverse DNS, "org.burin.groove": never changes, unique among all brushes */
   const char* name; /* for people */
   const char* vendor;
   const char* version;                   /* of the brush, "1.2.0" */
   const char* help;                      /* one or two sentences; may be null */
-  const char* const* features;           /* tags such as "procedural", "stamp"; ended by a null pointer */
-  const burin_param_info* const* params; /* param_count pointers; their order is that of burin_params */
+  const char* const* features;           /* never null; ended by a null pointer */
+  const burin_param_info* const* params; /* param_count pointers; their order is that of burin_params;
+                                            null only if param_count is 0 */
   uint64_t inputs_read;                  /* BURIN_INPUT_* */
   uint64_t outputs_written;              /* BURIN_OUTPUT_* */
   burin_overlap overlap;                 /* since 1.1: default strongest; users may choose another */
   uint32_t reserved;                     /* since 1.1: 0 */
+  float rim_slope;    /* since 1.2: how steeply results rise from the rim, where the distance to the stroke is
+                         the radius and the surface stays as it is: a displacement is at most this number
+                         times the distance to the rim. 0, the default: not stated; infinity: steps */
+  uint32_t reserved2; /* since 1.2: 0 */
 } burin_brush_descriptor;
 
 /* What a stroke needs of the host. It may depend on the parameters, so begin() returns it. The host sets
@@ -57,11 +74,14 @@ typedef struct burin_brush_descriptor {
 typedef struct burin_stroke_plan {
   uint32_t struct_size;
   uint32_t passes;      /* >= 1, default 1: evaluate runs over the whole stroke once per pass, and the
-                           inputs position, laplacian and displacement are those after the previous pass */
+                           inputs position, laplacian, displacement and fine_position are those after the
+                           previous pass; mask, colour and all others do not change. A pass is no visit:
+                           what number the visit of a node has tells the input `sheet` */
   double end_influence; /* how far back from the end (object units, >= 0, default 0) the result depends
                            on context.length or BURIN_STROKE_FINAL; infinity is allowed. When either
                            changes, the host evaluates again all nodes with
-                           t > (previous length) - end_influence, round cap included */
+                           t > (previous length) - end_influence, round cap included. Where a stroke
+                           closes it evaluates all nodes again */
 } burin_stroke_plan;
 
 /* A brush and its functions. Made by burin_brush_factory.create. */

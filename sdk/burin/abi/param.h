@@ -26,7 +26,7 @@ enum {
 typedef int32_t burin_param_unit;
 enum {
   BURIN_UNIT_UNKNOWN = 0,
-  BURIN_UNIT_NONE = 1,   /* a plain number or ratio */
+  BURIN_UNIT_NONE = 1,   /* a plain number or ratio; also of types that are no numbers */
   BURIN_UNIT_RADIUS = 2, /* multiples of the stroke's radius */
   BURIN_UNIT_LENGTH = 3, /* object units */
   BURIN_UNIT_ANGLE = 4,  /* radians */
@@ -34,8 +34,11 @@ enum {
 };
 
 /* Declares a parameter. All text belongs to the plugin, is UTF-8 and lives as long as the descriptor that
- * points to this struct. The host never passes values outside the hard range; the soft range is what a
- * slider spans. Types other than FLOAT and INT have a range of their own and ignore both. */
+ * points to this struct. The host never passes NaN, infinities or values outside the hard range, neither
+ * to begin nor in the arrays of dynamic parameters; a brush need not check for them, and what it does with
+ * them is not defined. begin() checks what a range cannot say: files, texts, several values together. The
+ * soft range is what a slider spans. Types other than FLOAT and INT have a range of their own and ignore
+ * both. Ids are unique within a brush, those of choices within a parameter. */
 typedef struct burin_param_info {
   uint32_t struct_size;
   burin_param_type type;
@@ -43,15 +46,16 @@ typedef struct burin_param_info {
   const char* name; /* for people */
   const char* help; /* one sentence; may be null */
   burin_param_unit unit;
-  float hard_min, hard_max;    /* FLOAT, INT: may be infinite */
+  float hard_min, hard_max;    /* FLOAT, INT: may be infinite; values themselves are finite */
   float soft_min, soft_max;    /* FLOAT, INT: finite, within the hard range */
-  float default_number;        /* FLOAT, INT, BOOL, CHOICE */
+  float default_number;        /* FLOAT, INT, BOOL, CHOICE; FLOAT, INT: within the hard range */
   float default_colour[4];     /* COLOUR */
   const char* default_file;    /* FILE: null when the user must choose one; "" when none is needed */
-  const char* const* choices;  /* CHOICE: stable ids, ended by a null pointer */
+  const char* const* choices;  /* CHOICE: stable ids, any UTF-8 but not empty; ended by a null pointer */
   const float* default_knots;  /* CURVE: x0 y0 x1 y1 ... */
   uint32_t default_knot_count; /* CURVE: pairs, at least 1 */
-  uint32_t dynamic;            /* 1: may vary along the stroke (input dynamics); 0: constant */
+  uint32_t dynamic;            /* 1: may vary along the stroke (input dynamics); 0: constant,
+                                  as FILE, TEXT and CURVE always are */
   const char* default_text;    /* TEXT: null means "" */
 } burin_param_info;
 

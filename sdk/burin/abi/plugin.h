@@ -1,4 +1,9 @@
-/* burin/abi/plugin.h - the one symbol that a plugin module exports, and the factory behind it. */
+/* burin/abi/plugin.h - the symbol that a plugin module exports, and the factory behind it.
+ *
+ * A module is a shared library whose file is named NAME.burin; hosts look for no other files in their
+ * folders. It exports BURIN_PLUGIN_SYMBOL and should export nothing else. Weak symbols, which C++ compilers
+ * make of inline functions and templates of the standard library, are the exception.
+ */
 #ifndef BURIN_ABI_PLUGIN_H
 #define BURIN_ABI_PLUGIN_H
 
@@ -29,7 +34,7 @@ typedef struct burin_brush_factory {
   const burin_brush_descriptor* const* brushes; /* brush_count pointers */
 
   /* Creates a brush of the descriptor with this id. On failure returns null and writes a text. The host
-   * outlives the brush. [main-thread] */
+   * outlives the brush; brush_id is valid during the call only. [main-thread] */
   const burin_brush*(BURIN_CALL* create)(const struct burin_brush_factory* factory, const burin_host* host,
                                          const char* brush_id, burin_text* error);
 } burin_brush_factory;
@@ -41,12 +46,15 @@ typedef struct burin_plugin_entry {
   uint32_t abi_minor;
   uint32_t reserved;
 
-  /* The host calls this before anything else, and may call it several times. Each call that returned
-   * BURIN_OK is paired with one deinit; the plugin counts them, and only the first initialises.
-   * plugin_path is the file of the module, UTF-8, for finding resources beside it. [main-thread] */
+  /* The host calls this before anything else, and may call it several times, while the module is
+   * initialised and again after the last deinit. Each call that returned BURIN_OK is paired with one deinit;
+   * the plugin counts them, and only the first initialises. Factories live until the last deinit.
+   * plugin_path is the file of the module, UTF-8, for finding resources beside it; it is valid during the
+   * call only. [main-thread] */
   burin_status(BURIN_CALL* init)(const char* plugin_path, burin_text* error);
 
-  /* Undoes one init. [main-thread, every brush destroyed before the last] */
+  /* Undoes one init. The last leaves no thread, open file or signal handler, so that the module can be
+   * unloaded. [main-thread, every brush destroyed before the last] */
   void(BURIN_CALL* deinit)(void);
 
   /* Returns the factory with this id (BURIN_BRUSH_FACTORY), or null.

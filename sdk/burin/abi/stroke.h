@@ -3,9 +3,10 @@
  * The chart gives each node near the stroke the coordinates (t, d): t is the arc length along the
  * stroke at the nearest point, d the geodesic distance to it, positive on the left of the direction of
  * travel. Every node has a right-handed frame (e1, e2, n): e1 along the stroke, n the outward normal,
- * e2 = n x e1 in the direction of increasing d. In round caps t and d are geodesic normal coordinates in the
- * frame of the end: the distance to the stroke is hypot(t, d) before its start and hypot(t - length, d)
- * after its end.
+ * e2 = n x e1 in the direction of increasing d. In the mirror image of a stroke (BURIN_STROKE_MIRRORED) the
+ * frame is left-handed: d and e2 = e1 x n point to the right. In round caps t and d are geodesic normal
+ * coordinates in the frame of the end: the distance to the stroke is hypot(t, d) before its start and hypot(t
+ * - length, d) after its end.
  *
  * Chart, frames and displacement refer to the base surface: the surface before the stroke, smoothed as far
  * as the stroke's `follow` setting says. Relief that is narrow compared with the radius is missing from it,
@@ -55,7 +56,9 @@ extern "C" {
 #define BURIN_OUTPUT_COLOUR (UINT64_C(1) << 2)
 
 /* Bits of burin_stroke_context.flags. */
-#define BURIN_STROKE_CLOSED (UINT64_C(1) << 0)   /* t is periodic in length; only with BURIN_STROKE_FINAL */
+#define BURIN_STROKE_CLOSED (UINT64_C(1) << 0)   /* t is periodic in length: t and t + length */
+                                                 /* are one place, and a node may have either; */
+                                                 /* only with BURIN_STROKE_FINAL */
 #define BURIN_STROKE_FINAL (UINT64_C(1) << 1)    /* the piece has ended: length stays as it is */
 #define BURIN_STROKE_MIRRORED (UINT64_C(1) << 2) /* a symmetry instance that is a mirror image: d, e2 and */
                                                  /* `across` point to the right of the direction of travel */
@@ -69,7 +72,13 @@ typedef struct burin_stroke_context {
   uint32_t pass;        /* 0 .. burin_stroke_plan.passes - 1 */
   uint64_t flags;       /* BURIN_STROKE_*; brushes ignore bits that they do not know */
   uint64_t pen_present; /* BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME: the inputs that the pen reports */
-  uint64_t seed;        /* key of the counter-based random generator, with node id and channel */
+  uint64_t seed;        /* key of random numbers, so that a stroke drawn again is the same. Number
+                           `counter` of `channel` is s(s(seed, channel), counter), where s(a, i) is:
+                             x = a + 0x9E3779B97F4A7C15 * (i + 1)
+                             x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9
+                             x = (x ^ (x >> 27)) * 0x94D049BB133111EB
+                             s = x ^ (x >> 31)
+                           modulo 2^64; its highest 24 bits times 2^-24 are uniform in 0 .. 1 */
   double length;        /* arc length of the stroke so far, object units */
   double radius_min;    /* bounds of the radius along the whole stroke, object units, including the part */
   double radius_max;    /* not drawn yet: the same in every call of a stroke, begin included */
@@ -79,11 +88,12 @@ typedef struct burin_stroke_context {
 
 /* The chart nodes to evaluate, one element per node. An array is null if the brush did not declare it in
  * inputs_read or if the host's version does not know it. A host refuses to create a brush that reads an input
- * that it does not supply; it always fills what is declared and supplied. Pen inputs that the pen does not
- * report (context.pen_present) are filled with the stated neutral value. */
+ * that it does not supply, so a batch never ends before a declared input; it always fills what is declared
+ * and supplied. Inputs are finite and radius is above 0; with others a brush may fail but must not crash. Pen
+ * inputs that the pen does not report (context.pen_present) are filled with the stated neutral value. */
 typedef struct burin_batch {
   uint32_t struct_size;
-  uint32_t count; /* elements; usually 256 .. 4096, at least 1 */
+  uint32_t count; /* elements; usually 256 .. 4096, at least 1, at most 2^31 */
   const burin_params* params;
   burin_floats t;              /* arc length along the stroke; < 0 and > length within round caps */
   burin_floats d;              /* signed geodesic distance to the stroke; |d| <= radius */
@@ -93,10 +103,11 @@ typedef struct burin_batch {
   burin_floats footprint_d;    /* size of the node's cell across the stroke, object units */
   burin_vectors position;      /* base surface; from the second pass on, displaced by the previous passes */
   burin_vectors normal;        /* base surface, unit, outward */
-  burin_vectors e1;            /* unit, tangent to the base surface; e2 = normal x e1 */
+  burin_vectors e1;            /* unit, tangent to the base surface; e2 = normal x e1, negated if MIRRORED */
   burin_floats mean_curvature; /* base surface, 1/length, positive where convex seen from outside */
   burin_vectors laplacian;     /* umbrella: mean of the neighbours minus the vertex, current fine surface */
-  burin_vectors displacement;  /* by the previous passes: x along e1, y along e2, z along the normal */
+  burin_vectors displacement;  /* written by the previous pass, before the strength: x along e1,
+                                  y along e2, z along the normal */
   burin_floats mask;           /* current mask of the vertex: 0 = protected .. 1 = free */
   burin_colours colour;        /* current colour of the vertex */
   burin_indices sheet;         /* number of the visit to the vertex, in the order of t, from 0 */
@@ -116,12 +127,13 @@ typedef struct burin_batch {
   burin_floats fine_mean_curvature; /* fine surface, 1/length, positive where convex seen from outside */
 } burin_batch;
 
-/* Where a brush writes its results. The host fills displacement with zero and colour and mask with their
- * current values before it calls evaluate. An output that the brush did not declare in outputs_written has
- * null data. Every value written must be finite, else the stroke fails. The host multiplies displacement by
- * the strength of the stroke and by the node's mask. It interpolates from the current colour to the written
- * one by the same product, clamped to 0..1, and from the current mask to the written one by the strength
- * alone. So strength 0 leaves every surface unchanged.
+/* Where a brush writes its results. The host fills displacement with zero and colour and mask with those
+ * before the stroke, anew in every pass, before it calls evaluate: the result is what the last pass writes.
+ * A colour or mask beyond 0..1 is allowed, the host brings it within. An output that the brush did not
+ * declare in outputs_written has null data. Every value written must be finite, else the stroke fails. The
+ * host multiplies displacement by the strength of the stroke and by the node's mask. It interpolates from the
+ * current colour to the written one by the same product, clamped to 0..1, and from the current mask to the
+ * written one by the strength alone. So strength 0 leaves every surface unchanged.
  */
 typedef struct burin_outputs {
   uint32_t struct_size;

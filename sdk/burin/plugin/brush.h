@@ -19,11 +19,14 @@ struct BrushInfo {
   const char* vendor = nullptr;
   const char* version = nullptr;  ///< of the brush, "1.2.0"
   const char* help = nullptr;     ///< one or two sentences
-  TextList features{};            ///< tags such as "procedural", "stamp"
+  TextList features{};            ///< tags such as "procedural", and exceptions: BURIN_FEATURE_*
   std::uint64_t inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS;  ///< bits BURIN_INPUT_*
   std::uint64_t outputs = BURIN_OUTPUT_DISPLACEMENT;                          ///< bits BURIN_OUTPUT_*
   /// How results are combined where a stroke overlaps itself, unless the user chooses another mode.
   burin_overlap overlap = BURIN_OVERLAP_STRONGEST;
+  /// A displacement is at most this number times the distance to the rim, where the surface stays as it is.
+  /// 0: not stated; infinity: it steps.
+  float rim_slope = 0;
 };
 
 /// The argument of a brush's constructor: a stroke that is about to begin. The constructor may set the last

@@ -88,6 +88,7 @@ TEST(DescriptorCheck, FindsWhatIsWrongWithABrush) {
       {[](auto& d) { d.param_count = 2, d.params = nullptr; },
        "brush org.burin.test.brush: counts parameters but lists none"},
       {[](auto& d) { d.overlap = 7; }, "brush org.burin.test.brush: overlap 7 is none that there is"},
+      {[](auto& d) { d.rim_slope = -1; }, "brush org.burin.test.brush: its rim slope is -1"},
       {[](auto& d) { d.overlap = -1; }, "brush org.burin.test.brush: overlap -1 is none that there is"},
   };
   for (const auto& test_case : cases) {

@@ -21,13 +21,14 @@ typedef struct burin_state {
   uint32_t version; /* of the layout that save writes */
 
   /* Writes the state into data (capacity bytes) and its size in bytes into *size. If capacity is too small,
-   * the call writes only the needed size into *size and returns BURIN_INVALID_ARGUMENT.
-   * [main-thread, no stroke open] */
+   * or data null with a capacity of 0, the call writes only the needed size into *size and returns
+   * BURIN_INVALID_ARGUMENT. [main-thread, no stroke open] */
   burin_status(BURIN_CALL* save)(const burin_brush* brush, void* data, uint64_t capacity, uint64_t* size,
                                  burin_text* error);
 
-  /* Restores a state that save of the given version wrote. On failure the brush stays as it was.
-   * [main-thread, no stroke open] */
+  /* Restores a state that save of the given version wrote: this one or, if the brush was ever released with
+   * it, an older one; of other versions returns BURIN_UNSUPPORTED. data may be null if size is 0. On failure
+   * the brush stays as it was. [main-thread, no stroke open] */
   burin_status(BURIN_CALL* load)(const burin_brush* brush, uint32_t version, const void* data, uint64_t size,
                                  burin_text* error);
 } burin_state;

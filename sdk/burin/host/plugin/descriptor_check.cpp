@@ -52,6 +52,11 @@ std::string overlap_problem(const burin_brush_descriptor& descriptor) {
   return fmt::format("overlap {} is none that there is", overlap);
 }
 
+std::string rim_problem(const burin_brush_descriptor& descriptor) {
+  if (!BURIN_HAS(&descriptor, burin_brush_descriptor, rim_slope) || descriptor.rim_slope >= 0) return {};
+  return fmt::format("its rim slope is {}", descriptor.rim_slope);
+}
+
 }  // namespace
 
 std::string descriptor_problem(const burin_brush_descriptor& descriptor) {
@@ -61,6 +66,7 @@ std::string descriptor_problem(const burin_brush_descriptor& descriptor) {
   std::string problem = texts_problem(descriptor);
   if (problem.empty()) problem = params_problem(descriptor);
   if (problem.empty()) problem = overlap_problem(descriptor);
+  if (problem.empty()) problem = rim_problem(descriptor);
   return problem.empty() ? problem : fmt::format("brush {}: {}", descriptor.id, problem);
 }
 

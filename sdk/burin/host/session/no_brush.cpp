@@ -50,7 +50,9 @@ const burin_brush_descriptor& no_brush_descriptor() {
                                                      .inputs_read = 0,
                                                      .outputs_written = 0,
                                                      .overlap = BURIN_OVERLAP_STRONGEST,
-                                                     .reserved = 0};
+                                                     .reserved = 0,
+                                                     .rim_slope = 0,
+                                                     .reserved2 = 0};
   return descriptor;
 }
 

@@ -66,6 +66,8 @@ struct Declaration {
                                                      B::info.inputs,
                                                      B::info.outputs,
                                                      B::info.overlap,
+                                                     0,
+                                                     B::info.rim_slope,
                                                      0};
 };
 

@@ -1,0 +1,196 @@
+// Checks of what evaluate reads and writes.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "validate/probe/stroke.h"
+
+namespace burin::validate {
+namespace {
+
+using Brush = burin_brush_descriptor;
+
+void each_stroke(const Subject& subject, const std::function<void(ProbeBrush&, ProbeStroke&)>& check) {
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    ProbeBrush brush(plugin, descriptor, subject);
+    ProbeStroke stroke(brush);
+    check(brush, stroke);
+  });
+}
+
+void check_bounded(const Subject& subject) {
+  each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
+    for (const Row& row : stroke.evaluate(random_nodes(1999, subject.seed)))
+      require(!(std::hypot(row[0], row[1], row[2]) > 1000), "moves a node by more than 1000 radii");
+  });
+}
+
+void check_sizes(const Subject& subject) {
+  each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
+    const Nodes nodes = random_nodes(65536, subject.seed);
+    const auto all = stroke.evaluate(nodes);
+    for (const std::size_t size : {1, 255, 256, 257, 4096}) {
+      auto part = stroke.evaluate(nodes, 0, size);
+      const std::string other = difference(part, all);
+      require(other.empty(), fmt::format("a batch of {} differs from one of 65536: {}", size, other));
+    }
+  });
+}
+
+/// The batch with the numbers of its first node for all: as arrays, or with stride 0.
+std::vector<Row> with_stride(ProbeStroke& stroke, Nodes nodes, std::uint32_t stride) {
+  for (auto& column : nodes.columns) std::fill(column.begin(), column.end(), column[0]);
+  burin_batch batch = batch_of(nodes, 0, nodes.size(), stroke.params());
+  for (const InputColumns& input : input_columns())
+    for (std::size_t k = 0; k < input.count; ++k) array_of(batch, input, k).stride = stride;
+  std::vector<Row> rows(nodes.size());
+  require(stroke.call(batch, outputs_of(rows)) == BURIN_OK,
+          fmt::format("evaluate fails with stride {}", stride));
+  return rows;
+}
+
+void check_stride_zero(const Subject& subject) {
+  each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
+    const Nodes nodes = random_nodes(100, subject.seed);
+    const std::string other = difference(with_stride(stroke, nodes, 1), with_stride(stroke, nodes, 0));
+    require(other.empty(), "stride 0 and an array of one number differ: " + other);
+  });
+}
+
+void check_wide_strides(const Subject& subject) {
+  each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
+    Nodes nodes = random_nodes(100, subject.seed), wide = nodes;
+    for (auto& column : wide.columns) {
+      std::vector<float> spread(3 * column.size(), -7);
+      for (std::size_t i = 0; i < column.size(); ++i) spread[3 * i] = column[i];
+      column = spread;
+    }
+    burin_batch batch = batch_of(wide, 0, nodes.size(), stroke.params());
+    for (const InputColumns& input : input_columns())
+      for (std::size_t k = 0; k < input.count; ++k) array_of(batch, input, k).stride = 3;
+    std::vector<Row> rows(nodes.size());
+    require(stroke.call(batch, outputs_of(rows)) == BURIN_OK, "evaluate fails with stride 3");
+    const std::string other = difference(stroke.evaluate(nodes), rows);
+    require(other.empty(), "stride 3 and stride 1 differ: " + other);
+  });
+}
+
+void check_output_strides(const Subject& subject) {
+  each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
+    const Nodes nodes = random_nodes(100, subject.seed);
+    const auto rows = stroke.evaluate(nodes);  // stride 8
+    std::vector<Row> before(100);
+    outputs_of(before);
+    std::array<std::vector<float>, 8> dense;
+    burin_outputs outputs{sizeof outputs, 100, {}, {}, {}, {}, {}};
+    const auto arrays = arrays_of(outputs);
+    for (std::size_t k = 0; k < dense.size(); ++k) {
+      for (const Row& row : before) dense[k].push_back(row[k]);
+      *arrays[k] = {dense[k].data(), 1, 0};
+    }
+    require(stroke.call(batch_of(nodes, 0, 100, stroke.params()), outputs) == BURIN_OK,
+            "evaluate fails with outputs of stride 1");
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t k = 0; k < dense.size(); ++k)
+        require(std::memcmp(&dense[k][i], &rows[i][k], sizeof(float)) == 0,
+                fmt::format("outputs of stride 1 and 8 differ at node {}", i));
+  });
+}
+
+void check_inputs_unchanged(const Subject& subject) {
+  each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
+    const Nodes nodes = random_nodes(500, subject.seed), before = nodes;
+    const burin_batch batch = batch_of(nodes, 0, nodes.size(), stroke.params()), batch_before = batch;
+    std::vector<Row> rows(nodes.size());
+    stroke.call(batch, outputs_of(rows));
+    require(std::memcmp(&batch, &batch_before, sizeof batch) == 0, "evaluate changes the batch");
+    for (std::size_t column = 0; column < column_count; ++column)
+      require(
+          std::memcmp(nodes.columns[column].data(), before.columns[column].data(), 500 * sizeof(float)) == 0,
+          fmt::format("evaluate changes an input, array {} of the batch", column));
+  });
+}
+
+void check_declared_outputs(const Subject& subject) {
+  each_stroke(subject, [&](ProbeBrush& brush, ProbeStroke& stroke) {
+    std::vector<Row> before(500);
+    outputs_of(before);
+    const auto rows = stroke.evaluate(random_nodes(500, subject.seed));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t k = 0; k < 8; ++k)
+        require(writes(brush.descriptor, k) || rows[i][k] == before[i][k],
+                fmt::format("writes output {} of {} that it does not declare", k, 8));
+  });
+}
+
+void check_odd_numbers(const Subject& subject) {
+  using Limits = std::numeric_limits<float>;
+  each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
+    const Nodes nodes = random_nodes(64, subject.seed);
+    for (const float number : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(),
+                               Limits::denorm_min(), Limits::max(), Limits::lowest(), 0.0f})
+      for (std::size_t column = 0; column < column_count; ++column) {
+        Nodes odd = nodes;
+        std::fill(odd.columns[column].begin(), odd.columns[column].end(), number);
+        std::vector<Row> rows(odd.size());
+        stroke.call(batch_of(odd, 0, odd.size(), stroke.params()), outputs_of(rows));
+      }
+  });
+}
+
+void check_dab(const Subject& subject) {
+  each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
+    stroke.context.flags = BURIN_STROKE_DAB | BURIN_STROKE_FINAL;
+    stroke.context.length = 0;
+    stroke.context.dab_t = 3;
+    const std::array<float, 5> t = {0, 0.5f, -0.5f, 0.9f, 0}, d = {0, 0.5f, 0.2f, -0.1f, -1};
+    for (const Row& row : stroke.evaluate(nodes_at(t, d)))
+      for (const float number : row) require(std::isfinite(number), "a dab's result is not finite");
+  });
+}
+
+void check_short(const Subject& subject) {
+  each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
+    for (const double length : {0.0, 1e-6, 0.1, 1e4}) {
+      stroke.context.length = length;
+      for (const std::uint64_t flags : {std::uint64_t{0}, BURIN_STROKE_FINAL}) {
+        stroke.context.flags = flags;
+        for (const Row& row : stroke.evaluate(random_nodes(200, subject.seed)))
+          for (const float number : row)
+            require(std::isfinite(number),
+                    fmt::format("a result is not finite on a stroke of length {}", length));
+      }
+    }
+  });
+}
+
+constexpr Check checks[] = {
+    {"evaluate.bounded", 1, "stroke.h: a displacement is at most 1000 radii long",
+     "Measures displacements of 1999 nodes.", check_bounded},
+    {"evaluate.batch-sizes", 2, "stroke.h: count, at least 1",
+     "Evaluates batches of 1, 255, 256, 257, 4096 and 65536 nodes.", check_sizes},
+    {"evaluate.stride-zero", 2, "base.h: stride 0 gives one value for all elements",
+     "Compares with arrays of one value.", check_stride_zero},
+    {"evaluate.wide-strides", 2, "base.h: element i is data[i * stride]",
+     "Compares inputs of stride 1 and 3.", check_wide_strides},
+    {"evaluate.output-strides", 2, "base.h: element i is data[i * stride]",
+     "Compares outputs of stride 1 and 8.", check_output_strides},
+    {"evaluate.inputs-unchanged", 1, "brush.h: evaluate computes the outputs and changes nothing else",
+     "Compares all inputs before and after.", check_inputs_unchanged},
+    {"evaluate.declared-outputs", 2, "stroke.h: outputs_written", "Looks whether others are written.",
+     check_declared_outputs},
+    {"evaluate.odd-numbers", 3,
+     "stroke.h: with inputs that are not finite a brush may fail but must not crash",
+     "Fills each input with NaN, infinities, denormals, huge numbers and 0.", check_odd_numbers},
+    {"evaluate.dab", 2, "stroke.h: BURIN_STROKE_DAB", "Draws a dab.", check_dab},
+    {"evaluate.lengths", 2, "stroke.h: length of the stroke so far",
+     "Draws strokes of no length, of little and of much.", check_short},
+};
+
+}  // namespace
+
+std::span<const Check> evaluate_checks() { return checks; }
+
+}  // namespace burin::validate

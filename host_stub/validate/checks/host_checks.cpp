@@ -1,0 +1,166 @@
+// Checks of how a plugin deals with other hosts: older, newer, with fewer services.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "validate/probe/stroke.h"
+
+namespace burin::validate {
+namespace {
+
+using Brush = burin_brush_descriptor;
+
+void check_unknown_extension(const Subject& subject) {
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    const ProbeBrush brush(plugin, descriptor, subject);
+    for (const char* id : {"burin.nothing/1", "", "burin.volume/999"})
+      require(!brush.interface<void>(id), fmt::format("returns an interface for '{}'", id));
+  });
+}
+
+void check_unknown_brush(const Subject& subject) {
+  const Plugin plugin(subject);
+  const ProbeHost host;
+  for (const char* id : {"org.burin.nobody", ""})
+    require(!plugin.factory().create(&plugin.factory(), host.abi(), id, nullptr),
+            fmt::format("creates a brush '{}'", id));
+}
+
+/// Lets create fail and looks at the bytes around the text.
+void check_text_capacity(const Subject& subject) {
+  const Plugin plugin(subject);
+  const ProbeHost host;
+  for (const std::uint32_t capacity : {0u, 1u, 16u, 200u}) {
+    std::vector<char> bytes(300, '#');
+    burin_text text{sizeof text, capacity, bytes.data()};
+    if (plugin.factory().create(&plugin.factory(), host.abi(), "org.burin.nobody", &text)) continue;
+    require(std::string(bytes.begin() + capacity, bytes.end()) == std::string(300 - capacity, '#'),
+            fmt::format("writes beyond a text of {} bytes", capacity));
+    require(capacity == 0 || std::memchr(bytes.data(), 0, capacity),
+            fmt::format("does not end a text of {} bytes", capacity));
+  }
+}
+
+/// Draws with a host that lacks `withheld`; a refusal with a text is fine.
+void draw_without(const Plugin& plugin, const Brush& descriptor, const Subject& subject,
+                  const std::set<std::string>& withheld) {
+  ProbeHost host;
+  host.withheld = withheld;
+  std::array<char, 400> line{};
+  burin_text error{sizeof error, 400, line.data()};
+  const burin_brush* brush = plugin.factory().create(&plugin.factory(), host.abi(), descriptor.id, &error);
+  require(brush || line[0], "create fails without a text where a service is missing");
+  if (!brush) return;
+  Values values(descriptor, subject);
+  burin_stroke_plan plan{sizeof plan, 1, 0};
+  void* stroke = nullptr;
+  const burin_stroke_context context = stroke_context();
+  const burin_status status = brush->begin(brush, &context, &values.abi(), &plan, &stroke, &error);
+  if (status == BURIN_OK) {
+    const Nodes nodes = random_nodes(64, subject.seed);
+    std::vector<Row> rows(nodes.size());
+    const burin_batch batch = batch_of(nodes, 0, nodes.size(), values.abi());
+    const burin_outputs outputs = outputs_of(rows);
+    brush->evaluate(brush, stroke, &context, &batch, &outputs, &error);
+    brush->end(brush, stroke);
+  }
+  brush->destroy(brush);
+  require(status == BURIN_OK || line[0], "begin fails without a text where a service is missing");
+}
+
+void check_services(const Subject& subject) {
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    const std::set<std::string> all = {"burin.log/1", "burin.stamps/1", "burin.lettering/1",
+                                       "burin.vdb-stamps/1"};
+    for (const std::string& id : all) draw_without(plugin, descriptor, subject, {id});
+    draw_without(plugin, descriptor, subject, all);
+  });
+}
+
+/// A struct of another size, its bytes beyond `size` set to 0xEE: on the heap, where sanitizers see its end.
+template <class Struct>
+std::vector<std::byte> resized(const Struct& from, std::size_t size) {
+  std::vector<std::byte> bytes(std::max(size, sizeof from), std::byte{0xEE});
+  std::memcpy(bytes.data(), &from, std::min(size, sizeof from));
+  const auto told = static_cast<std::uint32_t>(size);
+  std::memcpy(bytes.data(), &told, sizeof told);
+  return bytes;
+}
+
+/// Sizes of the structs that a host of some version passes.
+struct HostSizes {
+  std::size_t context, batch, outputs, plan;
+};
+
+std::vector<Row> draw_as(const HostSizes& sizes, ProbeBrush& brush, const Subject& subject) {
+  ProbeStroke stroke(brush);
+  const Nodes nodes = random_nodes(300, subject.seed);
+  std::vector<Row> rows(nodes.size());
+  const auto context = resized(stroke.context, sizes.context);
+  const auto batch = resized(batch_of(nodes, 0, nodes.size(), stroke.params()), sizes.batch);
+  const auto outputs = resized(outputs_of(rows), sizes.outputs);
+  const auto* as_context = reinterpret_cast<const burin_stroke_context*>(context.data());
+  const burin_status status = brush.abi().evaluate(
+      &brush.abi(), stroke.self(), as_context, reinterpret_cast<const burin_batch*>(batch.data()),
+      reinterpret_cast<const burin_outputs*>(outputs.data()), nullptr);
+  require(status == BURIN_OK, "evaluate fails with structs of another size");
+  std::vector<std::byte> plan = resized(burin_stroke_plan{sizeof plan, 1, 0}, sizes.plan);
+  void* again = nullptr;
+  const burin_status begun =
+      brush.abi().begin(&brush.abi(), as_context, &stroke.params(),
+                        reinterpret_cast<burin_stroke_plan*>(plan.data()), &again, nullptr);
+  require(begun == BURIN_OK, "begin fails with structs of another size");
+  brush.abi().end(&brush.abi(), again);
+  for (std::size_t i = sizeof(burin_stroke_plan); i < plan.size(); ++i)
+    require(plan[i] == std::byte{0xEE}, "begin writes members of the plan that there are not");
+  return rows;
+}
+
+void compare_as(const HostSizes& sizes, const Subject& subject) {
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    ProbeBrush brush(plugin, descriptor, subject);
+    const auto now = ProbeStroke(brush).evaluate(random_nodes(300, subject.seed));
+    const std::string other = difference(now, draw_as(sizes, brush, subject));
+    require(other.empty(), "another host gets another result: " + other);
+  });
+}
+
+void check_newer_host(const Subject& subject) {
+  compare_as({sizeof(burin_stroke_context) + 40, sizeof(burin_batch) + 160, sizeof(burin_outputs) + 64,
+              sizeof(burin_stroke_plan) + 24},
+             subject);
+}
+
+void check_older_host(const Subject& subject) {
+  // A context without dab_t, which is 0 here; all inputs are declared, so the batch must hold them.
+  compare_as({offsetof(burin_stroke_context, dab_t), sizeof(burin_batch), sizeof(burin_outputs),
+              sizeof(burin_stroke_plan)},
+             subject);
+}
+
+constexpr Check checks[] = {
+    {"host.unknown-extension", 1, "brush.h: get_extension returns the interface with this id, or null",
+     "Asks brushes for interfaces that there are not.", check_unknown_extension},
+    {"host.unknown-brush", 1, "plugin.h: create fails for an id that is none of its brushes",
+     "Asks for brushes that there are not.", check_unknown_brush},
+    {"host.text-capacity", 2,
+     "base.h: the callee writes at most `capacity` bytes including the terminating zero",
+     "Lets create fail, with texts of 0, 1, 16 and 200 bytes.", check_text_capacity},
+    {"host.missing-services", 3, "host.h: get_extension returns null when the host does not have a service",
+     "Draws with hosts that lack one service, or all.", check_services},
+    {"host.newer", 2, "base.h: structs may grow at their end", "Draws with a host whose structs are larger.",
+     check_newer_host},
+    {"host.older", 2, "base.h: a reader reads a member only if struct_size covers it",
+     "Draws with a host whose context ends before dab_t.", check_older_host},
+};
+
+}  // namespace
+
+std::span<const Check> host_checks() { return checks; }
+
+}  // namespace burin::validate

@@ -1,0 +1,172 @@
+// Checks of the module's file and of how it is loaded, initialised and unloaded.
+#include <burin/host/plugin/module.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <set>
+#include <string_view>
+
+#include "validate/probe/elf.h"
+#include "validate/probe/plugin.h"
+
+namespace burin::validate {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_loads(const Subject& subject) {
+  require(subject.module.extension() == ".burin", "is not named NAME.burin, so hosts do not find it");
+  try {
+    const Plugin plugin(subject);
+  } catch (const FileError& error) {
+    throw Failed(error.what());
+  }
+}
+
+void check_exports(const Subject& subject) {
+  std::vector<std::string> others = read_elf(subject.module).exports;
+  std::erase(others, BURIN_PLUGIN_SYMBOL);
+  require(others.empty(), fmt::format("exports {} more: {}", others.size(), fmt::join(others, ", ")));
+}
+
+void check_libraries(const Subject& subject) {
+  // Libraries that talk to screens, run interpreters or start threads by themselves.
+  constexpr std::array<std::string_view, 9> forbidden = {
+      "libX11", "libGL", "libpython", "libgtk", "libQt", "libwayland", "libcurl", "libtbb", "libgomp"};
+  for (const std::string& library : read_elf(subject.module).needed)
+    for (const std::string_view name : forbidden) require(!library.starts_with(name), "needs " + library);
+}
+
+/// The numbers of a version, "GLIBC_2.34" without "GLIBC_".
+std::array<int, 3> numbers_of(std::string_view text) {
+  std::array<int, 3> numbers{};
+  for (int& number : numbers) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    text.remove_prefix(std::min<std::size_t>(static_cast<std::size_t>(end - text.data()) + 1, text.size()));
+  }
+  return numbers;
+}
+
+void check_symbol_versions(const Subject& subject) {
+  // Debian 12's.
+  constexpr std::array<std::pair<std::string_view, std::array<int, 3>>, 3> floors = {
+      {{"GLIBC_", {2, 36, 0}}, {"GLIBCXX_", {3, 4, 30}}, {"CXXABI_", {1, 3, 13}}}};
+  for (const std::string& version : read_elf(subject.module).versions)
+    for (const auto& [name, floor] : floors)
+      if (version.starts_with(name))
+        require(numbers_of(std::string_view(version).substr(name.size())) <= floor,
+                fmt::format("needs {}, newer than {}{}", version, name, fmt::join(floor, ".")));
+}
+
+void check_loads_twice(const Subject& subject) {
+  Subject copy = subject;
+  copy.module = subject.folder / "copy.burin";
+  fs::copy_file(subject.module, copy.module, fs::copy_options::overwrite_existing);
+  const Plugin first(subject), second(copy);
+  require(first.brushes().size() == second.brushes().size(), "loaded twice, it has different brushes");
+  const auto create = [](const Plugin& plugin) {
+    for (const auto* brush : plugin.brushes()) require(brush && brush->id, "a brush without an id");
+  };
+  create(first);
+  create(second);
+}
+
+void check_load_time(const Subject& subject) {
+  const auto start = std::chrono::steady_clock::now();
+  const Plugin plugin(subject);
+  const double ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  require(ms <= 100, fmt::format("takes {:.0f} ms to load", ms));
+}
+
+void check_init_counted(const Subject& subject) {
+  const Module module(subject.module);
+  const burin_plugin_entry& entry = entry_of(module);
+  for (int round = 0; round < 100; ++round) {
+    for (int i = 0; i < 3; ++i)
+      require(entry.init(subject.module.c_str(), nullptr) == BURIN_OK,
+              fmt::format("init fails in round {}", round));
+    for (int i = 0; i < 3; ++i) {
+      require(entry.get_factory(BURIN_BRUSH_FACTORY),
+              fmt::format("has no factory after {} of 3 deinits of round {}", i, round));
+      entry.deinit();
+    }
+  }
+}
+
+void check_unknown_factory(const Subject& subject) {
+  const Plugin plugin(subject);
+  for (const char* id : {"burin.brush-factory/999", "", "org.example.factory"})
+    require(!plugin.entry().get_factory(id), fmt::format("returns a factory for '{}'", id));
+}
+
+std::set<std::string> entries_of(const char* folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+/// Files of this process that are open; the one that listing them opens is not among them.
+std::set<std::string> open_files() {
+  std::set<std::string> files;
+  for (const std::string& name : entries_of("/proc/self/fd")) {
+    std::error_code error;
+    const fs::path file = fs::read_symlink("/proc/self/fd/" + name, error);
+    if (!error && !file.string().ends_with("/fd")) files.insert(name + " " + file.string());
+  }
+  return files;
+}
+
+std::array<std::uintptr_t, 32> signal_handlers() {
+  std::array<std::uintptr_t, 32> handlers{};
+  for (int signal = 1; signal < 32; ++signal) {
+    struct sigaction action {};
+    if (sigaction(signal, nullptr, &action) == 0)
+      handlers[static_cast<std::size_t>(signal)] = reinterpret_cast<std::uintptr_t>(action.sa_handler);
+  }
+  return handlers;
+}
+
+void check_unloads(const Subject& subject) {
+  const auto threads = entries_of("/proc/self/task"), files = open_files();
+  const auto handlers = signal_handlers();
+  { const Plugin plugin(subject); }
+  require(entries_of("/proc/self/task") == threads, "leaves a thread after its last deinit");
+  require(open_files() == files, "leaves a file open after its last deinit");
+  require(signal_handlers() == handlers, "leaves a signal handler after its last deinit");
+}
+
+constexpr Check checks[] = {
+    {"module.loads", 1, "plugin.h: a module is a shared library named NAME.burin that exports burin_plugin",
+     "Loads and initialises the module with RTLD_NOW and RTLD_LOCAL.", check_loads},
+    {"module.exports", 2, "plugin.h: it should export nothing else but weak symbols",
+     "Reads the symbols that the file defines.", check_exports},
+    {"module.libraries", 3,
+     "brush.h: a brush is a pointwise function; it needs no screen, network or interpreter",
+     "Looks for libraries of such kinds among those that the module needs.", check_libraries},
+    {"module.symbol-versions", 2,
+     "plugin.h: a module is loaded by hosts on Debian 12: glibc 2.36, libstdc++ 3.4.30",
+     "Reads the versions of symbols that the module needs.", check_symbol_versions},
+    {"module.loads-twice", 3, "plugin.h: a module may be in a process twice",
+     "Loads a copy of the file beside it.", check_loads_twice},
+    {"module.init-counted", 1, "plugin.h: each init is paired with one deinit; factories live until the last",
+     "Initialises three times and undoes it, 100 times.", check_init_counted},
+    {"module.unknown-factory", 1, "plugin.h: get_factory returns the factory with this id, or null",
+     "Asks for factories that there are not.", check_unknown_factory},
+    {"module.unloads", 3, "plugin.h: the last deinit leaves no thread, open file or signal handler",
+     "Compares them before and after.", check_unloads},
+    {"module.load-time", 5, "plugin.h: loading takes 100 ms at most", "Measures loading and init.",
+     check_load_time},
+};
+
+}  // namespace
+
+std::span<const Check> module_checks() { return checks; }
+
+}  // namespace burin::validate

@@ -1,0 +1,177 @@
+// Checks that results are the same, to the bit, however and wherever they are computed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <chrono>
+#include <clocale>
+#include <numeric>
+#include <random>
+#include <string>
+#include <thread>
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+#include "validate/probe/repeat.h"
+#include "validate/probe/stroke.h"
+
+namespace burin::validate {
+namespace {
+
+using Brush = burin_brush_descriptor;
+
+void each_stroke(const Subject& subject, const std::function<void(ProbeStroke&, const Nodes&)>& check) {
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    ProbeBrush brush(plugin, descriptor, subject);
+    ProbeStroke stroke(brush);
+    check(stroke, random_nodes(2000, subject.seed));
+  });
+}
+
+void require_same(const std::vector<Row>& a, const std::vector<Row>& b, const char* fault) {
+  const std::string other = difference(a, b);
+  require(other.empty(), std::string(fault) + ": " + other);
+}
+
+void check_split(const Subject& subject) {
+  each_stroke(subject, [&](ProbeStroke& stroke, const Nodes& nodes) {
+    std::mt19937_64 random(subject.seed);
+    std::vector<Row> parts;
+    for (std::size_t begin = 0; begin < nodes.size();) {
+      const std::size_t end = std::min(nodes.size(), begin + 1 + random() % 300);
+      const auto part = stroke.evaluate(nodes, begin, end);
+      parts.insert(parts.end(), part.begin(), part.end());
+      begin = end;
+    }
+    require_same(stroke.evaluate(nodes), parts, "smaller batches give another result");
+  });
+}
+
+void check_order(const Subject& subject) {
+  each_stroke(subject, [&](ProbeStroke& stroke, const Nodes& nodes) {
+    std::vector<std::size_t> order(nodes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::shuffle(order.begin(), order.end(), std::mt19937_64(subject.seed));
+    Nodes shuffled = nodes;
+    for (std::size_t column = 0; column < column_count; ++column)
+      for (std::size_t i = 0; i < order.size(); ++i)
+        shuffled.columns[column][i] = nodes.columns[column][order[i]];
+    const auto plain = stroke.evaluate(nodes), rows = stroke.evaluate(shuffled);
+    std::vector<Row> back(rows.size());
+    for (std::size_t i = 0; i < order.size(); ++i) back[order[i]] = rows[i];
+    require_same(plain, back, "another order of nodes gives another result");
+  });
+}
+
+void check_threads(const Subject& subject) {
+  each_stroke(subject, [&](ProbeStroke& stroke, const Nodes& nodes) {
+    const auto alone = stroke.evaluate(nodes);
+    std::array<std::vector<Row>, 4> results;
+    std::array<std::string, 4> faults;
+    {
+      std::vector<std::thread> threads;
+      for (std::size_t k = 0; k < results.size(); ++k)
+        threads.emplace_back([&, k] {
+          try {
+            const auto start = std::chrono::steady_clock::now();
+            while (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(50)) {
+              results[k] = stroke.evaluate(nodes);
+              if (!difference(alone, results[k]).empty()) break;
+            }
+          } catch (const Failed& failed) {
+            faults[k] = failed.what();
+          }
+        });
+      for (std::thread& thread : threads) thread.join();
+    }
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      require(faults[k].empty(), faults[k]);
+      require_same(alone, results[k], "several threads give another result");
+    }
+  });
+}
+
+void check_runs(const Subject& subject) {
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    const Nodes nodes = random_nodes(2000, subject.seed);
+    ProbeBrush brush(plugin, descriptor, subject);
+    const auto draw = [&] { return ProbeStroke(brush).evaluate(nodes); };
+    const auto first = draw();
+    for (int i = 0; i < 2; ++i) require_same(first, draw(), "drawn again, it gives another result");
+  });
+}
+
+void check_processes(const Subject& subject) {
+  const auto draw = [&subject] {
+    std::string bits;
+    each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+      ProbeBrush brush(plugin, descriptor, subject);
+      const auto rows = ProbeStroke(brush).evaluate(random_nodes(2000, subject.seed));
+      bits.append(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row));
+    });
+    return bits;
+  };
+  require(in_process(draw) == in_process(draw), "two processes give different results");
+}
+
+void check_seed(const Subject& subject) {
+  each_stroke(subject, [&](ProbeStroke& stroke, const Nodes& nodes) {
+    const auto plain = stroke.evaluate(nodes);
+    stroke.context.seed += 1;
+    stroke.evaluate(nodes);
+    stroke.context.seed -= 1;
+    require_same(plain, stroke.evaluate(nodes),
+                 "evaluated again after another seed, it gives another result");
+  });
+}
+
+void check_float_modes(const Subject& subject) {
+  each_stroke(subject, [&](ProbeStroke& stroke, const Nodes& nodes) {
+    const int rounding = std::fegetround();
+#if defined(__SSE__)
+    const unsigned flags = _mm_getcsr() & ~0x3Fu;
+#endif
+    stroke.evaluate(nodes, 0, 1000);
+    const bool kept = std::fegetround() == rounding;
+    std::fesetround(rounding);
+    require(kept, "evaluate changes the rounding mode");
+#if defined(__SSE__)
+    require((_mm_getcsr() & ~0x3Fu) == flags, "evaluate changes whether denormals are flushed");
+#endif
+  });
+}
+
+void check_locale(const Subject& subject) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  each_stroke(subject, [&](ProbeStroke& stroke, const Nodes& nodes) {
+    stroke.evaluate(nodes);
+    require(std::setlocale(LC_ALL, nullptr) == before, "changes the locale");
+  });
+}
+
+constexpr Check checks[] = {
+    {"repeat.split", 4, "brush.h: the host may split nodes into batches as it likes",
+     "Compares one batch with many.", check_split},
+    {"repeat.order", 4, "brush.h: evaluate is a pure function of batch elements, in any order",
+     "Compares with shuffled nodes.", check_order},
+    {"repeat.threads", 4, "brush.h: evaluate may run on many threads at once for one stroke",
+     "Compares with four threads.", check_threads},
+    {"repeat.runs", 4, "brush.h: evaluate is a pure function of context, parameters and batch",
+     "Draws three times.", check_runs},
+    {"repeat.processes", 4, "brush.h: evaluate is a pure function of context, parameters and batch",
+     "Draws in two processes.", check_processes},
+    {"repeat.seed", 4, "stroke.h: seed, so that a stroke drawn again is the same",
+     "Evaluates with another seed in between.", check_seed},
+    {"repeat.float-modes", 2,
+     "base.h: a call leaves rounding mode and the flushing of denormals as they were",
+     "Compares them before and after evaluate.", check_float_modes},
+    {"repeat.locale", 2, "base.h: a call leaves the locale as it was",
+     "Compares it before and after a stroke.", check_locale},
+};
+
+}  // namespace
+
+std::span<const Check> repeat_checks() { return checks; }
+
+}  // namespace burin::validate

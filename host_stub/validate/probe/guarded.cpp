@@ -1,0 +1,26 @@
+#include "validate/probe/guarded.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "validate/check.h"
+
+namespace burin::validate {
+
+Guarded::Guarded(std::span<const float> numbers, bool at_end) {
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t middle = (numbers.size_bytes() + page - 1) / page * page;
+  bytes_ = middle + 2 * page;
+  pages_ = mmap(nullptr, bytes_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  require(pages_ != MAP_FAILED, "no memory for guarded arrays");
+  char* start = static_cast<char*>(pages_) + page;
+  require(mprotect(start, middle, PROT_READ | PROT_WRITE) == 0, "no memory for guarded arrays");
+  data_ = reinterpret_cast<float*>(at_end ? start + middle - numbers.size_bytes() : start);
+  std::copy(numbers.begin(), numbers.end(), data_);
+}
+
+Guarded::~Guarded() { munmap(pages_, bytes_); }
+
+}  // namespace burin::validate

@@ -1,0 +1,111 @@
+#include "validate/probe/stroke.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace burin::validate {
+namespace {
+
+constexpr std::array output_names = {"along", "across", "up", "mask", "r", "g", "b", "a"};
+constexpr Row before = {0, 0, 0, 1, 0.5f, 0.5f, 0.5f, 0.5f};
+
+}  // namespace
+
+ProbeBrush::ProbeBrush(const Plugin& plugin, const burin_brush_descriptor& brush, const Subject& subject)
+    : descriptor(brush),
+      values(brush, subject),
+      brush_(plugin.factory().create(&plugin.factory(), host.abi(), brush.id, nullptr)) {
+  require(brush_, "cannot be created");
+}
+
+ProbeBrush::~ProbeBrush() { brush_->destroy(brush_); }
+
+ProbeStroke::ProbeStroke(ProbeBrush& brush, const burin_stroke_context& drawn)
+    : context(drawn), brush_(brush), params_(&brush.values.abi()) {
+  std::array<char, 400> line{};
+  burin_text text{sizeof text, static_cast<std::uint32_t>(line.size()), line.data()};
+  burin_stroke_context empty = context;
+  empty.length = 0;
+  plan = {sizeof plan, 1, 0};
+  const burin_status status = brush.abi().begin(&brush.abi(), &empty, params_, &plan, &stroke_, &text);
+  if (status == BURIN_OK) return;
+  const std::string reason = "begin fails: " + std::string(line.data());
+  if (brush.values.needs_file()) throw Skipped("it needs a file of its user: " + reason);
+  throw Failed(reason);
+}
+
+ProbeStroke::~ProbeStroke() { brush_.abi().end(&brush_.abi(), stroke_); }
+
+burin_status ProbeStroke::call(const burin_batch& batch, const burin_outputs& outputs,
+                               burin_text* text) const {
+  return brush_.abi().evaluate(&brush_.abi(), stroke_, &context, &batch, &outputs, text);
+}
+
+std::vector<Row> ProbeStroke::evaluate(const Nodes& nodes, std::size_t begin, std::size_t end) const {
+  std::array<char, 400> line{};
+  burin_text text{sizeof text, static_cast<std::uint32_t>(line.size()), line.data()};
+  std::vector<Row> rows(end - begin);
+  const burin_outputs outputs = outputs_of(rows);
+  const burin_status status = call(batch_of(nodes, begin, end - begin, *params_), outputs, &text);
+  require(status == BURIN_OK, fmt::format("evaluate of {} nodes fails: {}", end - begin, line.data()));
+  return rows;
+}
+
+burin_floats& array_of(burin_batch& batch, const InputColumns& input, std::size_t member) {
+  return *reinterpret_cast<burin_floats*>(reinterpret_cast<char*>(&batch) + input.offset +
+                                          member * sizeof(burin_floats));
+}
+
+burin_batch batch_of(const Nodes& nodes, std::size_t begin, std::size_t count, const burin_params& params) {
+  burin_batch batch{};
+  batch.struct_size = sizeof batch;
+  batch.count = static_cast<std::uint32_t>(count);
+  batch.params = &params;
+  std::size_t column = 0;
+  for (const InputColumns& input : input_columns())
+    for (std::size_t member = 0; member < input.count; ++member)
+      array_of(batch, input, member) = {nodes.columns[column++].data() + begin, 1, 0};
+  return batch;
+}
+
+std::array<burin_floats_out*, 8> arrays_of(burin_outputs& outputs) {
+  return {&outputs.along,     &outputs.across,    &outputs.up,        &outputs.mask,
+          &outputs.colour[0], &outputs.colour[1], &outputs.colour[2], &outputs.colour[3]};
+}
+
+burin_outputs outputs_of(std::vector<Row>& rows) {
+  std::fill(rows.begin(), rows.end(), before);
+  burin_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.count = static_cast<std::uint32_t>(rows.size());
+  std::size_t k = 0;
+  for (burin_floats_out* array : arrays_of(outputs)) *array = {rows[0].data() + k++, 8, 0};
+  return outputs;
+}
+
+bool writes(const burin_brush_descriptor& brush, std::size_t array) {
+  const std::uint64_t bit = array < 3    ? BURIN_OUTPUT_DISPLACEMENT
+                            : array == 3 ? BURIN_OUTPUT_MASK
+                                         : BURIN_OUTPUT_COLOUR;
+  return brush.outputs_written & bit;
+}
+
+std::string difference(const std::vector<Row>& a, const std::vector<Row>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t k = 0; k < a[i].size(); ++k)
+      if (std::memcmp(&a[i][k], &b[i][k], sizeof(float)) != 0)
+        return fmt::format("node {}: {} is {} and {}", i, output_names[k], a[i][k], b[i][k]);
+  return {};
+}
+
+float distance(const std::vector<Row>& a, const std::vector<Row>& b) {
+  float most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t k = 0; k < a[i].size(); ++k) most = std::max(most, std::abs(a[i][k] - b[i][k]));
+  return most;
+}
+
+}  // namespace burin::validate

@@ -1,0 +1,94 @@
+#include "validate/probe/values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "validate/probe/plugin.h"
+
+namespace burin::validate {
+
+float least_of(const burin_param_info& info) {
+  if (info.type == BURIN_PARAM_BOOL || info.type == BURIN_PARAM_CHOICE) return 0;
+  return std::isfinite(info.hard_min) ? info.hard_min : info.soft_min;
+}
+
+float greatest_of(const burin_param_info& info) {
+  if (info.type == BURIN_PARAM_BOOL) return 1;
+  if (info.type == BURIN_PARAM_CHOICE) return static_cast<float>(list_of(info.choices).size()) - 1;
+  return std::isfinite(info.hard_max) ? info.hard_max : info.soft_max;
+}
+
+Values::Values(const burin_brush_descriptor& brush, const Subject& subject)
+    : brush_(brush), numbers_(brush.param_count), texts_(brush.param_count), values_(brush.param_count) {
+  for (std::uint32_t i = 0; i < brush.param_count; ++i) {
+    const burin_param_info& info = *brush.params[i];
+    numbers_[i] = {info.default_number};
+    if (info.type == BURIN_PARAM_COLOUR) std::copy_n(info.default_colour, 4, numbers_[i].begin());
+    if (info.type == BURIN_PARAM_TEXT && BURIN_HAS(&info, burin_param_info, default_text) &&
+        info.default_text)
+      texts_[i] = info.default_text;
+    if (info.type != BURIN_PARAM_FILE) continue;
+    needs_file_ |= !info.default_file;
+    texts_[i] = info.default_file ? info.default_file : subject.stamp.string();
+  }
+}
+
+void Values::set_numbers(const std::function<float(const burin_param_info&)>& number) {
+  for (std::uint32_t i = 0; i < brush_.param_count; ++i) {
+    const burin_param_info& info = *brush_.params[i];
+    if (info.type >= BURIN_PARAM_FLOAT && info.type <= BURIN_PARAM_CHOICE) numbers_[i][0] = number(info);
+    burin_param_info channel_info{};
+    channel_info.hard_max = 1;
+    if (info.type == BURIN_PARAM_COLOUR)
+      for (float& channel : numbers_[i]) channel = number(channel_info);
+  }
+}
+
+void Values::set_least() { set_numbers(least_of); }
+void Values::set_greatest() { set_numbers(greatest_of); }
+
+void Values::set_random(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  set_numbers([&](const burin_param_info& info) {
+    const double share = static_cast<double>(random() >> 11) * 0x1p-53;
+    const float low = least_of(info), high = greatest_of(info);
+    const auto value = static_cast<float>(low + share * (double{high} - low));
+    const bool whole = info.type >= BURIN_PARAM_INT && info.type <= BURIN_PARAM_CHOICE;
+    return std::clamp(whole ? std::round(value) : value, low, high);
+  });
+}
+
+bool Values::scale_lengths(float factor) {
+  bool within = true;
+  for (std::uint32_t i = 0; i < brush_.param_count; ++i) {
+    const burin_param_info& info = *brush_.params[i];
+    if (info.type != BURIN_PARAM_FLOAT || info.unit != BURIN_UNIT_LENGTH) continue;
+    numbers_[i][0] *= factor;
+    within &= numbers_[i][0] >= info.hard_min && numbers_[i][0] <= info.hard_max;
+  }
+  return within;
+}
+
+void Values::set_text(std::uint32_t index, std::string text) { texts_[index] = std::move(text); }
+
+const burin_params& Values::abi() {
+  for (std::uint32_t i = 0; i < brush_.param_count; ++i) {
+    const burin_param_info& info = *brush_.params[i];
+    burin_param_value& value = values_[i] = {};
+    const bool text = info.type == BURIN_PARAM_TEXT || info.type == BURIN_PARAM_FILE;
+    if (text) value.text = texts_[i].c_str();
+    if (info.type >= BURIN_PARAM_FLOAT && info.type <= BURIN_PARAM_CHOICE)
+      value.number.data = numbers_[i].data();
+    if (info.type == BURIN_PARAM_COLOUR)
+      for (std::size_t c = 0; c < 4; ++c) value.colour[c].data = &numbers_[i][c];
+    if (info.type == BURIN_PARAM_CURVE) {
+      value.knots = info.default_knots;
+      value.knot_count = info.default_knot_count;
+    }
+  }
+  params_ = {sizeof(burin_params), brush_.param_count, values_.data()};
+  return params_;
+}
+
+}  // namespace burin::validate

@@ -1,0 +1,55 @@
+#pragma once
+#include <burin/abi/brush.h>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "validate/check.h"
+
+namespace burin::validate {
+
+/// A value for each parameter of a brush.
+class Values {
+ public:
+  /// The defaults. Files that the user must choose are the stamp of the subject.
+  Values(const burin_brush_descriptor& brush, const Subject& subject);
+  Values(const Values&) = delete;
+  Values& operator=(const Values&) = delete;
+
+  /// Sets every number to the ends of its range: the hard one, or the soft one where that is infinite.
+  void set_least();
+  void set_greatest();
+
+  /// Sets every number, colour and choice to a random value in its range.
+  void set_random(std::uint64_t seed);
+
+  /// Multiplies lengths. Returns whether all stay in their ranges.
+  bool scale_lengths(float factor);
+
+  /// Sets the text of a text or file parameter.
+  void set_text(std::uint32_t index, std::string text);
+
+  /// Whether the brush has a file parameter without a default.
+  bool needs_file() const { return needs_file_; }
+
+  const burin_params& abi();
+
+ private:
+  void set_numbers(const std::function<float(const burin_param_info&)>& number);
+
+  const burin_brush_descriptor& brush_;
+  std::vector<std::array<float, 4>> numbers_;
+  std::vector<std::string> texts_;
+  std::vector<burin_param_value> values_;
+  burin_params params_{};
+  bool needs_file_ = false;
+};
+
+/// Ends of the range of a number that hosts pass.
+float least_of(const burin_param_info& info);
+float greatest_of(const burin_param_info& info);
+
+}  // namespace burin::validate

@@ -1,0 +1,119 @@
+#include "validate/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "validate/badge.h"
+
+namespace burin::validate {
+namespace {
+
+bool has_failed(const Result& result) {
+  return result.verdict != Verdict::pass && result.verdict != Verdict::skip;
+}
+
+/// Text as XML has it, without control characters.
+std::string xml(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '&')
+      escaped += "&amp;";
+    else if (c == '<')
+      escaped += "&lt;";
+    else if (c == '"')
+      escaped += "&quot;";
+    else
+      escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return escaped;
+}
+
+/// A word as a shell takes it.
+std::string shell_word(const std::string& word) {
+  if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+") ==
+      word.npos)
+    return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+Counts count(std::span<const Result> results) {
+  Counts counts;
+  for (const Result& result : results)
+    ++(has_failed(result) ? counts.failed : result.verdict == Verdict::pass ? counts.passed : counts.skipped);
+  return counts;
+}
+
+int level_reached(std::span<const Result> results, int highest) {
+  int level = highest;
+  for (const Result& result : results)
+    if (has_failed(result)) level = std::min(level, result.check->level - 1);
+  return level;
+}
+
+std::string command_of(const Subject& subject, const Check& check) {
+  return fmt::format("burin validate {} --only {} --seed {}", shell_word(subject.module.string()), check.name,
+                     subject.seed);
+}
+
+std::string text_report(const Subject& subject, std::span<const Result> results) {
+  std::string text;
+  for (const Result& result : results) {
+    text += fmt::format("{:<7} {}{}{}\n", name_of(result.verdict), result.check->name,
+                        result.text.empty() ? "" : ": ", result.text);
+    if (has_failed(result))
+      text +=
+          fmt::format("        {}\n        {}\n", result.check->clause, command_of(subject, *result.check));
+  }
+  const Counts counts = count(results);
+  return text +
+         fmt::format("{} passed, {} failed, {} skipped\n", counts.passed, counts.failed, counts.skipped);
+}
+
+Json json_report(const Subject& subject, std::span<const Result> results, int highest) {
+  Json checks = Json::array();
+  for (const Result& result : results)
+    checks.push_back({{"name", result.check->name},
+                      {"level", result.check->level},
+                      {"verdict", name_of(result.verdict)},
+                      {"text", result.text},
+                      {"clause", result.check->clause},
+                      {"seconds", result.seconds},
+                      {"command", command_of(subject, *result.check)}});
+  const Counts counts = count(results);
+  return {{"module", subject.module.string()},
+          {"hash", module_hash(subject.module)},
+          {"seed", subject.seed},
+          {"level", level_reached(results, highest)},
+          {"passed", counts.passed},
+          {"failed", counts.failed},
+          {"skipped", counts.skipped},
+          {"checks", checks}};
+}
+
+std::string junit_report(const Subject& subject, std::span<const Result> results) {
+  const Counts counts = count(results);
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" "
+      "skipped=\"{}\">\n",
+      xml(subject.module.filename().string()), results.size(), counts.failed, counts.skipped);
+  for (const Result& result : results) {
+    text += fmt::format("  <testcase classname=\"burin.validate\" name=\"{}\" time=\"{:.3f}\">",
+                        result.check->name, result.seconds);
+    if (has_failed(result))
+      text +=
+          fmt::format("<failure message=\"{}: {}\">{}\n{}</failure>", name_of(result.verdict),
+                      xml(result.text), xml(result.check->clause), xml(command_of(subject, *result.check)));
+    else if (result.verdict == Verdict::skip)
+      text += fmt::format("<skipped message=\"{}\"/>", xml(result.text));
+    text += "</testcase>\n";
+  }
+  return text + "</testsuite>\n";
+}
+
+}  // namespace burin::validate

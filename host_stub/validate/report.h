@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "system/console.h"
+#include "validate/run_checks.h"
+
+namespace burin::validate {
+
+/// How many checks came out in each way; crashes and time limits count as failed.
+struct Counts {
+  int passed = 0, failed = 0, skipped = 0;
+};
+Counts count(std::span<const Result> results);
+
+/// The highest level of which, and of all below which, no check failed; 0 if one of level 1 did. At most
+/// `highest`, the level up to which checks were run.
+int level_reached(std::span<const Result> results, int highest);
+
+/// A command that runs one check again.
+std::string command_of(const Subject& subject, const Check& check);
+
+/// Lines for people, the last of them "N passed, N failed, N skipped".
+std::string text_report(const Subject& subject, std::span<const Result> results);
+Json json_report(const Subject& subject, std::span<const Result> results, int highest);
+std::string junit_report(const Subject& subject, std::span<const Result> results);
+
+}  // namespace burin::validate

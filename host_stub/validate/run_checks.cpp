@@ -1,0 +1,62 @@
+#include "validate/run_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "validate/child_checks.h"
+
+namespace burin::validate {
+
+const char* name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "PASS";
+    case Verdict::fail:
+      return "FAIL";
+    case Verdict::crash:
+      return "CRASH";
+    case Verdict::timeout:
+      return "TIMEOUT";
+    default:
+      return "SKIP";
+  }
+}
+
+Result run_here(const Subject& subject, const Check& check) {
+  try {
+    check.run(subject);
+    return {&check, Verdict::pass, {}};
+  } catch (const Skipped& skipped) {
+    return {&check, Verdict::skip, skipped.what()};
+  } catch (const std::exception& error) {
+    return {&check, Verdict::fail, error.what()};
+  }
+}
+
+std::vector<Result> run_checks(const Subject& subject, std::span<const Check* const> checks,
+                               const RunOptions& options) {
+  const auto run = [&](std::span<const Check* const> some) {
+    if (!options.in_process) return run_in_children(subject, some, options.jobs);
+    std::vector<Result> results;
+    for (const Check* check : some) results.push_back(run_here(subject, *check));
+    return results;
+  };
+  const Check* const loads = find_check("module.loads");
+  const Result first = run({&loads, 1})[0];
+  std::vector<const Check*> others;
+  std::copy_if(checks.begin(), checks.end(), std::back_inserter(others),
+               [&](const Check* check) { return check != loads; });
+  std::vector<Result> results;
+  if (others.size() < checks.size() || first.verdict != Verdict::pass) results.push_back(first);
+  if (first.verdict == Verdict::pass) {
+    const auto rest = run(others);
+    results.insert(results.end(), rest.begin(), rest.end());
+  } else {
+    for (const Check* check : others) results.push_back({check, Verdict::skip, "the module does not load"});
+  }
+  return results;
+}
+
+}  // namespace burin::validate

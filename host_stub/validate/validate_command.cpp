@@ -1,0 +1,145 @@
+#include <burin/base/file.h>
+#include <burin/base/quoted_word.h>
+#include <burin/stamp/files/picture.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "command.h"
+#include "system/console.h"
+#include "validate/badge.h"
+#include "validate/report.h"
+
+namespace burin::command {
+namespace {
+
+using namespace validate;
+
+struct ValidateOptions {
+  std::string module, junit, badge, only, explain;
+  int level = levels - 1;
+  std::uint64_t seed = 1;
+  RunOptions run;
+  bool json = false, list = false;
+};
+
+const Check& named_check(const std::string& name) {
+  if (const Check* check = find_check(name)) return *check;
+  throw Error(fmt::format("no check {}; --list lists them", quoted_word(name)));
+}
+
+void print_list() {
+  for (const Check& check : all_checks())
+    write_result(fmt::format("{}  {:<32} {}\n", check.level, check.name, check.what));
+}
+
+void print_explanation(const Check& check) {
+  write_result(fmt::format("{}, level {}\n  {}\n  {}\n", check.name, check.level, check.what, check.clause));
+}
+
+std::vector<const Check*> chosen_checks(const ValidateOptions& options) {
+  if (!options.only.empty()) return {&named_check(options.only)};
+  std::vector<const Check*> chosen;
+  for (const Check& check : all_checks())
+    if (check.level <= options.level) chosen.push_back(&check);
+  return chosen;
+}
+
+/// A folder for the files of the checks, removed at the end.
+class WorkFolder {
+ public:
+  WorkFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "burin-validate-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw FileError(name, "the folder cannot be made");
+    path = name;
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  ~WorkFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+
+  std::filesystem::path path;
+};
+
+/// An image of soft hills that tiles.
+void write_stamp(const std::filesystem::path& path) {
+  Picture picture{32, 32, {}};
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) {
+      const int rise = (x < 16 ? x : 31 - x) * (y < 16 ? y : 31 - y);
+      picture.rgb.insert(picture.rgb.end(), 3, static_cast<std::uint8_t>(rise));
+    }
+  write_png(path, picture);
+}
+
+void write_text_file(const std::string& path, const std::string& text) {
+  write_file_whole(path, [&](std::ostream& out) { out << text; });
+}
+
+void validate_module(const ValidateOptions& options) {
+  for (const std::string& file : {options.junit, options.badge})
+    if (!file.empty()) check_output(file);
+  if (!std::filesystem::is_regular_file(options.module)) throw FileError(options.module, "is no file");
+  const WorkFolder folder;
+  const Subject subject{std::filesystem::absolute(options.module), folder.path, folder.path / "stamp.png",
+                        options.seed};
+  write_stamp(subject.stamp);
+  keep_plugins_off_standard_output();
+  const std::vector<Result> results = run_checks(subject, chosen_checks(options), options.run);
+  const Counts counts = count(results);
+  write_result(options.json ? json_text(json_report(subject, results, options.level))
+                            : text_report(subject, results));
+  if (!options.junit.empty()) write_text_file(options.junit, junit_report(subject, results));
+  if (!options.badge.empty())
+    write_text_file(options.badge, badge_text(subject.module, level_reached(results, options.level)));
+  if (counts.failed == 0 && counts.passed > 0) return;
+  flush_results();
+  throw std::runtime_error(
+      counts.failed ? fmt::format("{}: {} of {} checks failed", options.module, counts.failed, results.size())
+                    : fmt::format("{}: nothing was tested", options.module));
+}
+
+void run(const ValidateOptions& options) {
+  if (options.list) return print_list();
+  if (!options.explain.empty()) return print_explanation(named_check(options.explain));
+  if (options.module.empty()) throw CLI::ValidationError("plugin", "a plugin is required");
+  if (!options.badge.empty() && !options.only.empty())
+    throw CLI::ValidationError("--write-badge", "a badge needs all checks of a level, not --only");
+  validate_module(options);
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app) {
+  const auto options = std::make_shared<ValidateOptions>();
+  CLI::App& command = *app.add_subcommand("validate", "test whether a plugin keeps to the plugin ABI");
+  command.add_option("plugin", options->module, "module to test, NAME.burin")->type_name("FILE");
+  command
+      .add_option("--level", options->level,
+                  "test this level and those below: 1 loads and behaves, 2 the contract, 3 robust, 4 "
+                  "deterministic and "
+                  "bounded (the default), 5 fast, for machines that are not busy")
+      ->check(CLI::Range(1, levels));
+  command.add_option("--only", options->only, "run one check")->type_name("CHECK");
+  command.add_option("--seed", options->seed, "seed of what is random, 1 unless given");
+  command.add_option("--jobs", options->run.jobs, "checks at a time, 2 unless given")
+      ->check(CLI::Range(1, 64));
+  command.add_flag("--in-process", options->run.in_process, "run checks in this process, for a debugger");
+  command.add_flag("--json", options->json, "write JSON to the standard output");
+  command.add_option("--junit", options->junit, "JUnit file to write")->type_name("FILE");
+  command
+      .add_option("--write-badge", options->badge,
+                  "badge to write; `burin list` shows NAME.badge.json beside NAME.burin")
+      ->type_name("FILE");
+  command.add_flag("--list", options->list, "list the checks");
+  command.add_option("--explain", options->explain, "tell what a check does, and which clause it tests")
+      ->type_name("CHECK");
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace burin::command

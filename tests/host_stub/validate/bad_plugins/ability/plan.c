@@ -1,0 +1,3 @@
+/* Asks for no pass. */
+#define PASSES 0
+#include "../good.h"

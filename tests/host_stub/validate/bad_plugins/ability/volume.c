@@ -1,0 +1,3 @@
+/* Writes a distance that is no number. */
+#define IN_DISTANCE AT(out, 5) = NAN
+#include "../good.h"

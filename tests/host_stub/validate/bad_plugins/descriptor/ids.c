@@ -1,0 +1,3 @@
+/* Has an id that is no reverse DNS name. */
+#define ID "good"
+#include "../good.h"

@@ -1,0 +1,3 @@
+/* Combines visits in a way that there is not. */
+#define OVERLAP 77
+#include "../good.h"

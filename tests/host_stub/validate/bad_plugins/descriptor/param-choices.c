@@ -1,0 +1,3 @@
+/* Has two choices of one id. */
+#define CHOICES "round", "round"
+#include "../good.h"

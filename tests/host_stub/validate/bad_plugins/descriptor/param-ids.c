@@ -1,0 +1,3 @@
+/* Has two parameters of one id. */
+#define COUNT .id = "height"
+#include "../good.h"

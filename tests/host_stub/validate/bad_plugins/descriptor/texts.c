@@ -1,0 +1,3 @@
+/* Has a name that is no UTF-8. */
+#define NAME "\xFF\xFE"
+#include "../good.h"

@@ -1,0 +1,3 @@
+/* Has a version without numbers. */
+#define VERSION "newest"
+#include "../good.h"

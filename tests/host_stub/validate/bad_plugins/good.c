@@ -1,0 +1,2 @@
+/* Has no fault. */
+#include "good.h"

@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "../run_command.h"
+
+namespace burin::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+std::string bad_plugin(const std::string& name) {
+  return std::string(BURIN_BAD_PLUGINS) + "/" + name + ".burin";
+}
+
+/// The report of the checks of these levels; whatever they find.
+nlohmann::json report(const std::string& module, const std::string& level) {
+  return nlohmann::json::parse(burin({"validate", module, "--json", "--level", level}).out);
+}
+
+Names failed_checks(const nlohmann::json& report) {
+  Names names;
+  for (const auto& check : report["checks"])
+    if (check["verdict"] != "PASS" && check["verdict"] != "SKIP") names.insert(check["name"]);
+  return names;
+}
+
+/// The names of all checks.
+Names all_checks() {
+  std::istringstream lines(burin_output({"validate", "--list"}));
+  Names names;
+  int level = 0;
+  std::string name;
+  for (std::string rest; lines >> level >> name && std::getline(lines, rest);) names.insert(name);
+  return names;
+}
+
+/// The names of all plugins with a fault.
+Names bad_plugins() {
+  Names names;
+  for (const auto& entry : fs::directory_iterator(BURIN_BAD_PLUGINS)) names.insert(entry.path().stem());
+  names.erase("good");
+  return names;
+}
+
+TEST(ValidateCommand, FindsNoFaultWhereThereIsNone) {
+  const nlohmann::json found = report(bad_plugin("good"), "4");
+  EXPECT_EQ(failed_checks(found), Names{});
+  EXPECT_GT(found["passed"], 60);
+  EXPECT_EQ(found["level"], 4);
+}
+
+TEST(ValidateCommand, HasAPluginWithAFaultForEachCheck) {
+  Names missing;
+  const Names checks = all_checks(), plugins = bad_plugins();
+  std::set_difference(checks.begin(), checks.end(), plugins.begin(), plugins.end(),
+                      std::inserter(missing, missing.end()));
+  // Of these a plugin would need another machine's libraries.
+  EXPECT_EQ(missing, (Names{"module.libraries", "module.symbol-versions"}));
+  EXPECT_GE(plugins.size(), 48u);
+}
+
+class BadPlugins : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(BadPlugins, AreFoundByTheOneCheckOfTheirName) {
+  for (const std::string& name : bad_plugins()) {
+    if (name.substr(0, name.find('.')) != GetParam()) continue;
+    const bool fast = name.starts_with("speed.") || name == "module.load-time";
+    const Names failed = failed_checks(report(bad_plugin(name), fast ? "5" : "4"));
+    // Whether a speed holds depends on what else this machine does.
+    if (fast) {
+      EXPECT_TRUE(failed.contains(name)) << name;
+    } else {
+      EXPECT_EQ(failed, Names{name});
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEachTopic, BadPlugins,
+                         ::testing::Values("module", "descriptor", "life", "host", "evaluate", "memory",
+                                           "shape", "repeat", "ability", "speed"),
+                         [](const auto& topic) { return topic.param; });
+
+TEST(ValidateCommand, FindsNoFaultInStockBrushes) {
+  for (const auto& entry : fs::directory_iterator(fs::path(BURIN_COMMAND).parent_path() / "brushes"))
+    if (entry.path().extension() == ".burin") {
+      EXPECT_EQ(failed_checks(report(entry.path(), "4")), Names{}) << entry.path();
+    }
+}
+
+TEST(ValidateCommand, RepeatsACheckByTheCommandThatItTells) {
+  const ProcessResult all = burin({"validate", bad_plugin("shape.seam"), "--seed", "9"});
+  EXPECT_EQ(all.exit_code, 1);
+  EXPECT_NE(all.out.find("--only shape.seam --seed 9\n"), std::string::npos) << all.out;
+  const ProcessResult one =
+      burin({"validate", bad_plugin("shape.seam"), "--only", "shape.seam", "--seed", "9"});
+  EXPECT_EQ(one.exit_code, 1);
+  EXPECT_NE(one.out.find("FAIL    shape.seam: org.example.good: a closed stroke has a step of"),
+            std::string::npos)
+      << one.out;
+  EXPECT_TRUE(one.out.ends_with("0 passed, 1 failed, 0 skipped\n"));
+}
+
+TEST(ValidateCommand, FailsOnWhatIsNoModule) {
+  const CommandFolder folder;
+  const ProcessResult result = burin({"validate", folder.write("text.burin", "not a library")});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_TRUE(result.out.starts_with("FAIL    module.loads: ")) << result.out;
+}
+
+TEST(ValidateCommand, FailsWhereNothingWasTested) {
+  EXPECT_EQ(burin({"validate", bad_plugin("good"), "--only", "ability.passes"}).exit_code, 1);
+}
+
+TEST(ValidateCommand, RefusesWrongUse) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"validate"},
+                                                    {"validate", "/nowhere/a.burin"},
+                                                    {"validate", bad_plugin("good"), "--only", "no.check"},
+                                                    {"validate", bad_plugin("good"), "--level", "6"}})
+    EXPECT_EQ(burin(arguments).exit_code, 2);
+}
+
+TEST(ValidateCommand, WritesAJunitFileAndABadgeOfTheModule) {
+  const CommandFolder folder;
+  const std::string junit = folder.path("a.xml"), badge = folder.path("a.json");
+  EXPECT_EQ(burin({"validate", bad_plugin("good"), "--level", "1", "--junit", junit, "--write-badge", badge})
+                .exit_code,
+            0);
+  std::stringstream text;
+  text << std::ifstream(junit).rdbuf();
+  EXPECT_NE(text.str().find("<testcase classname=\"burin.validate\" name=\"module.loads\""),
+            std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(std::ifstream(badge))["level"], 1);
+}
+
+}  // namespace
+}  // namespace burin::test
