@@ -30,9 +30,7 @@ GivenSettings bark() {
 }
 
 /// Looks down on the plane [-1, 1]^2 at an angle.
-Camera camera() {
-  return framing_camera({-1, -1, 0}, {1, 1, 0}, {0.2, 0.3, -1}, {0, 1, 0}, 640, 480, 0.6);
-}
+Camera camera() { return framing_camera({-1, -1, 0}, {1, 1, 0}, {0.2, 0.3, -1}, {0, 1, 0}, 640, 480, 0.6); }
 
 /// Draws and records strokes as an application does. `at` makes of a position what the session takes.
 template <class At>
@@ -74,9 +72,8 @@ TEST(StrokeRecorder, RecordsPixelsOfACamera) {
   std::vector<Sample> pixels = test::wave();
   for (Sample& sample : pixels)
     sample.position = {320 + 230 * sample.position.x(), 240 + 230 * sample.position.y(), 0};
-  draw(session, recorder, pixels, [](const Sample& sample) {
-    return pixel_ray(camera(), sample.position.x(), sample.position.y());
-  });
+  draw(session, recorder, pixels,
+       [](const Sample& sample) { return pixel_ray(camera(), sample.position.x(), sample.position.y()); });
   EXPECT_GT(session.chart().size(), 100u);
   EXPECT_EQ(hash_of_replay(path), session.result_hash());
 }
@@ -166,7 +163,8 @@ TEST(StrokeRecorder, LosesAtMostTheLineInFlightWhenItsProcessIsKilled) {
   const auto path = folder.path() / "a.stroke";
   std::size_t most = 0;
   for (int run = 0; run < 20; ++run) {
-    const std::size_t handed_over = handed_over_until_killed(path, static_cast<useconds_t>(500 + random() % 20000));
+    const std::size_t handed_over =
+        handed_over_until_killed(path, static_cast<useconds_t>(500 + random() % 20000));
     std::size_t read_back = 0;
     for (const RecordedStroke& stroke : read_strokes(path).strokes)
       for (const Sample& sample : stroke.samples) {

@@ -30,8 +30,8 @@ inline bool same_bits(const RecordedStroke& a, const RecordedStroke& b) {
 }
 
 inline bool same_bits(const Recording& a, const Recording& b) {
-  if (a.space != b.space || a.device != b.device || a.cut_off_at != b.cut_off_at || a.camera.has_value() != b.camera.has_value() ||
-      a.strokes.size() != b.strokes.size())
+  if (a.space != b.space || a.device != b.device || a.cut_off_at != b.cut_off_at ||
+      a.camera.has_value() != b.camera.has_value() || a.strokes.size() != b.strokes.size())
     return false;
   if (a.camera && (a.camera->view != b.camera->view || a.camera->projection != b.camera->projection ||
                    a.camera->width != b.camera->width || a.camera->height != b.camera->height))

@@ -2,7 +2,7 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/unpack.h>
+#include <burin/ink/parse/unpack.h>
 #include <burin/ink/pen_file.h>
 #include <burin/stroke/files/recording_faults.h>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// Finds triangles that go through each other: one has a side that crosses the other one, which the signs of the
-// volumes of tetrahedra tell. Candidates come from a tree of boxes.
+// Finds triangles that go through each other: one has a side that crosses the other one, which the signs of
+// the volumes of tetrahedra tell. Candidates come from a tree of boxes.
 #include <burin/base/parallel.h>
 #include <burin/remesh/intersection.h>
 

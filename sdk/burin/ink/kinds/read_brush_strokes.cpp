@@ -6,8 +6,8 @@
 #include <burin/base/error.h>
 #include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/python_literal.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/parse/python_literal.h>
+#include <burin/ink/parse/scan.h>
 #include <fmt/format.h>
 
 #include <algorithm>

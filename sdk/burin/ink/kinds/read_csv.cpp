@@ -5,7 +5,7 @@
 #include <burin/base/quoted_word.h>
 #include <burin/base/text/lower_case.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/parse/scan.h>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 // whose name the recording's begins with.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/ink/kinds/evdev_frames.h>
+#include <burin/ink/decode/evdev_frames.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/parse/scan.h>
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // PointerEvents. They have no first bytes of their own, but lines of so many numbers, or such names.
 #include <burin/base/error.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/parse/scan.h>
 #include <burin/stroke/files/pen_events.h>
 
 #include <algorithm>

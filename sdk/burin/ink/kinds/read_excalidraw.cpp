@@ -3,7 +3,7 @@
 // CSS pixels. Pressures that the program simulates are not in the file.
 #include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/parse/scan.h>
 #include <burin/math/elementary.h>
 
 #include <Eigen/Geometry>

@@ -4,9 +4,9 @@
 // Contact is the tip switch or the eraser switch. Reports that lack the position belong to something else:
 // the battery, or the tablet's buttons.
 #include <burin/base/error.h>
-#include <burin/ink/kinds/hid_descriptor.h>
+#include <burin/ink/decode/hid_descriptor.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/parse/scan.h>
 #include <burin/math/elementary.h>
 
 #include <algorithm>

@@ -3,10 +3,10 @@
 // Office programs write X and Y in HIMETRIC (0.01 mm), whatever their files say of the resolution. Elsewhere
 // the units of the channel hold, divided by its resolution if it has one.
 #include <burin/base/error.h>
-#include <burin/ink/kinds/inkml_format.h>
-#include <burin/ink/kinds/inkml_trace.h>
+#include <burin/ink/decode/inkml_format.h>
+#include <burin/ink/decode/inkml_trace.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/parse/scan.h>
 #include <burin/math/elementary.h>
 #include <burin/stroke/pen_angles.h>
 

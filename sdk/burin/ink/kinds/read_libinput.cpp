@@ -2,9 +2,9 @@
 // events as lists [sec, usec, type, code, value] under devices/events. It is parsed as a stream, since
 // recordings have hundreds of thousands of numbers.
 #include <burin/base/error.h>
-#include <burin/ink/kinds/evdev_frames.h>
+#include <burin/ink/decode/evdev_frames.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/parse/scan.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 

@@ -4,7 +4,7 @@
 // devices without.
 #include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/parse/scan.h>
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include <burin/base/error.h>
 #include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/parse/scan.h>
 
 #include <algorithm>
 #include <array>

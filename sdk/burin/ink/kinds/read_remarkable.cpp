@@ -2,8 +2,8 @@
 // (remarkable_blocks.h); before it, layers hold lines and these points. Positions are pixels of 1/226 inch;
 // in version 6, x counts from the middle of the page. The direction of a point is that of the stroke, no tilt
 // of the pen; of time there is only the speed.
+#include <burin/ink/decode/remarkable_blocks.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/remarkable_blocks.h>
 
 namespace burin {
 namespace {

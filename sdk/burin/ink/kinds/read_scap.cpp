@@ -3,7 +3,7 @@
 // throughout the file are none; of time there is nothing.
 #include <burin/base/error.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/parse/scan.h>
 
 #include <algorithm>
 

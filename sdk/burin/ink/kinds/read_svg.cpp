@@ -3,10 +3,10 @@
 // svg_path.h.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
+#include <burin/ink/decode/svg_path.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/scan.h>
-#include <burin/ink/kinds/svg_path.h>
-#include <burin/ink/kinds/xml.h>
+#include <burin/ink/parse/scan.h>
+#include <burin/ink/parse/xml.h>
 #include <burin/math/elementary.h>
 #include <fmt/format.h>
 

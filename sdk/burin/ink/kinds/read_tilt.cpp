@@ -2,9 +2,9 @@
 // strokes, or that member by itself. Points lie in space, x to the right, y up and z forward, in units of 0.1
 // m; y is turned down here as in all pen files. The brush is held in the air: it has an orientation, and no
 // tilt against a plane.
-#include <burin/ink/kinds/byte_reader.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/unpack.h>
+#include <burin/ink/parse/byte_reader.h>
+#include <burin/ink/parse/unpack.h>
 
 namespace burin {
 namespace {

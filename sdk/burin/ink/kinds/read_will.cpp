@@ -4,8 +4,8 @@
 // nothing tells time or pressure.
 #include <burin/base/error.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/protobuf.h>
-#include <burin/ink/kinds/riff.h>
+#include <burin/ink/parse/protobuf.h>
+#include <burin/ink/parse/riff.h>
 
 namespace burin {
 namespace {

@@ -4,8 +4,8 @@
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <burin/ink/kinds/kinds.h>
-#include <burin/ink/kinds/scan.h>
-#include <burin/ink/kinds/xml.h>
+#include <burin/ink/parse/scan.h>
+#include <burin/ink/parse/xml.h>
 #include <fmt/format.h>
 
 namespace burin {

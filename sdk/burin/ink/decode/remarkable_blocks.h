@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/ink/kinds/byte_reader.h>
+#include <burin/ink/parse/byte_reader.h>
 #include <burin/ink/pen_file.h>
 
 namespace burin {

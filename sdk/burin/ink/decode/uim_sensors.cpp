@@ -1,8 +1,8 @@
 // Makes strokes of the sensor data in the Universal Ink Model, whose numbers are differences in steps that
 // the channel's description tells.
 #include <burin/base/error.h>
-#include <burin/ink/kinds/tilt_angles.h>
-#include <burin/ink/kinds/uim_sensors.h>
+#include <burin/ink/decode/tilt_angles.h>
+#include <burin/ink/decode/uim_sensors.h>
 #include <burin/math/elementary.h>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 // Contact is BTN_TOUCH, whatever the pressure. When the pen leaves, drivers set position, tilt and pressure
 // to 0 in the frame that takes the tool away: that frame is no sample. Pucks with a lens touch all the time
 // and make no strokes.
-#include <burin/ink/kinds/evdev_frames.h>
+#include <burin/ink/decode/evdev_frames.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Reads the values of binary pen files.
 #include <burin/base/error.h>
-#include <burin/ink/kinds/byte_reader.h>
+#include <burin/ink/parse/byte_reader.h>
 #include <fmt/format.h>
 
 namespace burin {

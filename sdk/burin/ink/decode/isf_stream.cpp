@@ -1,8 +1,8 @@
 // Takes the Ink Serialized Format out of what wraps it: base64, and the comments of a GIF.
 #include <burin/base/error.h>
-#include <burin/ink/kinds/byte_reader.h>
-#include <burin/ink/kinds/isf_stream.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/decode/isf_stream.h>
+#include <burin/ink/parse/byte_reader.h>
+#include <burin/ink/parse/scan.h>
 
 namespace burin {
 namespace {

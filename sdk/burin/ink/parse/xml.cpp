@@ -1,6 +1,6 @@
 // Parses XML by pugixml, which knows no entities but the five of XML.
 #include <burin/base/error.h>
-#include <burin/ink/kinds/xml.h>
+#include <burin/ink/parse/xml.h>
 #include <fmt/format.h>
 
 #include <algorithm>

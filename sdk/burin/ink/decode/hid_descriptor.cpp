@@ -1,7 +1,7 @@
 // Reads HID report descriptors: short items, of which global ones hold until they change and local ones until
 // the next main item ("Device Class Definition for HID 1.11", section 6.2.2).
 #include <burin/base/error.h>
-#include <burin/ink/kinds/hid_descriptor.h>
+#include <burin/ink/decode/hid_descriptor.h>
 
 #include <algorithm>
 #include <array>

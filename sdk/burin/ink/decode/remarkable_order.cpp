@@ -1,5 +1,5 @@
 // Orders items by the neighbours that they name: a topological sort.
-#include <burin/ink/kinds/remarkable_order.h>
+#include <burin/ink/decode/remarkable_order.h>
 
 #include <map>
 #include <set>

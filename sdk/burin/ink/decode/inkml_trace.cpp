@@ -3,8 +3,8 @@
 // the next one; "*" goes on as before, "?" is unknown.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
-#include <burin/ink/kinds/inkml_trace.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/decode/inkml_trace.h>
+#include <burin/ink/parse/scan.h>
 #include <fmt/format.h>
 
 namespace burin {

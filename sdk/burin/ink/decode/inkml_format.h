@@ -1,5 +1,5 @@
 #pragma once
-#include <burin/ink/kinds/xml.h>
+#include <burin/ink/parse/xml.h>
 
 #include <map>
 #include <string>

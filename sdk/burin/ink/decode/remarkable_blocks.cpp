@@ -1,7 +1,7 @@
 // Reads lines from the blocks of reMarkable's version 6. Values have a tag: their index, and how they are
 // written. A line tells its neighbours by ids, which order the lines; deleted ones stay as neighbours only.
-#include <burin/ink/kinds/remarkable_blocks.h>
-#include <burin/ink/kinds/remarkable_order.h>
+#include <burin/ink/decode/remarkable_blocks.h>
+#include <burin/ink/decode/remarkable_order.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // Reads the wire format of Protocol Buffers: fields, each a number, how it is written, and a value.
-#include <burin/ink/kinds/protobuf.h>
+#include <burin/ink/parse/protobuf.h>
 
 namespace burin {
 

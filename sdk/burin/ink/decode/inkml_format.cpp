@@ -2,8 +2,8 @@
 // the contexts and sources around them.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
-#include <burin/ink/kinds/inkml_format.h>
-#include <burin/ink/kinds/scan.h>
+#include <burin/ink/decode/inkml_format.h>
+#include <burin/ink/parse/scan.h>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <burin/ink/kinds/python_literal.h>
+#include <burin/ink/parse/python_literal.h>
 
 #include <algorithm>
 #include <cctype>

@@ -3,7 +3,7 @@
 #include <archive_entry.h>
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/ink/kinds/unpack.h>
+#include <burin/ink/parse/unpack.h>
 #include <fmt/format.h>
 
 #include <array>

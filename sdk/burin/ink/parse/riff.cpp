@@ -1,5 +1,5 @@
 // Reads RIFF: chunks with a name and a length, each padded to an even number of bytes.
-#include <burin/ink/kinds/riff.h>
+#include <burin/ink/parse/riff.h>
 
 namespace burin {
 namespace {
