@@ -47,6 +47,7 @@ const std::map<std::string, Names> third_party = {
     {"opensubdiv/", {"subdiv"}},
     {"openvdb/", {"level_set"}},
     {"OpenMesh/", {"remesh"}},
+    {"unsupported/Eigen/", {"remesh"}},
     {"OpenImageIO/", {"stamp"}},
     {"freetype/", {"stamp"}},
     {"harfbuzz/", {"stamp"}},

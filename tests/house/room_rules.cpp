@@ -57,7 +57,9 @@ const std::map<std::string, Names> room_may_include = {
     {"host_stub/chart", {"host_stub/input"}},
     {"host_stub/replay", {"host_stub/input", "host_stub/report"}},
     {"host_stub/bench", {"host_stub/replay"}},
-    {"host_stub/validate", {"host_stub/system"}},
+    {"host_stub/validate", {"host_stub/validate/checks"}},
+    {"host_stub/validate/checks", {"host_stub/validate/probe"}},
+    {"host_stub/validate/probe", {"host_stub/system"}},
 };
 
 /// All rooms that one may include by the rules, without itself unless they lead back to it.

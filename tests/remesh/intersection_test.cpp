@@ -36,6 +36,14 @@ TEST(SelfIntersection, IsFoundAroundAVertex) {
   EXPECT_FALSE(self_intersection(patch));
 }
 
+// A plane in a direction in which coordinates have to be rounded.
+TEST(SelfIntersection, IsNoneInAPlane) {
+  PatchMesh patch = test::flat_patch(20);
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Vec3d(1, 2, 3).normalized()));
+  for (Vec3d& p : patch.positions) p = turn * Vec3d(0.1 * p.x() + 5, 0.1 * p.y() + 7, 3);
+  EXPECT_FALSE(self_intersection(patch));
+}
+
 TEST(SelfIntersection, IsNoneWhereTrianglesTouch) {
   PatchMesh patch = test::flat_patch(4);
   add_triangle(patch, {1.3, 1.2, 0}, {1.4, 1.6, 1}, {1.9, 1.1, 1});

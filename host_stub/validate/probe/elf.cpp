@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "validate/check.h"
+#include "validate/probe/check.h"
 
 namespace burin::validate {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "validate/check.h"
+#include "validate/probe/check.h"
 
 namespace burin::validate {
 

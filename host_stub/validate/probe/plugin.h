@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "validate/check.h"
+#include "validate/probe/check.h"
 
 namespace burin::validate {
 

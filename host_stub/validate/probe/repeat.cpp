@@ -6,7 +6,7 @@
 #include <array>
 #include <exception>
 
-#include "validate/check.h"
+#include "validate/probe/check.h"
 
 namespace burin::validate {
 namespace {

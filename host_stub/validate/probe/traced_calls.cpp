@@ -20,7 +20,7 @@
 #include <cstring>
 #include <new>
 
-#include "validate/check.h"
+#include "validate/probe/check.h"
 
 namespace burin::validate {
 namespace {

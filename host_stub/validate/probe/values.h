@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "validate/check.h"
+#include "validate/probe/check.h"
 
 namespace burin::validate {
 

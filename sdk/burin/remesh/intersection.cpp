@@ -50,11 +50,16 @@ class Crossings {
     return false;
   }
 
+  /// By more than rounding: in a plane all of these volumes are nearly 0, of either sign.
   bool goes_through(const Vec3d& from, const Vec3d& to, const Triangle& u) const {
     const Vec3d &a = at(u[0]), &b = at(u[1]), &c = at(u[2]);
-    if (!(volume(a, b, c, from) * volume(a, b, c, to) < 0)) return false;
-    const double ab = volume(a, b, from, to), bc = volume(b, c, from, to), ca = volume(c, a, from, to);
-    return (ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0);
+    const double length = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm(), (to - from).norm()});
+    const double none = 1e-9 * length * length * length;
+    const auto sign = [none](double value) { return value > none ? 1 : value < -none ? -1 : 0; };
+    if (sign(volume(a, b, c, from)) * sign(volume(a, b, c, to)) >= 0) return false;
+    const int ab = sign(volume(a, b, from, to)), bc = sign(volume(b, c, from, to)),
+              ca = sign(volume(c, a, from, to));
+    return ab != 0 && ab == bc && bc == ca;
   }
 
   const PatchMesh* patch_;

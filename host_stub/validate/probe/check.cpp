@@ -1,4 +1,4 @@
-#include "validate/check.h"
+#include "validate/probe/check.h"
 
 #include <vector>
 
