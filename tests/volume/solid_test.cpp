@@ -48,7 +48,11 @@ double volume_inside(const StrokeSolid& solid) {
 
 TEST(StrokeSolid, TellsHowSteeplyADistanceChanges) {
   const Ground ground;
-  EXPECT_NEAR(median_slope(ground.rod()), 1, 0.01);
+  for (const double size : {0.01, 0.012, 0.014, 0.016, 0.018, 0.02}) {
+    SolidExtent extent = Ground::extent();
+    extent.voxel = size;
+    EXPECT_NEAR(median_slope(ground.solid(extent, test::rod(ground.chart, rod_radius, 0))), 1, 0.03) << size;
+  }
   const DistanceToSolid rod = test::rod(ground.chart, rod_radius, 0);
   const auto flat = [&](std::span<const ShellPoint> points, std::span<float> distances) {
     rod(points, distances);

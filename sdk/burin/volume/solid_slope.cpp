@@ -30,13 +30,14 @@ void append_slopes(const VoxelBlock& block, float band, std::vector<float>& slop
 }  // namespace
 
 double median_slope(const StrokeSolid& solid) {
-  const auto voxel = static_cast<float>(solid.voxel());
+  // As values beyond the band are cut off.
+  const auto band = static_cast<float>(VoxelBlock::half_width * solid.voxel());
   std::vector<float> slopes;
-  for (const VoxelBlock& block : solid.blocks()) append_slopes(block, VoxelBlock::half_width * voxel, slopes);
+  for (const VoxelBlock& block : solid.blocks()) append_slopes(block, band, slopes);
   if (slopes.empty()) return 1;
   const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
   std::nth_element(slopes.begin(), middle, slopes.end());
-  return static_cast<double>(*middle / voxel);
+  return static_cast<double>(*middle) / solid.voxel();
 }
 
 }  // namespace burin
