@@ -54,7 +54,11 @@ std::vector<Result> run_checks(const Subject& subject, std::span<const Check* co
     const auto rest = run(others);
     results.insert(results.end(), rest.begin(), rest.end());
   } else {
-    for (const Check* check : others) results.push_back({check, Verdict::skip, "the module does not load"});
+    Result skipped{nullptr, Verdict::skip, "the module does not load"};
+    for (const Check* check : others) {
+      skipped.check = check;
+      results.push_back(skipped);
+    }
   }
   return results;
 }
