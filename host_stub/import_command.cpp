@@ -30,21 +30,24 @@ struct ImportOptions {
   bool json = false;
 };
 
-std::string format_of(const ImportOptions& options) {
-  if (options.format != "auto") return options.format;
-  // A pipe can be read only once.
-  if (std::filesystem::is_regular_file(options.recording)) {
-    const std::string_view kind = kind_of_pen_file(options.recording);
-    if (kind == "pointer" || kind == "svc" || kind == "mypaint") return std::string(kind);
-    if (!kind.empty()) return "pen";
-  }
-  const std::filesystem::path extension = std::filesystem::path(options.recording).extension();
+/// The format of a recording whose kind is to be found: by its bytes if it was opened, else by its name.
+std::string format_of(const std::string& path, const std::optional<PenFileText>& opened) {
+  const std::string_view kind = opened ? kind_of_pen_file(*opened) : std::string_view();
+  if (kind == "pointer" || kind == "svc" || kind == "mypaint") return std::string(kind);
+  if (!kind.empty()) return "pen";
+  const std::filesystem::path extension = std::filesystem::path(path).extension();
   return extension == ".json" ? "pointer" : extension == ".svc" ? "svc" : "mypaint";
 }
 
-Import import_as(const std::string& format, const ImportOptions& options, const Camera& camera) {
+Import import_as(const ImportOptions& options, const Camera& camera) {
   const std::string& path = options.recording;
-  if (format == "pen") return import_pen_file(path, camera, options.choice);
+  const bool by_kind = options.format == "auto";
+  // A pipe can be read only once.
+  std::optional<PenFileText> opened;
+  if (options.format == "pen" || (by_kind && std::filesystem::is_regular_file(path)))
+    opened = open_pen_file(path);
+  const std::string format = by_kind ? format_of(path, opened) : options.format;
+  if (format == "pen") return import_pen_file(*opened, camera, options.choice);
   if (options.choice.page || options.choice.layer)
     throw FileError(path, "has neither pages nor layers, as --page and --layer ask for");
   if (format == "pointer") return import_pointer_events(path, camera);
@@ -52,7 +55,7 @@ Import import_as(const std::string& format, const ImportOptions& options, const 
 }
 
 Import read_recording(const ImportOptions& options, const Camera& camera) {
-  Import import = import_as(format_of(options), options, camera);
+  Import import = import_as(options, camera);
   for (RecordedStroke& stroke : import.recording.strokes) stroke.settings = options.settings;
   return import;
 }

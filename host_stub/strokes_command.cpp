@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -60,8 +61,7 @@ std::string time_text(const PenFileFacts& facts) {
   constexpr double ms = 1000;
   return fmt::format(
       "  {:.3f} s of ink at {:.1f} Hz: every {:.1f} ms ({:.1f} to {:.1f}), jitter {:.1f} ms; {} gaps, {} "
-      "equal "
-      "stamps, {} that fall\n",
+      "equal stamps, {} that fall\n",
       facts.ink_seconds, facts.rate, ms * facts.median_interval, ms * facts.interval->least,
       ms * facts.interval->most, ms * facts.jitter, facts.gaps, facts.equal_stamps, facts.falling_times);
 }
@@ -76,7 +76,7 @@ std::string pressure_text(const PenFileFacts& facts) {
 
 std::string tilt_text(const PenFileFacts& facts) {
   if (!facts.tilt_x || !facts.tilt_y) return "  no tilt\n";
-  constexpr double degrees = 57.29577951308232;
+  constexpr double degrees = 180 / std::numbers::pi;
   return fmt::format("  tilt {:.1f} to {:.1f} degrees in x, {:.1f} to {:.1f} in y\n",
                      degrees * facts.tilt_x->least, degrees * facts.tilt_x->most,
                      degrees * facts.tilt_y->least, degrees * facts.tilt_y->most);
@@ -85,8 +85,7 @@ std::string tilt_text(const PenFileFacts& facts) {
 std::string text_of(const std::string& path, const PenFile& file, const PenFileFacts& facts) {
   std::string text = fmt::format(
       "{}: {}, {} strokes, {} samples ({} to {} each) on {} pages, {} layers; {} hovering left out, {} at "
-      "the "
-      "place of the one before\n",
+      "the place of the one before\n",
       path, file.kind, facts.strokes, facts.samples, facts.shortest, facts.longest, facts.pages, facts.layers,
       file.hovering, facts.duplicates);
   if (facts.samples == 0) return text;

@@ -3,6 +3,7 @@
 #include "bench/report.h"
 
 #include <burin/base/file.h>
+#include <burin/base/text/base64.h>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -11,7 +12,6 @@
 #include "bench/plot.h"
 #include "bench/report_figures.h"
 #include "bench/scaling.h"
-#include "report/base64.h"
 #include "report/html_text.h"
 #include "report/report_folder.h"
 

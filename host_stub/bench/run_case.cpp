@@ -4,12 +4,12 @@
 
 #include <burin/base/hash.h>
 #include <burin/base/quoted_word.h>
+#include <burin/base/stopwatch.h>
 #include <burin/host/replay.h>
 #include <burin/level_set/solid_mesh.h>
 #include <burin/stroke/move_origin.h>
 #include <fmt/format.h>
 
-#include <chrono>
 #include <numeric>
 
 #include "bench/regression.h"
@@ -26,12 +26,6 @@
 
 namespace burin {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
@@ -136,13 +130,13 @@ class CaseRunner {
 
 void CaseRunner::load(const BrushLibrary& brushes) {
   const std::size_t memory_before = resident_memory();
-  const auto start = Clock::now();
+  const Stopwatch watch;
   LoadedSurface loaded = load_surface(case_.mesh, progress_);
   origin_ = loaded.from.origin;
   settings_[&StrokeSettings::symmetry].centre -= origin_;
   session_.emplace(std::move(loaded.surface), brushes, merge_solid);
   session_->set_paint(std::move(loaded.paint));
-  result_.load_seconds = seconds_since(start);
+  result_.load_seconds = watch.elapsed();
   result_.seconds_to_first_event = seconds_since_process_start();
   result_.memory.ready = growth(memory_before, resident_memory());
 }
@@ -177,9 +171,9 @@ void CaseRunner::draw_picture(const std::filesystem::path& file) {
 
 void CaseRunner::undo_all() {
   while (true) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     if (!session_->undo()) return;
-    undos_.append({{seconds_since(start)}, {session_->cost()}});
+    undos_.append({{watch.elapsed()}, {session_->cost()}});
   }
 }
 

@@ -4,7 +4,7 @@
 
 namespace burin {
 
-/// Escapes a text for use as content or as a quoted attribute of HTML.
+/// Escapes a text for use as content or as a quoted attribute of HTML or XML.
 std::string escaped(std::string_view text);
 
 }  // namespace burin

@@ -1,5 +1,6 @@
 #include "validate/child_checks.h"
 
+#include <burin/base/stopwatch.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -9,7 +10,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
@@ -17,20 +17,14 @@
 namespace burin::validate {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// A check that runs in a child.
 struct Child {
   std::size_t index;  ///< of the check
   pid_t process;
   int pipe;          ///< from which its verdict is read
   std::string sent;  ///< a digit, the verdict, and the text
-  Clock::time_point start;
+  Stopwatch watch;
 };
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The child: runs the check, sends the verdict and ends without any destructor of the parent's.
 [[noreturn]] void be_child(Subject subject, const Check& check, int pipe, pid_t parent) {
@@ -61,7 +55,7 @@ Child start_child(const Subject& subject, const Check& check, std::size_t index)
   }
   close(ends[1]);
   if (process < 0) throw Error("no process can be started: " + std::string(std::strerror(errno)));
-  return {index, process, ends[0], {}, Clock::now()};
+  return {index, process, ends[0], {}, {}};
 }
 
 /// Waits for a child that has closed its pipe, or is to be ended, and for what it started.
@@ -71,7 +65,7 @@ Result end_child(Child& child, const Check& check, bool late) {
   int status = 0;
   waitpid(child.process, &status, 0);
   kill(-child.process, SIGKILL);
-  Result result{&check, Verdict::crash, {}, seconds_since(child.start)};
+  Result result{&check, Verdict::crash, {}, child.watch.elapsed()};
   if (late) {
     result.verdict = Verdict::timeout;
     result.text = fmt::format("did not end within {} seconds", time_limit);
@@ -118,7 +112,7 @@ std::vector<Result> run_in_children(const Subject& subject, std::span<const Chec
     std::vector<Child> still;
     for (std::size_t i = 0; i < running.size(); ++i) {
       Child& child = running[i];
-      const bool late = seconds_since(child.start) > time_limit;
+      const bool late = child.watch.elapsed() > time_limit;
       if ((ready[i] && read_child(child)) || late)
         results[child.index] = end_child(child, *checks[child.index], late);
       else

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "report/html_text.h"
 #include "validate/badge.h"
 
 namespace burin::validate {
@@ -14,20 +15,11 @@ bool has_failed(const Result& result) {
   return result.verdict != Verdict::pass && result.verdict != Verdict::skip;
 }
 
-/// Text as XML has it, without control characters.
-std::string xml(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else if (c == '"')
-      escaped += "&quot;";
-    else
-      escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
-  return escaped;
+/// Text as XML has it, without control characters, which it cannot hold.
+std::string xml(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < 0x20; }, ' ');
+  return escaped(text);
 }
 
 /// A word as a shell takes it.

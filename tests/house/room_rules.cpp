@@ -57,7 +57,7 @@ const std::map<std::string, Names> room_may_include = {
     {"host_stub/chart", {"host_stub/input"}},
     {"host_stub/replay", {"host_stub/input", "host_stub/report"}},
     {"host_stub/bench", {"host_stub/replay"}},
-    {"host_stub/validate", {"host_stub/validate/checks"}},
+    {"host_stub/validate", {"host_stub/validate/checks", "host_stub/report"}},
     {"host_stub/validate/checks", {"host_stub/validate/probe"}},
     {"host_stub/validate/probe", {"host_stub/system"}},
 };

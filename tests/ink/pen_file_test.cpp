@@ -11,11 +11,7 @@ namespace {
 constexpr double none = -1;
 
 /// What is stated of a file. Ranges are of samples in contact, in the units that the reader gives.
-struct Stated {
-  const char* file;
-  const char* kind;
-  const char* unit;
-  std::size_t samples, strokes, shortest, longest;
+struct Stated : test::StatedCounts {
   double seconds = none;  ///< from the first sample to the last
   double least_pressure = none, most_pressure = none;
   double least_tilt_x = none, most_tilt_x = none;  ///< degrees
@@ -43,25 +39,7 @@ const Stated stated[] = {
     {"xopp_xournal_stroke_line_return.xoj", "xournal", "pt", 51, 1, 51, 51},
 };
 
-/// The range of a value over all samples.
-struct Range {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  void extend(double value) {
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-};
-
-template <class Value>
-Range range_of(const PenFile& file, bool PenFields::*field, const Value& value) {
-  Range range;
-  for (const PenStroke& stroke : file.strokes)
-    if (stroke.fields.*field)
-      for (const Sample& sample : stroke.samples) range.extend(value(sample));
-  return range;
-}
-
-void expect_range(const Range& range, double least, double most, double tolerance) {
+void expect_range(const test::Range& range, double least, double most, double tolerance) {
   if (least == none && most == none) {
     EXPECT_GT(range.least, range.most) << "the file has none";
     return;
@@ -77,25 +55,17 @@ TEST_P(PenFileOfOthers, HasWhatIsStatedOfIt) {
   const std::string name = std::string("strokes/") + expected.file;
   BURIN_SHARED_DATA_OR_SKIP(path, name);
   const PenFile file = read_pen_file(path);
-  EXPECT_EQ(file.kind, expected.kind);
-  EXPECT_EQ(file.unit, expected.unit);
-  std::multiset<std::size_t> lengths;
-  std::size_t samples = 0;
-  for (const PenStroke& stroke : file.strokes) samples += *lengths.insert(stroke.samples.size());
-  EXPECT_EQ(samples, expected.samples);
-  ASSERT_EQ(lengths.size(), expected.strokes);
-  if (lengths.empty()) return;
-  EXPECT_EQ(*lengths.begin(), expected.shortest);
-  EXPECT_EQ(*lengths.rbegin(), expected.longest);
+  ASSERT_NO_FATAL_FAILURE(test::expect_counts(file, expected));
+  if (file.strokes.empty()) return;
   constexpr double degree = 3.14159265358979 / 180;
-  expect_range(range_of(file, &PenFields::pressure, [](const Sample& s) { return s.pen.pressure; }),
+  expect_range(test::range_of(file, &PenFields::pressure, [](const Sample& s) { return s.pen.pressure; }),
                expected.least_pressure, expected.most_pressure, 5e-4);
-  expect_range(range_of(file, &PenFields::tilt, [&](const Sample& s) { return s.pen.tilt_x / degree; }),
+  expect_range(test::range_of(file, &PenFields::tilt, [&](const Sample& s) { return s.pen.tilt_x / degree; }),
                expected.least_tilt_x, expected.most_tilt_x, 0.5);
-  expect_range(range_of(file, &PenFields::tilt, [&](const Sample& s) { return s.pen.tilt_y / degree; }),
+  expect_range(test::range_of(file, &PenFields::tilt, [&](const Sample& s) { return s.pen.tilt_y / degree; }),
                expected.least_tilt_y, expected.most_tilt_y, 0.5);
   if (expected.seconds == none) return;
-  const Range times = range_of(file, &PenFields::time, [](const Sample& s) { return s.time; });
+  const test::Range times = test::range_of(file, &PenFields::time, [](const Sample& s) { return s.time; });
   EXPECT_NEAR(times.most - times.least, expected.seconds, 0.01);
 }
 
@@ -121,7 +91,7 @@ TEST(PenFileOfOthersInDetail, HasTheQuirksThatAreStated) {
   const PenFile& circle = only(path("hid_intuospro_m_eraser_ccw_circle.hid"));
   EXPECT_TRUE(circle.strokes.at(0).eraser);
   EXPECT_EQ(circle.hovering, 480u - 399u);
-  Range x, y;
+  test::Range x, y;
   for (const Sample& sample : circle.strokes[0].samples) {
     x.extend(sample.position.x());
     y.extend(sample.position.y());
@@ -145,8 +115,8 @@ TEST(PenFile, NamesWhatIsKnownForWhatIsNot) {
       " no pen file that is known; known are Universal Ink Model, Universal Ink Model in JSON, WILL, Tilt "
       "Brush, Ink Serialized Format, reMarkable lines, Excalidraw, scap drawings, InkML, Xournal and "
       "Xournal++, SVG paths, EVEMU recordings, hid-recorder, libinput record, lists of pointers from the "
-      "web, "
-      "Blender's brush strokes, PointerEvent arrays, SVC, libmypaint events, named lists of points, CSV with "
+      "web, Blender's brush strokes, PointerEvent arrays, SVC, libmypaint events, named lists of points, CSV "
+      "with "
       "named columns");
   EXPECT_NE(folder.complaint(""), "accepted");
 }
@@ -155,11 +125,11 @@ TEST(PenFile, IsKnownByItsFirstBytesWhateverItsName) {
   const test::PenFileFolder folder;
   EXPECT_EQ(read_pen_file(folder.write("a.svg", "x,y\n1,2\n")).kind, "csv");
   EXPECT_EQ(read_pen_file(folder.write("a.csv", "<ink><trace>1 2</trace></ink>")).kind, "inkml");
-  EXPECT_EQ(kind_of_pen_file(folder.write("a", "x\ty\n")), "csv");
-  EXPECT_EQ(kind_of_pen_file(folder.write("b", "0.1 2 3 0.5\n")), "mypaint");
-  EXPECT_EQ(kind_of_pen_file(folder.write("c", "1\n1 2 0 1 0 900 1\n")), "svc");
-  EXPECT_EQ(kind_of_pen_file(folder.write("d", "{\"time\": [1]}")), "pointer");
-  EXPECT_EQ(kind_of_pen_file(folder.write("e", "0.1 2 3\n")), "");
+  EXPECT_EQ(kind_of_pen_file(open_pen_file(folder.write("a", "x\ty\n"))), "csv");
+  EXPECT_EQ(kind_of_pen_file(open_pen_file(folder.write("b", "0.1 2 3 0.5\n"))), "mypaint");
+  EXPECT_EQ(kind_of_pen_file(open_pen_file(folder.write("c", "1\n1 2 0 1 0 900 1\n"))), "svc");
+  EXPECT_EQ(kind_of_pen_file(open_pen_file(folder.write("d", "{\"time\": [1]}"))), "pointer");
+  EXPECT_EQ(kind_of_pen_file(open_pen_file(folder.write("e", "0.1 2 3\n"))), "");
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 #include <burin/ink/pen_file.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -39,6 +42,46 @@ class PenFileFolder {
  private:
   TemporaryFolder folder_;
 };
+
+/// What is stated of a file: its kind, the unit of positions, and counts.
+struct StatedCounts {
+  const char* file;
+  const char* kind;
+  const char* unit;
+  std::size_t samples, strokes, shortest, longest;
+};
+
+inline void expect_counts(const PenFile& file, const StatedCounts& expected) {
+  EXPECT_EQ(file.kind, expected.kind);
+  EXPECT_EQ(file.unit, expected.unit);
+  std::multiset<std::size_t> lengths;
+  std::size_t samples = 0;
+  for (const PenStroke& stroke : file.strokes) samples += *lengths.insert(stroke.samples.size());
+  EXPECT_EQ(samples, expected.samples);
+  ASSERT_EQ(lengths.size(), expected.strokes);
+  if (lengths.empty()) return;
+  EXPECT_EQ(*lengths.begin(), expected.shortest);
+  EXPECT_EQ(*lengths.rbegin(), expected.longest);
+}
+
+/// The range of a value over samples.
+struct Range {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  void extend(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
+
+/// Over all samples of strokes that have the field.
+template <class Value>
+Range range_of(const PenFile& file, bool PenFields::*field, const Value& value) {
+  Range range;
+  for (const PenStroke& stroke : file.strokes)
+    if (stroke.fields.*field)
+      for (const Sample& sample : stroke.samples) range.extend(value(sample));
+  return range;
+}
 
 /// Positions of a stroke as text, "1 2, 3 4".
 inline std::string places(const PenStroke& stroke) {

@@ -14,11 +14,7 @@ namespace {
 constexpr double none = -1;
 
 /// What is stated of a file, in the units that the reader gives.
-struct Stated {
-  const char* file;
-  const char* kind;
-  const char* unit;
-  std::size_t samples, strokes, shortest, longest;
+struct Stated : test::StatedCounts {
   double least_pressure = none, most_pressure = none;
   double least_altitude = none, most_altitude = none;  ///< radians
   double ink_seconds = none;                           ///< sum over the strokes
@@ -59,20 +55,14 @@ const Stated stated[] = {
 template <class Value>
 void expect_range(const PenFile& file, bool PenFields::*field, double least, double most,
                   const Value& value) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const PenStroke& stroke : file.strokes)
-    for (const Sample& sample : stroke.samples)
-      if (stroke.fields.*field) {
-        low = std::min<double>(low, value(sample));
-        high = std::max<double>(high, value(sample));
-      }
+  const test::Range range = test::range_of(file, field, value);
   if (least == none) {
-    EXPECT_GT(low, high) << "the file has none";
+    EXPECT_GT(range.least, range.most) << "the file has none";
     return;
   }
   constexpr double rounding = 0.0051;
-  EXPECT_NEAR(low, least, rounding);
-  EXPECT_NEAR(high, most, rounding);
+  EXPECT_NEAR(range.least, least, rounding);
+  EXPECT_NEAR(range.most, most, rounding);
 }
 
 double ink_seconds(const PenFile& file) {
@@ -88,16 +78,8 @@ TEST_P(PenFileOfProgram, HasWhatIsStatedOfIt) {
   const Stated& expected = GetParam();
   BURIN_SHARED_DATA_OR_SKIP(path, std::string("strokes/") + expected.file);
   const PenFile file = read_pen_file(path);
-  EXPECT_EQ(file.kind, expected.kind);
-  EXPECT_EQ(file.unit, expected.unit);
-  std::multiset<std::size_t> lengths;
-  std::size_t samples = 0;
-  for (const PenStroke& stroke : file.strokes) samples += *lengths.insert(stroke.samples.size());
-  EXPECT_EQ(samples, expected.samples);
-  ASSERT_EQ(lengths.size(), expected.strokes);
-  if (lengths.empty()) return;
-  EXPECT_EQ(*lengths.begin(), expected.shortest);
-  EXPECT_EQ(*lengths.rbegin(), expected.longest);
+  ASSERT_NO_FATAL_FAILURE(test::expect_counts(file, expected));
+  if (file.strokes.empty()) return;
   expect_range(file, &PenFields::pressure, expected.least_pressure, expected.most_pressure,
                [](const Sample& sample) { return sample.pen.pressure; });
   expect_range(file, &PenFields::tilt, expected.least_altitude, expected.most_altitude,
@@ -118,14 +100,11 @@ PenFile file_of(const std::string& name) {
   return path ? read_pen_file(*path) : PenFile();
 }
 
-std::pair<double, double> range_of_x(const PenFile& file) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+test::Range range_of_x(const PenFile& file) {
+  test::Range range;
   for (const PenStroke& stroke : file.strokes)
-    for (const Sample& sample : stroke.samples) {
-      low = std::min(low, sample.position.x());
-      high = std::max(high, sample.position.x());
-    }
-  return {low, high};
+    for (const Sample& sample : stroke.samples) range.extend(sample.position.x());
+  return range;
 }
 
 TEST(PenFileOfProgramInDetail, HasTheQuirksThatAreStated) {

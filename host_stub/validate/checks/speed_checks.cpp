@@ -1,9 +1,9 @@
 // Checks of times, which hold for a machine that is not busy.
 #include <burin/abi/ext/bench_budget.h>
+#include <burin/base/stopwatch.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 #include "validate/probe/stroke.h"
@@ -17,10 +17,9 @@ using Brush = burin_brush_descriptor;
 double least_time(int runs, const std::function<void()>& work) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < runs; ++i) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     work();
-    least = std::min(
-        least, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
+    least = std::min(least, 1e9 * watch.elapsed());
   }
   return least;
 }

@@ -9,34 +9,26 @@
 namespace burin::validate {
 namespace {
 
-constexpr std::array table = {
-    InputColumns{BURIN_INPUT_T, offsetof(burin_batch, t), 1, 1},
-    InputColumns{BURIN_INPUT_D, offsetof(burin_batch, d), 1, 1},
-    InputColumns{BURIN_INPUT_RADIUS, offsetof(burin_batch, radius), 1, 1},
-    InputColumns{BURIN_INPUT_STRETCH, offsetof(burin_batch, stretch), 1, 0},
-    InputColumns{BURIN_INPUT_FOOTPRINT, offsetof(burin_batch, footprint_t), 2, 1},
-    InputColumns{BURIN_INPUT_POSITION, offsetof(burin_batch, position), 3, 1},
-    InputColumns{BURIN_INPUT_NORMAL, offsetof(burin_batch, normal), 3, 0},
-    InputColumns{BURIN_INPUT_E1, offsetof(burin_batch, e1), 3, 0},
-    InputColumns{BURIN_INPUT_MEAN_CURVATURE, offsetof(burin_batch, mean_curvature), 1, -1},
-    InputColumns{BURIN_INPUT_LAPLACIAN, offsetof(burin_batch, laplacian), 3, 1},
-    InputColumns{BURIN_INPUT_DISPLACEMENT, offsetof(burin_batch, displacement), 3, 1},
-    InputColumns{BURIN_INPUT_MASK, offsetof(burin_batch, mask), 1, 0},
-    InputColumns{BURIN_INPUT_COLOUR, offsetof(burin_batch, colour), 4, 0},
-    InputColumns{BURIN_INPUT_SHEET, offsetof(burin_batch, sheet), 1, 0},
-    InputColumns{BURIN_INPUT_VISIT_COUNT, offsetof(burin_batch, visit_count), 1, 0},
-    InputColumns{BURIN_INPUT_NODE_ID, offsetof(burin_batch, node_id), 1, 0},
-    InputColumns{BURIN_INPUT_SYMMETRY, offsetof(burin_batch, symmetry), 1, 0},
-    InputColumns{BURIN_INPUT_PRESSURE, offsetof(burin_batch, pressure), 1, 0},
-    InputColumns{BURIN_INPUT_TILT, offsetof(burin_batch, tilt_x), 2, 0},
-    InputColumns{BURIN_INPUT_TWIST, offsetof(burin_batch, twist), 1, 0},
-    InputColumns{BURIN_INPUT_SPEED, offsetof(burin_batch, speed), 1, 1},
-    InputColumns{BURIN_INPUT_TIME, offsetof(burin_batch, time), 1, 0},
-    InputColumns{BURIN_INPUT_FOOT, offsetof(burin_batch, foot), 6, 0},
-    InputColumns{BURIN_INPUT_FINE_POSITION, offsetof(burin_batch, fine_position), 3, 1},
-    InputColumns{BURIN_INPUT_FINE_NORMAL, offsetof(burin_batch, fine_normal), 3, 0},
-    InputColumns{BURIN_INPUT_FINE_MEAN_CURVATURE, offsetof(burin_batch, fine_mean_curvature), 1, -1},
-};
+constexpr std::uint64_t lengths = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_FOOTPRINT |
+                                  BURIN_INPUT_POSITION | BURIN_INPUT_LAPLACIAN | BURIN_INPUT_DISPLACEMENT |
+                                  BURIN_INPUT_SPEED | BURIN_INPUT_FINE_POSITION,
+                        curvatures = BURIN_INPUT_MEAN_CURVATURE | BURIN_INPUT_FINE_MEAN_CURVATURE;
+
+/// The host's table has the inputs in the order of burin_batch, without a gap.
+constexpr auto table = [] {
+  static_assert(sizeof(burin_floats) == sizeof(burin_indices));
+  std::array<InputColumns, all_inputs.size()> columns{};
+  std::size_t offset = offsetof(burin_batch, t);
+  for (std::size_t i = 0; i < all_inputs.size(); ++i) {
+    const std::uint64_t bit = all_inputs[i].bit;
+    columns[i] = {bit, offset, all_inputs[i].bytes / sizeof(burin_floats),
+                  bit & lengths      ? 1
+                  : bit & curvatures ? -1
+                                     : 0};
+    offset += all_inputs[i].bytes;
+  }
+  return columns;
+}();
 
 std::size_t first_column(std::uint64_t bit) {
   std::size_t column = 0;

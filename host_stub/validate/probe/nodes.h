@@ -1,6 +1,8 @@
 #pragma once
 #include <burin/abi/brush.h>
+#include <burin/deform/evaluate/supported_inputs.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,7 +20,7 @@ struct InputColumns {
 
 /// All inputs of the ABI, in the order of burin_batch.
 std::span<const InputColumns> input_columns();
-inline constexpr std::size_t column_count = 50;
+inline constexpr std::size_t column_count = sum(all_inputs).bytes / sizeof(burin_floats);
 
 /// Chart nodes of a straight stroke on a plane, [column][node]. Numbers of the columns follow
 /// input_columns().

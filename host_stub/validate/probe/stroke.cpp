@@ -1,5 +1,6 @@
 #include "validate/probe/stroke.h"
 
+#include <burin/deform/evaluate/error_text.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,14 +26,13 @@ ProbeBrush::~ProbeBrush() { brush_->destroy(brush_); }
 
 ProbeStroke::ProbeStroke(ProbeBrush& brush, const burin_stroke_context& drawn)
     : context(drawn), brush_(brush), params_(&brush.values.abi()) {
-  std::array<char, 400> line{};
-  burin_text text{sizeof text, static_cast<std::uint32_t>(line.size()), line.data()};
+  ErrorText error;
   burin_stroke_context empty = context;
   empty.length = 0;
   plan = {sizeof plan, 1, 0};
-  const burin_status status = brush.abi().begin(&brush.abi(), &empty, params_, &plan, &stroke_, &text);
+  const burin_status status = brush.abi().begin(&brush.abi(), &empty, params_, &plan, &stroke_, error.abi());
   if (status == BURIN_OK) return;
-  const std::string reason = "begin fails: " + std::string(line.data());
+  const std::string reason = "begin fails: " + error.line(status);
   if (brush.values.needs_file()) throw Skipped("it needs a file of its user: " + reason);
   throw Failed(reason);
 }
@@ -45,12 +45,11 @@ burin_status ProbeStroke::call(const burin_batch& batch, const burin_outputs& ou
 }
 
 std::vector<Row> ProbeStroke::evaluate(const Nodes& nodes, std::size_t begin, std::size_t end) const {
-  std::array<char, 400> line{};
-  burin_text text{sizeof text, static_cast<std::uint32_t>(line.size()), line.data()};
+  ErrorText error;
   std::vector<Row> rows(end - begin);
   const burin_outputs outputs = outputs_of(rows);
-  const burin_status status = call(batch_of(nodes, begin, end - begin, *params_), outputs, &text);
-  require(status == BURIN_OK, fmt::format("evaluate of {} nodes fails: {}", end - begin, line.data()));
+  const burin_status status = call(batch_of(nodes, begin, end - begin, *params_), outputs, error.abi());
+  require(status == BURIN_OK, fmt::format("evaluate of {} nodes fails: {}", end - begin, error.line(status)));
   return rows;
 }
 

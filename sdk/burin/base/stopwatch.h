@@ -7,14 +7,20 @@ namespace burin {
 /// Wall time, for reports.
 class Stopwatch {
  public:
-  /// Seconds since the last call, or since construction.
+  /// Seconds since the last lap(), or since construction.
+  double elapsed() const { return seconds(Clock::now() - last_); }
+
+  /// The same; the next lap begins.
   double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    const Clock::time_point now = Clock::now();
+    return seconds(now - std::exchange(last_, now));
   }
 
  private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  static double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+  Clock::time_point last_ = Clock::now();
 };
 
 }  // namespace burin

@@ -1,23 +1,19 @@
 // Replays a recording: repairs its times, stabilises its samples, completes the settings of each stroke, and
 // draws the strokes piece by piece with the time and cost of every call.
 #include <burin/base/error.h>
+#include <burin/base/stopwatch.h>
 #include <burin/host/replay.h>
 #include <burin/host/stroke_pieces.h>
 #include <burin/stroke/sample_times.h>
 #include <burin/stroke/stabiliser.h>
 #include <fmt/format.h>
 
-#include <chrono>
 #include <utility>
 
 namespace burin {
 namespace {
 
 using Outcome = StrokeEvent::Outcome;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// Those of radius and strength mean the same to another brush, those of parameters nothing.
 std::vector<Dynamic> without_params(std::vector<Dynamic> dynamics) {
@@ -99,9 +95,9 @@ void Replayer::draw(const RecordedStroke& stroke, const ReplaySettings& settings
 
 Outcome Replayer::add(const Sample& sample) {
   const bool shown = show_every_ > 0 && (drawn_in_piece_ + 1) % show_every_ == 0;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const StrokeEvent event = add_to_session(sample, shown ? Show::now : Show::later);
-  const double seconds = seconds_since(start);
+  const double seconds = watch.elapsed();
   if (event.outcome != Outcome::drawn) return event.outcome;
   add_cost(seconds);
   if (shown) record_event(result_.latencies, result_.costs);
@@ -132,9 +128,9 @@ StrokeEvent Replayer::add_to_session(const Sample& sample, Show show) {
 /// A piece, and perhaps the stroke with it.
 template <class EndPiece>
 void Replayer::end(const EndPiece& end_piece) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   result_.vertices_changed += end_piece().size();
-  const double seconds = seconds_since(start);
+  const double seconds = watch.elapsed();
   if (drawn_in_piece_ == 0) return;
   add_cost(seconds);
   record_event(result_.end_latencies, result_.end_costs);

@@ -183,7 +183,7 @@ void Session::Impl::merge_solid(const SolidMerge& merge) {
   const MergedSolid merged = merger(merge);
   Stopwatch watch;
   PaintedSurface made = with_patch(surface, picker, paint.base(), merged.patch);
-  MergeReport report = report_of(merged, voxel_of(merge), surface, made.surface);
+  MergeReport report = report_of(merged, surface, made.surface);
   report.solid_seconds = stroke->solid_seconds();
   stroke.reset();
   Paint before = paint.base();

@@ -20,13 +20,6 @@ std::optional<PenFileKind> kind_of(std::string_view text) {
   return found == kinds.end() ? std::nullopt : std::optional(*found);
 }
 
-PenFileText unpacked(const std::filesystem::path& path) {
-  PenFileText file{path, unpacked_pen_file(path)};
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (file.text.starts_with(byte_order_mark)) file.text.erase(0, byte_order_mark.size());
-  return file;
-}
-
 /// Refuses what no sample may have.
 void check(const PenFileText& file, const PenFile& content) {
   for (std::size_t stroke = 0; stroke < content.strokes.size(); ++stroke)
@@ -65,14 +58,22 @@ std::vector<PenFileKind> pen_file_kinds() {
           {"csv", "CSV with named columns", is_csv, read_csv}};
 }
 
-PenFile read_pen_file(const std::filesystem::path& path) {
-  const PenFileText file = unpacked(path);
+PenFileText open_pen_file(const std::filesystem::path& path) {
+  PenFileText file{path, unpacked_pen_file(path)};
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (file.text.starts_with(byte_order_mark)) file.text.erase(0, byte_order_mark.size());
+  return file;
+}
+
+PenFile read_pen_file(const std::filesystem::path& path) { return read_pen_file(open_pen_file(path)); }
+
+PenFile read_pen_file(const PenFileText& file) {
   const std::optional<PenFileKind> kind = kind_of(file.text);
   if (!kind) {
     std::string known;
     for (const PenFileKind& one : pen_file_kinds())
       known += fmt::format("{}{}", known.empty() ? "" : ", ", one.about);
-    throw FileError(path.string(), fmt::format("no pen file that is known; known are {}", known));
+    throw FileError(file.path.string(), fmt::format("no pen file that is known; known are {}", known));
   }
   PenFile content = kind->read(file);
   content.kind = kind->name;
@@ -80,8 +81,8 @@ PenFile read_pen_file(const std::filesystem::path& path) {
   return content;
 }
 
-std::string_view kind_of_pen_file(const std::filesystem::path& path) {
-  const std::optional<PenFileKind> kind = kind_of(unpacked(path).text);
+std::string_view kind_of_pen_file(const PenFileText& file) {
+  const std::optional<PenFileKind> kind = kind_of(file.text);
   return kind ? kind->name : std::string_view();
 }
 

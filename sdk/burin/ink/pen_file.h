@@ -54,12 +54,18 @@ struct PenFileKind {
 /// All kinds, in the order in which a file is compared with them.
 std::vector<PenFileKind> pen_file_kinds();
 
-/// Reads a pen file of any kind, unpacking gzip, xz and the zip of Xournal++. Throws FileError for a file
-/// that is none, cannot be read, or is malformed; more than 64 MiB, unpacked or of XML, are refused.
+/// Reads the bytes of a pen file, unpacking gzip, xz and the zip of Xournal++. Throws FileError if it cannot
+/// be read, or unpacks to more than 64 MiB.
+PenFileText open_pen_file(const std::filesystem::path& path);
+
+/// Reads a pen file of any kind. Throws FileError for a file that is none or is malformed; more than 64 MiB
+/// of XML are refused.
+PenFile read_pen_file(const PenFileText& file);
+
+/// Opens a pen file and reads it.
 PenFile read_pen_file(const std::filesystem::path& path);
 
-/// The name of the kind that read_pen_file() would take the file for, or an empty one. Throws FileError if it
-/// cannot be read.
-std::string_view kind_of_pen_file(const std::filesystem::path& path);
+/// The name of the kind that read_pen_file() would take the file for, or an empty one.
+std::string_view kind_of_pen_file(const PenFileText& file);
 
 }  // namespace burin

@@ -32,8 +32,8 @@ RecordedStroke recorded(PenStroke& stroke, double start, ImportCounts& counts) {
 
 }  // namespace
 
-Import import_pen_file(const std::filesystem::path& path, const Camera& camera, const PenChoice& choice) {
-  PenFile file = read_pen_file(path);
+Import import_pen_file(const PenFileText& text, const Camera& camera, const PenChoice& choice) {
+  PenFile file = read_pen_file(text);
   std::erase_if(file.strokes, [&](const PenStroke& stroke) {
     return choice.page.value_or(stroke.page) != stroke.page ||
            choice.layer.value_or(stroke.layer) != stroke.layer;
@@ -47,7 +47,7 @@ Import import_pen_file(const std::filesystem::path& path, const Camera& camera, 
   }
   counts.events += file.hovering;
   counts.lifted = file.hovering;
-  Import import = import_of(path, std::move(strokes), counts, camera);
+  Import import = import_of(text.path, std::move(strokes), counts, camera);
   import.recording.device = file.device;
   return import;
 }

@@ -14,6 +14,6 @@ struct PenChoice {
 /// Imports a pen file as screen-space strokes, by the rules of stroke/files/import.h: fitted into the
 /// viewport, times from the first sample of the file on. Depth (z) and drawn widths are left out. Throws
 /// FileError, also for a file without a stroke that is wanted.
-Import import_pen_file(const std::filesystem::path& path, const Camera& camera, const PenChoice& choice = {});
+Import import_pen_file(const PenFileText& text, const Camera& camera, const PenChoice& choice = {});
 
 }  // namespace burin

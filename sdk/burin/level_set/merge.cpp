@@ -74,8 +74,8 @@ class Merger {
     for (int i = 0; i < tries; ++i) {
       cut_ = combined_.contact + (cut_beyond + i * step) * voxel_;
       if (std::optional<SurfacePatch> patch = attempt(contour))
-        return {std::move(*patch), seconds_, combined_.result->tree().leafCount() * VoxelBlock::voxels,
-                combined_.bytes};
+        return {std::move(*patch), seconds_, voxel_,
+                combined_.result->tree().leafCount() * VoxelBlock::voxels, combined_.bytes};
     }
     throw Error("the solid's surface and the rest cannot be joined here: try another voxel");
   }

@@ -123,6 +123,7 @@ struct MergeSeconds {
 struct MergedSolid {
   SurfacePatch patch;
   MergeSeconds seconds;
+  double voxel = 0;        ///< edge, object units
   std::size_t voxels = 0;  ///< in which both were compared
   std::size_t bytes = 0;   ///< of the largest of their grids together
 };

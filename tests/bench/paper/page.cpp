@@ -1,9 +1,9 @@
 #include "page.h"
 
 #include <burin/base/file.h>
+#include <burin/base/text/base64.h>
 #include <fmt/format.h>
 
-#include "host_stub/report/base64.h"
 #include "host_stub/report/html_text.h"
 #include "support/shared_data.h"
 

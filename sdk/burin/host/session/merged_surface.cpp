@@ -49,6 +49,7 @@ PaintedSurface with_patch(const Surface& surface, const Picker& picker, const Pa
   PatchedSurface made = patched(surface, patch);
   PaintedSurface painted{std::move(made.surface), {}};
   const std::size_t count = made.came_from.size();
+  if (paint.colour.empty() && paint.mask.empty()) return painted;
   if (!paint.colour.empty()) painted.paint.colour.resize(count);
   if (!paint.mask.empty()) painted.paint.mask.resize(count);
   parallel_blocks(count, 4096, [&](std::size_t begin, std::size_t end) {
@@ -65,13 +66,8 @@ PaintedSurface with_patch(const Surface& surface, const Picker& picker, const Pa
   return painted;
 }
 
-double voxel_of(const SolidMerge& merge) {
-  if (const auto* mesh = std::get_if<MeshSolid>(&merge.solid)) return mesh->voxel;
-  return std::get<0>(merge.solid).get().voxel();
-}
-
-MergeReport report_of(const MergedSolid& merged, double voxel, const Surface& before, const Surface& after) {
-  return {.voxel = voxel,
+MergeReport report_of(const MergedSolid& merged, const Surface& before, const Surface& after) {
+  return {.voxel = merged.voxel,
           .voxels = merged.voxels,
           .bytes = merged.bytes,
           .triangles_removed = merged.patch.removed.size(),

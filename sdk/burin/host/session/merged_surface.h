@@ -17,10 +17,7 @@ struct PaintedSurface {
 PaintedSurface with_patch(const Surface& surface, const Picker& picker, const Paint& paint,
                           SurfacePatch patch);
 
-/// The edge of a merge's voxels, object units.
-double voxel_of(const SolidMerge& merge);
-
 /// What a merge did to a surface, of which `after` came.
-MergeReport report_of(const MergedSolid& merged, double voxel, const Surface& before, const Surface& after);
+MergeReport report_of(const MergedSolid& merged, const Surface& before, const Surface& after);
 
 }  // namespace burin

@@ -1,5 +1,6 @@
 // Takes the Ink Serialized Format out of what wraps it: base64, and the comments of a GIF.
 #include <burin/base/error.h>
+#include <burin/base/text/base64.h>
 #include <burin/ink/decode/isf_stream.h>
 #include <burin/ink/parse/byte_reader.h>
 #include <burin/ink/parse/scan.h>
@@ -9,22 +10,13 @@ namespace {
 
 constexpr std::string_view base64_head = "base64:";
 
-std::string from_base64(std::string_view text, const std::filesystem::path& path) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned value = 0, bits = 0;
-  for (const char letter : text) {
-    if (letter == '=' || letter == '\0') break;
-    if (blanks.find(letter) != blanks.npos) continue;
-    const std::size_t digit = digits.find(letter);
-    if (digit == digits.npos) throw FileError(path.string(), "a letter that is none of base64");
-    value = (value << 6 | static_cast<unsigned>(digit)) & 0xFFFFU;
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes += static_cast<char>(value >> bits & 0xFFU);
-  }
-  return bytes;
+/// Base64 as it stands in files: with line breaks, up to a zero.
+std::string decoded(std::string_view text, const std::filesystem::path& path) {
+  std::string letters(text.substr(0, text.find('\0')));
+  std::erase_if(letters, [](char letter) { return blanks.find(letter) != blanks.npos; });
+  std::optional<std::string> bytes = from_base64(letters);
+  if (!bytes) throw FileError(path.string(), "a letter that is none of base64");
+  return std::move(*bytes);
 }
 
 /// Appends the blocks up to the empty one to `to`, if that is not null.
@@ -70,8 +62,8 @@ std::string comments_of(std::string_view bytes, const std::filesystem::path& pat
 
 std::string isf_stream(const PenFileText& file) {
   const std::string_view text = file.text;
-  std::string bytes = text.starts_with(base64_head) ? from_base64(text.substr(base64_head.size()), file.path)
-                                                    : std::string(text);
+  std::string bytes =
+      text.starts_with(base64_head) ? decoded(text.substr(base64_head.size()), file.path) : std::string(text);
   if (!bytes.starts_with("GIF8")) return bytes;
   bytes = comments_of(bytes, file.path);
   if (bytes.empty())

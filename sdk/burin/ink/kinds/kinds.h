@@ -3,6 +3,9 @@
 
 namespace burin {
 
+/// Of CSS, 96 to the inch; what programs without a device's resolution mean by pixels.
+inline constexpr double millimetres_a_pixel = 25.4 / 96;
+
 // The kinds of pen file: whether a text begins like one, and its reader. docs/recordings.md has their units,
 // time bases and ranges.
 

@@ -56,12 +56,7 @@ PenFile read_svc(const PenFileText& file) { return pen_file_of(svc_events(file.t
 bool is_pointer_arrays(std::string_view text) {
   constexpr std::array<std::string_view, 9> names = {"x",     "y",     "time",  "pressure", "buttons",
                                                      "tiltX", "tiltY", "twist", "pointerId"};
-  const auto take = [&text](char expected) {
-    skip_blanks(text);
-    const bool found = text.starts_with(expected);
-    if (found) text.remove_prefix(1);
-    return found;
-  };
+  const auto take = [&text](char expected) { return take_character(text, expected); };
   if (!take('{') || !take('"')) return false;
   const std::string_view name = text.substr(0, text.find('"'));
   text.remove_prefix(name.size());

@@ -84,7 +84,7 @@ PenFile read_excalidraw(const PenFileText& file) {
   const JsonValue root = JsonValue::parse(file.text, file.path.string());
   PenFile content;
   content.unit = "px";
-  content.millimetres = 25.4 / 96;
+  content.millimetres = millimetres_a_pixel;
   std::size_t page = 0;
   if (const auto items = root.find("libraryItems")) {
     for (const JsonValue& item : items->items()) read_elements(item.member("elements"), ++page, content);

@@ -59,12 +59,7 @@ PenStroke stroke_of(const JsonValue& list) {
 }  // namespace
 
 bool is_point_lists(std::string_view text) {
-  const auto take = [&text](char expected) {
-    skip_blanks(text);
-    const bool found = text.starts_with(expected);
-    if (found) text.remove_prefix(1);
-    return found;
-  };
+  const auto take = [&text](char expected) { return take_character(text, expected); };
   if (!take('{') || !take('"')) return false;
   text.remove_prefix(std::min(text.find('"'), text.size()));
   return take('"') && take(':') && take('[') && (take('[') || take('{'));
@@ -73,7 +68,7 @@ bool is_point_lists(std::string_view text) {
 PenFile read_point_lists(const PenFileText& file) {
   PenFile content;
   content.unit = "px";
-  content.millimetres = 25.4 / 96;
+  content.millimetres = millimetres_a_pixel;
   const JsonValue root = JsonValue::parse(file.text, file.path.string());
   for (const auto& [name, list] : root.members()) {
     PenStroke stroke = stroke_of(list);

@@ -119,7 +119,7 @@ bool is_uim(std::string_view text) { return is_riff(text, "UINK"); }
 PenFile read_uim(const PenFileText& file) {
   PenFile content;
   content.unit = "px";
-  content.millimetres = 25.4 / 96;
+  content.millimetres = millimetres_a_pixel;
   for (RiffChunks chunks(file.text, file.path); !chunks.empty();) {
     const RiffChunk chunk = chunks.next();
     if (chunk.name == "INPT") read_input(chunk.content, content);

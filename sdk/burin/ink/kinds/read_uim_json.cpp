@@ -66,9 +66,7 @@ UimSensorData sensor_data(const JsonValue& value) {
 }  // namespace
 
 bool is_uim_json(std::string_view text) {
-  skip_blanks(text);
-  if (!text.starts_with('{')) return false;
-  text.remove_prefix(1);
+  if (!take_character(text, '{')) return false;
   skip_blanks(text);
   return text.starts_with("\"inputData\"");
 }
@@ -78,7 +76,7 @@ PenFile read_uim_json(const PenFileText& file) {
   const UimChannels channels = channels_of(input.member("inputContextData"));
   PenFile content;
   content.unit = "px";
-  content.millimetres = 25.4 / 96;
+  content.millimetres = millimetres_a_pixel;
   for (const JsonValue& data : items_of(input, "sensorData")) {
     try {
       add_stroke(sensor_data(data), channels, content);

@@ -16,6 +16,15 @@ inline void skip_blanks(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
 }
 
+/// Removes blanks and then this character from the front of a text. Returns false, and leaves what follows
+/// the blanks, if another one is there.
+inline bool take_character(std::string_view& text, char expected) {
+  skip_blanks(text);
+  if (!text.starts_with(expected)) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
 /// Removes a finite number from the front of a text, which may begin with a plus sign. Returns false, and
 /// leaves the text, if there is none.
 inline bool take_number(std::string_view& text, double& value) {

@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
+#include <burin/base/text/base64.h>
 #include <burin/surface/files/little_endian.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/formats/gltf_document.h>
@@ -84,24 +85,6 @@ double value_at(std::string_view bytes, std::size_t at, std::size_t type, bool n
     default:
       return std::bit_cast<float>(bits);
   }
-}
-
-/// Decodes base64 [RFC 4648]; the result is empty if the text is not base64.
-std::string from_base64(std::string_view text) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text.substr(0, text.find('='))) {
-    const auto digit = digits.find(c);
-    if (digit == std::string_view::npos) return {};
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    count += 6;
-    if (count < 8) continue;
-    count -= 8;
-    bytes.push_back(static_cast<char>(bits >> count & 0xff));
-  }
-  return bytes;
 }
 
 /// Decodes percent-encoding, as in "%20".
@@ -193,7 +176,7 @@ std::string GltfDocument::buffer_of_uri(const std::string& uri, std::size_t buff
     const std::size_t comma = uri.find(";base64,");
     if (comma == std::string::npos)
       throw Error(fmt::format("buffer {} has a URI that is not base64", buffer));
-    return from_base64(std::string_view(uri).substr(comma + 8));
+    return from_base64(std::string_view(uri).substr(comma + 8)).value_or("");
   }
   const std::filesystem::path name = from_percents(uri);
   const bool beside = !uri.empty() && name.is_relative() && uri.find("://") == std::string::npos &&
