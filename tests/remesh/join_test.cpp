@@ -1,5 +1,4 @@
-#include <burin/base/error.h>
-#include <burin/remesh/clip.h>
+#include <burin/remesh/divide.h>
 #include <burin/remesh/join.h>
 #include <gtest/gtest.h>
 
@@ -25,9 +24,9 @@ struct Parts {
     const auto beyond = [](double r) {
       return [r](const Vec3d& p) { return (p - Vec3d(4, 4, 0)).norm() - r; };
     };
-    clip(outer, beyond(radius), same);
-    clip(
-        inner, [&](const Vec3d& p) { return -beyond(other_radius)(p); }, same);
+    outer = kept_part(divide(outer, beyond(radius), same));
+    inner = kept_part(divide(
+        inner, [&](const Vec3d& p) { return -beyond(other_radius)(p); }, same));
   }
 };
 
@@ -51,20 +50,6 @@ TEST(Join, RefusesBordersThatAreTooFarApart) {
 TEST(Join, RefusesAHoleThatNothingFills) {
   const Parts parts(2.3, 2.3);
   EXPECT_FALSE(join(parts.outer, PatchMesh{}, 0.3));
-}
-
-TEST(BorderLoops, LeaveOutFixedSides) {
-  const Parts parts(2.3, 2.3);
-  EXPECT_EQ(border_loops(parts.outer).size(), 1u);
-  EXPECT_EQ(border_loops(parts.inner).size(), 1u);
-  EXPECT_TRUE(border_loops(test::flat_patch(3)).empty());
-}
-
-TEST(BorderLoops, RefuseABorderThatTouchesItself) {
-  const PatchMesh bow{{{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}},
-                      {{0, 1, 2}, {0, 4, 3}},
-                      std::vector<Index>(5, no_index)};
-  EXPECT_THROW(border_loops(bow), Error);
 }
 
 }  // namespace

@@ -28,16 +28,19 @@ struct Band {
 /// Fills a cube of a leaf's voxels: at once where it is farther from the surface than the band.
 class LeafFiller {
  public:
-  LeafFiller(Leaf& leaf, const SurfaceDistance& distance, double voxel, const Band& band)
-      : leaf_(&leaf), distance_(&distance), voxel_(voxel), band_(band) {
+  /// `sides`: values whose sign tells the inner side away from the surface, or null. Where a solid is thinner
+  /// than its voxels its triangles are crumpled, and their normals tell the wrong side.
+  LeafFiller(Leaf& leaf, const SurfaceDistance& distance, const Grid* sides, double voxel, const Band& band)
+      : leaf_(&leaf), distance_(&distance), sides_(sides), voxel_(voxel), band_(band) {
     const openvdb::Coord& origin = leaf.origin();
     origin_ = Vec3d(origin.x(), origin.y(), origin.z());
   }
 
   /// `triangle`: see SurfaceDistance.
   void fill(const Eigen::Vector3i& low, int side, Index triangle) {
-    const Vec3d middle = voxel_ * (origin_ + low.cast<double>() + Vec3d::Constant((side - 1) / 2.));
-    const double value = (*distance_)(middle, triangle), radius = std::sqrt(3.) * (side - 1) / 2 * voxel_;
+    const Vec3d middle = origin_ + low.cast<double>() + Vec3d::Constant((side - 1) / 2.);
+    const double value = on_its_side(middle, (*distance_)(voxel_ * middle, triangle)),
+                 radius = std::sqrt(3.) * (side - 1) / 2 * voxel_;
     if (side == 1 || value > band_.outside + radius || value < -band_.inside - radius)
       return set(low, side, value);
     const int half = side / 2;
@@ -45,6 +48,14 @@ class LeafFiller {
   }
 
  private:
+  /// A distance at a point, voxels, with the right sign.
+  double on_its_side(const Vec3d& point, double value) const {
+    constexpr double near = 2;  // voxels
+    if (!sides_ || std::abs(value) < near * voxel_) return value;
+    const openvdb::Coord voxel = openvdb::Coord::round(openvdb::Vec3d(point.x(), point.y(), point.z()));
+    return std::copysign(value, static_cast<double>(sides_->tree().getValue(voxel)));
+  }
+
   void set(const Eigen::Vector3i& low, int side, double value) {
     const auto clamped = static_cast<float>(std::clamp(value, -band_.inside, band_.outside));
     for (int i = 0; i < side; ++i)
@@ -56,6 +67,7 @@ class LeafFiller {
 
   Leaf* leaf_;
   const SurfaceDistance* distance_;
+  const Grid* sides_;
   double voxel_;
   Band band_;
   Vec3d origin_;  ///< voxels
@@ -102,14 +114,14 @@ std::vector<openvdb::Coord> leaves_near(const StrokeSolid& solid, double reach) 
   return origins;
 }
 
-/// Distances in these leaves, as far as the band; outside everywhere else.
-Grid::Ptr filled(const std::vector<openvdb::Coord>& origins, const SurfaceDistance& distance, double voxel,
-                 const Band& band) {
+/// Distances in these leaves, as far as the band; outside everywhere else. `sides`: see LeafFiller.
+Grid::Ptr filled(const std::vector<openvdb::Coord>& origins, const SurfaceDistance& distance,
+                 const Grid* sides, double voxel, const Band& band) {
   const Grid::Ptr grid = empty_grid(voxel, band.outside / voxel);
   for (const openvdb::Coord& origin : origins)
     grid->tree().addLeaf(new Leaf(origin, grid->background(), true));
   for_each_leaf(*grid, [&](Leaf& leaf) {
-    LeafFiller(leaf, distance, voxel, band).fill(Eigen::Vector3i::Zero(), Leaf::DIM, no_index);
+    LeafFiller(leaf, distance, sides, voxel, band).fill(Eigen::Vector3i::Zero(), Leaf::DIM, no_index);
   });
   return grid;
 }
@@ -176,11 +188,11 @@ Combined combine(const Operands& operands) {
   // A fillet needs distances on the side that is outside of the union.
   const double near = 3 * voxel;
   const Band beyond{near, reach}, within{reach, near};
-  combined.solid = filled(leaves_near(operands.voxels, reach / voxel), operands.solid, voxel,
-                          of_solid > 0 ? beyond : Band{reach, reach});
+  combined.solid = filled(leaves_near(operands.voxels, reach / voxel), operands.solid,
+                          grid_of(operands.voxels).get(), voxel, of_solid > 0 ? beyond : Band{reach, reach});
   drop_far_leaves(*combined.solid);
   const Grid::Ptr base =
-      filled(origins_of(*combined.solid), operands.base, voxel, of_base > 0 ? beyond : within);
+      filled(origins_of(*combined.solid), operands.base, nullptr, voxel, of_base > 0 ? beyond : within);
 
   const Grid::Ptr first = base->deepCopy(), second = combined.solid->deepCopy();
   change_values(*first, [&](float value) { return of_base * value; });

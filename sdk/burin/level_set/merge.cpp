@@ -5,19 +5,20 @@
 #include <burin/base/parallel.h>
 #include <burin/base/stopwatch.h>
 #include <burin/level_set/combine.h>
-#include <burin/level_set/grid/grid_surface.h>
 #include <burin/level_set/grid/rolling_ball.h>
 #include <burin/level_set/mesh_solid.h>
 #include <burin/level_set/relaxed_mesh.h>
 #include <burin/level_set/replaced.h>
 #include <burin/level_set/solid_mesh.h>
 #include <burin/level_set/surface_distance.h>
-#include <burin/remesh/clip.h>
+#include <burin/remesh/agree.h>
+#include <burin/remesh/divide.h>
 #include <burin/remesh/improve.h>
 #include <burin/remesh/intersection.h>
 #include <burin/remesh/join.h>
 #include <burin/remesh/refine.h>
 #include <burin/remesh/specks.h>
+#include <burin/remesh/untangle.h>
 #include <fmt/format.h>
 #include <openvdb/tools/Interpolation.h>
 
@@ -38,6 +39,10 @@ constexpr double edge_length = 1.2, growth = 0.7;
 
 /// How far beyond the cut triangles are made even, voxels.
 constexpr double seam_width = 2.5;
+
+/// How far apart the lines may be along which both are cut, and how far from the cut's distance a disc may be
+/// that only one of them has within such a line; voxels.
+constexpr double join_within = 0.5, shallow = 0.5;
 
 /// How far vertices may be from a crease to find it, to be brought to it, and to count as on it; voxels.
 constexpr double crease_width = 1, snap = 0.3, on_crease_within = 1e-3;
@@ -77,7 +82,10 @@ class Merger {
         return {std::move(*patch), seconds_, voxel_,
                 combined_.result->tree().leafCount() * VoxelBlock::voxels, combined_.bytes};
     }
-    throw Error("the solid's surface and the rest cannot be joined here: try another voxel");
+    if (!crossing_) throw Error("the solid's surface and the rest cannot be joined here: try another voxel");
+    throw Error(
+        fmt::format("at ({:.6g}, {:.6g}, {:.6g}) something is thinner than the voxels: try another voxel",
+                    crossing_->x(), crossing_->y(), crossing_->z()));
   }
 
  private:
@@ -92,19 +100,18 @@ class Merger {
 
   /// The surface of the result around the solid, brought to the surface itself where it is that.
   PatchMesh contoured() const {
-    TriangleMesh mesh = surface_of_.mesh();
-    relax(mesh, [&](std::vector<Vec3f>& positions) { surface_of_.bring(positions); });
-    PatchMesh patch;
-    patch.triangles = std::move(mesh.triangles);
-    patch.kept.assign(mesh.positions.size(), no_index);
-    patch.positions.resize(mesh.positions.size());
+    TriangleMesh mesh = relaxed_mesh(surface_of_);
+    PatchMesh patch{{}, std::move(mesh.triangles), std::vector<Index>(mesh.positions.size(), no_index)};
+    for (const Vec3f& p : mesh.positions) patch.positions.push_back(p.cast<double>());
+    const std::vector<Vec3d> contour = patch.positions;
     parallel_blocks(patch.positions.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) {
         // Where the voxels end is a wall within the surface, which is cut off.
-        const Vec3d p = mesh.positions[v].cast<double>();
-        patch.positions[v] = is_base(p) ? base_.closest(p, voxel_ / 2).value_or(p) : snapped(p);
+        Vec3d& p = patch.positions[v];
+        p = is_base(p) ? base_.closest(p, voxel_ / 2).value_or(p) : snapped(p);
       }
     });
+    untangle(patch, contour);
     if (!(merge_->blend > 0)) sharpen(patch);
     return patch;
   }
@@ -158,33 +165,35 @@ class Merger {
     return surface_of_.bring(p);
   }
 
+  /// The result cut along that distance from the solid; nothing where both sides differ, or where its
+  /// triangles go through each other.
   std::optional<SurfacePatch> attempt(const PatchMesh& contour) {
     const auto bring = [this](const Vec3d& p) { return base_.closest(p, 2 * voxel_).value_or(p); };
-    PatchMesh inner = contour;
-    clip(
-        inner, [this](const Vec3d& p) { return cut_ - beyond(p); }, bring);
-    remove_specks(inner, voxel_ * voxel_ * voxel_);
+    DividedPatch inner = divide(
+        contour, [this](const Vec3d& p) { return cut_ - beyond(p); }, bring);
     std::vector<Index> removed = replaced_triangles(replacement());
-    PatchMesh outer = piece_of(*surface_, removed, [this](const Vec3d& p) {
+    PatchMesh piece = piece_of(*surface_, removed, [this](const Vec3d& p) {
       return beyond(p) > std::max(combined_.contact, merge_->blend) + 2 * voxel_;
     });
-    refine(outer, [this](const Vec3d& p) { return size(p); });
-    clip(
-        outer, [this](const Vec3d& p) { return beyond(p) - cut_; }, bring);
-    std::optional<PatchMesh> joined = join(outer, inner, 0.5 * voxel_);
+    refine(piece, [this](const Vec3d& p) { return size(p); });
+    DividedPatch outer = divide(
+        std::move(piece), [this](const Vec3d& p) { return beyond(p) - cut_; }, bring);
+    agree(outer, inner, join_within * voxel_, shallow * voxel_);
+    PatchMesh solid_part = kept_part(inner);
+    remove_specks(solid_part, voxel_ * voxel_ * voxel_);
+    std::optional<PatchMesh> joined = join(kept_part(outer), solid_part, join_within * voxel_);
     seconds_.join += watch_.lap();
     if (!joined) return {};
     improve(*joined, {.size = [this](const Vec3d& p) { return size(p); },
                       .bring = [this](const Vec3d& p) { return on_result(p); },
                       .crease = [this](const Vec3d& p) { return is_on_crease(p); },
                       .smooth = [this](const Vec3d& p) { return is_seam(p); }});
-    const std::optional<Vec3d> crossing = self_intersection(*joined);
+    const std::vector<Index> crossing = crossing_triangles(*joined);
     seconds_.remesh += watch_.lap();
-    if (crossing)
-      throw Error(
-          fmt::format("at ({:.6g}, {:.6g}, {:.6g}) something is thinner than the voxels: try another "
-                      "voxel",
-                      crossing->x(), crossing->y(), crossing->z()));
+    if (!crossing.empty()) {
+      crossing_ = joined->positions[joined->triangles[crossing.front()][0]];
+      return {};
+    }
     return as_patch(*joined, std::move(removed));
   }
 
@@ -235,6 +244,7 @@ class Merger {
   GridSurface surface_of_;  ///< of the result
   double side_;
   double cut_ = 0;  ///< distance from the solid along which surface and contour are cut, object units
+  std::optional<Vec3d> crossing_;  ///< where the result went through itself
   MergeSeconds seconds_;
 };
 

@@ -4,6 +4,7 @@
 // mean: a quarter of it.
 #include <burin/base/parallel.h>
 #include <burin/level_set/relaxed_mesh.h>
+#include <burin/remesh/untangle.h>
 #include <burin/surface/topology/adjacency.h>
 
 namespace burin {
@@ -34,6 +35,12 @@ Vec3f area_normal(const TriangleMesh& mesh, std::span<const Index> triangles) {
   return sum.stableNormalized();
 }
 
+std::vector<Vec3d> in_double(const std::vector<Vec3f>& positions) {
+  std::vector<Vec3d> result;
+  for (const Vec3f& p : positions) result.push_back(p.cast<double>());
+  return result;
+}
+
 }  // namespace
 
 void relax(TriangleMesh& mesh, const BringToSurface& bring) {
@@ -53,6 +60,20 @@ void relax(TriangleMesh& mesh, const BringToSurface& bring) {
     outward[v] = -left_out * ways[v].dot(normal) * normal;
   }
   for (std::size_t v = 0; v < ways.size(); ++v) mesh.positions[v] += outward[v];
+}
+
+TriangleMesh relaxed_mesh(const GridSurface& surface) {
+  TriangleMesh mesh = surface.mesh();
+  const std::vector<Vec3d> contour = in_double(mesh.positions);
+  const auto bring = [&](std::vector<Vec3f>& positions) { surface.bring(positions); };
+  bring(mesh.positions);
+  relax(mesh, bring);
+  PatchMesh patch{in_double(mesh.positions), std::move(mesh.triangles), {}};
+  untangle(patch, contour);
+  mesh.triangles = std::move(patch.triangles);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    mesh.positions[v] = patch.positions[v].cast<float>();
+  return mesh;
 }
 
 }  // namespace burin

@@ -1,6 +1,5 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/level_set/grid/grid_surface.h>
 #include <burin/level_set/relaxed_mesh.h>
 #include <burin/level_set/solid_mesh.h>
 #include <openvdb/io/File.h>
@@ -9,10 +8,7 @@ namespace burin {
 
 TriangleMesh mesh_of(const StrokeSolid& solid) {
   const Grid::Ptr grid = grid_of(solid);
-  const GridSurface surface(*grid);
-  TriangleMesh mesh = surface.mesh();
-  relax(mesh, [&](std::vector<Vec3f>& positions) { surface.bring(positions); });
-  return mesh;
+  return relaxed_mesh(GridSurface(*grid));
 }
 
 void write_vdb(const std::filesystem::path& path, std::span<const StrokeSolid> solids) {

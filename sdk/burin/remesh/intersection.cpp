@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <unsupported/Eigen/BVH>
 
 namespace burin {
@@ -85,7 +84,7 @@ struct Search {
 
 }  // namespace
 
-std::optional<Vec3d> self_intersection(const PatchMesh& patch) {
+std::vector<Index> crossing_triangles(const PatchMesh& patch) {
   const Crossings crossings(patch);
   const std::size_t count = patch.triangles.size();
   std::vector<std::size_t> triangles;
@@ -95,19 +94,18 @@ std::optional<Vec3d> self_intersection(const PatchMesh& patch) {
     boxes.push_back(crossings.box(t));
   }
   const Boxes tree(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
-  std::atomic<std::size_t> first = count;
+  std::vector<char> crossing(count, 0);
   parallel_blocks(count, 512, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end && t < first; ++t) {
+    for (std::size_t t = begin; t < end; ++t) {
       Search search{crossings, t, boxes[t]};
       Eigen::BVIntersect(tree, search);
-      if (!search.found) continue;
-      for (std::size_t before = first; t < before && !first.compare_exchange_weak(before, t);) {
-      }
-      break;
+      crossing[t] = search.found;
     }
   });
-  if (first == count) return {};
-  return patch.positions[patch.triangles[first][0]];
+  std::vector<Index> found;
+  for (Index t = 0; t < count; ++t)
+    if (crossing[t]) found.push_back(t);
+  return found;
 }
 
 }  // namespace burin

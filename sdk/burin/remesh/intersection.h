@@ -1,13 +1,12 @@
 #pragma once
 #include <burin/remesh/patch_mesh.h>
 
-#include <optional>
+#include <vector>
 
 namespace burin {
 
-/// A corner of a triangle of the patch that goes through another one; nothing where there is none. Triangles
-/// that share an edge, or touch without crossing, do not count. On all threads; the first such triangle,
-/// whatever their number.
-std::optional<Vec3d> self_intersection(const PatchMesh& patch);
+/// The triangles of the patch that go through another one, ascending. Triangles that share an edge, or touch
+/// without crossing, do not count. On all threads.
+std::vector<Index> crossing_triangles(const PatchMesh& patch);
 
 }  // namespace burin

@@ -17,6 +17,9 @@ struct PatchMesh {
   Index vertex_count() const { return static_cast<Index>(positions.size()); }
 };
 
+/// The same without the vertices that no triangle has, the others in the same order.
+PatchMesh without_unused_vertices(const PatchMesh& patch);
+
 /// A value at a point, such as a distance, object units.
 using PointField = std::function<double(const Vec3d& point)>;
 

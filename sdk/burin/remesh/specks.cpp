@@ -50,18 +50,7 @@ void remove_specks(PatchMesh& patch, double volume) {
     const Piece& piece = of[piece_of[t[0]]];
     return !piece.fixed && piece.areas.norm() <= closed * piece.area && std::abs(piece.volume) < volume;
   });
-  std::vector<Index> number(patch.positions.size(), no_index);
-  PatchMesh left;
-  for (Triangle& t : patch.triangles)
-    for (const Index v : t) number[v] = 0;
-  for (Index v = 0; v < number.size(); ++v) {
-    if (number[v] == no_index) continue;
-    number[v] = left.vertex_count();
-    left.positions.push_back(patch.positions[v]);
-    left.kept.push_back(patch.kept[v]);
-  }
-  for (const auto& [a, b, c] : patch.triangles) left.triangles.push_back({number[a], number[b], number[c]});
-  patch = std::move(left);
+  patch = without_unused_vertices(patch);
 }
 
 }  // namespace burin

@@ -69,6 +69,30 @@ TEST(SolidParts, AreRefusedWhereTheyWouldTakeTooMuch) {
   EXPECT_FALSE(std::filesystem::exists(saved));
 }
 
+/// The sample's ewer after a groove that a sample stroke engraved, and a solid along the same stroke.
+json merged_along_the_groove(const std::vector<std::string>& options) {
+  const std::string stroke = BURIN_SAMPLES "/strokes/meander.stroke";
+  const CommandFolder folder;
+  const std::string grooved = folder.path("grooved.ply");
+  burin_output({"replay", stroke, "--mesh", BURIN_SAMPLES "/meshes/ewer.obj", "--subdivide", "4",
+                "--save-mesh", grooved, "--json"});
+  std::vector<std::string> arguments = {"replay", stroke, "--mesh", grooved, "--json"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return json::parse(burin_output(arguments))["merges"][0];
+}
+
+// The groove is as narrow as the solid, whose field is torn above its bottom, beyond the surface's focal
+// points.
+TEST(SolidMerges, WorkAlongTheGrooveOfTheSameStroke) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--brush", "org.burin.tube", "--solid", "union"},
+        {"--brush", "org.burin.carve", "--solid", "difference"}}) {
+    const json merge = merged_along_the_groove(options);
+    EXPECT_GE(merge["least_angle"], 5) << options[1];
+    EXPECT_GT(merge["triangles_added"], 10000) << options[1];
+  }
+}
+
 TEST(SolidMerges, AreListedAndSavedAsOneSurface) {
   const Laid laid;
   const std::string saved = laid.folder.path("out.ply");

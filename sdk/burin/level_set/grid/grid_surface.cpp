@@ -1,5 +1,5 @@
-// Surfaces of grids: OpenVDB's dual contouring, whose vertices are brought to where the distance is 0, taken
-// as quadratic between voxels.
+// Surfaces of grids by OpenVDB's dual contouring, and the way to where the distance is 0, taken as quadratic
+// between voxels.
 #include <burin/base/parallel.h>
 #include <burin/level_set/grid/grid_surface.h>
 #include <openvdb/tools/Interpolation.h>
@@ -20,18 +20,19 @@ float worst_cosine(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
   return std::max({at(a, b, c), at(b, c, a), at(c, a, b)});
 }
 
-/// Cut along the diagonal that leaves the greater least angle.
-void add_quad(TriangleMesh& mesh, const std::array<Index, 4>& quad) {
+/// Cut along the diagonal that leaves the greater least angle at these positions.
+void add_quad(std::vector<Triangle>& triangles, const std::vector<Vec3f>& positions,
+              const std::array<Index, 4>& quad) {
   const auto [a, b, c, d] = quad;
   const auto worst = [&](Index i, Index j, Index k) {
-    return worst_cosine(mesh.positions[i], mesh.positions[j], mesh.positions[k]);
+    return worst_cosine(positions[i], positions[j], positions[k]);
   };
   if (std::max(worst(a, b, c), worst(a, c, d)) <= std::max(worst(a, b, d), worst(b, c, d))) {
-    mesh.triangles.push_back({a, b, c});
-    mesh.triangles.push_back({a, c, d});
+    triangles.push_back({a, b, c});
+    triangles.push_back({a, c, d});
   } else {
-    mesh.triangles.push_back({a, b, d});
-    mesh.triangles.push_back({b, c, d});
+    triangles.push_back({a, b, d});
+    triangles.push_back({b, c, d});
   }
 }
 
@@ -86,10 +87,11 @@ TriangleMesh GridSurface::mesh() const {
   openvdb::tools::volumeToMesh(*grid_, points, triangles, quads);
   TriangleMesh mesh;
   for (const openvdb::Vec3s& point : points) mesh.positions.push_back(vec(point));
-  bring(mesh.positions);
+  std::vector<Vec3f> brought = mesh.positions;
+  bring(brought);
   // OpenVDB counts clockwise.
   for (const auto& t : triangles) mesh.triangles.push_back({t[0], t[2], t[1]});
-  for (const auto& q : quads) add_quad(mesh, {q[0], q[3], q[2], q[1]});
+  for (const auto& q : quads) add_quad(mesh.triangles, brought, {q[0], q[3], q[2], q[1]});
   return mesh;
 }
 

@@ -15,7 +15,8 @@ class GridSurface {
   void bring(std::vector<Vec3f>& positions) const;
   Vec3d bring(const Vec3d& near) const;
 
-  /// The surface: closed, counter-clockwise seen from outside, of OpenVDB's dual contouring.
+  /// The surface within half a voxel: closed, counter-clockwise seen from outside, of OpenVDB's dual
+  /// contouring.
   TriangleMesh mesh() const;
 
  private:

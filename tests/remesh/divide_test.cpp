@@ -1,4 +1,4 @@
-#include <burin/remesh/clip.h>
+#include <burin/remesh/divide.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -12,23 +12,21 @@ Vec3d same(const Vec3d& p) { return p; }
 
 double beyond_circle(const Vec3d& p) { return (p - Vec3d(4, 4, 0)).norm() - 2.3; }
 
-TEST(Clip, LeavesWhatIsAboveZero) {
-  PatchMesh patch = test::flat_patch(8);
-  clip(
-      patch, [](const Vec3d& p) { return p.x() - 2.25; }, same);
+TEST(Divide, KeepsWhatIsAboveZero) {
+  const PatchMesh patch = kept_part(divide(
+      test::flat_patch(8), [](const Vec3d& p) { return p.x() - 2.25; }, same));
   EXPECT_NEAR(test::twice_area(patch), 2 * 5.75 * 8, 1e-9);
 }
 
-TEST(Clip, CutsAHoleWhoseBorderIsOnTheLine) {
-  PatchMesh patch = test::flat_patch(8);
-  clip(patch, beyond_circle, same);
+TEST(Divide, CutsAHoleWhoseBorderIsOnTheLine) {
+  const PatchMesh patch = kept_part(divide(test::flat_patch(8), beyond_circle, same));
   EXPECT_NEAR(test::twice_area(patch), 2 * (64 - std::numbers::pi * 2.3 * 2.3), 0.7);
   EXPECT_GT(test::border_sides(patch), 32);
   for (std::size_t v = 0; v < patch.positions.size(); ++v)
     EXPECT_GE(beyond_circle(patch.positions[v]), -1e-9);
 }
 
-TEST(Clip, CutsWithoutRemoving) {
+TEST(Cut, SplitsWithoutRemoving) {
   PatchMesh patch = test::flat_patch(8);
   const std::vector<double> value = cut(patch, beyond_circle, same);
   ASSERT_EQ(value.size(), patch.positions.size());
@@ -41,14 +39,31 @@ TEST(Clip, CutsWithoutRemoving) {
   }
 }
 
-TEST(Clip, KeepsTheNumbersOfFixedVertices) {
+TEST(Divide, KeepsTheNumbersOfFixedVertices) {
   PatchMesh patch = test::flat_patch(8);
   const PatchMesh before = patch;
-  clip(patch, beyond_circle, same);
+  patch = kept_part(divide(patch, beyond_circle, same));
   for (std::size_t v = 0; v < patch.positions.size(); ++v)
     if (patch.is_fixed(static_cast<Index>(v))) {
       EXPECT_EQ(patch.positions[v], before.positions[patch.kept[v]]);
     }
+}
+
+TEST(Divide, TellsTheSideOfEachTriangle) {
+  const DividedPatch divided = divide(test::flat_patch(8), beyond_circle, same);
+  ASSERT_EQ(divided.kept.size(), divided.patch.triangles.size());
+  ASSERT_EQ(divided.field.size(), divided.patch.positions.size());
+  EXPECT_NEAR(test::twice_area(divided.patch), 128, 1e-9);
+  for (std::size_t t = 0; t < divided.kept.size(); ++t) {
+    Vec3d middle = Vec3d::Zero();
+    for (const Index v : divided.patch.triangles[t]) middle += divided.patch.positions[v] / 3;
+    // Chords of the circle lie within it.
+    if (divided.kept[t]) {
+      EXPECT_GT(beyond_circle(middle), -0.15);
+    } else {
+      EXPECT_LT(beyond_circle(middle), 0);
+    }
+  }
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
-#include <burin/remesh/clip.h>
+#include <burin/remesh/divide.h>
 #include <burin/remesh/edge_mesh.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -51,20 +53,20 @@ std::vector<double> cut(PatchMesh& patch, const PointField& field, const BringPo
   return value;
 }
 
-void clip(PatchMesh& patch, const PointField& field, const BringPoint& bring) {
-  EdgeMesh mesh = to_edges(patch);
-  const std::vector<double> value = split_edges(mesh, field, bring);
-  const auto outside = [&](EdgeMesh::FaceHandle face) {
-    for (const auto vertex : mesh.fv_range(face))
-      if (value[static_cast<std::size_t>(vertex.idx())] < 0) return true;
-    return false;
-  };
-  std::vector<EdgeMesh::FaceHandle> removed;
-  for (const auto face : mesh.faces())
-    if (outside(face)) removed.push_back(face);
-  for (const auto face : removed) mesh.delete_face(face, true);
-  mesh.garbage_collection();
-  patch = to_patch(mesh);
+DividedPatch divide(PatchMesh patch, const PointField& field, const BringPoint& bring) {
+  DividedPatch divided;
+  divided.field = cut(patch, field, bring);
+  for (const Triangle& t : patch.triangles)
+    divided.kept.push_back(std::ranges::all_of(t, [&](Index v) { return divided.field[v] >= 0; }));
+  divided.patch = std::move(patch);
+  return divided;
+}
+
+PatchMesh kept_part(const DividedPatch& divided) {
+  PatchMesh part{divided.patch.positions, {}, divided.patch.kept};
+  for (std::size_t t = 0; t < divided.kept.size(); ++t)
+    if (divided.kept[t]) part.triangles.push_back(divided.patch.triangles[t]);
+  return without_unused_vertices(part);
 }
 
 }  // namespace burin
