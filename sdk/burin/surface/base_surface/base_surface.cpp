@@ -35,6 +35,10 @@ constexpr double fewest_coarse_edges = 4.2;
 /// Members of a cluster lie within this share of a spacing of its mean, with few exceptions.
 constexpr double cluster_extent = 0.75;
 
+/// Of the neighbours of a node that has more than this, so many stand for all, evenly chosen: the hub of a
+/// fan would cost in proportion to the square of its spokes.
+constexpr std::size_t most_neighbours = 64;
+
 /// Nodes whose normals have a lower cosine than this do not belong to one patch.
 constexpr float same_side = 0.2F;
 
@@ -179,22 +183,31 @@ BaseSurface::Sample BaseSurface::twice(Index node) {
 
 BasePatch BaseSurface::patch(Index node) {
   if (const BasePatch* known = patches_.find(node)) return *known;
-  const auto ring = [this](Index member) { return std::max(ring_, ring_over_edge * edge(member)); };
+  const auto width = [this](Index member) { return std::max(ring_, ring_over_edge * edge(member)); };
   double widest = ring_;
   levels_->for_each_member(group_level_, levels_->ancestor(level_, node, group_level_), level_,
-                           [&](Index member) { widest = std::max(widest, ring(member)); });
+                           [&](Index member) { widest = std::max(widest, width(member)); });
   return make_group(
       patches_, node, {level_, level_, widest}, [this](Index member) { return twice(member); },
       [this](Index member) { return twice(member); },
       [&](const Sample& origin, Index member, const SurfaceSamples& samples) {
-        return fitted(origin, ring(member), samples);
+        return fitted(origin, width(member), samples);
       });
+}
+
+/// The neighbours of a node, or those that stand for them.
+std::vector<Index> BaseSurface::ring(Index node) const {
+  const std::span<const Index> all = neighbours()[node];
+  const std::size_t count = std::min(all.size(), most_neighbours);
+  std::vector<Index> chosen;
+  for (std::size_t i = 0; i < count; ++i) chosen.push_back(all[i * all.size() / count]);
+  return chosen;
 }
 
 /// The mean length of a node's edges, which exceeds the spacing where the surface itself is coarser; 0 when
 /// the node has no edges.
 double BaseSurface::edge(Index node) {
-  const std::span<const Index> around = neighbours()[node];
+  const std::vector<Index> around = ring(node);
   if (around.empty()) return 0;
   const Vec3f here = twice(node).position;
   double sum = 0;
@@ -326,6 +339,14 @@ BasePatch BaseSurface::fitted(const Sample& origin, double ring, const SurfaceSa
   }
 }
 
+/// The neighbours of a node among which the one that is nearest to a point is: of many the one whose mean is.
+std::vector<Index> BaseSurface::towards(Index node, const Vec3f& point) const {
+  const std::span<const Index> all = neighbours()[node];
+  if (all.size() <= most_neighbours) return {all.begin(), all.end()};
+  return {*std::ranges::min_element(
+      all, {}, [&](Index other) { return squared_distance(levels_->mean(level_, other).position, point); })};
+}
+
 Index BaseSurface::nearest(Index near, const Vec3f& point) {
   for (;;) {
     const Vec3f normal = patch(near).normal;
@@ -334,7 +355,7 @@ Index BaseSurface::nearest(Index near, const Vec3f& point) {
       return at.normal.dot(normal) > 0 ? squared_distance(at.position, point)
                                        : std::numeric_limits<double>::infinity();
     };
-    const std::span<const Index> around = neighbours()[near];
+    const std::vector<Index> around = towards(near, point);
     const auto best = std::ranges::min_element(around, {}, squared);
     if (best == around.end() || !(squared(*best) < squared(near))) return near;
     near = *best;
@@ -342,18 +363,21 @@ Index BaseSurface::nearest(Index near, const Vec3f& point) {
 }
 
 /// Computes the nodes within a radius of each of these nodes that is missing: a query is usually followed by
-/// a stroke at the same place.
-void BaseSurface::prepare_around(std::span<const Index> nodes) {
+/// a stroke at the same place. Nodes farther from that place are left to be computed one by one.
+void BaseSurface::prepare_around(std::span<const Index> nodes, const Vec3f& place) {
   const double radius = reach_ / static_cast<double>(reach_over_radius);
-  for (const Index node : nodes)
-    if (!patches_.find(node)) prepare(std::array{Ball{levels_->mean(level_, node).position, radius, node}});
+  for (const Index node : nodes) {
+    if (patches_.find(node)) continue;
+    const Vec3f middle = levels_->mean(level_, node).position;
+    if (squared_distance(middle, place) <= radius * radius) prepare(std::array{Ball{middle, radius, node}});
+  }
 }
 
 std::vector<Index> BaseSurface::two_rings(Index node) const {
   std::vector<Index> nodes{node};
-  for (const Index one : neighbours()[node]) {
+  for (const Index one : ring(node)) {
     nodes.push_back(one);
-    nodes.insert(nodes.end(), neighbours()[one].begin(), neighbours()[one].end());
+    append(nodes, ring(one));
   }
   sort_unique(nodes);
   return nodes;
@@ -373,7 +397,7 @@ std::vector<BaseSurface::Weighted> BaseSurface::around(Index node, const Vec3f& 
 }
 
 BasePoint BaseSurface::project(Index near, const Vec3f& point) {
-  prepare_around(std::array{near});
+  prepare_around(std::array{near}, point);
   const Index node = nearest(near, point);
   const BasePatch own = patch(node);
   // Paraboloids extend beyond the end of the surface, so the distance from the node is limited.
@@ -383,7 +407,7 @@ BasePoint BaseSurface::project(Index near, const Vec3f& point) {
   const Vec3f middle = own.place(foot);
   Vec3d position = Vec3d::Zero(), normal = Vec3d::Zero();
   double weights = 0;
-  prepare_around(two_rings(node));
+  prepare_around(two_rings(node), middle);
   for (const auto& [at, weight] : around(node, middle)) {
     const BasePatch::Local<float> there = at.foot_within(point, extent);
     position += weight * at.place(there).cast<double>();

@@ -91,6 +91,8 @@ class BaseSurface {
   Sample twice(Index node);
   Vec3f normal_around(const Vec3f& origin, const SurfaceSamples& samples) const;
   Sample smoothed(const Sample& origin, const SurfaceSamples& samples) const;
+  std::vector<Index> ring(Index node) const;
+  std::vector<Index> towards(Index node, const Vec3f& point) const;
   std::vector<Index> two_rings(Index node) const;
   void note_width(double width);
   double edge(Index node);
@@ -108,7 +110,7 @@ class BaseSurface {
   template <class SampleOf>
   SurfaceSamples samples_around(Index group, std::span<const Sample> origins, const Making& making,
                                 const SampleOf& sample_of);
-  void prepare_around(std::span<const Index> nodes);
+  void prepare_around(std::span<const Index> nodes, const Vec3f& place);
   Index nearest(Index near, const Vec3f& point);
 
   const Surface* surface_;
