@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# samples/gallery/scans.sh FOLDER: draws rope, scales, text and beads over rough surfaces into samples/gallery/scans:
-# three scans from FOLDER, which is not part of the project, and a furry ring, which this script makes.
+# samples/gallery/scans.sh FOLDER: draws rope, scales, text, beads and solids over rough surfaces into
+# samples/gallery/scans: three scans and a figure from FOLDER, which is not part of the project, and a furry ring,
+# which this script makes.
 set -euo pipefail
 cd "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 
@@ -40,25 +41,25 @@ fur() {
     }'
 }
 
-# pictures NAME MESH SUBDIVIDE RADIUS RADII FROM TOWARDS: draws a straight stroke with the four brushes on one surface.
-pictures() {
-  local name=$1 mesh=$2 subdivide=$3 radius=$4 radii=$5 from=$6 towards=$7 brush params
-  for brush in rope scales text bead; do
-    case $brush in
-      rope) params='{}' ;;
-      scales) params="{\"stamp\": \"$PWD/samples/stamps/scales.exr\"}" ;;
-      text) params='{"text": "Engraver", "size": 1.6, "height": 0.2, "bevel": 0.05}' ;;
-      bead) params='{"form": "beads"}' ;;
-    esac
-    printf '%s on %s\n' "$brush" "$name"
-    cat >"$work/suite.json" <<JSON
+# draw BRUSH PARAMS SOLID NAME MESH SUBDIVIDE RADIUS RADII FROM TOWARDS: draws a straight stroke on one surface.
+draw() {
+  local brush=$1 params=$2 solid=$3 name=$4 mesh=$5 subdivide=$6 radius=$7 radii=$8 from=$9 towards=${10}
+  printf '%s on %s\n' "$brush" "$name"
+  cat >"$work/suite.json" <<JSON
 {"burin_suite": 1, "name": "scans", "cases": [{"name": "$brush on $name", "mesh": "$mesh", "subdivide": $subdivide,
-  "brush": "org.burin.$brush", "params": $params, "radius": $radius, "show_every": 0, "repeat": 1,
+  "brush": "org.burin.$brush", "params": $params, "solid": "$solid", "radius": $radius, "show_every": 0, "repeat": 1,
   "stroke": {"samples": 200, "from": [$from], "towards": [$towards], "length_radii": $radii}}]}
 JSON
-    build/release/bin/burin bench "$work/suite.json" --case "$brush on $name" \
-      --picture "samples/gallery/scans/${brush}_$name.png" >/dev/null
-  done
+  build/release/bin/burin bench "$work/suite.json" --case "$brush on $name" \
+    --picture "samples/gallery/scans/${brush}_$name.png" >/dev/null
+}
+
+# pictures NAME MESH SUBDIVIDE RADIUS RADII FROM TOWARDS: the same with four brushes that displace.
+pictures() {
+  draw rope '{}' none "$@"
+  draw scales "{\"stamp\": \"$PWD/samples/stamps/scales.exr\"}" none "$@"
+  draw text '{"text": "Engraver", "size": 1.6, "height": 0.2, "bevel": 0.05}' none "$@"
+  draw bead '{"form": "beads"}' none "$@"
 }
 
 for scan in colin27_head_t1_iso40_1mm.ply dragon_vrip.ply nefertiti-lowres.obj; do
@@ -69,3 +70,10 @@ pictures head "$work/colin27_head_t1_iso40_1mm.ply" 0 11 14 '45, 205, 120' '140,
 pictures dragon "$work/dragon_vrip.ply" 0 0.006 9 '-0.02, 0.09, 0.04' '0.05, 0.1, 0.04'
 pictures nefertiti "$work/nefertiti-lowres.obj" 2 18 12 '-90, 140, 60' '90, 170, 60'
 pictures fur "$work/fur.ply" 0 0.14 9 '-0.7, 0.75, 0.5' '0.7, 0.75, 0.5'
+
+draw chain '{}' union nefertiti "$work/nefertiti-lowres.obj" 2 18 14 '-90, 215, 60' '90, 215, 40'
+draw carve '{}' difference dragon "$work/dragon_vrip.ply" 0 0.005 9 '-0.01, 0.1, 0.04' '0.04, 0.09, 0.04'
+draw tube '{"height": 0.5}' union head "$work/colin27_head_t1_iso40_1mm.ply" 0 11 14 '45, 205, 120' '140, 205, 125'
+printf 'spot along a stroke\n'
+build/release/bin/burin replay samples/strokes/wave.stroke --mesh samples/meshes/ewer.obj --subdivide 5 --radius .14 \
+  --along-mesh "$data/spot_triangulated.obj" --png samples/gallery/scans/spot_along_ewer.png >/dev/null

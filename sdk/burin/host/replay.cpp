@@ -184,6 +184,7 @@ ReplayResult replay(Session& session, const Recording& recorded, const GivenSett
   if (recording.space == StrokeSpace::screen && !recording.camera)
     throw ContractError("a recording in screen space without a camera");
   Replayer replayer(session, recording, observer);
+  session.set_progress(observer.progress);
   for (std::size_t i = 0; i < settings.size(); ++i) {
     try {
       replayer.draw(recording.strokes[i], settings[i]);
@@ -191,6 +192,7 @@ ReplayResult replay(Session& session, const Recording& recorded, const GivenSett
       throw Error(fmt::format("stroke {}: {}", i + 1, error.what()));
     }
   }
+  session.set_progress({});
   ReplayResult result = replayer.finish();
   result.standing_clocks = standing_clocks;
   return result;

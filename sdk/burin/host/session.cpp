@@ -78,6 +78,7 @@ struct Session::Impl {
   UndoJournal journal;
   std::vector<StrokeSolid> parts;
   SolidMerger merger;
+  Progress progress;
   std::vector<MergeReport> merges;
   std::vector<std::string> warnings;  ///< of finished strokes
   std::uint64_t generation = 0;
@@ -112,7 +113,7 @@ StrokeEvent Session::Impl::draw(const std::optional<CurveGround::Place>& at, dou
   stroke->trace(*at, time, pen);
   clock.lap(Stage::curve);
   if (show == Show::later) return {StrokeEvent::Outcome::drawn, {}};
-  const std::span<const Index> seen = apply(stroke->draw({evaluator, paint.base(), cost, clock}));
+  const std::span<const Index> seen = apply(stroke->draw({evaluator, paint.base(), cost, clock, progress}));
   clock.lap(Stage::move);
   return {StrokeEvent::Outcome::drawn, seen};
 }
@@ -138,7 +139,7 @@ std::span<const Index> Session::Impl::note_changed(std::span<const Index> moved,
 std::span<const Index> Session::Impl::finish_piece(Closure closure) {
   if (stroke->piece_empty() || stroke->piece_kept()) return changed;
   StageClock clock(cost);
-  apply(stroke->finish(closure, {evaluator, paint.base(), cost, clock}));
+  apply(stroke->finish(closure, {evaluator, paint.base(), cost, clock, progress}));
   last_curve = stroke->curve();
   clock.lap(Stage::move);
   return changed;
@@ -152,7 +153,8 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
   finish_piece(closure);
   warnings.insert(warnings.end(), stroke->warnings().begin(), stroke->warnings().end());
   StageClock clock(cost);
-  if (const std::optional<SolidMerge> merge = stroke->merge()) {
+  if (std::optional<SolidMerge> merge = stroke->merge()) {
+    merge->progress = progress;
     merge_solid(*merge);
     clock.lap(Stage::record);
     return changed;
@@ -181,6 +183,8 @@ MadePart Session::Impl::add_part() {
 void Session::Impl::merge_solid(const SolidMerge& merge) {
   if (!merger) throw Error("this application cannot merge solids with the surface");
   const MergedSolid merged = merger(merge);
+  // The last time: from here on the surface is replaced.
+  report(progress, "rebuilding the surface", 0);
   Stopwatch watch;
   PaintedSurface made = with_patch(surface, picker, paint.base(), merged.patch);
   MergeReport report = report_of(merged, surface, made.surface);
@@ -256,6 +260,8 @@ const Picker& Session::picker() const { return impl_->picker; }
 std::span<const Vec3f> Session::positions() const { return impl_->shown.positions(); }
 std::span<const Vec3f> Session::normals() const { return impl_->shown.normals(); }
 std::uint64_t Session::generation() const { return impl_->generation; }
+void Session::set_progress(Progress progress) { impl_->progress = std::move(progress); }
+
 std::span<const StrokeSolid> Session::parts() const { return impl_->parts; }
 std::span<const MergeReport> Session::merges() const { return impl_->merges; }
 std::span<const std::string> Session::warnings() const { return impl_->warnings; }

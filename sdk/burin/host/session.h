@@ -83,6 +83,11 @@ class Session {
   /// array is neither empty nor has one element per vertex, or if a value is outside 0..1.
   void set_paint(Paint paint);
 
+  /// Is called while the end of a stroke makes a solid and merges it with the surface, which can take
+  /// seconds, on the thread of that call. If it throws, so does the call, and the surface is as before the
+  /// stroke: that is how users cancel.
+  void set_progress(Progress progress);
+
   /// The solids that strokes with SolidOperation::separate made beside the surface, in the order of the
   /// strokes.
   std::span<const StrokeSolid> parts() const;

@@ -116,13 +116,20 @@ std::vector<openvdb::Coord> leaves_near(const StrokeSolid& solid, double reach) 
 
 /// Distances in these leaves, as far as the band; outside everywhere else. `sides`: see LeafFiller.
 Grid::Ptr filled(const std::vector<openvdb::Coord>& origins, const SurfaceDistance& distance,
-                 const Grid* sides, double voxel, const Band& band) {
+                 const Grid* sides, double voxel, const Band& band, const Progress& progress) {
   const Grid::Ptr grid = empty_grid(voxel, band.outside / voxel);
   for (const openvdb::Coord& origin : origins)
     grid->tree().addLeaf(new Leaf(origin, grid->background(), true));
-  for_each_leaf(*grid, [&](Leaf& leaf) {
-    LeafFiller(leaf, distance, sides, voxel, band).fill(Eigen::Vector3i::Zero(), Leaf::DIM, no_index);
-  });
+  constexpr std::size_t part = 1024;
+  Leaves leaves(grid->tree());
+  for (std::size_t from = 0; from < leaves.leafCount(); from += part) {
+    report(progress, "comparing distances",
+           static_cast<double>(from) / static_cast<double>(leaves.leafCount()));
+    parallel_blocks(std::min(part, leaves.leafCount() - from), 1, [&](std::size_t i, std::size_t) {
+      LeafFiller(leaves.leaf(from + i), distance, sides, voxel, band)
+          .fill(Eigen::Vector3i::Zero(), Leaf::DIM, no_index);
+    });
+  }
   return grid;
 }
 
@@ -188,11 +195,12 @@ Combined combine(const Operands& operands) {
   // A fillet needs distances on the side that is outside of the union.
   const double near = 3 * voxel;
   const Band beyond{near, reach}, within{reach, near};
-  combined.solid = filled(leaves_near(operands.voxels, reach / voxel), operands.solid,
-                          grid_of(operands.voxels).get(), voxel, of_solid > 0 ? beyond : Band{reach, reach});
+  combined.solid =
+      filled(leaves_near(operands.voxels, reach / voxel), operands.solid, grid_of(operands.voxels).get(),
+             voxel, of_solid > 0 ? beyond : Band{reach, reach}, operands.progress);
   drop_far_leaves(*combined.solid);
-  const Grid::Ptr base =
-      filled(origins_of(*combined.solid), operands.base, nullptr, voxel, of_base > 0 ? beyond : within);
+  const Grid::Ptr base = filled(origins_of(*combined.solid), operands.base, nullptr, voxel,
+                                of_base > 0 ? beyond : within, operands.progress);
 
   const Grid::Ptr first = base->deepCopy(), second = combined.solid->deepCopy();
   change_values(*first, [&](float value) { return of_base * value; });

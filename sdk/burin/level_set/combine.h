@@ -13,6 +13,7 @@ struct Operands {
   SolidOperation operation;
   double
       blend;  ///< radius of a ball that leaves a fillet where it rolls along both; object units, 0 for none
+  const Progress& progress;
 };
 
 /// A surface and a solid in the voxels around the solid, and what they become together.

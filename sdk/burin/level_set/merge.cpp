@@ -64,24 +64,19 @@ class Merger {
         base_(merge.surface, merge.picker),
         solid_surface_(solid),
         solid_(solid_surface_.surface, solid_surface_.picker),
-        combined_(combine({solid, solid_, base_, merge.operation, merge.blend})),
+        combined_(combine({solid, solid_, base_, merge.operation, merge.blend, merge.progress})),
         surface_of_(*combined_.result),
         side_(merge.operation == SolidOperation::intersection ? -1 : 1) {}
 
   MergedSolid run() {
     seconds_.distances = watch_.lap();
-    const PatchMesh contour = contoured();
-    seconds_.contour = watch_.lap();
-    // Where the line that they are cut along nearly touches itself, the two may differ; elsewhere they do
-    // not.
-    constexpr int tries = 6;
-    constexpr double step = 0.2;  // voxels
-    for (int i = 0; i < tries; ++i) {
-      cut_ = combined_.contact + (cut_beyond + i * step) * voxel_;
-      if (std::optional<SurfacePatch> patch = attempt(contour))
-        return {std::move(*patch), seconds_, voxel_,
-                combined_.result->tree().leafCount() * VoxelBlock::voxels, combined_.bytes};
-    }
+    std::optional<SurfacePatch> patch;
+    // A crease that goes through itself is left as round as the voxels make it.
+    if (!(merge_->blend > 0)) patch = result(true);
+    if (!patch) patch = result(false);
+    if (patch)
+      return {std::move(*patch), seconds_, voxel_, combined_.result->tree().leafCount() * VoxelBlock::voxels,
+              combined_.bytes};
     if (!crossing_) throw Error("the solid's surface and the rest cannot be joined here: try another voxel");
     throw Error(
         fmt::format("at ({:.6g}, {:.6g}, {:.6g}) something is thinner than the voxels: try another voxel",
@@ -89,6 +84,25 @@ class Merger {
   }
 
  private:
+  /// The result with a sharp line where surface and solid meet, or without; nothing where it cannot be made.
+  std::optional<SurfacePatch> result(bool sharp) {
+    sharp_ = sharp;
+    report(merge_->progress, "contouring", 0);
+    const PatchMesh contour = contoured();
+    seconds_.contour += watch_.lap();
+    // Where the line that they are cut along nearly touches itself, the two may differ; elsewhere they do
+    // not.
+    constexpr int tries = 6;
+    constexpr double step = 0.2;  // voxels
+    for (int i = 0; i < tries; ++i) {
+      report(merge_->progress, "joining", static_cast<double>(i) / tries);
+      cut_ = combined_.contact + (cut_beyond + i * step) * voxel_;
+      if (std::optional<SurfacePatch> patch = attempt(contour)) return patch;
+      if (sharp && crossing_) break;
+    }
+    return {};
+  }
+
   /// How far a point is from the solid, on the side on which the surface stays; object units.
   double beyond(const Vec3d& p) const {
     const Vec3d at = p / voxel_;
@@ -112,7 +126,7 @@ class Merger {
       }
     });
     untangle(patch, contour);
-    if (!(merge_->blend > 0)) sharpen(patch);
+    if (sharp_) sharpen(patch);
     return patch;
   }
 
@@ -141,13 +155,13 @@ class Merger {
   /// Whether the result's surface is there that of the surface.
   bool is_base(const Vec3d& p) const { return beyond(p) > combined_.contact + 0.5 * voxel_; }
 
-  /// The point of the line in which surface and solid meet, for one near it, where no fillet fills the line.
+  /// The point of the line in which surface and solid meet, for one near it, where it is to be sharp.
   std::optional<Vec3d> on_crease(Vec3d p) const {
     constexpr int steps = 4;
     constexpr double parallel = 0.99;
     const double sign = merge_->operation == SolidOperation::difference ? -1 : 1;
     const double near = crease_width * voxel_;
-    if (merge_->blend > 0) return {};
+    if (!sharp_) return {};
     const Vec3d start = p;
     for (int step = 0; step < steps; ++step) {
       const auto a = base_.near(p, 2 * near), b = solid_.near(p, 2 * near);
@@ -184,6 +198,7 @@ class Merger {
     std::optional<PatchMesh> joined = join(kept_part(outer), solid_part, join_within * voxel_);
     seconds_.join += watch_.lap();
     if (!joined) return {};
+    report(merge_->progress, "remeshing the seam", 0);
     improve(*joined, {.size = [this](const Vec3d& p) { return size(p); },
                       .bring = [this](const Vec3d& p) { return on_result(p); },
                       .crease = [this](const Vec3d& p) { return is_on_crease(p); },
@@ -243,7 +258,8 @@ class Merger {
   Combined combined_;
   GridSurface surface_of_;  ///< of the result
   double side_;
-  double cut_ = 0;  ///< distance from the solid along which surface and contour are cut, object units
+  double cut_ = 0;      ///< distance from the solid along which surface and contour are cut, object units
+  bool sharp_ = false;  ///< whether there is a sharp line where surface and solid meet
   std::optional<Vec3d> crossing_;  ///< where the result went through itself
   MergeSeconds seconds_;
 };
@@ -253,7 +269,7 @@ class Merger {
 MergedSolid merge_solid(const SolidMerge& merge) {
   if (const auto* closed = std::get_if<MeshSolid>(&merge.solid)) {
     const StrokeSolid solid = solid_of(closed->mesh, closed->voxel);
-    return merge_solid({merge.surface, merge.picker, solid, merge.operation, merge.blend});
+    return merge_solid({merge.surface, merge.picker, solid, merge.operation, merge.blend, merge.progress});
   }
   const StrokeSolid& solid = std::get<0>(merge.solid);
   return solid.empty() ? MergedSolid{} : Merger(merge, solid).run();

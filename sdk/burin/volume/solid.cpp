@@ -195,7 +195,7 @@ bool comes_before(const VoxelBlock& a, const VoxelBlock& b) {
 }  // namespace
 
 StrokeSolid::StrokeSolid(const SolidGround& ground, const SolidExtent& extent,
-                         const DistanceToSolid& distance)
+                         const DistanceToSolid& distance, const Progress& progress)
     : voxel_(extent.voxel) {
   check(extent);
   const std::vector<Prism> prisms = shell_over(ground);
@@ -205,6 +205,7 @@ StrokeSolid::StrokeSolid(const SolidGround& ground, const SolidExtent& extent,
   // In parts, since most blocks are found to hold nothing and need no memory then.
   constexpr std::size_t part = 4096, grain = 16;
   for (std::size_t from = 0; from < blocks.size(); from += part) {
+    report(progress, "making the solid", static_cast<double>(from) / static_cast<double>(blocks.size()));
     std::vector<VoxelBlock> filled(std::min(part, blocks.size() - from));
     std::vector<std::exception_ptr> failures(filled.size());
     parallel_blocks(filled.size(), grain, [&](std::size_t begin, std::size_t end) {

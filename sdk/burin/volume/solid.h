@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/progress.h>
 #include <burin/chart/chart.h>
 #include <burin/stroke/stroke_choices.h>
 #include <burin/surface/picker.h>
@@ -69,9 +70,10 @@ struct VoxelBlock {
 class StrokeSolid {
  public:
   /// Throws Error where the extent or the voxel is none, the grid would need more than `most_bytes`, or a
-  /// distance is not finite: that of the lowest block; and what `distance` throws. Costs time and memory in
-  /// proportion to the voxels near the solid's surface and within, and to the chart.
-  StrokeSolid(const SolidGround& ground, const SolidExtent& extent, const DistanceToSolid& distance);
+  /// distance is not finite: that of the lowest block; and what `distance` and `progress` throw. Costs time
+  /// and memory in proportion to the voxels near the solid's surface and within, and to the chart.
+  StrokeSolid(const SolidGround& ground, const SolidExtent& extent, const DistanceToSolid& distance,
+              const Progress& progress = {});
 
   /// Takes voxels of this edge as they are: blocks as blocks() has them.
   StrokeSolid(double voxel, std::vector<VoxelBlock> blocks) : voxel_(voxel), blocks_(std::move(blocks)) {}
@@ -109,6 +111,7 @@ struct SolidMerge {
   std::variant<std::reference_wrapper<const StrokeSolid>, MeshSolid> solid;
   SolidOperation operation;  ///< unite, difference or intersection
   double blend = 0;          ///< radius of the fillet where surface and solid meet, object units
+  Progress progress = {};
 };
 
 /// Wall time of the steps of a merge, seconds.

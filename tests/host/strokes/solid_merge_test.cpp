@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <string>
+#include <string_view>
 
 #include "host/sessions.h"
 #include "support/rods.h"
@@ -91,6 +94,38 @@ TEST(SolidMerge, IsTheSameFromSampleToSampleAndAtOnce) {
     return session.result_hash();
   };
   EXPECT_EQ(hash(Show::now), hash(Show::later));
+}
+
+// At each of the calls in turn.
+TEST(SolidMerge, IsCancelledByItsProgressAndLeavesTheSurfaceAsItWas) {
+  Session session = sphere_session();
+  draw(session, test::settings("org.burin.bead", 0.2), arc(2, 3));
+  const std::uint64_t before = session.result_hash();
+  std::vector<std::string> stages;
+  session.set_progress([&](std::string_view stage, double done) {
+    EXPECT_TRUE(done >= 0 && done <= 1) << stage;
+    stages.emplace_back(stage);
+  });
+  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  session.undo();
+  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  const std::uint64_t merged = session.result_hash();
+  session.undo();
+  const std::set<std::string> different(stages.begin(), stages.end());
+  EXPECT_EQ(different.size(), 6u) << "making, comparing, contouring, joining, remeshing, rebuilding";
+  struct Cancel {};
+  for (std::size_t last = 0; last < stages.size(); ++last) {
+    std::size_t calls = 0;
+    session.set_progress([&](std::string_view, double) {
+      if (calls++ == last) throw Cancel{};
+    });
+    EXPECT_THROW(draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5)), Cancel) << stages[last];
+    EXPECT_EQ(session.result_hash(), before) << stages[last];
+    EXPECT_TRUE(session.merges().empty());
+  }
+  session.set_progress({});
+  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  EXPECT_EQ(session.result_hash(), merged);
 }
 
 TEST(SolidMerge, CarriesPaint) {

@@ -80,7 +80,7 @@ double voxel_for(double detail, const SolidGround& ground, bool merged) {
 }  // namespace
 
 StrokeSolid SolidStroke::make(const NodeSource& source, const burin_stroke_context& context, double voxel,
-                              bool merged) const {
+                              bool merged, const Progress& progress) const {
   const burin_solid_plan made = plan(context);
   const LiveChart& live = source.nodes.live();
   const std::vector<Index> slots = live.sorted_slots();
@@ -102,7 +102,7 @@ StrokeSolid SolidStroke::make(const NodeSource& source, const burin_stroke_conte
     pool.give_back(std::move(batch));
   };
   try {
-    return StrokeSolid(ground, extent, distance);
+    return StrokeSolid(ground, extent, distance, progress);
   } catch (const ContractError&) {
     throw;
   } catch (const Error& error) {

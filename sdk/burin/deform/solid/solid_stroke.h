@@ -23,9 +23,9 @@ class SolidStroke {
 
   /// The solid over the nodes of one image of the stroke, in voxels of this edge, object units; for 0 of one
   /// sixth of the plan's detail or, where it is to be `merged`, of about the surface's edges down to a
-  /// twelfth. Throws Error as StrokeSolid, ContractError where the brush fails.
-  StrokeSolid make(const NodeSource& source, const burin_stroke_context& context, double voxel,
-                   bool merged) const;
+  /// twelfth. Throws Error as StrokeSolid, ContractError where the brush fails, and what `progress` throws.
+  StrokeSolid make(const NodeSource& source, const burin_stroke_context& context, double voxel, bool merged,
+                   const Progress& progress = {}) const;
 
  private:
   void find_distances(SolidBatch& batch, const burin_stroke_context& context,

@@ -197,23 +197,23 @@ VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
   tools.clock.lap(Stage::chart);
   if (!makes_part()) return evaluate_and_blend(changes, BURIN_STROKE_FINAL, tools);
   Stopwatch watch;
-  along_ ? bend_meshes(tools.paint) : make_solid(tools.paint);
+  along_ ? bend_meshes(tools.paint) : make_solid(tools);
   solid_seconds_ += watch.lap();
   tools.clock.lap(Stage::evaluate);
   return {};
 }
 
 /// Adds those of the piece's images to the solid of the stroke.
-void OpenStroke::make_solid(const Paint& paint) {
+void OpenStroke::make_solid(const StrokeTools& tools) {
   for (const StrokeInstance& instance : instances_) {
     if (instance.empty()) continue;
     const std::uint64_t mirrored = instance.image().mirrored ? BURIN_STROKE_MIRRORED : 0;
-    const NodeSource source = instance.source(paint);
+    const NodeSource source = instance.source(tools.paint);
     const burin_stroke_context of_image = context(BURIN_STROKE_FINAL | mirrored, instance.curve());
     // Voxels of one size go together.
     const double voxel = solid_ ? solid_->voxel() : settings_.voxel;
     solid_operation_ = settings_.solid ? *settings_.solid : solid_stroke_->operation(of_image);
-    StrokeSolid made = solid_stroke_->make(source, of_image, voxel, merges(solid_operation_));
+    StrokeSolid made = solid_stroke_->make(source, of_image, voxel, merges(solid_operation_), tools.progress);
     check_slope(made);
     if (solid_)
       solid_->add(made);

@@ -33,6 +33,7 @@ struct StrokeTools {
   const Paint& paint;  ///< colours and masks before the stroke
   EventCost& cost;
   StageClock& clock;
+  const Progress& progress;  ///< of making solids
 };
 
 /// The open stroke of a session, with all its pieces and symmetric images. Surface, picker, chart builders,
@@ -109,7 +110,7 @@ class OpenStroke {
                 std::vector<Index>& vertices);
   VertexMoves blend(std::vector<Index> vertices, const Paint& paint) const;
   std::vector<InstanceSheets> piece_sheets() const;
-  void make_solid(const Paint& paint);
+  void make_solid(const StrokeTools& tools);
   void check_slope(const StrokeSolid& made);
   void bend_meshes(const Paint& paint);
   double mesh_voxel() const;

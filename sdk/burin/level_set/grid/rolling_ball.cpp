@@ -69,7 +69,7 @@ Least least(const Vec3d& n1, double b1, const Vec3d& n2, double b2) {
 
 /// The least radius of the ball between walls whose normals have this scalar product, voxels.
 double least_radius(double cosine) {
-  constexpr double whole = -0.65;
+  constexpr double whole = -0.75;
   return std::clamp((acute_walls - cosine) / (acute_walls - whole), 0., 1.);
 }
 

@@ -3,9 +3,9 @@
 
 namespace burin {
 
-/// Walls whose outward normals have a smaller scalar product than this meet at so acute an angle (72 degrees)
+/// Walls whose outward normals have a smaller scalar product than this meet at so acute an angle (60 degrees)
 /// that the gap between them is filled even where no fillet is asked for.
-inline constexpr double acute_walls = -0.3;
+inline constexpr double acute_walls = -0.5;
 
 /// Fills the groove between two solids with what a ball of this radius, object units, that rolls along both
 /// cannot reach; the radius may be 0, and between acute walls grows to a voxel. `both`: their union, of which
