@@ -108,6 +108,7 @@ TEST(SolidMerge, IsCancelledByItsProgressAndLeavesTheSurfaceAsItWas) {
   });
   draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
   session.undo();
+  stages.clear();
   draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
   const std::uint64_t merged = session.result_hash();
   session.undo();
