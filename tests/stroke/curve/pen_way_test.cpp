@@ -15,7 +15,7 @@ constexpr double radius = 1, least_step = 0.0005;
 
 PenKnot at(double x, double y, double time = 0, float pressure = 1) {
   PenKnot sample;
-  sample.place.at.position = Vec3f(static_cast<float>(x), static_cast<float>(y), 0);
+  sample.ground_point.at.position = Vec3f(static_cast<float>(x), static_cast<float>(y), 0);
   sample.time = time;
   sample.pen.pressure = pressure;
   return sample;

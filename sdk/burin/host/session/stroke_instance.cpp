@@ -102,7 +102,7 @@ ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint
   return {settings.radius, inputs, varying & (inputs | BURIN_INPUT_RADIUS), &dynamics_};
 }
 
-void StrokeInstance::trace(const CurveGround::Place& at, double time, const Pen& pen) {
+void StrokeInstance::trace(const CurveGround::Point& at, double time, const Pen& pen) {
   const PenWay::Change change = tracer_.add(at, time, pen);
   const bool pen_matters = width_.varies() || reads_.varying != 0 || dynamics_.any();
   traced_ |= change == PenWay::Change::way || (change == PenWay::Change::pen && pen_matters);

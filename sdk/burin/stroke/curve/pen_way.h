@@ -9,12 +9,12 @@ namespace burin {
 
 /// A sample that the curve of a stroke passes through.
 struct PenKnot {
-  CurveGround::Place place;
+  CurveGround::Point ground_point;
   double time = 0;  ///< seconds since the first sample
   Pen pen;
   double way = 0;         ///< length of the polyline of knots from the first knot to this one, object units
   std::size_t point = 0;  ///< index of the curve's point at this knot
-  const Vec3f& position() const { return place.at.position; }
+  const Vec3f& position() const { return ground_point.at.position; }
 };
 
 /// Chooses the samples that become knots of the curve: all samples of a moving pen, none of a pen that rests

@@ -30,14 +30,14 @@ class CurveTracer {
 
   /// Whether CurveGround::connects() the last knot with a point. False where the pen jumps across a
   /// silhouette or a gap.
-  bool connects(const CurveGround::Place& place) const;
-  bool connects(const SurfacePoint& point) const { return connects(ground_.place(point)); }
+  bool connects(const CurveGround::Point& place) const;
+  bool connects(const SurfacePoint& point) const { return connects(ground_.point(point)); }
 
   /// Appends a sample at this point, and returns what changed. A sample at the position of the one before
   /// only updates time and pen.
-  PenWay::Change add(const CurveGround::Place& place, double time, const Pen& pen);
+  PenWay::Change add(const CurveGround::Point& place, double time, const Pen& pen);
   PenWay::Change add(const SurfacePoint& point, double time, const Pen& pen) {
-    return add(ground_.place(point), time, pen);
+    return add(ground_.point(point), time, pen);
   }
 
   const CurveGround& ground() const { return ground_; }
@@ -77,7 +77,7 @@ class CurveTracer {
   void trace_segment(std::size_t knot);
   const PenKnot* neighbour(std::size_t knot, std::size_t steps, bool forward) const;
   PenSpline pen_spline(std::size_t knot) const;
-  void append(const CurveGround::Place& place, const Vec3d& direction, double time, const Pen& pen);
+  void append(const CurveGround::Point& place, const Vec3d& direction, double time, const Pen& pen);
   void set_speed_around(double at_seam, double seam_time);
 
   CurveGround ground_;
