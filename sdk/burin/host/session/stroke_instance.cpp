@@ -103,9 +103,9 @@ ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint
 }
 
 void StrokeInstance::trace(const CurveGround::Point& at, double time, const Pen& pen) {
-  const PenWay::Change change = tracer_.add(at, time, pen);
+  const PenPath::Change change = tracer_.add(at, time, pen);
   const bool pen_matters = width_.varies() || reads_.varying != 0 || dynamics_.any();
-  traced_ |= change == PenWay::Change::way || (change == PenWay::Change::pen && pen_matters);
+  traced_ |= change == PenPath::Change::path || (change == PenPath::Change::pen && pen_matters);
 }
 
 StrokeChanges StrokeInstance::draw(double end_influence, std::uint64_t flags, EventCost& cost) {

@@ -28,17 +28,17 @@ CurveTracer::CurveTracer(const CurveGround& ground, double radius, StrokeWidth w
       width_(std::move(width)),
       min_spacing_(std::max(radius / 1000, ground.scale() * 1e-5)),
       max_spacing_(std::max(radius / 8, min_spacing_)),
-      way_(radius, min_spacing_ / 2) {}
+      path_(radius, min_spacing_ / 2) {}
 
 bool CurveTracer::connects(const CurveGround::Point& place) const {
   return knots_.empty() || ground_.connects(knots_.back().ground_point, place);
 }
 
-PenWay::Change CurveTracer::add(const CurveGround::Point& place, double time, const Pen& pen) {
+PenPath::Change CurveTracer::add(const CurveGround::Point& place, double time, const Pen& pen) {
   if (knots_.empty()) first_time_ = time;
-  const PenWay::Change change =
-      way_.add(knots_, {.ground_point = place, .time = time - first_time_, .pen = pen});
-  if (change != PenWay::Change::none) retrace_tail();
+  const PenPath::Change change =
+      path_.add(knots_, {.ground_point = place, .time = time - first_time_, .pen = pen});
+  if (change != PenPath::Change::none) retrace_tail();
   return change;
 }
 
@@ -49,7 +49,7 @@ void CurveTracer::retrace_tail() {
   if (last == 0) append(knots_[0].ground_point, Vec3d::Zero(), knots_[0].time, knots_[0].pen);
   for (std::size_t segment = final_segments_; segment < last; ++segment) {
     trace_segment(segment);
-    if (segment + 2 < way_.taken()) {
+    if (segment + 2 < path_.taken()) {
       final_points_ = curve_.points.size();
       final_segments_ = segment + 1;
     }
