@@ -81,14 +81,14 @@ class Arrow : public Brush {
   }
 
  private:
-  float distance(Place p, float length, float radius) const {
+  float distance(Point p, float length, float radius) const {
     const float size = std::min(1.0f, length / head_length_);
     if (size <= 0) return circle(p, tail_ * radius);  // before the pen moves
     const float head = size * head_length_, base = size * head_width_ * radius;
     const float half = std::min(size * shaft_ * radius, base);
     const float narrow = length - head * half / base;  // t at which the head is as narrow as the shaft
     return join(join(circle(p, size * tail_ * radius), bar(p, narrow, half)),
-                triangle(p - Place{length - head, 0}, head, base));
+                triangle(p - Point{length - head, 0}, head, base));
   }
 
   const float tail_, shaft_, head_length_, head_width_;  // radii, but head_length_ in object units

@@ -82,7 +82,7 @@ class DashedLine : public Brush {
       dash_length = std::min(whole, stroke.length() - place * period);
     }
     const auto half = static_cast<float>(dash_length / 2);
-    const Place p{static_cast<float>(t - place * period) - half, cell.d};
+    const Point p{static_cast<float>(t - place * period) - half, cell.d};
     if (caps_ == butt) return box(p, half, half_width);
     return capsule(p, std::max(half - half_width, 0.0f), half_width);
   }

@@ -78,7 +78,7 @@ class PatternedFill : public Brush {
     for (std::size_t i = 0; i < in.size(); ++i) {
       const Cell node = cells[i];
       const double column = in.stroke.along_line(node.t) / length;
-      const Place p{static_cast<float>(column - std::floor(column)), static_cast<float>(node.d / cell_)};
+      const Point p{static_cast<float>(column - std::floor(column)), static_cast<float>(node.d / cell_)};
       const float band = in.stroke.distance(node.t, node.d) - widths[i] * node.radius;
       const float inner = cut(in_cell(p) * static_cast<float>(cell_), band);
       ink.draw(i, join(inner, edge(band, node.radius)), node.footprint());
@@ -91,7 +91,7 @@ class PatternedFill : public Brush {
   }
 
   /// The distance to the pattern, in cells; the pattern has the period 1 along x.
-  float in_cell(Place p) const {
+  float in_cell(Point p) const {
     constexpr float sin45 = 0.70710678f, sin60 = 0.8660254f;
     switch (pattern_) {
       case hatch:
@@ -103,16 +103,16 @@ class PatternedFill : public Brush {
         return (x > 0) == (y > 0) ? -std::min(std::abs(x), std::abs(y)) : std::min(std::abs(x), std::abs(y));
       }
       case dots:
-        return staggered(p, 0.5f, [&](Place q) { return circle(q, fill_ / 2); });
+        return staggered(p, 0.5f, [&](Point q) { return circle(q, fill_ / 2); });
       default:
-        return staggered(p, sin60, [&](Place q) { return hexagon(q, fill_ / 2); });
+        return staggered(p, sin60, [&](Point q) { return hexagon(q, fill_ / 2); });
     }
   }
 
   /// The distance to the nearest figure in rows `pitch` apart, every other row of which is shifted by half a
   /// period.
   template <class Figure>
-  static float staggered(Place p, float pitch, const Figure& figure) {
+  static float staggered(Point p, float pitch, const Figure& figure) {
     const float row = std::floor(p.y / pitch);
     float nearest = std::numeric_limits<float>::max();
     for (const float r : {row, row + 1}) {

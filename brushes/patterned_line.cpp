@@ -86,14 +86,14 @@ class PatternedLine : public Brush {
     const double last = std::max(std::floor(stroke.length() / length) - 1, 0.0);
     const auto to = [&](double column) {
       if (stroke.has_ends()) column = std::clamp(column, 0.0, last);
-      const Place from_middle{static_cast<float>(t - (column + 0.5) * length), cell.d};
+      const Point from_middle{static_cast<float>(t - (column + 0.5) * length), cell.d};
       return distance(from_middle, static_cast<float>(length), half_width);
     };
     return join(to(place - 1), to(place));
   }
 
   /// The distance to a figure centred at the origin.
-  float distance(Place p, float length, float half_width) const {
+  float distance(Point p, float length, float half_width) const {
     const float half = fill_ * length / 2, stroke = line_ * half_width;
     switch (figure_) {
       case dots:
@@ -101,7 +101,7 @@ class PatternedLine : public Brush {
       case diamonds:
         return diamond(p, half, half_width);
       case triangles:
-        return triangle(p - Place{-half, 0}, 2 * half, half_width);
+        return triangle(p - Point{-half, 0}, 2 * half, half_width);
       case waves:
         return wave(p, length, half_width - stroke / 2) - stroke / 2;
       default:
@@ -110,7 +110,7 @@ class PatternedLine : public Brush {
   }
 
   /// The distance to one period of a sine curve, to first order; outside the period, the distance to its end.
-  static float wave(Place p, float length, float amplitude) {
+  static float wave(Point p, float length, float amplitude) {
     const float beyond = std::abs(p.x) - length / 2;
     if (beyond > 0) return math::hypot(beyond, p.y);
     const float k = 2 * std::numbers::pi_v<float> / length;
@@ -120,10 +120,10 @@ class PatternedLine : public Brush {
 
   /// The distance to a ring in the middle and to half of each of the side-on links that join it to its
   /// neighbours.
-  static float links(Place p, float length, float half_width, float thickness) {
+  static float links(Point p, float length, float half_width, float thickness) {
     const float straight = std::max(0.35f * length - half_width, 0.0f);
     const float ring = outline(capsule(p, straight, half_width), thickness);
-    const Place from_joint{std::abs(p.x) - length / 2, p.y};
+    const Point from_joint{std::abs(p.x) - length / 2, p.y};
     const float half_bar = from_joint.x < 0 ? std::max(0.25f * length - thickness / 2, 0.0f) : 0.0f;
     const float bar = capsule(from_joint, half_bar, thickness / 2);
     return join(ring, bar);

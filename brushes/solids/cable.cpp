@@ -61,7 +61,7 @@ class Cable : public SolidBrush {
     const double lay_length = in.stroke.whole_period(lay_ / strands_) * strands_;
     const float steep = slant(lay_length, ring_);
     for (std::size_t i = 0; i < in.size(); ++i) {
-      const Place p{d[i], h[i] - outer_};
+      const Point p{d[i], h[i] - outer_};
       const double turns = t[i] / lay_length;
       const float turned = 2 * std::numbers::pi_v<float> * static_cast<float>(turns - std::floor(turns));
       const float least = join(circle(p, ring_), strand(p, turned, steep));
@@ -77,7 +77,7 @@ class Cable : public SolidBrush {
 
   /// The nearest of the strands, which have turned by this angle: of the way to its middle the part around
   /// the cable is foreshortened, since the strand runs slanting through the section.
-  float strand(Place p, float turned, float steep) const {
+  float strand(Point p, float turned, float steep) const {
     const float step = 2 * std::numbers::pi_v<float> / static_cast<float>(strands_);
     const float steps = (math::atan2(p.y, p.x) - turned) / step;
     const float angle = (steps - std::round(steps)) * step, far = math::hypot(p.x, p.y);

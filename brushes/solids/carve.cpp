@@ -84,8 +84,8 @@ class Carve : public SolidBrush {
   float above() const { return depth_ / 2; }
 
   /// x is the distance from the middle, y the height over the surface; half widths of the mouth and below.
-  float section(Place p, float mouth, float below) const {
-    const Place from_middle{p.x, p.y - (above() - depth_) / 2};
+  float section(Point p, float mouth, float below) const {
+    const Point from_middle{p.x, p.y - (above() - depth_) / 2};
     const float straight = box(from_middle, mouth, (above() + depth_) / 2);
     switch (profile_) {
       case slot:

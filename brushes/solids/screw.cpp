@@ -58,7 +58,7 @@ class Screw : public SolidBrush {
     const auto half_pitch = static_cast<float>(period / 2);
     const float cosine = half_pitch / math::hypot(half_pitch, depth_);
     for (std::size_t i = 0; i < in.size(); ++i) {
-      const Place p{d[i], h[i] - outer_};
+      const Point p{d[i], h[i] - outer_};
       const double turns = t[i] / period - math::atan2(double{p.y}, double{p.x}) / (2 * std::numbers::pi);
       const auto from_crest = static_cast<float>(std::abs(turns - std::round(turns)) * 2);
       const float flank = cosine * (math::hypot(p.x, p.y) - (outer_ - depth_ * from_crest));

@@ -80,7 +80,7 @@ class Tube : public SolidBrush {
 
  private:
   /// At this place of the section's plane, so far past an end.
-  float pipe(Place p, float past, float half) const {
+  float pipe(Point p, float past, float half) const {
     const float reach = ends_ == round_ends ? std::max(past, 0.0F) : 0;
     const float inner = half * (1 - wall_);
     const float outside = capped(p, reach, half);
@@ -89,27 +89,27 @@ class Tube : public SolidBrush {
   }
 
   /// Beyond an end the section shrinks as a round cap does.
-  float capped(Place p, float reach, float half) const {
+  float capped(Point p, float reach, float half) const {
     if (profile_ == round) return math::hypot(math::hypot(p.x, p.y), reach) - half;
     return reach > 0 ? section(p, half) + half - std::sqrt(std::max(half * half - reach * reach, 0.0F))
                      : section(p, half);
   }
 
-  float section(Place p, float half) const {
+  float section(Point p, float half) const {
     if (profile_ == round) return circle(p, half);
     if (profile_ == square) return box(p, half, half);
     return star_section(p, (1 - rounded) * half) - rounded * half;
   }
 
   /// A star of five points, each a wedge between two of its sides; a lower bound outside.
-  static float star_section(Place p, float half) {
+  static float star_section(Point p, float half) {
     constexpr float fifth = 2 * std::numbers::pi_v<float> / 5, inner_share = 0.5F;
     const float from_point = math::atan2(p.x, p.y) / fifth;
     const float angle = std::abs(from_point - std::round(from_point)) * fifth, far = math::hypot(p.x, p.y);
-    const Place q{far * math::cos(angle), far * math::sin(angle)};
+    const Point q{far * math::cos(angle), far * math::sin(angle)};
     // From the point (half, 0) to the notch at half the angle.
-    const Place notch{inner_share * half * math::cos(fifth / 2), inner_share * half * math::sin(fifth / 2)};
-    const Place side{notch.x - half, notch.y};
+    const Point notch{inner_share * half * math::cos(fifth / 2), inner_share * half * math::sin(fifth / 2)};
+    const Point side{notch.x - half, notch.y};
     return ((q.x - half) * side.y - q.y * side.x) / math::hypot(side.x, side.y);
   }
 

@@ -81,7 +81,7 @@ class Zipper : public SolidBrush {
 
   /// A tooth from its band at y > 0 to a round head across the middle. Heads are as large as the gaps to the
   /// two heads beside them allow, and too large to slip out between them; the neck leaves the gap to both.
-  float tooth(Place p, float period) const {
+  float tooth(Point p, float period) const {
     const float across = 0.2f * period;
     const float head = (math::hypot(0.5f, 0.4f) - gap_) / 2 * period;
     const float neck = (0.5f - gap_) * period - head;

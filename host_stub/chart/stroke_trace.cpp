@@ -7,7 +7,7 @@
 namespace burin {
 namespace {
 
-std::optional<CurveGround::Place> place(const CurveGround& ground, const Recording& recording,
+std::optional<CurveGround::Point> place(const CurveGround& ground, const Recording& recording,
                                         const Vec3d& position, double radius) {
   if (recording.space == StrokeSpace::object)
     return ground.closest(position.cast<float>(), static_cast<float>(radius));

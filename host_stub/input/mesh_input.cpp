@@ -58,8 +58,7 @@ LoadedSurface load_points(const MeshOptions& options, const Progress& progress) 
   return with_file_context(options.path, [&] {
     PointSet points = read_points(options.path);
     FromFile from{.origin = points.origin, .vertices = points.positions.size()};
-    return LoadedSurface{
-        make_point_surface(std::move(points), default_links, progress), "", {}, std::move(from)};
+    return LoadedSurface{make_point_surface(points, default_links, progress), "", {}, std::move(from)};
   });
 }
 

@@ -11,7 +11,7 @@ namespace burin::test {
 /// A mesh or a point set with everything that charts on its vertices need.
 struct Scene {
   explicit Scene(TriangleMesh mesh) : Scene(make_surface(std::move(mesh))) {}
-  explicit Scene(PointSet points) : Scene(make_point_surface(std::move(points))) {}
+  explicit Scene(const PointSet& points) : Scene(make_point_surface(points)) {}
 
   Surface surface;
   Picker picker;

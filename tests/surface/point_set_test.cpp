@@ -101,9 +101,9 @@ TEST(PointSet, DoesNotDependOnTheOrderOfTheInput) {
   EXPECT_EQ(a.neighbours.items, b.neighbours.items);
 }
 
-void expect_refused(PointSet points, const std::string& message) {
+void expect_refused(const PointSet& points, const std::string& message) {
   try {
-    make_point_surface(std::move(points));
+    make_point_surface(points);
     ADD_FAILURE() << "accepted; expected " << message;
   } catch (const Error& error) {
     EXPECT_EQ(error.what(), message);

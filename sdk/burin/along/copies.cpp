@@ -1,3 +1,5 @@
+// Computes where the copies of a mesh lie along a stroke: how many whole copies fit between a start and an
+// end part, and how far each is stretched.
 #include <burin/along/copies.h>
 #include <burin/base/error.h>
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Joins copies of a mesh that lie end to end: sorts the open vertices at the ends of copies by where they
+// were laid, and makes one vertex of those that were laid to the same bits.
 #include <burin/along/join_copies.h>
 #include <burin/base/parallel.h>
 

@@ -1,3 +1,4 @@
+// Lays one copy of a mesh along a straight stroke: stretches it to its place's length and scales it across.
 #include <burin/along/laid_mesh.h>
 
 namespace burin {

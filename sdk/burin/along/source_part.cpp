@@ -1,3 +1,4 @@
+// Triangulates a mesh that is to be laid along a stroke and turns it into the stroke's axes.
 #include <burin/along/source_part.h>
 #include <burin/base/error.h>
 #include <burin/surface/triangulate.h>

@@ -114,22 +114,22 @@ Vec3f Accumulation::left_at(Vec3f place, const EvaluatedInstance& instance, cons
 
 /// The geometry that a node starts from. The relief of earlier visits is as wide as the brush, so it is part
 /// of the base surface of later ones.
-CurrentBase::Place Accumulation::place_of(const EvaluatedInstance& instance, const LiveChart& chart,
-                                          Index slot) const {
+CurrentBase::Geometry Accumulation::geometry_of(const EvaluatedInstance& instance, const LiveChart& chart,
+                                                Index slot) const {
   const Index vertex = chart.nodes().vertex[slot];
   const auto fine = [&](Index v) { return left_at(surface_->positions[v], instance, chart, v, slot); };
   const auto base = [&](Index v) { return left_at(instance.source.base_place(v), instance, chart, v, slot); };
   const auto normal = [&](const auto& place) {
     return vertex_normal(surface_->triangles, surface_->incident, vertex, place);
   };
-  CurrentBase::Place place;
-  place.fine_position = fine(vertex);
-  place.fine_normal = normal(fine);
-  place.laplacian = umbrella(*surface_, vertex, fine);
-  place.position = instance.source.base ? base(vertex) : place.fine_position;
-  place.normal = instance.source.base ? normal(base) : place.fine_normal;
-  place.e1 = unit_tangent(chart.nodes().e1[slot], place.normal);
-  return place;
+  CurrentBase::Geometry geometry;
+  geometry.fine_position = fine(vertex);
+  geometry.fine_normal = normal(fine);
+  geometry.laplacian = umbrella(*surface_, vertex, fine);
+  geometry.position = instance.source.base ? base(vertex) : geometry.fine_position;
+  geometry.normal = instance.source.base ? normal(base) : geometry.fine_normal;
+  geometry.e1 = unit_tangent(chart.nodes().e1[slot], geometry.normal);
+  return geometry;
 }
 
 void Accumulation::evaluate(Evaluator& evaluator, EvaluatedInstance& instance, const LiveChart& chart,
@@ -138,7 +138,7 @@ void Accumulation::evaluate(Evaluator& evaluator, EvaluatedInstance& instance, c
   for (const Index slot : slots) {
     bool stands_on_others = false;
     for_each_earlier(chart, slot, [&](Index) { stands_on_others = true; });
-    if (stands_on_others) current.set(slot, place_of(instance, chart, slot));
+    if (stands_on_others) current.set(slot, geometry_of(instance, chart, slot));
   }
   NodeSource source = instance.source;
   source.current = &current;
@@ -147,9 +147,9 @@ void Accumulation::evaluate(Evaluator& evaluator, EvaluatedInstance& instance, c
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const Index slot = slots[i];
     instance.outputs.take(slot, outputs, i);
-    const CurrentBase::Place* place = current.find(slot);
-    if (!place) continue;
-    const Vec3f vector = in_space(place->e1, place->normal, outputs.displacement[i]);
+    const CurrentBase::Geometry* geometry = current.find(slot);
+    if (!geometry) continue;
+    const Vec3f vector = in_space(geometry->e1, geometry->normal, outputs.displacement[i]);
     const Vec3f& normal = chart.nodes().normal[slot];
     instance.outputs.displacement[slot] = in_frame(chart.nodes().e1[slot], normal, vector);
   }

@@ -37,7 +37,8 @@ class Accumulation {
   template <class Visit>
   void for_each_earlier(const LiveChart& chart, Index slot, const Visit& visit) const;
   bool earlier(const Chart& nodes, Index a, Index b) const;
-  CurrentBase::Place place_of(const EvaluatedInstance& instance, const LiveChart& chart, Index slot) const;
+  CurrentBase::Geometry geometry_of(const EvaluatedInstance& instance, const LiveChart& chart,
+                                    Index slot) const;
   Vec3f left_at(Vec3f place, const EvaluatedInstance& instance, const LiveChart& chart, Index vertex,
                 Index slot) const;
   void evaluate(Evaluator& evaluator, EvaluatedInstance& instance, const LiveChart& chart,

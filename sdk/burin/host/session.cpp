@@ -34,7 +34,7 @@ struct Session::Impl {
 
   const burin_brush& brush(const BrushEntry& entry);
   OpenStroke& open_stroke();
-  StrokeEvent draw(const std::optional<CurveGround::Place>& at, double time, const Pen& pen, Show show,
+  StrokeEvent draw(const std::optional<CurveGround::Point>& at, double time, const Pen& pen, Show show,
                    StageClock& clock);
   void set_paint(Paint given);
   OpenStroke& stroke_for_sample();
@@ -105,7 +105,7 @@ OpenStroke& Session::Impl::stroke_for_sample() {
   return *stroke;
 }
 
-StrokeEvent Session::Impl::draw(const std::optional<CurveGround::Place>& at, double time, const Pen& pen,
+StrokeEvent Session::Impl::draw(const std::optional<CurveGround::Point>& at, double time, const Pen& pen,
                                 Show show, StageClock& clock) {
   clock.lap(Stage::pick);
   if (!at) return {StrokeEvent::Outcome::off_surface, {}};

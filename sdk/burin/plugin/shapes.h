@@ -11,10 +11,10 @@
 namespace burin::plugin {
 
 /// A point in the plane of a figure: x along the stroke, y across it.
-struct Place {
+struct Point {
   float x, y;
 
-  Place operator-(Place other) const { return {x - other.x, y - other.y}; }
+  Point operator-(Point other) const { return {x - other.x, y - other.y}; }
 };
 
 /// The union of two figures.
@@ -28,7 +28,7 @@ inline float outline(float distance, float thickness) {
 }
 
 /// The circle around the origin.
-inline float circle(Place p, float radius) { return math::hypot(p.x, p.y) - radius; }
+inline float circle(Point p, float radius) { return math::hypot(p.x, p.y) - radius; }
 
 /// A rectangle, for a point whose distances beyond its sides along x and y are given, negative inside.
 inline float rectangle(float x, float y) {
@@ -36,22 +36,22 @@ inline float rectangle(float x, float y) {
 }
 
 /// The rectangle |x| <= half_x, |y| <= half_y.
-inline float box(Place p, float half_x, float half_y) {
+inline float box(Point p, float half_x, float half_y) {
   return rectangle(std::abs(p.x) - half_x, std::abs(p.y) - half_y);
 }
 
 /// The rectangle 0 <= x <= length, |y| <= half_y.
-inline float bar(Place p, float length, float half_y) {
+inline float bar(Point p, float length, float half_y) {
   return rectangle(std::max(-p.x, p.x - length), std::abs(p.y) - half_y);
 }
 
 /// The points at most `radius` away from the segment |x| <= half_x of the x axis.
-inline float capsule(Place p, float half_x, float radius) {
+inline float capsule(Point p, float half_x, float radius) {
   return math::hypot(std::max(std::abs(p.x) - half_x, 0.0f), p.y) - radius;
 }
 
 /// The rhombus with its corners on the axes at +-half_x and +-half_y.
-inline float diamond(Place p, float half_x, float half_y) {
+inline float diamond(Point p, float half_x, float half_y) {
   const float x = std::abs(p.x), y = std::abs(p.y);
   const float side = math::hypot(half_x, half_y);
   // The position of the nearest point on the side, as a share from the corner on the y axis.
@@ -61,7 +61,7 @@ inline float diamond(Place p, float half_x, float half_y) {
 }
 
 /// The triangle with its base at x = 0 from -half_y to half_y and its tip at x = length.
-inline float triangle(Place p, float length, float half_y) {
+inline float triangle(Point p, float length, float half_y) {
   const float y = std::abs(p.y);
   const float along =
       std::clamp((p.x * length - (y - half_y) * half_y) / (length * length + half_y * half_y), 0.0f, 1.0f);
@@ -73,7 +73,7 @@ inline float triangle(Place p, float length, float half_y) {
 }
 
 /// The regular hexagon with two sides at x = +-inner; outside its corners a lower bound.
-inline float hexagon(Place p, float inner) {
+inline float hexagon(Point p, float inner) {
   const float x = std::abs(p.x), y = std::abs(p.y);
   return std::max(x, 0.5f * x + 0.8660254f * y) - inner;
 }

@@ -1,3 +1,4 @@
+// Finds the border of a patch as loops: sides without a neighbour, followed from vertex to vertex.
 #include <burin/base/error.h>
 #include <burin/remesh/border_loops.h>
 

@@ -1,3 +1,5 @@
+// Divides a patch along a line of zeros of a field: finds the zeros on its edges by bisection, splits the
+// edges there, and chooses the triangles on the positive side.
 #include <burin/remesh/divide.h>
 #include <burin/remesh/edge_mesh.h>
 

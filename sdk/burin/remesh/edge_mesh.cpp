@@ -1,3 +1,4 @@
+// Converts a patch of triangles to OpenMesh's half-edges and back.
 #include <burin/base/error.h>
 #include <burin/remesh/edge_mesh.h>
 #include <fmt/format.h>

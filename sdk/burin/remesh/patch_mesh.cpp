@@ -1,3 +1,4 @@
+// Removes the vertices of a patch that no triangle has.
 #include <burin/remesh/patch_mesh.h>
 
 namespace burin {

@@ -1,3 +1,5 @@
+// Removes small closed pieces of a patch: finds the pieces by union-find over the triangles, and the volume
+// of each by the divergence theorem.
 #include <burin/remesh/specks.h>
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Moves vertices back that turn triangles over or make them cross, and repeats, since a vertex that is moved
+// back may turn its other triangles.
 #include <burin/remesh/intersection.h>
 #include <burin/remesh/untangle.h>
 

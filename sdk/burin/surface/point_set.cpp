@@ -81,7 +81,7 @@ Csr symmetric(const std::vector<Index>& nearest, std::size_t links, Index points
 
 }  // namespace
 
-Surface make_point_surface(PointSet points, std::size_t links, const Progress& progress) {
+Surface make_point_surface(const PointSet& points, std::size_t links, const Progress& progress) {
   check(points, links);
   Surface surface;
   report(progress, "sorting the points", 0);

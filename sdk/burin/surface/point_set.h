@@ -27,6 +27,7 @@ inline constexpr std::size_t default_links = 12;
 /// between.) `progress` may be empty. Throws Error, which gives the point counted from 1, for a coordinate
 /// that is not finite and for a normal that is zero or not finite; Error for fewer than 3 points;
 /// ContractError if there are not as many normals as points, or for fewer than 3 links.
-Surface make_point_surface(PointSet points, std::size_t links = default_links, const Progress& progress = {});
+Surface make_point_surface(const PointSet& points, std::size_t links = default_links,
+                           const Progress& progress = {});
 
 }  // namespace burin

@@ -12,8 +12,8 @@ class Prism {
  public:
   struct Corner {
     Vec3d position, normal;  ///< of the base surface
-    double t;                ///< object units; counted beside each other on closed strokes
-    float d;
+    double t = 0;            ///< object units; counted beside each other on closed strokes
+    float d = 0;
     Vec3d along_t, along_d;  ///< gradients of t and d there, in the tangent plane
     Vec3d e1;                ///< unit, along the stroke
   };

@@ -1,3 +1,5 @@
+// Finds the blocks of voxels that the prisms of a shell reach into: lists pairs of block and prism, layer by
+// layer of each prism, and sorts them by block. Costs time and memory in proportion to the pairs.
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/volume/shell_blocks.h>

@@ -109,8 +109,8 @@ struct SolidMerge {
   const Surface& surface;
   const Picker& picker;
   std::variant<std::reference_wrapper<const StrokeSolid>, MeshSolid> solid;
-  SolidOperation operation;  ///< unite, difference or intersection
-  double blend = 0;          ///< radius of the fillet where surface and solid meet, object units
+  SolidOperation operation = SolidOperation::unite;  ///< or difference or intersection
+  double blend = 0;  ///< radius of the fillet where surface and solid meet, object units
   Progress progress = {};
 };
 

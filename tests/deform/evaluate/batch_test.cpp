@@ -353,20 +353,20 @@ TEST_F(BatchTest, TellsTWithinTheDab) {
 
 TEST_F(BatchTest, StandsOnWhatTheStrokeMadeBefore) {
   CurrentBase current;
-  const CurrentBase::Place place{{1, 2, 3}, Vec3f::UnitX(), Vec3f::UnitZ(),
-                                 {7, 8, 9}, Vec3f::UnitY(), {4, 5, 6}};
-  current.set(listed_[7], place);
+  const CurrentBase::Geometry geometry{{1, 2, 3}, Vec3f::UnitX(), Vec3f::UnitZ(),
+                                       {7, 8, 9}, Vec3f::UnitY(), {4, 5, 6}};
+  current.set(listed_[7], geometry);
   NodeSource standing = source();
   standing.current = &current;
   const burin_batch& batch =
       fill_from(standing, BURIN_INPUT_POSITION | BURIN_INPUT_NORMAL | BURIN_INPUT_E1 | BURIN_INPUT_LAPLACIAN |
                               BURIN_INPUT_DISPLACEMENT | BURIN_INPUT_FINE_POSITION | BURIN_INPUT_FINE_NORMAL);
-  EXPECT_EQ(at(batch.position, 7), place.position);
-  EXPECT_EQ(at(batch.normal, 7), place.normal);
-  EXPECT_EQ(at(batch.e1, 7), place.e1);
-  EXPECT_EQ(at(batch.laplacian, 7), place.laplacian);
-  EXPECT_EQ(at(batch.fine_position, 7), place.fine_position);
-  EXPECT_EQ(at(batch.fine_normal, 7), place.fine_normal);
+  EXPECT_EQ(at(batch.position, 7), geometry.position);
+  EXPECT_EQ(at(batch.normal, 7), geometry.normal);
+  EXPECT_EQ(at(batch.e1, 7), geometry.e1);
+  EXPECT_EQ(at(batch.laplacian, 7), geometry.laplacian);
+  EXPECT_EQ(at(batch.fine_position, 7), geometry.fine_position);
+  EXPECT_EQ(at(batch.fine_normal, 7), geometry.fine_normal);
   EXPECT_EQ(at(batch.displacement, 7), Vec3f(0, 0, 0)) << "from where it stands";
   EXPECT_EQ(at(batch.position, 8), surface_.positions[vertex(8)]);
   EXPECT_EQ(at(batch.normal, 8), surface_.normals[vertex(8)]);

@@ -121,11 +121,11 @@ TEST(CurveTracer, SaysWhatASampleChanged) {
   const auto add = [&](float x, float pressure) {
     return tracer.add(*ground.picker.closest(Vec3f(x, 0, 0), 1), 0, {.pressure = pressure});
   };
-  EXPECT_EQ(add(0, 1), PenWay::Change::way);
-  EXPECT_EQ(add(1e-6F, 1), PenWay::Change::none);
-  EXPECT_EQ(add(2e-6F, 0.5F), PenWay::Change::pen);
+  EXPECT_EQ(add(0, 1), PenPath::Change::path);
+  EXPECT_EQ(add(1e-6F, 1), PenPath::Change::none);
+  EXPECT_EQ(add(2e-6F, 0.5F), PenPath::Change::pen);
   EXPECT_EQ(tracer.curve().points.back().pen.pressure, 0.5F);
-  EXPECT_EQ(add(0.1F, 0.5F), PenWay::Change::way);
+  EXPECT_EQ(add(0.1F, 0.5F), PenPath::Change::path);
 }
 
 TEST(CurveTracer, TakesTheWidthFromThePressure) {

@@ -23,7 +23,7 @@ class StrokePath {
   /// curvatures, the radius and the extensions must be as before.
   void update(const SurfaceCurve& curve, const GeodesicCurvature& curvature, double radius, double finest,
               std::size_t unchanged, const Extensions& extensions = {});
-  void clear() { places_.clear(); }
+  void clear() { points_.clear(); }
 
   bool closed() const { return closed_; }
   double length() const { return length_; }
@@ -80,29 +80,29 @@ class StrokePath {
   double doubt() const { return doubt_; }
 
  private:
-  struct Place {
+  struct Point {
     Vec3f position;
     float curvature;
   };
   /// Two neighbouring points, and the share of the way between them at which t lies.
   struct Around {
-    const Place *from, *to;
+    const Point *from, *to;
     float s;
   };
   Around around(double t) const {
-    const double place = std::clamp(closed_ ? wrapped_t(t, length_) : t, 0., length_) * places_per_unit_;
+    const double at = std::clamp(closed_ ? wrapped_t(t, length_) : t, 0., length_) * points_per_unit_;
     // Coordinates that are not numbers count as the start.
-    const std::size_t from = place > 0 ? static_cast<std::size_t>(place) : 0;
-    return {&places_[from], &places_[from + 1], static_cast<float>(place - static_cast<double>(from))};
+    const std::size_t from = at > 0 ? static_cast<std::size_t>(at) : 0;
+    return {&points_[from], &points_[from + 1], static_cast<float>(at - static_cast<double>(from))};
   }
   Vec3f position(double t) const {
     const auto [from, to, s] = around(t);
     return from->position + s * (to->position - from->position);
   }
 
-  std::vector<Place>
-      places_;  ///< [i] at i times the spacing; the last one lies on a straight line past the end
-  double length_ = 0, spacing_ = 0, places_per_unit_ = 0, doubt_ = 0;
+  std::vector<Point>
+      points_;  ///< [i] at i times the spacing; the last one lies on a straight line past the end
+  double length_ = 0, spacing_ = 0, points_per_unit_ = 0, doubt_ = 0;
   bool closed_ = false, round_begin_ = false, round_end_ = false;
 };
 

@@ -83,7 +83,7 @@ class Batch {
   void fill_names(std::uint64_t inputs, std::span<const Index> nodes);
   float* next_column();
   /// The geometry of a node that depends on earlier visits, or null.
-  const CurrentBase::Place* current(Index node) const {
+  const CurrentBase::Geometry* current(Index node) const {
     return source_->current ? source_->current->find(node) : nullptr;
   }
   Vec3f in_brush_frame(const Vec3f& components) const;

@@ -53,8 +53,8 @@ void Batch::fill_chart(std::uint64_t inputs, std::span<const Index> nodes) {
   }
   if (inputs & BURIN_INPUT_E1)
     batch_.e1 = vectors(nodes.size(), [&](std::size_t i) {
-      const CurrentBase::Place* place = current(nodes[i]);
-      return place ? place->e1 : chart.e1[nodes[i]];
+      const CurrentBase::Geometry* geometry = current(nodes[i]);
+      return geometry ? geometry->e1 : chart.e1[nodes[i]];
     });
   if (inputs & BURIN_INPUT_STRETCH)
     batch_.stretch = numbers(nodes, [&](Index node) { return chart.stretch[node]; });
@@ -73,14 +73,14 @@ void Batch::fill_place(std::uint64_t inputs, std::span<const Index> nodes,
   const Chart& chart = source_->nodes.chart();
   if (inputs & BURIN_INPUT_POSITION) {
     batch_.position = vectors(nodes.size(), [&](std::size_t i) -> Vec3f {
-      if (const CurrentBase::Place* place = current(nodes[i])) return place->position;
+      if (const CurrentBase::Geometry* geometry = current(nodes[i])) return geometry->position;
       return after_pass_before(source_->base_place(vertex(nodes[i])), nodes[i], displacement, i);
     });
   }
   if (inputs & BURIN_INPUT_NORMAL)
     batch_.normal = vectors(nodes.size(), [&](std::size_t i) {
-      const CurrentBase::Place* place = current(nodes[i]);
-      return place ? place->normal : chart.normal[nodes[i]];
+      const CurrentBase::Geometry* geometry = current(nodes[i]);
+      return geometry ? geometry->normal : chart.normal[nodes[i]];
     });
   if (!(inputs & BURIN_INPUT_DISPLACEMENT)) return;
   batch_.displacement =
@@ -94,13 +94,13 @@ void Batch::fill_fine(std::uint64_t inputs, std::span<const Index> nodes,
   const Surface& surface = source_->surface;
   if (inputs & BURIN_INPUT_FINE_POSITION)
     batch_.fine_position = vectors(nodes.size(), [&](std::size_t i) -> Vec3f {
-      if (const CurrentBase::Place* place = current(nodes[i])) return place->fine_position;
+      if (const CurrentBase::Geometry* geometry = current(nodes[i])) return geometry->fine_position;
       return after_pass_before(surface.positions[vertex(nodes[i])], nodes[i], displacement, i);
     });
   if (inputs & BURIN_INPUT_FINE_NORMAL)
     batch_.fine_normal = vectors(nodes.size(), [&](std::size_t i) {
-      const CurrentBase::Place* place = current(nodes[i]);
-      return place ? place->fine_normal : surface.normals[vertex(nodes[i])];
+      const CurrentBase::Geometry* geometry = current(nodes[i]);
+      return geometry ? geometry->fine_normal : surface.normals[vertex(nodes[i])];
     });
   if (inputs & BURIN_INPUT_FINE_MEAN_CURVATURE)
     batch_.fine_mean_curvature =
@@ -142,7 +142,7 @@ void Batch::fill_surroundings(std::uint64_t inputs, std::span<const Index> nodes
   if (!(inputs & BURIN_INPUT_LAPLACIAN)) return;
   const PassPositions* places = source_->places;
   batch_.laplacian = vectors(nodes.size(), [&](std::size_t i) -> Vec3f {
-    if (const CurrentBase::Place* place = current(nodes[i])) return place->laplacian;
+    if (const CurrentBase::Geometry* geometry = current(nodes[i])) return geometry->laplacian;
     return umbrella(surface, vertex(nodes[i]),
                     [&](Index at) { return places ? (*places)[at] : surface.positions[at]; });
   });

@@ -1,3 +1,5 @@
+// Puts the patch of a merged solid into a painted surface, with paint interpolated at the closest points of
+// the old surface, and measures the result for the report.
 #include <burin/base/parallel.h>
 #include <burin/host/session/merged_surface.h>
 #include <burin/math/elementary.h>

@@ -159,7 +159,7 @@ BlendOptions OpenStroke::blend_options() const {
   return options;
 }
 
-void OpenStroke::trace(const CurveGround::Place& at, double time, const Pen& pen) {
+void OpenStroke::trace(const CurveGround::Point& at, double time, const Pen& pen) {
   if (!std::isfinite(time) || time < last_time_)
     throw ContractError(fmt::format("time goes from {} to {}", last_time_, time));
   check_pen(pen, settings_.fields);

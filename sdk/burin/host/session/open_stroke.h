@@ -54,7 +54,7 @@ class OpenStroke {
   const burin_brush_descriptor& brush() const { return brush_stroke_.descriptor(); }
 
   /// Whether the current piece can continue at this point.
-  bool connects(const CurveGround::Place& at) const { return primary_instance().connects(at); }
+  bool connects(const CurveGround::Point& at) const { return primary_instance().connects(at); }
 
   /// The ground on which the stroke as drawn by hand runs.
   const CurveGround& ground() const { return primary_instance().ground(); }
@@ -62,7 +62,7 @@ class OpenStroke {
   /// Extends the curve to `at`, and the curves of the images to the images of `at`. An image whose next point
   /// is not on the surface, or across a gap, is not extended. Throws ContractError for a time that falls and
   /// for pen values that the settings do not announce.
-  void trace(const CurveGround::Place& at, double time, const Pen& pen);
+  void trace(const CurveGround::Point& at, double time, const Pen& pen);
 
   /// Draws what was traced since the last call. Vertices that leave the chart return to their original
   /// positions.

@@ -102,10 +102,10 @@ ReadInputs StrokeInstance::read_inputs(const StrokeSettings& settings, std::uint
   return {settings.radius, inputs, varying & (inputs | BURIN_INPUT_RADIUS), &dynamics_};
 }
 
-void StrokeInstance::trace(const CurveGround::Place& at, double time, const Pen& pen) {
-  const PenWay::Change change = tracer_.add(at, time, pen);
+void StrokeInstance::trace(const CurveGround::Point& at, double time, const Pen& pen) {
+  const PenPath::Change change = tracer_.add(at, time, pen);
   const bool pen_matters = width_.varies() || reads_.varying != 0 || dynamics_.any();
-  traced_ |= change == PenWay::Change::way || (change == PenWay::Change::pen && pen_matters);
+  traced_ |= change == PenPath::Change::path || (change == PenPath::Change::pen && pen_matters);
 }
 
 StrokeChanges StrokeInstance::draw(double end_influence, std::uint64_t flags, EventCost& cost) {

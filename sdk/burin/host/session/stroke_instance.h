@@ -71,12 +71,12 @@ class StrokeInstance {
   InstanceSheets sheets() const { return {&live(), &outputs_, nodes_->half_width(), dab_t()}; }
 
   /// Whether the curve can continue at this point.
-  bool connects(const CurveGround::Place& at) const { return empty() || tracer_.connects(at); }
+  bool connects(const CurveGround::Point& at) const { return empty() || tracer_.connects(at); }
 
   const CurveGround& ground() const { return tracer_.ground(); }
 
   /// Extends the curve to `at`.
-  void trace(const CurveGround::Place& at, double time, const Pen& pen);
+  void trace(const CurveGround::Point& at, double time, const Pen& pen);
 
   /// Whether anything that influences the brush was traced since the last draw().
   bool has_changes() const { return traced_; }

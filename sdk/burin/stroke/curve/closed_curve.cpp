@@ -38,7 +38,7 @@ std::optional<SurfaceCurve> CurveTracer::closed_curve(Closure closure) const {
     return {};
   CurveTracer loop = *this;
   loop.remove_overshoot();
-  if (loop.knots_.size() < 3 || !loop.connects(knots_[0].place)) return {};
+  if (loop.knots_.size() < 3 || !loop.connects(knots_[0].ground_point)) return {};
   loop.retrace_closed();
   return std::move(loop.curve_);
 }
@@ -48,7 +48,7 @@ void CurveTracer::remove_overshoot() {
   if (distance <= radius_ / 2)
     std::erase_if(knots_, [last = point](const PenKnot& knot) { return knot.point > last; });
   const double mean = curve_.points[knots_.back().point].t / static_cast<double>(knots_.size());
-  const double on_top = std::max(mean / 2, spacing(knots_[0].place.at));
+  const double on_top = std::max(mean / 2, spacing(knots_[0].ground_point.at));
   const auto from_first = [&](const PenKnot& knot) {
     return (knot.position() - knots_[0].position()).cast<double>().norm();
   };
@@ -66,7 +66,7 @@ void CurveTracer::retrace_closed() {
     trace_segment(segment);
   }
   const double end = curve_.points.back().t;
-  append(knots_[0].place, curve_.points[0].tangent.cast<double>(), seam_time, knots_[0].pen);
+  append(knots_[0].ground_point, curve_.points[0].tangent.cast<double>(), seam_time, knots_[0].pen);
   curve_.closing_length = curve_.points.back().t - end;
   const double speed = curve_.points.back().speed;
   curve_.points.pop_back();

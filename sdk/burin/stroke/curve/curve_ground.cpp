@@ -11,50 +11,50 @@
 
 namespace burin {
 
-CurveGround::Place CurveGround::place(const SurfacePoint& at) const {
+CurveGround::Point CurveGround::point(const SurfacePoint& at) const {
   if (!base_) return {at, normal_at(*surface_, at), at};
-  Place place = on_base(base_->node_of(at.corners[0]), at.position);
-  place.on_surface = at;
-  return place;
+  Point point = on_base(base_->node_of(at.corners[0]), at.position);
+  point.on_surface = at;
+  return point;
 }
 
-std::optional<CurveGround::Place> CurveGround::pick(const Ray& ray) const {
+std::optional<CurveGround::Point> CurveGround::pick(const Ray& ray) const {
   const std::optional<SurfacePoint> at = picker_->pick(ray);
   if (!at) return {};
   constexpr float flattest = 0.3F;  // sine of the angle between ray and base surface
   const Vec3f direction = ray.direction.stableNormalized();
-  return settled(*at, [&](const Place& place) -> Vec3f {
-    const float slope = direction.dot(place.normal);
-    const float below = (place.at.position - at->position).dot(place.normal);
+  return settled(*at, [&](const Point& point) -> Vec3f {
+    const float slope = direction.dot(point.normal);
+    const float below = (point.at.position - at->position).dot(point.normal);
     return at->position + below / std::copysign(std::max(std::abs(slope), flattest), slope) * direction;
   });
 }
 
-std::optional<CurveGround::Place> CurveGround::closest(const Vec3f& position, float reach) const {
+std::optional<CurveGround::Point> CurveGround::closest(const Vec3f& position, float reach) const {
   const std::optional<SurfacePoint> at = picker_->closest(position, reach);
   if (!at) return {};
-  return settled(*at, [&](const Place& place) -> Vec3f {
-    return position - (position - place.at.position).dot(place.normal) * place.normal;
+  return settled(*at, [&](const Point& point) -> Vec3f {
+    return position - (position - point.at.position).dot(point.normal) * point.normal;
   });
 }
 
-/// Newton's method: on_plane(place) is the solution on the tangent plane at an estimate, and its projection
+/// Newton's method: on_plane(point) is the solution on the tangent plane at an estimate, and its projection
 /// onto the base surface is a better estimate. The method starts at the projection of `at`, and returns that
 /// projection if an iterate goes farther than 8 spacings from it. The surface itself needs no iteration.
 template <class OnPlane>
-CurveGround::Place CurveGround::settled(const SurfacePoint& at, const OnPlane& on_plane) const {
+CurveGround::Point CurveGround::settled(const SurfacePoint& at, const OnPlane& on_plane) const {
   constexpr int rounds = 3;
   constexpr double farthest = 8;  // spacings
-  Place foot = this->place(at);
+  Point foot = this->point(at);
   if (!base_) return foot;
-  Place place = foot;
+  Point point = foot;
   for (int round = 0; round < rounds; ++round) {
-    place = on_base(place.at.corners[0], on_plane(place));
-    const auto off = static_cast<double>((place.at.position - foot.at.position).norm());
+    point = on_base(point.at.corners[0], on_plane(point));
+    const auto off = static_cast<double>((point.at.position - foot.at.position).norm());
     if (!(off <= farthest * base_->spacing())) return foot;
   }
-  place.on_surface = at;
-  return place;
+  point.on_surface = at;
+  return point;
 }
 
 namespace {
@@ -74,12 +74,12 @@ bool runs_near(const Vec3f& from, const Vec3f& to, double scale, const IsNear& i
 
 }  // namespace
 
-bool CurveGround::connects(const Place& from, const Place& to) const {
+bool CurveGround::connects(const Point& from, const Point& to) const {
   SurfacePoint near = from.at;
   const auto is_near_base = [&](const Vec3f& point, float reach) {
-    const std::optional<Place> place = closest(point, reach, near);
-    if (place) near = place->at;
-    return place.has_value();
+    const std::optional<Point> found = closest(point, reach, near);
+    if (found) near = found->at;
+    return found.has_value();
   };
   const auto is_near_surface = [this](const Vec3f& point, float reach) {
     return picker_->closest(point, reach).has_value();
@@ -88,7 +88,7 @@ bool CurveGround::connects(const Place& from, const Place& to) const {
          runs_near(from.on_surface.position, to.on_surface.position, scale(), is_near_surface);
 }
 
-CurveGround::Place CurveGround::on_base(Index near, const Vec3f& point) const {
+CurveGround::Point CurveGround::on_base(Index near, const Vec3f& point) const {
   const BasePoint found = base_->project(near, point);
   SurfacePoint at;
   at.corners.fill(found.node);
@@ -97,26 +97,26 @@ CurveGround::Place CurveGround::on_base(Index near, const Vec3f& point) const {
   return {at, found.normal, {}};
 }
 
-std::optional<CurveGround::Place> CurveGround::closest(const Vec3f& point, float reach,
+std::optional<CurveGround::Point> CurveGround::closest(const Vec3f& point, float reach,
                                                        const SurfacePoint& near) const {
   if (!base_) {
     const std::optional<SurfacePoint> at = picker_->closest(point, reach);
     if (!at) return {};
-    return place(*at);
+    return this->point(*at);
   }
   // Positions on the base surface are accurate to a small share of its spacing.
   constexpr double slack = 0.1;
-  const Place place = on_base(near.corners[0], point);
-  const double distance = static_cast<double>((place.at.position - point).norm());
+  const Point found = on_base(near.corners[0], point);
+  const double distance = static_cast<double>((found.at.position - point).norm());
   if (!(distance <= static_cast<double>(reach) + slack * base_->spacing())) return {};
-  return place;
+  return found;
 }
 
-bool CurveGround::is_covered(const Place& place, double reach) const {
+bool CurveGround::is_covered(const Point& point, double reach) const {
   if (!base_) return true;
   const auto height = static_cast<float>(reach);
-  const Vec3f above = place.at.position + height * place.normal;
-  const std::optional<SurfacePoint> hit = picker_->pick({above, -place.normal});
+  const Vec3f above = point.at.position + height * point.normal;
+  const std::optional<SurfacePoint> hit = picker_->pick({above, -point.normal});
   return hit && (hit->position - above).norm() <= 2 * height;
 }
 

@@ -15,37 +15,37 @@ class CurveGround {
       : surface_(&surface), picker_(&picker), base_(base) {}
 
   /// A point of the ground.
-  struct Place {
+  struct Point {
     SurfacePoint at;
     Vec3f normal;             ///< unit
     SurfacePoint on_surface;  ///< the point of the surface that was projected to it, if there is one
   };
 
   /// The point of the ground that belongs to a point of the surface.
-  Place place(const SurfacePoint& at) const;
+  Point point(const SurfacePoint& at) const;
 
   /// Intersects a ray that meets the surface with the ground, so that bumps do not shift the point that the
   /// pen points at, whatever the direction of view. A ray at less than 17 degrees to the base surface ends
   /// nearer to its intersection with the surface. Returns nothing if the ray misses the surface.
-  std::optional<Place> pick(const Ray& ray) const;
+  std::optional<Point> pick(const Ray& ray) const;
 
   /// The point of the ground that is closest to a position, so that bumps do not attract it to their tops.
   /// Returns nothing if the surface is farther than `reach` (object units) from the position.
-  std::optional<Place> closest(const Vec3f& position, float reach) const;
+  std::optional<Point> closest(const Vec3f& position, float reach) const;
 
   /// Whether a pen can move from one point to the other without leaving the ground. Three points of the chord
   /// must be within a quarter of its length of the ground. Failing that, the same must hold for the chord
   /// between the points of the surface itself, since relief as wide as the brush makes the base surface
   /// ragged.
-  bool connects(const Place& from, const Place& to) const;
+  bool connects(const Point& from, const Point& to) const;
 
   /// The point of the ground closest to a point, found by a search that starts at `near`. Returns nothing if
   /// it is farther than `reach` (object units).
-  std::optional<Place> closest(const Vec3f& point, float reach, const SurfacePoint& near) const;
+  std::optional<Point> closest(const Vec3f& point, float reach, const SurfacePoint& near) const;
 
   /// Whether the surface lies within `reach` (object units) over or under a point of the ground, along its
   /// normal. False where the base surface goes on beyond the end of the surface.
-  bool is_covered(const Place& place, double reach) const;
+  bool is_covered(const Point& point, double reach) const;
 
   /// The spacing of the points of a curve here: half an edge, object units.
   double point_spacing(const SurfacePoint& at) const;
@@ -53,9 +53,9 @@ class CurveGround {
   double scale() const { return surface_->scale; }
 
  private:
-  Place on_base(Index near, const Vec3f& point) const;
+  Point on_base(Index near, const Vec3f& point) const;
   template <class OnPlane>
-  Place settled(const SurfacePoint& at, const OnPlane& on_plane) const;
+  Point settled(const SurfacePoint& at, const OnPlane& on_plane) const;
 
   const Surface* surface_;
   const Picker* picker_;

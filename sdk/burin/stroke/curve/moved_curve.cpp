@@ -43,22 +43,22 @@ void MovedCurve::follow(const SurfaceCurve& drawn, std::size_t final_points, con
 /// Adds those of the moved points from `first` on that are far enough from each other to the knots.
 void MovedCurve::move_points(const SurfaceCurve& drawn, std::size_t first, const Offsets& offsets) {
   const std::vector<CurveOffset> found = offsets(drawn, first);
-  const auto far_from = [&](const Knot& before, const CurveGround::Place& place, double share) {
+  const auto far_from = [&](const Knot& before, const CurveGround::Point& place, double share) {
     return (place.at.position.cast<double>() - before.position()).norm() > share * tracer_->spacing(place.at);
   };
   constexpr double least = 0.25, least_at_end = 1e-3;
   for (std::size_t i = first; i < drawn.points.size(); ++i) {
-    const CurveGround::Place place = moved(drawn.points[i], found[i - first]);
+    const CurveGround::Point place = moved(drawn.points[i], found[i - first]);
     const bool last = i + 1 == drawn.points.size();
     if (knots_.empty() || far_from(knots_.back(), place, last ? least_at_end : least))
       knots_.push_back({place, i});
   }
-  while (drawn.closed && knots_.size() > 1 && !far_from(knots_.back(), knots_.front().place, least))
+  while (drawn.closed && knots_.size() > 1 && !far_from(knots_.back(), knots_.front().ground_point, least))
     knots_.pop_back();
 }
 
-CurveGround::Place MovedCurve::moved(const CurvePoint& point, const CurveOffset& offset) const {
-  CurveGround::Place place{point.at, point.normal, {}};
+CurveGround::Point MovedCurve::moved(const CurvePoint& point, const CurveOffset& offset) const {
+  CurveGround::Point place{point.at, point.normal, {}};
   const Vec3f across = point.normal.cross(point.tangent);
   const Vec3f way = offset.along * point.tangent + offset.across * across;
   Vec3f direction = unit_tangent(way, point.normal);
@@ -76,7 +76,7 @@ CurveGround::Place MovedCurve::moved(const CurvePoint& point, const CurveOffset&
 
 /// Goes on by a step of this length, and takes the way made from the one that is left. Returns false, and
 /// stays, where the ground leads elsewhere.
-bool MovedCurve::step(CurveGround::Place& place, Vec3f& direction, double length, double& left) const {
+bool MovedCurve::step(CurveGround::Point& place, Vec3f& direction, double length, double& left) const {
   const auto reach = static_cast<float>(length);
   const auto next = tracer_->ground().closest(place.at.position + reach * direction, reach, place.at);
   if (!next) return false;
@@ -100,7 +100,7 @@ void MovedCurve::trace(const SurfaceCurve& drawn) {
       static_cast<std::size_t>(std::ranges::lower_bound(knots_, settled_, {}, &Knot::drawn) - knots_.begin());
   if (knots_.size() == 1) {
     const CurvePoint& point = drawn.points[knots_[0].drawn];
-    append(knots_[0].place, point.tangent.cast<double>(), pen_of(point));
+    append(knots_[0].ground_point, point.tangent.cast<double>(), pen_of(point));
   }
   const std::size_t segments = knots_.size() - (curve_.closed ? 0 : 1);
   for (std::size_t segment = final_segments_; segment < segments; ++segment) {
@@ -125,16 +125,16 @@ void MovedCurve::trace_segment(const SurfaceCurve& drawn, std::size_t k) {
                      after ? &place_after : nullptr, KnotSpacing::chordal);
   const double t_from = drawn.points[from.drawn].t;
   const double t_to = &to == &knots_[0] ? drawn.length() : drawn.points[to.drawn].t;
-  if (k == 0) append(from.place, spline.velocity(0), pen_of(drawn.points[from.drawn]));
+  if (k == 0) append(from.ground_point, spline.velocity(0), pen_of(drawn.points[from.drawn]));
   const double chord = (to.position() - from.position()).norm();
-  const double pieces = std::max(1.0, std::round(chord / tracer_->spacing(from.place.at)));
+  const double pieces = std::max(1.0, std::round(chord / tracer_->spacing(from.ground_point.at)));
   for (double piece = 1; piece < pieces; ++piece) {
     const double s = piece / pieces;
     const auto at = tracer_->ground().closest(spline.position(s).cast<float>(), static_cast<float>(chord),
                                               curve_.points.back().at);
     if (at) append(*at, spline.velocity(s), pen_at(drawn, t_from + s * (t_to - t_from)));
   }
-  append(to.place, spline.velocity(1), pen_of(drawn.points[to.drawn]));
+  append(to.ground_point, spline.velocity(1), pen_of(drawn.points[to.drawn]));
 }
 
 /// The knot so many steps after or before; null beyond the ends of an open curve.
@@ -144,7 +144,7 @@ const MovedCurve::Knot* MovedCurve::neighbour(std::size_t knot, std::size_t step
   return &knots_[(forward ? knot + steps : knot + count - steps) % count];
 }
 
-void MovedCurve::append(const CurveGround::Place& place, const Vec3d& direction, const PenAt& pen) {
+void MovedCurve::append(const CurveGround::Point& place, const Vec3d& direction, const PenAt& pen) {
   const Vec3f tangent = unit_tangent(direction.cast<float>(), place.normal);
   CurvePoint point{.at = place.at,
                    .normal = place.normal,

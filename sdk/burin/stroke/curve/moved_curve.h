@@ -47,17 +47,17 @@ class MovedCurve {
 
  private:
   struct Knot {
-    CurveGround::Place place;
+    CurveGround::Point ground_point;
     std::size_t drawn = 0;  ///< index of the drawn point
-    Vec3d position() const { return place.at.position.cast<double>(); }
+    Vec3d position() const { return ground_point.at.position.cast<double>(); }
   };
   void move_points(const SurfaceCurve& drawn, std::size_t first, const Offsets& offsets);
-  CurveGround::Place moved(const CurvePoint& point, const CurveOffset& offset) const;
-  bool step(CurveGround::Place& place, Vec3f& direction, double length, double& left) const;
+  CurveGround::Point moved(const CurvePoint& point, const CurveOffset& offset) const;
+  bool step(CurveGround::Point& place, Vec3f& direction, double length, double& left) const;
   void trace(const SurfaceCurve& drawn);
   void trace_segment(const SurfaceCurve& drawn, std::size_t knot);
   const Knot* neighbour(std::size_t knot, std::size_t steps, bool forward) const;
-  void append(const CurveGround::Place& place, const Vec3d& direction, const PenAt& pen);
+  void append(const CurveGround::Point& place, const Vec3d& direction, const PenAt& pen);
   void close();
 
   const CurveTracer* tracer_;

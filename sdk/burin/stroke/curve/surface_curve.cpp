@@ -28,16 +28,17 @@ CurveTracer::CurveTracer(const CurveGround& ground, double radius, StrokeWidth w
       width_(std::move(width)),
       min_spacing_(std::max(radius / 1000, ground.scale() * 1e-5)),
       max_spacing_(std::max(radius / 8, min_spacing_)),
-      way_(radius, min_spacing_ / 2) {}
+      path_(radius, min_spacing_ / 2) {}
 
-bool CurveTracer::connects(const CurveGround::Place& place) const {
-  return knots_.empty() || ground_.connects(knots_.back().place, place);
+bool CurveTracer::connects(const CurveGround::Point& place) const {
+  return knots_.empty() || ground_.connects(knots_.back().ground_point, place);
 }
 
-PenWay::Change CurveTracer::add(const CurveGround::Place& place, double time, const Pen& pen) {
+PenPath::Change CurveTracer::add(const CurveGround::Point& place, double time, const Pen& pen) {
   if (knots_.empty()) first_time_ = time;
-  const PenWay::Change change = way_.add(knots_, {.place = place, .time = time - first_time_, .pen = pen});
-  if (change != PenWay::Change::none) retrace_tail();
+  const PenPath::Change change =
+      path_.add(knots_, {.ground_point = place, .time = time - first_time_, .pen = pen});
+  if (change != PenPath::Change::none) retrace_tail();
   return change;
 }
 
@@ -45,10 +46,10 @@ void CurveTracer::retrace_tail() {
   curve_.points.resize(final_points_);
   const std::size_t last = knots_.size() - 1;
   const std::size_t kept = final_points_;
-  if (last == 0) append(knots_[0].place, Vec3d::Zero(), knots_[0].time, knots_[0].pen);
+  if (last == 0) append(knots_[0].ground_point, Vec3d::Zero(), knots_[0].time, knots_[0].pen);
   for (std::size_t segment = final_segments_; segment < last; ++segment) {
     trace_segment(segment);
-    if (segment + 2 < way_.taken()) {
+    if (segment + 2 < path_.taken()) {
       final_points_ = curve_.points.size();
       final_segments_ = segment + 1;
     }
@@ -69,7 +70,7 @@ void CurveTracer::trace_segment(std::size_t k) {
   const PenSpline pens = pen_spline(k);
   const double chord = (spline.to - spline.from).norm();
 
-  if (k == 0) append(from.place, spline.velocity(0), from.time, from.pen);
+  if (k == 0) append(from.ground_point, spline.velocity(0), from.time, from.pen);
   double s = 0;
   for (;;) {
     const double speed = std::max(spline.velocity(s).norm(), chord / 4);
@@ -81,7 +82,7 @@ void CurveTracer::trace_segment(std::size_t k) {
     if (at) append(*at, spline.velocity(s), pens.time(s), pens.pen(s));
   }
   if (k + 1 == knots_.size()) return;
-  append(to.place, spline.velocity(1), to.time, to.pen);
+  append(to.ground_point, spline.velocity(1), to.time, to.pen);
   knots_[k + 1].point = curve_.points.size() - 1;
 }
 
@@ -113,7 +114,7 @@ PenSpline CurveTracer::pen_spline(std::size_t k) const {
           {intervals, first.pen, from.pen, to.pen, last.pen}};
 }
 
-void CurveTracer::append(const CurveGround::Place& place, const Vec3d& direction, double time,
+void CurveTracer::append(const CurveGround::Point& place, const Vec3d& direction, double time,
                          const Pen& pen) {
   const SurfacePoint& at = place.at;
   const Vec3f tangent = unit_tangent(direction.cast<float>(), place.normal);

@@ -1,8 +1,8 @@
 #pragma once
 #include <burin/stroke/curve.h>
 #include <burin/stroke/curve/curve_ground.h>
+#include <burin/stroke/curve/pen_path.h>
 #include <burin/stroke/curve/pen_spline.h>
-#include <burin/stroke/curve/pen_way.h>
 #include <burin/stroke/dynamics.h>
 #include <burin/stroke/recording.h>
 #include <burin/surface/picker.h>
@@ -16,10 +16,10 @@ namespace burin {
 
 /// Turns the samples of one stroke into its curve on the surface as they arrive. Between two samples the
 /// curve follows the centripetal Catmull-Rom spline of the samples, projected onto the ground by closest
-/// points; time and pen follow monotone cubics, which stay between the samples' values. PenWay leaves out the
-/// tremor of a resting pen. The curve depends only on the ground, the samples so far and the radius. The part
-/// before the last final knot but one is final; the next add() replaces the rest, and costs what it replaces.
-/// Samples are points of the ground or of the surface. One thread.
+/// points; time and pen follow monotone cubics, which stay between the samples' values. PenPath leaves out
+/// the tremor of a resting pen. The curve depends only on the ground, the samples so far and the radius. The
+/// part before the last final knot but one is final; the next add() replaces the rest, and costs what it
+/// replaces. Samples are points of the ground or of the surface. One thread.
 class CurveTracer {
  public:
   /// `radius`: radius of the stroke, object units. Points are half an edge apart, but at least radius / 1000
@@ -30,14 +30,14 @@ class CurveTracer {
 
   /// Whether CurveGround::connects() the last knot with a point. False where the pen jumps across a
   /// silhouette or a gap.
-  bool connects(const CurveGround::Place& place) const;
-  bool connects(const SurfacePoint& point) const { return connects(ground_.place(point)); }
+  bool connects(const CurveGround::Point& place) const;
+  bool connects(const SurfacePoint& point) const { return connects(ground_.point(point)); }
 
   /// Appends a sample at this point, and returns what changed. A sample at the position of the one before
   /// only updates time and pen.
-  PenWay::Change add(const CurveGround::Place& place, double time, const Pen& pen);
-  PenWay::Change add(const SurfacePoint& point, double time, const Pen& pen) {
-    return add(ground_.place(point), time, pen);
+  PenPath::Change add(const CurveGround::Point& place, double time, const Pen& pen);
+  PenPath::Change add(const SurfacePoint& point, double time, const Pen& pen) {
+    return add(ground_.point(point), time, pen);
   }
 
   const CurveGround& ground() const { return ground_; }
@@ -77,7 +77,7 @@ class CurveTracer {
   void trace_segment(std::size_t knot);
   const PenKnot* neighbour(std::size_t knot, std::size_t steps, bool forward) const;
   PenSpline pen_spline(std::size_t knot) const;
-  void append(const CurveGround::Place& place, const Vec3d& direction, double time, const Pen& pen);
+  void append(const CurveGround::Point& place, const Vec3d& direction, double time, const Pen& pen);
   void set_speed_around(double at_seam, double seam_time);
 
   CurveGround ground_;
@@ -85,7 +85,7 @@ class CurveTracer {
   StrokeWidth width_;
   double min_spacing_, max_spacing_;
   double first_time_ = 0;
-  PenWay way_;
+  PenPath path_;
   std::vector<PenKnot> knots_;
   SurfaceCurve curve_;
   std::size_t final_segments_ = 0;

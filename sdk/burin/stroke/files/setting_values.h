@@ -46,7 +46,7 @@ Choice read_choice(const JsonValue& value, const std::array<Named<Choice>, count
 
 /// Values of other types stand in no recording.
 template <class T>
-nlohmann::ordered_json json_of(const T& value) = delete;
+void json_of(const T& value) = delete;
 nlohmann::ordered_json json_of(const std::string& text);
 nlohmann::ordered_json json_of(const double& number);
 nlohmann::ordered_json json_of(const Closure& closure);  ///< true, false or "auto"

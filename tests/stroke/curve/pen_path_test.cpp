@@ -1,4 +1,4 @@
-#include <burin/stroke/curve/pen_way.h>
+#include <burin/stroke/curve/pen_path.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ constexpr double radius = 1, least_step = 0.0005;
 
 PenKnot at(double x, double y, double time = 0, float pressure = 1) {
   PenKnot sample;
-  sample.place.at.position = Vec3f(static_cast<float>(x), static_cast<float>(y), 0);
+  sample.ground_point.at.position = Vec3f(static_cast<float>(x), static_cast<float>(y), 0);
   sample.time = time;
   sample.pen.pressure = pressure;
   return sample;
@@ -23,10 +23,10 @@ PenKnot at(double x, double y, double time = 0, float pressure = 1) {
 
 /// A pen and the knots that its samples left.
 struct Drawn {
-  PenWay way{radius, least_step};
+  PenPath path{radius, least_step};
   std::vector<PenKnot> knots;
 
-  PenWay::Change to(const PenKnot& sample) { return way.add(knots, sample); }
+  PenPath::Change to(const PenKnot& sample) { return path.add(knots, sample); }
   double length() const {
     double length = 0;
     for (std::size_t i = 1; i < knots.size(); ++i)
@@ -45,7 +45,7 @@ struct Drawn {
 void expect_exact(const std::vector<PenKnot>& samples) {
   Drawn drawn;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    EXPECT_EQ(drawn.to(samples[i]), PenWay::Change::way) << i;
+    EXPECT_EQ(drawn.to(samples[i]), PenPath::Change::path) << i;
     ASSERT_EQ(drawn.knots.size(), i + 1);
     for (std::size_t k = 0; k <= i; ++k)
       ASSERT_EQ(drawn.knots[k].position(), samples[k].position()) << i << " " << k;
@@ -59,7 +59,7 @@ std::vector<PenKnot> sampled(double length, double step, const std::function<Vec
   return samples;
 }
 
-TEST(PenWay, TakesEverySampleOfAPenThatMoves) {
+TEST(PenPath, TakesEverySampleOfAPenThatMoves) {
   for (const double step : {0.0006, 0.004, 0.03, 0.2, 1.5}) {
     expect_exact(sampled(80 * step, step, [](double t) { return Vec2d(t, 0); }));
     expect_exact(sampled(80 * step, step, [](double t) { return Vec2d(std::cos(2 * t), std::sin(2 * t)); }));
@@ -71,7 +71,7 @@ TEST(PenWay, TakesEverySampleOfAPenThatMoves) {
       2, 0.01, [](double t) -> Vec2d { return (0.1 + 0.2 * t) * Vec2d(std::cos(9 * t), std::sin(9 * t)); }));
 }
 
-TEST(PenWay, TakesEverySampleAtCornersAndOfAWayBack) {
+TEST(PenPath, TakesEverySampleAtCornersAndOfAWayBack) {
   for (const double step : {0.0006, 0.004, 0.03, 0.06, 0.2}) {
     const double middle = 40 * step;
     const auto turned = [&](double degrees) {
@@ -95,7 +95,7 @@ Drawn rested(int samples, const std::function<Vec2d(int)>& tremble) {
   return drawn;
 }
 
-TEST(PenWay, LeavesOutATrembleAtRest) {
+TEST(PenPath, LeavesOutATrembleAtRest) {
   std::mt19937 random(7);
   std::normal_distribution<double> offset(0, 0.007);
   const Drawn shaking = rested(500, [&](int) { return Vec2d(offset(random), offset(random)); });
@@ -108,7 +108,7 @@ TEST(PenWay, LeavesOutATrembleAtRest) {
   EXPECT_LT(wagging.knots.size(), 80u);
 }
 
-TEST(PenWay, GoesOnOnceThePenLeftItsRestForGood) {
+TEST(PenPath, GoesOnOnceThePenLeftItsRestForGood) {
   Drawn drawn;
   for (int i = 0; i <= 10; ++i) drawn.to(at(0.1 * i, 0));
   for (const double x : {0.99, 1.01, 0.985}) drawn.to(at(x, 0));
@@ -123,7 +123,7 @@ TEST(PenWay, GoesOnOnceThePenLeftItsRestForGood) {
   EXPECT_EQ(drawn.knots.size(), resting + 2) << "from then on all do";
 }
 
-TEST(PenWay, MakesADabOfARestAlone) {
+TEST(PenPath, MakesADabOfARestAlone) {
   std::mt19937 random(3);
   std::normal_distribution<double> offset(0, 0.005);
   Drawn drawn;
@@ -132,7 +132,7 @@ TEST(PenWay, MakesADabOfARestAlone) {
   EXPECT_LT(drawn.length(), 0.15);
 }
 
-TEST(PenWay, LeavesNoMoreOfASlowPenThanOfAFastOne) {
+TEST(PenPath, LeavesNoMoreOfASlowPenThanOfAFastOne) {
   Drawn drawn;
   for (int i = 0; i <= 20000; ++i) drawn.to(at(1e-5 * i, 0, i));
   EXPECT_LE(drawn.knots.size(), 0.2 / least_step + 2);
@@ -142,20 +142,20 @@ TEST(PenWay, LeavesNoMoreOfASlowPenThanOfAFastOne) {
     EXPECT_NEAR(drawn.knots[i].time - drawn.knots[i - 1].time, 50, 2) << "times of arrival " << i;
 }
 
-TEST(PenWay, TakesThePenOfSamplesThatDoNotCount) {
+TEST(PenPath, TakesThePenOfSamplesThatDoNotCount) {
   Drawn drawn;
   drawn.to(at(0, 0, 0, 0.1F));
-  EXPECT_EQ(drawn.to(at(1e-6, 0, 1, 0.5F)), PenWay::Change::pen);
-  EXPECT_EQ(drawn.to(at(0, 1e-6, 2, 0.5F)), PenWay::Change::none);
+  EXPECT_EQ(drawn.to(at(1e-6, 0, 1, 0.5F)), PenPath::Change::pen);
+  EXPECT_EQ(drawn.to(at(0, 1e-6, 2, 0.5F)), PenPath::Change::none);
   ASSERT_EQ(drawn.knots.size(), 1u);
   EXPECT_EQ(drawn.knots[0].pen.pressure, 0.5F);
   EXPECT_EQ(drawn.knots[0].position(), Vec3f::Zero());
-  EXPECT_EQ(drawn.to(at(0, 0, 3, 0.7F)), PenWay::Change::pen);
+  EXPECT_EQ(drawn.to(at(0, 0, 3, 0.7F)), PenPath::Change::pen);
   EXPECT_EQ(drawn.knots[0].time, 3) << "in the very place";
   EXPECT_EQ(drawn.knots[0].pen.pressure, 0.7F);
 }
 
-TEST(PenWay, DependsOnTheSamplesSoFarAlone) {
+TEST(PenPath, DependsOnTheSamplesSoFarAlone) {
   std::mt19937 random(5);
   std::normal_distribution<double> offset(0, 0.02);
   std::vector<PenKnot> samples;
@@ -165,10 +165,10 @@ TEST(PenWay, DependsOnTheSamplesSoFarAlone) {
   std::vector<PenKnot> before;
   for (const PenKnot& sample : samples) {
     whole.to(sample);
-    EXPECT_GE(whole.way.taken(), taken);
+    EXPECT_GE(whole.path.taken(), taken);
     for (std::size_t i = 0; i < taken; ++i)
       EXPECT_EQ(whole.knots[i].position(), before[i].position()) << "what was taken stays";
-    taken = whole.way.taken();
+    taken = whole.path.taken();
     before = whole.knots;
   }
 }

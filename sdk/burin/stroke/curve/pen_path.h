@@ -9,12 +9,12 @@ namespace burin {
 
 /// A sample that the curve of a stroke passes through.
 struct PenKnot {
-  CurveGround::Place place;
+  CurveGround::Point ground_point;
   double time = 0;  ///< seconds since the first sample
   Pen pen;
-  double way = 0;         ///< length of the polyline of knots from the first knot to this one, object units
-  std::size_t point = 0;  ///< index of the curve's point at this knot
-  const Vec3f& position() const { return place.at.position; }
+  double path_length = 0;  ///< length of the polyline of knots from the first knot to this one, object units
+  std::size_t point = 0;   ///< index of the curve's point at this knot
+  const Vec3f& position() const { return ground_point.at.position; }
 };
 
 /// Chooses the samples that become knots of the curve: all samples of a moving pen, none of a pen that rests
@@ -27,16 +27,16 @@ struct PenKnot {
 /// which a later sample may remove. A sample nearer to the one before than the least step becomes a knot only
 /// when the pen is farther away, so that a slow pen makes no more knots than a fast one. The result depends
 /// on the samples so far only.
-class PenWay {
+class PenPath {
  public:
   /// `radius`: radius of the stroke; `least_step`: least distance between knots; object units.
-  PenWay(double radius, double least_step);
+  PenPath(double radius, double least_step);
 
   /// What a sample changed.
   enum class Change {
     none,
-    pen,  ///< time or pen of the last knot
-    way,  ///< the position of the last knot, or other knots
+    pen,   ///< time or pen of the last knot
+    path,  ///< the position of the last knot, or other knots
   };
 
   /// Adds a sample to the knots, which no other code may add to or remove. A sample that does not become a
