@@ -53,9 +53,10 @@ std::string command_of(const Subject& subject, const Check& check) {
                      subject.seed);
 }
 
-std::string text_report(const Subject& subject, std::span<const Result> results) {
+std::string text_report(const Subject& subject, std::span<const Result> results, bool failures_only) {
   std::string text;
   for (const Result& result : results) {
+    if (failures_only && !has_failed(result)) continue;
     text += fmt::format("{:<7} {}{}{}\n", name_of(result.verdict), result.check->name,
                         result.text.empty() ? "" : ": ", result.text);
     if (has_failed(result))

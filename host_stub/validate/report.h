@@ -22,8 +22,9 @@ int level_reached(std::span<const Result> results, int highest);
 /// A command that runs one check again.
 std::string command_of(const Subject& subject, const Check& check);
 
-/// Lines for people, the last of them "N passed, N failed, N skipped".
-std::string text_report(const Subject& subject, std::span<const Result> results);
+/// Lines for people, the last of them "N passed, N failed, N skipped"; `failures_only`: besides those of
+/// failures.
+std::string text_report(const Subject& subject, std::span<const Result> results, bool failures_only);
 Json json_report(const Subject& subject, std::span<const Result> results, int highest);
 std::string junit_report(const Subject& subject, std::span<const Result> results);
 
