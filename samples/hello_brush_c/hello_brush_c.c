@@ -1,6 +1,6 @@
 /* org.example.hello-brush-c: a ridge along the stroke. Change what evaluate() writes. */
-#include <burin/plugin/c_plugin.h>
-#include <burin/plugin/stroke_shape.h>
+#include <burin/plugin/c/module.h>
+#include <burin/plugin/c/stroke_shape.h>
 
 static const burin_param_info height = {.struct_size = sizeof(burin_param_info),
                                         .type = BURIN_PARAM_FLOAT,

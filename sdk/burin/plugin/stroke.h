@@ -1,7 +1,7 @@
 #pragma once
 #include <burin/abi/stroke.h>
+#include <burin/plugin/c/stroke_shape.h>
 #include <burin/plugin/detail/complete.h>
-#include <burin/plugin/stroke_shape.h>
 
 #include <algorithm>
 #include <cmath>

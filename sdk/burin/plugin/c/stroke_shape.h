@@ -1,11 +1,10 @@
-/* burin/plugin/stroke_shape.h - distances and falloffs of strokes in C; Stroke and falloff.h are the same in
- * C++.
+/* burin/plugin/c/stroke_shape.h - distances and falloffs of strokes in C, those of Stroke and falloff.h.
  *
  * `stroke` is the context of the call, lengths are object units. The functions may be called on any thread.
  * They have the same bits everywhere if they are compiled with -ffp-contract=off, as burin_add_brush() does.
  */
-#ifndef BURIN_PLUGIN_STROKE_SHAPE_H
-#define BURIN_PLUGIN_STROKE_SHAPE_H
+#ifndef BURIN_PLUGIN_C_STROKE_SHAPE_H
+#define BURIN_PLUGIN_C_STROKE_SHAPE_H
 
 #include <burin/abi/stroke.h>
 #include <math.h>
@@ -23,7 +22,7 @@ static inline int burin_has_ends(const burin_stroke_context* stroke) {
 static inline float burin_beyond_ends(const burin_stroke_context* stroke, float t) {
   const float after = t - (float)stroke->length;
   if (stroke->flags & BURIN_STROKE_CLOSED) return 0;
-  return after > 0 ? after : t < 0 ? t : 0;
+  return after > 0 ? after : t > 0 ? 0 : t;
 }
 
 /* The distance of the point (t, d) to the stroke: |d| beside it, the distance to the end in the caps. */

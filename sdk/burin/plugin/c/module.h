@@ -1,16 +1,18 @@
-/* burin/plugin/c_plugin.h - what every plugin module in C needs besides its brush. C11.
+/* burin/plugin/c/module.h - what every plugin module in C needs besides its brush. C11.
  *
  *   static const burin_brush_descriptor descriptor = {...};
- *   static void plan(const burin_stroke_context* context, const burin_params* params, burin_stroke_plan*
- * plan) {...} static burin_status BURIN_CALL evaluate(...) {...} BURIN_C_PLUGIN(descriptor, plan, evaluate);
+ *   static void plan(const burin_stroke_context*, const burin_params*, burin_stroke_plan*) {...}
+ *   static burin_status BURIN_CALL evaluate(...) {...}
  *
- * `descriptor` describes the only brush, which has no memory of its own: `evaluate`, of the type of
- * burin_brush.evaluate, gets null for the stroke. `plan` may change `passes` and `end_influence`, which have
- * their defaults. Build the module with burin_add_brush() of CMake: it must be named NAME.burin. Plugins with
- * more brushes, memory or extensions are written by burin/abi/plugin.h.
+ *   BURIN_C_PLUGIN(descriptor, plan, evaluate);
+ *
+ * `descriptor` describes the only brush. It has no memory of its own: `evaluate`, of the type of
+ * burin_brush.evaluate, gets null for the stroke. `plan` may change what burin_stroke_plan has by default.
+ * Build the module with burin_add_brush() of CMake: it must be named NAME.burin. For plugins with more
+ * brushes, memory or extensions see burin/abi/plugin.h.
  */
-#ifndef BURIN_PLUGIN_C_PLUGIN_H
-#define BURIN_PLUGIN_C_PLUGIN_H
+#ifndef BURIN_PLUGIN_C_MODULE_H
+#define BURIN_PLUGIN_C_MODULE_H
 
 #include <burin/abi/plugin.h>
 #include <string.h>
