@@ -39,7 +39,7 @@ class Line {
   }
 
  private:
-  std::array<char, 1000> text_;
+  std::array<char, 1000> text_{};
   std::size_t size_ = 0;
 };
 
