@@ -1,10 +1,51 @@
-# burin_add_brush(NAME SOURCE...): a brush plugin, the module NAME.burin. Put it into a folder that
-# BURIN_PLUGIN_PATH names.
-function(burin_add_brush name)
+# For authors of brushes:
+#
+#   burin_add_brush(NAME SOURCE... [VALIDATE LEVEL|OFF])
+#     The module NAME.burin. After the build `burin validate` tests it up to LEVEL, 2 unless given, if the program is
+#     there (BURIN_PROGRAM). `cmake --install` puts it into lib/burin/brushes: hosts of the same prefix find it there,
+#     others if BURIN_PLUGIN_PATH names the folder.
+#   burin_test_brush(NAME)
+#     Two tests for CTest: `burin validate` and one stroke by `burin try`.
+
+# burin_brush_module(NAME SOURCE...): the module alone, as the stock brushes are built.
+function(burin_brush_module name)
   add_library(${name} MODULE ${ARGN})
   target_link_libraries(${name} PRIVATE burin::plugin)
   # Same bits whatever the optimiser fuses.
-  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>)
+  foreach(language C CXX)
+    target_compile_options(${name} PRIVATE
+      $<$<COMPILE_LANG_AND_ID:${language},GNU,Clang,AppleClang>:-ffp-contract=off>)
+  endforeach()
+  # Compilers of C leave square roots of negative numbers to the library.
+  if(UNIX)
+    target_link_libraries(${name} PRIVATE $<$<LINK_LANGUAGE:C>:m>)
+  endif()
   set_target_properties(${name} PROPERTIES
     PREFIX "" SUFFIX ".burin" C_VISIBILITY_PRESET hidden CXX_VISIBILITY_PRESET hidden)
+endfunction()
+
+function(burin_add_brush name)
+  cmake_parse_arguments(ARG "" "VALIDATE" "" ${ARGN})
+  burin_brush_module(${name} ${ARG_UNPARSED_ARGUMENTS})
+  install(TARGETS ${name} LIBRARY DESTINATION lib/burin/brushes)
+  if(NOT DEFINED ARG_VALIDATE)
+    set(ARG_VALIDATE 2)
+  endif()
+  if(NOT ARG_VALIDATE)
+    return()
+  elseif(NOT BURIN_PROGRAM)
+    message(STATUS "Burin: without the program burin, ${name} is not validated")
+  elseif(NOT CMAKE_CROSSCOMPILING)
+    add_custom_command(TARGET ${name} POST_BUILD VERBATIM
+      COMMAND ${BURIN_PROGRAM} validate $<TARGET_FILE:${name}> --level ${ARG_VALIDATE} --quiet)
+  endif()
+endfunction()
+
+function(burin_test_brush name)
+  if(NOT BURIN_PROGRAM)
+    message(STATUS "Burin: without the program burin, ${name} is not tested")
+    return()
+  endif()
+  add_test(NAME ${name}.validate COMMAND ${BURIN_PROGRAM} validate $<TARGET_FILE:${name}>)
+  add_test(NAME ${name}.try COMMAND ${BURIN_PROGRAM} try $<TARGET_FILE:${name}> --png ${name}.png)
 endfunction()

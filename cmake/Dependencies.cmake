@@ -98,6 +98,9 @@ if(BURIN_TESTS)
     find_program(QEMU_PROGRAM qemu-x86_64 REQUIRED)
   endif()
 
+  # Not required: without them the packages are not tested.
+  burin_test_dependency(apt dpkg-dev lintian why "the packages of Debian are made and looked at")
+
   # Not required: tests/windows is skipped without it.
   burin_test_dependency(apt g++-mingw-w64-x86-64-posix why "a test compiles what is written for Windows")
 endif()

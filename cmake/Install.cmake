@@ -66,6 +66,7 @@ function(burin_install_package)
   endforeach()
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/BurinAddBrush.cmake
     DESTINATION ${BURIN_PACKAGE_FOLDER} COMPONENT plugin)
+  burin_install_pkgconfig()
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/BurinFindLibrary.cmake
     DESTINATION ${BURIN_PACKAGE_FOLDER} COMPONENT runtime)
   burin_install_export(abi plugin)
@@ -78,6 +79,14 @@ function(burin_install_package)
   foreach(export_set runtime stamps subdiv solids)
     burin_install_export(${export_set} runtime)
   endforeach()
+endfunction()
+
+# For authors of brushes who build without CMake.
+function(burin_install_pkgconfig)
+  set(folder ${CMAKE_INSTALL_DATADIR}/pkgconfig)
+  file(RELATIVE_PATH BURIN_PREFIX_FROM_PKGCONFIG /${folder} /)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/burin-plugin.pc.in ${PROJECT_BINARY_DIR}/burin-plugin.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/burin-plugin.pc DESTINATION ${folder} COMPONENT plugin)
 endfunction()
 
 function(burin_install_export export_set component)

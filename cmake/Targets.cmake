@@ -104,7 +104,7 @@ endfunction()
 
 # burin_brush_plugin(NAME): one source, one shared module that sees the plugin SDK only.
 function(burin_brush_plugin name)
-  burin_add_brush(burin_brush_${name} ${name}.cpp)
+  burin_brush_module(burin_brush_${name} ${name}.cpp)
   target_link_libraries(burin_brush_${name} PRIVATE burin_build_flags)
   set_target_properties(burin_brush_${name} PROPERTIES
     OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin/brushes)

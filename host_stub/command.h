@@ -12,6 +12,8 @@ void add_list(CLI::App& app);
 void add_stamp(CLI::App& app);
 void add_import(CLI::App& app);
 void add_export(CLI::App& app);
+void add_new(CLI::App& app);
+void add_try(CLI::App& app);
 void add_strokes(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_validate(CLI::App& app);

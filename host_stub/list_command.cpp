@@ -9,9 +9,11 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "command.h"
 #include "input/brush_folder.h"
+#include "options/options.h"
 #include "system/console.h"
 #include "validate/badge.h"
 
@@ -58,8 +60,17 @@ const char* unit_name(burin_param_unit unit) {
 
 std::string text_or_empty(const char* text) { return text ? text : ""; }
 
+/// The shortest decimal number that is this float: 0.3, where a conversion to double has 0.30000001192092896.
+double shortest(float value) { return parse_number(fmt::format("{}", value)).value_or(double{value}); }
+
+Json shortest_json(std::span<const float> values) {
+  Json json = Json::array();
+  for (const float value : values) json.push_back(shortest(value));
+  return json;
+}
+
 /// A bound of a range; null if it is infinite, which JSON cannot express.
-Json bound(float value) { return std::isfinite(value) ? Json(value) : Json(); }
+Json bound(float value) { return std::isfinite(value) ? Json(shortest(value)) : Json(); }
 
 Json choices_json(const burin_param_info& param) {
   Json choices = Json::array();
@@ -74,15 +85,15 @@ Json default_json(const burin_param_info& param) {
     case BURIN_PARAM_CHOICE:
       return param.choices[static_cast<int>(param.default_number)];
     case BURIN_PARAM_COLOUR:
-      return Json(param.default_colour);
+      return shortest_json(param.default_colour);
     case BURIN_PARAM_FILE:
       return param.default_file ? Json(param.default_file) : Json();
     case BURIN_PARAM_TEXT:
       return BURIN_HAS(&param, burin_param_info, default_text) ? text_or_empty(param.default_text) : "";
     case BURIN_PARAM_CURVE:
-      return std::vector<float>(param.default_knots, param.default_knots + 2 * param.default_knot_count);
+      return shortest_json({param.default_knots, 2 * std::size_t{param.default_knot_count}});
     default:
-      return param.default_number;
+      return shortest(param.default_number);
   }
 }
 
@@ -92,6 +103,7 @@ Json param_json(const burin_param_info& param) {
                {"type", type_name(param.type)},
                {"unit", unit_name(param.unit)},
                {"default", default_json(param)},
+               {"dynamic", param.dynamic != 0},
                {"help", text_or_empty(param.help)}};
   if (param.type == BURIN_PARAM_FLOAT || param.type == BURIN_PARAM_INT) {
     json["range"] = {bound(param.hard_min), bound(param.hard_max)};
@@ -135,8 +147,9 @@ void print_brush(const BrushEntry& entry) {
   write_result(fmt::format("  overlap: {}\n", name_of(named_overlaps, overlap_of(brush))));
   for (std::uint32_t i = 0; i < brush.param_count; ++i) {
     const burin_param_info& param = *brush.params[i];
-    write_result(fmt::format("    {:<16} {:<7} {:<24} default {:<10} {}\n", param.id, type_name(param.type),
-                             range_text(param), default_json(param).dump(), text_or_empty(param.help)));
+    write_result(fmt::format("    {:<16} {:<7} {:<24} default {:<10} {:<8}{}\n", param.id,
+                             type_name(param.type), range_text(param), default_json(param).dump(),
+                             param.dynamic ? "dynamic" : "", text_or_empty(param.help)));
   }
 }
 

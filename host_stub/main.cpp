@@ -54,6 +54,8 @@ int main(int argc, char** argv) {
   burin::command::add_chart(app);
   burin::command::add_render(app);
   burin::command::add_list(app);
+  burin::command::add_new(app);
+  burin::command::add_try(app);
   burin::command::add_stamp(app);
   burin::command::add_import(app);
   burin::command::add_export(app);

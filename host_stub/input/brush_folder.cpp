@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "system/console.h"
+#include "system/crash_line.h"
 #include "system/platform.h"
 
 namespace burin {
@@ -15,9 +16,9 @@ namespace {
 
 /// Runs at the end of the process: reports a plugin that called exit().
 void report_exit_in_plugin() {
-  const std::string plugin = PluginCall::running();
-  if (plugin.empty()) return;
-  std::fputs(fmt::format("burin: {} called exit()\n", plugin).c_str(), stderr);
+  const RunningPlugin plugin = PluginCall::running();
+  if (!plugin.name) return;
+  std::fputs(fmt::format("burin: {} {} called exit()\n", plugin.kind, plugin.name).c_str(), stderr);
   std::_Exit(2);
 }
 
@@ -29,13 +30,27 @@ std::filesystem::path own_brush_folder() {
   return executable_folder().parent_path() / "lib" / "burin" / "brushes";
 }
 
-void load_brushes(BrushLibrary& library) {
+namespace {
+
+template <class Load>
+void load_guarded(const Load& load) {
   keep_plugins_off_standard_output();
+  name_plugins_that_crash();
   std::atexit(report_exit_in_plugin);
-  library.load_search_path(own_brush_folder());
+  load();
   // It is registered again because the last registered function runs first: before the destruction of
   // anything that brushes on other threads still use.
   std::atexit(report_exit_in_plugin);
+}
+
+}  // namespace
+
+void load_brushes(BrushLibrary& library) {
+  load_guarded([&] { library.load_search_path(own_brush_folder()); });
+}
+
+void load_module(BrushLibrary& library, const std::filesystem::path& module) {
+  load_guarded([&] { library.load(module); });
 }
 
 }  // namespace burin

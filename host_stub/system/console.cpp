@@ -48,7 +48,7 @@ void warn(std::string_view text) { say("warning: ", text); }
 
 void log_on_console(int severity, std::string_view line) {
   if (severity == BURIN_LOG_WARNING) return warn(line);
-  say("", line);
+  say(severity == BURIN_LOG_DEBUG ? "debug: " : "", line);
 }
 
 ProgressBar::ProgressBar() : terminal_(stderr_is_terminal()) {}

@@ -29,7 +29,8 @@ void say(std::string_view kind, std::string_view text);
 /// Writes "burin: warning: TEXT" to stderr.
 void warn(std::string_view text);
 
-/// A BrushLibrary::Log that writes "burin: LINE" or "burin: warning: LINE" to stderr.
+/// A BrushLibrary::Log that writes "burin: LINE" to stderr; "burin: warning: LINE" and "burin: debug: LINE"
+/// at these severities.
 void log_on_console(int severity, std::string_view line);
 
 /// Shows the progress of long work in one line of the terminal, if stderr is a terminal. The destructor

@@ -53,18 +53,38 @@ std::string command_of(const Subject& subject, const Check& check) {
                      subject.seed);
 }
 
+namespace {
+
+std::string text_of(const Subject& subject, const Result& result) {
+  std::string text = fmt::format("{:<7} {}{}{}\n", name_of(result.verdict), result.check->name,
+                                 result.text.empty() ? "" : ": ", result.text);
+  if (!has_failed(result)) return text;
+  return text +
+         fmt::format("        {}\n        {}\n", result.check->clause, command_of(subject, *result.check));
+}
+
+std::string text_of(const Counts& counts) {
+  return fmt::format("{} passed, {} failed, {} skipped\n", counts.passed, counts.failed, counts.skipped);
+}
+
+}  // namespace
+
 std::string text_report(const Subject& subject, std::span<const Result> results) {
   std::string text;
-  for (const Result& result : results) {
-    text += fmt::format("{:<7} {}{}{}\n", name_of(result.verdict), result.check->name,
-                        result.text.empty() ? "" : ": ", result.text);
-    if (has_failed(result))
-      text +=
-          fmt::format("        {}\n        {}\n", result.check->clause, command_of(subject, *result.check));
-  }
-  const Counts counts = count(results);
-  return text +
-         fmt::format("{} passed, {} failed, {} skipped\n", counts.passed, counts.failed, counts.skipped);
+  for (const Result& result : results) text += text_of(subject, result);
+  return text + text_of(count(results));
+}
+
+std::string short_report(const Subject& subject, std::span<const Result> results) {
+  constexpr int most = 3;
+  int failed = 0;
+  std::string text;
+  for (const Result& result : results)
+    if (has_failed(result) && ++failed <= most) text += text_of(subject, result);
+  if (failed > most)
+    text += fmt::format("and {} more failures: burin validate {}\n", failed - most,
+                        shell_word(subject.module.string()));
+  return text + text_of(count(results));
 }
 
 Json json_report(const Subject& subject, std::span<const Result> results, int highest) {

@@ -22,8 +22,10 @@ int level_reached(std::span<const Result> results, int highest);
 /// A command that runs one check again.
 std::string command_of(const Subject& subject, const Check& check);
 
-/// Lines for people, the last of them "N passed, N failed, N skipped".
+/// Lines for people, the last of them "N passed, N failed, N skipped"; short: the first three failures only,
+/// since one mistake makes many checks fail.
 std::string text_report(const Subject& subject, std::span<const Result> results);
+std::string short_report(const Subject& subject, std::span<const Result> results);
 Json json_report(const Subject& subject, std::span<const Result> results, int highest);
 std::string junit_report(const Subject& subject, std::span<const Result> results);
 

@@ -23,7 +23,7 @@ struct ValidateOptions {
   int level = levels - 1;
   std::uint64_t seed = 1;
   RunOptions run;
-  bool json = false, list = false;
+  bool json = false, list = false, quiet = false;
 };
 
 const Check& named_check(const std::string& name) {
@@ -92,8 +92,9 @@ void validate_module(const ValidateOptions& options) {
   keep_plugins_off_standard_output();
   const std::vector<Result> results = run_checks(subject, chosen_checks(options), options.run);
   const Counts counts = count(results);
-  write_result(options.json ? json_text(json_report(subject, results, options.level))
-                            : text_report(subject, results));
+  write_result(options.json    ? json_text(json_report(subject, results, options.level))
+               : options.quiet ? short_report(subject, results)
+                               : text_report(subject, results));
   if (!options.junit.empty()) write_text_file(options.junit, junit_report(subject, results));
   if (!options.badge.empty())
     write_text_file(options.badge, badge_text(subject.module, level_reached(results, options.level)));
@@ -130,6 +131,7 @@ void add_validate(CLI::App& app) {
   command.add_option("--jobs", options->run.jobs, "checks at a time, 2 unless given")
       ->check(CLI::Range(1, 64));
   command.add_flag("--in-process", options->run.in_process, "run checks in this process, for a debugger");
+  command.add_flag("--quiet", options->quiet, "print the first failures and the last line only");
   command.add_flag("--json", options->json, "write JSON to the standard output");
   command.add_option("--junit", options->junit, "JUnit file to write")->type_name("FILE");
   command

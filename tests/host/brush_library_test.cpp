@@ -114,6 +114,19 @@ TEST(BrushLibrary, WarnsOfBrokenModulesInAFolderUnlessTheirBrushesAreAskedFor) {
                 no_module + "; not loaded: " + twice);
 }
 
+TEST(BrushLibrary, WarnsOfAPluginThatIsNamedAsALibrary) {
+  const test::TemporaryFolder folder;
+  const fs::path library_file = folder.path() / "groove.so";
+  fs::copy(test::brushes_folder / "groove.burin", library_file);
+  warnings.clear();
+  BrushLibrary library([](int, std::string_view line) { warnings.emplace_back(line); });
+  library.load_folder(folder.path());
+  const std::string line = library_file.string() + ": is a plugin, but only files named *.burin are loaded";
+  EXPECT_EQ(warnings, std::vector<std::string>{line});
+  EXPECT_EQ(test::error_of([&] { library.find("org.burin.groove"); }),
+            "no brush 'org.burin.groove'; there are: none; not loaded: " + line);
+}
+
 TEST(BrushLibrary, SearchesTheEnvironmentFirst) {
   const test::TemporaryFolder folder;
   fs::copy(test::test_plugins_folder / "nan_brush.burin", folder.path());

@@ -34,6 +34,15 @@ TEST(ListCommand, ListsTheStockBrushesWithTheirParameters) {
   EXPECT_TRUE(takes_a_file);
 }
 
+TEST(ListCommand, TellsWhichParametersAreDynamicAndNumbersAsTheyWereWritten) {
+  const std::string text = burin_output({"list"});
+  const json crease = find(burin_json({"list"})["brushes"], "org.burin.crease");
+  EXPECT_EQ(find(crease["params"], "pinch")["default"].dump(), "0.3");
+  EXPECT_EQ(find(crease["params"], "pinch")["dynamic"], true);
+  EXPECT_EQ(find(crease["params"], "taper")["dynamic"], false);
+  EXPECT_NE(text.find("default 0.3        dynamic "), std::string::npos);
+}
+
 TEST(ListCommand, TellsOfTextParameters) {
   const json params = find(burin_json({"list"})["brushes"], "org.burin.text")["params"];
   const json text = find(params, "text");

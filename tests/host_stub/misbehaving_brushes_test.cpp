@@ -82,6 +82,13 @@ TEST_F(MisbehavingBrushes, AreErrorsWhenTheyEndTheProcess) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path("out.ply")));
 }
 
+TEST_F(MisbehavingBrushes, AreNamedWhenTheyCrash) {
+  const ProcessResult result = replay("org.burin.test.crashing", {"--save-mesh", folder_.path("out.ply")});
+  EXPECT_EQ(result.exit_code, -1) << "the signal ends the process, so that it may leave a core";
+  EXPECT_EQ(own_lines(result.err)[0], "burin: brush org.burin.test.crashing crashed: segmentation fault");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("out.ply")));
+}
+
 TEST_F(MisbehavingBrushes, AreErrorsWhenTheyDisplaceAbsurdly) {
   const ProcessResult result = replay("org.burin.test.absurd");
   EXPECT_EQ(result.exit_code, 2);

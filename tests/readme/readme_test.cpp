@@ -99,6 +99,42 @@ TEST(Readme, ShowsTheSampleBrush) {
   EXPECT_EQ(blocks.front(), read_file(source_folder / "samples/hello_brush/hello_brush.cpp"));
 }
 
+TEST(FirstBrushPage, RunsAsItSaysWithWhatIsInstalled) {
+  const Checkout checkout;
+  const fs::path prefix = checkout.path() / "prefix", project = checkout.path() / "wavy_line";
+  std::string script =
+      fmt::format("export PATH='{0}/bin':\"$PATH\" CMAKE_PREFIX_PATH='{0}'\n", prefix.string());
+  for (const char* component : {"command", "brushes", "plugin"})
+    script += fmt::format("cmake --install build/release --component {} --prefix '{}' > installed\n",
+                          component, prefix.string());
+  for (const std::string& block : fenced_blocks(read_file(source_folder / "docs/first_brush.md"), "sh"))
+    script += block;
+  ASSERT_EQ(checkout.run(script), 0);
+  EXPECT_TRUE(fs::exists(project / "wavy_line.png"));
+  EXPECT_TRUE(fs::exists(project / "installed/lib/burin/brushes/wavy_line.burin"));
+}
+
+TEST(RecipesPage, ShowsBrushesThatKeepToTheAbi) {
+  const Checkout checkout;
+  const auto recipes = fenced_blocks(read_file(source_folder / "docs/brush_recipes.md"), "cpp");
+  EXPECT_EQ(recipes.size(), 4u);
+  std::string lists =
+      "cmake_minimum_required(VERSION 3.25)\nproject(recipes LANGUAGES CXX)\n"
+      "find_package(Burin REQUIRED COMPONENTS plugin)\n";
+  for (std::size_t i = 0; i < recipes.size(); ++i) {
+    write_file_whole(checkout.path() / fmt::format("{}.cpp", i),
+                     [&](std::ostream& out) { out << recipes[i]; });
+    lists += fmt::format("burin_add_brush(recipe_{0} {0}.cpp VALIDATE 4)\n", i);
+  }
+  write_file_whole(checkout.path() / "CMakeLists.txt", [&](std::ostream& out) { out << lists; });
+  EXPECT_EQ(
+      checkout.run("cmake --install build/release --component plugin --prefix prefix\n"
+                   "cmake -G Ninja -B recipes -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=\"$PWD/prefix\" "
+                   "-DCMAKE_CXX_FLAGS='-Wall -Wextra -Wpedantic -Werror' "
+                   "-DBURIN_PROGRAM=\"$PWD/build/release/bin/burin\"\ncmake --build recipes\n"),
+      0);
+}
+
 TEST(EmbeddingPage, ShowsTheSampleApplication) {
   const std::string page = read_file(source_folder / "docs/embedding.md");
   const auto programs = fenced_blocks(page, "cpp"), builds = fenced_blocks(page, "cmake");

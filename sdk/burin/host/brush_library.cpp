@@ -28,6 +28,7 @@ struct BrushLibrary::Impl {
   Impl(Log log, std::unique_ptr<HostExtensions> extensions) : services(log, std::move(extensions)) {}
 
   void load(const fs::path& module, std::vector<std::string>& ids);
+  void refuse(const Error& error, std::vector<std::string> ids);
 
   HostServices services;
   std::vector<std::unique_ptr<PluginModule>> modules;
@@ -90,6 +91,11 @@ void BrushLibrary::Impl::load(const fs::path& module, std::vector<std::string>& 
   brushes = std::move(all);
 }
 
+void BrushLibrary::Impl::refuse(const Error& error, std::vector<std::string> ids) {
+  services.write_log(BURIN_LOG_WARNING, error.what());
+  refused.push_back({error.what(), std::move(ids)});
+}
+
 void BrushLibrary::load(const fs::path& module) {
   std::vector<std::string> ids;
   impl_->load(module, ids);
@@ -101,10 +107,11 @@ void BrushLibrary::load_folder(const fs::path& folder) {
     try {
       impl_->load(file, ids);
     } catch (const Error& error) {
-      impl_->services.write_log(BURIN_LOG_WARNING, error.what());
-      impl_->refused.push_back({error.what(), std::move(ids)});
+      impl_->refuse(error, std::move(ids));
     }
   }
+  for (const fs::path& file : misnamed_plugins(folder))
+    impl_->refuse(FileError(file.string(), "is a plugin, but only files named *.burin are loaded"), {});
 }
 
 void BrushLibrary::load_search_path(const fs::path& own_folder) {

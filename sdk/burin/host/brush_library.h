@@ -46,8 +46,8 @@ class BrushLibrary {
   void load(const std::filesystem::path& module);
 
   /// Loads all `*.burin` files of a folder, in the order of their names. A module that load() would refuse
-  /// causes a warning in the log, and an error only when one of its brushes is requested. Throws FileError if
-  /// the folder cannot be read.
+  /// causes a warning in the log, and an error only when one of its brushes is requested. A plugin that is
+  /// named otherwise, `*.so`, causes a warning, too. Throws FileError if the folder cannot be read.
   void load_folder(const std::filesystem::path& folder);
 
   /// Loads the folders in the environment variable BURIN_PLUGIN_PATH (separated by colons, on Windows by

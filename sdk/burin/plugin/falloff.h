@@ -8,10 +8,7 @@
 namespace burin::plugin {
 
 /// A smooth step: 0 for x <= 0, 1 for x >= 1, and between them a cubic with zero slope at both ends.
-inline float smooth_step(float x) {
-  const float s = std::clamp(x, 0.0f, 1.0f);
-  return s * s * (3 - 2 * s);
-}
+inline float smooth_step(float x) { return burin_smooth_step(x); }
 
 /// The height of a round strand or thread of half width 1 at distance x >= 0 from its middle: a circle up to
 /// x = 0.9, then the tangent there, which falls below 0, so that strands have no vertical sides.
@@ -22,15 +19,13 @@ inline float strand_profile(float x) {
 /// A factor that fades out towards the rim: 0 at the rim and outside, 1 at least `rim` (a share of the
 /// radius, > 0) inside it.
 inline float rim_factor(const Stroke& stroke, float t, float d, float radius, float rim) {
-  return smooth_step((1 - stroke.distance(t, d) / radius) / rim);
+  return burin_rim_factor(&stroke.raw(), t, d, radius, rim);
 }
 
 /// A factor that fades out towards the ends of an open stroke: 0 at an end and beyond, 1 at least `taper`
 /// radii inside. A brush that uses it sets StrokeStart::end_influence to at least taper * radius_max.
 inline float end_factor(const Stroke& stroke, float t, float radius, float taper) {
-  if (!stroke.has_ends() || taper == 0) return 1;
-  const float to_end = std::min(t, static_cast<float>(stroke.length() - t));
-  return smooth_step(to_end / (taper * radius));
+  return burin_end_factor(&stroke.raw(), t, radius, taper);
 }
 
 }  // namespace burin::plugin

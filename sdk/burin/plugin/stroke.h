@@ -1,6 +1,6 @@
 #pragma once
 #include <burin/abi/stroke.h>
-#include <burin/math/elementary.h>
+#include <burin/plugin/c/stroke_shape.h>
 #include <burin/plugin/detail/complete.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class Stroke {
   double dab_t() const { return context_.dab_t; }
 
   /// Whether the stroke has ends: closed strokes and dabs have none.
-  bool has_ends() const { return !closed() && !dab(); }
+  bool has_ends() const { return burin_has_ends(&context_) != 0; }
 
   /// Whether the pen reports this input (BURIN_INPUT_PRESSURE .. BURIN_INPUT_TIME). Inputs that it does not
   /// report have their neutral value.
@@ -48,17 +48,13 @@ class Stroke {
 
   /// How far t is beyond an end: negative before the start, positive after the end, else 0. Together with d
   /// it is the offset of the point (t, d) from the stroke.
-  float beyond(float t) const {
-    if (closed()) return 0;
-    const float after = t - static_cast<float>(context_.length);
-    return after > 0 ? after : std::min(t, 0.0f);
-  }
+  float beyond(float t) const { return burin_beyond_ends(&context_, t); }
 
   /// The distance of the point (t, d) to the stroke: |d| beside it, the distance to the end in the caps.
-  float distance(float t, float d) const {
-    const float along = beyond(t);
-    return along != 0 ? math::hypot(along, d) : std::abs(d);
-  }
+  float distance(float t, float d) const { return burin_distance(&context_, t, d); }
+
+  /// The context of the call, for the functions of stroke_shape.h.
+  const burin_stroke_context& raw() const { return context_; }
 
   /// How far t is past the nearer end: below 0 between the ends, -infinity where there are none.
   float past_ends(float t) const {

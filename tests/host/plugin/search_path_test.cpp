@@ -1,3 +1,4 @@
+#include "../sessions.h"
 #include "support/shared_data.h"
 
 #include <burin/base/error.h>
@@ -23,6 +24,15 @@ TEST(SearchPath, ListsPluginsByName) {
   for (const char* name : {"b.burin", "a.burin", "c.so"}) std::ofstream(folder.path() / name) << "x";
   EXPECT_EQ(plugin_files(folder.path()),
             (std::vector<fs::path>{folder.path() / "a.burin", folder.path() / "b.burin"}));
+}
+
+TEST(SearchPath, TellsLibrariesThatArePluginsByTheirSymbol) {
+  const test::TemporaryFolder folder;
+  const fs::path plugin = folder.path() / "plugin.so";
+  fs::copy_file(test::brushes_folder / "groove.burin", plugin);
+  fs::copy_file(test::test_plugins_folder / "no_symbol.burin", folder.path() / "library.so");
+  std::ofstream(folder.path() / "notes.txt") << std::string("\0burin_plugin\0", 14);
+  EXPECT_EQ(misnamed_plugins(folder.path()), std::vector<fs::path>{plugin});
 }
 
 TEST(SearchPath, NamesAFolderThatIsMissing) {

@@ -108,6 +108,18 @@ TEST(ValidateCommand, RepeatsACheckByTheCommandThatItTells) {
   EXPECT_TRUE(one.out.ends_with("0 passed, 1 failed, 0 skipped\n"));
 }
 
+TEST(ValidateCommand, ShowsTheFirstFailuresOnlyWhereItIsToBeQuiet) {
+  const std::string module = std::string(BURIN_TEST_PLUGINS) + "/error_brush.burin";
+  const ProcessResult result = burin({"validate", module, "--level", "2", "--quiet"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_TRUE(result.out.starts_with("FAIL ")) << result.out;
+  EXPECT_EQ(std::ranges::count(result.out, '\n'), 3 * 3 + 2) << result.out;
+  EXPECT_NE(result.out.find(" more failures: burin validate " + module + "\n"), std::string::npos);
+  EXPECT_EQ(
+      burin_output({"validate", bad_plugin("good"), "--level", "1", "--quiet"}).find(" passed, 0 failed"),
+      2u);
+}
+
 TEST(ValidateCommand, FailsOnWhatIsNoModule) {
   const CommandFolder folder;
   const ProcessResult result = burin({"validate", folder.write("text.burin", "not a library")});

@@ -17,7 +17,7 @@ TEST(ReverseDns, IsPartsBetweenDots) {
     EXPECT_FALSE(checks::reverse_dns(id)) << (id ? id : "null");
 }
 
-bool accepted(const auto& param) { return checks::params(param_list(param)); }
+bool accepted(const auto& param) { return !checks::broken_by(param_list(param), 0); }
 
 TEST(ParamChecks, WantIdAndName) {
   EXPECT_TRUE(accepted(FloatParam{.id = "a_1", .name = "A"}));
@@ -27,11 +27,24 @@ TEST(ParamChecks, WantIdAndName) {
   EXPECT_FALSE(accepted(FileParam{.id = "a b", .name = "A"}));
 }
 
+TEST(ParamChecks, NameTheRule) {
+  const auto rule = [](const auto& param) { return checks::broken_by(param_list(param), 0); };
+  EXPECT_STREQ(rule(FloatParam{.id = "A", .name = "A"}), "its id is not of a-z, 0-9 and _");
+  EXPECT_STREQ(rule(FloatParam{.id = "a", .name = "A", .hard = {0, 2}, .default_value = 3}),
+               "its default is not within the hard range");
+  EXPECT_STREQ(rule(FloatParam{.id = "a", .name = "A", .hard = {0, 2}, .soft = {1, 3}}),
+               "its soft range is not within the hard range");
+  EXPECT_STREQ(rule(IntParam{.id = "a", .name = "A", .hard = {0, 1.5f}}),
+               "an end of its ranges is no whole number within +-2^24");
+  EXPECT_STREQ(rule(ChoiceParam{.id = "a", .name = "A", .choices = {"x", "x"}}),
+               "two of its choices are equal");
+}
+
 TEST(ParamChecks, WantEachIdOnce) {
   const FloatParam a{.id = "a", .name = "A"}, b{.id = "b", .name = "A"};
   const IntParam another{.id = "a", .name = "Another"};
-  EXPECT_TRUE(checks::params(param_list(a, b)));
-  EXPECT_FALSE(checks::params(param_list(a, b, another)));
+  EXPECT_EQ(checks::broken_by(param_list(a, b), 1), nullptr);
+  EXPECT_STREQ(checks::broken_by(param_list(a, b, another), 2), "its id is that of another parameter");
 }
 
 TEST(ParamChecks, WantTheDefaultInTheHardRangeAndTheSoftOneWithin) {

@@ -4,14 +4,10 @@
 
 namespace burin {
 
-thread_local PluginCall::Plugin PluginCall::current{nullptr, nullptr};
+thread_local RunningPlugin PluginCall::current{nullptr, nullptr};
 
 PluginCall::PluginCall(const char* kind, const char* name) : before_(std::exchange(current, {kind, name})) {}
 
 PluginCall::~PluginCall() { current = before_; }
-
-std::string PluginCall::running() {
-  return current.name ? std::string(current.kind) + " " + current.name : std::string();
-}
 
 }  // namespace burin

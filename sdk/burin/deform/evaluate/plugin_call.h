@@ -1,10 +1,14 @@
 #pragma once
-#include <string>
 
 namespace burin {
 
+/// A plugin whose code runs: "brush", "org.example.ripple". Both are null if none runs.
+struct RunningPlugin {
+  const char *kind, *name;
+};
+
 /// Marks, during its lifetime, that the calling thread runs code of a plugin, so that a host can report which
-/// plugin called exit(). Calls may nest. Both texts must outlive the object.
+/// plugin called exit() or crashed. Calls may nest. Both texts must outlive the object.
 class PluginCall {
  public:
   /// `kind` and `name`: "brush", "org.example.ripple".
@@ -13,15 +17,12 @@ class PluginCall {
   PluginCall(const PluginCall&) = delete;
   PluginCall& operator=(const PluginCall&) = delete;
 
-  /// The plugin whose code the calling thread runs, "brush org.example.ripple"; empty if none.
-  static std::string running();
+  /// The plugin whose code the calling thread runs. Signal handlers may call it.
+  static RunningPlugin running() { return current; }
 
  private:
-  struct Plugin {
-    const char *kind, *name;
-  };
-  static thread_local Plugin current;
-  Plugin before_;
+  static thread_local RunningPlugin current;
+  RunningPlugin before_;
 };
 
 }  // namespace burin

@@ -1,4 +1,6 @@
+#include <burin/abi/plugin.h>
 #include <burin/base/error.h>
+#include <burin/base/file.h>
 #include <burin/host/plugin/search_path.h>
 
 #include <algorithm>
@@ -17,6 +19,27 @@ constexpr char separator = ';';
 constexpr char separator = ':';
 #endif
 
+template <class Wanted>
+std::vector<fs::path> files_of(const fs::path& folder, const Wanted& wanted) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+    if (wanted(at->path())) files.push_back(at->path());
+  if (error) throw FileError(folder.string(), "plugins cannot be listed: " + error.message());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Whether the table of names in a shared library has the symbol of a plugin.
+bool exports_plugin(const fs::path& library) {
+  const std::string symbol = std::string(1, '\0') + BURIN_PLUGIN_SYMBOL + '\0';
+  try {
+    return read_file(library).find(symbol) != std::string::npos;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 std::vector<fs::path> plugin_search_path() {
@@ -31,13 +54,14 @@ std::vector<fs::path> plugin_search_path() {
 }
 
 std::vector<fs::path> plugin_files(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> files;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-    if (at->path().extension() == ".burin") files.push_back(at->path());
-  if (error) throw FileError(folder.string(), "plugins cannot be listed: " + error.message());
-  std::sort(files.begin(), files.end());
-  return files;
+  return files_of(folder, [](const fs::path& file) { return file.extension() == ".burin"; });
+}
+
+std::vector<fs::path> misnamed_plugins(const fs::path& folder) {
+  return files_of(folder, [](const fs::path& file) {
+    const fs::path ending = file.extension();
+    return (ending == ".so" || ending == ".dll" || ending == ".dylib") && exports_plugin(file);
+  });
 }
 
 }  // namespace burin

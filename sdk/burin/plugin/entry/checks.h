@@ -31,11 +31,17 @@ constexpr bool finite(float x) {
   return x >= std::numeric_limits<float>::lowest() && x <= std::numeric_limits<float>::max();
 }
 
-/// Whether the default and the soft range are finite and within the hard range.
-constexpr bool ranges(const burin_param_info& info) {
-  return info.hard_min <= info.soft_min && info.soft_min <= info.soft_max && info.soft_max <= info.hard_max &&
-         finite(info.soft_min) && finite(info.soft_max) && info.hard_min <= info.default_number &&
-         info.default_number <= info.hard_max && finite(info.default_number);
+/// The rule that a parameter's ranges and default break; null if they break none.
+constexpr const char* broken_by_ranges(const burin_param_info& info) {
+  if (!(info.hard_min <= info.hard_max)) return "its hard range is empty";
+  if (!finite(info.soft_min) || !finite(info.soft_max)) return "its soft range is not finite";
+  if (!(info.soft_min <= info.soft_max)) return "its soft range is empty";
+  if (!(info.hard_min <= info.soft_min && info.soft_max <= info.hard_max))
+    return "its soft range is not within the hard range";
+  if (!finite(info.default_number)) return "its default is not finite";
+  if (!(info.hard_min <= info.default_number && info.default_number <= info.hard_max))
+    return "its default is not within the hard range";
+  return nullptr;
 }
 
 /// Whether x is a whole number within the range in which floats hold all whole numbers.
@@ -44,15 +50,25 @@ constexpr bool whole(float x) {
   return -limit <= x && x <= limit && static_cast<float>(static_cast<int>(x)) == x;
 }
 
-constexpr bool whole_ranges(const burin_param_info& info) {
-  return whole(info.hard_min) && whole(info.hard_max) && whole(info.soft_min) && whole(info.soft_max);
+constexpr const char* broken_by_whole_ranges(const burin_param_info& info) {
+  for (const float end : {info.hard_min, info.hard_max, info.soft_min, info.soft_max})
+    if (!whole(end)) return "an end of its ranges is no whole number within +-2^24";
+  return broken_by_ranges(info);
 }
 
 constexpr bool different(const char* const* texts) {
   for (auto text = texts; *text; ++text)
     for (auto before = texts; before != text; ++before)
-      if (!present(*text) || std::string_view(*text) == *before) return false;
+      if (std::string_view(*text) == *before) return false;
   return true;
+}
+
+constexpr const char* broken_by_choices(const burin_param_info& info) {
+  if (!info.choices[0]) return "it has no choices";
+  for (auto choice = info.choices; *choice; ++choice)
+    if (!present(*choice)) return "a choice is empty";
+  if (!different(info.choices)) return "two of its choices are equal";
+  return broken_by_ranges(info) ? "its default is none of its choices" : nullptr;
 }
 
 constexpr bool shares(const float (&channels)[4]) {
@@ -66,40 +82,65 @@ constexpr bool rising(const float* knots, std::size_t count) {
   return count > 0;
 }
 
-constexpr bool param(const burin_param_info& info) {
-  if (!present(info.id) || !only(info.id, "abcdefghijklmnopqrstuvwxyz0123456789_") || !present(info.name))
-    return false;
+constexpr const char* broken_by_value(const burin_param_info& info) {
   switch (info.type) {
     case BURIN_PARAM_INT:
-      return ranges(info) && whole_ranges(info);
+      return broken_by_whole_ranges(info);
     case BURIN_PARAM_FLOAT:
     case BURIN_PARAM_BOOL:
-      return ranges(info);
+      return broken_by_ranges(info);
     case BURIN_PARAM_CHOICE:
-      return ranges(info) && different(info.choices);
+      return broken_by_choices(info);
     case BURIN_PARAM_COLOUR:
-      return shares(info.default_colour);
+      return shares(info.default_colour) ? nullptr : "its colour is not within 0..1";
     case BURIN_PARAM_CURVE:
-      return rising(info.default_knots, info.default_knot_count);
+      return rising(info.default_knots, info.default_knot_count)
+                 ? nullptr
+                 : "it has no knots, or their x does not rise, or one is not finite";
     default:
-      return true;
+      return nullptr;
   }
+}
+
+/// The rule that a parameter breaks by itself; null if it breaks none.
+constexpr const char* broken_by(const burin_param_info& info) {
+  if (!present(info.id)) return "it has no id";
+  if (!only(info.id, "abcdefghijklmnopqrstuvwxyz0123456789_")) return "its id is not of a-z, 0-9 and _";
+  if (!present(info.name)) return "it has no name";
+  return broken_by_value(info);
+}
+
+/// The rule that parameter `i` breaks; null if it breaks none.
+template <std::size_t N>
+constexpr const char* broken_by(const std::array<burin_param_info, N>& infos, std::size_t i) {
+  if (const char* rule = broken_by(infos[i])) return rule;
+  for (std::size_t j = 0; j < i; ++j)
+    if (std::string_view(infos[i].id) == infos[j].id) return "its id is that of another parameter";
+  return nullptr;
+}
+
+/// The beginning of a text, as an argument of templates.
+struct Text {
+  constexpr explicit Text(const char* text) {
+    for (std::size_t i = 0; text && text[i] && i + 1 < sizeof characters; ++i) characters[i] = text[i];
+  }
+  char characters[80]{};
+};
+
+/// Not constexpr, so that calling it in a constant expression is an error of compilation.
+void mistake();
+
+/// Fails to compile if a rule is broken. The parameter's id and the rule are arguments twice, since GCC's
+/// errors show those of templates and Clang's those of functions.
+template <Text parameter, Text rule>
+constexpr bool parameter_keeps_rules(const char* /*id*/, const char* broken_rule) {
+  if (broken_rule) mistake();
+  return true;
 }
 
 constexpr bool all_differ(std::initializer_list<std::string_view> ids) {
   for (auto id = ids.begin(); id != ids.end(); ++id)
     if (std::find(ids.begin(), id, *id) != id) return false;
-  return true;
-}
-
-/// Whether every parameter is well formed and every id is used once.
-template <std::size_t N>
-constexpr bool params(const std::array<burin_param_info, N>& infos) {
-  for (std::size_t i = 0; i < N; ++i) {
-    if (!param(infos[i])) return false;
-    for (std::size_t j = 0; j < i; ++j)
-      if (std::string_view(infos[i].id) == infos[j].id) return false;
-  }
   return true;
 }
 

@@ -42,11 +42,14 @@ struct Declaration {
                 "BrushInfo::overlap must be one of BURIN_OVERLAP_STRONGEST .. BURIN_OVERLAP_AVERAGE");
 
   static constexpr auto params = params_of<B>();
-  static_assert(
-      checks::params(params),
-      "a parameter lacks id or name, its id is used twice or not of [a-z0-9_], its default or soft range "
-      "is outside of the hard range, its soft range is infinite, a range of whole numbers is not whole, "
-      "its choices are equal, its colour is not within 0..1, or its knots do not rise");
+  template <std::size_t... I>
+  static constexpr bool check_params(std::index_sequence<I...>) {
+    return (
+        checks::parameter_keeps_rules<checks::Text(params[I].id), checks::Text(checks::broken_by(params, I))>(
+            params[I].id, checks::broken_by(params, I)) &&
+        ...);
+  }
+  static_assert(check_params(std::make_index_sequence<params.size()>()));
 
   template <std::size_t... I>
   static constexpr std::array<const burin_param_info*, sizeof...(I)> pointers(std::index_sequence<I...>) {

@@ -1,0 +1,79 @@
+/* burin/plugin/c/module.h - what every plugin module in C needs besides its brush. C11.
+ *
+ *   static const burin_brush_descriptor descriptor = {...};
+ *   static void plan(const burin_stroke_context*, const burin_params*, burin_stroke_plan*) {...}
+ *   static burin_status BURIN_CALL evaluate(...) {...}
+ *
+ *   BURIN_C_PLUGIN(descriptor, plan, evaluate);
+ *
+ * `descriptor` describes the only brush. It has no memory of its own: `evaluate`, of the type of
+ * burin_brush.evaluate, gets null for the stroke. `plan` may change what burin_stroke_plan has by default.
+ * Build the module with burin_add_brush() of CMake: it must be named NAME.burin. For plugins with more
+ * brushes, memory or extensions see burin/abi/plugin.h.
+ */
+#ifndef BURIN_PLUGIN_C_MODULE_H
+#define BURIN_PLUGIN_C_MODULE_H
+
+#include <burin/abi/plugin.h>
+#include <string.h>
+
+/* Element i of an array of a batch or of outputs. */
+#define BURIN_AT(array, i) ((array).data[(size_t)(i) * (array).stride])
+
+static inline void BURIN_CALL burin_c_destroy(const burin_brush* brush) { (void)brush; }
+
+static inline const void* BURIN_CALL burin_c_get_extension(const burin_brush* brush, const char* id) {
+  (void)brush, (void)id;
+  return NULL;
+}
+
+static inline void BURIN_CALL burin_c_end(const burin_brush* brush, void* stroke) {
+  (void)brush, (void)stroke;
+}
+
+static inline burin_status BURIN_CALL burin_c_init(const char* plugin_path, burin_text* error) {
+  (void)plugin_path, (void)error;
+  return BURIN_OK;
+}
+
+static inline void BURIN_CALL burin_c_deinit(void) {}
+
+/* Writes as much of the line as there is room for. */
+static inline void burin_c_say(burin_text* text, const char* line) {
+  const size_t size = strlen(line);
+  if (!text || text->capacity == 0) return;
+  strncpy(text->data, line, text->capacity - 1);
+  text->data[size < text->capacity ? size : text->capacity - 1] = '\0';
+}
+
+/* Names that end in _ are the macro's own, so that authors may have all others. */
+#define BURIN_C_PLUGIN(descriptor, plan, evaluate)                                                         \
+  static burin_status BURIN_CALL burin_c_begin(                                                            \
+      const burin_brush* brush_, const burin_stroke_context* context_, const burin_params* params_,        \
+      burin_stroke_plan* plan_, void** stroke_, burin_text* error_) {                                      \
+    (void)brush_, (void)error_;                                                                            \
+    *stroke_ = NULL;                                                                                       \
+    plan(context_, params_, plan_);                                                                        \
+    return BURIN_OK;                                                                                       \
+  }                                                                                                        \
+  static const burin_brush burin_c_brush = {                                                               \
+      sizeof(burin_brush), 0,        NULL,       burin_c_destroy, burin_c_get_extension,                   \
+      burin_c_begin,       evaluate, burin_c_end};                                                         \
+  static const burin_brush* BURIN_CALL burin_c_create(                                                     \
+      const burin_brush_factory* factory_, const burin_host* host_, const char* id_, burin_text* error_) { \
+    (void)factory_, (void)host_;                                                                           \
+    if (strcmp(id_, (descriptor).id) == 0) return &burin_c_brush;                                          \
+    burin_c_say(error_, "this plugin has no such brush");                                                  \
+    return NULL;                                                                                           \
+  }                                                                                                        \
+  static const burin_brush_descriptor* const burin_c_brushes[] = {&(descriptor)};                          \
+  static const burin_brush_factory burin_c_factory = {sizeof(burin_brush_factory), 1, burin_c_brushes,     \
+                                                      burin_c_create};                                     \
+  static const void* BURIN_CALL burin_c_get_factory(const char* id_) {                                     \
+    return strcmp(id_, BURIN_BRUSH_FACTORY) == 0 ? &burin_c_factory : NULL;                                \
+  }                                                                                                        \
+  const burin_plugin_entry burin_plugin = {                                                                \
+      sizeof(burin_plugin_entry), BURIN_ABI_MAJOR, BURIN_ABI_MINOR, 0, burin_c_init, burin_c_deinit,       \
+      burin_c_get_factory}
+
+#endif

@@ -1,0 +1,58 @@
+/* burin/plugin/c/stroke_shape.h - distances and falloffs of strokes in C, those of Stroke and falloff.h.
+ *
+ * `stroke` is the context of the call, lengths are object units. The functions may be called on any thread.
+ * They have the same bits everywhere if they are compiled with -ffp-contract=off, as burin_add_brush() does.
+ */
+#ifndef BURIN_PLUGIN_C_STROKE_SHAPE_H
+#define BURIN_PLUGIN_C_STROKE_SHAPE_H
+
+#include <burin/abi/stroke.h>
+#include <math.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Whether the stroke has ends: closed strokes and dabs have none. */
+static inline int burin_has_ends(const burin_stroke_context* stroke) {
+  return !(stroke->flags & (BURIN_STROKE_CLOSED | BURIN_STROKE_DAB));
+}
+
+/* How far t is beyond an end: negative before the start, positive after the end, else 0. */
+static inline float burin_beyond_ends(const burin_stroke_context* stroke, float t) {
+  const float after = t - (float)stroke->length;
+  if (stroke->flags & BURIN_STROKE_CLOSED) return 0;
+  return after > 0 ? after : t > 0 ? 0 : t;
+}
+
+/* The distance of the point (t, d) to the stroke: |d| beside it, the distance to the end in the caps. */
+static inline float burin_distance(const burin_stroke_context* stroke, float t, float d) {
+  const double along = burin_beyond_ends(stroke, t), across = d;
+  return along == 0 ? fabsf(d) : (float)sqrt(along * along + across * across);
+}
+
+/* A smooth step: 0 for x <= 0, 1 for x >= 1, and between them a cubic with zero slope at both ends. */
+static inline float burin_smooth_step(float x) {
+  const float s = x < 0 ? 0 : x > 1 ? 1 : x;
+  return s * s * (3 - 2 * s);
+}
+
+/* A factor that fades out towards the rim: 0 at the rim and outside, 1 at least `rim` (a share of the radius,
+ * > 0) inside it. */
+static inline float burin_rim_factor(const burin_stroke_context* stroke, float t, float d, float radius,
+                                     float rim) {
+  return burin_smooth_step((1 - burin_distance(stroke, t, d) / radius) / rim);
+}
+
+/* A factor that fades out towards the ends of an open stroke: 0 at an end and beyond, 1 at least `taper`
+ * radii inside. A brush that uses it sets burin_stroke_plan.end_influence to at least taper * radius_max. */
+static inline float burin_end_factor(const burin_stroke_context* stroke, float t, float radius, float taper) {
+  const float after = (float)(stroke->length - t), to_end = after < t ? after : t;
+  if (!burin_has_ends(stroke) || taper == 0) return 1;
+  return burin_smooth_step(to_end / (taper * radius));
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif

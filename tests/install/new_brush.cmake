@@ -1,0 +1,81 @@
+# Projects of `burin new` against the installed component plugin: every kind compiles without a warning by each
+# compiler and standard, and one is built, validated and tested as its README says.
+#   BURIN_BUILD, BURIN_CONFIG   the build to install, below WORK
+#   BURIN_COMMAND               the program burin
+#   C_COMPILERS, CXX_COMPILERS  those of them that are there
+#   GENERATOR
+function(run)
+  execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BURIN_BUILD} --config ${BURIN_CONFIG} --prefix ${WORK}/prefix --component plugin)
+
+# new(NAME OPTION...): writes a project and appends its source to sources_c or sources_cpp.
+function(new name)
+  run(${BURIN_COMMAND} new ${WORK}/${name} ${ARGN} OUTPUT_QUIET)
+  foreach(language c cpp)
+    if(EXISTS ${WORK}/${name}/${name}.${language})
+      set(sources_${language} ${sources_${language}} ${WORK}/${name}/${name}.${language} PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+new(plain)
+new(tiled --features tile)
+new(painted --features paint)
+new(solid --features volume)
+new(all_features --features tile,paint,volume)
+new(plain_c --c)
+new(painted_c --c --features paint)
+
+# compile(LANGUAGE COMPILER STANDARD...): all sources of the language.
+set(compiled 0)
+function(compile language compiler)
+  find_program(found_${compiler} ${compiler})
+  if(NOT found_${compiler})
+    message("new_brush: no ${compiler} here")
+    return()
+  endif()
+  foreach(standard ${ARGN})
+    run(${found_${compiler}} -std=${standard} -fsyntax-only -Wall -Wextra -Wpedantic -Werror -I${WORK}/prefix/include
+      ${sources_${language}})
+  endforeach()
+  math(EXPR compiled "${compiled} + 1")
+  set(compiled ${compiled} PARENT_SCOPE)
+endfunction()
+
+foreach(compiler ${C_COMPILERS})
+  compile(c ${compiler} c11 c17)
+endforeach()
+foreach(compiler ${CXX_COMPILERS})
+  compile(cpp ${compiler} c++20 c++2b)
+endforeach()
+if(compiled LESS 2)
+  message(FATAL_ERROR "new_brush: nothing was compiled")
+endif()
+
+# As builds without CMake do.
+find_program(PKG_CONFIG pkg-config)
+list(GET C_COMPILERS 0 c_compiler)
+if(PKG_CONFIG)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${WORK}/prefix/share/pkgconfig
+    ${PKG_CONFIG} --cflags burin-plugin OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  run(${c_compiler} ${flags} -O2 -fPIC -shared ${WORK}/plain_c/plain_c.c -o ${WORK}/plain_c/plain_c.burin -lm)
+  run(${BURIN_COMMAND} validate ${WORK}/plain_c/plain_c.burin --level 1 --quiet)
+endif()
+list(GET CXX_COMPILERS 0 cxx_compiler)
+set(ENV{CC} ${c_compiler})
+set(ENV{CXX} ${cxx_compiler})
+foreach(name all_features painted_c)
+  set(build ${WORK}/${name}/build)
+  run(${CMAKE_COMMAND} --preset release -S ${WORK}/${name} -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK}/prefix
+    -DBURIN_PROGRAM=${BURIN_COMMAND} WORKING_DIRECTORY ${WORK}/${name})
+  run(${CMAKE_COMMAND} --build ${build})
+  run(${CMAKE_CTEST_COMMAND} --test-dir ${build} --no-tests=error --output-on-failure)
+  run(${CMAKE_COMMAND} --install ${build} --prefix ${WORK}/installed)
+  if(NOT EXISTS ${build}/${name}.png OR NOT EXISTS ${WORK}/installed/lib/burin/brushes/${name}.burin)
+    message(FATAL_ERROR "new_brush: ${name} drew no picture or is not installed")
+  endif()
+endforeach()

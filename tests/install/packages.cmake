@@ -1,0 +1,29 @@
+# The packages of Debian: what is in them, and whether Lintian finds an error.
+#   BURIN_BUILD   the build to pack, below WORK
+file(REMOVE_RECURSE ${WORK})
+execute_process(COMMAND ${CMAKE_CPACK_COMMAND} -G DEB --config ${BURIN_BUILD}/CPackConfig.cmake -B ${WORK}
+  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+
+# expect(PACKAGE FILE...): files that the package must have.
+function(expect package)
+  file(GLOB deb ${WORK}/${package}_*.deb)
+  execute_process(COMMAND dpkg-deb --contents ${deb} OUTPUT_VARIABLE contents COMMAND_ERROR_IS_FATAL ANY)
+  foreach(file ${ARGN})
+    string(FIND "${contents}" "./usr/${file}\n" place)
+    if(place EQUAL -1)
+      message(FATAL_ERROR "packages: ${package} lacks ${file}; it has:\n${contents}")
+    endif()
+  endforeach()
+  set(contents_of_${package} "${contents}" PARENT_SCOPE)
+endfunction()
+
+expect(burin bin/burin lib/burin/brushes/groove.burin)
+expect(burin-dev include/burin/plugin/plugin.h include/burin/abi/plugin.h lib/cmake/Burin/BurinAddBrush.cmake
+  share/pkgconfig/burin-plugin.pc)
+expect(libburin-dev include/burin/host/session.h lib/libburin_host.a lib/cmake/Burin/Burin-runtime.cmake)
+if(contents_of_libburin-dev MATCHES "abi/plugin\\.h")
+  message(FATAL_ERROR "packages: a file is in burin-dev and in libburin-dev")
+endif()
+
+file(GLOB debs ${WORK}/*.deb)
+execute_process(COMMAND lintian --allow-root --fail-on error ${debs} COMMAND_ERROR_IS_FATAL ANY)
