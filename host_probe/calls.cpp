@@ -18,9 +18,9 @@ constexpr std::size_t call_kinds = std::size(call_names);
 
 /// A call that was noted; `whole` is set last.
 struct Noted {
-  Call call;
-  unsigned thread;
-  std::uint64_t about, nodes;
+  Call call = Call::init;
+  unsigned thread = 0;
+  std::uint64_t about = 0, nodes = 0;
   std::atomic<bool> whole{false};
 };
 
@@ -50,7 +50,7 @@ void lower_to(std::atomic<std::uint64_t>& least, std::uint64_t value) {
 
 /// Calls of the same kind about the same stroke, one after the other.
 struct Run {
-  const Noted* first;
+  const Noted* first = nullptr;
   std::uint64_t calls = 0, nodes = 0;
   unsigned least_thread = UINT32_MAX, greatest_thread = 0;
 };

@@ -100,7 +100,7 @@ void check_text(const burin_text* text) {
 
 void check_params(const burin_params* params, std::uint32_t nodes) {
   const bool whole =
-      params && BURIN_HAS(params, burin_params, values) && params->count == param_count && params->values;
+      params && params->struct_size >= sizeof *params && params->count == param_count && params->values;
   if (!expect(Rule::param_count, whole, "count", params ? params->count : 0)) return;
   for (std::uint32_t i = 0; i < param_count; ++i)
     check_value(*everything.params[i], params->values[i], nodes);
