@@ -14,6 +14,7 @@ void add_import(CLI::App& app);
 void add_export(CLI::App& app);
 void add_strokes(CLI::App& app);
 void add_bench(CLI::App& app);
+void add_bench_brush(CLI::App& app);
 void add_validate(CLI::App& app);
 
 }  // namespace burin::command
