@@ -16,6 +16,7 @@ void add_new(CLI::App& app);
 void add_try(CLI::App& app);
 void add_strokes(CLI::App& app);
 void add_bench(CLI::App& app);
+void add_bench_brush(CLI::App& app);
 void add_validate(CLI::App& app);
 
 }  // namespace burin::command

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "command.h"
 #include "input/brush_folder.h"
@@ -33,6 +34,7 @@
 #include "report/report_folder.h"
 #include "system/output_file.h"
 #include "system/platform.h"
+#include "watch/watch.h"
 
 namespace burin::command {
 namespace {
@@ -45,6 +47,7 @@ struct ReplayOptions {
   GivenSettings settings;  ///< instead of the recorded ones
   ViewOptions view;
   std::string save_mesh, save_vdb, png, report;
+  std::optional<int> watch;  ///< changes of the module to watch for; 0: without end
   bool json = false;
 };
 
@@ -140,6 +143,17 @@ void check_options(const ReplayOptions& options, const BrushLibrary& library) {
     with_file_context("--brush", [&] { library.find(*brush); });
 }
 
+/// Goes on with the last stroke. A report has undone all, so they are drawn once more.
+void watch_last(const ReplayOptions& options, Session& session, BrushLibrary& library,
+                const std::vector<Recording>& recordings, const std::optional<Camera>& camera) {
+  flush_results();
+  while (session.undo()) {
+  }
+  for (const Recording& recording : recordings) replay(session, recording, options.settings);
+  watch({session, library, recordings.back(), options.settings,
+         options.report.empty() ? std::nullopt : camera, options.report, *options.watch});
+}
+
 /// Completes the finest level of a mesh with levels; the summary then describes that level.
 void finish(ReplayMesh& mesh, const Session& session, ReplaySummary& summary) {
   if (!mesh.has_levels()) return;
@@ -200,6 +214,8 @@ void run(ReplayOptions& options) {
   check_options(options, library);
   options.settings[&StrokeSettings::params] = read_params(options, library);
   std::vector<Recording> recordings = read_recordings(options);
+  // From a copy, so that the file may be overwritten before the watch begins.
+  if (options.watch) library.reload(module_of_last(library, recordings.back(), options.settings));
   ReplayMesh mesh(options.mesh, {.baked = options.bake.asked(), .saved = !options.save_mesh.empty()});
   for (Recording& recording : recordings) move_origin(recording, mesh.origin());
   options.settings[&StrokeSettings::symmetry].centre -= mesh.origin();
@@ -223,13 +239,15 @@ void run(ReplayOptions& options) {
   if (options.bake.asked()) {
     json["bake"] = write_map(options.bake, mesh.before(), mesh.result(session).positions);
   }
+  std::optional<Camera> camera;
   if (draws(options)) {
-    const Camera camera = replay_view(session.surface(), recorder.extent(), recordings, options.view);
-    write_pictures(options, session, mesh, parts, recorder, camera, summary, json);
+    camera = replay_view(session.surface(), recorder.extent(), recordings, options.view);
+    write_pictures(options, session, mesh, parts, recorder, *camera, summary, json);
   }
   write_result(options.json ? json_text(json)
                             : mesh.text() + "\n" + summary_text(summary) + parts.text() +
                                   merges_text(session.merges()) + "\n");
+  if (options.watch) watch_last(options, session, library, recordings, camera);
 }
 
 }  // namespace
@@ -255,6 +273,12 @@ void add_replay(CLI::App& app) {
       ->type_name("FILE");
   add_view_options(command, options->view);
   command.add_option("--report", options->report, "folder for a report with pictures")->type_name("FOLDER");
+  command
+      .add_flag(
+          "--watch{0}", options->watch,
+          "draw the last stroke again whenever the module of its brush changes, until interrupted, or with "
+          "--watch=N for N changes; with --report, watch.html in the folder shows it before and after")
+      ->check(CLI::NonNegativeNumber);
   command.add_flag("--json", options->json, "write JSON to the standard output");
   command.callback([options] { run(*options); });
 }

@@ -1,6 +1,5 @@
 #include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
-#include <burin/stamp/files/picture.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +11,7 @@
 #include "system/console.h"
 #include "validate/badge.h"
 #include "validate/report.h"
+#include "validate/work_folder.h"
 
 namespace burin::command {
 namespace {
@@ -48,35 +48,6 @@ std::vector<const Check*> chosen_checks(const ValidateOptions& options) {
   return chosen;
 }
 
-/// A folder for the files of the checks, removed at the end.
-class WorkFolder {
- public:
-  WorkFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "burin-validate-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw FileError(name, "the folder cannot be made");
-    path = name;
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  ~WorkFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
-  }
-
-  std::filesystem::path path;
-};
-
-/// An image of soft hills that tiles.
-void write_stamp(const std::filesystem::path& path) {
-  Picture picture{32, 32, {}};
-  for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 32; ++x) {
-      const int rise = (x < 16 ? x : 31 - x) * (y < 16 ? y : 31 - y);
-      picture.rgb.insert(picture.rgb.end(), 3, static_cast<std::uint8_t>(rise));
-    }
-  write_png(path, picture);
-}
-
 void write_text_file(const std::string& path, const std::string& text) {
   write_file_whole(path, [&](std::ostream& out) { out << text; });
 }
@@ -86,9 +57,7 @@ void validate_module(const ValidateOptions& options) {
     if (!file.empty()) check_output(file);
   if (!std::filesystem::is_regular_file(options.module)) throw FileError(options.module, "is no file");
   const WorkFolder folder;
-  const Subject subject{std::filesystem::absolute(options.module), folder.path, folder.path / "stamp.png",
-                        options.seed};
-  write_stamp(subject.stamp);
+  const Subject subject = folder.subject(options.module, options.seed);
   keep_plugins_off_standard_output();
   const std::vector<Result> results = run_checks(subject, chosen_checks(options), options.run);
   const Counts counts = count(results);

@@ -39,6 +39,7 @@ const std::map<std::string, Names> may_include = {
       "along"}},
     {"services", {"host", "stamp"}},
     {"brushes", {"abi", "math", "plugin"}},
+    {"host_probe", {"abi"}},
     {"host_stub", {"services", "level_set", "subdiv", "ink"}},
 };
 

@@ -59,8 +59,8 @@ void draw_without(const Plugin& plugin, const Brush& descriptor, const Subject& 
   Values values(descriptor, subject);
   burin_stroke_plan plan{sizeof plan, 1, 0};
   void* stroke = nullptr;
-  const burin_stroke_context context = stroke_context();
-  const burin_status status = brush->begin(brush, &context, &values.abi(), &plan, &stroke, &error);
+  const burin_stroke_context context = stroke_context(), empty = empty_stroke_context();
+  const burin_status status = brush->begin(brush, &empty, &values.abi(), &plan, &stroke, &error);
   if (status == BURIN_OK) {
     const Nodes nodes = random_nodes(64, subject.seed);
     std::vector<Row> rows(nodes.size());
@@ -104,6 +104,7 @@ std::vector<Row> draw_as(const HostSizes& sizes, ProbeBrush& brush, const Subjec
   const auto context = resized(stroke.context, sizes.context);
   const auto batch = resized(batch_of(nodes, 0, nodes.size(), stroke.params()), sizes.batch);
   const auto outputs = resized(outputs_of(rows), sizes.outputs);
+  const auto empty = resized(empty_stroke_context(), sizes.context);
   const auto* as_context = reinterpret_cast<const burin_stroke_context*>(context.data());
   const burin_status status = brush.abi().evaluate(
       &brush.abi(), stroke.self(), as_context, reinterpret_cast<const burin_batch*>(batch.data()),
@@ -112,8 +113,8 @@ std::vector<Row> draw_as(const HostSizes& sizes, ProbeBrush& brush, const Subjec
   std::vector<std::byte> plan = resized(burin_stroke_plan{sizeof plan, 1, 0}, sizes.plan);
   void* again = nullptr;
   const burin_status begun =
-      brush.abi().begin(&brush.abi(), as_context, &stroke.params(),
-                        reinterpret_cast<burin_stroke_plan*>(plan.data()), &again, nullptr);
+      brush.abi().begin(&brush.abi(), reinterpret_cast<const burin_stroke_context*>(empty.data()),
+                        &stroke.params(), reinterpret_cast<burin_stroke_plan*>(plan.data()), &again, nullptr);
   require(begun == BURIN_OK, "begin fails with structs of another size");
   brush.abi().end(&brush.abi(), again);
   for (std::size_t i = sizeof(burin_stroke_plan); i < plan.size(); ++i)

@@ -124,7 +124,7 @@ void try_texts(const Subject& subject, burin_param_type type, const std::vector<
         burin_text error{sizeof error, 400, line.data()};
         burin_stroke_plan plan{sizeof plan, 1, 0};
         void* stroke = nullptr;
-        const burin_stroke_context context = stroke_context();
+        const burin_stroke_context context = empty_stroke_context();
         const burin_status status =
             brush.abi().begin(&brush.abi(), &context, &brush.values.abi(), &plan, &stroke, &error);
         if (status == BURIN_OK) brush.abi().end(&brush.abi(), stroke);

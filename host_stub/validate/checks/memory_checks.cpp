@@ -98,7 +98,8 @@ void check_calls(const Subject& subject) {
     const burin_batch batch = batch_of(nodes, 0, nodes.size(), stroke.params());
     const burin_outputs outputs = outputs_of(rows);
     const auto called = calls_during(plugin.entry(), [&] { stroke.call(batch, outputs); });
-    require(called.empty(), fmt::format("evaluate calls {}", fmt::join(called, ", ")));
+    require(called.empty(), fmt::format("evaluate calls {} (addr2line -fCe {} tells the lines)",
+                                        fmt::join(called, ", "), subject.module.string()));
   });
 }
 
@@ -131,8 +132,7 @@ constexpr Check checks[] = {
     {"memory.undeclared-inputs", 2,
      "stroke.h: an array is null if the brush did not declare it in inputs_read",
      "Evaluates without each of the inputs that are not declared.", check_undeclared_inputs},
-    {"memory.allocations", 4,
-     "brush.h: evaluate may run on many threads at once; it should neither allocate nor lock",
+    {"memory.allocations", 4, "base.h: what is marked concurrent should neither allocate memory nor lock",
      "Counts the module's calls of malloc, new, mutexes and fopen.", check_calls},
     {"memory.system-calls", 4, "base.h: what is marked concurrent must not open files or write to streams",
      "Evaluates where the system refuses such calls.", check_system_calls},

@@ -147,10 +147,11 @@ constexpr Check checks[] = {
     {"module.exports", 2, "plugin.h: it should export nothing else but weak symbols",
      "Reads the symbols that the file defines.", check_exports},
     {"module.libraries", 3,
-     "brush.h: a brush is a pointwise function; it needs no screen, network or interpreter",
+     "plugin.h: it needs no library that talks to a screen or the network, runs an interpreter or keeps "
+     "threads",
      "Looks for libraries of such kinds among those that the module needs.", check_libraries},
     {"module.symbol-versions", 2,
-     "plugin.h: a module is loaded by hosts on Debian 12: glibc 2.36, libstdc++ 3.4.30",
+     "plugin.h: it needs no symbol newer than GLIBC_2.36, GLIBCXX_3.4.30 and CXXABI_1.3.13",
      "Reads the versions of symbols that the module needs.", check_symbol_versions},
     {"module.loads-twice", 3, "plugin.h: a module may be in a process twice",
      "Loads a copy of the file beside it.", check_loads_twice},
@@ -160,8 +161,8 @@ constexpr Check checks[] = {
      "Asks for factories that there are not.", check_unknown_factory},
     {"module.unloads", 3, "plugin.h: the last deinit leaves no thread, open file or signal handler",
      "Compares them before and after.", check_unloads},
-    {"module.load-time", 5, "plugin.h: loading takes 100 ms at most", "Measures loading and init.",
-     check_load_time},
+    {"module.load-time", 5, "plugin.h: loading and the first init take 100 ms at most",
+     "Measures loading and init.", check_load_time},
 };
 
 }  // namespace

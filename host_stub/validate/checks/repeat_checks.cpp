@@ -116,13 +116,16 @@ void check_processes(const Subject& subject) {
 }
 
 void check_seed(const Subject& subject) {
-  each_stroke(subject, [&](ProbeStroke& stroke, const Nodes& nodes) {
+  each_brush(subject, [&](const Plugin& plugin, const burin_brush_descriptor& descriptor) {
+    ProbeBrush brush(plugin, descriptor, subject);
+    const Nodes nodes = random_nodes(2000, subject.seed);
+    ProbeStroke stroke(brush);
     const auto plain = stroke.evaluate(nodes);
-    stroke.context.seed += 1;
-    stroke.evaluate(nodes);
-    stroke.context.seed -= 1;
+    burin_stroke_context other = stroke_context();
+    other.seed += 1;
+    ProbeStroke(brush, other).evaluate(nodes);
     require_same(plain, stroke.evaluate(nodes),
-                 "evaluated again after another seed, it gives another result");
+                 "evaluated again after a stroke of another seed, it gives another result");
   });
 }
 
@@ -162,7 +165,7 @@ constexpr Check checks[] = {
     {"repeat.processes", 4, "brush.h: evaluate is a pure function of context, parameters and batch",
      "Draws in two processes.", check_processes},
     {"repeat.seed", 4, "stroke.h: seed, so that a stroke drawn again is the same",
-     "Evaluates with another seed in between.", check_seed},
+     "Draws a stroke of another seed in between.", check_seed},
     {"repeat.float-modes", 2,
      "base.h: a call leaves rounding mode and the flushing of denormals as they were",
      "Compares them before and after evaluate.", check_float_modes},

@@ -99,6 +99,12 @@ burin_stroke_context stroke_context() {
   return context;
 }
 
+burin_stroke_context empty_stroke_context() {
+  burin_stroke_context context = stroke_context();
+  context.length = 0;
+  return context;
+}
+
 Nodes nodes_at(std::span<const float> t, std::span<const float> d) {
   Nodes nodes{std::vector(column_count, std::vector<float>(t.size()))};
   for (std::size_t i = 0; i < t.size(); ++i) {

@@ -38,6 +38,9 @@ struct Nodes {
 /// The stroke on which nodes lie: radius 1, length 10 object units.
 burin_stroke_context stroke_context();
 
+/// That stroke as begin gets it: nothing of it is drawn yet.
+burin_stroke_context empty_stroke_context();
+
 /// `count` nodes spread over the stroke and its caps by a random generator.
 Nodes random_nodes(std::size_t count, std::uint64_t seed);
 

@@ -2,7 +2,9 @@
 
 #include <dlfcn.h>
 #include <elf.h>
+#include <execinfo.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <link.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
@@ -25,15 +27,26 @@
 namespace burin::validate {
 namespace {
 
-std::array<std::atomic<int>, 7> counts;
+/// The calls of one function.
+struct Calls {
+  std::atomic<int> count{0};
+  std::array<void*, 16> stack{};  ///< return addresses of the first call
+  int depth = 0;
+};
+std::array<Calls, 7> calls;
 
-void* count_malloc(std::size_t size) { return ++counts[0], std::malloc(size); }
-void* count_calloc(std::size_t count, std::size_t size) { return ++counts[1], std::calloc(count, size); }
-void* count_realloc(void* old, std::size_t size) { return ++counts[2], std::realloc(old, size); }
-void* count_new(std::size_t size) { return ++counts[3], ::operator new(size); }
-void* count_new_array(std::size_t size) { return ++counts[4], ::operator new[](size); }
-int count_lock(pthread_mutex_t* mutex) { return ++counts[5], pthread_mutex_lock(mutex); }
-std::FILE* count_fopen(const char* path, const char* mode) { return ++counts[6], std::fopen(path, mode); }
+void note(std::size_t function) {
+  Calls& noted = calls[function];
+  if (++noted.count == 1) noted.depth = backtrace(noted.stack.data(), static_cast<int>(noted.stack.size()));
+}
+
+void* count_malloc(std::size_t size) { return note(0), std::malloc(size); }
+void* count_calloc(std::size_t count, std::size_t size) { return note(1), std::calloc(count, size); }
+void* count_realloc(void* old, std::size_t size) { return note(2), std::realloc(old, size); }
+void* count_new(std::size_t size) { return note(3), ::operator new(size); }
+void* count_new_array(std::size_t size) { return note(4), ::operator new[](size); }
+int count_lock(pthread_mutex_t* mutex) { return note(5), pthread_mutex_lock(mutex); }
+std::FILE* count_fopen(const char* path, const char* mode) { return note(6), std::fopen(path, mode); }
 
 struct Traced {
   const char* symbol;
@@ -41,7 +54,7 @@ struct Traced {
   const char* name;
 };
 
-/// In the order of `counts`.
+/// In the order of `calls`.
 std::array<Traced, 7> traced() {
   return {{{"malloc", reinterpret_cast<void*>(count_malloc), "malloc"},
            {"calloc", reinterpret_cast<void*>(count_calloc), "calloc"},
@@ -100,19 +113,39 @@ std::vector<Slot> slots_of(const void* address) {
   return slots;
 }
 
+/// The places of a stack that lie in the module: "0x1234 < 0x1400", for addr2line.
+std::string places_in(const Dl_info& module, const Calls& noted) {
+  std::string places;
+  for (int i = 0; i < noted.depth; ++i) {
+    Dl_info info{};
+    const char* returns_to = static_cast<const char*>(noted.stack[static_cast<std::size_t>(i)]);
+    if (dladdr(returns_to, &info) == 0 || info.dli_fbase != module.dli_fbase) continue;
+    // One byte before the place that the call returns to is the call.
+    const auto offset = returns_to - 1 - static_cast<const char*>(module.dli_fbase);
+    places += fmt::format("{}{:#x}", places.empty() ? "" : " < ", offset);
+  }
+  return places;
+}
+
 }  // namespace
 
 std::vector<std::string> calls_during(const burin_plugin_entry& entry, const std::function<void()>& work) {
   const std::vector<Slot> slots = slots_of(&entry);
-  for (auto& count : counts) count = 0;
+  Dl_info module{};
+  dladdr(&entry, &module);
+  for (Calls& noted : calls) {
+    noted.count = 0;
+    noted.depth = backtrace(noted.stack.data(), 1);  // The first call of all loads what it needs.
+  }
   for (const Slot& slot : slots) set(slot, slot.replacement);
   work();
   for (const Slot& slot : slots) set(slot, slot.original);
   std::vector<std::string> called;
   const auto functions = traced();
   for (std::size_t i = 0; i < functions.size(); ++i)
-    if (counts[i] > 0)
-      called.push_back(std::string(functions[i].name) + " " + std::to_string(counts[i]) + " times");
+    if (calls[i].count > 0)
+      called.push_back(fmt::format("{} {} times, first at {}", functions[i].name, calls[i].count.load(),
+                                   places_in(module, calls[i])));
   return called;
 }
 

@@ -7,7 +7,8 @@
 
 namespace burin::validate {
 
-/// The functions of memory, locks and files that the module itself calls during `work`, each once. The
+/// The functions of memory, locks and files that the module itself calls during `work`, each once, with the
+/// places in the module's file that the first call came from: "malloc 2 times, first at 0x1234 < 0x1400". The
 /// module's table of addresses is changed for that time; calls by libraries on its behalf are not seen.
 std::vector<std::string> calls_during(const burin_plugin_entry& entry, const std::function<void()>& work);
 

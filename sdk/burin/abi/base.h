@@ -17,6 +17,7 @@
  *  - A call leaves the process as it was: locale, standard streams, signal handlers, working directory,
  *    environment, rounding mode and the flushing of denormals. init, create and begin may read files;
  *    evaluate and whatever else is marked concurrent must not open files or write to streams.
+ *    Neither should it allocate memory or lock, for it runs on all of a machine's processors at once.
  *  - Every call returns. A host may end a process whose call takes longer than 20 seconds.
  */
 #ifndef BURIN_ABI_BASE_H

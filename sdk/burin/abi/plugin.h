@@ -3,6 +3,11 @@
  * A module is a shared library whose file is named NAME.burin; hosts look for no other files in their
  * folders. It exports BURIN_PLUGIN_SYMBOL and should export nothing else. Weak symbols, which C++ compilers
  * make of inline functions and templates of the standard library, are the exception.
+ *
+ * A module may be in a process twice, as two files. Loading and the first init take 100 ms at most. A module
+ * needs no library that talks to a screen or the network, runs an interpreter or keeps threads: the host has
+ * its own. On Linux a module for every host since Debian 12 needs no symbol newer than GLIBC_2.36,
+ * GLIBCXX_3.4.30 and CXXABI_1.3.13.
  */
 #ifndef BURIN_ABI_PLUGIN_H
 #define BURIN_ABI_PLUGIN_H

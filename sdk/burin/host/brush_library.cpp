@@ -3,6 +3,7 @@
 #include <burin/abi/ext/log.h>
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
+#include <burin/base/scratch_file.h>
 #include <burin/deform/evaluate/error_text.h>
 #include <burin/deform/evaluate/plugin_call.h>
 #include <burin/deform/evaluate/supported_inputs.h>
@@ -29,9 +30,10 @@ struct BrushLibrary::Impl {
 
   void load(const fs::path& module, std::vector<std::string>& ids);
   void refuse(const Error& error, std::vector<std::string> ids);
+  void reload(const fs::path& module);
 
   HostServices services;
-  std::vector<std::unique_ptr<PluginModule>> modules;
+  std::vector<std::shared_ptr<const PluginModule>> modules;
   std::vector<BrushEntry> brushes;
   std::vector<RefusedModule> refused;
 };
@@ -54,6 +56,32 @@ void check_supported(const BrushEntry& entry) {
                             brush.id, output_names(outputs)));
 }
 
+/// The brushes that are there with those of a module. Throws FileError if there is another with one's id.
+std::vector<BrushEntry> with_brushes_of(const PluginModule& module, std::vector<BrushEntry> brushes) {
+  for (const burin_brush_descriptor* descriptor : module.brushes()) {
+    if (const BrushEntry* other = find_entry(brushes, descriptor->id))
+      throw FileError(module.path().string(), fmt::format("brush {} is already there, from {}",
+                                                          descriptor->id, other->module.string()));
+    brushes.push_back({descriptor, module.path()});
+  }
+  return brushes;
+}
+
+/// Whether this is the file of a loaded module, perhaps by another name.
+auto is_file_of(const fs::path& file) {
+  return [file](const auto& module) {
+    std::error_code error;
+    return fs::equivalent(module->path(), file, error);
+  };
+}
+
+/// A copy in the folder for temporary files. It can be removed once it is loaded.
+void copy_module(const fs::path& module, const fs::path& copy) {
+  std::error_code error;
+  fs::copy_file(module, copy, fs::copy_options::overwrite_existing, error);
+  if (error) throw FileError(module.string(), error.message());
+}
+
 bool is_whole(const burin_brush& brush) {
   return BURIN_HAS(&brush, burin_brush, end) && brush.destroy && brush.get_extension && brush.begin &&
          brush.evaluate && brush.end;
@@ -73,22 +101,27 @@ BrushLibrary::~BrushLibrary() = default;
 /// Loads a module. `ids` receives the ids of its brushes, also if the module is refused because of one of
 /// them.
 void BrushLibrary::Impl::load(const fs::path& module, std::vector<std::string>& ids) {
-  std::error_code error;
-  const auto same_file = [&](const auto& loaded) { return fs::equivalent(loaded->path(), module, error); };
-  if (std::any_of(modules.begin(), modules.end(), same_file)) return;
+  if (std::ranges::any_of(modules, is_file_of(module))) return;
   const std::string name = module.string();
   const PluginCall call("plugin", name.c_str());
-  auto plugin = std::make_unique<PluginModule>(module);
+  const auto plugin = std::make_shared<const PluginModule>(module, module);
   for (const burin_brush_descriptor* descriptor : plugin->brushes()) ids.emplace_back(descriptor->id);
-  std::vector<BrushEntry> all = brushes;
-  for (const burin_brush_descriptor* descriptor : plugin->brushes()) {
-    if (const BrushEntry* other = find_entry(all, descriptor->id))
-      throw FileError(module.string(), fmt::format("brush {} is already there, from {}", descriptor->id,
-                                                   other->module.string()));
-    all.push_back({descriptor, module});
-  }
-  modules.push_back(std::move(plugin));
-  brushes = std::move(all);
+  brushes = with_brushes_of(*plugin, brushes);
+  modules.push_back(plugin);
+}
+
+void BrushLibrary::Impl::reload(const fs::path& module) {
+  const auto old = std::ranges::find_if(modules, is_file_of(module));
+  if (old == modules.end()) throw FileError(module.string(), "is no module that was loaded");
+  const std::string name = module.string();
+  const PluginCall call("plugin", name.c_str());
+  const ScratchFile copy(fs::temp_directory_path() / module.filename(), module);
+  copy_module(module, copy.path());
+  auto plugin = std::make_shared<const PluginModule>((*old)->path(), copy.path());
+  std::vector<BrushEntry> others = brushes;
+  std::erase_if(others, [&](const BrushEntry& entry) { return entry.module == plugin->path(); });
+  brushes = with_brushes_of(*plugin, std::move(others));
+  *old = std::move(plugin);
 }
 
 void BrushLibrary::Impl::refuse(const Error& error, std::vector<std::string> ids) {
@@ -100,6 +133,8 @@ void BrushLibrary::load(const fs::path& module) {
   std::vector<std::string> ids;
   impl_->load(module, ids);
 }
+
+void BrushLibrary::reload(const fs::path& module) { impl_->reload(module); }
 
 void BrushLibrary::load_folder(const fs::path& folder) {
   for (const fs::path& file : plugin_files(folder)) {
@@ -148,7 +183,7 @@ BrushPtr BrushLibrary::create(const BrushEntry& entry) const {
                             error.line(BURIN_ERROR)));
   if (!is_whole(*brush))
     throw FileError(entry.module.string(), fmt::format("brush {} is incomplete", entry.descriptor->id));
-  return BrushPtr(brush, {entry.descriptor->id});
+  return BrushPtr(brush, {entry.descriptor->id, *plugin});
 }
 
 }  // namespace burin

@@ -13,14 +13,19 @@ struct burin_brush_descriptor;
 
 namespace burin {
 
-/// A brush of a loaded module. The descriptor is valid as long as the library.
+class PluginModule;
+
+/// A brush of a loaded module. The descriptor is valid as long as the library, or until its module is loaded
+/// anew and no brush of the old one is left.
 struct BrushEntry {
   const burin_brush_descriptor* descriptor;
   std::filesystem::path module;
 };
 
+/// Destroys a brush, and keeps its module loaded until then.
 struct BrushDeleter {
   const char* id = nullptr;
+  std::shared_ptr<const PluginModule> module;
   void operator()(const burin_brush* brush) const;
 };
 using BrushPtr = std::unique_ptr<const burin_brush, BrushDeleter>;
@@ -54,6 +59,13 @@ class BrushLibrary {
   /// semicolons), which must exist, then `own_folder`, which may be missing.
   void load_search_path(const std::filesystem::path& own_folder);
 
+  /// Loads a module that is there anew, from its file as it is now; a copy of it, so that the file may be
+  /// overwritten from then on. Sessions draw their next stroke with the new module's brushes, and take over
+  /// the state of the old ones (abi/ext/state.h); the old module is unloaded with its last brush. Throws as
+  /// load(), and Error if the module was never loaded; then the old one stays.
+  void reload(const std::filesystem::path& module);
+
+  /// Valid until something is loaded, as are references into it.
   const std::vector<BrushEntry>& brushes() const;
 
   /// Finds a brush by its id. Throws Error, which lists the known brushes and the modules that could not be

@@ -176,7 +176,7 @@ ReplaySettings replay_settings(const RecordedStroke& stroke, std::size_t number,
 }
 
 ReplayResult replay(Session& session, const Recording& recorded, const GivenSettings& overrides,
-                    const ReplayObserver& observer) {
+                    const ReplayObserver& observer, std::size_t first) {
   Recording timed = recorded;
   const std::size_t standing_clocks = repair_times(timed);
   const std::vector<ReplaySettings> settings = all_settings(timed, overrides);
@@ -185,7 +185,7 @@ ReplayResult replay(Session& session, const Recording& recorded, const GivenSett
     throw ContractError("a recording in screen space without a camera");
   Replayer replayer(session, recording, observer);
   session.set_progress(observer.progress);
-  for (std::size_t i = 0; i < settings.size(); ++i) {
+  for (std::size_t i = first; i < settings.size(); ++i) {
     try {
       replayer.draw(recording.strokes[i], settings[i]);
     } catch (const Error& error) {

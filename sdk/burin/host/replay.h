@@ -43,10 +43,10 @@ struct ReplayResult {
 ReplaySettings replay_settings(const RecordedStroke& stroke, std::size_t number,
                                const GivenSettings& overrides);
 
-/// Draws all strokes of a recording, with its times as repair_times() leaves them. Throws Error naming the
-/// stroke's number, from 1, before anything is drawn, when a stroke has no brush or radius, or not the times
-/// that stabilising needs; else as Session.
+/// Draws all strokes of a recording, or those from `first` on, with its times as repair_times() leaves them.
+/// Throws Error naming the stroke's number, from 1, before anything is drawn, when a stroke has no brush or
+/// radius, or not the times that stabilising needs; else as Session.
 ReplayResult replay(Session& session, const Recording& recording, const GivenSettings& overrides = {},
-                    const ReplayObserver& observer = {});
+                    const ReplayObserver& observer = {}, std::size_t first = 0);
 
 }  // namespace burin

@@ -8,6 +8,7 @@
 #include <burin/deform/shown/shown_surface.h>
 #include <burin/deform/shown/undo_journal.h>
 #include <burin/host/session.h>
+#include <burin/host/session/carry_state.h>
 #include <burin/host/session/merged_surface.h>
 #include <burin/host/session/no_brush.h>
 #include <burin/host/session/open_stroke.h>
@@ -21,6 +22,16 @@
 #include <utility>
 
 namespace burin {
+
+namespace {
+
+/// A brush that a session has made. Its descriptor is another one once its module was loaded anew.
+struct CreatedBrush {
+  const burin_brush_descriptor* descriptor = nullptr;
+  BrushPtr brush;
+};
+
+}  // namespace
 
 struct Session::Impl {
   Impl(Surface given, const BrushLibrary& library, SolidMerger solid_merger)
@@ -68,7 +79,7 @@ struct Session::Impl {
   ShownSurface shown;
   ShownPaint paint;
   const BrushLibrary* brushes;
-  std::map<const burin_brush_descriptor*, BrushPtr> created;
+  std::map<std::string, CreatedBrush, std::less<>> created;  ///< by id
   Evaluator evaluator;
   std::optional<OpenStroke> stroke;
   std::optional<Chart> sorted_chart;     ///< sorted copy of last_live, made on request
@@ -87,9 +98,15 @@ struct Session::Impl {
 };
 
 const burin_brush& Session::Impl::brush(const BrushEntry& entry) {
-  BrushPtr& brush = created[entry.descriptor];
-  if (!brush) brush = brushes->create(entry);
-  return *brush;
+  CreatedBrush& kept = created[entry.descriptor->id];
+  if (kept.descriptor == entry.descriptor) return *kept.brush;
+  BrushPtr brush = brushes->create(entry);
+  if (kept.brush) {
+    if (const std::string lost = carry_state(*kept.brush, *brush); !lost.empty())
+      warnings.push_back(std::string(entry.descriptor->id) + ": " + lost);
+  }
+  kept = {entry.descriptor, std::move(brush)};
+  return *kept.brush;
 }
 
 OpenStroke& Session::Impl::open_stroke() {

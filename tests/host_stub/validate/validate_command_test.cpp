@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -118,6 +119,16 @@ TEST(ValidateCommand, ShowsTheFirstFailuresOnlyWhereItIsToBeQuiet) {
   EXPECT_EQ(
       burin_output({"validate", bad_plugin("good"), "--level", "1", "--quiet"}).find(" passed, 0 failed"),
       2u);
+}
+
+TEST(ValidateCommand, TellsWhereAModuleAllocates) {
+  const std::string module = bad_plugin("memory.allocations");
+  const std::string out = burin({"validate", module, "--only", "memory.allocations"}).out;
+  std::smatch place;
+  ASSERT_TRUE(
+      std::regex_search(out, place, std::regex("evaluate calls malloc 1 times, first at (0x[0-9a-f]+)")))
+      << out;
+  EXPECT_TRUE(run_process({"addr2line", "-fe", module, place[1]}).out.starts_with("evaluate\n"));
 }
 
 TEST(ValidateCommand, FailsOnWhatIsNoModule) {

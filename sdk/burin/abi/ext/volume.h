@@ -45,7 +45,8 @@ typedef struct burin_volume {
    * base surface, for each sheet of the stroke that has one there by itself. A brush that offers a solid may
    * read T, D, RADIUS, STRETCH, POSITION, NORMAL, E1, SHEET, VISIT_COUNT, NODE_ID, SYMMETRY and the pen's
    * inputs; the host refuses solids of brushes that read others. The solid is the union over all feet and
-   * sheets, and is cut off where the stroke is farther than its radius in the surface.
+   * sheets, and is cut off where the stroke is farther than its radius in the surface; the points of a batch
+   * may be farther, |d| above the radius too.
    * [any thread, concurrent, between begin and end] */
   burin_status(BURIN_CALL* distance)(const burin_brush* brush, void* stroke,
                                      const burin_stroke_context* context, const burin_batch* batch,

@@ -21,11 +21,11 @@ std::string load_error(const std::string& path) {
 
 }  // namespace
 
-Module::Module(const std::filesystem::path& path) {
+Module::Module(const std::filesystem::path& path, const std::filesystem::path& shown) {
   // The path must be absolute: dlopen() searches a bare name among the system's libraries.
   const std::string file = std::filesystem::absolute(path).string();
   handle_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!handle_) throw FileError(path.string(), load_error(file));
+  if (!handle_) throw FileError(shown.string(), load_error(file));
 }
 
 Module::~Module() { dlclose(handle_); }

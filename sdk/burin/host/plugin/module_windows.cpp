@@ -8,12 +8,12 @@
 
 namespace burin {
 
-Module::Module(const std::filesystem::path& path) {
+Module::Module(const std::filesystem::path& path, const std::filesystem::path& shown) {
   const std::filesystem::path file = std::filesystem::absolute(path);
   handle_ = LoadLibraryExW(file.c_str(), nullptr, LOAD_WITH_ALTERED_SEARCH_PATH);
   if (!handle_) {
     const std::error_code error(static_cast<int>(GetLastError()), std::system_category());
-    throw FileError(path.string(), error.message());
+    throw FileError(shown.string(), error.message());
   }
 }
 

@@ -53,9 +53,9 @@ PluginModule::Life::Life(const burin_plugin_entry& entry, const std::filesystem:
   throw incomplete(path);
 }
 
-PluginModule::PluginModule(const std::filesystem::path& path)
+PluginModule::PluginModule(const std::filesystem::path& path, const std::filesystem::path& file)
     : path_(path),
-      module_(path),
+      module_(file, path),
       entry_(checked_entry(module_, path)),
       life_(*entry_, path),
       factory_(checked_factory(*entry_, path)) {}

@@ -11,8 +11,9 @@ namespace burin {
 /// thread.
 class PluginModule {
  public:
-  /// Loads, initialises and checks a module. Throws FileError, which gives the file and the reason.
-  explicit PluginModule(const std::filesystem::path& path);
+  /// Loads, initialises and checks the module at `path`, which its init gets, from `file`: it or a copy.
+  /// Throws FileError, which gives the path and the reason.
+  PluginModule(const std::filesystem::path& path, const std::filesystem::path& file);
 
   const std::filesystem::path& path() const { return path_; }
   const burin_brush_factory& factory() const { return *factory_; }

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+
+#include "validate/probe/check.h"
+
+namespace burin::validate {
+
+/// A folder for the files of checks, with an image for brushes that need one. Removed at the end.
+class WorkFolder {
+ public:
+  /// Throws FileError.
+  WorkFolder();
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  ~WorkFolder();
+
+  /// A module with this folder and its image.
+  Subject subject(const std::filesystem::path& module, std::uint64_t seed) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace burin::validate
