@@ -179,7 +179,8 @@ TEST(ImportCommand, FitsStrokesOnTheMeshWhereAsked) {
         "org.burin.groove", "--radius", "0.05"};
     arguments.insert(arguments.end(), fit.begin(), fit.end());
     burin_output(arguments);
-    return burin_json({"replay", folder.path("a.stroke"), "--mesh", mesh})["events_off_surface"].get<int>();
+    const ProcessResult drawn = burin({"replay", folder.path("a.stroke"), "--mesh", mesh, "--json"});
+    return nlohmann::json::parse(drawn.out)["events_off_surface"].get<int>();
   };
   EXPECT_EQ(lost({}), 4) << "the corners of the view";
   EXPECT_EQ(lost({"--fit", "mesh"}), 0);

@@ -98,7 +98,7 @@ TEST_P(RealRecording, IsDrawnWithoutALossOrAHole) {
   if (!in_space) {
     EXPECT_EQ(drawn["pieces"], drawn["strokes"]) << "no tears";
   }
-  const std::size_t count = std::min<std::size_t>(imported["strokes"], 3);
+  const std::size_t count = std::min<std::size_t>(imported["strokes"].get<std::size_t>(), 3);
   for (std::size_t stroke = 1; stroke <= count; ++stroke) {
     const auto charted =
         burin_json({"chart", strokes, "--stroke", std::to_string(stroke), "--mesh", mesh, "--check"});
