@@ -113,6 +113,32 @@ std::vector<PenSeed> all_seeds() {
        "# EVEMU 1.2\nN: A\nA: 00 0 100 0 0 10\nA: 01 0 100 0 0 10\nE: 0.01 0003 0000 20\nE: 0.01 0003 0001 "
        "20\nE: 0.01 0001 014a 1\nE: 0.01 0000 0000 0\n"},
       {"pointers", R"([{"pointers":[{"x":1,"y":2,"t":1500,"p":0.5},{"x":3,"y":4,"t":1516,"p":1}]}])"},
+      {"uim_json",
+       R"({"inputData": {"inputContextData": {"sensorContexts": [{"sensorChannelsContext": [{"channels": [)"
+       R"({"id": "x", "type": "a/X", "precision": 1}, {"id": "y", "type": "a/Y"},)"
+       R"({"id": "t", "type": "a/Timestamp", "resolution": 1000}, {"id": "p", "type": "a/Pressure"},)"
+       R"({"id": "l", "type": "a/Altitude", "precision": 2}, {"id": "z", "type": "a/Azimuth"}]}]}]},)"
+       R"("sensorData": [{"timestamp": "1600000000500", "dataChannels": [)"
+       R"({"sensorChannelID": "x", "values": [10, 20]}, {"sensorChannelID": "y", "values": [3, -1]},)"
+       R"({"sensorChannelID": "t", "values": [0, 8]}, {"sensorChannelID": "l", "values": [100, 0]},)"
+       R"({"sensorChannelID": "z", "values": [0, 0]}]}]}})"},
+      {"hid",
+       "R: 105 05 0d 09 02 a1 01 85 02 09 20 a1 00 09 42 09 44 09 45 09 32 15 00 25 01 75 01 95 04 81 02 95 "
+       "04 81 03 05 01 09 30 09 31 65 11 55 0e 35 00 46 e8 03 26 d0 07 75 0c 95 02 81 02 05 0d 09 30 65 00 "
+       "55 "
+       "00 45 00 26 ff 03 75 10 95 01 81 02 09 3d 09 3e 65 14 15 c0 25 3f 35 c0 45 3f 75 08 95 02 81 02 85 "
+       "03 "
+       "09 3b 81 02 c0 c0\nN: A Pen\nE: 0.0 9 02 09 c8 00 19 ff 01 0a f6\nE: 0.01 9 02 0b 90 01 19 ff 03 00 "
+       "00\n"},
+      {"libinput",
+       "libinput:\ndevices:\n- evdev:\n    name: A\n    absinfo:\n      0: [0, 100, 4, 0, 200]\n      24: "
+       "[0, 255, "
+       "0, 0, 0]\n  events:\n  - evdev:\n    - [0, 0, 3, 0, 20]\n    - [0, 0, 3, 1, 40]\n    - [0, 0, 3, 24, "
+       "99]\n "
+       "   - [0, 0, 1, 330, 1]\n    - [0, 0, 0, 0, 0]\n"},
+      {"brush_stroke",
+       R"(f(stroke=[{"name":'it\'s', "location":(0.1, 0.2, 0.3), "mouse":(10, 20), "pressure":0.5, "size":25,)"
+       R"("pen_flip":False, "time":1.5, "is_start":True}, {'location':(0, 1, 2), "x_tilt": 0.5, 'y_tilt': 0,}]))"},
       {"csv", "stroke,x,y,time,pressure\n1,1,2,0,0.5\n2,3,4,8,1\n"},
   };
 }

@@ -3,7 +3,6 @@
 #include <burin/base/error.h>
 #include <burin/ink/pen_file.h>
 #include <burin/stamp/files/stamp_file.h>
-#include <burin/stroke/files/import.h>
 #include <burin/stroke/stroke_file.h>
 #include <burin/subdiv/refine.h>
 #include <burin/surface/mesh_file.h>
@@ -37,8 +36,6 @@ void load_stamp(const fs::path& path) {
   read_stamp(path);
 }
 
-Camera camera() { return framing_camera({-1, -1, -1}, {1, 1, 1}, {0, 0, -1}, {0, 1, 0}, 640, 480, 0.6); }
-
 void load_pen_file(const fs::path& path) { read_pen_file(path); }
 
 constexpr Reader all[] = {
@@ -49,9 +46,9 @@ constexpr Reader all[] = {
     {"gltf", ".gltf", load_mesh},
     {"glb", ".glb", load_mesh},
     {"stroke", ".stroke", [](const fs::path& path) { read_strokes(path); }},
-    {"pointer", ".json", [](const fs::path& path) { import_pointer_events(path, camera()); }},
-    {"svc", ".svc", [](const fs::path& path) { import_svc(path, camera()); }},
-    {"mypaint", ".dat", [](const fs::path& path) { import_mypaint_events(path, camera()); }},
+    {"pointer", ".json", [](const fs::path& path) { read_pen_file(open_pen_file(path), "pointer"); }},
+    {"svc", ".svc", [](const fs::path& path) { read_pen_file(open_pen_file(path), "svc"); }},
+    {"mypaint", ".dat", [](const fs::path& path) { read_pen_file(open_pen_file(path), "mypaint"); }},
     {"uim", ".pen", load_pen_file},
     {"will", ".pen", load_pen_file},
     {"tilt", ".pen", load_pen_file},
@@ -66,6 +63,10 @@ constexpr Reader all[] = {
     {"evemu", ".pen", load_pen_file},
     {"pointers", ".pen", load_pen_file},
     {"csv", ".pen", load_pen_file},
+    {"uim_json", ".pen", load_pen_file},
+    {"hid", ".pen", load_pen_file},
+    {"libinput", ".pen", load_pen_file},
+    {"brush_stroke", ".pen", load_pen_file},
     {"exr", ".exr", load_stamp},
     {"png", ".png", load_stamp},
     {"tiff", ".tif", load_stamp},

@@ -79,6 +79,8 @@ std::string read_file(const fs::path& path, std::uintmax_t most) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw FileError(path.string(), std::strerror(errno));
   std::string bytes;
+  if (const std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(path, error) : 0; size <= most)
+    bytes.reserve(size);
   std::array<char, 65536> block{};
   while (in.read(block.data(), block.size()), in.gcount() > 0) {
     bytes.append(block.data(), static_cast<std::size_t>(in.gcount()));

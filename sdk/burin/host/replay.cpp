@@ -152,6 +152,20 @@ ReplayResult Replayer::finish() {
   return std::move(result_);
 }
 
+/// Lets a session tell its progress during a replay.
+class ShownProgress {
+ public:
+  ShownProgress(Session& session, const Progress& progress) : session_(session) {
+    session_.set_progress(progress);
+  }
+  ~ShownProgress() { session_.set_progress({}); }
+  ShownProgress(const ShownProgress&) = delete;
+  ShownProgress& operator=(const ShownProgress&) = delete;
+
+ private:
+  Session& session_;
+};
+
 }  // namespace
 
 ReplaySettings replay_settings(const RecordedStroke& stroke, std::size_t number,
@@ -184,7 +198,7 @@ ReplayResult replay(Session& session, const Recording& recorded, const GivenSett
   if (recording.space == StrokeSpace::screen && !recording.camera)
     throw ContractError("a recording in screen space without a camera");
   Replayer replayer(session, recording, observer);
-  session.set_progress(observer.progress);
+  const ShownProgress shown(session, observer.progress);
   for (std::size_t i = first; i < settings.size(); ++i) {
     try {
       replayer.draw(recording.strokes[i], settings[i]);
@@ -192,7 +206,6 @@ ReplayResult replay(Session& session, const Recording& recorded, const GivenSett
       throw Error(fmt::format("stroke {}: {}", i + 1, error.what()));
     }
   }
-  session.set_progress({});
   ReplayResult result = replayer.finish();
   result.standing_clocks = standing_clocks;
   return result;

@@ -13,11 +13,19 @@
 namespace burin {
 namespace {
 
-std::optional<PenFileKind> kind_of(std::string_view text) {
+template <class Is>
+std::optional<PenFileKind> first_kind(const Is& is) {
   const std::vector<PenFileKind> kinds = pen_file_kinds();
-  const auto found =
-      std::ranges::find_if(kinds, [&](const PenFileKind& kind) { return kind.recognises(text); });
+  const auto found = std::ranges::find_if(kinds, is);
   return found == kinds.end() ? std::nullopt : std::optional(*found);
+}
+
+std::optional<PenFileKind> kind_of(std::string_view text) {
+  return first_kind([&](const PenFileKind& kind) { return kind.recognises(text); });
+}
+
+std::optional<PenFileKind> kind_named(std::string_view name) {
+  return first_kind([&](const PenFileKind& kind) { return kind.name == name; });
 }
 
 /// Refuses what no sample may have.
@@ -67,8 +75,8 @@ PenFileText open_pen_file(const std::filesystem::path& path) {
 
 PenFile read_pen_file(const std::filesystem::path& path) { return read_pen_file(open_pen_file(path)); }
 
-PenFile read_pen_file(const PenFileText& file) {
-  const std::optional<PenFileKind> kind = kind_of(file.text);
+PenFile read_pen_file(const PenFileText& file, std::string_view name) {
+  const std::optional<PenFileKind> kind = name.empty() ? kind_of(file.text) : kind_named(name);
   if (!kind) {
     std::string known;
     for (const PenFileKind& one : pen_file_kinds())

@@ -14,13 +14,13 @@ namespace burin {
 /// take for a measured one.
 struct PenStroke {
   PenFields fields;            ///< what `samples` have beside x and y
-  bool has_z = false;          ///< else z is 0
+  bool has_z = false;          ///< lies in space; else z is 0
   bool eraser = false;         ///< drawn with the pen's eraser, or an eraser tool
   std::string_view tool = {};  ///< "pen", "touch", "mouse" or "controller"; empty if the file does not tell
   bool made_pressure = false;  ///< the program made the pressure from the speed; no device measured it
   std::size_t page = 1, layer = 1;  ///< from 1
-  /// Positions in PenFile::unit, y down. Times in seconds, from any start, up to those of 1970. Tilts in
-  /// radians from upright, towards +x and +y. Pressure 0..1.
+  /// Positions in PenFile::unit; in a plane y down, in space y up and z towards the viewer. Times in seconds,
+  /// from any start, up to those of 1970. Tilts in radians from upright, towards +x and +y. Pressure 0..1.
   std::vector<Sample> samples;
   std::vector<float> widths;  ///< drawn width by sample, in PenFile::unit; empty if absent
 };
@@ -55,12 +55,12 @@ struct PenFileKind {
 std::vector<PenFileKind> pen_file_kinds();
 
 /// Reads the bytes of a pen file, unpacking gzip, xz and the zip of Xournal++. Throws FileError if it cannot
-/// be read, or unpacks to more than 64 MiB.
+/// be read, unpacks to more than 60 MB, or is as much of XML or JSON.
 PenFileText open_pen_file(const std::filesystem::path& path);
 
-/// Reads a pen file of any kind. Throws FileError for a file that is none or is malformed; more than 64 MiB
-/// of XML are refused.
-PenFile read_pen_file(const PenFileText& file);
+/// Reads a pen file of any kind, or of the kind with this name whatever its first bytes. Throws FileError for
+/// a file that is none or is malformed.
+PenFile read_pen_file(const PenFileText& file, std::string_view kind = {});
 
 /// Opens a pen file and reads it.
 PenFile read_pen_file(const std::filesystem::path& path);

@@ -1,55 +1,58 @@
-// Makes a recording of a pen file.
 #include <burin/ink/pen_strokes.h>
-#include <burin/stroke/files/pen_events.h>
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 namespace burin {
-namespace {
 
-/// The earliest time of all strokes, so that times stay small.
-double first_time(const PenFile& file) {
-  double first = std::numeric_limits<double>::infinity();
-  for (const PenStroke& stroke : file.strokes)
-    if (stroke.fields.time)
-      for (const Sample& sample : stroke.samples) first = std::min(first, sample.time);
-  return first;
-}
-
-RecordedStroke recorded(PenStroke& stroke, double start, ImportCounts& counts) {
-  RecordedStroke made{.settings = {}, .fields = stroke.fields, .samples = std::move(stroke.samples)};
-  double last = 0;
-  for (Sample& sample : made.samples) {
-    sample.position.z() = 0;
-    if (!made.fields.time) continue;
-    sample.time -= start;
-    if (sample.time < last) ++counts.times_raised;
-    last = sample.time = std::max(sample.time, last);
-  }
-  return made;
-}
-
-}  // namespace
-
-Import import_pen_file(const PenFileText& text, const Camera& camera, const PenChoice& choice) {
-  PenFile file = read_pen_file(text);
+void keep_chosen(PenFile& file, const PenChoice& choice) {
   std::erase_if(file.strokes, [&](const PenStroke& stroke) {
     return choice.page.value_or(stroke.page) != stroke.page ||
            choice.layer.value_or(stroke.layer) != stroke.layer;
   });
-  ImportCounts counts;
-  const double start = first_time(file);
-  std::vector<RecordedStroke> strokes;
+}
+
+void press_by_width(PenFile& file) {
+  float widest = 0;
+  for (const PenStroke& stroke : file.strokes)
+    for (const float width : stroke.widths) widest = std::max(widest, width);
+  if (widest == 0) return;
   for (PenStroke& stroke : file.strokes) {
-    counts.events += stroke.samples.size();
-    strokes.push_back(recorded(stroke, start, counts));
+    if (stroke.fields.pressure || stroke.widths.empty()) continue;
+    stroke.fields.pressure = true;
+    for (std::size_t i = 0; i < stroke.samples.size(); ++i)
+      stroke.samples[i].pen.pressure = std::max(stroke.widths[i], 0.F) / widest;
   }
-  counts.events += file.hovering;
-  counts.lifted = file.hovering;
-  Import import = import_of(text.path, std::move(strokes), counts, camera);
-  import.recording.device = file.device;
-  return import;
+}
+
+Recording recording_of(PenFile file) {
+  Recording recording;
+  const bool in_space = std::ranges::all_of(file.strokes, &PenStroke::has_z);
+  recording.space = in_space ? StrokeSpace::object : StrokeSpace::screen;
+  recording.device = std::move(file.device);
+  for (PenStroke& stroke : file.strokes) {
+    RecordedStroke& made = recording.strokes.emplace_back();
+    made.fields = stroke.fields;
+    made.samples = std::move(stroke.samples);
+    if (in_space) continue;
+    for (Sample& sample : made.samples) sample.position.z() = 0;
+  }
+  return recording;
+}
+
+PenFile pen_file_of(const Recording& recording) {
+  const bool in_space = recording.space == StrokeSpace::object;
+  PenFile file;
+  file.kind = "stroke";
+  file.device = recording.device;
+  file.unit = in_space ? "" : "px";
+  for (const RecordedStroke& stroke : recording.strokes) {
+    PenStroke& made = file.strokes.emplace_back();
+    made.fields = stroke.fields;
+    made.has_z = in_space;
+    made.samples = stroke.samples;
+  }
+  return file;
 }
 
 }  // namespace burin

@@ -1,6 +1,5 @@
 #pragma once
 #include <burin/ink/pen_file.h>
-#include <burin/stroke/files/import.h>
 
 #include <optional>
 
@@ -11,9 +10,18 @@ struct PenChoice {
   std::optional<std::size_t> page, layer;  ///< from 1
 };
 
-/// Imports a pen file as screen-space strokes, by the rules of stroke/files/import.h: fitted into the
-/// viewport, times from the first sample of the file on. Depth (z) and drawn widths are left out. Throws
-/// FileError, also for a file without a stroke that is wanted.
-Import import_pen_file(const PenFileText& text, const Camera& camera, const PenChoice& choice = {});
+/// Removes the strokes that are not wanted.
+void keep_chosen(PenFile& file, const PenChoice& choice);
+
+/// Gives the strokes that have widths and no pressure the width at each sample, as a share of the greatest
+/// one in the file, for pressure.
+void press_by_width(PenFile& file);
+
+/// The strokes as the file has them, in its units and times, without cameras and settings. In object space if
+/// all strokes lie in space, else in screen space, where z is 0. Pages, tools and widths are left out.
+Recording recording_of(PenFile file);
+
+/// A recording as if it had been read as a pen file of the kind "stroke".
+PenFile pen_file_of(const Recording& recording);
 
 }  // namespace burin

@@ -1,7 +1,7 @@
 // Tests the whole pipeline on real input: a cage refined to millions of triangles, a recorded pen, a
 // photographed stamp.
 #include <burin/host/replay.h>
-#include <burin/stroke/files/import.h>
+#include <burin/ink/import_pen_file.h>
 #include <burin/subdiv/refine.h>
 #include <burin/surface/mesh_file.h>
 
@@ -29,8 +29,10 @@ TEST(RealRun, DisplacesNothingOutsideTheChartsOfARecordedPen) {
   BURIN_SHARED_DATA_OR_SKIP(pen_file, "strokes/painting30sec.dat");
   BURIN_SHARED_DATA_OR_SKIP(stamp_file, "stamps/Rock035_height_1024_half_zip.exr");
   const PolygonMesh cage = read_mesh(cage_file);
-  const Recording recording = import_mypaint_events(pen_file, camera_on(cage)).recording;
-  Session session(refined_to(cage, 3'000'000), test::brushes());
+  Surface surface = refined_to(cage, 3'000'000);
+  const Recording recording =
+      import_pen_file(pen_file, read_pen_file(pen_file), {}, camera_on(cage), surface).recording;
+  Session session(std::move(surface), test::brushes());
   const std::vector<Vec3f> base(session.positions().begin(), session.positions().end());
   ASSERT_GE(session.surface().triangles.size(), 3'000'000u);
 

@@ -25,7 +25,7 @@ TEST(ReadTilt, HasPointsInSpace) {
   EXPECT_TRUE(stroke.has_z);
   EXPECT_EQ(stroke.fields, (PenFields{.time = true, .pressure = true}));
   ASSERT_EQ(stroke.samples.size(), 1u);
-  EXPECT_EQ(stroke.samples[0].position, Vec3d(1, -2, 3)) << "y down";
+  EXPECT_EQ(stroke.samples[0].position, Vec3d(1, 2, -3)) << "z towards the viewer";
   EXPECT_EQ(stroke.samples[0].time, 1.5);
   EXPECT_EQ(stroke.samples[0].pen.pressure, 0.25F);
   EXPECT_EQ(stroke.widths, std::vector<float>{1}) << "size by scale";

@@ -4,8 +4,8 @@
 // or the list alone, in Python or JSON. "mouse" is in pixels of the region, y up; "time" is in seconds;
 // "size" the radius of the brush in pixels. "is_start" begins another stroke.
 #include <burin/base/error.h>
-#include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/python_literal.h>
 #include <burin/ink/parse/scan.h>
 #include <fmt/format.h>
@@ -109,7 +109,7 @@ bool is_brush_strokes(std::string_view text) {
 PenFile read_brush_strokes(const PenFileText& file) {
   PenFile content;
   for (const std::string& list : lists_in(file.text))
-    read_list(JsonValue::parse(json_of_python(list), file.path.string()), content);
+    read_list(pen_json({file.path, json_of_python(list)}), content);
   return content;
 }
 

@@ -1,7 +1,8 @@
-// Reads recordings of events that stroke/files/import.h describes: of libmypaint, SVC, and arrays of
+// Reads recordings of events that stroke/files/pen_events.h describes: of libmypaint, SVC, and arrays of
 // PointerEvents. They have no first bytes of their own, but lines of so many numbers, or such names.
 #include <burin/base/error.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/stroke/files/pen_events.h>
 
@@ -25,13 +26,11 @@ std::size_t take_numbers_of_line(std::string_view& text) {
 PenFile pen_file_of(const PenEvents& recorded, std::string_view unit) {
   PenFile content;
   content.unit = unit;
-  ImportCounts counts;
-  for (RecordedStroke& stroke : contact_strokes(recorded, counts)) {
+  for (RecordedStroke& stroke : contact_strokes(recorded, content.hovering)) {
     PenStroke& made = content.strokes.emplace_back();
     made.fields = stroke.fields;
     made.samples = std::move(stroke.samples);
   }
-  content.hovering = counts.lifted;
   return content;
 }
 
@@ -64,6 +63,7 @@ bool is_pointer_arrays(std::string_view text) {
 }
 
 PenFile read_pointer_arrays(const PenFileText& file) {
+  check_json_bounds(file);
   return pen_file_of(pointer_events(file.text, file.path), "px");
 }
 

@@ -1,8 +1,8 @@
 // Reads scenes and libraries of Excalidraw: JSON with elements, of which those drawn by hand ("freedraw") are
 // strokes. Points lie relative to the element, which then turns about the middle of their box. Positions are
 // CSS pixels. Pressures that the program simulates are not in the file.
-#include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/math/elementary.h>
 
@@ -81,7 +81,7 @@ bool is_excalidraw(std::string_view text) {
 }
 
 PenFile read_excalidraw(const PenFileText& file) {
-  const JsonValue root = JsonValue::parse(file.text, file.path.string());
+  const JsonValue root = pen_json(file);
   PenFile content;
   content.unit = "px";
   content.millimetres = millimetres_a_pixel;

@@ -149,6 +149,18 @@ void Recorded::take_number(const YAML::Mark& mark, const std::string& value) {
 
 PenFile Recorded::finish() { return std::move(content_); }
 
+/// Refuses brackets within brackets before the parser keeps a hundred times their size of them. Those in
+/// comments and texts count too, but are closed or few.
+void check_brackets(const PenFileText& file) {
+  constexpr int most_open = 200;
+  int open = 0;
+  for (const char c : file.text) {
+    if (c == '[' || c == '{') ++open;
+    if ((c == ']' || c == '}') && open > 0) --open;
+    if (open > most_open) throw FileError(file.path.string(), "more than 200 open brackets of YAML");
+  }
+}
+
 }  // namespace
 
 bool is_libinput(std::string_view text) {
@@ -158,6 +170,7 @@ bool is_libinput(std::string_view text) {
 }
 
 PenFile read_libinput(const PenFileText& file) {
+  check_brackets(file);
   Recorded recorded;
   try {
     std::istringstream stream(file.text);

@@ -2,8 +2,8 @@
 // [x, y, pressure], [x, y, pressure, time in milliseconds] or {"x", "y", "pressure"}. Positions are pixels. A
 // stroke has the channels that all its points have; a pressure of 0.5 throughout is what browsers tell of
 // devices without.
-#include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
 
 #include <algorithm>
@@ -69,7 +69,7 @@ PenFile read_point_lists(const PenFileText& file) {
   PenFile content;
   content.unit = "px";
   content.millimetres = millimetres_a_pixel;
-  const JsonValue root = JsonValue::parse(file.text, file.path.string());
+  const JsonValue root = pen_json(file);
   for (const auto& [name, list] : root.members()) {
     PenStroke stroke = stroke_of(list);
     if (!stroke.samples.empty()) content.strokes.push_back(std::move(stroke));

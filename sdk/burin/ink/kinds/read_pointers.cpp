@@ -5,8 +5,8 @@
 //
 // "p" is what programs make of the speed and call pressure, "pressure" what a device reports.
 #include <burin/base/error.h>
-#include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
 
 #include <algorithm>
@@ -113,7 +113,7 @@ bool is_pointers(std::string_view text) {
 }
 
 PenFile read_pointers(const PenFileText& file) {
-  const JsonValue root = JsonValue::parse(file.text, file.path.string());
+  const JsonValue root = pen_json(file);
   PenFile content;
   content.unit = "px";
   if (root.is_array()) {

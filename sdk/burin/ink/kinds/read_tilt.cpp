@@ -1,7 +1,7 @@
 // Reads sketches of Tilt Brush and Open Brush: a head of 16 bytes and a zip whose member data.sketch has the
 // strokes, or that member by itself. Points lie in space, x to the right, y up and z forward, in units of 0.1
-// m; y is turned down here as in all pen files. The brush is held in the air: it has an orientation, and no
-// tilt against a plane.
+// m; z is turned towards the viewer here. The brush is held in the air: it has an orientation, and no tilt
+// against a plane.
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/byte_reader.h>
 #include <burin/ink/parse/unpack.h>
@@ -33,7 +33,7 @@ Sample read_point(ByteReader& bytes, std::uint32_t mask) {
   constexpr std::size_t quaternion_bytes = 16;
   Sample sample;
   for (int axis = 0; axis < 3; ++axis) sample.position[axis] = bytes.take<float>();
-  sample.position.y() = -sample.position.y();
+  sample.position.z() = -sample.position.z();
   bytes.take_bytes(quaternion_bytes);
   for (unsigned bit = 0; bit < mask_bits; ++bit) {
     if (!(mask >> bit & 1)) continue;

@@ -1,8 +1,8 @@
 // Reads the JSON of the Universal Ink Model 3.0, which says the same as its binary files (read_uim.cpp).
 #include <burin/base/error.h>
-#include <burin/base/text/json_value.h>
 #include <burin/ink/decode/uim_sensors.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
 
 #include <cmath>
@@ -72,7 +72,7 @@ bool is_uim_json(std::string_view text) {
 }
 
 PenFile read_uim_json(const PenFileText& file) {
-  const JsonValue input = JsonValue::parse(file.text, file.path.string()).member("inputData");
+  const JsonValue input = pen_json(file).member("inputData");
   const UimChannels channels = channels_of(input.member("inputContextData"));
   PenFile content;
   content.unit = "px";

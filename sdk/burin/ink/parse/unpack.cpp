@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <fstream>
 #include <memory>
 #include <string_view>
 
@@ -46,8 +47,8 @@ class Archive {
       const la_ssize_t got = archive_read_data(archive_.get(), block.data(), block.size());
       if (got < 0) fail();
       if (got == 0) return text;
-      if (text.size() + static_cast<std::size_t>(got) > most_unpacked_bytes)
-        throw FileError(path_.string(), "unpacks to more than 64 MiB");
+      if (text.size() + static_cast<std::size_t>(got) > most_parsed_bytes)
+        throw FileError(path_.string(), "unpacks to more than 60 MB");
       text.append(block.data(), static_cast<std::size_t>(got));
     }
   }
@@ -75,6 +76,20 @@ bool holds_strokes(std::string_view name) {
   return name == "content.xml" || name.ends_with(".will") || name.ends_with(".protobuf");
 }
 
+/// Refuses XML and JSON that are too long, by their first character.
+void check_length(const std::filesystem::path& path) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return;
+  if (std::filesystem::file_size(path, none) <= most_parsed_bytes || none) return;
+  constexpr int byte_order_mark = 0xEF, mark_bytes = 3;
+  std::ifstream in(path);
+  if (in.peek() == byte_order_mark) in.ignore(mark_bytes);
+  char first = 0;
+  in >> first;
+  if (first == '<' || first == '{' || first == '[')
+    throw FileError(path.string(), "more than 60 MB of XML or JSON");
+}
+
 }  // namespace
 
 std::string zip_member(const std::filesystem::path& path, std::string_view bytes, std::string_view name) {
@@ -85,6 +100,7 @@ std::string zip_member(const std::filesystem::path& path, std::string_view bytes
 }
 
 std::string unpacked_pen_file(const std::filesystem::path& path) {
+  check_length(path);
   std::string bytes = read_file(path);
   if (!packed(bytes)) return bytes;
   Archive archive(path, bytes);

@@ -8,8 +8,7 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t most_xml_bytes = std::size_t{1} << 26;
-constexpr std::ptrdiff_t most_tags = 1'000'000;
+constexpr std::ptrdiff_t most_tags = 500'000, most_attributes = 500'000;
 constexpr int deepest = 200;
 
 /// An element deeper than that, or an empty one.
@@ -29,9 +28,10 @@ pugi::xml_node too_deep(const pugi::xml_node& root) {
 }  // namespace
 
 XmlFile::XmlFile(const PenFileText& file) : file_(file) {
-  if (file.text.size() > most_xml_bytes) throw FileError(file.path.string(), "more than 64 MiB of XML");
-  if (std::count(file.text.begin(), file.text.end(), '<') > most_tags)
-    throw FileError(file.path.string(), "more than a million tags of XML");
+  if (std::ranges::count(file.text, '<') > most_tags)
+    throw FileError(file.path.string(), "more than 500,000 tags of XML");
+  if (std::ranges::count(file.text, '=') > most_attributes)
+    throw FileError(file.path.string(), "more than 500,000 attributes of XML");
   const pugi::xml_parse_result result = document_.load_buffer(file.text.data(), file.text.size());
   if (!result)
     throw FileError(file.path.string(), place(result.offset),

@@ -10,7 +10,8 @@ namespace burin {
 /// An XML file. Entities that the file declares itself are not expanded, and nothing outside of it is read.
 class XmlFile {
  public:
-  /// Throws FileError that names the line of malformed XML, and for nesting deeper than 200 elements.
+  /// Throws FileError that names the line of malformed XML, and for nesting deeper than 200 elements; for
+  /// more than 500,000 tags or attributes before anything is parsed.
   explicit XmlFile(const PenFileText& file);
 
   pugi::xml_node root() const { return document_.document_element(); }

@@ -1,12 +1,14 @@
 #pragma once
-#include <burin/stroke/files/import.h>
+#include <burin/stroke/recording.h>
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace burin {
 
-/// An event of a recorder, in the recorder's pixels.
+/// An event of a recorder, in the recorder's units.
 struct PenEvent {
   Sample sample;
   bool contact = false;  ///< the pen touches the tablet
@@ -19,20 +21,26 @@ struct PenEvents {
   PenFields fields;
 };
 
-// The events in the text of a recording of another program (import.h). `path` is for messages.
+// The functions below read the events in the text of a recording of another program; `path` is for messages.
+// They throw FileError that names the line or element for malformed input, values that are not finite and
+// pressure outside 0..1.
+
+/// libmypaint's event recordings: lines of `time x y pressure`; pressure 0 means a lifted pen.
 PenEvents mypaint_events(const std::string& text, const std::filesystem::path& path);
+
+/// HTML PointerEvent recordings: a JSON object of arrays x, y, time (ms) and optionally pressure, buttons,
+/// tiltX, tiltY, twist (degrees), pointerId. buttons 0 means a lifted pen, whatever its pressure; without
+/// buttons, pressure 0 does.
 PenEvents pointer_events(const std::string& text, const std::filesystem::path& path);
+
+/// SVC files in the units of BDALab's handwriting-sample: the number of events, then lines of `x y time
+/// pen_down azimuth altitude pressure`. x, y are in mm, y upward; the azimuth of the pen's upper end is
+/// clockwise from the tablet's top and the altitude above its plane, both in tenths of a degree; pressure is
+/// 0..1.
 PenEvents svc_events(const std::string& text, const std::filesystem::path& path);
 
-/// The strokes of events, in the recorder's pixels: one of each run in which a pointer touches the tablet.
-std::vector<RecordedStroke> contact_strokes(const PenEvents& recorded, ImportCounts& counts);
-
-/// Makes strokes of the events in the camera's viewport, by the rules in import.h. Throws FileError if there
-/// is no stroke.
-Import import_of(const std::filesystem::path& path, const PenEvents& recorded, const Camera& camera);
-
-/// Fits strokes into the camera's viewport, by the same rules. `counts` are passed on.
-Import import_of(const std::filesystem::path& path, std::vector<RecordedStroke> strokes,
-                 const ImportCounts& counts, const Camera& camera);
+/// The strokes of events, in the recorder's units and in the order of their starts: one of each run in which
+/// a pointer touches the tablet. `lifted` becomes the number of events in which none does.
+std::vector<RecordedStroke> contact_strokes(const PenEvents& recorded, std::size_t& lifted);
 
 }  // namespace burin

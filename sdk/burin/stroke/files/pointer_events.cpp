@@ -1,6 +1,5 @@
 // Reads recordings of HTML PointerEvents from JSON.
 #include <burin/base/text/json_value.h>
-#include <burin/stroke/files/import.h>
 #include <burin/stroke/files/pen_events.h>
 #include <burin/stroke/files/recording_faults.h>
 #include <fmt/format.h>
@@ -77,11 +76,6 @@ std::vector<PenEvent> PointerEvents::events() const {
 PenEvents pointer_events(const std::string& text, const std::filesystem::path& path) {
   const PointerEvents file(JsonValue::parse(text, path.string()));
   return {file.events(), file.fields()};
-}
-
-Import import_pointer_events(const std::filesystem::path& path, const Camera& camera) {
-  const PointerEvents file(JsonValue::read(path));
-  return import_of(path, {file.events(), file.fields()}, camera);
 }
 
 }  // namespace burin

@@ -1,8 +1,6 @@
 // Reads recordings of handwriting in SVC files.
 #include <burin/base/error.h>
-#include <burin/base/file.h>
 #include <burin/math/elementary.h>
-#include <burin/stroke/files/import.h>
 #include <burin/stroke/files/number_lines.h>
 #include <burin/stroke/files/pen_events.h>
 #include <burin/stroke/files/recording_faults.h>
@@ -66,10 +64,6 @@ PenEvents svc_events(const std::string& text, const std::filesystem::path& path)
   if (events.size() != count)
     throw FileError(path.string(), "1", fmt::format("{} lines are told, {} follow", count, events.size()));
   return recorded;
-}
-
-Import import_svc(const std::filesystem::path& path, const Camera& camera) {
-  return import_of(path, svc_events(read_file(path), path), camera);
 }
 
 }  // namespace burin

@@ -1,7 +1,7 @@
 #pragma once
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/stroke/files/import.h>
+#include <burin/ink/import_pen_file.h>
 #include <burin/stroke/stroke_file.h>
 #include <gtest/gtest.h>
 
@@ -19,6 +19,11 @@ inline Camera import_camera(int width, int height) {
   camera.width = width;
   camera.height = height;
   return camera;
+}
+
+/// A file of this kind, in front of a camera that sees no surface.
+inline Import imported(const std::filesystem::path& path, std::string_view kind, const Camera& camera) {
+  return import_pen_file(path, read_pen_file(open_pen_file(path), kind), {}, camera, Surface());
 }
 
 /// All strokes together touch two opposite margins of 10 % and keep clear of the other two evenly.
@@ -49,16 +54,14 @@ inline void expect_survives_a_file(const Recording& recording) {
   EXPECT_TRUE(same_bits(read_strokes(path), recording));
 }
 
-/// Imports texts as if they were files of one format.
+/// Imports texts as if they were files of one kind.
 class ImportedText : public ::testing::Test {
  protected:
-  using ImportFile = Import (*)(const std::filesystem::path& path, const Camera& camera);
-  ImportedText(ImportFile import_file, const char* name)
-      : import_(import_file), path_(folder_.path() / name) {}
+  explicit ImportedText(std::string_view kind) : kind_(kind) {}
 
   Import whole_import(const std::string& text) {
     write_file_whole(path_, [&](std::ostream& out) { out << text; });
-    return import_(path_, import_camera(100, 100));
+    return imported(path_, kind_, import_camera(100, 100));
   }
   Recording import(const std::string& text) { return whole_import(text).recording; }
 
@@ -73,8 +76,8 @@ class ImportedText : public ::testing::Test {
   }
 
   TemporaryFolder folder_;
-  const ImportFile import_;
-  const std::filesystem::path path_;
+  const std::string_view kind_;
+  const std::filesystem::path path_ = folder_.path() / "recording";
 };
 
 }  // namespace burin::test

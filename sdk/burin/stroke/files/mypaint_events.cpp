@@ -1,7 +1,5 @@
 // Reads libmypaint's event recordings.
 #include <burin/base/error.h>
-#include <burin/base/file.h>
-#include <burin/stroke/files/import.h>
 #include <burin/stroke/files/number_lines.h>
 #include <burin/stroke/files/pen_events.h>
 #include <burin/stroke/files/recording_faults.h>
@@ -31,10 +29,6 @@ PenEvents mypaint_events(const std::string& text, const std::filesystem::path& p
   for_each_line(text, path,
                 [&](std::string_view line, std::size_t) { recorded.events.push_back(parse_event(line)); });
   return recorded;
-}
-
-Import import_mypaint_events(const std::filesystem::path& path, const Camera& camera) {
-  return import_of(path, mypaint_events(read_file(path), path), camera);
 }
 
 }  // namespace burin

@@ -1,10 +1,9 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/stroke/files/import.h>
 
 #include <fstream>
 
-#include "imports.h"
+#include "ink/imports.h"
 
 namespace burin {
 namespace {
@@ -22,7 +21,7 @@ std::vector<Event> events_of(const std::filesystem::path& path) {
 
 TEST(ImportMypaintEvents, TakesEveryEventInContactOfARealRecording) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/painting30sec.dat");
-  const Recording recording = import_mypaint_events(path, test::import_camera(1280, 720)).recording;
+  const Recording recording = test::imported(path, "mypaint", test::import_camera(1280, 720)).recording;
   EXPECT_EQ(recording.space, StrokeSpace::screen);
   EXPECT_EQ(recording.strokes.size(), 30u);
   test::expect_fits(recording);
@@ -31,6 +30,7 @@ TEST(ImportMypaintEvents, TakesEveryEventInContactOfARealRecording) {
   ASSERT_EQ(events.size(), 2937u);
   std::size_t stroke = 0, sample = 0;
   bool down = false;
+  double start = -1;  // the time of the first event in contact
   for (const Event& event : events) {
     if (down && event.pressure == 0) {
       EXPECT_EQ(sample, recording.strokes[stroke].samples.size());
@@ -39,8 +39,9 @@ TEST(ImportMypaintEvents, TakesEveryEventInContactOfARealRecording) {
     }
     down = event.pressure > 0;
     if (!down) continue;
+    if (start < 0) start = event.time;
     const Sample& imported = recording.strokes.at(stroke).samples.at(sample++);
-    EXPECT_EQ(imported.time, event.time);
+    EXPECT_EQ(imported.time, event.time - start);
     EXPECT_EQ(imported.pen.pressure, static_cast<float>(event.pressure));
   }
   EXPECT_EQ(recording.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
@@ -48,7 +49,7 @@ TEST(ImportMypaintEvents, TakesEveryEventInContactOfARealRecording) {
 
 TEST(ImportMypaintEvents, KeepsShapesAndDuplicates) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/painting30sec.dat");
-  const Recording recording = import_mypaint_events(path, test::import_camera(500, 900)).recording;
+  const Recording recording = test::imported(path, "mypaint", test::import_camera(500, 900)).recording;
   test::expect_fits(recording);
   std::size_t samples = 0;
   double length = 0;
@@ -64,12 +65,12 @@ TEST(ImportMypaintEvents, KeepsShapesAndDuplicates) {
 
 TEST(ImportMypaintEvents, SurvivesAFile) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/painting30sec.dat");
-  test::expect_survives_a_file(import_mypaint_events(path, test::import_camera(1280, 720)).recording);
+  test::expect_survives_a_file(test::imported(path, "mypaint", test::import_camera(1280, 720)).recording);
 }
 
 class MypaintText : public test::ImportedText {
  protected:
-  MypaintText() : ImportedText(import_mypaint_events, "a.dat") {}
+  MypaintText() : ImportedText("mypaint") {}
 };
 
 TEST_F(MypaintText, KeepsTapsAndRaisesTimesThatFall) {
@@ -121,7 +122,7 @@ TEST_F(MypaintText, RejectsBadLines) {
 
 TEST_F(MypaintText, RefusesACameraWithoutViewport) {
   write_file_whole(path_, [](std::ostream& out) { out << "0 0 0 1\n1 1 1 1\n"; });
-  EXPECT_THROW(import_mypaint_events(path_, Camera{}), ContractError);
+  EXPECT_THROW(test::imported(path_, "mypaint", Camera{}), ContractError);
 }
 
 }  // namespace

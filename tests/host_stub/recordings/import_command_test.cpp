@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "run_command.h"
+#include "host_stub/run_command.h"
 #include "support/shapes.h"
 
 namespace burin::test {
@@ -123,6 +123,67 @@ TEST(ImportCommand, GivesAPaintingThatReplays) {
   const auto json = burin_json({"replay", strokes, "--mesh", spot.string(), "--subdivide", "4"});
   EXPECT_GT(json["events"], 1000);
   EXPECT_EQ(json["strokes"], read_strokes(strokes).strokes.size());
+}
+
+TEST(ImportCommand, TakesOnlyThePageAndLayerAskedFor) {
+  const CommandFolder folder;
+  const std::string mesh = folder.write("cube.obj", cube_obj());
+  const std::string drawing = folder.write(
+      "drawing",
+      "<xournal><page><layer><stroke width='1'>1 2 3 4 5 6</stroke></layer><layer><stroke width='1'>1 2 "
+      "3 4</stroke></layer></page></xournal>");
+  EXPECT_EQ(burin_json({"strokes", drawing})[0]["layers"], 2);
+  const auto imported = [&](const std::string& layer) {
+    return burin({"import", drawing, "--mesh", mesh, "--layer", layer, "--out", folder.path("a.stroke")});
+  };
+  EXPECT_EQ(imported("2").out,
+            folder.path("a.stroke") + ": 1 strokes, 2 samples of 2 events; 0 left out, the pen lifted\n");
+  const ProcessResult none = imported("3");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.err.find("holds no stroke"), std::string::npos);
+}
+
+TEST(ImportCommand, ListsPagesLayersAndStrokes) {
+  const CommandFolder folder;
+  const std::string drawing = folder.write(
+      "drawing",
+      "<xournal><page><layer><stroke tool='pen' width='1'>1 2 3 4 5 6</stroke></layer></page><page><layer/>"
+      "<layer><stroke width='2 1 1'>1 2 3 4 4 4</stroke></layer></page></xournal>");
+  EXPECT_EQ(burin_output({"import", drawing, "--list"}),
+            "page 1\n  layer 1\n    stroke 1: 3 samples, width\n"
+            "page 2\n  layer 2\n    stroke 2: 3 samples, width\n");
+  const auto list = burin_json({"import", drawing, "--list"});
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[1]["page"], 2);
+  EXPECT_EQ(list[1]["layer"], 2);
+  EXPECT_EQ(list[1]["seconds"], nullptr);
+  EXPECT_EQ(list[1]["fields"], nlohmann::json({"width"}));
+  EXPECT_EQ(burin_output({"import", folder.write("events.dat", mypaint_events()), "--list"}),
+            "page 1\n  layer 1\n    stroke 1: 11 samples, 0.080 s, pressure\n"
+            "    stroke 2: 11 samples, 0.080 s, pressure\n");
+  for (const auto& missing : {std::vector<std::string>{"--mesh", folder.write("cube.obj", cube_obj())},
+                              {"--out", folder.path("a.stroke")}}) {
+    const ProcessResult result = burin({"import", drawing, missing[0], missing[1]});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("is required"), std::string::npos) << result.err;
+  }
+}
+
+TEST(ImportCommand, FitsStrokesOnTheMeshWhereAsked) {
+  const CommandFolder folder;
+  const std::string mesh = folder.write("sphere.obj", obj_text(sphere(4, 0, 1)));
+  const std::string box = folder.write("box", "x,y\n0,0\n9,0\n9,9\n0,9\n");
+  const auto lost = [&](const std::vector<std::string>& fit) {
+    std::vector<std::string> arguments = {
+        "import",           box,        "--mesh", mesh, "--out", folder.path("a.stroke"), "--brush",
+        "org.burin.groove", "--radius", "0.05"};
+    arguments.insert(arguments.end(), fit.begin(), fit.end());
+    burin_output(arguments);
+    const ProcessResult drawn = burin({"replay", folder.path("a.stroke"), "--mesh", mesh, "--json"});
+    return nlohmann::json::parse(drawn.out)["events_off_surface"].get<int>();
+  };
+  EXPECT_EQ(lost({}), 4) << "the corners of the view";
+  EXPECT_EQ(lost({"--fit", "mesh"}), 0);
 }
 
 }  // namespace

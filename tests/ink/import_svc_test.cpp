@@ -1,6 +1,5 @@
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/stroke/files/import.h>
 #include <burin/stroke/pen_angles.h>
 
 #include <array>
@@ -8,7 +7,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "imports.h"
+#include "ink/imports.h"
 
 namespace burin {
 namespace {
@@ -17,7 +16,7 @@ constexpr float degree = static_cast<float>(std::numbers::pi / 180);
 
 TEST(ImportSvc, TakesEveryEventInContactOfARealRecording) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/bdalab_signal.svc");
-  const Recording recording = import_svc(path, test::import_camera(1280, 720)).recording;
+  const Recording recording = test::imported(path, "svc", test::import_camera(1280, 720)).recording;
   EXPECT_EQ(recording.strokes.size(), 5u);
   test::expect_fits(recording);
   std::ifstream in(path);
@@ -25,6 +24,7 @@ TEST(ImportSvc, TakesEveryEventInContactOfARealRecording) {
   in >> count;
   ASSERT_EQ(count, 1378u);
   bool down = false;
+  double start = -1;  // the time of the first event in contact
   std::array<double, 7> event{};
   for (std::size_t i = 0; i < count; ++i) {
     for (double& number : event) in >> number;
@@ -35,8 +35,9 @@ TEST(ImportSvc, TakesEveryEventInContactOfARealRecording) {
     }
     down = event[3] == 1;
     if (!down) continue;
+    if (start < 0) start = event[2];
     const Sample& imported = recording.strokes.at(stroke).samples.at(sample++);
-    EXPECT_EQ(imported.time, event[2]);
+    EXPECT_EQ(imported.time, event[2] - start);
     EXPECT_EQ(imported.pen.pressure, static_cast<float>(event[6]));
     const double tilt = std::atan(std::hypot(std::tan(imported.pen.tilt_x), std::tan(imported.pen.tilt_y)));
     EXPECT_NEAR(tilt, (900 - event[5]) * std::numbers::pi / 1800, 1e-5);
@@ -46,12 +47,12 @@ TEST(ImportSvc, TakesEveryEventInContactOfARealRecording) {
 
 TEST(ImportSvc, SurvivesAFile) {
   BURIN_SHARED_DATA_OR_SKIP(path, "strokes/bdalab_signal.svc");
-  test::expect_survives_a_file(import_svc(path, test::import_camera(1280, 720)).recording);
+  test::expect_survives_a_file(test::imported(path, "svc", test::import_camera(1280, 720)).recording);
 }
 
 class SvcText : public test::ImportedText {
  protected:
-  SvcText() : ImportedText(import_svc, "a.svc") {}
+  SvcText() : ImportedText("svc") {}
 };
 
 TEST_F(SvcText, TurnsTheTabletUprightAndAnglesIntoTilts) {

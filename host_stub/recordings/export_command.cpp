@@ -1,7 +1,3 @@
-#include <burin/base/error.h>
-#include <burin/base/file.h>
-#include <burin/base/text/lower_case.h>
-#include <burin/ink/pen_file_writers.h>
 #include <burin/stroke/stroke_file.h>
 #include <fmt/format.h>
 
@@ -10,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "recordings/written_strokes.h"
 #include "system/console.h"
 #include "system/output_file.h"
 
@@ -21,15 +18,6 @@ struct ExportOptions {
   std::string out;
   bool json = false;
 };
-
-using WriteStrokes = void (*)(std::span<const Recording> recordings, std::ostream& out);
-
-WriteStrokes writer_for(const std::string& path) {
-  const std::string extension = in_lower_case(std::filesystem::path(path).extension().string());
-  if (extension == ".inkml") return write_inkml;
-  if (extension == ".csv") return write_pen_csv;
-  throw FileError(path, "strokes are exported as .inkml or .csv");
-}
 
 struct Counts {
   std::size_t strokes = 0, samples = 0, empty = 0;
@@ -46,7 +34,7 @@ Counts count(std::span<const Recording> recordings) {
 }
 
 void run(const ExportOptions& options) {
-  const WriteStrokes write = writer_for(options.out);
+  check_pen_file_name(options.out);
   check_output_path(options.out);
   std::vector<Recording> recordings;
   for (const std::string& path : options.recordings) {
@@ -54,7 +42,7 @@ void run(const ExportOptions& options) {
     if (const auto line = recordings.back().cut_off_at)
       warn(fmt::format("{}:{}: the recording was cut off here", path, *line));
   }
-  write_file_whole(options.out, [&](std::ostream& out) { write(recordings, out); });
+  write_pen_file(options.out, recordings);
   const Counts counts = count(recordings);
   if (options.json) {
     write_result(json_text({{"out", options.out}, {"strokes", counts.strokes}, {"samples", counts.samples}}));

@@ -3,7 +3,7 @@
 #include <burin/stroke/stroke_file.h>
 #include <gtest/gtest.h>
 
-#include "run_command.h"
+#include "host_stub/run_command.h"
 #include "stroke/recordings.h"
 
 namespace burin::test {

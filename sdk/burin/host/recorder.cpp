@@ -1,0 +1,141 @@
+// The C face of StrokeRecorder.
+#include <burin/base/error.h>
+#include <burin/base/text/json_value.h>
+#include <burin/host/recorder.h>
+#include <burin/host/stroke_recorder.h>
+#include <burin/plugin/detail/error.h>
+#include <burin/stroke/files/setting_table.h>
+
+#include <string>
+
+struct burin_recorder {
+  burin::StrokeRecorder recorder;
+  burin::PenFields fields;  ///< of the open stroke
+};
+
+namespace burin {
+namespace {
+
+/// A caller's fault, for which C has a status of its own.
+[[noreturn]] void reject(const std::string& what) { throw plugin::Error(what, BURIN_INVALID_ARGUMENT); }
+
+template <class Struct>
+void check_size(const Struct* given, const char* name) {
+  if (!given || given->struct_size < sizeof *given) reject(std::string(name) + " is missing or too small");
+}
+
+void check_recorder(const burin_recorder* recorder) {
+  if (!recorder) reject("the recorder is missing");
+}
+
+/// Runs `body` for a call from C.
+template <class Body>
+burin_status called(burin_text* error, const Body& body) {
+  return plugin::guarded(error, [&] {
+    try {
+      body();
+    } catch (const ContractError& fault) {
+      reject(fault.what());
+    }
+  });
+}
+
+StrokeSpace space_of(burin_stroke_space space) {
+  if (space == BURIN_SPACE_OBJECT) return StrokeSpace::object;
+  if (space != BURIN_SPACE_SCREEN) reject("space is neither object nor screen");
+  return StrokeSpace::screen;
+}
+
+std::optional<Camera> camera_of(const burin_recorder_camera* given) {
+  if (!given) return std::nullopt;
+  Camera camera;
+  camera.view = Eigen::Map<const Eigen::Matrix4d>(given->view);
+  camera.projection = Eigen::Map<const Eigen::Matrix4d>(given->projection);
+  camera.width = given->width;
+  camera.height = given->height;
+  return camera;
+}
+
+GivenSettings settings_of(const char* text) {
+  GivenSettings settings;
+  if (!text) reject("settings are missing");
+  try {
+    read_settings(JsonValue::parse(text, "settings"), SettingsOf::recording, settings);
+  } catch (const Error& fault) {
+    reject(fault.what());
+  }
+  return settings;
+}
+
+PenFields fields_of(uint32_t fields) {
+  return {.time = (fields & BURIN_PEN_TIME) != 0,
+          .pressure = (fields & BURIN_PEN_PRESSURE) != 0,
+          .tilt = (fields & BURIN_PEN_TILT) != 0,
+          .twist = (fields & BURIN_PEN_TWIST) != 0};
+}
+
+/// Reads those fields alone that the pen reports.
+Sample sample_of(const burin_recorded_sample& given, const PenFields& fields) {
+  Sample sample;
+  sample.position = Vec3d(given.position[0], given.position[1], given.position[2]);
+  if (fields.time) sample.time = given.time;
+  if (fields.pressure) sample.pen.pressure = given.pressure;
+  if (fields.tilt) {
+    sample.pen.tilt_x = given.tilt_x;
+    sample.pen.tilt_y = given.tilt_y;
+  }
+  if (fields.twist) sample.pen.twist = given.twist;
+  return sample;
+}
+
+}  // namespace
+}  // namespace burin
+
+burin_recorder* burin_recorder_open(const burin_recorder_options* options, burin_text* error) {
+  using namespace burin;
+  burin_recorder* opened = nullptr;
+  called(error, [&] {
+    check_size(options, "options");
+    if (!options->path) reject("the path is missing");
+    const std::string device = options->device ? options->device : "";
+    opened = new burin_recorder{StrokeRecorder(std::filesystem::path(options->path), space_of(options->space),
+                                               camera_of(options->camera), device),
+                                {}};
+  });
+  return opened;
+}
+
+burin_status burin_recorder_begin(burin_recorder* recorder, const burin_recorded_stroke* stroke,
+                                  burin_text* error) {
+  using namespace burin;
+  return called(error, [&] {
+    check_recorder(recorder);
+    check_size(stroke, "the stroke");
+    const GivenSettings settings = settings_of(stroke->settings);
+    if (!settings.find(&StrokeSettings::brush) || !settings.find(&StrokeSettings::radius))
+      reject("settings lack brush or radius");
+    const PenFields fields = fields_of(stroke->fields);
+    recorder->recorder.begin(settings, fields);
+    recorder->fields = fields;
+  });
+}
+
+burin_status burin_recorder_add(burin_recorder* recorder, const burin_recorded_sample* sample,
+                                burin_text* error) {
+  using namespace burin;
+  return called(error, [&] {
+    check_recorder(recorder);
+    check_size(sample, "the sample");
+    recorder->recorder.add(sample_of(*sample, recorder->fields));
+  });
+}
+
+burin_status burin_recorder_end(burin_recorder* recorder, burin_text* error) {
+  using namespace burin;
+  return called(error, [&] {
+    check_recorder(recorder);
+    recorder->recorder.end();
+  });
+}
+
+void burin_recorder_close(burin_recorder* recorder) { delete recorder; }

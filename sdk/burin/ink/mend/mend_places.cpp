@@ -1,0 +1,74 @@
+// Removes samples that no hand has drawn on purpose.
+#include <burin/ink/mend/mend_places.h>
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+double step(const Sample& a, const Sample& b) { return (b.position - a.position).norm(); }
+
+/// Of the steps of a pen that moves; 0 if it does not.
+double median_step(const std::vector<Sample>& samples) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < samples.size(); ++i)
+    if (const double length = step(samples[i - 1], samples[i]); length > 0) steps.push_back(length);
+  if (steps.empty()) return 0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::ranges::nth_element(steps, middle);
+  return *middle;
+}
+
+/// The number of samples at the beginning that are a hook; `way`: of the whole stroke.
+std::size_t hook_at_start(const std::vector<Sample>& samples, double way) {
+  constexpr std::size_t longest = 6, least_samples = 4 * longest;
+  constexpr double least_share = 30, straight = 1.2;
+  if (samples.size() < least_samples) return 0;
+  std::size_t hook = 0;
+  double gone = 0;
+  for (std::size_t i = 1; i <= longest; ++i) {
+    gone += step(samples[i - 1], samples[i]);
+    const Vec3d back = samples[i].position - samples[0].position;
+    if (back.norm() == 0 || gone > straight * back.norm() || gone * least_share > way) continue;
+    std::size_t beyond = i + 1;
+    while (beyond < samples.size() && step(samples[i], samples[beyond]) < back.norm()) ++beyond;
+    if (beyond < samples.size() && back.dot(samples[beyond].position - samples[i].position) < 0) hook = i;
+  }
+  return hook;
+}
+
+}  // namespace
+
+void remove_wild_samples(RecordedStroke& stroke, MendLog& log) {
+  constexpr double far = 10;
+  std::vector<Sample>& samples = stroke.samples;
+  const double usual = median_step(samples);
+  std::vector<std::size_t> wild;
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+    const double nearest = std::min(step(samples[i - 1], samples[i]), step(samples[i], samples[i + 1]));
+    if (nearest <= far * std::max(usual, step(samples[i - 1], samples[i + 1]))) continue;
+    log.add(i + 1, i + 1, "far beside the way; left out");
+    wild.push_back(i);
+  }
+  while (!wild.empty()) {
+    samples.erase(samples.begin() + static_cast<std::ptrdiff_t>(wild.back()));
+    wild.pop_back();
+  }
+}
+
+void remove_hooks(RecordedStroke& stroke, MendLog& log) {
+  std::vector<Sample>& samples = stroke.samples;
+  double way = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) way += step(samples[i - 1], samples[i]);
+  const std::size_t at_start = hook_at_start(samples, way);
+  std::ranges::reverse(samples);
+  const std::size_t at_end = hook_at_start(samples, way);
+  std::ranges::reverse(samples);
+  if (at_end > 0)
+    log.add(samples.size() - at_end + 1, samples.size(), "a hook of the pen that lifts; left out");
+  if (at_start > 0) log.add(1, at_start, "a hook of the pen that lands; left out");
+  samples.erase(samples.end() - static_cast<std::ptrdiff_t>(at_end), samples.end());
+  samples.erase(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(at_start));
+}
+
+}  // namespace burin

@@ -1,0 +1,91 @@
+// Mends the times of strokes, and samples that were delivered twice.
+#include <burin/ink/mend/mend_times.h>
+#include <burin/stroke/sample_times.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace burin {
+namespace {
+
+double way_of(const std::vector<Sample>& samples) {
+  double way = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i)
+    way += (samples[i].position - samples[i - 1].position).norm();
+  return way;
+}
+
+bool time_falls(const Sample& before, const Sample& sample) { return sample.time < before.time; }
+
+void put_in_order(std::vector<Sample>& samples, std::vector<Sample> ordered, MendLog& log) {
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    if (!time_falls(samples[i - 1], samples[i])) continue;
+    const auto place = std::ranges::lower_bound(ordered, samples[i].time, {}, &Sample::time);
+    log.add(i + 1, i + 1,
+            fmt::format("its time {} is before that of the one before; it goes to place {}", samples[i].time,
+                        1 + (place - ordered.begin())));
+  }
+  samples = std::move(ordered);
+}
+
+void raise_times(std::vector<Sample>& samples, MendLog& log) {
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    if (!time_falls(samples[i - 1], samples[i])) continue;
+    log.add(i + 1, i + 1,
+            fmt::format("its time {} falls; raised to {}", samples[i].time, samples[i - 1].time));
+    samples[i].time = samples[i - 1].time;
+  }
+}
+
+bool same(const Pen& a, const Pen& b) {
+  return a.pressure == b.pressure && a.tilt_x == b.tilt_x && a.tilt_y == b.tilt_y && a.twist == b.twist;
+}
+
+}  // namespace
+
+void mend_order(RecordedStroke& stroke, MendLog& log) {
+  std::vector<Sample>& samples = stroke.samples;
+  if (!stroke.fields.time || std::ranges::is_sorted(samples, {}, &Sample::time)) return;
+  std::vector<Sample> ordered = samples;
+  std::ranges::stable_sort(ordered, {}, &Sample::time);
+  if (way_of(ordered) <= way_of(samples))
+    put_in_order(samples, std::move(ordered), log);
+  else
+    raise_times(samples, log);
+}
+
+void remove_duplicates(RecordedStroke& stroke, MendLog& log) {
+  std::vector<Sample> kept;
+  for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
+    const Sample& sample = stroke.samples[i];
+    if (i > 0 && sample.position == kept.back().position && sample.time == kept.back().time &&
+        same(sample.pen, kept.back().pen))
+      log.add(i + 1, i + 1, "a duplicate of the one before; left out");
+    else
+      kept.push_back(sample);
+  }
+  stroke.samples = std::move(kept);
+}
+
+void mend_packets(RecordedStroke& stroke, MendLog& log) {
+  std::vector<Sample>& samples = stroke.samples;
+  if (!stroke.fields.time) return;
+  if (has_constant_time(samples)) {
+    log.add(1, samples.size(), "all have the same time; times left out");
+    stroke.fields.time = false;
+    for (Sample& sample : samples) sample.time = 0;
+    return;
+  }
+  for (std::size_t begin = 0; begin < samples.size();) {
+    std::size_t end = begin + 1;
+    while (end < samples.size() && samples[end].time == samples[begin].time) ++end;
+    if (end - begin > 1)
+      log.add(begin + 1, end,
+              fmt::format("share the time {}; spread over the time before", samples[begin].time));
+    begin = end;
+  }
+  spread_times(samples);
+}
+
+}  // namespace burin

@@ -1,0 +1,46 @@
+// Bounds JSON before it is parsed: a short text can make a tree of many times its size.
+#include <burin/base/error.h>
+#include <burin/ink/parse/pen_json.h>
+
+namespace burin {
+namespace {
+
+constexpr int deepest = 200;
+constexpr std::size_t most_tree_bytes = 56'000'000;
+// What nlohmann::json and the JsonValue of each item take, as measured.
+constexpr std::size_t value_bytes = 24, member_bytes = 100, container_bytes = 100;
+
+}  // namespace
+
+void check_json_bounds(const PenFileText& file) {
+  bool in_text = false;
+  int depth = 0;
+  std::size_t tree = 0;
+  for (std::size_t i = 0; i < file.text.size(); ++i) {
+    const char c = file.text[i];
+    if (in_text && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      in_text = !in_text;
+    } else if (in_text) {
+      continue;
+    } else if (c == '[' || c == '{') {
+      tree += container_bytes;
+      if (++depth > deepest) throw FileError(file.path.string(), "JSON nested deeper than 200 levels");
+    } else if (c == ']' || c == '}') {
+      --depth;
+    } else if (c == ',') {
+      tree += value_bytes;
+    } else if (c == ':') {
+      tree += member_bytes;
+    }
+  }
+  if (tree > most_tree_bytes) throw FileError(file.path.string(), "more values of JSON than 56 MB hold");
+}
+
+JsonValue pen_json(const PenFileText& file) {
+  check_json_bounds(file);
+  return JsonValue::parse(file.text, file.path.string());
+}
+
+}  // namespace burin
