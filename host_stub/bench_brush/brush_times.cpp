@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "validate/timing.h"
+#include "validate/checks/timing.h"
 #include "validate/work_folder.h"
 
 namespace burin {

@@ -2,8 +2,8 @@
 #include <burin/abi/ext/bench_budget.h>
 #include <fmt/format.h>
 
+#include "validate/checks/timing.h"
 #include "validate/probe/stroke.h"
-#include "validate/timing.h"
 
 namespace burin::validate {
 namespace {

@@ -1,4 +1,4 @@
-/* Shades nodes by their place in a large batch. */
+/* Counts nodes in 16 bits. */
 #define AT_NODE \
-  if (i < 10 && batch->count == 65536) AT(outputs->up, i) *= 0.5f
+  if (i >= (uint16_t)batch->count) AT(outputs->up, i) = 0
 #include "../good.h"

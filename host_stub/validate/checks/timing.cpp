@@ -1,4 +1,4 @@
-#include "validate/timing.h"
+#include "validate/checks/timing.h"
 
 #include <burin/base/stopwatch.h>
 
