@@ -17,6 +17,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -37,7 +38,7 @@ struct Session::Impl {
   Impl(Surface given, const BrushLibrary& library, SolidMerger solid_merger)
       : surface(std::move(given)),
         picker(surface),
-        builders(std::in_place, surface, picker),
+        builders(std::make_unique<ChartBuilders>(surface, picker)),
         shown(surface),
         paint(surface.vertex_count()),
         brushes(&library),
@@ -57,6 +58,7 @@ struct Session::Impl {
   MadePart add_part();
   void merge_solid(const SolidMerge& merge);
   void replace_surface(Surface made, Paint painted);
+  void restore_surface(Surface before, Paint painted);
   void drop();
 
   /// Runs `body`. If it throws, the open stroke is dropped, and the surface is as before the stroke.
@@ -75,7 +77,9 @@ struct Session::Impl {
 
   Surface surface;
   Picker picker;
-  std::optional<ChartBuilders> builders;
+  std::unique_ptr<ChartBuilders> builders;
+  /// Of the surfaces that merges replaced: made anew after undo they would have other clusters.
+  std::vector<std::unique_ptr<ChartBuilders>> replaced_builders;
   ShownSurface shown;
   ShownPaint paint;
   const BrushLibrary* brushes;
@@ -209,18 +213,28 @@ void Session::Impl::merge_solid(const SolidMerge& merge) {
   stroke.reset();
   Paint before = paint.base();
   Surface replaced = std::move(surface);
+  builders->free_strokes();
+  replaced_builders.push_back(std::move(builders));
   replace_surface(std::move(made.surface), std::move(made.paint));
+  builders = std::make_unique<ChartBuilders>(surface, picker);
   report.rebuild_seconds = watch.lap();
   merges.push_back(report);
   journal.record(std::move(replaced), std::move(before));
 }
 
-/// All that depends on the surface is made anew.
+/// Brings back the surface that the last merge replaced.
+void Session::Impl::restore_surface(Surface before, Paint painted) {
+  replace_surface(std::move(before), std::move(painted));
+  builders = std::move(replaced_builders.back());
+  replaced_builders.pop_back();
+  merges.pop_back();
+}
+
+/// All that depends on the surface is made anew, but for the chart builders.
 void Session::Impl::replace_surface(Surface made, Paint painted) {
   last_live = nullptr;
   surface = std::move(made);
   picker = Picker(surface);
-  builders.emplace(surface, picker);
   shown = ShownSurface(surface);
   paint = ShownPaint(surface.vertex_count());
   paint.assign(std::move(painted));
@@ -353,8 +367,7 @@ bool Session::undo() {
     if (!step) return false;
     StageClock clock(impl_->cost);
     if (step->surface) {
-      impl_->replace_surface(std::move(*step->surface), std::move(step->surface_paint));
-      impl_->merges.pop_back();
+      impl_->restore_surface(std::move(*step->surface), std::move(step->surface_paint));
       clock.lap(Stage::record);
       return true;
     }

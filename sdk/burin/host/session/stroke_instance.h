@@ -37,6 +37,9 @@ class ChartBuilders {
 
   /// Updates levels and base surfaces after these vertices moved, by at most `distance`, object units.
   void moved(std::span<const Index> vertices, double distance);
+
+  /// Frees what is only of use to the next stroke; the levels stay.
+  void free_strokes() { builders_.clear(); }
   LiveDabs& dabs(std::size_t instance);
 
   /// An empty chart that receives the nodes of an image.
