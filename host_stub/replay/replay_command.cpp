@@ -273,14 +273,20 @@ void add_replay(CLI::App& app) {
       ->type_name("FILE");
   add_view_options(command, options->view);
   command.add_option("--report", options->report, "folder for a report with pictures")->type_name("FOLDER");
-  command
-      .add_flag(
-          "--watch{0}", options->watch,
-          "draw the last stroke again whenever the module of its brush changes, until interrupted, or with "
-          "--watch=N for N changes; with --report, watch.html in the folder shows it before and after")
-      ->check(CLI::NonNegativeNumber);
+  CLI::Option* watch =
+      command
+          .add_flag(
+              "--watch{0}", options->watch,
+              "draw the last stroke again whenever the module of its brush changes, until interrupted, "
+              "or with --watch=N for N changes; with --report, watch.html in the folder shows it before "
+              "and after")
+          ->check(CLI::NonNegativeNumber);
   command.add_flag("--json", options->json, "write JSON to the standard output");
-  command.callback([options] { run(*options); });
+  command.callback([options, watch] {
+    // CLI11 gives a flag its default where it is absent, too.
+    if (watch->count() == 0) options->watch.reset();
+    run(*options);
+  });
 }
 
 }  // namespace burin::command

@@ -187,7 +187,7 @@ TEST(Probe, FindsNothingWrongInASessionThatMergesASolid) {
 // The checks fill arrays that a brush did not declare, so that one who reads or writes them fails in one
 // check instead of crashing in all.
 TEST(Probe, FindsNothingElseWrongInTheValidator) {
-  const Names on_purpose = {"batch.undeclared", "outputs.declared"};
+  const Names on_purpose = {"batch.undeclared", "outputs.declared", "param.text"};
   for (const char* check :
        {"life.begin-random", "life.file-values", "life.many-strokes", "host.older", "host.newer",
         "host.missing-services", "evaluate.batch-sizes", "evaluate.dab", "repeat.seed", "repeat.threads",

@@ -123,6 +123,13 @@ TEST_F(Watch, SaysWhichStateIsLost) {
             "burin: warning: org.burin.test.reloaded: its state is lost: written by another version\n");
 }
 
+TEST_F(Watch, IsNotBegunUnlessAskedFor) {
+  const std::string stroke = folder_.write("a.stroke", equator_stroke(-0.6, 0.6, 20, R"("radius":0.2)"));
+  const std::string out = burin_output({"replay", stroke, "--mesh", folder_.write("cube.obj", cube_obj()),
+                                        "--target-triangles", "2000", "--brush", "org.burin.groove"});
+  EXPECT_EQ(out.find("watching"), out.npos) << out;
+}
+
 TEST_F(Watch, RefusesAStrokeThatMeetsNoSurface) {
   const std::string stroke = folder_.write("a.stroke", equator_stroke(-0.6, 0.6, 20, R"("radius":0.001)"));
   const ProcessResult result = burin({"replay", stroke, "--mesh", folder_.write("cube.obj", cube_obj()),
