@@ -1,7 +1,9 @@
 // The functions of the probe's brushes: they check what they get, and draw a round ridge.
 #include "brush.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "abilities.h"
 #include "calls.h"
@@ -55,7 +57,9 @@ burin_status BURIN_CALL begin(const burin_brush* abi, const burin_stroke_context
   plan->passes = wanted >= 1 && wanted <= 4 ? static_cast<std::uint32_t>(wanted) : 1;
   plan->end_influence = context->radius_max;
   stroke->thread = thread_number();
-  stroke->context = *context;
+  // That of an older host is shorter.
+  stroke->context = {};
+  std::memcpy(&stroke->context, context, std::min<std::size_t>(context->struct_size, sizeof stroke->context));
   stroke->plan = *plan;
   keep_numbers(*stroke, *params);
   note_call(Call::begin, stroke->number);

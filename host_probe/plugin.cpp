@@ -26,7 +26,7 @@ const burin_brush* BURIN_CALL create(const burin_brush_factory* factory, const b
 constexpr burin_brush_factory factory_table{sizeof(burin_brush_factory), brush_count, descriptors, create};
 
 void say(burin_text* text, const char* line) {
-  if (text && text->capacity > 0) std::snprintf(text->data, text->capacity, "%s", line);
+  if (text && text->data && text->capacity > 0) std::snprintf(text->data, text->capacity, "%s", line);
 }
 
 const burin_brush_descriptor* find_descriptor(const char* id) {

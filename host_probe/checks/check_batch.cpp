@@ -31,9 +31,10 @@ bool all_there(const burin_batch& batch, std::uint64_t inputs) {
   return true;
 }
 
-void check_finite(const burin_batch& batch) {
+void check_finite(const burin_batch& batch, std::uint64_t inputs) {
   for (const Array& array : arrays_of(batch)) {
-    const auto* floats = static_cast<const float*>(array.whole ? nullptr : array.data);
+    const bool read = !array.whole && (inputs & array.input);
+    const auto* floats = static_cast<const float*>(read ? array.data : nullptr);
     for (std::uint32_t i = 0; floats && i < batch.count; ++i)
       if (const float value = floats[std::size_t{i} * array.stride]; !std::isfinite(value)) {
         expect(Rule::batch_finite, false, array.name, static_cast<double>(value));
@@ -152,7 +153,7 @@ void check_context(const Stroke& stroke, const burin_stroke_context& context) {
 bool check_arrays(const burin_batch& batch, std::uint64_t inputs) {
   check_presence(batch, inputs);
   if (!all_there(batch, inputs)) return false;
-  check_finite(batch);
+  check_finite(batch, inputs);
   return true;
 }
 

@@ -107,7 +107,8 @@ void check_params(const burin_params* params, std::uint32_t nodes) {
 }
 
 void check_single(const burin_params* params) {
-  for (std::uint32_t i = 0; params && i < params->count; ++i)
+  const std::uint32_t given = params && params->values ? std::min(params->count, param_count + 0U) : 0;
+  for (std::uint32_t i = 0; i < given; ++i)
     expect(Rule::begin_numbers, params->values[i].number.stride == 0, everything.params[i]->id,
            params->values[i].number.stride);
 }

@@ -2,6 +2,7 @@
 #include "bench_brush/brush_times.h"
 
 #include <burin/abi/ext/bench_budget.h>
+#include <burin/host/plugin/search_path.h>
 
 #include <algorithm>
 #include <memory>
@@ -56,11 +57,7 @@ void add_brushes(const validate::Subject& subject, BrushOrigin origin, Candidate
 
 void add_stock(const validate::WorkFolder& folder, const std::filesystem::path& brushes,
                Candidates& candidates) {
-  std::vector<std::filesystem::path> modules;
-  for (const auto& entry : std::filesystem::directory_iterator(brushes))
-    if (entry.path().extension() == ".burin") modules.push_back(entry.path());
-  std::ranges::sort(modules);
-  for (const std::filesystem::path& module : modules) {
+  for (const std::filesystem::path& module : plugin_files(brushes)) {
     try {
       add_brushes(folder.subject(module, 1), BrushOrigin::stock, candidates);
     } catch (const Error&) {
@@ -78,8 +75,12 @@ std::vector<BrushTimes> measure_brushes(const BrushModules& modules, int rounds)
   if (!modules.other.empty()) add_brushes(folder.subject(modules.other, 1), BrushOrigin::other, candidates);
   add_stock(folder, modules.stock, candidates);
   const validate::Nodes nodes = validate::random_nodes(batch, 1);
-  for (int round = 0; round < rounds; ++round)
+  // To and fro, so that none is always measured after the same one.
+  for (int round = 0; round < rounds; ++round) {
     for (const auto& candidate : candidates) candidate->measure(nodes);
+    std::ranges::reverse(candidates);
+  }
+  if (rounds % 2 != 0) std::ranges::reverse(candidates);
   std::vector<BrushTimes> times;
   for (const auto& candidate : candidates) times.push_back(std::move(candidate->times()));
   return times;

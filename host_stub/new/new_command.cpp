@@ -44,7 +44,8 @@ void write_project(const fs::path& folder, const std::vector<StarterFile>& files
 }
 
 void run(const NewOptions& options) {
-  const fs::path folder = fs::path(options.folder).lexically_normal();
+  fs::path folder = fs::path(options.folder).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();
   const Starter starter{folder.filename().string(),
                         options.c ? StarterLanguage::c : StarterLanguage::cpp,
                         {options.features.begin(), options.features.end()}};

@@ -19,8 +19,9 @@ namespace burin {
 namespace {
 
 /// Names that CMake refuses for targets, as its generators have them.
-constexpr std::array<std::string_view, 8> cmake_targets = {"all",     "clean",   "edit_cache",    "help",
-                                                           "install", "package", "rebuild_cache", "test"};
+constexpr std::array<std::string_view, 11> cmake_targets = {
+    "all",     "clean",          "edit_cache", "help",          "install", "list_install_components",
+    "package", "package_source", "preinstall", "rebuild_cache", "test"};
 
 constexpr std::size_t longest_name = 40;
 
@@ -49,7 +50,7 @@ std::string title_of(std::string name) {
   return name;
 }
 
-/// "MyBrush".
+/// "MyBrushPlugin": no class of the SDK has a name that ends so.
 std::string class_of(const std::string& name) {
   std::string result;
   bool begins = true;
@@ -57,7 +58,7 @@ std::string class_of(const std::string& name) {
     if (c != '_') result += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
     begins = c == '_';
   }
-  return result;
+  return result + "Plugin";
 }
 
 /// "org.example.my-brush".
@@ -76,9 +77,9 @@ bool take_conditions(std::string& line, const std::set<std::string>& words) {
   bool hold = true;
   while (line.starts_with('?')) {
     const bool absent = line.starts_with("?!");
-    const std::size_t begin = absent ? 2 : 1, end = line.find(' ');
+    const std::size_t begin = absent ? 2 : 1, end = std::min(line.find(' '), line.size());
     hold = hold && words.contains(line.substr(begin, end - begin)) != absent;
-    line.erase(0, end + 1);
+    line.erase(0, std::min(end + 1, line.size()));
   }
   return hold;
 }

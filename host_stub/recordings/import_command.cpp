@@ -109,7 +109,7 @@ void add_stroke_options(CLI::App& command, PenImport& import, std::string& press
       .add_option("--fit", import.fit,
                   "where a drawing is put: view, so that it fills the picture, or mesh, as large as possible "
                   "with all samples on the mesh as seen in it")
-      ->transform(CLI::Transformer(fits, CLI::ignore_case))
+      ->transform(CLI::CheckedTransformer(fits, CLI::ignore_case))
       ->default_str("view");
   command
       .add_option(

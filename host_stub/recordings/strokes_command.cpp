@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -79,7 +80,8 @@ std::string kind_of_output(const std::string& path) {
 
 void write_edited(const StrokesOptions& options, const Opened& opened, const Recording& edited,
                   bool changed) {
-  if (!changed && opened.file.kind == kind_of_output(options.out)) {
+  if (!changed && opened.file.kind == kind_of_output(options.out) &&
+      std::filesystem::is_regular_file(options.files[0])) {
     const std::string bytes = read_file(options.files[0]);
     write_file_whole(options.out, [&](std::ostream& out) { out << bytes; });
   } else if (opened.strokes && kind_of_output(options.out) == "stroke") {
@@ -180,7 +182,7 @@ void add_picture_options(CLI::App& command, StrokesOptions& options) {
   command
       .add_option("--colour", options.colour,
                   "what the lines of --png are coloured by: pressure (the default if there is any) or speed")
-      ->transform(CLI::Transformer(colours, CLI::ignore_case));
+      ->transform(CLI::CheckedTransformer(colours, CLI::ignore_case));
   add_mesh_options(command, options.mesh);
   command.get_option("--mesh")->required(false);  // without, --png draws in the plane
   add_view_options(command, options.view);
@@ -191,11 +193,11 @@ void add_edit_options(CLI::App& command, StrokesOptions& options) {
                    "mend order, duplicates, packets of equal times, wild samples and hooks of one file");
   command
       .add_option("--split", options.split, "begin a new stroke after a pause of more than so many seconds")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::NonNegativeNumber & finite_number());
   command
       .add_option("--join", options.join,
                   "join strokes that begin at most so many seconds after the one before ends")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::NonNegativeNumber & finite_number());
   command.add_option("--resample", options.resample, "samples at even times, so many to the second")
       ->check(positive_number());
   command

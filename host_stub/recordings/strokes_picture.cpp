@@ -16,8 +16,9 @@ std::optional<double> value_at(const RecordedStroke& stroke, std::size_t i, Line
   if (colour == LineColour::pressure)
     return stroke.fields.pressure ? std::optional<double>(sample.pen.pressure) : std::nullopt;
   const double seconds = sample.time - before.time;
-  if (!stroke.fields.time || seconds <= 0) return std::nullopt;
-  return (sample.position - before.position).norm() / seconds;
+  if (!stroke.fields.time || !(seconds > 0)) return std::nullopt;
+  const double speed = (sample.position - before.position).norm() / seconds;
+  return std::isfinite(speed) ? std::optional(speed) : std::nullopt;
 }
 
 Ink ink_for(double share) {

@@ -281,7 +281,7 @@ void add_replay(CLI::App& app) {
               "or with --watch=N for N changes; with --report, watch.html in the folder shows it before "
               "and after")
           ->check(CLI::NonNegativeNumber);
-  command.add_flag("--json", options->json, "write JSON to the standard output");
+  command.add_flag("--json", options->json, "write JSON to the standard output")->excludes(watch);
   command.callback([options, watch] {
     // CLI11 gives a flag its default where it is absent, too.
     if (watch->count() == 0) options->watch.reset();

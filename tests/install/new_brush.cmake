@@ -22,6 +22,8 @@ function(new name)
 endfunction()
 
 new(plain)
+# The SDK has a class Stamp.
+new(stamp)
 new(tiled --features tile)
 new(painted --features paint)
 new(solid --features volume)

@@ -115,7 +115,7 @@ void BrushLibrary::Impl::reload(const fs::path& module) {
   if (old == modules.end()) throw FileError(module.string(), "is no module that was loaded");
   const std::string name = module.string();
   const PluginCall call("plugin", name.c_str());
-  const ScratchFile copy(fs::temp_directory_path() / module.filename(), module);
+  const ScratchFile copy(fs::temp_directory_path() / "", module);  // takes the mode of no other file
   copy_module(module, copy.path());
   auto plugin = std::make_shared<const PluginModule>((*old)->path(), copy.path());
   std::vector<BrushEntry> others = brushes;

@@ -152,18 +152,20 @@ ReplayResult Replayer::finish() {
   return std::move(result_);
 }
 
-/// Lets a session tell its progress during a replay.
+/// Lets a session tell its progress during a replay, where that is asked for.
 class ShownProgress {
  public:
-  ShownProgress(Session& session, const Progress& progress) : session_(session) {
-    session_.set_progress(progress);
+  ShownProgress(Session& session, const Progress& progress) : session_(progress ? &session : nullptr) {
+    if (session_) session_->set_progress(progress);
   }
-  ~ShownProgress() { session_.set_progress({}); }
+  ~ShownProgress() {
+    if (session_) session_->set_progress({});
+  }
   ShownProgress(const ShownProgress&) = delete;
   ShownProgress& operator=(const ShownProgress&) = delete;
 
  private:
-  Session& session_;
+  Session* session_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <burin/base/error.h>
 #include <burin/base/hash.h>
 #include <burin/base/stopwatch.h>
+#include <burin/deform/evaluate/plugin_call.h>
 #include <burin/deform/shown/shown_paint.h>
 #include <burin/deform/shown/shown_surface.h>
 #include <burin/deform/shown/undo_journal.h>
@@ -106,6 +107,7 @@ const burin_brush& Session::Impl::brush(const BrushEntry& entry) {
   if (kept.descriptor == entry.descriptor) return *kept.brush;
   BrushPtr brush = brushes->create(entry);
   if (kept.brush) {
+    const PluginCall call("brush", entry.descriptor->id);
     if (const std::string lost = carry_state(*kept.brush, *brush); !lost.empty())
       warnings.push_back(std::string(entry.descriptor->id) + ": " + lost);
   }

@@ -7,6 +7,7 @@
 #include <burin/stroke/files/recording_faults.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace burin {
@@ -97,6 +98,9 @@ Import import_pen_file(const std::filesystem::path& path, PenFile file, const Pe
   settle_times(recording.strokes, import.counts);
   fit(path, recording, options, object_units, surface);
   if (options.speed) make_times(recording.strokes, *options.speed);
+  for (const RecordedStroke& stroke : recording.strokes)
+    if (!stroke.samples.empty() && !std::isfinite(stroke.samples.back().time))
+      throw FileError(path.string(), "its times get too long");
   return import;
 }
 

@@ -1,6 +1,7 @@
 #include <burin/ink/pen_strokes.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace burin {
@@ -15,13 +16,16 @@ void keep_chosen(PenFile& file, const PenChoice& choice) {
 void press_by_width(PenFile& file) {
   float widest = 0;
   for (const PenStroke& stroke : file.strokes)
-    for (const float width : stroke.widths) widest = std::max(widest, width);
+    for (const float width : stroke.widths)
+      if (std::isfinite(width)) widest = std::max(widest, width);
   if (widest == 0) return;
   for (PenStroke& stroke : file.strokes) {
     if (stroke.fields.pressure || stroke.widths.empty()) continue;
     stroke.fields.pressure = true;
-    for (std::size_t i = 0; i < stroke.samples.size(); ++i)
-      stroke.samples[i].pen.pressure = std::max(stroke.widths[i], 0.F) / widest;
+    for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
+      const float width = std::isfinite(stroke.widths[i]) ? std::max(stroke.widths[i], 0.F) : 0.F;
+      stroke.samples[i].pen.pressure = width / widest;
+    }
   }
 }
 
@@ -35,7 +39,11 @@ Recording recording_of(PenFile file) {
     made.fields = stroke.fields;
     made.samples = std::move(stroke.samples);
     if (in_space) continue;
-    for (Sample& sample : made.samples) sample.position.z() = 0;
+    for (Sample& sample : made.samples) {
+      // Strokes in space have y up.
+      if (stroke.has_z) sample.position.y() = -sample.position.y();
+      sample.position.z() = 0;
+    }
   }
   return recording;
 }

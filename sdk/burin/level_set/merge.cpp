@@ -87,6 +87,7 @@ class Merger {
   /// The result with a sharp line where surface and solid meet, or without; nothing where it cannot be made.
   std::optional<SurfacePatch> result(bool sharp) {
     sharp_ = sharp;
+    crossing_.reset();
     report(merge_->progress, "contouring", 0);
     const PatchMesh contour = contoured();
     seconds_.contour += watch_.lap();

@@ -36,6 +36,7 @@ class Discs {
 
   /// The disc that a line surrounds moves to the other side; false where neither side of it is one.
   bool move(const Loop& line, double shallow) {
+    if (line.size() < 3) return false;  // a part of a line that ends at fixed vertices
     const Side along{line[0], line[1]};
     for (const Side& start : {along, Side{along.second, along.first}}) {
       const auto triangle = triangle_at_.find(start);

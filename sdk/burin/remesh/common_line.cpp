@@ -69,6 +69,7 @@ Polygon::Foot next_foot(const Polygon& line, std::size_t side, double step, doub
 /// back.
 std::optional<std::vector<double>> arc_lengths(const Polygon& first, const std::vector<Vec3d>& second,
                                                double tolerance) {
+  if (!(first.length() > 0)) return {};
   Polygon::Foot foot = first.closest(second.front());
   std::vector<double> lengths;
   double along = foot.along;

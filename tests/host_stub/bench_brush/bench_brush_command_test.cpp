@@ -30,9 +30,10 @@ TEST(BenchBrush, ComparesABrushWithItselfAndTheStockBrushes) {
   EXPECT_EQ(wave["brush"], "org.burin.wave");
   EXPECT_GT(wave["copies"]["low"], 0.1);
   EXPECT_LE(wave["copies"]["low"], wave["copies"]["value"]);
-  // The same code, so near 1, whatever else the machine does.
-  EXPECT_LT(wave["against"]["low"], 1.25);
-  EXPECT_GT(wave["against"]["high"], 0.8);
+  // The same code: the order of magnitude holds whatever else the machine does.
+  EXPECT_LT(wave["against"]["low"], 4);
+  EXPECT_GT(wave["against"]["high"], 0.25);
+  EXPECT_LE(wave["against"]["low"], wave["against"]["high"]);
   EXPECT_GT(wave["stock"].size(), 10u);
   EXPECT_GT(wave["share_of_event"], 0.0);
   EXPECT_LT(wave["share_of_event"], 1.0);

@@ -15,7 +15,7 @@ TEST(NewCommand, WritesAProjectThatSaysItsName) {
   const std::string text = burin_output({"new", folder.path("wavy_line"), "--features", "tile,paint"});
   EXPECT_EQ(text.find(folder.path("wavy_line") + ": a brush in C++. Next:\n"), 0u) << text;
   const std::string source = read_file(folder.path("wavy_line/wavy_line.cpp"));
-  EXPECT_NE(source.find("class WavyLine : public Brush {"), std::string::npos) << source;
+  EXPECT_NE(source.find("class WavyLinePlugin : public Brush {"), std::string::npos) << source;
   EXPECT_NE(source.find(".id = \"org.example.wavy-line\""), std::string::npos);
   EXPECT_NE(source.find(".name = \"Wavy line\""), std::string::npos);
   EXPECT_NE(source.find("param_list(height, tile, colour)"), std::string::npos);

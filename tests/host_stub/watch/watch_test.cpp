@@ -131,7 +131,7 @@ TEST_F(Watch, IsNotBegunUnlessAskedFor) {
 }
 
 TEST_F(Watch, RefusesAStrokeThatMeetsNoSurface) {
-  const std::string stroke = folder_.write("a.stroke", equator_stroke(-0.6, 0.6, 20, R"("radius":0.001)"));
+  const std::string stroke = folder_.write("a.stroke", equator_stroke(0.3, 0.6, 20, R"("radius":0.01)"));
   const ProcessResult result = burin({"replay", stroke, "--mesh", folder_.write("cube.obj", cube_obj()),
                                       "--brush", "org.burin.groove", "--watch=1"});
   EXPECT_EQ(result.exit_code, 2);

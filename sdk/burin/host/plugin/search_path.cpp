@@ -33,6 +33,9 @@ std::vector<fs::path> files_of(const fs::path& folder, const Wanted& wanted) {
 /// Whether the table of names in a shared library has the symbol of a plugin.
 bool exports_plugin(const fs::path& library) {
   const std::string symbol = std::string(1, '\0') + BURIN_PLUGIN_SYMBOL + '\0';
+  constexpr std::uintmax_t most = 16 << 20;
+  std::error_code error;
+  if (!fs::is_regular_file(library, error) || fs::file_size(library, error) > most) return false;
   try {
     return read_file(library).find(symbol) != std::string::npos;
   } catch (const Error&) {

@@ -22,10 +22,14 @@ std::string carry_state(const burin_brush& from, const burin_brush& to) {
   if (!saving || !loading) return {};
   ErrorText error;
   std::uint64_t size = 0;
+  constexpr std::uint64_t most = std::uint64_t{1} << 30;
   saving->save(&from, nullptr, 0, &size, error.abi());
-  std::vector<std::byte> bytes(size);
-  burin_status status = saving->save(&from, bytes.data(), size, &size, error.abi());
+  if (size > most) return "its state cannot be saved: it has more than 1 GiB";
+  const std::uint64_t capacity = size;
+  std::vector<std::byte> bytes(capacity + 1);  // never null, which would ask for the size alone
+  burin_status status = saving->save(&from, bytes.data(), capacity, &size, error.abi());
   if (status != BURIN_OK) return "its state cannot be saved: " + error.line(status);
+  if (size > capacity) return "its state cannot be saved: it grew meanwhile";
   status = loading->load(&to, saving->version, bytes.data(), size, error.abi());
   return status == BURIN_OK ? std::string() : "its state is lost: " + error.line(status);
 }
