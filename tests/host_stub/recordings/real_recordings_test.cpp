@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 #include "host_stub/run_command.h"
 #include "support/shapes.h"
@@ -73,11 +75,25 @@ const Ground grounds[] = {{"plane", [] { return sheet([](double u, double v) { r
 using Case = std::tuple<const char*, Ground>;
 class RealRecording : public testing::TestWithParam<Case> {};
 
-INSTANTIATE_TEST_SUITE_P(, RealRecording,
+std::string name_of_case(const testing::TestParamInfo<Case>& one) {
+  return test_name_of(std::get<0>(one.param)) + "_" + std::get<1>(one.param).name;
+}
+
+/// Each recording on one of the grounds.
+std::vector<Case> on_one_ground_each() {
+  std::vector<Case> cases;
+  for (std::size_t i = 0; i < std::size(recordings); ++i)
+    cases.emplace_back(recordings[i], grounds[i % std::size(grounds)]);
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(OnOneGroundEach, RealRecording, testing::ValuesIn(on_one_ground_each()),
+                         name_of_case);
+
+// Takes some minutes: --gtest_also_run_disabled_tests.
+INSTANTIATE_TEST_SUITE_P(DISABLED_OnAllGrounds, RealRecording,
                          testing::Combine(testing::ValuesIn(recordings), testing::ValuesIn(grounds)),
-                         [](const auto& one) {
-                           return test_name_of(std::get<0>(one.param)) + "_" + std::get<1>(one.param).name;
-                         });
+                         name_of_case);
 
 /// Strokes in space lie on both sides of a surface, and break where they cross it. Sketches of hundreds of
 /// strokes over each other make so steep a relief that up to 28 of 325 break; none should.
