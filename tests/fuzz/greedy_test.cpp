@@ -67,7 +67,6 @@ const Greedy greedy_files[] = {
     {"csv", "x,y\n1,nan\n"},
     {"csv", "x,y\n1," + std::string(3'000'000, '9') + "\n"},
     {"libinput", "libinput:\ndevices: " + repeated("[", 200'000)},
-    {"evemu", "# EVEMU 1.2\nE: 99999999999999999999.1 0003 0000 20\n"},
     {"hid", "R: 4000000000 05 0d\n"},
     {"pointer", R"({"x":[1e308],"y":[1],"time":[0],"pointerId":[4294967295]})"},
 };
