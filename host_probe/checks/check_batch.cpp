@@ -16,19 +16,16 @@ constexpr float slack = 1e-4f;
 
 bool in_unit_interval(float value) { return value >= 0 && value <= 1; }
 
-void check_presence(const burin_batch& batch, std::uint64_t inputs) {
+/// Whether all declared arrays are there.
+bool check_presence(const burin_batch& batch, std::uint64_t inputs) {
+  bool all = true;
   for (const Array& array : arrays_of(batch)) {
     if (inputs & array.input)
-      expect(Rule::batch_declared, array.data, array.name);
+      all = expect(Rule::batch_declared, array.data, array.name) && all;
     else
       expect(Rule::batch_undeclared, !array.data, array.name);
   }
-}
-
-bool all_there(const burin_batch& batch, std::uint64_t inputs) {
-  for (const Array& array : arrays_of(batch))
-    if ((inputs & array.input) && !array.data) return false;
-  return true;
+  return all;
 }
 
 void check_finite(const burin_batch& batch, std::uint64_t inputs) {
@@ -151,8 +148,7 @@ void check_context(const Stroke& stroke, const burin_stroke_context& context) {
 }
 
 bool check_arrays(const burin_batch& batch, std::uint64_t inputs) {
-  check_presence(batch, inputs);
-  if (!all_there(batch, inputs)) return false;
+  if (!check_presence(batch, inputs)) return false;
   check_finite(batch, inputs);
   return true;
 }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "command.h"
+#include "report/report_folder.h"
 #include "system/console.h"
 #include "validate/badge.h"
 #include "validate/report.h"
@@ -48,10 +49,6 @@ std::vector<const Check*> chosen_checks(const ValidateOptions& options) {
   return chosen;
 }
 
-void write_text_file(const std::string& path, const std::string& text) {
-  write_file_whole(path, [&](std::ostream& out) { out << text; });
-}
-
 void validate_module(const ValidateOptions& options) {
   for (const std::string& file : {options.junit, options.badge})
     if (!file.empty()) check_output(file);
@@ -64,9 +61,9 @@ void validate_module(const ValidateOptions& options) {
   write_result(options.json    ? json_text(json_report(subject, results, options.level))
                : options.quiet ? short_report(subject, results)
                                : text_report(subject, results));
-  if (!options.junit.empty()) write_text_file(options.junit, junit_report(subject, results));
+  if (!options.junit.empty()) write_text(options.junit, junit_report(subject, results));
   if (!options.badge.empty())
-    write_text_file(options.badge, badge_text(subject.module, level_reached(results, options.level)));
+    write_text(options.badge, badge_text(subject.module, level_reached(results, options.level)));
   if (counts.failed == 0 && counts.passed > 0) return;
   flush_results();
   throw std::runtime_error(

@@ -71,9 +71,11 @@ class Merger {
   MergedSolid run() {
     seconds_.distances = watch_.lap();
     std::optional<SurfacePatch> patch;
+    report(merge_->progress, "contouring", 0);
+    const TriangleMesh relaxed = relaxed_mesh(surface_of_);
     // A crease that goes through itself is left as round as the voxels make it.
-    if (!(merge_->blend > 0)) patch = result(true);
-    if (!patch) patch = result(false);
+    if (!(merge_->blend > 0)) patch = result(relaxed, true);
+    if (!patch) patch = result(relaxed, false);
     if (patch)
       return {std::move(*patch), seconds_, voxel_, combined_.result->tree().leafCount() * VoxelBlock::voxels,
               combined_.bytes};
@@ -85,11 +87,10 @@ class Merger {
 
  private:
   /// The result with a sharp line where surface and solid meet, or without; nothing where it cannot be made.
-  std::optional<SurfacePatch> result(bool sharp) {
+  std::optional<SurfacePatch> result(const TriangleMesh& relaxed, bool sharp) {
     sharp_ = sharp;
     crossing_.reset();
-    report(merge_->progress, "contouring", 0);
-    const PatchMesh contour = contoured();
+    const PatchMesh contour = contoured(relaxed);
     seconds_.contour += watch_.lap();
     // Where the line that they are cut along nearly touches itself, the two may differ; elsewhere they do
     // not.
@@ -114,9 +115,8 @@ class Merger {
   double known() const { return static_cast<double>(combined_.solid->background()); }
 
   /// The surface of the result around the solid, brought to the surface itself where it is that.
-  PatchMesh contoured() const {
-    TriangleMesh mesh = relaxed_mesh(surface_of_);
-    PatchMesh patch{{}, std::move(mesh.triangles), std::vector<Index>(mesh.positions.size(), no_index)};
+  PatchMesh contoured(const TriangleMesh& mesh) const {
+    PatchMesh patch{{}, mesh.triangles, std::vector<Index>(mesh.positions.size(), no_index)};
     for (const Vec3f& p : mesh.positions) patch.positions.push_back(p.cast<double>());
     const std::vector<Vec3d> contour = patch.positions;
     parallel_blocks(patch.positions.size(), 1024, [&](std::size_t begin, std::size_t end) {

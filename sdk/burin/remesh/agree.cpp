@@ -13,10 +13,7 @@ namespace burin {
 namespace {
 
 std::vector<Loop> lines_of(const DividedPatch& divided) {
-  PatchMesh part{divided.patch.positions, {}, divided.patch.kept};
-  for (std::size_t t = 0; t < divided.kept.size(); ++t)
-    if (divided.kept[t]) part.triangles.push_back(divided.patch.triangles[t]);
-  return border_loops(part);
+  return border_loops({divided.patch.positions, kept_triangles(divided), divided.patch.kept});
 }
 
 /// Triangles that hang together on one side of the lines.

@@ -117,9 +117,10 @@ std::vector<LinePair> pair_lines(const PatchMesh& first, const std::vector<Loop>
   std::vector<bool> taken(first_loops.size(), false);
   for (std::size_t j = 0; j < second_loops.size(); ++j) {
     const Loop turned(second_loops[j].rbegin(), second_loops[j].rend());
+    const std::vector<Vec3d> points = points_of(second, turned);
     for (std::size_t i = 0; i < first_loops.size(); ++i) {
       if (taken[i]) continue;
-      auto order = along_common_line(points_of(first, first_loops[i]), points_of(second, turned), tolerance);
+      auto order = along_common_line(points_of(first, first_loops[i]), points, tolerance);
       if (!order) continue;
       pairs.push_back({i, j, turned, std::move(*order)});
       taken[i] = true;

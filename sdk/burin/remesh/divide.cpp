@@ -64,11 +64,15 @@ DividedPatch divide(PatchMesh patch, const PointField& field, const BringPoint& 
   return divided;
 }
 
-PatchMesh kept_part(const DividedPatch& divided) {
-  PatchMesh part{divided.patch.positions, {}, divided.patch.kept};
+std::vector<Triangle> kept_triangles(const DividedPatch& divided) {
+  std::vector<Triangle> kept;
   for (std::size_t t = 0; t < divided.kept.size(); ++t)
-    if (divided.kept[t]) part.triangles.push_back(divided.patch.triangles[t]);
-  return without_unused_vertices(part);
+    if (divided.kept[t]) kept.push_back(divided.patch.triangles[t]);
+  return kept;
+}
+
+PatchMesh kept_part(const DividedPatch& divided) {
+  return without_unused_vertices({divided.patch.positions, kept_triangles(divided), divided.patch.kept});
 }
 
 }  // namespace burin

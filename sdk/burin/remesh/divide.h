@@ -17,6 +17,8 @@ struct DividedPatch {
 /// A patch divided where `field` is 0. The part in which it is above 0 is kept.
 DividedPatch divide(PatchMesh patch, const PointField& field, const BringPoint& bring);
 
+std::vector<Triangle> kept_triangles(const DividedPatch& divided);
+
 /// The kept triangles by themselves, with the vertices that they have.
 PatchMesh kept_part(const DividedPatch& divided);
 
