@@ -52,7 +52,7 @@ burin_dependency(apt libopenmesh-dev why "half-edges of meshes that are cut, joi
 burin_find_library(OpenMesh::core OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh OpenMeshCore REQUIRED)
 
 # The tools because Debian's configuration of the library insists on finding them.
-burin_dependency(apt libopenimageio-dev openimageio-tools why "stamps in, PNG pictures out")
+burin_dependency(apt libopenimageio-dev openimageio-tools why "stamps in, baked maps out")
 find_package(OpenImageIO 2.4 REQUIRED)
 # Debian's configuration of it names a folder of OpenCV that its package does not bring; the headers' own
 # folder comes with OpenImageIO_Util.
@@ -61,7 +61,7 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
 
 # Not through OpenImageIO, which lets libpng write its complaints to the terminal and moves pictures by where
 # they stand on a page.
-burin_dependency(apt libpng-dev why "PNG stamps in, as numbers")
+burin_dependency(apt libpng-dev why "PNG stamps in, as numbers; PNG pictures out")
 find_package(PNG REQUIRED)
 
 burin_dependency(apt libtiff-dev why "what OpenImageIO does not tell of TIFF stamps: no-data values, masks")

@@ -136,6 +136,7 @@ function(burin_test folder)
   endif()
   target_link_libraries(${name} PRIVATE
     ${ARG_LINK} burin_test_support GTest::gtest_main burin_build_flags burin_test_flags)
+  add_dependencies(${name} burin_images)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES
     TIMEOUT 300 COST ${ARG_COST} LABELS "${ARG_LABELS};${folder}")
 endfunction()

@@ -1,22 +1,21 @@
 #include "picture_file.h"
 
-#include <OpenImageIO/imageio.h>
+#include <png.h>
 
 #include <stdexcept>
 
 namespace burin::test {
 
 Picture read_png(const std::filesystem::path& path) {
-  const auto input = OIIO::ImageInput::open(path.string());
-  if (!input) throw std::runtime_error("cannot open " + path.string());
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.nchannels != 3 || input->format_name() != std::string("png"))
-    throw std::runtime_error("no RGB PNG");
-  Picture picture{spec.width, spec.height, {}};
-  picture.rgb.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * 3);
-  if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, picture.rgb.data())) {
+  png_image file{};
+  file.version = PNG_IMAGE_VERSION;
+  if (!png_image_begin_read_from_file(&file, path.c_str()))
+    throw std::runtime_error("cannot open " + path.string());
+  if (file.format != PNG_FORMAT_RGB) throw std::runtime_error("no RGB PNG");
+  Picture picture{static_cast<int>(file.width), static_cast<int>(file.height), {}};
+  picture.rgb.resize(PNG_IMAGE_SIZE(file));
+  if (!png_image_finish_read(&file, nullptr, picture.rgb.data(), 0, nullptr))
     throw std::runtime_error("cannot read " + path.string());
-  }
   return picture;
 }
 

@@ -32,6 +32,17 @@ TEST(StampCommand, SaysWhatAStampIs) {
   EXPECT_EQ(stamp["seam"]["verdict"], "tiles");
 }
 
+TEST(StampCommand, NamesAMissingModuleOfImages) {
+  const CommandFolder folder;
+  write_exr(folder.path("a.exr"), {1, 1, {"Y"}, {1}});
+  std::filesystem::copy_file(BURIN_COMMAND, folder.path("burin"));
+  const ProcessResult result = run_process({folder.path("burin"), "stamp", folder.path("a.exr")}, {});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+  EXPECT_NE(result.err.find("lib/burin/burin-images.so: cannot be loaded to read or write an image"), std::string::npos)
+      << result.err;
+}
+
 /// Everything but one of the stamps loads; that one is a test of its own.
 TEST(StampCommand, LoadsEveryRealStampAndJudgesItsSeam) {
   BURIN_SHARED_DATA_OR_SKIP(path, rock);

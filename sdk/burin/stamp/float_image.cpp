@@ -1,6 +1,6 @@
 // Writes EXR files.
 #include <burin/base/error.h>
-#include <burin/stamp/files/encode_image.h>
+#include <burin/stamp/files/image_codec.h>
 #include <burin/stamp/float_image.h>
 
 #include <algorithm>
@@ -12,13 +12,7 @@ void write_exr(const std::filesystem::path& path, const FloatImage& image) {
                              static_cast<std::size_t>(std::max(image.height, 0)) * image.channels.size();
   if (values == 0 || image.texels.size() != values)
     throw ContractError("write_exr: the image has no texels, or another number of values than its size");
-  OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()), OIIO::TypeFloat);
-  spec.channelnames = image.channels;
-  spec.attribute("compression", "zip");
-  spec.attribute("oiio:ColorSpace", "Linear");
-  // Without this attribute the library stores the time of writing, so that no two files would be equal.
-  spec.attribute("DateTime", "");
-  write_encoded(path, "exr", spec, image.texels.data());
+  image_codec().write_exr(path, image);
 }
 
 }  // namespace burin

@@ -1,6 +1,6 @@
 // Tests vector displacement maps in the conventions of different programs, drawn by the vdm-trail brush.
 
-#include <OpenImageIO/imageio.h>
+#include <burin/stamp/float_image.h>
 
 #include <array>
 #include <cmath>
@@ -23,15 +23,12 @@ Texel dune(double x, double y) {
 
 void write_map(const std::filesystem::path& path, int width, int height,
                const std::function<Texel(double x, double y)>& texel) {
-  std::vector<float> texels;
+  FloatImage image{width, height, {"R", "G", "B"}, {}};
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column)
       for (const float value : texel((2 * column + 1.0 - width) / height, (height - 2 * row - 1.0) / height))
-        texels.push_back(value);
-  const OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::FLOAT);
-  const auto out = OIIO::ImageOutput::create(path.string());
-  ASSERT_TRUE(out && out->open(path.string(), spec));
-  ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, texels.data()) && out->close());
+        image.texels.push_back(value);
+  write_exr(path, image);
 }
 
 /// The plane with a straight stroke of this brush on it, drawn with the map and other settings.
@@ -107,12 +104,7 @@ TEST_F(VdmConventions, RefusesOtherAxes) {
 }
 
 TEST_F(VdmConventions, TakesTheLayerThatIsAskedFor) {
-  OIIO::ImageSpec spec(1, 1, 6, OIIO::TypeDesc::FLOAT);
-  spec.channelnames = {"a.B", "a.G", "a.R", "b.B", "b.G", "b.R"};
-  const std::array<float, 6> texel = {0.5f, 0, 0, 0.25f, 0, 0};
-  const auto out = OIIO::ImageOutput::create(other_.string());
-  ASSERT_TRUE(out && out->open(other_.string(), spec));
-  ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, texel.data()) && out->close());
+  write_exr(other_, {1, 1, {"a.B", "a.G", "a.R", "b.B", "b.G", "b.R"}, {0.5f, 0, 0, 0.25f, 0, 0}});
   EXPECT_THROW(drawn(other_, {}), Error);
   const auto highest = [&](const ParamSettings& params) {
     float z = 0;

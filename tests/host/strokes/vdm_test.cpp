@@ -1,4 +1,4 @@
-#include <OpenImageIO/imageio.h>
+#include <burin/stamp/float_image.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,17 +30,14 @@ struct Tube {
 };
 
 void write_map(const std::filesystem::path& path, int size) {
-  std::vector<float> texels;
+  FloatImage image{size, size, {"R", "G", "B"}, {}};
   for (int row = 0; row < size; ++row)
     for (int column = 0; column < size; ++column) {
       const double x = 2 * (column + 0.5) / size - 1, y = 1 - 2 * (row + 0.5) / size;
       const Vec3d moved = Tube::place(x, y) - Vec3d(x, y, 0);
-      for (const double component : moved) texels.push_back(static_cast<float>(component));
+      for (const double component : moved) image.texels.push_back(static_cast<float>(component));
     }
-  OIIO::ImageSpec spec(size, size, 3, OIIO::TypeDesc::FLOAT);
-  const auto out = OIIO::ImageOutput::create(path.string());
-  ASSERT_TRUE(out && out->open(path.string(), spec));
-  ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, texels.data()) && out->close());
+  write_exr(path, image);
 }
 
 /// A surface that unrolls into the plane: places and frames by plane coordinates.

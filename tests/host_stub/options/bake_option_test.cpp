@@ -1,4 +1,4 @@
-#include <OpenImageIO/imageio.h>
+#include <burin/stamp/files/stamp_file.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/surface.h>
 #include <burin/surface/triangulate.h>
@@ -19,12 +19,11 @@ struct Map {
   std::vector<float> texels;
 
   explicit Map(const std::string& path) {
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) throw std::runtime_error(OIIO::geterror());
-    size = input->spec().width;
-    channels = input->spec().channelnames;
-    texels.resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * channels.size());
-    input->read_image(0, 0, 0, static_cast<int>(channels.size()), OIIO::TypeFloat, texels.data());
+    StampFile file;
+    const StampImage image = read_stamp(path, {}, &file);
+    size = image.width;
+    channels = file.channels;
+    texels = image.texels;
   }
 
   /// Bilinear; beyond the outermost texels those hold.

@@ -1,21 +1,12 @@
-// Reads images with OpenImageIO (EXR, TIFF, JPEG) and libpng, after checks of sizes that the libraries lack.
-#include <OpenImageIO/imageio.h>
+// Tells the format of an image file by its first bytes, and reads it with libpng or the image codec.
 #include <burin/base/error.h>
-#include <burin/base/file.h>
-#include <burin/base/quoted_word.h>
-#include <burin/stamp/files/exr_header.h>
-#include <burin/stamp/files/image_limits.h>
-#include <burin/stamp/files/jpeg_size.h>
+#include <burin/stamp/files/chosen_channels.h>
+#include <burin/stamp/files/image_codec.h>
 #include <burin/stamp/files/png_reader.h>
-#include <burin/stamp/files/stamp_channels.h>
 #include <burin/stamp/files/stored_image.h>
-#include <burin/stamp/files/tiff_facts.h>
-#include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <fstream>
-#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -43,247 +34,19 @@ const char* format_of(const fs::path& path, std::uintmax_t size) {
   throw FileError(path.string(), "is no EXR, TIFF, PNG or JPEG image");
 }
 
-/// One image of a file. EXR files have one or more, called parts.
-struct Part {
-  int index = 0;
-  OIIO::ImageSpec spec;
-};
-
-/// An open EXR, TIFF or JPEG file.
-class ImageFile {
- public:
-  ImageFile(const fs::path& path, const char* format, std::uintmax_t bytes)
-      : path_(path.string()), format_(format), bytes_(bytes), input_(OIIO::ImageInput::create(format)) {
-    OIIO::ImageSpec hints, first;
-    hints.attribute("oiio:UnassociatedAlpha", 1);
-    if (!input_) fail(OIIO::geterror());
-    input_->threads(1);
-    if (!input_->open(path_, first, hints)) fail(input_->geterror());
-  }
-
-  std::vector<Part> parts() {
-    std::vector<Part> parts;
-    constexpr int most = 1000;
-    while (static_cast<int>(parts.size()) < most && input_->seek_subimage(static_cast<int>(parts.size()), 0))
-      parts.push_back({static_cast<int>(parts.size()), input_->spec()});
-    if (format_ != "openexr") parts.resize(1);
-    return parts;
-  }
-
-  int count_mip_levels(const Part& part) {
-    // If the library is asked for a missing level of a part other than the current one, it reads zeros
-    // afterwards.
-    input_->seek_subimage(part.index, 0);
-    int levels = 1;
-    while (input_->seek_subimage(part.index, levels)) ++levels;
-    return levels;
-  }
-
-  /// Reads the channels `first` to `last` of a part, interleaved.
-  std::vector<float> read(const Part& part, int first, int last) {
-    std::vector<float> values(part.spec.image_pixels() * static_cast<std::size_t>(last + 1 - first));
-    if (!input_->read_image(part.index, 0, first, last + 1, OIIO::TypeFloat, values.data()))
-      fail(input_->geterror());
-    return values;
-  }
-
-  const std::string& path() const { return path_; }
-  std::string_view format() const { return format_; }
-  std::uintmax_t bytes() const { return bytes_; }
-
- private:
-  /// Throws the library's error message as one line.
-  [[noreturn]] void fail(std::string text) const {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    throw FileError(path_, text.empty() ? "not readable as an image" : printable(text));
-  }
-
-  const std::string path_, format_;
-  const std::uintmax_t bytes_;
-  std::unique_ptr<OIIO::ImageInput> input_;
-};
-
-/// The names of all channels of all parts. If there are several parts, names start with the name of their
-/// part.
-std::vector<std::string> channel_names(const std::vector<Part>& parts) {
-  std::vector<std::string> names;
-  for (const Part& part : parts) {
-    const std::string prefix = std::string(part.spec.get_string_attribute("oiio:subimagename")) + ".";
-    for (const std::string& name : part.spec.channelnames)
-      names.push_back(parts.size() == 1 || name.starts_with(prefix) ? name : prefix + name);
-  }
-  return names;
-}
-
-/// The channels that a stamp is made of, all of one part.
-struct ChosenChannels {
-  Part part;
-  std::vector<int> channels;  ///< numbers within the part
-  std::vector<std::string> names, unused;
-};
-
-ChosenChannels chosen_channels(const std::string& path, const std::vector<Part>& parts,
-                               const StampOptions& options) {
-  const std::vector<std::string> names = channel_names(parts);
-  ChannelChoice choice;
-  try {
-    choice = choose_channels(names, options.layer, options.channel);
-  } catch (const Error& error) {
-    throw FileError(path, error.what());
-  }
-  ChosenChannels chosen;
-  for (const std::size_t i : choice.unused) chosen.unused.push_back(names[i]);
-  for (const std::size_t i : choice.used) {
-    auto channel = static_cast<int>(i);
-    auto part = parts.begin();
-    for (; channel >= part->spec.nchannels; ++part) channel -= part->spec.nchannels;
-    if (!chosen.channels.empty() && part->index != chosen.part.index)
-      throw FileError(path, "the channels lie in different parts of the file");
-    chosen.part = *part;
-    chosen.channels.push_back(channel);
-    chosen.names.push_back(names[i]);
-  }
-  return chosen;
-}
-
-void expect_texels(const std::string& path, const ChosenChannels& chosen, std::string_view format) {
-  const OIIO::ImageSpec& spec = chosen.part.spec;
-  if (spec.deep) throw FileError(path, "holds deep texels; a stamp has one value a texel and channel");
-  if (spec.full_depth > 1 || spec.depth > 1) throw FileError(path, "holds a volume, not an image");
-  using Type = OIIO::TypeDesc;
-  const std::vector<unsigned char> known =
-      format == "openexr" ? std::vector<unsigned char>{Type::HALF, Type::FLOAT}
-                          : std::vector<unsigned char>{Type::HALF,  Type::FLOAT,  Type::UINT8, Type::UINT16,
-                                                       Type::INT16, Type::UINT32, Type::INT32};
-  for (const int c : chosen.channels)
-    if (const Type type = spec.channelformat(c); !std::ranges::count(known, type.basetype))
-      throw FileError(path, fmt::format("channel {} holds texels of type {}, which no stamp is made of",
-                                        quoted_word(spec.channel_name(c)), type.c_str()));
-}
-
-/// Removes the offset of an image that is not EXR and does not state the size of a whole picture: TIFF's page
-/// offset is a position on paper, not a data window.
-void set_window(OIIO::ImageSpec& spec, std::string_view format) {
-  const bool whole = spec.full_width == spec.width && spec.full_height == spec.height;
-  if (format != "openexr" && whole) spec.x = spec.y = spec.full_x = spec.full_y = 0;
-}
-
-/// The display window of an image: the data window where they overlap, else 0.
-std::vector<float> display_window(const OIIO::ImageSpec& spec, std::int64_t channels,
-                                  std::vector<float> data) {
-  if (spec.roi() == spec.roi_full()) return data;
-  const std::int64_t left = std::int64_t{spec.x} - spec.full_x, top = std::int64_t{spec.y} - spec.full_y;
-  const std::int64_t x_begin = std::max<std::int64_t>(left, 0);
-  const std::int64_t x_end = std::min<std::int64_t>(left + spec.width, spec.full_width);
-  const std::int64_t y_begin = std::max<std::int64_t>(top, 0);
-  const std::int64_t y_end = std::min<std::int64_t>(top + spec.height, spec.full_height);
-  std::vector<float> display(static_cast<std::size_t>(channels * spec.full_width * spec.full_height));
-  if (x_begin >= x_end) return display;
-  for (std::int64_t y = y_begin; y < y_end; ++y)
-    std::copy_n(data.begin() + ((y - top) * spec.width + x_begin - left) * channels,
-                (x_end - x_begin) * channels, display.begin() + (y * spec.full_width + x_begin) * channels);
-  return display;
-}
-
-/// Selects channels, in their order, from values with `stored` channels per texel, the first of which is
-/// `first`.
-std::vector<float> picked(std::vector<float> values, std::size_t stored, int first,
-                          const std::vector<int>& channels) {
-  bool all = channels.size() == stored;
-  for (std::size_t i = 0; i < channels.size(); ++i) all = all && channels[i] == first + static_cast<int>(i);
-  if (all) return values;
-  std::vector<float> chosen;
-  chosen.reserve(values.size() / stored * channels.size());
-  for (std::size_t texel = 0; texel < values.size(); texel += stored)
-    for (const int channel : channels)
-      chosen.push_back(values[texel + static_cast<std::size_t>(channel - first)]);
-  return chosen;
-}
-
-StampFile describe(ImageFile& file, const ChosenChannels& chosen) {
-  const OIIO::ImageSpec& spec = chosen.part.spec;
-  StampFile described;
-  described.format = file.format();
-  described.texel_type = spec.channelformat(chosen.channels.front()).c_str();
-  described.compression = spec.get_string_attribute("compression");
-  described.channels = chosen.names;
-  described.unused = chosen.unused;
-  described.tile_width = spec.tile_width;
-  described.tile_height = spec.tile_height;
-  described.mip_levels = file.count_mip_levels(chosen.part);
-  described.orientation = spec.get_int_attribute("Orientation", 1);
-  described.data_x = spec.x - spec.full_x;
-  described.data_y = spec.y - spec.full_y;
-  described.data_width = spec.width;
-  described.data_height = spec.height;
-  std::tie(described.wrap_u, described.wrap_v) = parse_wraps(spec.get_string_attribute("wrapmodes").c_str());
-  return described;
-}
-
-StoredImage read_chosen(ImageFile& file, const StampOptions& options) {
-  ChosenChannels chosen = chosen_channels(file.path(), file.parts(), options);
-  expect_texels(file.path(), chosen, file.format());
-  OIIO::ImageSpec& spec = chosen.part.spec;
-  set_window(spec, file.format());
-  const auto [first, last] = std::ranges::minmax(chosen.channels);
-  const int stored = last + 1 - first;
-  const auto expect_size = [&](int width, int height) {
-    const auto size = [](int number) { return static_cast<std::uint64_t>(std::max(number, 0)); };
-    check_stamp_size(file.path(), size(width), size(height), size(stored), file.bytes());
-  };
-  expect_size(spec.width, spec.height);
-  expect_size(spec.full_width, spec.full_height);
-  StoredImage image;
-  image.file = describe(file, chosen);
-  image.image.width = spec.full_width;
-  image.image.height = spec.full_height;
-  image.image.channels = static_cast<int>(chosen.channels.size());
-  image.image.texels = picked(display_window(spec, stored, file.read(chosen.part, first, last)),
-                              static_cast<std::size_t>(stored), first, chosen.channels);
-  return image;
-}
-
-/// Inverts the values of an image in which 0 is white. For bytes the library has done that already.
-void make_black_zero(StoredImage& image) {
-  if (image.file.texel_type == "uint8") return;
-  const auto channels = static_cast<std::size_t>(image.image.channels);
-  for (std::size_t i = 0; i < image.image.texels.size(); i += channels)
-    image.image.texels[i] = 1 - image.image.texels[i];
-}
-
-StoredImage read_tiff(const fs::path& path, std::uintmax_t bytes, const StampOptions& options) {
-  const TiffInfo facts = read_tiff_facts(path, bytes);
-  if (facts.cut_off) throw FileError(path.string(), "is cut off: texels lie beyond its end");
-  if (facts.more_images) throw FileError(path.string(), "holds several images; a stamp is one");
-  if (!facts.numbers)
-    throw FileError(path.string(), "holds colours other than grey and RGB; a stamp is made of numbers");
-  ImageFile file(path, "tiff", bytes);
-  StoredImage image = read_chosen(file, options);
-  if (facts.white_is_zero) make_black_zero(image);
-  image.no_data = facts.no_data;
-  return image;
-}
-
-StoredImage read_jpeg(const fs::path& path, std::uintmax_t bytes, const StampOptions& options) {
-  const JpegInfo size = jpeg_size(read_file(path));
-  check_stamp_size(path.string(), size.width, size.height, size.components, bytes);
-  if (!size.has_end) throw FileError(path.string(), "is cut off: the end of the image is missing");
-  ImageFile file(path, "jpeg", bytes);
-  return read_chosen(file, options);
+std::vector<std::string> png_channel_names(std::size_t channels) {
+  const std::vector<std::string> names[] = {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
+  return names[channels - 1];
 }
 
 StoredImage read_png(const fs::path& path, const StampOptions& options) {
   PngImage png = read_png_numbers(path);
-  Part part;
-  part.spec = OIIO::ImageSpec(static_cast<int>(png.width), static_cast<int>(png.height),
-                              static_cast<int>(png.channels), png.words ? OIIO::TypeUInt16 : OIIO::TypeUInt8);
-  if (png.channels == 2) part.spec.channelnames = {"Y", "A"};
-  const ChosenChannels chosen = chosen_channels(path.string(), {part}, options);
+  const ChosenChannels chosen = chosen_channels(path.string(), {png_channel_names(png.channels)}, options);
   StoredImage stored;
-  stored.image.width = stored.file.data_width = part.spec.width;
-  stored.image.height = stored.file.data_height = part.spec.height;
+  stored.image.width = stored.file.data_width = static_cast<int>(png.width);
+  stored.image.height = stored.file.data_height = static_cast<int>(png.height);
   stored.image.channels = static_cast<int>(chosen.channels.size());
-  stored.image.texels = picked(std::move(png.texels), png.channels, 0, chosen.channels);
+  stored.image.texels = texels_of(chosen.channels, std::move(png.texels), png.channels);
   stored.file.format = "png";
   stored.file.texel_type = png.words ? "uint16" : "uint8";
   stored.file.channels = chosen.names;
@@ -301,12 +64,7 @@ StoredImage read_stored_image(const fs::path& path, const StampOptions& options)
   const std::uintmax_t bytes = fs::file_size(path, error);
   if (error) throw FileError(path.string(), error.message());
   const std::string_view format = format_of(path, bytes);
-  if (format == "png") return read_png(path, options);
-  if (format == "tiff") return read_tiff(path, bytes, options);
-  if (format == "jpeg") return read_jpeg(path, bytes, options);
-  check_exr_header(path, bytes);
-  ImageFile file(path, "openexr", bytes);
-  return read_chosen(file, options);
+  return format == "png" ? read_png(path, options) : image_codec().read({path, format, bytes}, options);
 }
 
 }  // namespace burin

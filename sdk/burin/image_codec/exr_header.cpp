@@ -1,7 +1,7 @@
 // Reads the headers of an EXR file as OpenEXR lays them out, to check their sizes before the library
 // allocates.
 #include <burin/base/error.h>
-#include <burin/stamp/files/exr_header.h>
+#include <burin/image_codec/exr_header.h>
 #include <burin/stamp/files/image_limits.h>
 
 #include <algorithm>

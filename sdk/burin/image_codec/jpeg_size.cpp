@@ -1,5 +1,5 @@
 // Reads the markers of a JPEG file [ITU-T T.81].
-#include <burin/stamp/files/jpeg_size.h>
+#include <burin/image_codec/jpeg_size.h>
 
 #include <cstddef>
 

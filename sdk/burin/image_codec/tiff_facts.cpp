@@ -1,6 +1,6 @@
 // Reads tags of a TIFF file with libtiff.
 #include <burin/base/error.h>
-#include <burin/stamp/files/tiff_facts.h>
+#include <burin/image_codec/tiff_facts.h>
 #include <tiffio.h>
 
 #include <algorithm>
