@@ -39,7 +39,8 @@ TEST(StampCommand, NamesAMissingModuleOfImages) {
   const ProcessResult result = run_process({folder.path("burin"), "stamp", folder.path("a.exr")}, {});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
-  EXPECT_NE(result.err.find("lib/burin/burin-images.so: cannot be loaded to read or write an image"), std::string::npos)
+  EXPECT_NE(result.err.find("lib/burin/burin-images.so: cannot be loaded to read or write an image"),
+            std::string::npos)
       << result.err;
 }
 

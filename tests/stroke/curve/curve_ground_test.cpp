@@ -57,5 +57,18 @@ TEST(CurveGround, IsClosestBelowAPositionWhateverBumpsAreBeside) {
   }
 }
 
+/// A groove of the plane, 0.02 wide and 0.012 deep, crossed with one sample on each side of it.
+TEST(CurveGround, GoesOnAcrossAGrooveThatIsNarrowForTheBrush) {
+  const Surface surface =
+      make_surface(test::patch({-0.2, 0.2, -0.2, 0.2, 80, 80, false, 0, 0.3}, [](double u, double v) {
+        return Vec3d(u, v, std::min(0.0, 1.2 * std::abs(u) - 0.012));
+      }));
+  const Picker picker(surface);
+  const CurveGround ground(surface, picker);
+  const auto left = *ground.closest(Vec3f(-0.01F, 0, 0), 1), right = *ground.closest(Vec3f(0.01F, 0, 0), 1);
+  EXPECT_TRUE(ground.connects(left, right, 0.025));
+  EXPECT_FALSE(ground.connects(left, right, 0.01)) << "deeper than half the radius";
+}
+
 }  // namespace
 }  // namespace burin

@@ -3,6 +3,7 @@
 // costs one projection, independent of the size of the surface.
 #include <burin/stroke/curve/curve_ground.h>
 #include <burin/surface/geometry/normals.h>
+#include <burin/surface/topology/chord_path.h>
 
 #include <algorithm>
 #include <array>
@@ -74,7 +75,7 @@ bool runs_near(const Vec3f& from, const Vec3f& to, double scale, const IsNear& i
 
 }  // namespace
 
-bool CurveGround::connects(const Point& from, const Point& to) const {
+bool CurveGround::connects(const Point& from, const Point& to, double radius) const {
   SurfacePoint near = from.at;
   const auto is_near_base = [&](const Vec3f& point, float reach) {
     const std::optional<Point> found = closest(point, reach, near);
@@ -85,7 +86,8 @@ bool CurveGround::connects(const Point& from, const Point& to) const {
     return picker_->closest(point, reach).has_value();
   };
   return (base_ && runs_near(from.at.position, to.at.position, scale(), is_near_base)) ||
-         runs_near(from.on_surface.position, to.on_surface.position, scale(), is_near_surface);
+         runs_near(from.on_surface.position, to.on_surface.position, scale(), is_near_surface) ||
+         has_path_near_chord(*surface_, from.on_surface, to.on_surface, radius / 2);
 }
 
 CurveGround::Point CurveGround::on_base(Index near, const Vec3f& point) const {

@@ -33,11 +33,13 @@ class CurveGround {
   /// Returns nothing if the surface is farther than `reach` (object units) from the position.
   std::optional<Point> closest(const Vec3f& position, float reach) const;
 
-  /// Whether a pen can move from one point to the other without leaving the ground. Three points of the chord
-  /// must be within a quarter of its length of the ground. Failing that, the same must hold for the chord
-  /// between the points of the surface itself, since relief as wide as the brush makes the base surface
-  /// ragged.
-  bool connects(const Point& from, const Point& to) const;
+  /// Whether a pen whose brush has this radius (object units) can move from one point to the other without
+  /// leaving the ground. Three points of the chord must be within a quarter of its length of the ground.
+  /// Failing that, the same must hold for the chord between the points of the surface itself, since relief as
+  /// wide as the brush makes the base surface ragged. Failing that too, a path over the surface must join
+  /// the points within half the radius of the chord, since the pen may go from one side of a groove
+  /// to the other with one sample. Both points must have their point of the surface.
+  bool connects(const Point& from, const Point& to, double radius) const;
 
   /// The point of the ground closest to a point, found by a search that starts at `near`. Returns nothing if
   /// it is farther than `reach` (object units).

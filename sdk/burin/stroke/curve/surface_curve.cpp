@@ -31,7 +31,7 @@ CurveTracer::CurveTracer(const CurveGround& ground, double radius, StrokeWidth w
       path_(radius, min_spacing_ / 2) {}
 
 bool CurveTracer::connects(const CurveGround::Point& place) const {
-  return knots_.empty() || ground_.connects(knots_.back().ground_point, place);
+  return knots_.empty() || ground_.connects(knots_.back().ground_point, place, radius_);
 }
 
 PenPath::Change CurveTracer::add(const CurveGround::Point& place, double time, const Pen& pen) {
