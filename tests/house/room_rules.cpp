@@ -40,7 +40,7 @@ const std::map<std::string, Names> room_may_include = {
     {"chart/front", {"chart/frames"}},
     {"chart/joins", {"chart/front"}},
     {"chart/dabs", {"chart/frames"}},
-    {"chart/carry", {"chart/frames"}},
+    {"chart/transfer", {"chart/frames"}},
     {"stamp/files", {}},
     {"stamp/lettering", {}},
     {"deform/evaluate", {}},

@@ -10,8 +10,8 @@
 namespace burin {
 
 Index LiveChart::first(Index vertex) const {
-  const Index place = places_.find(vertex);
-  return place == no_index ? no_index : first_[place];
+  const Index local = local_indices_.find(vertex);
+  return local == no_index ? no_index : first_[local];
 }
 
 std::uint32_t LiveChart::sheet_count(Index vertex) const {
@@ -23,11 +23,11 @@ std::uint32_t LiveChart::sheet_count(Index vertex) const {
 void LiveChart::clear() {
   nodes_.resize(0);
   states_.clear();
-  place_of_.clear();
+  local_index_of_.clear();
   next_.clear();
   changed_in_.clear();
   contested_.clear();
-  places_.clear();
+  local_indices_.clear();
   first_.clear();
   altered_in_.clear();
   begin_event(0, false, 0);
@@ -54,7 +54,7 @@ void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame, const Vec
   if (!vacant(slot) && !in_place) unlink(slot);
   nodes_.set(slot, vertex, 0, frame, normal);
   if (in_place)
-    alter(place_of_[slot]);
+    alter(local_index_of_[slot]);
   else
     link(slot);
 }
@@ -65,7 +65,7 @@ bool LiveChart::rewrite(Index slot, const ChartFrame& frame, Rewritten& rewritte
   if (nodes_.frame(slot) == frame) return true;
   nodes_.set_frame(slot, frame);
   changed_in_[slot] = event_;
-  std::uint32_t& altered_in = altered_in_[place_of_[slot]];
+  std::uint32_t& altered_in = altered_in_[local_index_of_[slot]];
   if (std::exchange(altered_in, event_) != event_) rewritten.vertices.push_back(nodes_.vertex[slot]);
   return true;
 }
@@ -111,11 +111,11 @@ std::vector<Index> LiveChart::kept_slots(const Chart& chart) const {
 
 std::vector<Index> LiveChart::sorted_slots() const {
   Index vertex_end = 0;
-  for (Index place = 0; place < places_.size(); ++place)
-    vertex_end = std::max(vertex_end, places_.vertex(place) + 1);
+  for (Index local = 0; local < local_indices_.size(); ++local)
+    vertex_end = std::max(vertex_end, local_indices_.vertex(local) + 1);
   IndexSet occupied(vertex_end);
-  for (Index place = 0; place < places_.size(); ++place)
-    if (first_[place] != no_index) occupied.insert(places_.vertex(place));
+  for (Index local = 0; local < local_indices_.size(); ++local)
+    if (first_[local] != no_index) occupied.insert(local_indices_.vertex(local));
   std::vector<Index> vertices;
   occupied.drain(vertices);
   std::vector<Index> slots;
@@ -141,7 +141,7 @@ void LiveChart::reserve(Index slots) {
   if (slots <= nodes_.size()) return;
   nodes_.resize(slots);
   states_.resize(slots, SlotState::vacant);
-  place_of_.resize(slots);
+  local_index_of_.resize(slots);
   next_.resize(slots);
   changed_in_.resize(slots);
   contested_.resize(slots);
@@ -150,45 +150,45 @@ void LiveChart::reserve(Index slots) {
 /// Inserts the slot into its vertex's list, which is ordered by t, and renumbers the sheets after it.
 void LiveChart::link(Index slot) {
   const Index vertex = nodes_.vertex[slot];
-  Index place = places_.find(vertex);
-  if (place == no_index) {
-    place = places_.insert(vertex);
+  Index local = local_indices_.find(vertex);
+  if (local == no_index) {
+    local = local_indices_.insert(vertex);
     first_.push_back(no_index);
     altered_in_.push_back(0);
   }
-  place_of_[slot] = place;
-  alter(place);
+  local_index_of_[slot] = local;
+  alter(local);
   std::uint32_t sheet = 0;
-  Index* from = &first_[place];
+  Index* from = &first_[local];
   for (; *from != no_index && nodes_.t[*from] < nodes_.t[slot]; from = &next_[*from]) ++sheet;
   next_[slot] = std::exchange(*from, slot);
   for (Index later = slot; later != no_index; later = next_[later]) nodes_.sheet[later] = sheet++;
-  mark_alone(place);
+  mark_alone(local);
 }
 
 void LiveChart::unlink(Index slot) {
-  const Index place = place_of_[slot];
-  alter(place);
-  Index* from = &first_[place];
+  const Index local = local_index_of_[slot];
+  alter(local);
+  Index* from = &first_[local];
   while (*from != slot) from = &next_[*from];
   *from = next_[slot];
   for (Index later = *from; later != no_index; later = next_[later]) --nodes_.sheet[later];
   states_[slot] = SlotState::vacant;
-  mark_alone(place);
+  mark_alone(local);
 }
 
 /// Updates the state of all slots of one vertex: alone, or beside others.
-void LiveChart::mark_alone(Index place) {
-  const Index first = first_[place];
+void LiveChart::mark_alone(Index local) {
+  const Index first = first_[local];
   const bool alone = first != no_index && next_[first] == no_index;
   for (Index slot = first; slot != no_index; slot = next_[slot])
     states_[slot] = alone ? SlotState::alone : SlotState::beside_others;
 }
 
-void LiveChart::alter(Index place) {
-  if (altered_in_[place] == event_) return;
-  altered_in_[place] = event_;
-  altered_.push_back(places_.vertex(place));
+void LiveChart::alter(Index local) {
+  if (altered_in_[local] == event_) return;
+  altered_in_[local] = event_;
+  altered_.push_back(local_indices_.vertex(local));
 }
 
 }  // namespace burin

@@ -14,7 +14,7 @@ namespace burin {
 /// surface. Const functions, and rewrite() for different slots, may be called from several threads at once.
 class LiveChart {
  public:
-  explicit LiveChart(Index vertex_count) : places_(vertex_count) {}
+  explicit LiveChart(Index vertex_count) : local_indices_(vertex_count) {}
 
   /// The nodes, indexed by slot, in no particular order. The values of vacant slots are unspecified.
   const Chart& nodes() const { return nodes_; }
@@ -40,17 +40,19 @@ class LiveChart {
 
   /// The vertices of which a node changed or was removed in the last event, each once.
   std::span<const Index> altered() const { return altered_; }
-  bool is_altered(Index place) const { return altered_in_[place] == event_; }
+  bool is_altered(Index local) const { return altered_in_[local] == event_; }
 
   /// The last event computed all nodes with at least this t.
   double computed_from() const { return computed_from_; }
 
   /// The local index of a vertex, or no_index. Vertices of the chart are numbered in order of appearance,
-  /// from 0 to place_count() - 1.
-  Index place(Index vertex) const { return places_.find(vertex); }
-  Index place_of(Index slot) const { return place_of_[slot]; }  ///< local index of the slot's vertex
-  Index place_count() const { return places_.size(); }
-  Index vertex_at(Index place) const { return places_.vertex(place); }
+  /// from 0 to local_count() - 1.
+  Index local_index(Index vertex) const { return local_indices_.find(vertex); }
+  Index local_index_of(Index slot) const {
+    return local_index_of_[slot];
+  }  ///< local index of the slot's vertex
+  Index local_count() const { return local_indices_.size(); }
+  Index vertex_at(Index local) const { return local_indices_.vertex(local); }
 
   /// The slots that have nodes, by vertex and t. In proportion to the chart.
   std::vector<Index> sorted_slots() const;
@@ -95,16 +97,16 @@ class LiveChart {
   std::vector<Index> kept_slots(const Chart& chart) const;
   void link(Index slot);
   void unlink(Index slot);
-  void alter(Index place);
-  void mark_alone(Index place);
+  void alter(Index local);
+  void mark_alone(Index local);
 
   Chart nodes_;
   std::vector<SlotState> states_;          ///< [slot]
-  std::vector<Index> place_of_;            ///< [slot] local index of its vertex
+  std::vector<Index> local_index_of_;      ///< [slot] local index of its vertex
   std::vector<Index> next_;                ///< [slot] next slot of the same vertex
   std::vector<std::uint32_t> changed_in_;  ///< [slot] event that changed it last
   std::vector<std::uint8_t> contested_;    ///< [slot]
-  VertexNodes places_;
+  VertexNodes local_indices_;
   std::vector<Index> first_;               ///< [local index] first slot
   std::vector<std::uint32_t> altered_in_;  ///< [local index] event that altered the vertex last
   std::vector<Index> computed_, removed_, altered_;

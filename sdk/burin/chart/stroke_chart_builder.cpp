@@ -1,10 +1,10 @@
 // Computes stroke charts [R. Schmidt, Stroke Parameterization, 2013]: propagated over the vertices
 // themselves, or over the nodes of a base surface and interpolated from there to the vertices
-// (live_carrier.h).
+// (chart_transfer.h).
 #include <burin/base/error.h>
-#include <burin/chart/carry/live_carrier.h>
 #include <burin/chart/ground_chart_builder.h>
 #include <burin/chart/stroke_chart_builder.h>
+#include <burin/chart/transfer/chart_transfer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ struct StrokeChartBuilder::Stroke {
   BaseSurface* base_for(double radius, double follow);
   void prepare(const SurfaceCurve& curve, std::size_t unchanged);
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged);
-  bool on_base() const { return carried.has_value(); }
+  bool on_base() const { return transfer.has_value(); }
   GroundChartBuilder& own();
   GroundChartBuilder& builder() { return on_base() ? *of_base : own(); }
 
@@ -31,10 +31,10 @@ struct StrokeChartBuilder::Stroke {
       of_surface;  ///< created for the first stroke that runs on the surface itself
   std::optional<BaseSurface> base;
   std::optional<GroundChartBuilder> of_base;
-  Index of_base_nodes = 0;             ///< node count for which of_base was created; levels differ in it
-  std::optional<LiveCarrier> carried;  ///< set while the stroke runs on the base surface
-  BaseSurface::Ball prepared{};        ///< the last ball in which base nodes were computed
-  LiveChart live;                      ///< the vertices' chart of a stroke on the base surface
+  Index of_base_nodes = 0;                ///< node count for which of_base was created; levels differ in it
+  std::optional<ChartTransfer> transfer;  ///< set while the stroke runs on the base surface
+  BaseSurface::Ball prepared{};           ///< the last ball in which base nodes were computed
+  LiveChart live;                         ///< the vertices' chart of a stroke on the base surface
 };
 
 GroundChartBuilder& StrokeChartBuilder::Stroke::own() {
@@ -51,16 +51,16 @@ void StrokeChartBuilder::Stroke::begin(const ChartOptions& with) {
   if (of_base_nodes != base->node_count()) of_base.emplace(ChartGround(*base));
   of_base_nodes = base->node_count();
   ChartOptions wider = with;
-  wider.radius += carrying_margin * base->spacing();
+  wider.radius += transfer_margin * base->spacing();
   wider.cap = Cap::round;
   of_base->begin(wider);
   live.clear();
   prepared = {Vec3f::Zero(), -1, no_index};
-  carried.emplace(*base, surface, CarriedStroke{with.radius, wider.radius, with.cap});
+  transfer.emplace(*base, surface, TransferredStroke{with.radius, wider.radius, with.cap});
 }
 
 BaseSurface* StrokeChartBuilder::Stroke::base_for(double radius, double follow) {
-  carried.reset();
+  transfer.reset();
   const double scale = radius * (1 - follow);
   return base && scale > 0 && base->set_radius(scale) ? &*base : nullptr;
 }
@@ -68,7 +68,7 @@ BaseSurface* StrokeChartBuilder::Stroke::base_for(double radius, double follow) 
 /// Computes on all threads the base nodes that the front will read one by one, and some beyond, so that most
 /// points of the curve need no preparation.
 void StrokeChartBuilder::Stroke::prepare(const SurfaceCurve& curve, std::size_t unchanged) {
-  const double around_front = (carrying_margin + 1) * base->spacing(), beyond = 2 * base->spacing();
+  const double around_front = (transfer_margin + 1) * base->spacing(), beyond = 2 * base->spacing();
   std::vector<BaseSurface::Ball> balls;
   for (std::size_t i = std::min(unchanged, curve.points.size() - 1); i < curve.points.size(); ++i) {
     const CurvePoint& point = curve.points[i];
@@ -84,8 +84,8 @@ void StrokeChartBuilder::Stroke::prepare(const SurfaceCurve& curve, std::size_t 
 const LiveChart& StrokeChartBuilder::Stroke::draw(const SurfaceCurve& curve, std::size_t unchanged) {
   if (!on_base()) return own().draw(curve, unchanged);
   if (!curve.points.empty()) prepare(curve, unchanged);
-  const LiveChart& nodes = of_base->draw(carried->widened(curve), unchanged);
-  carried->update(nodes, of_base->stroke(), curve, live);
+  const LiveChart& nodes = of_base->draw(transfer->widened(curve), unchanged);
+  transfer->update(nodes, of_base->stroke(), curve, live);
   return live;
 }
 

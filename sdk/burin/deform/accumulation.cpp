@@ -101,15 +101,15 @@ std::vector<Accumulation::Due> Accumulation::due_nodes(const LiveChart& chart,
   return due;
 }
 
-/// The position of a vertex as a node sees it, after all visits before the node's. `place` is the vertex's
+/// The position of a vertex as a node sees it, after all visits before the node's. `position` is the vertex's
 /// position before the stroke.
-Vec3f Accumulation::left_at(Vec3f place, const EvaluatedInstance& instance, const LiveChart& chart,
+Vec3f Accumulation::left_at(Vec3f position, const EvaluatedInstance& instance, const LiveChart& chart,
                             Index vertex, Index slot) const {
   const std::vector<Vec3f>& displacement = instance.outputs.displacement;
   for (Index other = chart.first(vertex); other != no_index; other = chart.next(other))
     if (earlier(chart.nodes(), other, slot))
-      place += in_space(chart.nodes().e1[other], chart.nodes().normal[other], displacement[other]);
-  return place;
+      position += in_space(chart.nodes().e1[other], chart.nodes().normal[other], displacement[other]);
+  return position;
 }
 
 /// The geometry that a node starts from. The relief of earlier visits is as wide as the brush, so it is part
@@ -118,9 +118,11 @@ CurrentBase::Geometry Accumulation::geometry_of(const EvaluatedInstance& instanc
                                                 Index slot) const {
   const Index vertex = chart.nodes().vertex[slot];
   const auto fine = [&](Index v) { return left_at(surface_->positions[v], instance, chart, v, slot); };
-  const auto base = [&](Index v) { return left_at(instance.source.base_place(v), instance, chart, v, slot); };
-  const auto normal = [&](const auto& place) {
-    return vertex_normal(surface_->triangles, surface_->incident, vertex, place);
+  const auto base = [&](Index v) {
+    return left_at(instance.source.base_position(v), instance, chart, v, slot);
+  };
+  const auto normal = [&](const auto& position) {
+    return vertex_normal(surface_->triangles, surface_->incident, vertex, position);
   };
   CurrentBase::Geometry geometry;
   geometry.fine_position = fine(vertex);

@@ -39,7 +39,7 @@ class Accumulation {
   bool earlier(const Chart& nodes, Index a, Index b) const;
   CurrentBase::Geometry geometry_of(const EvaluatedInstance& instance, const LiveChart& chart,
                                     Index slot) const;
-  Vec3f left_at(Vec3f place, const EvaluatedInstance& instance, const LiveChart& chart, Index vertex,
+  Vec3f left_at(Vec3f position, const EvaluatedInstance& instance, const LiveChart& chart, Index vertex,
                 Index slot) const;
   void evaluate(Evaluator& evaluator, EvaluatedInstance& instance, const LiveChart& chart,
                 std::span<const Index> slots) const;

@@ -24,7 +24,7 @@ StrokePasses::StrokePasses(const Surface& surface, const BrushStroke& stroke,
     : surface_(&surface), stroke_(&stroke), charts_(std::move(charts)), blend_(blend) {
   blend_.limit = BlendOptions{}.limit;
   for (std::uint32_t pass = 0; pass + 1 < stroke.plan().passes; ++pass)
-    left_.push_back({std::vector<NodeOutputs>(charts_.size()), PassPositions(surface, charts_)});
+    results_.push_back({std::vector<NodeOutputs>(charts_.size()), PassPositions(surface, charts_)});
 }
 
 std::vector<Index> StrokePasses::update(Evaluator& evaluator, std::span<EvaluatedInstance> instances,
@@ -33,7 +33,7 @@ std::vector<Index> StrokePasses::update(Evaluator& evaluator, std::span<Evaluate
   for (std::uint32_t pass = 0; pass < stroke_->plan().passes; ++pass) {
     if (pass > 0) add_neighbours(vertices);
     run(pass, evaluator, instances, vertices);
-    if (pass < left_.size()) place(pass, instances, vertices);
+    if (pass < results_.size()) blend_vertices(pass, instances, vertices);
   }
   return vertices;
 }
@@ -53,36 +53,36 @@ void StrokePasses::add_neighbours(std::vector<Index>& vertices) const {
 
 void StrokePasses::run(std::uint32_t pass, Evaluator& evaluator, std::span<EvaluatedInstance> instances,
                        std::span<const Index> vertices) {
-  const bool tints = paints(stroke_->descriptor()), last = pass == left_.size();
+  const bool tints = paints(stroke_->descriptor()), last = pass == results_.size();
   for (std::size_t i = 0; i < instances.size(); ++i) {
     EvaluatedInstance& instance = instances[i];
     const std::vector<Index> slots = slots_of(*charts_[i], vertices);
     NodeSource source = instance.source;
-    source.places = pass > 0 ? &left_[pass - 1].places : nullptr;
+    source.before = pass > 0 ? &results_[pass - 1].positions : nullptr;
     NodeOutputs outputs;
     outputs.resize(slots.size(), tints);
     for (std::size_t k = 0; k < slots.size() && pass > 0; ++k)
-      outputs.displacement[k] = left_[pass - 1].outputs[i].displacement[slots[k]];
+      outputs.displacement[k] = results_[pass - 1].outputs[i].displacement[slots[k]];
     instance.context.pass = pass;
     evaluator.pass(*stroke_, instance.context, source, slots, outputs);
     if (last) Evaluator::scale(*stroke_, source, slots, instance.strength, outputs);
-    NodeOutputs& kept = last ? instance.outputs : left_[pass].outputs[i];
+    NodeOutputs& kept = last ? instance.outputs : results_[pass].outputs[i];
     kept.resize(charts_[i]->nodes().size(), tints);
     for (std::size_t k = 0; k < slots.size(); ++k) kept.take(slots[k], outputs, k);
   }
 }
 
-void StrokePasses::place(std::uint32_t pass, std::span<const EvaluatedInstance> instances,
-                         std::span<const Index> vertices) {
-  Left& left = left_[pass];
+void StrokePasses::blend_vertices(std::uint32_t pass, std::span<const EvaluatedInstance> instances,
+                                  std::span<const Index> vertices) {
+  PassResult& result = results_[pass];
   std::vector<InstanceSheets> sheets;
   for (std::size_t i = 0; i < charts_.size(); ++i) {
     const NodeSource& source = instances[i].source;
-    sheets.push_back({charts_[i], &left.outputs[i], source.nodes.half_width(), source.dab_t});
+    sheets.push_back({charts_[i], &result.outputs[i], source.nodes.half_width(), source.dab_t});
   }
-  std::vector<Vec3f> places(vertices.size());
-  blend_sheets(*surface_, {sheets}, vertices, blend_, stroke_->descriptor().id, places);
-  for (std::size_t i = 0; i < vertices.size(); ++i) left.places.set(vertices[i], places[i]);
+  std::vector<Vec3f> positions(vertices.size());
+  blend_sheets(*surface_, {sheets}, vertices, blend_, stroke_->descriptor().id, positions);
+  for (std::size_t i = 0; i < vertices.size(); ++i) result.positions.set(vertices[i], positions[i]);
 }
 
 }  // namespace burin

@@ -33,21 +33,21 @@ class StrokePasses {
 
  private:
   /// The result of a pass.
-  struct Left {
+  struct PassResult {
     std::vector<NodeOutputs> outputs;  ///< [instance] [slot]
-    PassPositions places;
+    PassPositions positions;
   };
   void add_neighbours(std::vector<Index>& vertices) const;
   void run(std::uint32_t pass, Evaluator& evaluator, std::span<EvaluatedInstance> instances,
            std::span<const Index> vertices);
-  void place(std::uint32_t pass, std::span<const EvaluatedInstance> instances,
-             std::span<const Index> vertices);
+  void blend_vertices(std::uint32_t pass, std::span<const EvaluatedInstance> instances,
+                      std::span<const Index> vertices);
 
   const Surface* surface_;
   const BrushStroke* stroke_;
   std::vector<const LiveChart*> charts_;
   BlendOptions blend_;
-  std::vector<Left> left_;  ///< [pass], except the last
+  std::vector<PassResult> results_;  ///< [pass], except the last
 };
 
 }  // namespace burin

@@ -205,11 +205,11 @@ TEST_F(BatchTest, TellsCurvatureAndUmbrellaOfTheBase) {
 }
 
 TEST_F(BatchTest, TakesTheUmbrellaOfThePassBefore) {
-  PassPositions places(surface_, {&drawn_->live});
+  PassPositions positions(surface_, {&drawn_->live});
   const Index raised = vertex(20);
-  places.set(raised, surface_.positions[raised] + Vec3f(0, 0, 3));
+  positions.set(raised, surface_.positions[raised] + Vec3f(0, 0, 3));
   NodeSource moved = source();
-  moved.places = &places;
+  moved.before = &positions;
   const burin_batch& batch = fill_from(moved, BURIN_INPUT_LAPLACIAN);
   std::size_t beside = 0;
   for (std::size_t i = 0; i < batch.count; ++i) {

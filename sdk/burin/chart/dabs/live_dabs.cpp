@@ -1,6 +1,6 @@
 // Charts a stroke as a row of dabs (dab.h). An event costs the dabs that the changed end of the curve removes
 // and adds.
-#include <burin/chart/dabs/dab_carrier.h>
+#include <burin/chart/dabs/dab_transfer.h>
 #include <burin/chart/dabs/live_dabs.h>
 #include <burin/chart/path/curve_parts.h>
 
@@ -76,7 +76,7 @@ DabChart LiveDabs::chart(const CurvePoint& middle) {
   base_->prepare(std::array{
       BaseSurface::Ball{centre->at.position, wider + dab_margin * base_->spacing(), centre->at.corners[0]}});
   const DabChart nodes = of_base_->chart(centre->at, centre->normal, middle.tangent, {.radius = wider});
-  return carried_dab(*base_, *surface_, nodes, radius);
+  return transferred_dab(*base_, *surface_, nodes, radius);
 }
 
 void LiveDabs::put(const CurvePoint& middle) {

@@ -32,13 +32,13 @@ Tint blended_tint(const Tint& before, const VertexSheets& sheets, const BlendOpt
 }  // namespace
 
 void blend_sheets(const Surface& surface, const StrokeSheets& stroke, std::span<const Index> vertices,
-                  const BlendOptions& options, std::string_view brush, std::span<Vec3f> places) {
+                  const BlendOptions& options, std::string_view brush, std::span<Vec3f> positions) {
   FirstFailure failure;
   parallel_blocks(vertices.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const VertexSheets sheets(stroke, options.radius, vertices[i]);
-      places[i] = blended_position(surface.positions[vertices[i]], sheets, options);
-      if (!places[i].allFinite()) return failure.note(i, "displaces beyond the range of floats");
+      positions[i] = blended_position(surface.positions[vertices[i]], sheets, options);
+      if (!positions[i].allFinite()) return failure.note(i, "displaces beyond the range of floats");
     }
   });
   if (!failure.any()) return;

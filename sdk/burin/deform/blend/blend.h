@@ -17,11 +17,12 @@ struct BlendOptions {
   double limit = std::numeric_limits<double>::infinity();  ///< greatest displacement, object units
 };
 
-/// Sets places[i] to the displaced position of vertices[i], which is its original position if it has no node.
-/// A vertex with one node has the position that displaced() computes, bit for bit. Throws ContractError,
-/// which gives brush and (t, d), if a position is beyond the range of floats. Uses all threads.
+/// Sets positions[i] to the displaced position of vertices[i], which is its original position if it has no
+/// node. A vertex with one node has the position that displaced() computes, bit for bit. Throws
+/// ContractError, which gives brush and (t, d), if a position is beyond the range of floats. Uses all
+/// threads.
 void blend_sheets(const Surface& surface, const StrokeSheets& stroke, std::span<const Index> vertices,
-                  const BlendOptions& options, std::string_view brush, std::span<Vec3f> places);
+                  const BlendOptions& options, std::string_view brush, std::span<Vec3f> positions);
 
 /// Sets tints[i] to the combined colour and mask of vertices[i], which are those of `paint` if it has no
 /// node. Uses all threads.

@@ -5,8 +5,8 @@ namespace burin {
 void EarlierPieces::add(std::span<const InstanceSheets> instances, double radius) {
   for (std::uint32_t image = 0; image < instances.size(); ++image) {
     const LiveChart& chart = *instances[image].chart;
-    for (Index place = 0; place < chart.place_count(); ++place) {
-      const Index vertex = chart.vertex_at(place);
+    for (Index local = 0; local < chart.local_count(); ++local) {
+      const Index vertex = chart.vertex_at(local);
       for (Index slot = chart.first(vertex); slot != no_index; slot = chart.next(slot))
         sheets_[vertex].push_back(instances[image].sheet(slot, radius, count_, image));
     }

@@ -33,7 +33,7 @@ void Batch::fill(const NodeSource& source, std::uint64_t inputs, std::uint64_t o
   fill_outputs(outputs, nodes);
   fill_chart(inputs, nodes);
   fill_radius(inputs, nodes);
-  fill_place(inputs, nodes, displacement);
+  fill_positions(inputs, nodes, displacement);
   fill_fine(inputs, nodes, displacement);
   fill_surroundings(inputs, nodes);
   fill_paint(inputs, nodes);

@@ -6,7 +6,7 @@
 #include <burin/deform/evaluate/stroke_nodes.h>
 #include <burin/deform/paint.h>
 #include <burin/stroke/curve/foot_line.h>
-#include <burin/surface/base_surface/base_place.h>
+#include <burin/surface/base_surface/base_foot.h>
 #include <burin/surface/surface.h>
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct NodeSource {
   float radius;                           ///< half width, object units, of nodes without one of their own
   const Paint* paint = nullptr;           ///< colours and masks before the stroke; null: none
   const FootLine* foot = nullptr;         ///< the stroke's foot line, if the brush reads it
-  const PassPositions* places = nullptr;  ///< positions after the previous pass; null: those of the base
+  const PassPositions* before = nullptr;  ///< positions after the previous pass; null: those of the base
   const CurrentBase* current = nullptr;   ///< geometry of nodes that depend on earlier visits; null: none
   std::uint32_t symmetry = 0;             ///< index of the symmetry instance
   bool mirrored = false;                  ///< BURIN_STROKE_MIRRORED: the brush sees d and e2 negated
@@ -31,8 +31,8 @@ struct NodeSource {
   BaseSurface* base = nullptr;        ///< the base surface on which the stroke runs; null: the surface itself
 
   /// The position of a vertex's foot on the base surface.
-  Vec3f base_place(Index vertex) const {
-    return base ? base_position(*base, surface, vertex) : surface.positions[vertex];
+  Vec3f base_position(Index vertex) const {
+    return base ? burin::base_position(*base, surface, vertex) : surface.positions[vertex];
   }
 
   const Paint& painted() const {
@@ -74,7 +74,8 @@ class Batch {
   void fill_outputs(std::uint64_t outputs, std::span<const Index> nodes);
   void fill_chart(std::uint64_t inputs, std::span<const Index> nodes);
   void fill_radius(std::uint64_t inputs, std::span<const Index> nodes);
-  void fill_place(std::uint64_t inputs, std::span<const Index> nodes, std::span<const Vec3f> displacement);
+  void fill_positions(std::uint64_t inputs, std::span<const Index> nodes,
+                      std::span<const Vec3f> displacement);
   void fill_fine(std::uint64_t inputs, std::span<const Index> nodes, std::span<const Vec3f> displacement);
   void fill_surroundings(std::uint64_t inputs, std::span<const Index> nodes);
   void fill_paint(std::uint64_t inputs, std::span<const Index> nodes);
@@ -87,7 +88,7 @@ class Batch {
     return source_->current ? source_->current->find(node) : nullptr;
   }
   Vec3f in_brush_frame(const Vec3f& components) const;
-  Vec3f after_pass_before(const Vec3f& place, Index node, std::span<const Vec3f> displacement,
+  Vec3f after_pass_before(const Vec3f& position, Index node, std::span<const Vec3f> displacement,
                           std::size_t i) const;
   Index vertex(Index node) const { return source_->nodes.chart().vertex[node]; }
 

@@ -68,13 +68,13 @@ void Batch::fill_radius(std::uint64_t inputs, std::span<const Index> nodes) {
       half_width.empty() ? uniform(radius_) : numbers(nodes, [&](Index node) { return half_width[node]; });
 }
 
-void Batch::fill_place(std::uint64_t inputs, std::span<const Index> nodes,
-                       std::span<const Vec3f> displacement) {
+void Batch::fill_positions(std::uint64_t inputs, std::span<const Index> nodes,
+                           std::span<const Vec3f> displacement) {
   const Chart& chart = source_->nodes.chart();
   if (inputs & BURIN_INPUT_POSITION) {
     batch_.position = vectors(nodes.size(), [&](std::size_t i) -> Vec3f {
       if (const CurrentBase::Geometry* geometry = current(nodes[i])) return geometry->position;
-      return after_pass_before(source_->base_place(vertex(nodes[i])), nodes[i], displacement, i);
+      return after_pass_before(source_->base_position(vertex(nodes[i])), nodes[i], displacement, i);
     });
   }
   if (inputs & BURIN_INPUT_NORMAL)
@@ -108,11 +108,11 @@ void Batch::fill_fine(std::uint64_t inputs, std::span<const Index> nodes,
 }
 
 /// A position of nodes[i], displaced by the result of the previous pass, if there is one.
-Vec3f Batch::after_pass_before(const Vec3f& place, Index node, std::span<const Vec3f> displacement,
+Vec3f Batch::after_pass_before(const Vec3f& position, Index node, std::span<const Vec3f> displacement,
                                std::size_t i) const {
-  if (displacement.empty()) return place;
+  if (displacement.empty()) return position;
   const Chart& chart = source_->nodes.chart();
-  return displaced(place, chart.e1[node], chart.normal[node], displacement[i]);
+  return displaced(position, chart.e1[node], chart.normal[node], displacement[i]);
 }
 
 /// Converts components along (e1, e2, n) between the node's frame and the brush's, which is mirrored in
@@ -140,11 +140,11 @@ void Batch::fill_surroundings(std::uint64_t inputs, std::span<const Index> nodes
                            : mean_curvature(surface, vertex(node));
     });
   if (!(inputs & BURIN_INPUT_LAPLACIAN)) return;
-  const PassPositions* places = source_->places;
+  const PassPositions* before = source_->before;
   batch_.laplacian = vectors(nodes.size(), [&](std::size_t i) -> Vec3f {
     if (const CurrentBase::Geometry* geometry = current(nodes[i])) return geometry->laplacian;
     return umbrella(surface, vertex(nodes[i]),
-                    [&](Index at) { return places ? (*places)[at] : surface.positions[at]; });
+                    [&](Index at) { return before ? (*before)[at] : surface.positions[at]; });
   });
 }
 

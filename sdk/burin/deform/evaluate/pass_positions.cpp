@@ -2,14 +2,14 @@
 
 namespace burin {
 
-void PassPositions::set(Index vertex, const Vec3f& place) {
+void PassPositions::set(Index vertex, const Vec3f& position) {
   for (std::size_t i = 0; i < charts_.size(); ++i) {
-    const Index at = charts_[i]->place(vertex);
-    if (at == no_index) continue;
+    const Index local = charts_[i]->local_index(vertex);
+    if (local == no_index) continue;
     // Vertices without nodes are at their original positions.
-    for (Index next = static_cast<Index>(places_[i].size()); next <= at; ++next)
-      places_[i].push_back(surface_->positions[charts_[i]->vertex_at(next)]);
-    places_[i][at] = place;
+    for (Index next = static_cast<Index>(positions_[i].size()); next <= local; ++next)
+      positions_[i].push_back(surface_->positions[charts_[i]->vertex_at(next)]);
+    positions_[i][local] = position;
   }
 }
 

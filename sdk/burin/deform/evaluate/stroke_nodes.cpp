@@ -102,11 +102,11 @@ void StrokeNodes::add_stale(Index slot) {
 
 void StrokeNodes::add_vertex(Index slot) {
   if (altered_listed_ && chart_->changed(slot)) return;
-  const Index place = chart_->place_of(slot);
-  if (altered_listed_ && chart_->is_altered(place)) return;
-  if (place >= vertex_in_.size()) vertex_in_.resize(chart_->place_count());
-  if (vertex_in_[place] == event_) return;
-  vertex_in_[place] = event_;
+  const Index local = chart_->local_index_of(slot);
+  if (altered_listed_ && chart_->is_altered(local)) return;
+  if (local >= vertex_in_.size()) vertex_in_.resize(chart_->local_count());
+  if (vertex_in_[local] == event_) return;
+  vertex_in_[local] = event_;
   changes_.vertices.push_back(chart().vertex[slot]);
 }
 

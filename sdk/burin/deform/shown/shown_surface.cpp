@@ -24,11 +24,11 @@ ShownSurface::ShownSurface(const Surface& base)
       dirty_(base.vertex_count()) {}
 
 std::span<const Index> ShownSurface::move(const Surface& base, std::span<const Index> vertices,
-                                          std::span<const Vec3f> places) {
+                                          std::span<const Vec3f> positions) {
   moved_.clear();
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (same_bits(positions_[vertices[i]], places[i])) continue;
-    positions_[vertices[i]] = places[i];
+    if (same_bits(positions_[vertices[i]], positions[i])) continue;
+    positions_[vertices[i]] = positions[i];
     moved_.push_back(vertices[i]);
     touched_.insert(vertices[i]);
   }

@@ -21,7 +21,7 @@ class ShownSurface {
   /// neighbours, whose normals may have changed, ascending. The span is valid until the next call of any
   /// method.
   std::span<const Index> move(const Surface& base, std::span<const Index> vertices,
-                              std::span<const Vec3f> places);
+                              std::span<const Vec3f> positions);
 
   /// Among the vertices that moved since the last call, or commit(), those whose position differs from the
   /// base; ascending.

@@ -85,7 +85,7 @@ StrokeSolid SolidStroke::make(const NodeSource& source, const burin_stroke_conte
   const LiveChart& live = source.nodes.live();
   const std::vector<Index> slots = live.sorted_slots();
   const Chart chart = live.chart_of(slots);
-  const SolidGround ground{source.surface, chart, [&](Index vertex) { return source.base_place(vertex); }};
+  const SolidGround ground{source.surface, chart, [&](Index vertex) { return source.base_position(vertex); }};
   const SolidExtent extent{.h_min = made.h_min,
                            .h_max = made.h_max,
                            .radius = static_cast<double>(source.radius),

@@ -15,14 +15,14 @@ constexpr double near_enough = 1e-5;
 
 /// The vertex at the image of this vertex, with the image of its normal; no_index if there is none.
 Index ImageChart::image_of(Index vertex) {
-  const Vec3f place = moved(surface_->positions[vertex]);
+  const Vec3f position = moved(surface_->positions[vertex]);
   const auto reach = static_cast<float>(near_enough * radius_);
-  const auto at = picker_->closest(place, reach);
+  const auto at = picker_->closest(position, reach);
   if (!at) return no_index;
   const auto nearest = std::ranges::max_element(at->weights) - at->weights.begin();
   const Index found = at->corners[static_cast<std::size_t>(nearest)];
   const Vec3f normal = turned(surface_->normals[vertex]);
-  const bool same = (surface_->positions[found] - place).norm() <= reach &&
+  const bool same = (surface_->positions[found] - position).norm() <= reach &&
                     surface_->normals[found].dot(normal) > 0.9f && taken_.insert(found).second;
   return same ? found : no_index;
 }
@@ -37,21 +37,21 @@ SurfaceCurve ImageChart::image_of(const SurfaceCurve& original) const {
   return curve;
 }
 
-void ImageChart::note(const LiveChart& original, Index place) {
-  if (images_[place] != no_index) return;
-  if (original.first(original.vertex_at(place)) == no_index)
-    without_image_.erase(place);
+void ImageChart::note(const LiveChart& original, Index local) {
+  if (images_[local] != no_index) return;
+  if (original.first(original.vertex_at(local)) == no_index)
+    without_image_.erase(local);
   else
-    without_image_.insert(place);
+    without_image_.insert(local);
 }
 
 bool ImageChart::has_images_of(const LiveChart& original) {
-  while (images_.size() < original.place_count())
+  while (images_.size() < original.local_count())
     images_.push_back(image_of(original.vertex_at(static_cast<Index>(images_.size()))));
   if (!seen_)
-    for (Index place = 0; place < original.place_count(); ++place) note(original, place);
+    for (Index local = 0; local < original.local_count(); ++local) note(original, local);
   else
-    for (const Index vertex : original.altered()) note(original, original.place(vertex));
+    for (const Index vertex : original.altered()) note(original, original.local_index(vertex));
   seen_ = true;
   return without_image_.empty();
 }
@@ -75,26 +75,26 @@ void ImageChart::begin_following(const LiveChart& chart, Followed kind) {
 }
 
 /// Applies the last event of the followed chart, or all of it if another chart was followed before.
-/// place(slot) sets a slot of the image's chart.
-template <class Place>
-void ImageChart::follow(const LiveChart& chart, Followed kind, const Place& place) {
+/// set_slot(slot) sets a slot of the image's chart.
+template <class SetSlot>
+void ImageChart::follow(const LiveChart& chart, Followed kind, const SetSlot& set_slot) {
   const bool other = followed_ != kind;
   begin_following(chart, kind);
   followed_ = kind;
   if (other) {
     for (Index slot = 0; slot < chart.nodes().size(); ++slot)
-      if (!chart.vacant(slot)) place(slot);
+      if (!chart.vacant(slot)) set_slot(slot);
     return;
   }
   for (const Index slot : chart.removed()) live_->remove(slot);
   for (const Index slot : chart.computed())
-    if (!chart.vacant(slot)) place(slot);
+    if (!chart.vacant(slot)) set_slot(slot);
 }
 
 void ImageChart::reflect(const LiveChart& original) {
   const Chart& nodes = original.nodes();
   follow(original, Followed::original, [&](Index slot) {
-    const Index vertex = images_[original.place_of(slot)];
+    const Index vertex = images_[original.local_index_of(slot)];
     live_->set(slot, vertex, reflected(nodes.frame(slot)), turned(nodes.normal[slot]));
   });
 }

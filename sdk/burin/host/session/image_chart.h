@@ -44,16 +44,16 @@ class ImageChart {
 
  private:
   enum class Followed { none, original, own };
-  Vec3f moved(const Vec3f& place) const { return image_(place.cast<double>()).cast<float>(); }
+  Vec3f moved(const Vec3f& position) const { return image_(position.cast<double>()).cast<float>(); }
   Vec3f turned(const Vec3f& direction) const {
     return (image_.linear * direction.cast<double>()).cast<float>();
   }
   Index image_of(Index vertex);
-  void note(const LiveChart& original, Index place);
+  void note(const LiveChart& original, Index local);
   ChartFrame reflected(const ChartFrame& frame) const;
   void begin_following(const LiveChart& chart, Followed kind);
-  template <class Place>
-  void follow(const LiveChart& chart, Followed kind, const Place& place);
+  template <class SetSlot>
+  void follow(const LiveChart& chart, Followed kind, const SetSlot& set_slot);
 
   const Surface* surface_;
   const Picker* picker_;

@@ -239,7 +239,7 @@ void OpenStroke::bend_meshes(const Paint& paint) {
     const NodeSource source = instance.source(paint);
     const Chart chart = instance.live().sorted();
     const SurfaceCurve& curve = instance.curve();
-    const SolidGround ground{*surface_, chart, [&](Index vertex) { return source.base_place(vertex); }};
+    const SolidGround ground{*surface_, chart, [&](Index vertex) { return source.base_position(vertex); }};
     TriangleMesh made =
         along_->bend({.ground = ground,
                       .radius = settings_.radius,

@@ -148,7 +148,7 @@ NodeSource StrokeInstance::source(const Paint& paint) const {
           .radius = static_cast<float>(reads_.radius),
           .paint = &paint,
           .foot = foot_ ? &*foot_ : nullptr,
-          .places = nullptr,
+          .before = nullptr,
           .symmetry = image_.index,
           .mirrored = image_.mirrored,
           .dab_t = dab_t(),

@@ -27,7 +27,7 @@ BasePatch::Local<float> BasePatch::foot_within(const Vec3f& point, float extent)
   return {at.x / distance * extent, at.y / distance * extent};
 }
 
-Vec3f BasePatch::place(const Local<float>& at) const {
+Vec3f BasePatch::point_at(const Local<float>& at) const {
   return position + at.x * axis_x + at.y * axis_y() + height(at) * normal;
 }
 

@@ -38,7 +38,7 @@ struct BasePatch {
   /// The foot point, moved toward the node to the distance `extent` if it is farther away; object units.
   Local<float> foot_within(const Vec3f& point, float extent) const;
   /// The position of a point of the paraboloid, and its unit normal.
-  Vec3f place(const Local<float>& at) const;
+  Vec3f point_at(const Local<float>& at) const;
   Vec3f normal_at(const Local<float>& at) const;
 };
 

@@ -1,15 +1,13 @@
-// Computes base surfaces by moving least squares over clusters of vertices [Lancaster and Salkauskas 1981].
-// The height over the plane at right angles to the mean normal is a weighted least-squares quadratic in (x,
-// y). Its value in the middle preserves heights of third degree and nearly removes waves shorter than the
-// reach. This is done twice: the second time removes most of what remains of short waves and hardly reduces
-// longer ones. The result of the first time is so smooth that the clusters of the next level, a quarter as
-// many, represent it well enough for the second. Clusters are weighted by their area projected along the
-// normal, as an integral over (x, y) requires however steep the relief is. A node costs O(clusters within the
-// reach), which is bounded.
+// Computes the nodes of base surfaces on demand, by the fits of base_fits.h, and projects points. A node is
+// smoothed twice: the second time removes most of what remains of short waves and hardly reduces longer ones.
+// The result of the first time is so smooth that the clusters of the next level, a quarter as many, represent
+// it well enough for the second. A node costs O(clusters within the reach), which is bounded.
 #include <burin/base/parallel.h>
 #include <burin/base/sort_unique.h>
+#include <burin/surface/base_surface/base_fits.h>
 #include <burin/surface/base_surface/base_surface.h>
 #include <burin/surface/base_surface/cell_set.h>
+#include <burin/surface/base_surface/hub_neighbours.h>
 #include <burin/surface/geometry/quadratic_fit.h>
 #include <burin/surface/topology/connected_nodes.h>
 
@@ -35,21 +33,7 @@ constexpr double fewest_coarse_edges = 4.2;
 /// Members of a cluster lie within this share of a spacing of its mean, with few exceptions.
 constexpr double cluster_extent = 0.75;
 
-/// Of the neighbours of a node that has more than this, so many stand for all, evenly chosen: the hub of a
-/// fan would cost in proportion to the square of its spokes.
-constexpr std::size_t most_neighbours = 64;
-
-/// Nodes whose normals have a lower cosine than this do not belong to one patch.
-constexpr float same_side = 0.2F;
-
 double squared_distance(const Vec3f& a, const Vec3f& b) { return static_cast<double>((a - b).squaredNorm()); }
-
-/// The unit normal of a height field with these slopes over a plane.
-Vec3f tilted(const Vec3f& normal, const Vec3f& axis_x, const Vec3f& axis_y,
-             const QuadraticFit::Terms& height) {
-  return (normal - static_cast<float>(height[1]) * axis_x - static_cast<float>(height[2]) * axis_y)
-      .normalized();
-}
 
 }  // namespace
 
@@ -159,8 +143,8 @@ BaseSurface::Sample BaseSurface::once(Index cluster) {
       },
       [this](Index node) { return mean(node); },
       [this](const Sample& origin, Index, const SurfaceSamples& samples) {
-        const Sample from{origin.position, normal_around(origin.position, samples)};
-        const Sample at = smoothed(from, samples);
+        const Sample from{origin.position, normal_around(origin.position, reach_, samples)};
+        const Sample at = smoothed(from, reach_, samples);
         return Sample{at.position, std::max(origin.up.dot(at.up), 0.F) * at.up};
       });
 }
@@ -177,7 +161,7 @@ BaseSurface::Sample BaseSurface::twice(Index node) {
       },
       [this](Index cluster) { return once(cluster); },
       [this](const Sample& origin, Index, const SurfaceSamples& samples) {
-        return smoothed(origin, samples);
+        return smoothed(origin, reach_, samples);
       });
 }
 
@@ -191,23 +175,14 @@ BasePatch BaseSurface::patch(Index node) {
       patches_, node, {level_, level_, widest}, [this](Index member) { return twice(member); },
       [this](Index member) { return twice(member); },
       [&](const Sample& origin, Index member, const SurfaceSamples& samples) {
-        return fitted(origin, width(member), samples);
+        return fitted_patch(origin, width(member), samples);
       });
-}
-
-/// The neighbours of a node, or those that stand for them.
-std::vector<Index> BaseSurface::ring(Index node) const {
-  const std::span<const Index> all = neighbours()[node];
-  const std::size_t count = std::min(all.size(), most_neighbours);
-  std::vector<Index> chosen;
-  for (std::size_t i = 0; i < count; ++i) chosen.push_back(all[i * all.size() / count]);
-  return chosen;
 }
 
 /// The mean length of a node's edges, which exceeds the spacing where the surface itself is coarser; 0 when
 /// the node has no edges.
 double BaseSurface::edge(Index node) {
-  const std::vector<Index> around = ring(node);
+  const std::vector<Index> around = representatives(neighbours()[node]);
   if (around.empty()) return 0;
   const Vec3f here = twice(node).position;
   double sum = 0;
@@ -272,73 +247,6 @@ SurfaceSamples BaseSurface::samples_around(Index group, std::span<const Sample> 
   return SurfaceSamples(samples);
 }
 
-/// The unit direction of the summed area vectors within half the reach; zero if they cancel out.
-Vec3f BaseSurface::normal_around(const Vec3f& origin, const SurfaceSamples& samples) const {
-  const auto whole = static_cast<float>(reach_ * reach_);
-  Vec3f area = Vec3f::Zero();
-  for (const SurfaceSamples::Block& block : samples.blocks()) {
-    const SurfaceSamples::Lanes counts = (4 * block.from(origin).squared_length() <= whole).cast<float>();
-    area += Vec3f((counts * block.up.x).sum(), (counts * block.up.y).sum(), (counts * block.up.z).sum());
-  }
-  return area.squaredNorm() > 0 ? Vec3f(area.normalized()) : Vec3f(Vec3f::Zero());
-}
-
-/// Moves a point along its `up` onto the quadratic that fits the samples around it best; the result's `up` is
-/// the normal there. A point whose `up` is zero stays as it is.
-BaseSurface::Sample BaseSurface::smoothed(const Sample& origin, const SurfaceSamples& samples) const {
-  using Lanes = SurfaceSamples::Lanes;
-  if (origin.up.isZero(0)) return origin;
-  const auto whole = static_cast<float>(reach_ * reach_);
-  const Vec3f normal = origin.up, axis_x = normal.unitOrthogonal(), axis_y = normal.cross(axis_x);
-  QuadraticFit fit(reach_);
-  float spread = 0, area = 0;
-  for (const SurfaceSamples::Block& block : samples.blocks()) {
-    const SurfaceSamples::Vectors way = block.from(origin.position);
-    const Lanes squared = way.squared_length();
-    if (!(squared.minCoeff() <= whole)) continue;
-    // Areas that face away from the normal belong to another sheet and do not count.
-    const Lanes seen = block.up.dot(normal).max(0.F) * (squared <= whole).cast<float>();
-    fit.add(way.dot(axis_x), way.dot(axis_y), way.dot(normal), seen);
-    spread += (seen * block.spread).sum();
-    area += seen.sum();
-  }
-  const QuadraticFit::Terms height = fit.solve();
-  // The mean of a height over a cluster exceeds the height at its middle by half the spread times the
-  // Laplacian.
-  const double of_means = area > 0 ? static_cast<double>(spread / area) / 2 * (height[3] + height[5]) : 0;
-  return {origin.position + static_cast<float>(height[0] - of_means) * normal,
-          tilted(normal, axis_x, axis_y, height)};
-}
-
-/// Fits the paraboloid over the tangent plane at a node. If the fitted normal differs noticeably, the fit is
-/// repeated once over the new tangent plane.
-BasePatch BaseSurface::fitted(const Sample& origin, double ring, const SurfaceSamples& samples) const {
-  using Lanes = SurfaceSamples::Lanes;
-  constexpr float slight = 0.9999F;  // cosine
-  const auto whole = static_cast<float>(ring * ring);
-  Vec3f normal = origin.up.isZero(0) ? Vec3f::UnitZ() : origin.up;
-  for (int round = 0;; ++round) {
-    const Vec3f axis_x = normal.unitOrthogonal(), axis_y = normal.cross(axis_x);
-    QuadraticFit fit(ring);
-    for (const SurfaceSamples::Block& block : samples.blocks()) {
-      const SurfaceSamples::Vectors way = block.from(origin.position);
-      const Lanes counts =
-          (way.squared_length() <= whole && block.up.dot(origin.up) > same_side).cast<float>();
-      if (counts.maxCoeff() > 0) fit.add(way.dot(axis_x), way.dot(axis_y), way.dot(normal), counts);
-    }
-    const QuadraticFit::Terms height = fit.solve();
-    const Vec3f before = normal;
-    normal = tilted(normal, axis_x, axis_y, height);
-    if (round == 0 && normal.dot(before) < slight) continue;
-    return {origin.position,
-            normal,
-            (axis_x - axis_x.dot(normal) * normal).normalized(),
-            static_cast<float>(height[3]),
-            static_cast<float>(height[4]),
-            static_cast<float>(height[5])};
-  }
-}
-
 /// The neighbours of a node among which the one that is nearest to a point is: of many the one whose mean is.
 std::vector<Index> BaseSurface::towards(Index node, const Vec3f& point) const {
   const std::span<const Index> all = neighbours()[node];
@@ -364,33 +272,34 @@ Index BaseSurface::nearest(Index near, const Vec3f& point) {
 
 /// Computes the nodes within a radius of each of these nodes that is missing: a query is usually followed by
 /// a stroke at the same place. Nodes farther from that place are left to be computed one by one.
-void BaseSurface::prepare_around(std::span<const Index> nodes, const Vec3f& place) {
+void BaseSurface::prepare_around(std::span<const Index> nodes, const Vec3f& position) {
   const double radius = reach_ / static_cast<double>(reach_over_radius);
   for (const Index node : nodes) {
     if (patches_.find(node)) continue;
     const Vec3f middle = levels_->mean(level_, node).position;
-    if (squared_distance(middle, place) <= radius * radius) prepare(std::array{Ball{middle, radius, node}});
+    if (squared_distance(middle, position) <= radius * radius)
+      prepare(std::array{Ball{middle, radius, node}});
   }
 }
 
 std::vector<Index> BaseSurface::two_rings(Index node) const {
   std::vector<Index> nodes{node};
-  for (const Index one : ring(node)) {
+  for (const Index one : representatives(neighbours()[node])) {
     nodes.push_back(one);
-    append(nodes, ring(one));
+    append(nodes, representatives(neighbours()[one]));
   }
   sort_unique(nodes);
   return nodes;
 }
 
-std::vector<BaseSurface::Weighted> BaseSurface::around(Index node, const Vec3f& place) {
+std::vector<BaseSurface::Weighted> BaseSurface::around(Index node, const Vec3f& position) {
   const double reach = std::max(blend_over_spacing * spacing(), blend_over_edge * edge(node));
   const Vec3f normal = patch(node).normal;
   std::vector<Weighted> weighted;
   for (const Index other : two_rings(node)) {
     const BasePatch at = patch(other);
     if (!(at.normal.dot(normal) > same_side)) continue;
-    const double weight = bump_weight(squared_distance(at.position, place) / (reach * reach));
+    const double weight = bump_weight(squared_distance(at.position, position) / (reach * reach));
     if (weight > 0) weighted.push_back({at, weight});
   }
   return weighted;
@@ -404,13 +313,13 @@ BasePoint BaseSurface::project(Index near, const Vec3f& point) {
   constexpr double farthest = 2;  // in spacings, or in edges where those are longer
   const auto extent = static_cast<float>(farthest * std::max(spacing(), edge(node)));
   const BasePatch::Local<float> foot = own.foot_within(point, extent);
-  const Vec3f middle = own.place(foot);
+  const Vec3f middle = own.point_at(foot);
   Vec3d position = Vec3d::Zero(), normal = Vec3d::Zero();
   double weights = 0;
   prepare_around(two_rings(node), middle);
   for (const auto& [at, weight] : around(node, middle)) {
     const BasePatch::Local<float> there = at.foot_within(point, extent);
-    position += weight * at.place(there).cast<double>();
+    position += weight * at.point_at(there).cast<double>();
     normal += weight * at.normal_at(there).cast<double>();
     weights += weight;
   }

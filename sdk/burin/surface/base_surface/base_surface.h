@@ -76,7 +76,7 @@ class BaseSurface {
 
   /// The paraboloids whose weighted mean is the base surface at a position near a node; none if the position
   /// is far from all nodes.
-  std::vector<Weighted> around(Index node, const Vec3f& place);
+  std::vector<Weighted> around(Index node, const Vec3f& position);
 
  private:
   using Sample = SurfaceSample;
@@ -89,14 +89,10 @@ class BaseSurface {
   Sample mean(Index cluster);
   Sample once(Index cluster);
   Sample twice(Index node);
-  Vec3f normal_around(const Vec3f& origin, const SurfaceSamples& samples) const;
-  Sample smoothed(const Sample& origin, const SurfaceSamples& samples) const;
-  std::vector<Index> ring(Index node) const;
   std::vector<Index> towards(Index node, const Vec3f& point) const;
   std::vector<Index> two_rings(Index node) const;
   void note_width(double width);
   double edge(Index node);
-  BasePatch fitted(const Sample& origin, double ring, const SurfaceSamples& samples) const;
 
   /// Values of clusters of `level` are computed from the samples of `sample_level` within `reach` of their
   /// origins.
@@ -110,7 +106,7 @@ class BaseSurface {
   template <class SampleOf>
   SurfaceSamples samples_around(Index group, std::span<const Sample> origins, const Making& making,
                                 const SampleOf& sample_of);
-  void prepare_around(std::span<const Index> nodes, const Vec3f& place);
+  void prepare_around(std::span<const Index> nodes, const Vec3f& position);
   Index nearest(Index near, const Vec3f& point);
 
   const Surface* surface_;

@@ -1,7 +1,7 @@
 // Keeps the set of contested slots up to date. An event costs O(1) for each changed node and its neighbours:
 // only slots near a change are examined again.
-#include <burin/chart/carry/cluster_contest.h>
 #include <burin/chart/frames/propagate_frame.h>
+#include <burin/chart/transfer/cluster_contest.h>
 
 #include <cmath>
 #include <utility>

@@ -1,11 +1,11 @@
 // Interpolates a growing chart of base nodes to the vertices of the surface. An event costs O(1) per vertex
 // in the clusters of changed nodes, of contested nodes near a change, and of nodes near the stroke's end.
 #include <burin/base/parallel.h>
-#include <burin/chart/carry/coordinate_patch.h>
-#include <burin/chart/carry/live_carrier.h>
 #include <burin/chart/frames/mended_frame.h>
 #include <burin/chart/path/closed_length.h>
 #include <burin/chart/path/curve_parts.h>
+#include <burin/chart/transfer/chart_transfer.h>
+#include <burin/chart/transfer/coordinate_patch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ bool same_width(const SurfaceCurve& curve) {
 
 }  // namespace
 
-const SurfaceCurve& LiveCarrier::widened(const SurfaceCurve& curve) {
+const SurfaceCurve& ChartTransfer::widened(const SurfaceCurve& curve) {
   if (same_width(curve)) return curve;
   widened_ = curve;
   const double margin = stroke_.base_radius - stroke_.radius;
@@ -30,8 +30,8 @@ const SurfaceCurve& LiveCarrier::widened(const SurfaceCurve& curve) {
   return widened_;
 }
 
-void LiveCarrier::update(const LiveChart& nodes, const FrontStroke* on_base, const SurfaceCurve& curve,
-                         LiveChart& vertices) {
+void ChartTransfer::update(const LiveChart& nodes, const FrontStroke* on_base, const SurfaceCurve& curve,
+                           LiveChart& vertices) {
   uniform_ = same_width(curve);
   const std::span<const Index> affected = on_base ? contest_.update(nodes) : std::span<const Index>();
   const double from = unchanged_up_to(nodes);
@@ -43,12 +43,13 @@ void LiveCarrier::update(const LiveChart& nodes, const FrontStroke* on_base, con
   find_stale(nodes, affected, from);
   make_room(nodes, vertices);
   constexpr std::size_t slots_per_block = 16;
-  std::vector<Carried> carried((stale_.size() + slots_per_block - 1) / slots_per_block);
+  std::vector<Transferred> transferred((stale_.size() + slots_per_block - 1) / slots_per_block);
   const Event event{nodes, on_base, curve, vertices};
   parallel_blocks(stale_.size(), slots_per_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) carry(event, stale_[i], carried[begin / slots_per_block]);
+    for (std::size_t i = begin; i < end; ++i)
+      transfer(event, stale_[i], transferred[begin / slots_per_block]);
   });
-  for (const Carried& block : carried) {
+  for (const Transferred& block : transferred) {
     vertices.note(block.rewritten);
     for (const Index slot : block.gone) vertices.remove(slot);
     for (const auto& [slot, frame, normal] : block.others) vertices.set(slot, vertex_[slot], frame, normal);
@@ -58,13 +59,13 @@ void LiveCarrier::update(const LiveChart& nodes, const FrontStroke* on_base, con
 /// The arc length below which the stroke's end and width decide as before: a vertex with a lower t whose
 /// coordinates did not change stays inside or outside the stroke. In contested clusters the same holds for
 /// vertices that depend only on nodes with a lower t.
-double LiveCarrier::unchanged_up_to(const LiveChart& nodes) const {
+double ChartTransfer::unchanged_up_to(const LiveChart& nodes) const {
   if (nodes.nodes().closed) return nowhere;
   const double ends = std::min(length_, nodes.nodes().length);
   return uniform_ && !contest_.any() ? ends : std::min(ends, nodes.computed_from());
 }
 
-void LiveCarrier::find_stale(const LiveChart& nodes, std::span<const Index> affected, double from) {
+void ChartTransfer::find_stale(const LiveChart& nodes, std::span<const Index> affected, double from) {
   stale_.clear();
   is_stale_.resize(ranges_.size());
   const auto add = [&](Index slot) {
@@ -76,14 +77,14 @@ void LiveCarrier::find_stale(const LiveChart& nodes, std::span<const Index> affe
     if (nodes.changed(slot)) add(slot);
   for (const Index slot : affected) add(slot);
   const auto last_t = [this](Index slot) { return ranges_[slot].last_t; };
-  for (const Index slot : near_end_.find(from, carried_, static_cast<Index>(ranges_.size()), last_t))
+  for (const Index slot : near_end_.find(from, transferred_, static_cast<Index>(ranges_.size()), last_t))
     if (last_t(slot) >= from) add(slot);
-  carried_ = stale_;
+  transferred_ = stale_;
   for (const Index slot : stale_) is_stale_[slot] = 0;
 }
 
 /// Reserves slots of the vertices' chart: each slot of the base chart has one for each vertex of its cluster.
-void LiveCarrier::make_room(const LiveChart& nodes, LiveChart& vertices) {
+void ChartTransfer::make_room(const LiveChart& nodes, LiveChart& vertices) {
   for (const Index slot : stale_) {
     Range& range = ranges_[slot];
     const Index node = nodes.nodes().vertex[slot];
@@ -103,7 +104,7 @@ void LiveCarrier::make_room(const LiveChart& nodes, LiveChart& vertices) {
 }
 
 /// Computes the foot points of a cluster's vertices, once per stroke: vertices do not move while it is drawn.
-void LiveCarrier::find_feet(const BasePatch& patch, Range& range) {
+void ChartTransfer::find_feet(const BasePatch& patch, Range& range) {
   base_->for_each_vertex(range.node, [&](Index vertex) {
     const Index slot = range.begin + range.size++;
     vertex_[slot] = vertex;
@@ -112,13 +113,14 @@ void LiveCarrier::find_feet(const BasePatch& patch, Range& range) {
 }
 
 /// Computes the frames of the vertices of one node's cluster.
-void LiveCarrier::carry(const Event& event, Index slot, Carried& carried) {
+void ChartTransfer::transfer(const Event& event, Index slot, Transferred& transferred) {
   Range& range = ranges_[slot];
   const BasePatch patch = base_->patch(range.node);
   if (range.size == 0) find_feet(patch, range);
   range.last_t = nowhere;
-  if (event.on_base) contest_.find_rivals(event.nodes, slot, carried.rivals);
-  if (event.on_base && !carried.rivals.empty()) return carry_contested(event, slot, patch, carried);
+  if (event.on_base) contest_.find_rivals(event.nodes, slot, transferred.rivals);
+  if (event.on_base && !transferred.rivals.empty())
+    return transfer_contested(event, slot, patch, transferred);
   const ChartFrame of_node = event.nodes.nodes().frame(slot);
   const DistanceRay ray =
       event.on_base ? event.on_base->path.ray(of_node.t, static_cast<double>(of_node.d)) : DistanceRay{};
@@ -137,21 +139,22 @@ void LiveCarrier::carry(const Event& event, Index slot, Carried& carried) {
       const Index at = begin + static_cast<Index>(lane);
       if (event.nodes.nodes().closed) frame.t = wrapped_t(frame.t, event.nodes.nodes().length);
       range.last_t = std::max(range.last_t, frame.t);
-      place(event, at, frame, patch, carried);
+      write(event, at, frame, patch, transferred);
     }
   }
 }
 
 /// Computes the frames of a contested cluster: each vertex takes that of the rival that places it nearest to
 /// the stroke, mended where it contradicts the straight line to the stroke.
-void LiveCarrier::carry_contested(const Event& event, Index slot, const BasePatch& patch, Carried& carried) {
+void ChartTransfer::transfer_contested(const Event& event, Index slot, const BasePatch& patch,
+                                       Transferred& transferred) {
   Range& range = ranges_[slot];
   const StrokePath& path = event.on_base->path;
   for (Index at = range.begin; at < range.begin + range.size; ++at) {
-    const GroundVertex vertex{patch.place(foot_[at]), patch.normal_at(foot_[at]), patch.gauss_curvature()};
+    const GroundVertex vertex{patch.point_at(foot_[at]), patch.normal_at(foot_[at]), patch.gauss_curvature()};
     ChartFrame nearest;
     double least = std::numeric_limits<double>::infinity();
-    for (const Index rival : carried.rivals) {
+    for (const Index rival : transferred.rivals) {
       const ChartFrame told = contest_.extrapolate(event.nodes, path, rival, vertex);
       const double distance = path.distance(told.t, static_cast<double>(told.d), vertex.position);
       range.last_t = std::max(range.last_t, told.t + StrokeSamples::most_spacing(stroke_.radius));
@@ -161,21 +164,21 @@ void LiveCarrier::carry_contested(const Event& event, Index slot, const BasePatc
     }
     const MendedFrame mended = mended_frame(*event.on_base, vertex, nearest);
     range.last_t = std::max(range.last_t, mended.depends_to);
-    place(event, at, mended.frame, patch, carried);
+    write(event, at, mended.frame, patch, transferred);
   }
 }
 
 /// Records the new frame of a slot's vertex, or that the vertex left the stroke.
-void LiveCarrier::place(const Event& event, Index at, const ChartFrame& frame, const BasePatch& patch,
-                        Carried& carried) {
+void ChartTransfer::write(const Event& event, Index at, const ChartFrame& frame, const BasePatch& patch,
+                          Transferred& transferred) {
   if (!within(frame, event.curve)) {
-    if (!event.vertices.vacant(at)) carried.gone.push_back(at);
-  } else if (!event.vertices.rewrite(at, frame, carried.rewritten)) {
-    carried.others.push_back({at, frame, patch.normal_at(foot_[at])});
+    if (!event.vertices.vacant(at)) transferred.gone.push_back(at);
+  } else if (!event.vertices.rewrite(at, frame, transferred.rewritten)) {
+    transferred.others.push_back({at, frame, patch.normal_at(foot_[at])});
   }
 }
 
-bool LiveCarrier::within(const ChartFrame& frame, const SurfaceCurve& curve) const {
+bool ChartTransfer::within(const ChartFrame& frame, const SurfaceCurve& curve) const {
   const double beyond = beyond_ends(frame.t, length_, curve.closed);
   if (beyond > 0 && stroke_.cap == Cap::butt) return false;
   const double width = uniform_ ? 1 : static_cast<double>(point_at(curve, frame.t).width);
@@ -183,7 +186,7 @@ bool LiveCarrier::within(const ChartFrame& frame, const SurfaceCurve& curve) con
   return beyond * beyond + d * d <= half_width * half_width;
 }
 
-void LiveCarrier::vacate(Index slot, LiveChart& vertices) {
+void ChartTransfer::vacate(Index slot, LiveChart& vertices) {
   for (Index i = 0; i < ranges_[slot].size; ++i) vertices.remove(ranges_[slot].begin + i);
   ranges_[slot].last_t = nowhere;
 }

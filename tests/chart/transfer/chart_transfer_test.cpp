@@ -63,7 +63,7 @@ std::map<Index, std::pair<double, double>> by_source(const Surface& surface, con
 
 // The bumps stand on the vertices of the plane; what they change of its coordinates away from the stroke's
 // ends, as in shooting_test.cpp, is the error.
-TEST(LiveCarrier, GivesBumpyGroundTheCoordinatesOfThePlaneBelow) {
+TEST(ChartTransfer, GivesBumpyGroundTheCoordinatesOfThePlaneBelow) {
   Bumpy flat(0);
   flat.builder.begin({.radius = radius});
   const Chart plane = flat.builder.draw(flat.trace(200).curve()).sorted();
@@ -94,7 +94,7 @@ TEST(LiveCarrier, GivesBumpyGroundTheCoordinatesOfThePlaneBelow) {
   }
 }
 
-TEST(LiveCarrier, GrowsBitForBitIntoTheFreshChart) {
+TEST(ChartTransfer, GrowsBitForBitIntoTheFreshChart) {
   Bumpy bumpy(0.05), fresh(0.05);
   bumpy.builder.begin(felt_at_own_scale);
   CurveTracer tracer(CurveGround(bumpy.surface, bumpy.picker, bumpy.builder.base()), radius);
@@ -112,7 +112,7 @@ TEST(LiveCarrier, GrowsBitForBitIntoTheFreshChart) {
   }
 }
 
-TEST(LiveCarrier, FollowsAllReliefWhereTheSurfaceIsCoarse) {
+TEST(ChartTransfer, FollowsAllReliefWhereTheSurfaceIsCoarse) {
   const Surface surface = make_surface(test::sphere(2, 0, 1));
   const SurfaceLevels levels(surface);
   StrokeChartBuilder builder(surface, &levels);

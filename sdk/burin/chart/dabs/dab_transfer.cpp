@@ -1,7 +1,7 @@
 // Interpolates the normal coordinates of base nodes to vertices by moving least squares [Lancaster and
 // Salkauskas 1981], as the base surface itself is computed. Costs one fit per node, and O(1) per vertex.
 #include <burin/base/parallel.h>
-#include <burin/chart/dabs/dab_carrier.h>
+#include <burin/chart/dabs/dab_transfer.h>
 #include <burin/surface/geometry/parallel_transport.h>
 #include <burin/surface/geometry/quadratic_fit.h>
 #include <burin/surface/topology/connected_nodes.h>
@@ -137,7 +137,7 @@ DabChart select_nodes(const std::vector<DabChart>& parts) {
 
 }  // namespace
 
-DabChart carried_dab(BaseSurface& base, const Surface& surface, const DabChart& nodes, double radius) {
+DabChart transferred_dab(BaseSurface& base, const Surface& surface, const DabChart& nodes, double radius) {
   const DabNodes on_base(base, nodes);
   constexpr std::size_t nodes_per_block = 16;
   std::vector<DabChart> parts((nodes.size() + nodes_per_block - 1) / nodes_per_block);

@@ -1,5 +1,5 @@
 // Evaluates the base surface below a vertex, in O(1) once the nodes around it are computed.
-#include <burin/surface/base_surface/base_place.h>
+#include <burin/surface/base_surface/base_foot.h>
 
 #include <cmath>
 
@@ -19,14 +19,14 @@ double mean_curvature_at(const BasePatch& patch, const BasePatch::Local<float>& 
 
 Vec3f base_position(BaseSurface& base, const Surface& surface, Index vertex) {
   const BasePatch patch = base.patch(base.node_of(vertex));
-  return patch.place(patch.foot(surface.positions[vertex]));
+  return patch.point_at(patch.foot(surface.positions[vertex]));
 }
 
 float base_mean_curvature(BaseSurface& base, const Surface& surface, Index vertex) {
   const Index node = base.node_of(vertex);
   const BasePatch own = base.patch(node);
   const Vec3f& point = surface.positions[vertex];
-  const Vec3f foot = own.place(own.foot(point));
+  const Vec3f foot = own.point_at(own.foot(point));
   double sum = 0, weights = 0;
   for (const auto& [patch, weight] : base.around(node, foot)) {
     sum += weight * mean_curvature_at(patch, patch.foot(point));

@@ -1,6 +1,6 @@
 // Extrapolates (t, d) and the frame around a chart node by quadratics that agree to second order with Fermi
 // coordinates. Eight points are computed at once, each in O(1).
-#include <burin/chart/carry/coordinate_patch.h>
+#include <burin/chart/transfer/coordinate_patch.h>
 
 namespace burin {
 

@@ -12,6 +12,6 @@ inline constexpr double dab_margin = 2.5;
 /// Interpolates a dab on a base surface, which must be larger by dab_margin, to the vertices of the surface.
 /// A vertex gets the coordinates of its foot point on the base surface from a quadratic fitted to the nodes
 /// around the node of its cluster. Runs on all threads; the result does not depend on their number.
-DabChart carried_dab(BaseSurface& base, const Surface& surface, const DabChart& nodes, double radius);
+DabChart transferred_dab(BaseSurface& base, const Surface& surface, const DabChart& nodes, double radius);
 
 }  // namespace burin

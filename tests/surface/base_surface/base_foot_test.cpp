@@ -1,4 +1,4 @@
-#include <burin/surface/base_surface/base_place.h>
+#include <burin/surface/base_surface/base_foot.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ std::vector<Index> all_vertices(const Surface& surface) {
 
 // An egg crate of 0.02 on a cylinder of radius 1. Of the egg crate's own mean curvatures, which are up to 40
 // either way, next to nothing is left.
-TEST(BasePlace, OfACylinderWithBumpsIsOnTheCylinder) {
+TEST(BaseFoot, OfACylinderWithBumpsIsOnTheCylinder) {
   constexpr double radius = 0.4, height = 0.02;
   constexpr int waves = 45;  // around: of 0.35 radii
   TriangleMesh mesh = test::shuffled(test::cylinder(1, 1.5, 0.02, 0.3, 3), 4);
@@ -51,7 +51,7 @@ TEST(BasePlace, OfACylinderWithBumpsIsOnTheCylinder) {
 }
 
 // Convex seen from outside is positive: a saddle has none, the inside of a cylinder a negative one.
-TEST(BasePlace, HasMeanCurvaturesOfEitherSign) {
+TEST(BaseFoot, HasMeanCurvaturesOfEitherSign) {
   for (const auto& [bend_x, bend_y] : {std::pair(0.5, 0.5), {0.5, -0.5}, {-0.5, 0.}, {-0.5, -0.25}}) {
     const Surface surface = make_surface(
         test::patch({.u_min = -2, .u_max = 2, .v_min = -2, .v_max = 2, .cells_u = 80, .cells_v = 80},

@@ -1,9 +1,9 @@
 #pragma once
 #include <burin/base/rising_threshold.h>
-#include <burin/chart/carry/cluster_contest.h>
 #include <burin/chart/chart_options.h>
 #include <burin/chart/live_chart.h>
 #include <burin/chart/path/stroke_samples.h>
+#include <burin/chart/transfer/cluster_contest.h>
 #include <burin/stroke/curve/surface_curve.h>
 #include <burin/surface/base_surface/base_surface.h>
 
@@ -16,9 +16,9 @@ namespace burin {
 
 /// By how many spacings of the base nodes the base chart must be wider than the stroke, so that the clusters
 /// of all vertices at the rim have nodes.
-inline constexpr double carrying_margin = 1.5;
+inline constexpr double transfer_margin = 1.5;
 
-struct CarriedStroke {
+struct TransferredStroke {
   double radius;       ///< half width of the stroke at width 1, object units
   double base_radius;  ///< half width of the chart on the base surface, object units
   Cap cap;
@@ -28,10 +28,10 @@ struct CarriedStroke {
 /// coordinates of its foot point on the base surface, by one second-order step from the node of its cluster
 /// (CoordinatePatch). An event recomputes only the clusters of changed nodes and those that the stroke's end
 /// influences. Uses all threads; the result does not depend on their number.
-class LiveCarrier {
+class ChartTransfer {
  public:
   /// Base and surface must outlive the object.
-  LiveCarrier(BaseSurface& base, const Surface& surface, const CarriedStroke& stroke)
+  ChartTransfer(BaseSurface& base, const Surface& surface, const TransferredStroke& stroke)
       : base_(&base),
         surface_(&surface),
         stroke_(stroke),
@@ -58,7 +58,7 @@ class LiveCarrier {
   };
 
   /// The results for a block of clusters, merged in order after the parallel loop.
-  struct Carried {
+  struct Transferred {
     struct Node {
       Index slot;
       ChartFrame frame;
@@ -82,15 +82,16 @@ class LiveCarrier {
     const SurfaceCurve& curve;
     LiveChart& vertices;
   };
-  void carry(const Event& event, Index slot, Carried& carried);
-  void carry_contested(const Event& event, Index slot, const BasePatch& patch, Carried& carried);
-  void place(const Event& event, Index at, const ChartFrame& frame, const BasePatch& patch, Carried& carried);
+  void transfer(const Event& event, Index slot, Transferred& transferred);
+  void transfer_contested(const Event& event, Index slot, const BasePatch& patch, Transferred& transferred);
+  void write(const Event& event, Index at, const ChartFrame& frame, const BasePatch& patch,
+             Transferred& transferred);
   bool within(const ChartFrame& frame, const SurfaceCurve& curve) const;
   void vacate(Index slot, LiveChart& vertices);
 
   BaseSurface* base_;
   const Surface* surface_;
-  CarriedStroke stroke_;
+  TransferredStroke stroke_;
   SurfaceCurve widened_;
   bool uniform_ = true;        ///< the stroke's width is 1 everywhere
   double length_ = 0;          ///< length of the stroke at the last event
@@ -99,7 +100,7 @@ class LiveCarrier {
   std::vector<BasePatch::Local<float>> foot_;  ///< [slot of the vertices' chart] foot on its node's patch
   std::vector<Index> stale_;                   ///< slots of the base chart to recompute
   std::vector<std::uint8_t> is_stale_;         ///< [slot of the base chart] all 0 between events
-  std::vector<Index> carried_;                 ///< slots of the base chart recomputed by the last event
+  std::vector<Index> transferred_;             ///< slots of the base chart recomputed by the last event
   ClusterContest contest_;
   RisingThreshold near_end_;  ///< slots of the base chart by last_t
 };
