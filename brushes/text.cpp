@@ -152,7 +152,7 @@ class Text : public Brush {
     const float shrink = cell.radius / static_cast<float>(stroke.radius_max()), em = static_cast<float>(em_);
     const float y = cell.d / (em * shrink) - baseline_ / size_ + (line.ascent - line.descent) / 2;
     const float x = stroke.mirrored() ? line.width - along : along;
-    const StampPlace place = lettering_.place(x, y);
+    const StampPoint place = lettering_.point_at(x, y);
     return {place,
             {cell.footprint_t / em / (line.right - line.left), 0},
             {0, cell.footprint_d / (em * shrink) / (line.top - line.bottom)}};

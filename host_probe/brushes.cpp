@@ -1,3 +1,6 @@
+// Keeps the probe's brushes in an array of fixed size, so that a host's call for a brush that does not
+// live can be recognised without reading freed memory. Takes no lock, since hosts create brushes on any
+// thread.
 #include "brushes.h"
 
 #include <functional>

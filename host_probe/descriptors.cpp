@@ -1,3 +1,5 @@
+// Describes the probe's two brushes: one reads and writes everything in several passes, the other makes a
+// solid and moves the curve.
 #include "descriptors.h"
 
 namespace burin_probe {

@@ -1,3 +1,5 @@
+// Writes the probe's report as lines for people: calls, then the rules that were broken, kept or never
+// seen.
 #include "report.h"
 
 #include <cinttypes>

@@ -1,3 +1,5 @@
+// Counts how often each rule was kept and broken. Only atomic numbers are written, so that brushes may
+// note rules during evaluate on all threads.
 #include "rules.h"
 
 namespace burin_probe {

@@ -17,10 +17,8 @@
 #include "input/brush_params.h"
 #include "options/options.h"
 #include "options/view.h"
-#include "pictures/painted.h"
-#include "pictures/render.h"
+#include "pictures/result_picture.h"
 #include "replay/replay_pictures.h"
-#include "replay/solid_parts.h"
 #include "system/console.h"
 #include "system/output_file.h"
 
@@ -94,17 +92,6 @@ Camera view_of(const Session& session, const StrokeExtent& extent) {
   return replay_view(session.surface(), extent, {}, view);
 }
 
-Picture draw(const Session& session, const StrokeExtent& extent) {
-  const Camera camera = view_of(session, extent);
-  const SolidParts parts(session.parts(), session.bent_meshes());
-  if (parts.empty()) return render(session.surface(), session.picker(), camera, painted(session.paint()));
-  TriangleMesh mesh{
-      {session.positions().begin(), session.positions().end()}, session.surface().triangles, {}};
-  VertexPaint paint;
-  parts.append_to(mesh, paint);
-  return draw_mesh(std::move(mesh), camera, {});
-}
-
 void run(const TryOptions& options) {
   check_output_path(options.png);
   BrushLibrary library(log_on_console, stamp_services(read_vdb));
@@ -118,7 +105,7 @@ void run(const TryOptions& options) {
   observer.piece_ended = [&](const Session& done) { extent.piece_ended(done); };
   const ReplayResult result = replay(session, make_recording(brush, options, params), {}, observer);
   for (const std::string& line : session.warnings()) warn(line);
-  write_png(options.png, draw(session, extent));
+  write_png(options.png, draw_result(session, part_meshes(session), view_of(session, extent)));
   write_result(fmt::format("{}: {} events, {:.2f} ms at the median\n{}\n", brush, result.samples_drawn,
                            1000 * percentiles(result.latencies).p50, options.png));
 }

@@ -74,7 +74,7 @@ class VdbTrail : public SolidBrush {
   void distance(const Batch& in, Floats h, FloatsOut out) const override {
     const Floats t = in.t(), d = in.d();
     const double period = in.stroke.whole_period(period_);
-    const auto place = [&](std::size_t i) -> VdbPlace {
+    const auto place = [&](std::size_t i) -> VdbPoint {
       const double periods = t[i] / period;
       const auto x = static_cast<float>((periods - std::floor(periods)) * period_);
       return {x, d[i] + half_, h[i] - bottom_, voxel_};

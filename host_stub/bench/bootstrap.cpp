@@ -1,3 +1,5 @@
+// Computes intervals of mean ratios by the percentile bootstrap [Efron & Tibshirani 1993, ch. 13], with a
+// fixed seed.
 #include "bench/bootstrap.h"
 
 #include <algorithm>

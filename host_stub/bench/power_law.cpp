@@ -1,3 +1,4 @@
+// Fits a straight line to logarithms by least squares; its slope is the exponent.
 #include "bench/power_law.h"
 
 #include <cmath>

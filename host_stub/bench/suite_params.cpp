@@ -1,3 +1,4 @@
+// Resolves the files among a suite's brush parameters against the suite's folder.
 #include "bench/suite_params.h"
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// Writes what `burin bench-brush` measured as JSON, as lines for people and as a page of bars.
 #include "bench_brush/brush_report.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Draws one stroke of a brush on a plane, whose nodes are then evaluated again and again.
 #include "bench_brush/drawn_stroke.h"
 
 #include <burin/abi/brush.h>

@@ -1,3 +1,4 @@
+// Looks up parameters in the descriptors of brushes.
 #include "input/brush_params.h"
 
 #include <burin/abi/plugin.h>

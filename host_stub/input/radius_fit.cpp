@@ -1,3 +1,4 @@
+// Compares the radii of strokes with the edges and the size of a surface, in O(vertices).
 #include "input/radius_fit.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Reads recorded strokes, and refuses those that are cut off.
 #include "input/stroke_input.h"
 
 #include <burin/base/error.h>

@@ -1,3 +1,4 @@
+// Draws a curve segment by segment with a pencil that leaves out what the surface hides.
 #include "pictures/curve_overlay.h"
 
 #include "pictures/pencil.h"

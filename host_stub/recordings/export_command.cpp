@@ -1,3 +1,4 @@
+// The command `burin export`: writes recorded strokes in formats that other programs read.
 #include <burin/stroke/stroke_file.h>
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// Describes what a pen file holds: strokes, samples, fields and their ranges.
 #include "recordings/facts_report.h"
 
 #include <burin/ink/pen_file_facts.h>

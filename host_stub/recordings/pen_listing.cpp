@@ -1,3 +1,4 @@
+// Lists pages, layers and strokes of a pen file in one pass over its strokes.
 #include "recordings/pen_listing.h"
 
 #include <fmt/format.h>

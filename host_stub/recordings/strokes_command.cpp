@@ -1,7 +1,6 @@
 // The command `burin strokes`: tells what recordings hold, draws them, and writes them mended.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/base/text/lower_case.h>
 #include <burin/ink/import_pen_file.h>
 #include <burin/ink/mend.h>
 #include <burin/stroke/move_origin.h>
@@ -72,19 +71,13 @@ std::vector<std::string> edit(Recording& recording, const StrokesOptions& option
   return did;
 }
 
-/// The kind of the files that are written under this name.
-std::string kind_of_output(const std::string& path) {
-  const std::string extension = in_lower_case(std::filesystem::path(path).extension().string());
-  return extension.empty() ? "" : extension.substr(1);
-}
-
 void write_edited(const StrokesOptions& options, const Opened& opened, const Recording& edited,
                   bool changed) {
-  if (!changed && opened.file.kind == kind_of_output(options.out) &&
+  if (!changed && opened.file.kind == written_kind(options.out) &&
       std::filesystem::is_regular_file(options.files[0])) {
     const std::string bytes = read_file(options.files[0]);
     write_file_whole(options.out, [&](std::ostream& out) { out << bytes; });
-  } else if (opened.strokes && kind_of_output(options.out) == "stroke") {
+  } else if (opened.strokes && written_kind(options.out) == "stroke") {
     write_stroke_file(options.out, edited);
   } else {
     write_pen_file(options.out, {&edited, 1});
@@ -95,7 +88,7 @@ void run_edits(const StrokesOptions& options) {
   check_output_path(options.out);
   const std::string& path = options.files[0];
   Opened opened = open(path);
-  if (!opened.strokes || kind_of_output(options.out) != "stroke") check_pen_file_name(options.out);
+  if (!opened.strokes || written_kind(options.out) != "stroke") check_pen_file_name(options.out);
   Recording recording = opened.strokes ? *opened.strokes : recording_of(opened.file);
   const std::vector<std::string> did = with_file_context(path, [&] { return edit(recording, options); });
   write_edited(options, opened, recording, !did.empty());

@@ -1,3 +1,4 @@
+// Draws strokes as lines whose colour shows pressure or speed, in a plane or over a rendered surface.
 #include "recordings/strokes_picture.h"
 
 #include <burin/ink/fit/fit_to_view.h>

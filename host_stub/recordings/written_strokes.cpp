@@ -1,3 +1,4 @@
+// Writes recordings in the formats that other programs read, or as `.stroke` files; a file is replaced whole.
 #include "recordings/written_strokes.h"
 
 #include <burin/base/error.h>
@@ -12,13 +13,18 @@ namespace {
 using WriteStrokes = void (*)(std::span<const Recording> recordings, std::ostream& out);
 
 WriteStrokes writer_for(const std::filesystem::path& path) {
-  const std::string extension = in_lower_case(path.extension().string());
-  if (extension == ".inkml") return write_inkml;
-  if (extension == ".csv") return write_pen_csv;
+  const std::string kind = written_kind(path);
+  if (kind == "inkml") return write_inkml;
+  if (kind == "csv") return write_pen_csv;
   throw FileError(path.string(), "strokes are exported as .inkml or .csv");
 }
 
 }  // namespace
+
+std::string written_kind(const std::filesystem::path& path) {
+  const std::string extension = in_lower_case(path.extension().string());
+  return extension.empty() ? "" : extension.substr(1);
+}
 
 void write_stroke_file(const std::filesystem::path& path, const Recording& recording) {
   replace_file(path, [&](const std::filesystem::path& partial) {

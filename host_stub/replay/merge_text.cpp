@@ -1,3 +1,4 @@
+// Writes the reports of merges as JSON and as lines for people.
 #include "replay/merge_text.h"
 
 #include <fmt/format.h>

@@ -25,8 +25,7 @@
 #include "options/options.h"
 #include "options/setting_options.h"
 #include "options/view.h"
-#include "pictures/painted.h"
-#include "pictures/render.h"
+#include "pictures/result_picture.h"
 #include "replay/merge_text.h"
 #include "replay/replay_mesh.h"
 #include "replay/replay_report.h"
@@ -163,11 +162,10 @@ void finish(ReplayMesh& mesh, const Session& session, ReplaySummary& summary) {
   summary.peak_memory = peak_memory();
 }
 
-/// Of the finest level, on which nothing is painted; parts are plain clay.
-Picture draw_result(const Session& session, const ReplayMesh& mesh, const SolidParts& parts,
+/// The picture of the result; of a mesh with levels it shows the finest level, on which nothing is painted.
+Picture draw_finest(const Session& session, const ReplayMesh& mesh, const SolidParts& parts,
                     const Camera& camera, const Progress& progress) {
-  if (!mesh.has_levels() && parts.empty())
-    return render(session.surface(), session.picker(), camera, painted(session.paint()), progress);
+  if (!mesh.has_levels()) return draw_result(session, parts.meshes(), camera, progress);
   TriangleMesh result = mesh.result(session);
   VertexPaint paint;
   parts.append_to(result, paint);
@@ -179,7 +177,7 @@ void write_pictures(const ReplayOptions& options, Session& session, const Replay
                     const SolidParts& parts, const StrokeRecorder& recorder, const Camera& camera,
                     const ReplaySummary& summary, const Json& json) {
   ProgressBar bar;
-  const Picture result = draw_result(session, mesh, parts, camera, bar.progress());
+  const Picture result = draw_finest(session, mesh, parts, camera, bar.progress());
   if (!options.png.empty()) write_png(options.png, result);
   if (options.report.empty()) return;
   ReplayPictures pictures = draw_replay(session, recorder, camera, bar.progress());
@@ -231,7 +229,7 @@ void run(ReplayOptions& options) {
   for (const std::string& line : session.warnings()) warn(line);
   Json json = {{"mesh", mesh.json()}};
   json.update(summary_json(summary));
-  const SolidParts parts(session.parts(), session.bent_meshes());
+  const SolidParts parts(session);
   if (!parts.empty()) json["parts"] = parts.json();
   if (!session.merges().empty()) json["merges"] = merges_json(session.merges());
   save_mesh(options, session, mesh, parts);

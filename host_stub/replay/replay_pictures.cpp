@@ -65,9 +65,4 @@ ReplayPictures draw_replay(Session& session, const StrokeRecorder& recorder, con
   return pictures;
 }
 
-Picture draw_mesh(TriangleMesh mesh, const Camera& camera, const Progress& progress) {
-  const Surface surface = make_surface(std::move(mesh), progress);
-  return render(surface, Picker(surface), camera, clay, progress);
-}
-
 }  // namespace burin

@@ -56,7 +56,4 @@ Camera replay_view(const Surface& surface, const StrokeExtent& extent,
 ReplayPictures draw_replay(Session& session, const StrokeRecorder& recorder, const Camera& camera,
                            const Progress& progress);
 
-/// Draws a mesh as plain clay.
-Picture draw_mesh(TriangleMesh mesh, const Camera& camera, const Progress& progress);
-
 }  // namespace burin

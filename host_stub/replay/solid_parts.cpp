@@ -1,12 +1,14 @@
-// Makes meshes of the solids of strokes, and measures all parts. Volumes are sums of the signed volumes of
+// Measures the parts beside a surface. Volumes are sums of the signed volumes of
 // the tetrahedra from the origin to the triangles.
 #include "replay/solid_parts.h"
 
-#include <burin/level_set/solid_mesh.h>
 #include <burin/surface/append_mesh.h>
+#include <burin/volume/solid.h>
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+
+#include "pictures/result_picture.h"
 
 namespace burin {
 namespace {
@@ -38,12 +40,8 @@ void append_bare(std::vector<Value>& values, std::size_t count, const Value& bar
 
 }  // namespace
 
-SolidParts::SolidParts(std::span<const StrokeSolid> solids, std::span<const TriangleMesh> bent) {
-  for (const StrokeSolid& solid : solids) {
-    voxels_.push_back(solid.voxel());
-    meshes_.push_back(mesh_of(solid));
-  }
-  meshes_.insert(meshes_.end(), bent.begin(), bent.end());
+SolidParts::SolidParts(const Session& session) : meshes_(part_meshes(session)) {
+  for (const StrokeSolid& solid : session.parts()) voxels_.push_back(solid.voxel());
 }
 
 void SolidParts::append_to(TriangleMesh& mesh, VertexPaint& paint) const {

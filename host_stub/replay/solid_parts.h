@@ -1,7 +1,7 @@
 #pragma once
+#include <burin/host/session.h>
 #include <burin/surface/triangle_mesh.h>
 #include <burin/surface/vertex_paint.h>
-#include <burin/volume/solid.h>
 
 #include <span>
 #include <vector>
@@ -10,12 +10,13 @@
 
 namespace burin {
 
-/// What strokes made beside the surface: the surfaces of solids, then meshes that were bent along strokes.
+/// What strokes made beside the surface, as part_meshes() lists it.
 class SolidParts {
  public:
-  SolidParts(std::span<const StrokeSolid> solids, std::span<const TriangleMesh> bent);
+  explicit SolidParts(const Session& session);
 
   bool empty() const { return meshes_.empty(); }
+  std::span<const TriangleMesh> meshes() const { return meshes_; }
 
   /// Appends the parts to a mesh, and to its paint, bare, where it has some.
   void append_to(TriangleMesh& mesh, VertexPaint& paint) const;

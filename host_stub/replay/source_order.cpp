@@ -1,3 +1,4 @@
+// Undoes the order in which surfaces store vertices for locality.
 #include "replay/source_order.h"
 
 namespace burin {

@@ -1,3 +1,4 @@
+// Writes percentiles, which every report shows in milliseconds.
 #include "report/figures.h"
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// Replaces the characters that HTML and XML reserve by entities.
 #include "report/html_text.h"
 
 namespace burin {

@@ -1,3 +1,4 @@
+// Makes the folders of reports, and writes their files.
 #include "report/report_folder.h"
 
 #include <burin/base/error.h>

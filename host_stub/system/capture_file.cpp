@@ -1,3 +1,4 @@
+// Keeps a program's output in a temporary file.
 #include "system/capture_file.h"
 
 #include <burin/base/error.h>

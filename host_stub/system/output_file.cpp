@@ -1,3 +1,4 @@
+// Checks output paths before work starts.
 #include "system/output_file.h"
 
 #include <burin/base/file.h>

@@ -1,3 +1,5 @@
+// Writes and reads the badge beside a plugin. The hash of the module's file in it tells whether it is
+// still about this module.
 #include "validate/badge.h"
 
 #include <burin/abi/base.h>

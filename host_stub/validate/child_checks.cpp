@@ -1,3 +1,5 @@
+// Runs checks in forked processes, so that a plugin that crashes or hangs fails one check only. A child
+// sends its verdict through a pipe and is killed at its time limit.
 #include "validate/child_checks.h"
 
 #include <burin/base/stopwatch.h>

@@ -1,3 +1,4 @@
+// Writes the results of checks as JSON, as JUnit's XML and as lines for people.
 #include "validate/report.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Runs checks in this process or in children, and passes their verdicts on in the order of the checks.
 #include "validate/run_checks.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// The command `burin validate`: tests whether a plugin keeps to the ABI.
 #include <burin/base/file.h>
 #include <burin/base/quoted_word.h>
 #include <fmt/format.h>

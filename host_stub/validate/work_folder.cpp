@@ -1,3 +1,4 @@
+// Makes a temporary folder with a stamp image for the checks.
 #include "validate/work_folder.h"
 
 #include <burin/stamp/files/picture.h>

@@ -1,3 +1,5 @@
+// Looks at a module's file ten times a second. A changed file is whole when the last table that its ELF
+// header names lies within it.
 #include "watch/module_watch.h"
 
 #include <burin/base/stopwatch.h>

@@ -1,3 +1,5 @@
+// Draws the last stroke again and again, each time with the module as it is by then. A stroke that cannot be
+// drawn leaves the surface without it, and the watch goes on.
 #include "watch/watch.h"
 
 #include <burin/abi/brush.h>
@@ -9,8 +11,7 @@
 #include <numeric>
 #include <span>
 
-#include "pictures/painted.h"
-#include "pictures/render.h"
+#include "pictures/result_picture.h"
 #include "system/console.h"
 #include "watch/module_watch.h"
 #include "watch/watch_page.h"
@@ -100,8 +101,7 @@ WatchedStroke LastStroke::measured(const ReplayResult& result) const {
   stroke.nanoseconds_per_node = 1e9 * cost.seconds[static_cast<std::size_t>(Stage::evaluate)] / evaluated;
   stroke.hash = result.hash;
   const Session& session = watched_.session;
-  if (watched_.camera)
-    stroke.picture = render(session.surface(), session.picker(), *watched_.camera, painted(session.paint()));
+  if (watched_.camera) stroke.picture = draw_result(session, part_meshes(session), *watched_.camera);
   return stroke;
 }
 

@@ -1,3 +1,4 @@
+// Writes the page of a watch, and the pictures that it shows.
 #include "watch/watch_page.h"
 
 #include <burin/base/hash.h>

@@ -22,7 +22,7 @@ LaidMesh laid_pipe(std::size_t copies) {
   LaidMesh laid;
   for (std::size_t i = 0; i < copies; ++i) {
     const auto from = static_cast<double>(i);
-    lay(part, {CopyPlace::Part::middle, from, from + 1}, {}, true, laid);
+    lay(part, {CopyInterval::Part::middle, from, from + 1}, {}, true, laid);
   }
   return laid;
 }

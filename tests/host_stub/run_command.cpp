@@ -40,6 +40,10 @@ nlohmann::json burin_json(std::vector<std::string> arguments) {
   return nlohmann::json::parse(burin_output(arguments));
 }
 
+std::string bad_plugin(const std::string& name) {
+  return std::string(BURIN_BAD_PLUGINS) + "/" + name + ".burin";
+}
+
 std::string obj_text(const TriangleMesh& mesh) {
   std::string text;
   for (const Vec3f& p : mesh.positions) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());

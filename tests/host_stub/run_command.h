@@ -38,6 +38,9 @@ std::string burin_output(const std::vector<std::string>& arguments);
 /// Runs the command with --json; returns the parsed result.
 nlohmann::json burin_json(std::vector<std::string> arguments);
 
+/// The module of one of the faulty plugins in validate/bad_plugins, or of the good one they are made of.
+std::string bad_plugin(const std::string& name);
+
 std::string obj_text(const TriangleMesh& mesh);
 
 /// A PLY file of points with normals and no element of faces.

@@ -24,7 +24,7 @@ float sample(const plugin::Lettering& lettering, float x, float y) {
   float value = -1;
   lettering.stamp().sample(1,
                            [&](std::size_t) {
-                             return plugin::StampArea{lettering.place(x, y), {}, {}};
+                             return plugin::StampArea{lettering.point_at(x, y), {}, {}};
                            },
                            {&value, 1});
   return value;

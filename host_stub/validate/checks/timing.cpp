@@ -1,3 +1,4 @@
+// Measures evaluate by the least time of several runs, which other processes disturb least.
 #include "validate/checks/timing.h"
 
 #include <burin/base/stopwatch.h>

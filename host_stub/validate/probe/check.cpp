@@ -1,3 +1,4 @@
+// Lists all checks, topic by topic, and finds them by their names.
 #include "validate/probe/check.h"
 
 #include <vector>

@@ -1,3 +1,5 @@
+// Reads the dynamic section of an ELF file [System V ABI, chapter 5]: needed libraries, imported symbols
+// and their versions.
 #include "validate/probe/elf.h"
 
 #include <burin/base/file.h>

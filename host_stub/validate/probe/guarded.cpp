@@ -1,3 +1,4 @@
+// Maps pages without access around an array, so that a read or write beyond it ends the process.
 #include "validate/probe/guarded.h"
 
 #include <sys/mman.h>

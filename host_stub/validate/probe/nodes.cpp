@@ -1,3 +1,5 @@
+// Makes the batches of checks: nodes of a straight stroke on a plane, with a column for each input of the
+// ABI.
 #include "validate/probe/nodes.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Loads the plugin under test step by step; each step that fails ends the check.
 #include "validate/probe/plugin.h"
 
 #include <fmt/format.h>

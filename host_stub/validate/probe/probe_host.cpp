@@ -1,3 +1,4 @@
+// Passes Burin's services on, and notes which of them the plugin asks for.
 #include "validate/probe/probe_host.h"
 
 #include <burin/level_set/solid_mesh.h>

@@ -1,3 +1,4 @@
+// Runs work in a forked process, whose memory starts as this one's. The result comes back through a pipe.
 #include "validate/probe/repeat.h"
 
 #include <sys/wait.h>

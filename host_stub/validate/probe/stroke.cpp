@@ -1,3 +1,4 @@
+// Calls a brush as a host does, and keeps what it wrote, node by node.
 #include "validate/probe/stroke.h"
 
 #include <burin/deform/evaluate/error_text.h>

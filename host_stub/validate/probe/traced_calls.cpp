@@ -1,3 +1,5 @@
+// Watches a module's calls: for the time of the work, entries of its global offset table lead to functions
+// that count and then call the real ones. A filter of system calls (seccomp) stops the rest.
 #include "validate/probe/traced_calls.h"
 
 #include <dlfcn.h>

@@ -1,3 +1,4 @@
+// Makes values for the parameters of a brush: its defaults, the ends of their ranges, or random ones.
 #include "validate/probe/values.h"
 
 #include <algorithm>

@@ -48,10 +48,10 @@ struct Section {
   }
 };
 
-const SourcePart& part_at(const CopyPlace& place, const SourcePart& middle,
+const SourcePart& part_at(const CopyInterval& interval, const SourcePart& middle,
                           const std::optional<SourcePart>& start, const std::optional<SourcePart>& end) {
-  if (place.part == CopyPlace::Part::start) return *start;
-  return place.part == CopyPlace::Part::end ? *end : middle;
+  if (interval.part == CopyInterval::Part::start) return *start;
+  return interval.part == CopyInterval::Part::end ? *end : middle;
 }
 
 void turn_over(TriangleMesh& mesh) {
@@ -100,18 +100,18 @@ TriangleMesh AlongParts::bend(const BentStroke& stroke) const {
     return part ? scale * part->length() : 0;
   };
   const double most = static_cast<double>(most_triangles) / static_cast<double>(middle_.triangles.size());
-  const std::vector<CopyPlace> places = lay_copies({.start = chart.closed ? 0 : length_of(start_),
-                                                    .middle = scale * middle_.length(),
-                                                    .end = chart.closed ? 0 : length_of(end_),
-                                                    .stroke = chart.length,
-                                                    .spacing = settings_.spacing * stroke.radius,
-                                                    .closed = chart.closed},
-                                                   most);
-  if (places.empty()) return {};
+  const std::vector<CopyInterval> intervals = lay_copies({.start = chart.closed ? 0 : length_of(start_),
+                                                          .middle = scale * middle_.length(),
+                                                          .end = chart.closed ? 0 : length_of(end_),
+                                                          .stroke = chart.length,
+                                                          .spacing = settings_.spacing * stroke.radius,
+                                                          .closed = chart.closed},
+                                                         most);
+  if (intervals.empty()) return {};
   LaidMesh laid;
   const LaidFrame frame{middle_.box.center().y(), middle_.box.min().z(), scale};
-  for (const CopyPlace& place : places)
-    lay(part_at(place, middle_, start_, end_), place, frame, with_uv_, laid);
+  for (const CopyInterval& interval : intervals)
+    lay(part_at(interval, middle_, start_, end_), interval, frame, with_uv_, laid);
   const double turns = chart.closed ? std::round(settings_.twist) : settings_.twist;
   const Section section{turns / chart.length, scale * middle_.box.sizes().z() / 2,
                         settings_.height * stroke.radius};
@@ -124,7 +124,7 @@ TriangleMesh AlongParts::bend(const BentStroke& stroke) const {
   };
   const BendTolerance tolerance{stroke.radius / 500, stroke.radius / 200, most_triangles};
   const std::vector<Vec3d> bent = refine_bent(laid, bend, tolerance);
-  TriangleMesh mesh = joined_copies(std::move(laid), bent, places, chart.closed ? chart.length : 0);
+  TriangleMesh mesh = joined_copies(std::move(laid), bent, intervals, chart.closed ? chart.length : 0);
   if (stroke.mirrored) turn_over(mesh);
   return mesh;
 }

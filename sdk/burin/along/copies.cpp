@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-using Part = CopyPlace::Part;
+using Part = CopyInterval::Part;
 
 /// Rounding that must not cost a copy, as a share of one.
 constexpr double rounding = 1e-9;
@@ -22,7 +22,7 @@ std::size_t checked(double count, double most) {
   return static_cast<std::size_t>(std::max(count, 0.));
 }
 
-void add_end_to_end(std::vector<CopyPlace>& copies, double begin, double end, std::size_t count) {
+void add_end_to_end(std::vector<CopyInterval>& copies, double begin, double end, std::size_t count) {
   double from = begin;
   for (std::size_t i = 1; i <= count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count);
@@ -32,7 +32,7 @@ void add_end_to_end(std::vector<CopyPlace>& copies, double begin, double end, st
   }
 }
 
-void add_apart(std::vector<CopyPlace>& copies, double begin, double end, const CopyLengths& lengths,
+void add_apart(std::vector<CopyInterval>& copies, double begin, double end, const CopyLengths& lengths,
                double most) {
   const double room = end - begin - lengths.middle;
   if (room < -rounding * lengths.middle) return add_end_to_end(copies, begin, end, 1);
@@ -43,20 +43,20 @@ void add_apart(std::vector<CopyPlace>& copies, double begin, double end, const C
   }
 }
 
-std::vector<CopyPlace> around(const CopyLengths& lengths, double most) {
+std::vector<CopyInterval> around(const CopyLengths& lengths, double most) {
   const double apart = lengths.spacing > 0 ? lengths.spacing : lengths.middle;
   const std::size_t count = checked(std::max(std::round(lengths.stroke / apart), 1.), most);
-  std::vector<CopyPlace> copies;
+  std::vector<CopyInterval> copies;
   add_end_to_end(copies, 0, lengths.stroke, count);
   if (!(lengths.spacing > 0)) return copies;
   const double stretch = lengths.stroke / static_cast<double>(count) / apart;
-  for (CopyPlace& copy : copies) copy.end = copy.begin + stretch * lengths.middle;
+  for (CopyInterval& copy : copies) copy.end = copy.begin + stretch * lengths.middle;
   return copies;
 }
 
 }  // namespace
 
-std::vector<CopyPlace> lay_copies(const CopyLengths& lengths, double most) {
+std::vector<CopyInterval> lay_copies(const CopyLengths& lengths, double most) {
   if (!(lengths.stroke > 0)) return {};
   if (lengths.closed) return around(lengths, most);
   const double ends = lengths.start + lengths.end, room = lengths.stroke - ends;
@@ -66,7 +66,7 @@ std::vector<CopyPlace> lay_copies(const CopyLengths& lengths, double most) {
   const double scale = only_ends ? lengths.stroke / ends : 1;
   const double begin = only_ends && !(lengths.end > 0) ? lengths.stroke : scale * lengths.start;
   const double end = only_ends ? begin : lengths.stroke - lengths.end;
-  std::vector<CopyPlace> copies;
+  std::vector<CopyInterval> copies;
   if (lengths.start > 0) copies.push_back({Part::start, 0, begin});
   if (!only_ends && lengths.spacing > 0)
     add_apart(copies, begin, end, lengths, most);

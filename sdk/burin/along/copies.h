@@ -13,7 +13,7 @@ struct CopyLengths {
 };
 
 /// Where a copy of a part lies along the stroke, object units: its begin and its end.
-struct CopyPlace {
+struct CopyInterval {
   enum class Part { start, middle, end };
   Part part = Part::middle;
   double begin = 0, end = 0;
@@ -28,6 +28,6 @@ struct CopyPlace {
 /// spacing is stretched to a whole number of copies, and the copies with it.
 ///
 /// Throws Error where there would be more than `most` copies.
-std::vector<CopyPlace> lay_copies(const CopyLengths& lengths, double most);
+std::vector<CopyInterval> lay_copies(const CopyLengths& lengths, double most);
 
 }  // namespace burin

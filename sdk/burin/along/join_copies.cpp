@@ -33,9 +33,9 @@ std::vector<Index> open_vertices(const std::vector<Triangle>& triangles) {
 }
 
 /// Arc lengths at which copies begin or end, ascending.
-std::vector<double> ends_of(std::span<const CopyPlace> places) {
+std::vector<double> ends_of(std::span<const CopyInterval> intervals) {
   std::vector<double> ends;
-  for (const CopyPlace& place : places) ends.insert(ends.end(), {place.begin, place.end});
+  for (const CopyInterval& interval : intervals) ends.insert(ends.end(), {interval.begin, interval.end});
   std::ranges::sort(ends);
   return ends;
 }
@@ -43,14 +43,14 @@ std::vector<double> ends_of(std::span<const CopyPlace> places) {
 /// A vertex at the end of a copy, by where it was laid: t, across, up.
 using Candidate = std::tuple<double, double, double, Index>;
 
-bool same_place(const Candidate& a, const Candidate& b) {
+bool same_point(const Candidate& a, const Candidate& b) {
   return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b) &&
          std::get<2>(a) == std::get<2>(b);
 }
 
 /// The vertex that each becomes.
-std::vector<Index> joins(const LaidMesh& laid, std::span<const CopyPlace> places, double loop) {
-  const std::vector<double> ends = ends_of(places);
+std::vector<Index> joins(const LaidMesh& laid, std::span<const CopyInterval> intervals, double loop) {
+  const std::vector<double> ends = ends_of(intervals);
   std::vector<Candidate> candidates;
   for (const Index vertex : open_vertices(laid.triangles)) {
     const Vec3d& at = laid.points[vertex];
@@ -61,16 +61,16 @@ std::vector<Index> joins(const LaidMesh& laid, std::span<const CopyPlace> places
   std::vector<Index> joined(laid.points.size());
   std::iota(joined.begin(), joined.end(), Index{0});
   for (std::size_t i = 1; i < candidates.size(); ++i)
-    if (same_place(candidates[i], candidates[i - 1]))
+    if (same_point(candidates[i], candidates[i - 1]))
       joined[std::get<3>(candidates[i])] = joined[std::get<3>(candidates[i - 1])];
   return joined;
 }
 
 }  // namespace
 
-TriangleMesh joined_copies(LaidMesh laid, std::span<const Vec3d> bent, std::span<const CopyPlace> places,
-                           double loop) {
-  const std::vector<Index> joined = joins(laid, places, loop);
+TriangleMesh joined_copies(LaidMesh laid, std::span<const Vec3d> bent,
+                           std::span<const CopyInterval> intervals, double loop) {
+  const std::vector<Index> joined = joins(laid, intervals, loop);
   TriangleMesh mesh{{}, std::move(laid.triangles), std::move(laid.triangle_uv)};
   std::vector<Index> number(bent.size(), no_index);
   for (Triangle& triangle : mesh.triangles) {

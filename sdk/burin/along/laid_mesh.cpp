@@ -1,14 +1,15 @@
-// Lays one copy of a mesh along a straight stroke: stretches it to its place's length and scales it across.
+// Lays one copy of a mesh along a straight stroke: stretches it to its interval's length and scales it
+// across.
 #include <burin/along/laid_mesh.h>
 
 namespace burin {
 
-void lay(const SourcePart& part, const CopyPlace& place, const LaidFrame& frame, bool with_uv,
+void lay(const SourcePart& part, const CopyInterval& interval, const LaidFrame& frame, bool with_uv,
          LaidMesh& into) {
   const auto first = static_cast<Index>(into.points.size());
   for (const Vec3d& point : part.points) {
     const double share = part.share(point);
-    const double t = share == 1 ? place.end : place.begin + share * (place.end - place.begin);
+    const double t = share == 1 ? interval.end : interval.begin + share * (interval.end - interval.begin);
     into.points.emplace_back(t, frame.scale * (point.y() - frame.across),
                              frame.scale * (point.z() - frame.up));
   }

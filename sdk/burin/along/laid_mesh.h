@@ -21,9 +21,9 @@ struct LaidFrame {
   double across = 0, up = 0, scale = 1;
 };
 
-/// Adds one copy of a part. Points at the ends of the part get the t of the ends of the place, to the bit.
+/// Adds one copy of a part. Points at the ends of the part get the t of the ends of the interval, to the bit.
 /// `with_uv`: texture coordinates of 0 stand for those that the part lacks.
-void lay(const SourcePart& part, const CopyPlace& place, const LaidFrame& frame, bool with_uv,
+void lay(const SourcePart& part, const CopyInterval& interval, const LaidFrame& frame, bool with_uv,
          LaidMesh& into);
 
 }  // namespace burin

@@ -38,7 +38,7 @@ class Refinement {
       add_middles();
       split_triangles();
     }
-    return std::move(places_);
+    return std::move(bent_);
   }
 
  private:
@@ -79,7 +79,7 @@ class Refinement {
   bool is_far(const Edge& edge) const {
     const Vec3d &a = mesh_.points[edge.first], &b = mesh_.points[edge.second];
     if ((b - a).squaredNorm() < tolerance_.shortest * tolerance_.shortest) return false;
-    const Vec3d &at_a = places_[edge.first], &at_b = places_[edge.second];
+    const Vec3d &at_a = bent_[edge.first], &at_b = bent_[edge.second];
     const auto far = [&](const Vec3d& point, const Vec3d& straight) {
       return (bend_(point) - straight).squaredNorm() > tolerance_.chord * tolerance_.chord;
     };
@@ -124,9 +124,9 @@ class Refinement {
   }
 
   void bend_from(std::size_t first) {
-    places_.resize(mesh_.points.size());
-    parallel_blocks(places_.size() - first, 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = first + begin; i < first + end; ++i) places_[i] = bend_(mesh_.points[i]);
+    bent_.resize(mesh_.points.size());
+    parallel_blocks(bent_.size() - first, 256, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = first + begin; i < first + end; ++i) bent_[i] = bend_(mesh_.points[i]);
     });
   }
 
@@ -182,7 +182,7 @@ class Refinement {
   /// Along the shorter diagonal; `whole`: whether its first edge has settled.
   void split_quad(const std::array<Piece, 4>& q, bool whole) {
     const auto apart = [&](const Piece& a, const Piece& b) {
-      return (places_[a.vertex] - places_[b.vertex]).squaredNorm();
+      return (bent_[a.vertex] - bent_[b.vertex]).squaredNorm();
     };
     if (apart(q[0], q[2]) <= apart(q[1], q[3])) {
       add({q[0], q[1], q[2]}, {whole, false, false});
@@ -213,7 +213,7 @@ class Refinement {
   LaidMesh& mesh_;
   const BendPoint& bend_;
   BendTolerance tolerance_;
-  std::vector<Vec3d> places_;                 ///< [vertex]
+  std::vector<Vec3d> bent_;                   ///< [vertex]
   std::vector<std::array<bool, 3>> settled_;  ///< [triangle] whether the edge from a corner is near enough
   std::vector<Edge> edges_;                   ///< ascending
   std::vector<std::array<std::size_t, 3>> sides_;  ///< [triangle] edges from its corners

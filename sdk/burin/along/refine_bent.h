@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// The place in space of a point of LaidMesh. Any thread, concurrently.
+/// The position in space of a point of LaidMesh. Any thread, concurrently.
 using BendPoint = std::function<Vec3d(const Vec3d& laid)>;
 
 /// How far a bent mesh is refined.
@@ -17,7 +17,7 @@ struct BendTolerance {
   std::size_t most_triangles = 0;
 };
 
-/// Bends a mesh: returns the places of its vertices, and splits edges at their middles until the bend has
+/// Bends a mesh: returns the positions of its vertices, and splits edges at their middles until the bend has
 /// their quarter points within the tolerance. Triangles on both sides of an edge agree on whether it is
 /// split, and so do copies that meet, since the edges of one t are split by where their ends are alone: no
 /// T-junction appears. A triangle with two or three split edges is cut into three or four; texture

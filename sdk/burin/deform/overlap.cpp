@@ -1,3 +1,4 @@
+// Chooses the overlap rule of a stroke from what its brush declares.
 #include <burin/abi/plugin.h>
 #include <burin/deform/overlap.h>
 

@@ -1,3 +1,4 @@
+// Computes percentiles of sorted measurements by nearest rank, in O(n log n).
 #include <burin/host/percentile.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Decides for each sample whether it continues the piece, begins a new one or lies beside the surface.
 #include <burin/base/sort_unique.h>
 #include <burin/host/stroke_pieces.h>
 

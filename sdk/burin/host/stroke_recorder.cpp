@@ -1,3 +1,4 @@
+// Writes the settings of a session's strokes as a recording has them.
 #include <burin/host/replay.h>
 #include <burin/host/stroke_recorder.h>
 

@@ -1,6 +1,6 @@
 // Mends strokes, one fault after the other.
 #include <burin/ink/mend.h>
-#include <burin/ink/mend/mend_places.h>
+#include <burin/ink/mend/mend_positions.h>
 #include <burin/ink/mend/mend_times.h>
 
 namespace burin {

@@ -1,3 +1,4 @@
+// Selects the strokes of a pen file, and converts them to a recording.
 #include <burin/ink/pen_strokes.h>
 
 #include <algorithm>

@@ -25,7 +25,7 @@ class Lettering {
 
   /// The position in the stamp of the point x ems to the right of the line's start and y ems above its
   /// baseline.
-  StampPlace place(float x, float y) const {
+  StampPoint point_at(float x, float y) const {
     return {(x - info_.left) / (info_.right - info_.left), (info_.top - y) / (info_.top - info_.bottom)};
   }
 

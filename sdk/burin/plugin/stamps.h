@@ -15,7 +15,7 @@
 namespace burin::plugin {
 
 /// A position in a stamp: (0, 0) upper left, (1, 1) lower right. The wrap defines the values outside.
-struct StampPlace {
+struct StampPoint {
   float u, v;
 };
 
@@ -23,8 +23,8 @@ struct StampPlace {
 /// at `at` and has the sides `along` and `across`. These are the cell's sides, footprint_t along e1 and
 /// footprint_d along e2, in u and v.
 struct StampArea {
-  StampPlace at;
-  StampPlace along, across;
+  StampPoint at;
+  StampPoint along, across;
 };
 
 /// Options for opening an image.
@@ -132,7 +132,7 @@ class Stamp {
 
 /// A place in a .vdb stamp, from the least corner of its box, where a voxel is `voxel` long; lengths in one
 /// unit.
-struct VdbPlace {
+struct VdbPoint {
   float x, y, z, voxel;
 };
 
@@ -166,7 +166,7 @@ class VdbStamp {
   /// Kind, size of the box in voxels, range of the values.
   const burin_vdb_info& info() const { return info_; }
 
-  /// Writes the values at place(0) .. place(count - 1), each a VdbPlace: distances in the places' unit, or
+  /// Writes the values at place(0) .. place(count - 1), each a VdbPoint: distances in the places' unit, or
   /// densities. Throws Error if the host cannot sample, as for a place that is not finite.
   template <class PlaceAt>
   void sample(std::size_t count, const PlaceAt& place, const FloatsOut& values) const {
@@ -176,7 +176,7 @@ class VdbStamp {
     for (std::size_t first = 0; first < count; first += capacity) {
       const std::size_t size = std::min(capacity, count - first);
       for (std::size_t i = 0; i < size; ++i) {
-        const VdbPlace at = place(first + i);
+        const VdbPoint at = place(first + i);
         columns[0][i] = at.voxel;
         columns[1][i] = at.x;
         columns[2][i] = at.y;

@@ -150,7 +150,7 @@ class Tiling {
                         : stroke.seed();
   }
 
-  static StampPlace sides(double u, double v) { return {static_cast<float>(u), static_cast<float>(v)}; }
+  static StampPoint sides(double u, double v) { return {static_cast<float>(u), static_cast<float>(v)}; }
 
   /// Sets column, role and on_stroke. Returns the position in the column, 0..1, or outside of it before a
   /// start tile and after an end tile.

@@ -1,3 +1,4 @@
+// Opens each image once with its mip pyramid; a HandleStore counts who uses it.
 #include <burin/services/stamp_store.h>
 
 #include <system_error>

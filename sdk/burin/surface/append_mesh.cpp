@@ -1,3 +1,4 @@
+// Concatenates vertices, and triangles with their indices moved, in O(appended mesh).
 #include <burin/surface/append_mesh.h>
 
 namespace burin {

@@ -1,3 +1,4 @@
+// Forwards to a scene of triangles, or of points, in the room `picking`.
 #include <burin/surface/picker.h>
 #include <burin/surface/picking/pick_scene.h>
 

@@ -15,10 +15,6 @@ std::string stock(const std::string& name) {
   return (fs::path(BURIN_COMMAND).parent_path() / "brushes" / name).string();
 }
 
-std::string bad_plugin(const std::string& name) {
-  return std::string(BURIN_BAD_PLUGINS) + "/" + name + ".burin";
-}
-
 TEST(BenchBrush, ComparesABrushWithItselfAndTheStockBrushes) {
   // A copy is another module for the system, with the same code.
   const CommandFolder folder;

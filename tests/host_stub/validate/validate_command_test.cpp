@@ -17,10 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-std::string bad_plugin(const std::string& name) {
-  return std::string(BURIN_BAD_PLUGINS) + "/" + name + ".burin";
-}
-
 /// The report of the checks of these levels; whatever they find.
 nlohmann::json report(const std::string& module, const std::string& level) {
   return nlohmann::json::parse(burin({"validate", module, "--json", "--level", level}).out);

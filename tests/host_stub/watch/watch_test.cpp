@@ -86,6 +86,13 @@ TEST_F(Watch, DrawsTheLastStrokeAgainWithTheNewModule) {
             read_file(folder_.path("report/watch_after.png")));
 }
 
+TEST_F(Watch, ShowsPartsBesideTheSurface) {
+  start(1, "--along-mesh " + folder_.write("part.obj", cube_obj()) + " --report " + folder_.path("report"));
+  write(version(2));
+  finish();
+  EXPECT_EQ(read_file(folder_.path("report/watch_after.png")), read_file(folder_.path("report/after.png")));
+}
+
 TEST_F(Watch, GoesOnWithTheOldModuleWhereTheNewOneDoesNotLoad) {
   start(2);
   write("not a library, but long enough to be taken for a whole file by its first bytes.........");

@@ -1,3 +1,4 @@
+// Collects the sheets of finished pieces by vertex, in O(nodes).
 #include <burin/deform/blend/earlier_pieces.h>
 
 namespace burin {

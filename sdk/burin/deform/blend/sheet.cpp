@@ -1,3 +1,4 @@
+// Makes the sheet of a node from the chart and the outputs of the brush, in O(1).
 #include <burin/chart/path/closed_length.h>
 #include <burin/deform/blend/sheet.h>
 #include <burin/math/elementary.h>

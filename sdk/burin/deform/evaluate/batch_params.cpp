@@ -1,3 +1,4 @@
+// Fills a column for each parameter that dynamics drive; the others keep one value for all.
 #include <burin/deform/evaluate/batch_params.h>
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// Calls begin() and end() of a brush, and checks the plan that it returns.
 #include <burin/base/error.h>
 #include <burin/deform/evaluate/brush_stroke.h>
 #include <burin/deform/evaluate/error_text.h>

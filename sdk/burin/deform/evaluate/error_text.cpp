@@ -1,3 +1,4 @@
+// Makes one printable line of what a plugin wrote, whatever bytes that are.
 #include <burin/deform/evaluate/error_text.h>
 #include <fmt/format.h>
 

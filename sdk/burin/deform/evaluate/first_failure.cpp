@@ -1,3 +1,4 @@
+// Keeps the lowest failing element, so that the message does not depend on the order of threads.
 #include <burin/base/error.h>
 #include <burin/deform/evaluate/first_failure.h>
 #include <fmt/format.h>

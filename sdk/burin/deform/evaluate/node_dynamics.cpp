@@ -1,3 +1,4 @@
+// Evaluates the curves of dynamics at a node, in O(driven parameters).
 #include <burin/deform/evaluate/node_dynamics.h>
 
 #include <utility>

@@ -1,3 +1,4 @@
+// Stores positions by local index in the charts, so that memory grows with the stroke only.
 #include <burin/deform/evaluate/pass_positions.h>
 
 namespace burin {

@@ -1,3 +1,4 @@
+// Keeps the plugin whose code runs in a variable of the thread.
 #include <burin/deform/evaluate/plugin_call.h>
 
 #include <utility>

@@ -1,3 +1,4 @@
+// Stores what strokes changed, in O(changed vertices).
 #include <burin/deform/shown/undo_journal.h>
 
 #include <utility>

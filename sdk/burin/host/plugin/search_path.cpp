@@ -1,3 +1,5 @@
+// Finds plugins by their file names. A library with another name is searched for the plugin's symbol as
+// bytes, since loading it would run its code.
 #include <burin/abi/plugin.h>
 #include <burin/base/error.h>
 #include <burin/base/file.h>

@@ -1,3 +1,4 @@
+// Fills the ABI's table of host services, and finds extensions by their ids.
 #include <burin/abi/ext/log.h>
 #include <burin/host/plugin/services.h>
 #include <burin/version.h>

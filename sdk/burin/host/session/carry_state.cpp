@@ -1,3 +1,4 @@
+// Carries state over by the functions save and load of abi/ext/state.h.
 #include <burin/abi/ext/state.h>
 #include <burin/deform/evaluate/error_text.h>
 #include <burin/host/session/carry_state.h>

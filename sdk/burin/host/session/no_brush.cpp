@@ -1,3 +1,4 @@
+// Implements the functions of the ABI as a brush without effect.
 #include <burin/host/session/no_brush.h>
 
 namespace burin {

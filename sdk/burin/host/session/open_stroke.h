@@ -10,6 +10,7 @@
 #include <burin/host/event_cost.h>
 #include <burin/host/plugin/param_snapshot.h>
 #include <burin/host/session/stroke_instance.h>
+#include <burin/host/session/vertex_moves.h>
 #include <burin/stroke/stroke_settings.h>
 
 #include <cstdint>
@@ -19,13 +20,6 @@
 #include <vector>
 
 namespace burin {
-
-/// The effect of an event on vertices.
-struct VertexMoves {
-  std::vector<Index> vertices;   ///< each once
-  std::vector<Vec3f> positions;  ///< [i] new position of vertices[i]
-  std::vector<Tint> tints;       ///< [i] new tint of vertices[i]; empty if the brush writes none
-};
 
 /// Objects that a session keeps from stroke to stroke. Non-owning.
 struct StrokeTools {

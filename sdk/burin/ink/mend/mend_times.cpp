@@ -1,4 +1,5 @@
 // Mends the times of strokes, and samples that were delivered twice.
+#include <burin/ink/mend/drawn_length.h>
 #include <burin/ink/mend/mend_times.h>
 #include <burin/stroke/sample_times.h>
 #include <fmt/format.h>
@@ -8,13 +9,6 @@
 
 namespace burin {
 namespace {
-
-double way_of(const std::vector<Sample>& samples) {
-  double way = 0;
-  for (std::size_t i = 1; i < samples.size(); ++i)
-    way += (samples[i].position - samples[i - 1].position).norm();
-  return way;
-}
 
 bool time_falls(const Sample& before, const Sample& sample) { return sample.time < before.time; }
 
@@ -49,7 +43,7 @@ void mend_order(RecordedStroke& stroke, MendLog& log) {
   if (!stroke.fields.time || std::ranges::is_sorted(samples, {}, &Sample::time)) return;
   std::vector<Sample> ordered = samples;
   std::ranges::stable_sort(ordered, {}, &Sample::time);
-  if (way_of(ordered) <= way_of(samples))
+  if (drawn_length(ordered) <= drawn_length(samples))
     put_in_order(samples, std::move(ordered), log);
   else
     raise_times(samples, log);

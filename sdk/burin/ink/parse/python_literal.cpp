@@ -1,3 +1,4 @@
+// Rewrites the text of a literal in one pass, so that the JSON reader does the rest.
 #include <burin/ink/parse/python_literal.h>
 
 #include <algorithm>

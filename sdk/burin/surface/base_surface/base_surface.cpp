@@ -7,7 +7,7 @@
 #include <burin/surface/base_surface/base_fits.h>
 #include <burin/surface/base_surface/base_surface.h>
 #include <burin/surface/base_surface/cell_set.h>
-#include <burin/surface/base_surface/hub_neighbours.h>
+#include <burin/surface/base_surface/evenly_chosen.h>
 #include <burin/surface/geometry/quadratic_fit.h>
 #include <burin/surface/topology/connected_nodes.h>
 
@@ -32,6 +32,10 @@ constexpr double fewest_coarse_edges = 4.2;
 
 /// Members of a cluster lie within this share of a spacing of its mean, with few exceptions.
 constexpr double cluster_extent = 0.75;
+
+/// Of the neighbours of a node that has more than this, so many stand for all, evenly chosen: the hub of a
+/// fan would cost in proportion to the square of its spokes.
+constexpr std::size_t most_neighbours = 64;
 
 double squared_distance(const Vec3f& a, const Vec3f& b) { return static_cast<double>((a - b).squaredNorm()); }
 
@@ -179,10 +183,15 @@ BasePatch BaseSurface::patch(Index node) {
       });
 }
 
+/// The neighbours of a node, or those that stand for them.
+std::vector<Index> BaseSurface::ring(Index node) const {
+  return evenly_chosen<Index>(neighbours()[node], most_neighbours);
+}
+
 /// The mean length of a node's edges, which exceeds the spacing where the surface itself is coarser; 0 when
 /// the node has no edges.
 double BaseSurface::edge(Index node) {
-  const std::vector<Index> around = representatives(neighbours()[node]);
+  const std::vector<Index> around = ring(node);
   if (around.empty()) return 0;
   const Vec3f here = twice(node).position;
   double sum = 0;
@@ -284,9 +293,9 @@ void BaseSurface::prepare_around(std::span<const Index> nodes, const Vec3f& posi
 
 std::vector<Index> BaseSurface::two_rings(Index node) const {
   std::vector<Index> nodes{node};
-  for (const Index one : representatives(neighbours()[node])) {
+  for (const Index one : ring(node)) {
     nodes.push_back(one);
-    append(nodes, representatives(neighbours()[one]));
+    append(nodes, ring(one));
   }
   sort_unique(nodes);
   return nodes;

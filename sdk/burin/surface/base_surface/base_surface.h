@@ -89,6 +89,7 @@ class BaseSurface {
   Sample mean(Index cluster);
   Sample once(Index cluster);
   Sample twice(Index node);
+  std::vector<Index> ring(Index node) const;
   std::vector<Index> towards(Index node, const Vec3f& point) const;
   std::vector<Index> two_rings(Index node) const;
   void note_width(double width);

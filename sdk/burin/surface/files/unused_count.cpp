@@ -1,3 +1,4 @@
+// Counts ignored items for the warning that a reader gives at the end.
 #include <burin/surface/files/unused_count.h>
 #include <fmt/format.h>
 

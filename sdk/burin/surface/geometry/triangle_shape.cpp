@@ -1,3 +1,4 @@
+// Takes the cross product of two edges in doubles, which is zero for triangles without area.
 #include <burin/surface/geometry/triangle_shape.h>
 
 #include <Eigen/Geometry>

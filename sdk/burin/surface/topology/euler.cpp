@@ -1,3 +1,4 @@
+// Counts each edge at both of its ends, by the lists of neighbours.
 #include <burin/surface/topology/euler.h>
 
 namespace burin {

@@ -1,12 +1,11 @@
 // Removes samples that no hand has drawn on purpose.
-#include <burin/ink/mend/mend_places.h>
+#include <burin/ink/mend/drawn_length.h>
+#include <burin/ink/mend/mend_positions.h>
 
 #include <algorithm>
 
 namespace burin {
 namespace {
-
-double step(const Sample& a, const Sample& b) { return (b.position - a.position).norm(); }
 
 /// Of the steps of a pen that moves; 0 if it does not.
 double median_step(const std::vector<Sample>& samples) {
@@ -58,8 +57,7 @@ void remove_wild_samples(RecordedStroke& stroke, MendLog& log) {
 
 void remove_hooks(RecordedStroke& stroke, MendLog& log) {
   std::vector<Sample>& samples = stroke.samples;
-  double way = 0;
-  for (std::size_t i = 1; i < samples.size(); ++i) way += step(samples[i - 1], samples[i]);
+  const double way = drawn_length(samples);
   const std::size_t at_start = hook_at_start(samples, way);
   std::ranges::reverse(samples);
   const std::size_t at_end = hook_at_start(samples, way);

@@ -1,0 +1,75 @@
+#pragma once
+#include <burin/deform/shown/shown_paint.h>
+#include <burin/deform/shown/shown_surface.h>
+#include <burin/deform/shown/undo_journal.h>
+#include <burin/host/session/merged_surface.h>
+#include <burin/host/session/stroke_instance.h>
+#include <burin/host/session/vertex_moves.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// The surface of a session with all that depends on it, as it is shown while a stroke is open, and the steps
+/// that undo finished strokes. Neither copied nor moved, since pickers and builders refer to its surface.
+class SculptedSurface {
+ public:
+  explicit SculptedSurface(Surface surface);
+  SculptedSurface(const SculptedSurface&) = delete;
+  SculptedSurface& operator=(const SculptedSurface&) = delete;
+
+  const Surface& base() const { return surface_; }  ///< before the open stroke
+  const Picker& picker() const { return picker_; }  ///< of base()
+  ChartBuilders& builders() { return *builders_; }  ///< for strokes on base()
+  const ShownSurface& shown() const { return shown_; }
+  const ShownPaint& paint() const { return paint_; }
+  std::uint64_t generation() const { return generation_; }  ///< how often the surface was replaced
+
+  /// The vertices that the last call changed.
+  std::span<const Index> changed() const { return changed_; }
+  void clear_changed() { changed_.clear(); }
+
+  /// Sets the paint. Throws ContractError unless there are none or one value per vertex, from 0 to 1.
+  void set_paint(Paint paint);
+  void prepare_paint(std::uint64_t outputs) { paint_.prepare(outputs); }
+
+  /// Shows what an open stroke moved and painted.
+  void show(const VertexMoves& moves);
+
+  /// Shows the surface without the open stroke again.
+  void drop();
+
+  /// Makes the shown surface and paint those of base(), with an undo step.
+  void keep(MadePart made);
+
+  /// Replaces a part of the surface, with an undo step. No stroke may refer to the surface any more.
+  void replace(PaintedSurface made);
+
+  /// Undoing takes two calls: show() moves the vertices of the step back, and restore() makes that the
+  /// surface. For a step that holds a surface restore() does both.
+  std::optional<UndoStep> take_step() { return journal_.take(); }
+  void show(const UndoStep& step);
+  void restore(UndoStep step);
+
+ private:
+  void note_changed(std::span<const Index> moved, std::span<const Index> painted);
+  void commit(std::span<const Index> displaced);
+  void exchange(PaintedSurface made);
+
+  Surface surface_;
+  Picker picker_;
+  std::unique_ptr<ChartBuilders> builders_;
+  /// Of the surfaces that were replaced: made anew after undo they would have other clusters.
+  std::vector<std::unique_ptr<ChartBuilders>> replaced_builders_;
+  ShownSurface shown_;
+  ShownPaint paint_;
+  UndoJournal journal_;
+  std::vector<Index> changed_;
+  std::uint64_t generation_ = 0;
+};
+
+}  // namespace burin
