@@ -6,10 +6,13 @@
 #include <burin/abi/ext/volume.h>
 #include <burin/abi/plugin.h>
 #include <dlfcn.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <limits>
 #include <string_view>
@@ -205,18 +208,43 @@ void evaluate(const burin_brush& brush, void* stroke, Nodes& nodes, std::uint32_
   }
 }
 
-/// Evaluates so many nodes on another thread that the stroke can be ended in the meantime.
-std::thread evaluate_for_long(const burin_brush& brush, void* stroke, Nodes& nodes) {
-  std::atomic<bool> begun{false};
-  std::thread thread([&, stroke] {
-    burin_stroke_context now = context(1, BURIN_STROKE_FINAL);
-    burin_outputs outputs = nodes.outputs();
-    begun = true;
-    brush.evaluate(&brush, stroke, &now, &nodes.abi, &outputs, &error);
-  });
-  while (!begun) std::this_thread::yield();
-  std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  return thread;
+/// A number that nobody can read before open(): until then a reader is kept waiting. One at a time.
+class Gate {
+ public:
+  explicit Gate(float number) {
+    page_ = mmap(nullptr, size(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    *static_cast<float*>(page_) = number;
+    mprotect(page_, size(), PROT_NONE);
+    struct sigaction action {};
+    action.sa_handler = [](int) {
+      reader_waits_ = true;
+      while (!open_) sched_yield();
+      mprotect(page_, size(), PROT_READ);
+    };
+    sigaction(SIGSEGV, &action, nullptr);
+  }
+  const float& number() const { return *static_cast<const float*>(page_); }
+  static void wait_for_reader() {
+    while (!reader_waits_) std::this_thread::yield();
+  }
+  static void open() { open_ = true; }
+
+ private:
+  static std::size_t size() { return static_cast<std::size_t>(sysconf(_SC_PAGESIZE)); }
+  static inline void* page_ = nullptr;
+  static inline std::atomic<bool> reader_waits_{false}, open_{false};
+};
+
+/// Ends a stroke while an evaluation of it waits for a number.
+void end_while_evaluating(const burin_brush& brush, void* stroke, Nodes& nodes) {
+  const Gate gate(0.1f);
+  nodes.abi.t = all(gate.number());
+  nodes.before = 0;
+  std::thread running([&] { evaluate(brush, stroke, nodes, 1); });
+  Gate::wait_for_reader();
+  brush.end(&brush, stroke);
+  Gate::open();
+  running.join();
 }
 
 void draw_everything(const burin_brush& brush) {
@@ -225,11 +253,8 @@ void draw_everything(const burin_brush& brush) {
   nodes.break_rule();
   evaluate(brush, stroke, nodes, 2);
   if (breaks("destroy.strokes")) return;
-  Nodes many(1 << 20);
-  std::thread running;
-  if (breaks("stroke.running")) running = evaluate_for_long(brush, stroke, many);
+  if (breaks("stroke.running")) return end_while_evaluating(brush, stroke, nodes);
   on_thread("stroke.thread", [&] { brush.end(&brush, stroke); });
-  if (running.joinable()) running.join();
   if (breaks("stroke.open")) evaluate(brush, stroke, nodes, 1);
 }
 

@@ -10,7 +10,8 @@ endforeach()
 function(expect prefix components result text)
   file(WRITE ${WORK}/project/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\nproject(p LANGUAGES CXX)\n\
 find_package(Burin REQUIRED COMPONENTS ${components})\nmessage(\"found\")\n")
-  file(REMOVE_RECURSE ${WORK}/project/build)
+  # What CMake found out about the compiler stays.
+  file(REMOVE ${WORK}/project/build/CMakeCache.txt)
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/project/build -G ${GENERATOR}
     -DCMAKE_CXX_COMPILER=${CXX_COMPILER} "-DCMAKE_PREFIX_PATH=${prefix}" ${ARGN}
     RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)

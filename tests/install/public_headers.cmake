@@ -1,6 +1,7 @@
-# Each header that the component runtime installs, compiled alone with nothing but the prefix and Eigen.
+# Each header that the component runtime installs, compiled as if alone, with nothing but the prefix and Eigen.
 #   BURIN_BUILD, BURIN_CONFIG  the build to install, below WORK
 #   EIGEN                      the folder of Eigen's headers
+cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BURIN_BUILD} --config ${BURIN_CONFIG} --prefix ${WORK}/prefix
   --component runtime OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
@@ -9,11 +10,58 @@ list(LENGTH headers count)
 if(count LESS 50)
   message(FATAL_ERROR "public_headers: only ${count} are installed")
 endif()
-set(sources "")
+
+# brought(HEADER RESULT): the headers of Burin that one includes, directly or not.
+function(brought header result)
+  set(all "")
+  set(unread ${header})
+  while(unread)
+    list(POP_FRONT unread next)
+    file(STRINGS ${WORK}/prefix/include/${next} lines REGEX "^#include <burin/")
+    foreach(line ${lines})
+      string(REGEX REPLACE "^#include <([^>]*)>.*" "\\1" other ${line})
+      if(NOT other IN_LIST all)
+        list(APPEND all ${other})
+        list(APPEND unread ${other})
+      endif()
+    endforeach()
+  endwhile()
+  set(${result} ${all} PARENT_SCOPE)
+endfunction()
+
+# Those that bring most come first.
+set(ordered "")
 foreach(header ${headers})
-  string(MAKE_C_IDENTIFIER ${header} name)
-  file(WRITE ${WORK}/${name}.cpp "#include <${header}>\n")
-  list(APPEND sources ${WORK}/${name}.cpp)
+  brought(${header} brought_${header})
+  list(LENGTH brought_${header} length)
+  math(EXPR rank "1000 - ${length}")
+  list(APPEND ordered "${rank} ${header}")
 endforeach()
+list(SORT ordered)
+list(TRANSFORM ordered REPLACE "^[0-9]+ " "")
+
+# A source includes a header, before it one that the header brings anyhow, before that one that this brings, and so
+# on: each of them meets no more than it includes itself, as if it were alone.
+set(sources "")
+while(ordered)
+  list(POP_FRONT ordered header)
+  string(MAKE_C_IDENTIFIER ${header} name)
+  set(text "#include <${header}>\n")
+  set(longer TRUE)
+  while(longer)
+    set(longer FALSE)
+    foreach(other ${ordered})
+      if(other IN_LIST brought_${header})
+        list(REMOVE_ITEM ordered ${other})
+        string(PREPEND text "#include <${other}>\n")
+        set(header ${other})
+        set(longer TRUE)
+        break()
+      endif()
+    endforeach()
+  endwhile()
+  file(WRITE ${WORK}/${name}.cpp "${text}")
+  list(APPEND sources ${WORK}/${name}.cpp)
+endwhile()
 execute_process(COMMAND ${CXX_COMPILER} -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wshadow -Werror
   -I${WORK}/prefix/include -isystem ${EIGEN} ${sources} COMMAND_ERROR_IS_FATAL ANY)
