@@ -1,4 +1,6 @@
 #pragma once
+#include <burin/base/text/json_value.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>

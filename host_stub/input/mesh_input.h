@@ -1,10 +1,12 @@
 #pragma once
+#include <burin/base/vector.h>
 #include <burin/deform/paint.h>
 #include <burin/subdiv/refine.h>
 #include <burin/surface/surface.h>
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli_fwd.h"
 #include "system/console.h"

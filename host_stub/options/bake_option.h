@@ -1,6 +1,8 @@
 #pragma once
+#include <burin/base/vector.h>
 #include <burin/deform/bake.h>
 
+#include <span>
 #include <string>
 
 #include "cli_fwd.h"

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/vector.h>
 #include <burin/stroke/camera.h>
 #include <burin/stroke/curve/surface_curve.h>
 #include <burin/surface/surface.h>

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/vector.h>
 #include <burin/stamp/files/picture.h>
 #include <burin/stroke/camera.h>
 #include <burin/surface/picker.h>

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/base/progress.h>
+#include <burin/base/vector.h>
 #include <burin/stamp/files/picture.h>
 #include <burin/stroke/camera.h>
 #include <burin/surface/picker.h>

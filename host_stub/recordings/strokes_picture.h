@@ -4,6 +4,7 @@
 #include <burin/stroke/recording.h>
 #include <burin/surface/surface.h>
 
+#include <optional>
 #include <string_view>
 
 namespace burin::command {

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/vector.h>
 #include <burin/host/session.h>
 #include <burin/subdiv/sculpt_levels.h>
 
@@ -6,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "input/mesh_input.h"
 

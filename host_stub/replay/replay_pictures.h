@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/vector.h>
 #include <burin/host/session.h>
 #include <burin/stamp/files/picture.h>
 #include <burin/stroke/recording.h>

@@ -4,6 +4,7 @@
 #include <burin/surface/vertex_paint.h>
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "system/console.h"

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/vector.h>
 #include <burin/surface/surface.h>
 
 #include <span>

@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+#include <vector>
 #include "validate/run_checks.h"
 
 namespace burin::validate {

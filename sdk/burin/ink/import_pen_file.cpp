@@ -4,11 +4,18 @@
 #include <burin/ink/fit/fit_to_mesh.h>
 #include <burin/ink/fit/fit_to_view.h>
 #include <burin/ink/import_pen_file.h>
+#include <burin/ink/pen_file.h>
 #include <burin/stroke/files/recording_faults.h>
+#include <burin/stroke/recording.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

@@ -1,6 +1,11 @@
 #pragma once
+#include <burin/ink/pen_file.h>
 #include <burin/ink/pen_strokes.h>
+#include <burin/stroke/recording.h>
 #include <burin/surface/surface.h>
+
+#include <filesystem>
+#include <optional>
 
 namespace burin {
 

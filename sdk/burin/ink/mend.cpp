@@ -3,6 +3,8 @@
 #include <burin/ink/mend/mend_positions.h>
 #include <burin/ink/mend/mend_times.h>
 
+#include <utility>
+
 namespace burin {
 
 std::vector<std::string> mend(Recording& recording) {

@@ -1,12 +1,15 @@
 // Splits, joins and resamples strokes by their times.
 #include <burin/base/error.h>
 #include <burin/ink/mend.h>
+#include <burin/stroke/recording.h>
 #include <burin/stroke/sample_times.h>
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

@@ -2,6 +2,7 @@
 #include <burin/stroke/recording.h>
 
 #include <ostream>
+#include <span>
 
 namespace burin {
 

@@ -1,5 +1,6 @@
 // Selects the strokes of a pen file, and converts them to a recording.
 #include <burin/ink/pen_strokes.h>
+#include <burin/stroke/recording.h>
 
 #include <algorithm>
 #include <cmath>

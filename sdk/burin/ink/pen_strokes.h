@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/ink/pen_file.h>
+#include <burin/stroke/recording.h>
 
 #include <optional>
 

@@ -2,7 +2,9 @@
 #include <burin/ink/parse/xml.h>
 
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace burin {

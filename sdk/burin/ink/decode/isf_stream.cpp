@@ -5,6 +5,13 @@
 #include <burin/ink/parse/byte_reader.h>
 #include <burin/ink/parse/scan.h>
 
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
 namespace burin {
 namespace {
 

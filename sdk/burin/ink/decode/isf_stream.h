@@ -1,6 +1,8 @@
 #pragma once
 #include <burin/ink/pen_file.h>
 
+#include <string>
+
 namespace burin {
 
 /// The stream of Ink Serialized Format in a file that is one, or a GIF with one in its comments, or either as

@@ -4,7 +4,9 @@
 #include <burin/ink/decode/remarkable_order.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

@@ -2,6 +2,8 @@
 #include <burin/ink/parse/byte_reader.h>
 #include <burin/ink/pen_file.h>
 
+#include <cstdint>
+
 namespace burin {
 
 /// How the points of a line are written.

@@ -6,6 +6,8 @@
 #include <burin/math/elementary.h>
 
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 namespace burin {
 namespace {

@@ -1,8 +1,10 @@
 // Brings strokes in space to a surface.
 #include <burin/base/parallel.h>
+#include <burin/base/vector.h>
 #include <burin/ink/fit/fit_in_space.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 
 namespace burin {

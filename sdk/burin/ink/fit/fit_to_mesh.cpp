@@ -4,6 +4,7 @@
 // nevertheless, in a crack smaller than a cell, take their cell out of the seen ones, and the search begins
 // again.
 #include <burin/base/parallel.h>
+#include <burin/base/vector.h>
 #include <burin/ink/fit/fit_to_mesh.h>
 #include <burin/ink/fit/fit_to_view.h>
 #include <burin/ink/fit/seen_cells.h>

@@ -1,5 +1,6 @@
 // Finds the cells of a view where a surface is seen, by a ray through each corner and each middle.
 #include <burin/base/parallel.h>
+#include <burin/base/vector.h>
 #include <burin/ink/fit/seen_cells.h>
 
 #include <algorithm>

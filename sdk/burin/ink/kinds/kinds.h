@@ -1,6 +1,8 @@
 #pragma once
 #include <burin/ink/pen_file.h>
 
+#include <string_view>
+
 namespace burin {
 
 /// Of CSS, 96 to the inch; what programs without a device's resolution mean by pixels.

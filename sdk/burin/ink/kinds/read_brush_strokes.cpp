@@ -4,14 +4,20 @@
 // or the list alone, in Python or JSON. "mouse" is in pixels of the region, y up; "time" is in seconds;
 // "size" the radius of the brush in pixels. "is_start" begins another stroke.
 #include <burin/base/error.h>
+#include <burin/base/text/json_value.h>
+#include <burin/base/vector.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/python_literal.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/pen_file.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace burin {
 namespace {

@@ -6,11 +6,17 @@
 #include <burin/base/text/lower_case.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/pen_file.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

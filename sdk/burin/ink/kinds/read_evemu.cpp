@@ -6,8 +6,14 @@
 #include <burin/ink/decode/evdev_frames.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/pen_file.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

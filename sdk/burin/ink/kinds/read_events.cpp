@@ -4,10 +4,14 @@
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/pen_file.h>
 #include <burin/stroke/files/pen_events.h>
+#include <burin/stroke/recording.h>
 
 #include <algorithm>
 #include <array>
+#include <string_view>
+#include <utility>
 
 namespace burin {
 namespace {

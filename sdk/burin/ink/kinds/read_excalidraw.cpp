@@ -1,12 +1,18 @@
 // Reads scenes and libraries of Excalidraw: JSON with elements, of which those drawn by hand ("freedraw") are
 // strokes. Points lie relative to the element, which then turns about the middle of their box. Positions are
 // CSS pixels. Pressures that the program simulates are not in the file.
+#include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/pen_file.h>
 #include <burin/math/elementary.h>
 
 #include <Eigen/Geometry>
+
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

@@ -7,12 +7,20 @@
 #include <burin/ink/decode/hid_descriptor.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/pen_file.h>
 #include <burin/math/elementary.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <numbers>
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

@@ -3,17 +3,23 @@
 // Office programs write X and Y in HIMETRIC (0.01 mm), whatever their files say of the resolution. Elsewhere
 // the units of the channel hold, divided by its resolution if it has one.
 #include <burin/base/error.h>
+#include <burin/base/vector.h>
 #include <burin/ink/decode/inkml_format.h>
 #include <burin/ink/decode/inkml_trace.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/pen_file.h>
 #include <burin/math/elementary.h>
 #include <burin/stroke/pen_angles.h>
 
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

@@ -7,8 +7,16 @@
 #include <burin/ink/decode/isf_tables.h>
 #include <burin/ink/decode/tilt_angles.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/pen_file.h>
 
+#include <cstdint>
+#include <filesystem>
+#include <map>
 #include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

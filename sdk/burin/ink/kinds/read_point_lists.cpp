@@ -2,11 +2,15 @@
 // [x, y, pressure], [x, y, pressure, time in milliseconds] or {"x", "y", "pressure"}. Positions are pixels. A
 // stroke has the channels that all its points have; a pressure of 0.5 throughout is what browsers tell of
 // devices without.
+#include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/pen_file.h>
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 namespace burin {
 namespace {

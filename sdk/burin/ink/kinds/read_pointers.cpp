@@ -5,13 +5,19 @@
 //
 // "p" is what programs make of the speed and call pressure, "pressure" what a device reports.
 #include <burin/base/error.h>
+#include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/pen_file.h>
 
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

@@ -4,6 +4,11 @@
 // of the pen; of time there is only the speed.
 #include <burin/ink/decode/remarkable_blocks.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/pen_file.h>
+
+#include <cstdint>
+#include <string_view>
+#include <utility>
 
 namespace burin {
 namespace {

@@ -4,8 +4,11 @@
 #include <burin/base/error.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/pen_file.h>
 
 #include <algorithm>
+#include <string_view>
+#include <vector>
 
 namespace burin {
 namespace {

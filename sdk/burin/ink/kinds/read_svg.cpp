@@ -7,11 +7,17 @@
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/xml.h>
+#include <burin/ink/pen_file.h>
 #include <burin/math/elementary.h>
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

@@ -5,6 +5,12 @@
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/byte_reader.h>
 #include <burin/ink/parse/unpack.h>
+#include <burin/ink/pen_file.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace burin {
 namespace {

@@ -6,9 +6,14 @@
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/protobuf.h>
 #include <burin/ink/parse/riff.h>
+#include <burin/ink/pen_file.h>
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
 
 namespace burin {
 namespace {

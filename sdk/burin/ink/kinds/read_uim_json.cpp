@@ -1,11 +1,16 @@
 // Reads the JSON of the Universal Ink Model 3.0, which says the same as its binary files (read_uim.cpp).
 #include <burin/base/error.h>
+#include <burin/base/text/json_value.h>
 #include <burin/ink/decode/uim_sensors.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/pen_file.h>
 
 #include <cmath>
+#include <cstdint>
+#include <string_view>
+#include <vector>
 
 namespace burin {
 namespace {

@@ -6,6 +6,13 @@
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/protobuf.h>
 #include <burin/ink/parse/riff.h>
+#include <burin/ink/pen_file.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

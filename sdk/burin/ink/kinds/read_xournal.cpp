@@ -6,7 +6,12 @@
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/xml.h>
+#include <burin/ink/pen_file.h>
 #include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {

@@ -1,8 +1,10 @@
 // Removes samples that no hand has drawn on purpose.
+#include <burin/base/vector.h>
 #include <burin/ink/mend/drawn_length.h>
 #include <burin/ink/mend/mend_positions.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace burin {
 namespace {

@@ -1,6 +1,10 @@
 // Reads RIFF: chunks with a name and a length, each padded to an even number of bytes.
 #include <burin/ink/parse/riff.h>
 
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
 namespace burin {
 namespace {
 

@@ -1,6 +1,9 @@
 #pragma once
 #include <burin/ink/parse/byte_reader.h>
 
+#include <filesystem>
+#include <string_view>
+
 namespace burin {
 
 /// Whether a file is a RIFF of this form, four letters.

@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/base/error.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
