@@ -10,6 +10,7 @@
 #include "support/same_chart.h"
 #include "support/scene.h"
 #include "support/shapes.h"
+#include "support/straight_stroke.h"
 #include "support/traced.h"
 
 namespace burin {
@@ -18,23 +19,13 @@ namespace {
 using test::ChartError;
 using test::Coordinates;
 using test::error_against;
+using test::error_of_straight_stroke;
 using test::sampled;
 using test::Scene;
 
 TEST(StrokeChart, IsExactForAStraightStrokeOnAPlane) {
   Scene scene(test::shuffled(test::plane(1, 0.01, 7), 8));
-  const double radius = 0.2;
-  const Vec3d from(-0.5, -0.31, 0), to(0.62, 0.27, 0);
-  const Vec3d along = (to - from).normalized(), left(-along.y(), along.x(), 0);
-  const SurfaceCurve curve =
-      test::traced(scene.surface, scene.picker, radius,
-                   sampled(40, [&](double s) { return Vec3d(from + s * (to - from)); }));
-  EXPECT_NEAR(curve.length(), (to - from).norm(), 1e-5 * radius);
-  const Chart chart = scene.builder.chart(curve, {radius, Cap::round});
-
-  const auto error = error_against(scene.surface, chart, curve.length(), radius, 0, [&](const Vec3d& x) {
-    return Coordinates{(x - from).dot(along), (x - from).dot(left)};
-  });
+  const ChartError error = error_of_straight_stroke(scene);
   EXPECT_GT(error.count, 4000);
   EXPECT_LE(error.t_max, 1e-5);
   EXPECT_LE(error.d_max, 1e-5);

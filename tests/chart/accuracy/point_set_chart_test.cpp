@@ -12,6 +12,7 @@
 #include "support/chart_error.h"
 #include "support/point_shapes.h"
 #include "support/scene.h"
+#include "support/straight_stroke.h"
 #include "support/traced.h"
 
 namespace burin {
@@ -20,22 +21,13 @@ namespace {
 using test::ChartError;
 using test::Coordinates;
 using test::error_against;
+using test::error_of_straight_stroke;
 using test::sampled;
 using test::Scene;
 
 TEST(PointSetChart, IsExactForAStraightStrokeOnAPlane) {
   Scene scene(test::plane_points(1, 0.01, 7));
-  const double radius = 0.2;
-  const Vec3d from(-0.5, -0.31, 0), to(0.62, 0.27, 0);
-  const Vec3d along = (to - from).normalized(), left(-along.y(), along.x(), 0);
-  const SurfaceCurve curve =
-      test::traced(scene.surface, scene.picker, radius,
-                   sampled(40, [&](double s) { return Vec3d(from + s * (to - from)); }));
-  EXPECT_NEAR(curve.length(), (to - from).norm(), 1e-5 * radius);
-  const Chart chart = scene.builder.chart(curve, {radius, Cap::round});
-  const auto error = error_against(scene.surface, chart, curve.length(), radius, 0, [&](const Vec3d& x) {
-    return Coordinates{(x - from).dot(along), (x - from).dot(left)};
-  });
+  const ChartError error = error_of_straight_stroke(scene);
   EXPECT_GT(error.count, 4000U);
   EXPECT_LE(error.t_mean, 1e-6);
   EXPECT_LE(error.t_max, 1e-4);
