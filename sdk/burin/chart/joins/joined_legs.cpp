@@ -10,12 +10,22 @@
 #include <iterator>
 #include <span>
 #include <tuple>
+#include <utility>
 
 namespace burin {
 namespace {
 
 /// A bend shorter than this share of the radius is a corner.
 constexpr double corner_length = 0.5;
+
+/// The vertices of the nodes, ascending.
+std::vector<Index> vertices_of(const std::vector<LegNode>& nodes) {
+  std::vector<Index> vertices;
+  vertices.reserve(nodes.size());
+  for (const LegNode& node : nodes) vertices.push_back(node.vertex);
+  std::ranges::sort(vertices);
+  return vertices;
+}
 
 }  // namespace
 
@@ -39,7 +49,11 @@ void JoinedLegs::place(const SurfaceCurve& curve, double unchanged_t, Front& fro
     nodes.insert(nodes.end(), charted_[leg].nodes.begin(), charted_[leg].nodes.end());
   }
   chart_bends(curve, unchanged_t);
-  if (options_.join != Join::overlap) select_nodes(nodes, curve.closed);
+  std::vector<LegNode> of_legs;
+  if (!corners_.empty() && options_.join != Join::overlap) {
+    of_legs = nodes;
+    select_nodes(nodes, curve.closed);
+  }
   if (options_.join == Join::smooth) smooth_long_bends(curve, nodes);
   // Joins move coordinates, so some nodes now lie outside the stroke.
   std::erase_if(nodes, [&](const LegNode& node) {
@@ -47,12 +61,7 @@ void JoinedLegs::place(const SurfaceCurve& curve, double unchanged_t, Front& fro
            (options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
   });
   add_bends(curve, nodes);
-}
-
-/// Whether the nodes of the corner's own bend fill the vertices that its legs leave out. Smooth joins compute
-/// coordinates there themselves, unless the corner is nearly a half turn.
-bool JoinedLegs::is_filled(const Bend& corner) const {
-  return options_.join != Join::smooth || bounded_half(corner.turn) < std::abs(corner.turn) / 2;
+  keep_last(curve, std::move(of_legs), nodes);
 }
 
 bool JoinedLegs::is_corner(const Bend& bend) const {
@@ -109,8 +118,11 @@ std::vector<JoinedLegs::Leg> JoinedLegs::legs_of(const SurfaceCurve& curve) cons
 }
 
 double JoinedLegs::reach(const Corner* corner) const {
-  if (!corner || options_.join != Join::miter) return 0;
-  return 1.1 * miter_reach(corner->turn, options_.radius) + corner_length * options_.radius;
+  if (!corner) return 0;
+  const double beyond = options_.join == Join::miter    ? miter_reach(corner->turn, options_.radius)
+                        : options_.join == Join::smooth ? smooth_reach(corner->turn, options_.radius)
+                                                        : 0;
+  return beyond > 0 ? 1.1 * beyond + corner_length * options_.radius : 0;
 }
 
 const Corner* JoinedLegs::corner_after(std::size_t leg, bool closed) const {
@@ -152,8 +164,9 @@ JoinedLegs::ChartedLeg JoinedLegs::chart_with(Front& front, const SurfaceCurve& 
   for (const FrontNode* node : inside[0]) {
     ChartFrame frame = node->frame;
     const double half_width = front.half_width(frame.t);
+    const double distance = front.stroke().path.chart_distance(frame.t, static_cast<double>(frame.d));
     frame.t += now.begin;
-    charted.nodes.push_back({node->vertex(), 0, frame, half_width});
+    charted.nodes.push_back({node->vertex(), 0, frame, half_width, distance});
   }
   return charted;
 }
@@ -180,16 +193,30 @@ void JoinedLegs::add_bends(const SurfaceCurve& curve, std::vector<LegNode>& node
   };
   for (std::size_t i = 0; i < cuts_.size(); ++i)
     if (!is_corner(cuts_[i])) add(i, [](const LegNode&) { return true; });
-  std::vector<Index> held;
-  held.reserve(nodes.size());
-  for (const LegNode& node : nodes) held.push_back(node.vertex);
-  std::ranges::sort(held);
+  const std::vector<Index> held = vertices_of(nodes);
   for (std::size_t i = 0; i < cuts_.size(); ++i) {
-    if (!is_corner(cuts_[i]) || !is_filled(cuts_[i])) continue;
+    if (!is_corner(cuts_[i])) continue;
     const std::size_t first = nodes.size();
     add(i, [&](const LegNode& node) { return !std::ranges::binary_search(held, node.vertex); });
     if (options_.join == Join::smooth) smooth_bend(curve, cuts_[i], std::span(nodes).subspan(first));
   }
+}
+
+/// Joins choose between the nodes of a vertex, and never take the last one: a vertex under the pen that
+/// would be left without a node gets back the one that is nearest to its leg.
+void JoinedLegs::keep_last(const SurfaceCurve& curve, std::vector<LegNode> of_legs,
+                           std::vector<LegNode>& nodes) const {
+  const std::vector<Index> held = vertices_of(nodes);
+  std::erase_if(of_legs, [&](const LegNode& node) {
+    return node.distance > node.half_width || std::ranges::binary_search(held, node.vertex) ||
+           (options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
+  });
+  std::ranges::sort(of_legs, {}, [](const LegNode& node) {
+    return std::tuple(node.vertex, node.distance, node.leg, node.frame.t);
+  });
+  const auto others = std::ranges::unique(of_legs, {}, &LegNode::vertex);
+  of_legs.erase(others.begin(), others.end());
+  nodes.insert(nodes.end(), of_legs.begin(), of_legs.end());
 }
 
 /// At each corner a vertex keeps the node of the leg on whose side of the bisector it lies, which is the node

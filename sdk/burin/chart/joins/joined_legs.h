@@ -18,6 +18,7 @@ struct LegNode {
   Index leg;  ///< index of the leg, in the order of t
   ChartFrame frame;
   double half_width;  ///< half width of the stroke at the node's t on its leg, object units
+  double distance;    ///< from the leg, object units
 };
 
 inline bool beyond_end(double t, const SurfaceCurve& curve) {
@@ -62,7 +63,6 @@ class JoinedLegs {
     bool is(const Leg& now, double unchanged_t) const { return leg == now && now.end < unchanged_t; }
   };
   bool is_corner(const Bend& bend) const;
-  bool is_filled(const Bend& corner) const;
   void find_corners(const SurfaceCurve& curve);
   double reach(const Corner* corner) const;
   std::vector<Leg> legs_of(const SurfaceCurve& curve) const;
@@ -71,6 +71,7 @@ class JoinedLegs {
   ChartedLeg chart_with(Front& front, const SurfaceCurve& part, const Leg& now);
   void add_bends(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const;
   void select_nodes(std::vector<LegNode>& nodes, bool closed) const;
+  void keep_last(const SurfaceCurve& curve, std::vector<LegNode> of_legs, std::vector<LegNode>& nodes) const;
   const Corner* corner_after(std::size_t leg, bool closed) const;
   const Corner* corner_before(std::size_t leg, bool closed) const;
   void smooth_long_bends(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const;

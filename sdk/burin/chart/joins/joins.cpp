@@ -27,6 +27,11 @@ double miter_reach(double turn, double radius) {
   return std::abs(turn) < sharpest_miter ? radius * math::tan(std::abs(turn) / 2) : 0;
 }
 
+double smooth_reach(double turn, double radius) {
+  const double half = std::abs(turn) / 2;
+  return half <= bounded_half(turn) ? radius * math::sin(half) : 0;
+}
+
 bool on_own_side(const Corner& corner, bool first_leg, const ChartFrame& frame) {
   const double d = static_cast<double>(frame.d), tangent = math::tan(bounded_half(corner.turn));
   const double bisector = d * corner.turn > 0 ? -std::abs(d) * tangent : std::abs(d) * tangent;

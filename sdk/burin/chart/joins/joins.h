@@ -22,6 +22,10 @@ double bounded_half(double turn);
 /// units; 0 for corners of 120 degrees or more, which have no miter.
 double miter_reach(double turn, double radius);
 
+/// How far along a leg, beyond the meeting point, the circle around a smooth corner reaches up to the
+/// bisector, object units; 0 for corners that are nearly half turns, whose circle the bend itself gives.
+double smooth_reach(double turn, double radius);
+
 /// Whether a node of the first (or second) leg lies on its own leg's side of the corner's bisector, judged in
 /// the plane from the leg's own coordinates.
 bool on_own_side(const Corner& corner, bool first_leg, const ChartFrame& frame);
