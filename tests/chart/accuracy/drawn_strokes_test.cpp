@@ -155,9 +155,8 @@ TEST_P(JoinedStrokes, HaveNoHoles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(DrawnStrokes, JoinedStrokes,
-                         testing::Values(Join::smooth, Join::miter, Join::overlap), [](const auto& joined) {
-                           return std::string(name_of(named_joins, joined.param));
-                         });
+                         testing::Values(Join::smooth, Join::miter, Join::overlap),
+                         [](const auto& joined) { return std::string(name_of(named_joins, joined.param)); });
 
 TEST(DrawnStrokes, HaveExactDistancesAtTheBrushesOwnScale) {
   Tally all;

@@ -246,15 +246,27 @@ void JoinedLegs::select_nodes(std::vector<LegNode>& nodes, bool closed) const {
       const Corner *before = corner_before(node.leg, closed), *after = corner_after(node.leg, closed);
       if (!keeps(node, first, last, after, true) || !keeps(node, first, last, before, false)) continue;
       if (options_.join == Join::smooth) {
-        const Vec3f normal = ground_[node.vertex].normal;
-        if (after) node.frame = smoothed(*after, true, node.frame, normal);
-        if (before) node.frame = smoothed(*before, false, node.frame, normal);
+        if (after) smooth_corner(node, *after, true);
+        if (before) smooth_corner(node, *before, false);
       }
       kept.push_back(node);
     }
     first = last;
   }
   nodes = std::move(kept);
+}
+
+/// The circle around a smooth corner may leave out places that lie within the radius of the bend itself. They
+/// keep their distance from the bend.
+void JoinedLegs::smooth_corner(LegNode& node, const Corner& corner, bool first_leg) const {
+  node.frame = smoothed(corner, first_leg, node.frame, ground_[node.vertex].normal);
+  const double left_out = static_cast<double>(std::abs(node.frame.d));
+  if (left_out <= node.half_width) return;
+  const ChartedLeg& bend = charted_bends_[static_cast<std::size_t>(&corner - corners_.data())];
+  double nearest = left_out;
+  for (const LegNode& of_bend : std::ranges::equal_range(bend.nodes, node.vertex, {}, &LegNode::vertex))
+    nearest = std::min(nearest, of_bend.distance);
+  node.frame.d = std::copysign(static_cast<float>(nearest), node.frame.d);
 }
 
 void JoinedLegs::smooth_long_bends(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const {

@@ -28,8 +28,9 @@ inline bool beyond_end(double t, const SurfaceCurve& curve) {
 /// Charts closed strokes and strokes with other than round joins. The stroke is cut at its bends, each leg is
 /// charted as a stroke of its own that continues straight beyond its ends, and the legs' nodes are put
 /// together. The bends at the cuts are charted as well, with round joins, so that every vertex within the
-/// half width is covered. Vertices without a node of a leg take the node of the bend (except around smooth
-/// corners that are not half turns). With `overlap`, a bend that is not a corner is a leg of its own.
+/// half width is covered. Joins choose between the nodes of a vertex; one without a chosen node takes that of
+/// the bend, or else the nearest of its legs. So each vertex within the half width of any part has a node.
+/// With `overlap`, a bend that is not a corner is a leg of its own.
 class JoinedLegs {
  public:
   /// The ground's surface must outlive the object.
@@ -72,6 +73,7 @@ class JoinedLegs {
   void add_bends(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const;
   void select_nodes(std::vector<LegNode>& nodes, bool closed) const;
   void keep_last(const SurfaceCurve& curve, std::vector<LegNode> of_legs, std::vector<LegNode>& nodes) const;
+  void smooth_corner(LegNode& node, const Corner& corner, bool first_leg) const;
   const Corner* corner_after(std::size_t leg, bool closed) const;
   const Corner* corner_before(std::size_t leg, bool closed) const;
   void smooth_long_bends(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const;
