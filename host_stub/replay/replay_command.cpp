@@ -25,6 +25,7 @@
 #include "options/options.h"
 #include "options/setting_options.h"
 #include "options/view.h"
+#include "pictures/painted.h"
 #include "pictures/result_picture.h"
 #include "replay/merge_text.h"
 #include "replay/replay_mesh.h"
