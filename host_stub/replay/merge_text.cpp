@@ -9,7 +9,7 @@ namespace burin {
 
 namespace {
 
-/// Of the steps, in their order.
+/// The seconds of the steps, in their order.
 Json seconds_json(const MergeReport& merge) {
   return {{"solid", merge.solid_seconds},     {"distances", merge.seconds.distances},
           {"contour", merge.seconds.contour}, {"join", merge.seconds.join},

@@ -36,7 +36,7 @@ double copy_time(const burin_brush_descriptor& brush, const Nodes& nodes, int ru
   for (const InputColumns& input : input_columns())
     for (std::size_t k = 0; k < input.count; ++k, ++column)
       if (brush.inputs_read & input.bit) declared.push_back(&nodes.columns[column]);
-  // As if of one column, so that there is something to compare with.
+  // A brush without inputs is compared with a copy of one column.
   if (declared.empty()) declared.push_back(&nodes.columns.front());
   std::vector<float> copy(nodes.size());
   volatile float sink = 0;

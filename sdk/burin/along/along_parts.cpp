@@ -74,7 +74,7 @@ AlongParts::AlongParts(const AlongSettings& settings)
     half_width_ = std::max(half_width_, widest(*part));
     with_uv_ = with_uv_ || !part->triangle_uv.empty();
   }
-  // Of an upright sheet the height is what there is.
+  // An upright sheet has no width, but a height.
   if (!(half_width_ > 0)) half_width_ = middle_.box.sizes().z() / 2;
   if (!(half_width_ > 0)) throw Error("the mesh along the stroke has no width");
 }

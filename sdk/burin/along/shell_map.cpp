@@ -58,7 +58,7 @@ BoxGrid grid_over(const std::vector<Prism>& prisms) {
   return BoxGrid(boxes);
 }
 
-/// Where a triangle has d = 0: its least and greatest t; nothing where it has not.
+/// The least and the greatest t where d is 0 in a triangle; nothing if d is not 0 in it.
 std::optional<std::pair<double, double>> stretch_on_stroke(const Prism& prism) {
   std::optional<std::pair<double, double>> stretch;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -118,7 +118,7 @@ std::optional<ShellMap::Hit> ShellMap::find(const Vec2d& place) const {
   return best;
 }
 
-/// Of several triangles those win that are not turned over and whose corners are of one leg, then the first.
+/// Triangles that are not turned over and whose corners are of one leg win over others, then the first wins.
 void ShellMap::look_at(const Vec2d& place, std::optional<Hit>& best) const {
   constexpr double edge_width = 1e-9;  // in shares of the triangle's height
   const auto rank = [](const Prism& prism) {
@@ -135,8 +135,8 @@ void ShellMap::look_at(const Vec2d& place, std::optional<Hit>& best) const {
   }
 }
 
-/// Where the line of a place that no triangle holds begins: on the stroke at its t, or at the side of a gap
-/// that is nearer.
+/// The start of the line of constant t to a point that no triangle holds: on the stroke, or at the nearer
+/// side of a gap.
 ShellMap::Start ShellMap::start_of(double t) const {
   if (const auto hit = find({t, 0})) return {*hit, t};
   const auto at = [](double on, const Prism* prism) {

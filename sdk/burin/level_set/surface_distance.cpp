@@ -32,7 +32,7 @@ Vec3d at_vertex(const Surface& surface, Index vertex) {
   return sum;
 }
 
-/// Of the triangles that have both vertices.
+/// The sum of the normals of the triangles that have both vertices.
 Vec3d at_edge(const Surface& surface, Index a, Index b) {
   Vec3d sum = Vec3d::Zero();
   for (const Index number : surface.incident[a]) {
@@ -42,7 +42,7 @@ Vec3d at_edge(const Surface& surface, Index a, Index b) {
   return sum;
 }
 
-/// At a point of a triangle, by which of its corners have a weight.
+/// The pseudonormal at a point of a triangle, by which of its corners have a weight.
 Vec3d pseudonormal(const Surface& surface, const Triangle& t, const std::array<double, 3>& weights) {
   constexpr double none = 1e-9;
   std::array<Index, 3> corners{};

@@ -95,7 +95,8 @@ class Remesher {
            mesh_.data(mesh_.to_vertex_handle(half)).crease;
   }
 
-  /// As asked for, but beside edges of the border that stay no longer than what lets triangles grow evenly.
+  /// Sets the size wanted at each vertex: what the caller asks for, but near border edges, which stay, no
+  /// more than what lets triangles grow evenly.
   void find_sizes() {
     std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue;
     for (const Vertex v : mesh_.vertices()) {
@@ -329,7 +330,7 @@ class Remesher {
     return worst_cosine(corner[0], corner[1], corner[2]);
   }
 
-  /// Of the edges' sizes along the way from one to the next.
+  /// The growth of sizes from vertex to vertex, as a share of the edge between them.
   static constexpr double growth = 0.5;
   /// Cosines of 25, 10 and 5 degrees.
   static constexpr double well_shaped = 0.9063, passable = 0.9848, sliver = 0.9962;

@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-/// Of the surface's triangles that stay, then of the new ones.
+/// The values of the surface's triangles that stay, then those of the new ones.
 template <class Value>
 std::vector<Value> kept_then_new(const std::vector<Value>& old, const std::vector<Index>& removed,
                                  const std::vector<Value>& fresh) {

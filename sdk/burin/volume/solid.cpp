@@ -148,7 +148,7 @@ class BlockFiller {
     });
   }
 
-  /// Of the points so far, into their voxels; the least of those of one voxel.
+  /// Computes the distances at the points so far. A voxel gets the least of those at its points.
   void find_distances(std::span<float> values) {
     if (points_.empty()) return;
     distances_.assign(points_.size(), 0);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int side = VoxelBlock::side;
 
-/// Of the voxels of a block whose neighbours are in the block and in the band; per voxel's edge.
+/// Appends the slopes, per voxel's edge, of the voxels whose neighbours are in the block and in the band.
 void append_slopes(const VoxelBlock& block, float band, std::vector<float>& slopes) {
   constexpr int strides[] = {side * side, side, 1};
   for (int i = 1; i < side - 1; ++i)
@@ -30,7 +30,7 @@ void append_slopes(const VoxelBlock& block, float band, std::vector<float>& slop
 }  // namespace
 
 double median_slope(const StrokeSolid& solid) {
-  // As values beyond the band are cut off.
+  // Values beyond the band are cut off.
   const auto band = static_cast<float>(VoxelBlock::half_width * solid.voxel());
   std::vector<float> slopes;
   for (const VoxelBlock& block : solid.blocks()) append_slopes(block, band, slopes);

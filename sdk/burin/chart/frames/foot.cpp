@@ -39,14 +39,14 @@ class Arc {
     left_ = normal.cross(along_);
     const float begin = slope(a.tangent), end = slope(b.tangent);
     constexpr float steepest = 0.5F, sharp = 0.2F;
-    // Of tangents that both go backward the difference is no number.
+    // Tangents that both go backward have a difference that is not a number.
     sharp_ = !(std::abs(end - begin) <= sharp);
     if (std::max(std::abs(begin), std::abs(end)) > steepest) return;
     begin_ = begin;
     end_ = end;
   }
 
-  /// Of the chord, object units.
+  /// The length of the chord, object units.
   float length() const { return length_; }
 
   /// Whether the stroke turns here by more than strokes do from point to point.

@@ -113,7 +113,7 @@ void Seeds::renew(const FrontStroke& on, Index index, ChartNodes& nodes) {
   entry.stale = false;
   Seed seed;
   if (entry.last_offer != no_index) {
-    // Of equally near segments the first counts.
+    // The first of equally near segments counts.
     const Foot* best = &offers_[entry.last_offer].foot;
     for (Index i = entry.last_offer; i != no_index; i = offers_[i].before)
       if (offers_[i].foot.distance <= best->distance) best = &offers_[i].foot;

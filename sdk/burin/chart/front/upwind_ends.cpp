@@ -61,7 +61,7 @@ void UpwindFrames::find_rays(Edges& edges, const Ends& ends) {
   const RayParts<Lanes> parts = in_parts(rays, edges.u, edges.v);
   edges.across = rays.from_end.select(parts.across, edges.u);
   edges.out = rays.from_end.select(parts.out, edges.v);
-  // As ray_step() has it.
+  // These are the formulas of ray_step().
   const Lanes inverse = edges.stretch.inverse(), bend = bend_across(rays, edges.curvature, inverse);
   const Lanes beside = edges.across * inverse * (1 + edges.curvature * edges.out),
               away = edges.out - bend * edges.across.square() / 2;
@@ -71,7 +71,7 @@ void UpwindFrames::find_rays(Edges& edges, const Ends& ends) {
   edges.placed_length = ((past + t).square() + edges.placed_d.square()).sqrt();
 }
 
-/// Of frames so far past a round end, and at d.
+/// The rays from a round end to frames so far past it, and at d.
 UpwindFrames::Rays UpwindFrames::rays_to(const Lanes& past, const Lanes& d) {
   const Lanes squared = past.square() + d.square(), root = squared.sqrt(), inverse = root.inverse();
   Rays rays;

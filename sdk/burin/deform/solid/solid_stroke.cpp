@@ -57,7 +57,7 @@ SolidOperation SolidStroke::operation(const burin_stroke_context& context) const
 
 namespace {
 
-/// Of the base surface's triangles in the chart, object units.
+/// The mean edge of the base surface's triangles in the chart, object units.
 double mean_edge(const SolidGround& ground) {
   double sum = 0;
   std::size_t count = 0;

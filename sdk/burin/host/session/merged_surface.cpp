@@ -15,7 +15,7 @@
 namespace burin {
 namespace {
 
-/// Of the corners around a place, by their weights.
+/// The mean colour of the corners around a point, by their weights.
 Vec4f colour_at(const Paint& paint, const SurfacePoint& place) {
   Tint sum = Tint::Zero();
   for (std::size_t i = 0; i < 3; ++i) sum += place.weights[i] * tint_of(paint.colour_of(place.corners[i]), 1);

@@ -13,7 +13,7 @@
 namespace burin {
 namespace {
 
-// Of linux/input-event-codes.h.
+// Names and numbers are those of linux/input-event-codes.h.
 constexpr unsigned ev_syn = 0, ev_key = 1, ev_abs = 3;
 constexpr unsigned syn_report = 0, syn_dropped = 3;
 constexpr unsigned abs_x = 0x00, abs_y = 0x01, abs_pressure = 0x18, abs_tilt_x = 0x1a, abs_tilt_y = 0x1b;

@@ -81,7 +81,7 @@ class InkmlChannels {
   Vec3d scale_ = Vec3d::Zero();  ///< millimetres per value; 0: unknown
 };
 
-/// Of a position channel.
+/// The millimetres per unit of a position channel.
 double position_scale(const InkmlChannel& channel, bool office) {
   if (office) return millimetres("himetric");
   if (channel.resolution > 0 && channel.resolution_units.starts_with("1/"))

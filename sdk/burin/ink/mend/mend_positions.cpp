@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-/// Of the steps of a pen that moves; 0 if it does not.
+/// The median of the steps that are not 0; 0 if there are none.
 double median_step(const std::vector<Sample>& samples) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < samples.size(); ++i)
