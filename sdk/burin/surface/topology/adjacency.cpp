@@ -1,6 +1,6 @@
-// Builds the neighbourhoods of a mesh in compressed rows, in O(n) for meshes of bounded valence: a counting
-// sort of corners by vertex, then the neighbours of each vertex from its triangles. The loops run on all
-// threads.
+// Builds the neighbourhoods of a mesh in compressed rows: a counting sort of corners by vertex, then the
+// neighbours of each vertex from its triangles, sorted; O(n) for meshes of bounded valence, O(n log n) for
+// others. The loops run on all threads.
 #include <burin/base/counting_sort.h>
 #include <burin/surface/geometry/triangle_shape.h>
 #include <burin/surface/topology/adjacency.h>
@@ -20,9 +20,9 @@ void append_neighbours(std::span<const Triangle> triangles, std::span<const Inde
   const auto first = static_cast<std::ptrdiff_t>(out.size());
   for (const Index triangle : around)
     for (const Index corner : triangles[triangle])
-      if (corner != vertex && std::find(out.begin() + first, out.end(), corner) == out.end())
-        out.push_back(corner);
+      if (corner != vertex) out.push_back(corner);
   std::sort(out.begin() + first, out.end());
+  out.erase(std::unique(out.begin() + first, out.end()), out.end());
 }
 
 /// Appends the neighbours of `vertex`, ascending, if up to `most` triangles form one closed fan, as at nearly
