@@ -195,6 +195,7 @@ StoredImage read_tiff(const fs::path& path, std::uintmax_t bytes, const StampOpt
     throw FileError(path.string(), "holds colours other than grey and RGB; a stamp is made of numbers");
   ImageFile file(path, "tiff", bytes);
   StoredImage image = read_chosen(file, options);
+  expect_texels_that_decode(path);
   if (facts.white_is_zero) make_black_zero(image);
   image.no_data = facts.no_data;
   return image;

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -42,9 +44,13 @@ std::optional<double> no_data_value(TIFF* tiff) {
   return value;
 }
 
+/// The number of strips or tiles.
+std::uint32_t count_pieces(TIFF* tiff) {
+  return TIFFIsTiled(tiff) ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
+}
+
 bool is_cut_off(TIFF* tiff, std::uintmax_t file_bytes) {
-  const std::uint32_t pieces = TIFFIsTiled(tiff) ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
-  for (std::uint32_t i = 0; i < pieces; ++i) {
+  for (std::uint32_t i = 0; i < count_pieces(tiff); ++i) {
     const std::uint64_t begin = TIFFGetStrileOffset(tiff, i), size = TIFFGetStrileByteCount(tiff, i);
     if (begin > file_bytes || size > file_bytes - begin) return true;
   }
@@ -57,7 +63,26 @@ bool is_part_of_first(TIFF* tiff) {
   return (kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) != 0;
 }
 
+/// Decodes one strip or tile. Returns false if that fails. Those without bytes, which GDAL leaves out where
+/// all values are the same, count as decoded.
+bool decodes(TIFF* tiff, std::uint32_t piece, std::vector<unsigned char>& texels) {
+  if (TIFFGetStrileByteCount(tiff, piece) == 0) return true;
+  const auto size = static_cast<tmsize_t>(texels.size());
+  return (TIFFIsTiled(tiff) ? TIFFReadEncodedTile(tiff, piece, texels.data(), size)
+                            : TIFFReadEncodedStrip(tiff, piece, texels.data(), size)) >= 0;
+}
+
 }  // namespace
+
+void expect_texels_that_decode(const std::filesystem::path& path) {
+  const Tiff tiff = open(path);
+  const tmsize_t size = TIFFIsTiled(tiff.get()) ? TIFFTileSize(tiff.get()) : TIFFStripSize(tiff.get());
+  std::vector<unsigned char> texels(static_cast<std::size_t>(std::max<tmsize_t>(size, 0)));
+  for (std::uint32_t piece = 0; piece < count_pieces(tiff.get()); ++piece)
+    if (!decodes(tiff.get(), piece, texels))
+      throw FileError(path.string(), "is damaged, or compressed in a way that is not read: strip or tile " +
+                                         std::to_string(piece + 1) + " cannot be decoded");
+}
 
 TiffInfo read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_bytes) {
   const Tiff tiff = open(path);

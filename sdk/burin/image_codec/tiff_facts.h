@@ -17,4 +17,8 @@ struct TiffInfo {
 /// Reads the facts. Throws FileError if the file is not readable as a TIFF.
 TiffInfo read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_bytes);
 
+/// Throws FileError if some texels of the first image cannot be decoded, for which OpenImageIO gives zeros
+/// without a word. The image's size must have been checked.
+void expect_texels_that_decode(const std::filesystem::path& path);
+
 }  // namespace burin

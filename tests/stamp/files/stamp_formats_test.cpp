@@ -149,6 +149,21 @@ TEST_F(StampFormats, LeavesOutWhereATiffStandsOnAPage) {
   expect_near(image.texels, (std::vector<float>{0, 0.2f, 0.4f, 0.6f, 0.8f, 1}));
 }
 
+/// OpenImageIO gives zeros for strips that do not decode, and no error.
+TEST_F(StampFormats, RefusesATiffWhoseTexelsDoNotDecode) {
+  const auto packed = [](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE); };
+  std::string ramp;
+  for (int i = 0; i < 256; ++i) ramp += static_cast<char>(i * i);
+  const fs::path file = write_tiff(16, 16, 8, ramp, packed);
+  EXPECT_EQ(complaint(file), "accepted");
+  std::string bytes = read_file(file);
+  constexpr std::size_t within_the_strip = 20;
+  for (std::size_t i = 0; i < 30; ++i) bytes[within_the_strip + i] ^= 0x5a;
+  write_file_whole(file, [&](std::ostream& out) { out << bytes; });
+  EXPECT_EQ(complaint(file),
+            ": is damaged, or compressed in a way that is not read: strip or tile 1 cannot be decoded");
+}
+
 TEST_F(StampFormats, TurnsATiffUpright) {
   const auto turned = [](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_RIGHTTOP); };
   StampFile file;
