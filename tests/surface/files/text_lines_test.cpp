@@ -36,6 +36,7 @@ TEST(TextLines, EndInCrOrLfOrBoth) {
 TEST(TextLines, AreJoinedWhereABackslashStandsAtTheEnd) {
   EXPECT_EQ(joined_lines_of("a \\\r\n b\\ \r\\\rc\nd"), (Lines{{1, "a   b  c"}, {5, "d"}}));
   EXPECT_EQ(joined_lines_of("a # C:\\\nb"), (Lines{{1, "a"}, {2, "b"}}));
+  EXPECT_EQ(joined_lines_of("0 -1.#IND # 1\n1.#comment"), (Lines{{1, "0 -1.#IND"}, {2, "1."}}));
   EXPECT_EQ(joined_lines_of("#\n\na\\"), (Lines{{1, ""}, {2, ""}, {3, "a "}}));
 }
 
@@ -54,6 +55,10 @@ TEST(Numbers, AreWholeWords) {
     EXPECT_FALSE(real_number(word)) << word;
     EXPECT_FALSE(whole_number(word)) << word;
   }
+  EXPECT_TRUE(std::isnan(*real_number("-1.#IND00")));
+  EXPECT_TRUE(std::isnan(*real_number("1.#QNAN")));
+  EXPECT_EQ(real_number("-1.#INF"), -INFINITY);
+  EXPECT_FALSE(real_number("1.#IN"));
   EXPECT_EQ(whole_number("+7"), 7);
   EXPECT_FALSE(whole_number("1.5"));
 }

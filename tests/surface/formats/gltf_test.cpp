@@ -149,6 +149,14 @@ TEST(ReadGltf, PlacesMeshesAsTheSceneDoes) {
   EXPECT_EQ(mesh.face_vertices, (std::vector<Index>{0, 1, 2, 3, 5, 4}));  // mirrored, so turned
 }
 
+TEST(ReadGltf, CountsNodesWhoseInstancesItLeavesOut) {
+  Document document;
+  document.primitive({{"POSITION", document.values(corners, floating, "VEC3", 3)}});
+  document.json["nodes"] = {
+      {{"mesh", 0}, {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", Json::object()}}}}}}};
+  EXPECT_EQ(document.read().not_used, "1 node's instances");
+}
+
 TEST(ReadGltf, ReadsLinearColours) {
   Document document;
   const std::size_t colours =
@@ -174,6 +182,14 @@ TEST(ReadGltf, RefusesWhatItCannotRead) {
             "a.gltf: is compressed by Draco (KHR_draco_mesh_compression), which is not read");
   EXPECT_EQ(required("EXT_meshopt_compression"),
             "a.gltf: is compressed by meshoptimizer (EXT_meshopt_compression), which is not read");
+  EXPECT_EQ(with([](Document& d) {
+              d.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] =
+                  Json::object();
+              d.json["accessors"][0].erase("bufferView");
+            }),
+            "a.gltf:meshes: are compressed by Draco (KHR_draco_mesh_compression), which is not read");
+  EXPECT_EQ(with([](Document& d) { d.json["meshes"][0]["primitives"][0]["mode"] = 7; }),
+            "a.gltf:meshes: have a primitive of the unknown mode 7");
   EXPECT_EQ(required("X_y"), "a.gltf: needs the extension 'X_y', which is not known");
   EXPECT_EQ(with([](Document& d) { d.json["asset"]["version"] = "1.0"; }),
             "a.gltf: is not glTF of version 2");

@@ -105,11 +105,14 @@ TEST(ReadObj, TakesColoursBehindCoordinatesBeforePolypaint) {
 }
 
 TEST(ReadObj, ReadsTextureCoordinatesThatAreNoNumbers) {
-  const PolygonMesh mesh =
-      read_mesh(MeshFile("a.obj", three_vertices + "vt nan 0\nvt 1 -inf\nf 1/1 2/2 3/1\n").path());
+  const PolygonMesh mesh = read_mesh(
+      MeshFile("a.obj", three_vertices + "vt nan 0\nvt 1 -inf\nvt 1 -1.#IND # no number\nf 1/1 2/2 3/3\n")
+          .path());
   ASSERT_EQ(mesh.corner_uv.size(), 3u);
   EXPECT_TRUE(std::isnan(mesh.corner_uv[0].x()));
   EXPECT_TRUE(std::isinf(mesh.corner_uv[1].y()));
+  EXPECT_TRUE(std::isnan(mesh.corner_uv[2].y()));
+  EXPECT_EQ(obj_message("v 0 0 -1.#IND\n"), "a.obj:1: the coordinate '-1.#IND' is not finite");
 }
 
 TEST(ReadObj, NamesTheLineOfWrongTextureCoordinates) {
@@ -155,6 +158,10 @@ TEST(ReadObj, ReadsWhateverEndsItsLines) {
               (std::vector<Index>{0, 1, 2, 2, 1, 0}));
   }
   EXPECT_EQ(obj_message("v 0 0 0\rv 1 0 0\r\nv 0 1 0\n\rv x 0 0"), "a.obj:5: 'x' is not a coordinate");
+}
+
+TEST(ReadObj, NamesTheEncodingOfATextInUtf16) {
+  EXPECT_EQ(obj_message(std::string("\xff\xfev\0 \0", 6)), "a.obj: is text in UTF-16; save it as UTF-8");
 }
 
 TEST(ReadObj, QuotesWordsOfBoundedLength) {

@@ -74,6 +74,14 @@ TEST(PlyPaint, TakesEveryTypeOfChannel) {
       (Colours::value_type{0, 0, 0, 51}));
 }
 
+TEST(PlyPaint, TakesTheNamesOfOlderPrograms) {
+  EXPECT_EQ(
+      paint_of("property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar diffuse_blue\n",
+               {"255 0 51", "0 255 0", "1 2 3"})
+          .colours,
+      (Colours{{255, 0, 51, 255}, {0, 255, 0, 255}, {1, 2, 3, 255}}));
+}
+
 TEST(PlyPaint, IsEmptyWhereNothingWholeIsPainted) {
   EXPECT_TRUE(paint_of("", {"", "", ""}).empty());
   EXPECT_TRUE(paint_of("property uchar red\nproperty uchar alpha\n", {"1 2", "3 4", "5 6"}).empty());

@@ -85,6 +85,21 @@ TEST(ReadStl, ReadsFilesAsLargeAsScansAre) {
   EXPECT_EQ(read_mesh(file.path()).face_sizes.size(), 1U);
 }
 
+/// As programs leave it that write while they go.
+TEST(ReadStl, CountsTheTrianglesWhereTheHeaderDoesNotTellThem) {
+  for (const std::uint32_t announced : {0U, 0xFFFFFFFFU}) {
+    std::string bytes(80, ' ');
+    const auto put = [&](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    put(announced);
+    for (int triangle = 0; triangle < 2; ++triangle) {
+      for (const int number : {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, triangle}) put(static_cast<float>(number));
+      put(std::uint16_t{0});
+    }
+    EXPECT_EQ(read_mesh(MeshFile("a.stl", bytes).path()).face_sizes.size(), 2U);
+    EXPECT_NE(MeshFile("a.stl", bytes + "x").message(), "no error") << "not a whole number of triangles";
+  }
+}
+
 TEST(ReadStl, ReadsBinaryFilesThatAreLongerThanTheySay) {
   for (const std::string header : {"made by hand", "solid of a program that calls binary files so"}) {
     std::string bytes = header;

@@ -20,6 +20,30 @@ std::from_chars_result read_whole(std::string_view word, Number& value) {
   return result;
 }
 
+/// What older C libraries of Windows write for numbers that are not finite: 1.#QNAN, -1.#IND00, 1.#INF.
+/// Returns nothing for other words.
+std::optional<double> written_on_windows(std::string_view word) {
+  const bool negative = word.starts_with('-');
+  if (negative) word.remove_prefix(1);
+  constexpr std::string_view start = "1.#";
+  if (!word.starts_with(start)) return std::nullopt;
+  word.remove_prefix(start.size());
+  using Limits = std::numeric_limits<double>;
+  if (word.starts_with("INF")) return negative ? -Limits::infinity() : Limits::infinity();
+  if (word.starts_with("QNAN") || word.starts_with("SNAN") || word.starts_with("IND"))
+    return Limits::quiet_NaN();
+  return std::nullopt;
+}
+
+/// Where a comment begins in a line: at the first '#' that is not within such a number.
+std::size_t comment_of(std::string_view line) {
+  constexpr std::size_t digit_and_point = 2;
+  std::size_t at = line.find('#');
+  while (at != line.npos && at >= digit_and_point && written_on_windows(line.substr(at - digit_and_point)))
+    at = line.find('#', at + 1);
+  return at;
+}
+
 }  // namespace
 
 TextLines::TextLines(std::string_view text) : text_(text) {
@@ -42,7 +66,7 @@ std::optional<std::string_view> TextLines::next_joined() {
   for (auto line = next(); line; line = next()) {
     if (first == 0) first = number_;
     number_ = first;
-    const std::size_t comment = line->find('#');
+    const std::size_t comment = comment_of(*line);
     const bool commented = comment != std::string_view::npos;
     std::string_view text = line->substr(0, comment);
     text = text.substr(0, text.find_last_not_of(blanks) + 1);
@@ -71,7 +95,7 @@ std::optional<double> real_number(std::string_view word) {
     const double size = tiny ? 0 : std::numeric_limits<double>::infinity();
     return word.starts_with('-') ? -size : size;
   }
-  if (error != std::errc()) return std::nullopt;
+  if (error != std::errc()) return written_on_windows(word);
   return value;
 }
 

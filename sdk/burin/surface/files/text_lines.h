@@ -17,8 +17,8 @@ class TextLines {
   /// text does not start another line.
   std::optional<std::string_view> next();
 
-  /// The next line without its comment, which starts at any '#'. A line that ends with '\' outside of a
-  /// comment is joined with the next one by a blank. Valid until the next call.
+  /// The next line without its comment, which starts at any '#' but in numbers as "1.#INF". A line that ends
+  /// with '\' outside of a comment is joined with the next one by a blank. Valid until the next call.
   std::optional<std::string_view> next_joined();
 
   /// The number of the last returned line, counted from 1; for joined lines that of the first.
@@ -38,8 +38,8 @@ class TextLines {
 std::string_view next_word(std::string_view& line);
 
 /// Parse a whole word as a number with an optional sign. A real number beyond the range of doubles is
-/// infinite, one too small is 0. Return nothing if the word is not a number, or not in the range of long
-/// long.
+/// infinite, one too small is 0; "nan", "inf" and the like of Windows ("-1.#IND") are not finite. Return
+/// nothing if the word is not a number, or not in the range of long long.
 std::optional<double> real_number(std::string_view word);
 std::optional<long long> whole_number(std::string_view word);
 

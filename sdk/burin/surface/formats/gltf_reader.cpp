@@ -74,6 +74,7 @@ class GltfReader {
     seen_[number] = true;
     const Eigen::Affine3d placed = parent * placement(node);
     if (node.contains("mesh")) read_mesh(document_.element("meshes", node["mesh"]), placed);
+    if (has_extension(node, "EXT_mesh_gpu_instancing")) unused_.add("node's instances", "nodes' instances");
     for (const Json& child : node.value("children", Json::array())) read_node(child, placed, depth + 1);
   }
 
@@ -107,6 +108,18 @@ class GltfReader {
     return placed;
   }
 
+  static bool has_extension(const Json& of, const char* name) {
+    return of.contains("extensions") && of["extensions"].contains(name);
+  }
+
+  /// Refuses a primitive that only its compressed data describe. Files may have plain data beside them.
+  void expect_plain_data(const Json& primitive, const Json& position) const {
+    const Json& accessor = document_.element("accessors", position);
+    if (has_extension(primitive, "KHR_draco_mesh_compression") && !accessor.contains("bufferView") &&
+        !accessor.contains("sparse"))
+      document_.fail("meshes", "are compressed by Draco (KHR_draco_mesh_compression), which is not read");
+  }
+
   void read_mesh(const Json& mesh, const Eigen::Affine3d& placed) {
     for (const Json& primitive : mesh.value("primitives", Json::array())) read_primitive(primitive, placed);
   }
@@ -114,10 +127,12 @@ class GltfReader {
   void read_primitive(const Json& primitive, const Eigen::Affine3d& placed) {
     const Json attributes = primitive.value("attributes", Json::object());
     const auto mode = primitive.value("mode", 4U);
+    if (mode > 6) document_.fail("meshes", fmt::format("have a primitive of the unknown mode {}", mode));
     if (mode < 4) return unused_.add("primitive of points or lines", "primitives of points or lines");
     if (!attributes.contains("POSITION"))
       return unused_.add("primitive without positions", "primitives without positions");
     const std::size_t first = file_.places.size();
+    expect_plain_data(primitive, attributes["POSITION"]);
     const Values places = document_.values(attributes["POSITION"]);
     if (places.components != 3) document_.fail("POSITION", "has not three coordinates");
     const std::size_t most = most_vertices(document_.size());

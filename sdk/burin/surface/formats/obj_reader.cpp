@@ -199,6 +199,8 @@ class ObjReader {
 
 FileMesh read_obj(const std::filesystem::path& path) {
   const std::string text = read_mesh_bytes(path);
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    throw FileError(path.string(), "is text in UTF-16; save it as UTF-8");
   return ObjReader(path).read(text);
 }
 

@@ -74,7 +74,8 @@ class OffReader {
     kind_.normals = take("N");
     if (word == "4OFF" || word == "nOFF" || word == "4nOFF")
       fail("holds points of more than three dimensions");
-    if (word != "OFF") fail(fmt::format("is not an OFF file: it begins with {}", quoted_word(whole)));
+    if (word != "OFF" && whole != "off")
+      fail(fmt::format("is not an OFF file: it begins with {}", quoted_word(whole)));
     line = rest;
     if (next_word(rest) == "BINARY") fail("is a binary OFF file, which is not read");
   }

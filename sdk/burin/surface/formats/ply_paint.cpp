@@ -13,9 +13,16 @@ namespace {
 constexpr const char* names[] = {"red",       "green",    "blue",      "alpha", "ink_red",
                                  "ink_green", "ink_blue", "ink_alpha", "mask"};
 
+/// The name of a colour channel in files of older programs.
+constexpr std::string_view older_prefix = "diffuse_";
+
+std::string_view without_prefix(std::string_view name) {
+  return name.starts_with(older_prefix) ? name.substr(older_prefix.size()) : name;
+}
+
 bool has(const PlyElement& element, std::string_view name) {
   return std::ranges::any_of(element.properties, [&](const PlyProperty& property) {
-    return property.name == name && !property.count_type;
+    return without_prefix(property.name) == name && !property.count_type;
   });
 }
 
@@ -33,7 +40,7 @@ PlyPaint::PlyPaint(const PlyElement& vertices)
                      has(vertices, "ink_blue") && has(vertices, "ink_alpha");
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const PlyProperty& property = vertices.properties[i];
-    const auto name = std::ranges::find(names, property.name) - names;
+    const auto name = std::ranges::find(names, without_prefix(property.name)) - names;
     const auto slot = static_cast<Slot>(name);
     if (name == std::ssize(names) || property.count_type) continue;
     if (slot != Slot::mask && !(slot < Slot::ink_red ? coloured : inked)) continue;

@@ -19,11 +19,21 @@ namespace {
 constexpr std::size_t header_bytes = 84;  ///< 80 bytes of text and the number of triangles
 constexpr std::size_t triangle_bytes = 50;
 
-/// The size, in bytes, that a binary file with the announced number of triangles has; nothing if the file is
-/// too short to be binary.
+/// The number of triangles that the header of a binary file announces. Programs that write as they go leave 0
+/// or -1 there: then it is what follows.
+std::size_t announced_triangles(std::string_view bytes) {
+  constexpr std::uint32_t unknown = 0xFFFFFFFF;
+  const std::uint32_t number = little_endian(bytes, header_bytes - 4);
+  const std::size_t behind = bytes.size() - header_bytes;
+  const bool whole = behind > 0 && behind % triangle_bytes == 0;
+  return (number == 0 || number == unknown) && whole ? behind / triangle_bytes : number;
+}
+
+/// The size, in bytes, that a binary file with this number of triangles has; nothing if the file is too short
+/// to be binary.
 std::optional<std::size_t> binary_size(std::string_view bytes) {
   if (bytes.size() < header_bytes) return std::nullopt;
-  return header_bytes + std::size_t{triangle_bytes} * little_endian(bytes, header_bytes - 4);
+  return header_bytes + triangle_bytes * announced_triangles(bytes);
 }
 
 /// Whether the file starts with "solid" and has no zero byte near the start. Binary files may start with
@@ -40,7 +50,7 @@ FileMesh read_binary(std::string_view bytes, const std::filesystem::path& path) 
   const std::size_t size = *binary_size(bytes);
   if (bytes.size() < size)
     throw FileError(path.string(), fmt::format("is cut off: its {} triangles need {} bytes, it has {}",
-                                               little_endian(bytes, header_bytes - 4), size, bytes.size()));
+                                               announced_triangles(bytes), size, bytes.size()));
   FileMesh file;
   for (std::size_t at = header_bytes; at < size; at += triangle_bytes) {
     for (std::size_t corner = 1; corner <= 3; ++corner) {
