@@ -104,6 +104,26 @@ TEST_F(RecorderInC, RefusesWhatBreaksTheContract) {
   EXPECT_TRUE(read_strokes(path_).strokes.at(0).samples.empty());
 }
 
+/// Callers that were compiled with the first version of the header, and with a later one.
+TEST_F(RecorderInC, TakesStructsOfEveryVersion) {
+  constexpr std::uint32_t first_options = 32, first_stroke = 16, first_sample = 56, later = 400;
+  for (const std::uint32_t more : {0U, later}) {
+    burin_recorder_options options = {sizeof options, BURIN_SPACE_OBJECT, path_.c_str(), nullptr, nullptr};
+    options.struct_size = first_options + more;
+    burin_recorder* const recorder = burin_recorder_open(&options, &text_);
+    ASSERT_TRUE(recorder) << line_;
+    const burin_recorded_stroke stroke = {first_stroke + more, BURIN_PEN_TWIST, groove};
+    EXPECT_EQ(burin_recorder_begin(recorder, &stroke, &text_), BURIN_OK) << line_;
+    sample_.struct_size = first_sample + more;
+    sample_.twist = 0.25F;
+    EXPECT_EQ(burin_recorder_add(recorder, &sample_, &text_), BURIN_OK) << line_;
+    sample_.struct_size = first_sample - 1;
+    EXPECT_EQ(burin_recorder_add(recorder, &sample_, &text_), BURIN_INVALID_ARGUMENT);
+    burin_recorder_close(recorder);
+    EXPECT_EQ(read_strokes(path_).strokes.at(0).samples.at(0).pen.twist, 0.25F);
+  }
+}
+
 TEST_F(RecorderInC, NamesAFileThatCannotBeWritten) {
   const std::string path = (folder_.path() / "missing/a.stroke").string();
   const burin_recorder_options options = {sizeof options, BURIN_SPACE_OBJECT, path.c_str(), nullptr, nullptr};

@@ -3,9 +3,11 @@
 #include <burin/base/text/json_value.h>
 #include <burin/host/recorder.h>
 #include <burin/host/stroke_recorder.h>
+#include <burin/plugin/detail/complete.h>
 #include <burin/plugin/detail/error.h>
 #include <burin/stroke/files/setting_table.h>
 
+#include <cstddef>
 #include <string>
 
 struct burin_recorder {
@@ -19,9 +21,19 @@ namespace {
 /// A caller's fault, for which C has a status of its own.
 [[noreturn]] void reject(const std::string& what) { throw plugin::Error(what, BURIN_INVALID_ARGUMENT); }
 
+/// The least sizes of structs: those of their first version, by its last member.
+constexpr std::size_t first_options =
+                          offsetof(burin_recorder_options, camera) + sizeof(burin_recorder_options::camera),
+                      first_stroke =
+                          offsetof(burin_recorded_stroke, settings) + sizeof(burin_recorded_stroke::settings),
+                      first_sample =
+                          offsetof(burin_recorded_sample, reserved) + sizeof(burin_recorded_sample::reserved);
+
+/// A copy of a struct that the caller filled. Members that the caller's version does not have are zero.
 template <class Struct>
-void check_size(const Struct* given, const char* name) {
-  if (!given || given->struct_size < sizeof *given) reject(std::string(name) + " is missing or too small");
+Struct known_members(const Struct* given, std::size_t first_version, const char* name) {
+  if (!given || given->struct_size < first_version) reject(std::string(name) + " is missing or too small");
+  return plugin::complete(*given);
 }
 
 void check_recorder(const burin_recorder* recorder) {
@@ -95,11 +107,11 @@ burin_recorder* burin_recorder_open(const burin_recorder_options* options, burin
   using namespace burin;
   burin_recorder* opened = nullptr;
   called(error, [&] {
-    check_size(options, "options");
-    if (!options->path) reject("the path is missing");
-    const std::string device = options->device ? options->device : "";
-    opened = new burin_recorder{StrokeRecorder(std::filesystem::path(options->path), space_of(options->space),
-                                               camera_of(options->camera), device),
+    const burin_recorder_options known = known_members(options, first_options, "options");
+    if (!known.path) reject("the path is missing");
+    const std::string device = known.device ? known.device : "";
+    opened = new burin_recorder{StrokeRecorder(std::filesystem::path(known.path), space_of(known.space),
+                                               camera_of(known.camera), device),
                                 {}};
   });
   return opened;
@@ -110,11 +122,11 @@ burin_status burin_recorder_begin(burin_recorder* recorder, const burin_recorded
   using namespace burin;
   return called(error, [&] {
     check_recorder(recorder);
-    check_size(stroke, "the stroke");
-    const GivenSettings settings = settings_of(stroke->settings);
+    const burin_recorded_stroke known = known_members(stroke, first_stroke, "the stroke");
+    const GivenSettings settings = settings_of(known.settings);
     if (!settings.find(&StrokeSettings::brush) || !settings.find(&StrokeSettings::radius))
       reject("settings lack brush or radius");
-    const PenFields fields = fields_of(stroke->fields);
+    const PenFields fields = fields_of(known.fields);
     recorder->recorder.begin(settings, fields);
     recorder->fields = fields;
   });
@@ -125,8 +137,8 @@ burin_status burin_recorder_add(burin_recorder* recorder, const burin_recorded_s
   using namespace burin;
   return called(error, [&] {
     check_recorder(recorder);
-    check_size(sample, "the sample");
-    recorder->recorder.add(sample_of(*sample, recorder->fields));
+    const burin_recorded_sample known = known_members(sample, first_sample, "the sample");
+    recorder->recorder.add(sample_of(known, recorder->fields));
   });
 }
 
