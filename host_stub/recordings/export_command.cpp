@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "recordings/opened_recording.h"
 #include "recordings/written_strokes.h"
 #include "system/console.h"
 #include "system/output_file.h"
@@ -40,8 +41,7 @@ void run(const ExportOptions& options) {
   std::vector<Recording> recordings;
   for (const std::string& path : options.recordings) {
     recordings.push_back(read_strokes(path));
-    if (const auto line = recordings.back().cut_off_at)
-      warn(fmt::format("{}:{}: the recording was cut off here", path, *line));
+    warn_if_cut_off(path, recordings.back().cut_off_at);
   }
   write_pen_file(options.out, recordings);
   const Counts counts = count(recordings);

@@ -13,6 +13,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command.h"
@@ -21,6 +22,7 @@
 #include "options/options.h"
 #include "options/view.h"
 #include "recordings/facts_report.h"
+#include "recordings/opened_recording.h"
 #include "recordings/strokes_picture.h"
 #include "recordings/written_strokes.h"
 #include "system/output_file.h"
@@ -40,27 +42,10 @@ struct StrokesOptions {
   bool edits() const { return fix || split || join || resample; }
 };
 
-/// A recording of this or of another program.
-struct Opened {
-  PenFile file;
-  std::optional<Recording> strokes;  ///< of a `.stroke` file
-};
-
-bool is_stroke_file(std::string_view text) {
-  constexpr std::size_t head = 80;
-  return text.substr(0, head).find("\"burin_stroke\"") != text.npos;
-}
-
-Opened open(const std::string& path) {
-  const PenFileText text = open_pen_file(path);
-  if (!is_stroke_file(text.text)) return {read_pen_file(text), {}};
-  Recording strokes = read_strokes(path);
-  PenFile file = pen_file_of(strokes);
-  return {std::move(file), std::move(strokes)};
-}
-
 std::vector<std::string> edit(Recording& recording, const StrokesOptions& options) {
   std::vector<std::string> did;
+  if (const auto line = std::exchange(recording.cut_off_at, std::nullopt))
+    did.push_back(fmt::format("line {}: the recording was cut off here; its last stroke ends there", *line));
   const auto note = [&](const std::vector<std::string>& lines) {
     did.insert(did.end(), lines.begin(), lines.end());
   };
@@ -71,7 +56,7 @@ std::vector<std::string> edit(Recording& recording, const StrokesOptions& option
   return did;
 }
 
-void write_edited(const StrokesOptions& options, const Opened& opened, const Recording& edited,
+void write_edited(const StrokesOptions& options, const OpenedRecording& opened, const Recording& edited,
                   bool changed) {
   if (!changed && opened.file.kind == written_kind(options.out) &&
       std::filesystem::is_regular_file(options.files[0])) {
@@ -87,7 +72,7 @@ void write_edited(const StrokesOptions& options, const Opened& opened, const Rec
 void run_edits(const StrokesOptions& options) {
   check_output_path(options.out);
   const std::string& path = options.files[0];
-  Opened opened = open(path);
+  const OpenedRecording opened = open_recording(path);
   if (!opened.strokes || written_kind(options.out) != "stroke") check_pen_file_name(options.out);
   Recording recording = opened.strokes ? *opened.strokes : recording_of(opened.file);
   const std::vector<std::string> did = with_file_context(path, [&] { return edit(recording, options); });
@@ -101,7 +86,8 @@ void run_edits(const StrokesOptions& options) {
 }
 
 /// The recording where the picture shows it: on the mesh, if there is one.
-Picture draw(const StrokesOptions& options, const Opened& opened, const Recording& flat, LineColour colour) {
+Picture draw(const StrokesOptions& options, const OpenedRecording& opened, const Recording& flat,
+             LineColour colour) {
   if (options.mesh.path.empty())
     return picture_in_plane(flat, colour, options.view.width, options.view.height);
   const LoadedSurface loaded = load_surface_on_console(options.mesh);
@@ -119,7 +105,8 @@ Picture draw(const StrokesOptions& options, const Opened& opened, const Recordin
 
 void run_picture(const StrokesOptions& options) {
   check_output_path(options.png);
-  const Opened opened = open(options.files[0]);
+  const OpenedRecording opened = open_recording(options.files[0]);
+  warn_if_cut_off(options.files[0], opened.cut_off_at());
   const Recording flat = opened.strokes ? *opened.strokes : recording_of(opened.file);
   const bool pressed = coloured_range(flat, LineColour::pressure).has_value();
   const LineColour colour = options.colour.value_or(pressed ? LineColour::pressure : LineColour::speed);
@@ -142,11 +129,12 @@ void run_facts(const StrokesOptions& options) {
   Json list = Json::array();
   std::string text;
   for (const std::string& path : options.files) {
-    const PenFile file = open(path).file;
+    const OpenedRecording opened = open_recording(path);
+    warn_if_cut_off(path, opened.cut_off_at());
     if (options.json)
-      list.push_back(facts_json(path, file));
+      list.push_back(facts_json(path, opened.file));
     else
-      text += facts_text(path, file);
+      text += facts_text(path, opened.file);
   }
   write_result(options.json ? json_text(list) : text);
 }

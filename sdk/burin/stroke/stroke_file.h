@@ -15,6 +15,9 @@ namespace burin {
 /// within a stroke, a missing header or camera, a sample outside a stroke.
 Recording read_strokes(const std::filesystem::path& path);
 
+/// Reads the text of such a file; `path` is for messages.
+Recording read_strokes(const std::filesystem::path& path, std::string_view text);
+
 /// Those of the settings that a recording keeps (docs/stroke_format.md). Throws ContractError for values that
 /// read_strokes() would refuse.
 GivenSettings recorded_settings(const GivenSettings& given);

@@ -162,6 +162,34 @@ TEST(StrokesCommand, SplitsJoinsAndResamplesStrokeFilesWithTheirSettings) {
   EXPECT_EQ(*read_strokes(even).strokes.at(0).settings.find(&StrokeSettings::radius), 0.2);
 }
 
+TEST(StrokesCommand, TellsThatARecordingWasCutOff) {
+  const Drawing drawing;
+  std::string text = equator_stroke(0, 1, 30, "\"radius\": 0.2");
+  text.resize(text.size() - 20);
+  const std::string strokes = drawing.folder.write("a.stroke", text);
+  const std::string out = drawing.folder.path("out.stroke"), place = strokes + ":32: ";
+  const ProcessResult facts = burin({"strokes", strokes, "--json"});
+  EXPECT_EQ(facts.exit_code, 0);
+  EXPECT_EQ(facts.err, "burin: warning: " + place + "the recording was cut off here\n");
+  for (const std::vector<std::string>& edit : {std::vector<std::string>{"--fix"}, {"--resample", "200"}}) {
+    std::vector<std::string> arguments = {"strokes", strokes, "--out", out};
+    arguments.insert(arguments.end(), edit.begin(), edit.end());
+    const std::string told = burin_output(arguments);
+    EXPECT_TRUE(
+        told.starts_with(strokes + ": line 32: the recording was cut off here; its last stroke ends there\n"))
+        << told;
+    EXPECT_FALSE(read_strokes(out).cut_off_at);
+  }
+}
+
+TEST(StrokesCommand, ReadsStrokeFilesAsLongAsReplayDoes) {
+  const Drawing drawing;
+  std::string text = equator_stroke(0, 1, 30, "\"radius\": 0.2");
+  text.append(61'000'000, ' ');
+  const std::string strokes = drawing.folder.write("a.stroke", text);
+  EXPECT_EQ(burin_json({"strokes", strokes})[0]["samples"], 30);
+}
+
 TEST(StrokesCommand, RefusesOptionsThatDoNotGoTogether) {
   const Drawing drawing;
   const std::string spiral = drawing.spiral(true), out = drawing.folder.path("out.csv");

@@ -112,12 +112,13 @@ Recording Reader::finish() {
 
 }  // namespace
 
-Recording read_strokes(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+Recording read_strokes(const std::filesystem::path& path) { return read_strokes(path, read_file(path)); }
+
+Recording read_strokes(const std::filesystem::path& path, std::string_view text) {
   Reader reader(path.string());
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    reader.take_line(std::string_view(text).substr(begin, end - begin), end < text.size());
+    reader.take_line(text.substr(begin, end - begin), end < text.size());
     begin = end + 1;
   }
   return reader.finish();
