@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "ink/pen_files.h"
 #include "stroke/recordings.h"
@@ -125,6 +126,24 @@ TEST(Mend, KeepsCorners) {
     zigzag.samples.push_back(sample_at(i * 0.01, i, i / 10 % 2 ? 10 - i % 10 : i % 10));
   Recording recording = recording_of_stroke(zigzag);
   EXPECT_EQ(mend(recording), Lines());
+}
+
+/// A line with a short piece at its end that leaves it at this angle, 180 degrees for one that goes on.
+Recording line_with_end(double degrees, double step_of_end) {
+  RecordedStroke stroke;
+  for (int i = 0; i < 100; ++i) stroke.samples.push_back(sample_at(0, i, 0));
+  const double angle = degrees * std::numbers::pi / 180;
+  for (int i = 1; i <= 3; ++i)
+    stroke.samples.push_back(
+        sample_at(0, 99 - i * step_of_end * std::cos(angle), i * step_of_end * std::sin(angle)));
+  return recording_of_stroke(stroke);
+}
+
+TEST(Mend, TellsHooksFromStrokesThatAreDrawnOnPurpose) {
+  Recording back = line_with_end(20, 1), aside = line_with_end(75, 1), trembling = line_with_end(20, 0.1);
+  EXPECT_EQ(mend(back), Lines{"stroke 1, samples 101 to 103: a hook of the pen that lifts; left out"});
+  EXPECT_EQ(mend(aside), Lines()) << "the last piece of a letter";
+  EXPECT_EQ(mend(trembling), Lines()) << "shorter than the pen's steps";
 }
 
 /// The end of a hook may look like a hook of its own.

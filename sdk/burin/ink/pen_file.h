@@ -54,8 +54,8 @@ struct PenFileKind {
 /// All kinds, in the order in which a file is compared with them.
 std::vector<PenFileKind> pen_file_kinds();
 
-/// Reads the bytes of a pen file, unpacking gzip, xz and the zip of Xournal++. Throws FileError if it cannot
-/// be read, unpacks to more than 60 MB, or is as much of XML or JSON.
+/// Reads the bytes of a pen file, unpacking gzip, xz and the zip of Xournal++; Tilt Brush has folders too.
+/// Throws FileError if it cannot be read, unpacks to more than 60 MB, or is as much of XML or JSON.
 PenFileText open_pen_file(const std::filesystem::path& path);
 
 /// Reads a pen file of any kind, or of the kind with this name whatever its first bytes. Throws FileError for

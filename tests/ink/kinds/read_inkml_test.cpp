@@ -71,15 +71,18 @@ TEST(ReadInkml, HasUnitsOfChannelsAndOfOfficePrograms) {
 }
 
 TEST(ReadInkml, HasTheUpperEndWhereAzimuthAndElevationSay) {
-  const PenFile file = PenFileFolder().read(ink(R"(<traceFormat><channel name="X"/><channel name="Y"/>
-    <channel name="OA" units="deg"/><channel name="OE" units="deg"/></traceFormat>
-    <trace>0 0 0 60, 0 0 90 60, 0 0 180 90</trace>)"));
+  const std::string format = R"(<traceFormat><channel name="X"/><channel name="Y"/>
+    <channel name="OA" units="deg"/><channel name="OE" units="deg"/></traceFormat>)";
+  const PenFile file = PenFileFolder().read(ink(format + "<trace>0 0 0 60, 0 0 90 60, 0 0 180 90</trace>"));
   const auto& samples = file.strokes.at(0).samples;
   EXPECT_NEAR(samples[0].pen.tilt_x, std::numbers::pi / 6, 1e-6);
   EXPECT_NEAR(samples[0].pen.tilt_y, 0, 1e-6);
   EXPECT_NEAR(samples[1].pen.tilt_x, 0, 1e-6);
   EXPECT_NEAR(samples[1].pen.tilt_y, std::numbers::pi / 6, 1e-6);
   EXPECT_NEAR(samples[2].pen.tilt_x, 0, 1e-6);
+  EXPECT_TRUE(file.strokes[0].fields.tilt);
+  const PenFile flat = PenFileFolder().read(ink(format + "<trace>0 0 0 0, 1 0 0 0</trace>"));
+  EXPECT_FALSE(flat.strokes.at(0).fields.tilt) << "declared and not measured";
 }
 
 TEST(ReadInkml, NamesTheLineOfAFault) {

@@ -31,6 +31,14 @@ TEST(ReadTilt, HasPointsInSpace) {
   EXPECT_EQ(stroke.widths, std::vector<float>{1}) << "size by scale";
 }
 
+TEST(ReadTilt, ReadsASketchThatIsAFolder) {
+  const test::TemporaryFolder folder;
+  write_file_whole(folder.path() / "data.sketch", [](std::ostream& out) { out << sketch(1); });
+  EXPECT_EQ(read_pen_file(folder.path()).strokes.size(), 1u);
+  std::filesystem::remove(folder.path() / "data.sketch");
+  EXPECT_THROW(read_pen_file(folder.path()), FileError);
+}
+
 TEST(ReadTilt, NamesTheByteOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(sketch(0x80000000U)), "byte 75: 2147483648 items are told, 36 bytes follow");

@@ -63,6 +63,7 @@ class InkmlChannels {
 
   const InkmlFormat& format() const { return format_; }
   bool in_millimetres() const { return scale_.x() > 0; }
+  bool has_elevation() const { return azimuth_ && elevation_; }
   bool has_position() const { return x_ && y_; }
   PenStroke empty_stroke() const;
   Sample sample(const std::vector<std::optional<double>>& values, double begin) const;
@@ -169,7 +170,7 @@ class InkmlReader {
 
   PenFile read() {
     read_group(xml_.root(), {});
-    if (office_ && !tilted_) drop_tilt();
+    if ((office_ || elevated_) && !tilted_) drop_tilt();
     return std::move(content_);
   }
 
@@ -181,7 +182,8 @@ class InkmlReader {
   XmlFile xml_;
   InkmlFormats formats_;
   bool office_;
-  bool tilted_ = false;  ///< some point has a tilt other than 0
+  bool tilted_ = false;    ///< some point has a tilt other than 0
+  bool elevated_ = false;  ///< some trace has an elevation
   PenFile content_;
 };
 
@@ -205,6 +207,7 @@ void InkmlReader::read_trace(const pugi::xml_node& trace, std::string_view conte
   std::string_view said = attribute(trace, "timeOffset").value();
   take_number(said, offset);
   PenStroke stroke = channels.empty_stroke();
+  elevated_ |= channels.has_elevation();
   try {
     InkmlTrace points(trace.text().get(), channels.format().channels.size(), channels.format().regular);
     std::vector<std::optional<double>> values;
@@ -224,7 +227,8 @@ void InkmlReader::read_trace(const pugi::xml_node& trace, std::string_view conte
   content_.strokes.push_back(std::move(stroke));
 }
 
-/// Office programs declare the tilt of pens that have none, and write 0 for it.
+/// Office programs declare the tilt of pens that have none, and write 0 for it. An elevation of 0 throughout,
+/// of a pen that lies flat, is none in any file.
 void InkmlReader::drop_tilt() {
   for (PenStroke& stroke : content_.strokes) {
     stroke.fields.tilt = false;

@@ -96,7 +96,7 @@ PenFile read_tilt(const PenFileText& file) {
   } else {
     ByteReader head(text, file.path);
     head.take_bytes(zip_head);
-    const std::string sketch = zip_member(file.path, head.bytes(), "data.sketch");
+    const std::string sketch = zip_member(file.path, head.bytes(), sketch_member);
     read_sketch({sketch, file.path}, content);
   }
   return content;

@@ -20,20 +20,32 @@ double median_step(const std::vector<Sample>& samples) {
   return *middle;
 }
 
-/// The number of samples at the beginning that are a hook; `way`: of the whole stroke.
+/// Whether the way beyond a sample, to the first sample at least `distance` away from it, turns back by more
+/// than 120 degrees against the direction in which the sample was reached.
+bool turns_back(const std::vector<Sample>& samples, std::size_t i, const Vec3d& reached, double distance) {
+  constexpr double most_cosine = -0.5;
+  std::size_t beyond = i + 1;
+  while (beyond < samples.size() && step(samples[i], samples[beyond]) < distance) ++beyond;
+  if (beyond == samples.size()) return false;
+  const Vec3d way = samples[beyond].position - samples[i].position;
+  return reached.dot(way) < most_cosine * reached.norm() * way.norm();
+}
+
+/// The number of samples at the beginning that are a hook; `way`: of the whole stroke. The turn must be
+/// sharp, near the hook and at its own length: a way that bends back later is drawn on purpose.
 std::size_t hook_at_start(const std::vector<Sample>& samples, double way) {
   constexpr std::size_t longest = 6, least_samples = 4 * longest;
   constexpr double least_share = 30, straight = 1.2;
   if (samples.size() < least_samples) return 0;
+  const double shortest = median_step(samples) / 2;  // less is the tremble of a pen that rests
   std::size_t hook = 0;
   double gone = 0;
   for (std::size_t i = 1; i <= longest; ++i) {
     gone += step(samples[i - 1], samples[i]);
-    const Vec3d back = samples[i].position - samples[0].position;
-    if (back.norm() == 0 || gone > straight * back.norm() || gone * least_share > way) continue;
-    std::size_t beyond = i + 1;
-    while (beyond < samples.size() && step(samples[i], samples[beyond]) < back.norm()) ++beyond;
-    if (beyond < samples.size() && back.dot(samples[beyond].position - samples[i].position) < 0) hook = i;
+    const Vec3d reached = samples[i].position - samples[0].position;
+    const double length = reached.norm();
+    if (length < shortest || length == 0 || gone > straight * length || gone * least_share > way) continue;
+    if (turns_back(samples, i, reached, length / 2) && turns_back(samples, i, reached, length)) hook = i;
   }
   return hook;
 }

@@ -8,8 +8,8 @@ namespace burin {
 /// far from both as these are from each other, and as the stroke's median step.
 void remove_wild_samples(RecordedStroke& stroke, MendLog& log);
 
-/// Removes hooks, which pens draw as they land and lift: up to 6 samples at an end that go straight back
-/// against the way beyond, for at most a thirtieth of the stroke's way.
+/// Removes hooks, which pens draw as they land and lift: up to 6 samples at an end that go straight, for half
+/// a median step to a thirtieth of the stroke's way, and turn by more than 120 degrees into the way beyond.
 void remove_hooks(RecordedStroke& stroke, MendLog& log);
 
 }  // namespace burin

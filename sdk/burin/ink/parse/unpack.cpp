@@ -100,6 +100,9 @@ std::string zip_member(const std::filesystem::path& path, std::string_view bytes
 }
 
 std::string unpacked_pen_file(const std::filesystem::path& path) {
+  std::error_code none;
+  if (const auto member = path / sketch_member; std::filesystem::is_regular_file(member, none))
+    return read_file(member, most_parsed_bytes);
   check_length(path);
   std::string bytes = read_file(path);
   if (!packed(bytes)) return bytes;
