@@ -3,12 +3,14 @@
 #include <burin/base/file.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/unpack.h>
+#include <burin/ink/parse/utf16.h>
 #include <burin/ink/pen_file.h>
 #include <burin/stroke/files/recording_faults.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -70,6 +72,7 @@ PenFileText open_pen_file(const std::filesystem::path& path) {
   PenFileText file{path, unpacked_pen_file(path)};
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (file.text.starts_with(byte_order_mark)) file.text.erase(0, byte_order_mark.size());
+  if (auto text = from_utf16(file.text)) file.text = std::move(*text);
   return file;
 }
 

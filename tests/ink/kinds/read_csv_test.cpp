@@ -22,6 +22,13 @@ TEST(ReadCsv, TakesColumnsByTheirNames) {
   EXPECT_EQ(file.hovering, 1u);
 }
 
+TEST(ReadCsv, LeavesOutComments) {
+  const PenFileFolder folder;
+  EXPECT_EQ(places(folder.read("# of a tablet\n# x, y\n1,2\n# 5,6\n3,4\n").strokes.at(0)), "1 2, 3 4");
+  EXPECT_EQ(places(folder.read("#\nx;y\n1;2\n").strokes.at(0)), "1 2");
+  EXPECT_TRUE(folder.complaint("# x and y\n1,2\n").starts_with(" no pen file that is known"));
+}
+
 TEST(ReadCsv, NamesTheLineOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint("x,y\n1,2\n1,b\n"), "3: expected a number, found 'b'");

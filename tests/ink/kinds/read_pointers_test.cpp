@@ -27,8 +27,20 @@ TEST(ReadPointers, HasPointsOfEachShape) {
   EXPECT_NEAR(lists.strokes[0].samples[0].pen.tilt_x, std::numbers::pi / 2, 1e-6);
 }
 
+TEST(ReadPointers, ReadsListsOfListsOfPoints) {
+  const PenFile file = PenFileFolder().read(
+      R"([[{"time": 0, "x": 1, "y": 2, "pressure": 0.5}, {"time": 8, "x": 3, "y": 4, "pressure": 1}],
+          [], [{"x": 5, "y": 6}]])");
+  EXPECT_EQ(file.kind, "pointers");
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4");
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
+  EXPECT_EQ(file.strokes[1].fields, PenFields());
+}
+
 TEST(ReadPointers, NamesThePlaceOfAFault) {
   const PenFileFolder folder;
+  EXPECT_NE(folder.complaint("[[{\"x\": 1, \"y\": 2}, 7]]"), "accepted");
   EXPECT_EQ(folder.complaint("[{\"pointers\": [{\"x\": 1}]}]"), " [0].pointers[0]: lacks 'y'");
   EXPECT_EQ(folder.complaint("[{\"pointers\":\n [{\"x\": 1, \"y\": nan}]}]"),
             "2: malformed JSON at column 18");

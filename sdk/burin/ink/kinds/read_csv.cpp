@@ -1,6 +1,7 @@
 // Reads CSV whose first line names the columns, as write_pen_csv() does and as spreadsheets and recorders of
 // all sorts do. Columns part by commas, semicolons or tabs. x and y must be there; the names that are known
-// are in `columns` below, others are left out. An empty cell is absent.
+// are in `columns` below, others are left out. An empty cell is absent. Lines that begin with '#' are
+// comments; the first line may begin so too, as NumPy writes it.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <burin/base/text/lower_case.h>
@@ -93,6 +94,16 @@ std::vector<Column> columns_of(std::string_view header) {
 
 bool has(std::span<const Column> named, Cell cell) {
   return std::ranges::find(named, cell, &Column::cell) != named.end();
+}
+
+constexpr char comment_mark = '#';
+
+/// The columns of a line that names x and y; none for other lines.
+std::vector<Column> header_columns(std::string_view line) {
+  if (line.starts_with(comment_mark)) line.remove_prefix(1);
+  if (line.find_first_of(",;\t") == line.npos) return {};
+  std::vector<Column> named = columns_of(line);
+  return has(named, Cell::x) && has(named, Cell::y) ? named : std::vector<Column>();
 }
 
 /// A line of the table.
@@ -199,10 +210,15 @@ class Rows {
 }  // namespace
 
 bool is_csv(std::string_view text) {
-  const std::string_view header = text.substr(0, std::min<std::size_t>(text.find('\n'), 4096));
-  if (header.find_first_of(",;\t") == header.npos) return false;
-  const std::vector<Column> named = columns_of(header);
-  return has(named, Cell::x) && has(named, Cell::y);
+  constexpr std::size_t early = 4096;
+  text = text.substr(0, early);
+  for (;;) {
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    if (!header_columns(line).empty()) return true;
+    if (!line.starts_with(comment_mark) || end == text.npos) return false;
+    text.remove_prefix(end + 1);
+  }
 }
 
 PenFile read_csv(const PenFileText& file) {
@@ -211,9 +227,12 @@ PenFile read_csv(const PenFileText& file) {
   Rows rows;
   for_each_line_of(file.text, file.path.string(), [&](std::string_view line) {
     if (line.find_first_not_of(blanks) == line.npos) return;
-    if (!named.empty()) return rows.take(row_of(line, separator, named));
-    separator = separator_of(line);
-    named = columns_of(line);
+    if (named.empty()) {
+      named = header_columns(line);
+      separator = separator_of(line);
+    } else if (!line.starts_with(comment_mark)) {
+      rows.take(row_of(line, separator, named));
+    }
   });
   return rows.finish();
 }

@@ -1,7 +1,7 @@
 // Reads strokes of web programs from JSON: a list of strokes, or an object that has one as "strokes" or
-// "pointers". A stroke has its points as a list of objects, {"pointers": [{"x", "y", "t", "p"}]}, or as lists
-// of numbers, {"x": [], "y": [], "t": [], "p": []}. Positions are CSS pixels, times milliseconds, tilts and
-// twist degrees, as PointerEvent has them.
+// "pointers". A stroke has its points as a list of objects, {"pointers": [{"x", "y", "t", "p"}]} or the list
+// alone, or as lists of numbers, {"x": [], "y": [], "t": [], "p": []}. Positions are CSS pixels, times
+// milliseconds, tilts and twist degrees, as PointerEvent has them.
 //
 // "p" is what programs make of the speed and call pressure, "pressure" what a device reports.
 #include <burin/base/error.h>
@@ -89,6 +89,7 @@ void read_lists(const JsonValue& lists, PenStroke& stroke) {
 }
 
 std::optional<JsonValue> points_of(const JsonValue& stroke) {
+  if (stroke.is_array()) return stroke;
   return stroke.is_object() ? any_of(stroke, {"pointers", "points"}) : std::nullopt;
 }
 
@@ -110,10 +111,21 @@ bool has_key_early(std::string_view text, std::string_view key) {
   return text.substr(0, early).find(key) != text.npos;
 }
 
+/// Whether a text begins as a list of lists of objects with an x.
+bool begins_with_lists_of_points(std::string_view text) {
+  for (const char next : {'[', '[', '{'}) {
+    skip_blanks(text);
+    if (!text.starts_with(next)) return false;
+    text.remove_prefix(1);
+  }
+  return has_key_early(text, "\"x\"");
+}
+
 }  // namespace
 
 bool is_pointers(std::string_view text) {
   skip_blanks(text);
+  if (begins_with_lists_of_points(text)) return true;
   if (text.starts_with('[')) return has_key_early(text, "\"pointers\"") || has_key_early(text, "\"points\"");
   return text.starts_with('{') && (has_key_early(text, "\"strokes\"") || has_key_early(text, "\"pointers\""));
 }

@@ -76,18 +76,20 @@ bool holds_strokes(std::string_view name) {
   return name == "content.xml" || name.ends_with(".will") || name.ends_with(".protobuf");
 }
 
-/// Refuses XML and JSON that are too long, by their first character.
+/// Refuses XML, JSON and UTF-16 that are too long, by their first character.
 void check_length(const std::filesystem::path& path) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none)) return;
   if (std::filesystem::file_size(path, none) <= most_parsed_bytes || none) return;
   constexpr int byte_order_mark = 0xEF, mark_bytes = 3;
   std::ifstream in(path);
-  if (in.peek() == byte_order_mark) in.ignore(mark_bytes);
+  const int first_byte = in.peek();
+  if (first_byte == byte_order_mark) in.ignore(mark_bytes);
   char first = 0;
   in >> first;
-  if (first == '<' || first == '{' || first == '[')
-    throw FileError(path.string(), "more than 60 MB of XML or JSON");
+  const bool utf16 = first_byte == 0xFE || first_byte == 0xFF;
+  if (utf16 || first == '<' || first == '{' || first == '[')
+    throw FileError(path.string(), "more than 60 MB of XML, JSON or UTF-16");
 }
 
 }  // namespace
