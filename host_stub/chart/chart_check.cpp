@@ -143,12 +143,14 @@ std::unordered_map<Index, double> told_distances(const Chart& chart) {
 
 }  // namespace
 
-ChartCheck check_chart(const Surface& surface, const SurfaceCurve& curve, const Chart& chart, double radius) {
+ChartCheck check_chart(const Surface& surface, const SurfaceCurve& curve, const Chart& chart, double radius,
+                       Join join) {
   const std::vector<Index> vertices = vertices_under_pen(surface, curve, radius);
   const std::unordered_map<Index, double> told = told_distances(chart);
   ChartCheck check;
   check.under_pen = vertices.size();
-  const std::optional<Shape> shape = shape_of(surface, vertices, radius);
+  // Other joins define distances of their own at bends.
+  const std::optional<Shape> shape = join == Join::round ? shape_of(surface, vertices, radius) : std::nullopt;
   if (shape) check.distances.emplace().sphere = shape->sphere;
   for (const Index vertex : vertices) {
     const auto found = told.find(vertex);

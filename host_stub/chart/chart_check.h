@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/chart/chart.h>
 #include <burin/stroke/curve/surface_curve.h>
+#include <burin/stroke/stroke_choices.h>
 #include <burin/surface/surface.h>
 
 #include <cstddef>
@@ -21,11 +22,13 @@ struct ChartCheck {
   std::size_t holes = 0;      ///< number of these without a node
 
   /// The errors at the vertices under the pen that have a node, if the surface around the stroke is a plane
-  /// or a sphere.
+  /// or a sphere and the joins are round.
   std::optional<DistanceCheck> distances;
 };
 
-/// Checks the chart of this curve. `radius` is the half width of the stroke at width 1, object units.
-ChartCheck check_chart(const Surface& surface, const SurfaceCurve& curve, const Chart& chart, double radius);
+/// Checks the chart of this curve, which must have round ends. `radius` is the half width of the stroke at
+/// width 1, object units.
+ChartCheck check_chart(const Surface& surface, const SurfaceCurve& curve, const Chart& chart, double radius,
+                       Join join);
 
 }  // namespace burin::command

@@ -155,10 +155,10 @@ std::string check_text(const ChartCheck& check) {
 }
 
 void print_result(const ChartCommandOptions& options, const LoadedSurface& loaded, const SurfaceCurve& curve,
-                  const Chart& chart, double radius) {
+                  const Chart& chart, double radius, Join join) {
   const Index sheets = chart.size() == 0 ? 0 : std::ranges::max(chart.sheet) + 1;
   std::optional<ChartCheck> check;
-  if (options.check) check = check_chart(loaded.surface, curve, chart, radius);
+  if (options.check) check = check_chart(loaded.surface, curve, chart, radius, join);
   if (options.json) {
     Json json = {{"mesh", mesh_json(options.mesh, loaded)},
                  {"stroke", options.stroke},
@@ -218,7 +218,7 @@ void run(const ChartCommandOptions& options) {
     write_png(options.png, draw_chart(loaded.surface, picker, curve, chart, radius, camera));
   }
   if (!options.csv.empty()) write_csv(options.csv, loaded, chart);
-  print_result(options, loaded, curve, chart, radius);
+  print_result(options, loaded, curve, chart, radius, settings.join);
 }
 
 }  // namespace
@@ -248,13 +248,13 @@ void add_chart(CLI::App& app) {
   command.add_option("--png", options->png, "picture to write: a checkerboard of (t, d)")->type_name("FILE");
   command.add_flag(
       "--check", options->check,
-      "tell how many vertices under the pen have no coordinates, and on planes and spheres how far "
-      "distances are off; for round ends and bends");
+      "tell how many vertices under the pen have no coordinates, and for round joins on planes and "
+      "spheres how far distances are off; for round ends");
   command.add_flag("--json", options->json, "write JSON to the standard output");
   command.callback([options] {
     const ReplaySettings settings = options->settings.complete();
-    if (options->check && (settings.cap != Cap::round || settings.join != Join::round))
-      throw CLI::ValidationError("--check", "needs round ends and bends: --cap round --join round");
+    if (options->check && settings.cap != Cap::round)
+      throw CLI::ValidationError("--check", "needs round ends: --cap round");
     run(*options);
   });
 }

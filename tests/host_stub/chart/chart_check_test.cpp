@@ -30,7 +30,7 @@ std::vector<Vec3d> bow_on_sphere() {
 TEST(ChartCheck, FindsNothingWrongOnThePlane) {
   test::Charted on(test::plane(1, 0.02, 3));
   const Chart chart = on.chart({.radius = radius}, bow(0));
-  const ChartCheck check = check_chart(on.surface, on.curve, chart, radius);
+  const ChartCheck check = check_chart(on.surface, on.curve, chart, radius, Join::round);
   EXPECT_GT(check.under_pen, 500U);
   EXPECT_EQ(check.holes, 0U);
   ASSERT_TRUE(check.distances.has_value());
@@ -42,7 +42,7 @@ TEST(ChartCheck, FindsNothingWrongOnThePlane) {
 TEST(ChartCheck, FindsNothingWrongOnTheSphere) {
   test::Charted on(test::sphere(6, 0.1, 3));
   const Chart chart = on.chart({.radius = radius}, bow_on_sphere());
-  const ChartCheck check = check_chart(on.surface, on.curve, chart, radius);
+  const ChartCheck check = check_chart(on.surface, on.curve, chart, radius, Join::round);
   EXPECT_EQ(check.holes, 0U);
   ASSERT_TRUE(check.distances.has_value());
   EXPECT_TRUE(check.distances->sphere);
@@ -64,7 +64,7 @@ TEST(ChartCheck, CountsNodesThatAreMissingOrWrong) {
     }
   }
   ASSERT_GT(taken, 3U);
-  const ChartCheck check = check_chart(on.surface, on.curve, chart, radius);
+  const ChartCheck check = check_chart(on.surface, on.curve, chart, radius, Join::round);
   EXPECT_EQ(check.holes, taken);
   EXPECT_EQ(check.distances->off_2, moved);
   EXPECT_EQ(check.distances->off_10, moved);
@@ -76,9 +76,25 @@ TEST(ChartCheck, KnowsNoDistancesOnOtherSurfaces) {
       test::patch({.u_min = -1, .u_max = 1, .v_min = -1, .v_max = 1, .cells_u = 100, .cells_v = 100},
                   [](double u, double v) { return Vec3d(u, v, 0.2 * u * v); }));
   const Chart chart = on.chart({.radius = radius}, bow(0));
-  const ChartCheck check = check_chart(on.surface, on.curve, chart, radius);
+  const ChartCheck check = check_chart(on.surface, on.curve, chart, radius, Join::round);
   EXPECT_EQ(check.holes, 0U);
   EXPECT_FALSE(check.distances.has_value());
+}
+
+TEST(ChartCheck, CountsHolesOfAllJoins) {
+  test::Charted on(test::plane(1, 0.02, 3));
+  std::vector<Vec3d> corner = test::sampled(30, [](double s) { return Vec3d(0.7 * (s - 1), 0, 0); });
+  for (const Vec3d& back : test::sampled(30, [](double s) { return Vec3d(-0.3 * s, 0.5 * s, 0); }))
+    corner.push_back(back);
+  for (const auto& [name, join] : named_joins) {
+    Chart chart = on.chart({.radius = radius, .join = join}, corner);
+    const ChartCheck right = check_chart(on.surface, on.curve, chart, radius, join);
+    EXPECT_GT(right.under_pen, 500U) << name;
+    EXPECT_EQ(right.holes, 0U) << name;
+    EXPECT_EQ(right.distances.has_value(), join == Join::round) << name;
+    std::ranges::replace(chart.vertex, chart.vertex[chart.size() / 2], no_index);
+    EXPECT_EQ(check_chart(on.surface, on.curve, chart, radius, join).holes, 1U) << name;
+  }
 }
 
 // Charts recordings of real pens by the command, on a flat sheet.
@@ -117,14 +133,12 @@ TEST_P(RecordedStrokes, HaveNoHolesAndTheRightDistances) {
   EXPECT_LE(off_2, vertices / 1000 + 1) << off_2 << " of " << vertices;
 }
 
-TEST(ChartCheck, NeedsRoundEndsAndBends) {
+TEST(ChartCheck, NeedsRoundEnds) {
   const test::CommandFolder folder;
-  for (const char* option : {"--cap=butt", "--join=smooth"}) {
-    const test::ProcessResult result =
-        test::burin({"chart", folder.path("a.stroke"), "--mesh", folder.path("a.obj"), "--check", option});
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_NE(result.err.find("--check: needs round ends and bends"), std::string::npos) << result.err;
-  }
+  const test::ProcessResult result = test::burin(
+      {"chart", folder.path("a.stroke"), "--mesh", folder.path("a.obj"), "--check", "--cap=butt"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("--check: needs round ends"), std::string::npos) << result.err;
 }
 
 }  // namespace

@@ -202,8 +202,9 @@ void JoinedLegs::add_bends(const SurfaceCurve& curve, std::vector<LegNode>& node
   }
 }
 
-/// Joins choose between the nodes of a vertex, and never take the last one: a vertex under the pen that
-/// would be left without a node gets back the one that is nearest to its leg.
+/// The choice at each corner drops the last node of a vertex where several corners lie within the radius and
+/// each prefers a node that the next one drops. A vertex under the pen then keeps the node that is nearest to
+/// its leg.
 void JoinedLegs::keep_last(const SurfaceCurve& curve, std::vector<LegNode> of_legs,
                            std::vector<LegNode>& nodes) const {
   const std::vector<Index> held = vertices_of(nodes);
