@@ -103,7 +103,7 @@ std::string filled(const char* file, const Starter& starter) {
 }  // namespace
 
 std::set<std::string> starter_features(StarterLanguage language) {
-  if (language == StarterLanguage::c) return {"paint"};
+  if (language == StarterLanguage::c) return {"tile", "paint"};
   return {"tile", "paint", "volume"};
 }
 

@@ -30,6 +30,8 @@ new(solid --features volume)
 new(all_features --features tile,paint,volume)
 new(plain_c --c)
 new(painted_c --c --features paint)
+new(tiled_c --c --features tile)
+new(all_c --c --features tile,paint)
 
 # compile(LANGUAGE COMPILER STANDARD...): all sources of the language.
 set(compiled 0)
@@ -70,7 +72,7 @@ endif()
 list(GET CXX_COMPILERS 0 cxx_compiler)
 set(ENV{CC} ${c_compiler})
 set(ENV{CXX} ${cxx_compiler})
-foreach(name all_features painted_c)
+foreach(name all_features all_c)
   set(build ${WORK}/${name}/build)
   run(${CMAKE_COMMAND} --preset release -S ${WORK}/${name} -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK}/prefix
     -DBURIN_PROGRAM=${BURIN_COMMAND} WORKING_DIRECTORY ${WORK}/${name})

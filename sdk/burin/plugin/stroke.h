@@ -67,18 +67,11 @@ class Stroke {
 
   /// The length nearest to `period` (object units, > 0) that divides the length of a closed stroke; on other
   /// strokes `period` itself.
-  double whole_period(double period) const {
-    if (!closed() || !(length() > 0)) return period;
-    return length() / std::max(1.0, std::round(length() / period));
-  }
+  double whole_period(double period) const { return burin_whole_period(&context_, period); }
 
   /// The offset along t from the nearest of marks that are `period` apart (object units, > 0). The first mark
   /// of an open stroke is at its start, the last one at or before its end.
-  float from_mark(float t, double period) const {
-    double mark = std::round(t / period);
-    if (!closed()) mark = std::clamp(mark, 0.0, std::floor(length() / period));
-    return static_cast<float>(t - mark * period);
-  }
+  float from_mark(float t, double period) const { return burin_from_mark(&context_, t, period); }
 
  private:
   burin_stroke_context context_;

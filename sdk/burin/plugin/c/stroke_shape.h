@@ -31,6 +31,23 @@ static inline float burin_distance(const burin_stroke_context* stroke, float t, 
   return along == 0 ? fabsf(d) : (float)sqrt(along * along + across * across);
 }
 
+/* The period nearest to `period` of which a whole number fits along the stroke if it is closed. Both are
+ * object units, > 0. A brush that repeats along the stroke has no seam then. */
+static inline double burin_whole_period(const burin_stroke_context* stroke, double period) {
+  const double count = round(stroke->length / period);
+  if (!(stroke->flags & BURIN_STROKE_CLOSED) || !(stroke->length > 0)) return period;
+  return stroke->length / (count < 1 ? 1 : count);
+}
+
+/* The offset along t from the nearest of marks that are `period` apart (object units, > 0). The first mark of
+ * an open stroke is at its start, the last one at or before its end. */
+static inline float burin_from_mark(const burin_stroke_context* stroke, float t, double period) {
+  const double last = floor(stroke->length / period);
+  double mark = round(t / period);
+  if (!(stroke->flags & BURIN_STROKE_CLOSED)) mark = mark < 0 ? 0 : mark > last ? last : mark;
+  return (float)(t - mark * period);
+}
+
 /* A smooth step: 0 for x <= 0, 1 for x >= 1, and between them a cubic with zero slope at both ends. */
 static inline float burin_smooth_step(float x) {
   const float s = x < 0 ? 0 : x > 1 ? 1 : x;
