@@ -8,6 +8,10 @@ namespace {
 
 using namespace burin::plugin;
 
+/// The greatest displacement, radii; hosts refuse more than 1000. A centre far from the image's values asks
+/// for it.
+constexpr float farthest = 999;
+
 class Scales : public Brush {
  public:
   static constexpr BrushInfo info{
@@ -94,7 +98,8 @@ class Scales : public Brush {
     for (std::size_t i = 0; i < in.size(); ++i) {
       const Cell cell = cells[i];
       const float faded = rim_factor(in.stroke, cell.t, cell.d, cell.radius, rim);
-      up[i] = depths[i] * cell.radius * (up[i] - grey_centre) * faded;
+      const float height = depths[i] * cell.radius * (up[i] - grey_centre) * faded;
+      up[i] = std::clamp(height, -farthest * cell.radius, farthest * cell.radius);
     }
   }
 

@@ -10,6 +10,10 @@ namespace {
 
 using namespace burin::plugin;
 
+/// The greatest displacement along an axis, radii; hosts refuse vectors longer than 1000. A middle far from
+/// the image's values asks for it.
+constexpr float farthest = 576;
+
 class VdmTrail : public Brush {
  public:
   static constexpr BrushInfo info{
@@ -116,9 +120,10 @@ class VdmTrail : public Brush {
       const Tile shown = tile(i);
       const float unit = shown.on_stroke ? amounts[i] * layout_.width / 2 * cells[i].radius : 0.0f;
       const float x = axes_.sign[0] * along[i], y = axes_.sign[1] * across[i];
-      along[i] = unit * shown.along(x, y);
-      across[i] = unit * shown.across(x, y);
-      up[i] *= axes_.sign[2] * unit;
+      const float most = farthest * cells[i].radius;
+      along[i] = std::clamp(unit * shown.along(x, y), -most, most);
+      across[i] = std::clamp(unit * shown.across(x, y), -most, most);
+      up[i] = std::clamp(up[i] * (axes_.sign[2] * unit), -most, most);
     }
   }
 
