@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "command.h"
+#include "man_page.h"
 #include "system/console.h"
 #include "system/platform.h"
 
@@ -63,5 +64,9 @@ int main(int argc, char** argv) {
   burin::command::add_bench(app);
   burin::command::add_bench_brush(app);
   burin::command::add_validate(app);
+  // For packages, which have the page it writes.
+  app.add_subcommand("man-page", "write the manual page to the standard output")->group("")->callback([&app] {
+    burin::write_result(burin::man_page(app));
+  });
   return run(app, argc, argv);
 }

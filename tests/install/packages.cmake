@@ -17,7 +17,7 @@ function(expect package)
   set(contents_of_${package} "${contents}" PARENT_SCOPE)
 endfunction()
 
-expect(burin bin/burin lib/burin/brushes/groove.burin)
+expect(burin bin/burin share/man/man1/burin.1.gz lib/burin/brushes/groove.burin)
 expect(burin-dev include/burin/plugin/plugin.h include/burin/abi/plugin.h lib/cmake/Burin/BurinAddBrush.cmake
   share/pkgconfig/burin-plugin.pc)
 expect(libburin-dev include/burin/host/session.h lib/libburin_host.a lib/cmake/Burin/Burin-runtime.cmake)
