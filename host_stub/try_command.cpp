@@ -15,6 +15,7 @@
 #include "command.h"
 #include "input/brush_folder.h"
 #include "input/brush_params.h"
+#include "input/grid_mesh.h"
 #include "options/options.h"
 #include "options/view.h"
 #include "pictures/result_picture.h"
@@ -32,7 +33,7 @@ struct TryOptions {
 };
 
 constexpr double half_width = 1, half_height = 0.6;  ///< of the sheet, object units
-constexpr int columns = 200, rows = 120;
+constexpr Index columns = 200, rows = 120;
 
 /// The sheet at (x, y), normals upwards.
 Vec3f sheet_at(double x, double y) {
@@ -40,18 +41,8 @@ Vec3f sheet_at(double x, double y) {
 }
 
 TriangleMesh make_sheet() {
-  TriangleMesh sheet;
-  for (int row = 0; row <= rows; ++row)
-    for (int column = 0; column <= columns; ++column)
-      sheet.positions.push_back(
-          sheet_at(half_width * (2.0 * column / columns - 1), half_height * (2.0 * row / rows - 1)));
-  for (Index row = 0; row < rows; ++row)
-    for (Index column = 0; column < columns; ++column) {
-      const Index low = row * (columns + 1) + column, high = low + columns + 1;
-      sheet.triangles.push_back({low, low + 1, high + 1});
-      sheet.triangles.push_back({low, high + 1, high});
-    }
-  return sheet;
+  return grid_mesh(columns, rows,
+                   [](double u, double v) { return sheet_at(half_width * u, half_height * v); });
 }
 
 /// One wave from left to right.

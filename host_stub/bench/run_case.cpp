@@ -14,10 +14,10 @@
 
 #include "bench/regression.h"
 #include "bench/straight_stroke.h"
-#include "bench/suite_params.h"
 #include "input/name_file.h"
 #include "input/radius_fit.h"
 #include "input/stroke_input.h"
+#include "input/suite_params.h"
 #include "pictures/painted.h"
 #include "pictures/render.h"
 #include "replay/replay_pictures.h"

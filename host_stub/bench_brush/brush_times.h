@@ -10,13 +10,16 @@ namespace burin {
 /// Whose brush it is.
 enum class BrushOrigin { plugin, other, stock };
 
-/// The times of a brush's evaluate, measured round by round in turn with those of other brushes.
+/// Processes in which all brushes are measured.
+inline constexpr int measuring_processes = 10;
+
+/// The times of a brush's evaluate, each the least of the rounds of one process.
 struct BrushTimes {
   std::string id;
   BrushOrigin origin = BrushOrigin::plugin;
   double budget = 0;                ///< what its author promised, as a multiple of copying; 0: nothing
-  std::vector<double> nanoseconds;  ///< [round] a node
-  std::vector<double> multiples;    ///< [round] of copying the declared inputs
+  std::vector<double> nanoseconds;  ///< [process] a node
+  std::vector<double> multiples;    ///< [process] of copying the declared inputs
 };
 
 struct BrushModules {
@@ -25,12 +28,15 @@ struct BrushModules {
   std::filesystem::path stock;  ///< folder of the stock brushes
 };
 
-/// Measures all brushes of the modules. Stock brushes that cannot begin a stroke with their defaults, or
-/// make nothing but solids, are left out. Throws Error for a plugin that cannot be loaded or whose brushes
-/// cannot begin.
+/// Measures all brushes of the modules so many rounds in each process. Stock brushes that cannot begin a
+/// stroke with their defaults, or make nothing but solids, are left out. Throws Error for a plugin that
+/// cannot be loaded, whose brushes cannot begin, or that ends the process.
 std::vector<BrushTimes> measure_brushes(const BrushModules& modules, int rounds);
 
-/// The times of one brush as a multiple of another's, round by round.
+/// The geometric mean of ratios, one of each process, with Student's interval of 95 % of their logarithms.
+Estimate mean_ratio(const std::vector<double>& ratios);
+
+/// The times of one brush as a multiple of another's, process by process.
 Estimate ratio_of(const BrushTimes& one, const BrushTimes& other);
 
 /// The multiple of copying.

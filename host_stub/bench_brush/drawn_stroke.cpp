@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "input/grid_mesh.h"
 #include "options/view.h"
 #include "pictures/painted.h"
 #include "pictures/render.h"
@@ -20,19 +21,9 @@ constexpr double radius = 0.12;
 
 /// The square from -1 to 1 in x and y.
 TriangleMesh plane() {
-  constexpr Index side = 213;
-  TriangleMesh mesh;
-  const auto place = [](Index i) { return 2 * static_cast<float>(i) / (side - 1) - 1; };
-  for (Index row = 0; row < side; ++row)
-    for (Index column = 0; column < side; ++column)
-      mesh.positions.emplace_back(place(column), place(row), 0.0f);
-  for (Index row = 0; row + 1 < side; ++row)
-    for (Index column = 0; column + 1 < side; ++column) {
-      const Index corner = row * side + column;
-      mesh.triangles.push_back({corner, corner + 1, corner + side + 1});
-      mesh.triangles.push_back({corner, corner + side + 1, corner + side});
-    }
-  return mesh;
+  constexpr Index quads = 212;
+  return grid_mesh(quads, quads,
+                   [](double u, double v) { return Vec3f(static_cast<float>(u), static_cast<float>(v), 0); });
 }
 
 StrokeSettings settings_of(const burin_brush_descriptor& brush, const std::filesystem::path& stamp) {

@@ -29,6 +29,12 @@ std::size_t process_status(std::string_view name) {
   return 0;
 }
 
+double seconds_of(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
 }  // namespace
 
 std::filesystem::path executable_file() { return std::filesystem::read_symlink("/proc/self/exe"); }
@@ -69,11 +75,10 @@ double seconds_since_process_start() {
   for (int field = 3; field < 22; ++field) fields >> skipped;
   double start_ticks = 0;
   fields >> start_ticks;
-  timespec now{};
-  clock_gettime(CLOCK_BOOTTIME, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9 -
-         start_ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+  return seconds_of(CLOCK_BOOTTIME) - start_ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
+
+double thread_seconds() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})

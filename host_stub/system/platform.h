@@ -24,6 +24,9 @@ std::size_t memory_limit();
 /// The time since the system started the process, including the loading of libraries.
 double seconds_since_process_start();
 
+/// The processor time that this thread has used.
+double thread_seconds();
+
 bool stderr_is_terminal();
 
 /// Opens the standard streams that are closed at the start of the process, so that no other file gets their

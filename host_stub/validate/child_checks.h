@@ -6,6 +6,7 @@
 namespace burin::validate {
 
 /// Runs each check in a copy of this process, `jobs` at a time. What a plugin prints is discarded.
-std::vector<Result> run_in_children(const Subject& subject, std::span<const Check* const> checks, int jobs);
+std::vector<Result> run_checks_in_children(const Subject& subject, std::span<const Check* const> checks,
+                                           int jobs);
 
 }  // namespace burin::validate

@@ -39,7 +39,7 @@ Result run_here(const Subject& subject, const Check& check) {
 std::vector<Result> run_checks(const Subject& subject, std::span<const Check* const> checks,
                                const RunOptions& options) {
   const auto run = [&](std::span<const Check* const> some) {
-    if (!options.in_process) return run_in_children(subject, some, options.jobs);
+    if (!options.in_process) return run_checks_in_children(subject, some, options.jobs);
     std::vector<Result> results;
     for (const Check* check : some) results.push_back(run_here(subject, *check));
     return results;

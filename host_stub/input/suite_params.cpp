@@ -1,5 +1,5 @@
 // Resolves the files among a suite's brush parameters against the suite's folder.
-#include "bench/suite_params.h"
+#include "input/suite_params.h"
 
 #include <filesystem>
 
