@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "command.h"
+#include "fuzz/bundle.h"
 #include "input/brush_folder.h"
 #include "input/brush_params.h"
 #include "input/name_file.h"
@@ -207,6 +208,11 @@ ParamSettings read_params(const ReplayOptions& options, const BrushLibrary& libr
   });
 }
 
+/// Whether a bundle of `burin validate --fuzz` is to be repeated, which has all that a replay needs.
+bool is_bundle(const ReplayOptions& options) {
+  return options.strokes.size() == 1 && std::filesystem::is_directory(options.strokes[0]);
+}
+
 void run(ReplayOptions& options) {
   BrushLibrary library(log_on_console, stamp_services(read_vdb));
   load_brushes(library);
@@ -254,10 +260,13 @@ void run(ReplayOptions& options) {
 void add_replay(CLI::App& app) {
   const auto options = std::make_shared<ReplayOptions>();
   CLI::App& command = *app.add_subcommand("replay", "draw recorded strokes on a surface with a brush");
-  command.add_option("stroke_files", options->strokes, "recorded strokes")
+  command
+      .add_option("stroke_files", options->strokes,
+                  "recorded strokes; or a folder that `burin validate --fuzz` wrote, to repeat the failure")
       ->required()
       ->type_name("FILE.stroke");
   add_replay_mesh_options(command, options->mesh);
+  command.get_option("--mesh")->required(false);
   add_axes_options(command, options->axes);
   add_all_setting_options(command, options->settings, options->params);
   command
@@ -284,6 +293,8 @@ void add_replay(CLI::App& app) {
   command.callback([options, watch] {
     // CLI11 gives a flag its default where it is absent, too.
     if (watch->count() == 0) options->watch.reset();
+    if (is_bundle(*options)) return replay_bundle(options->strokes[0]);
+    if (options->mesh.mesh.path.empty()) throw CLI::RequiredError("--mesh");
     run(*options);
   });
 }

@@ -23,7 +23,8 @@ std::string xml(std::string text) {
   return escaped(text);
 }
 
-/// A word as a shell takes it.
+}  // namespace
+
 std::string shell_word(const std::string& word) {
   if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+") ==
       word.npos)
@@ -32,8 +33,6 @@ std::string shell_word(const std::string& word) {
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
 }
-
-}  // namespace
 
 Counts count(std::span<const Result> results) {
   Counts counts;

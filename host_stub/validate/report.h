@@ -19,6 +19,9 @@ Counts count(std::span<const Result> results);
 /// `highest`, the level up to which checks were run.
 int level_reached(std::span<const Result> results, int highest);
 
+/// A word as a shell takes it.
+std::string shell_word(const std::string& word);
+
 /// A command that runs one check again.
 std::string command_of(const Subject& subject, const Check& check);
 

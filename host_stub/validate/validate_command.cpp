@@ -9,6 +9,8 @@
 #include <stdexcept>
 
 #include "command.h"
+#include "fuzz/fuzz.h"
+#include "options/options.h"
 #include "report/report_folder.h"
 #include "system/console.h"
 #include "validate/badge.h"
@@ -25,6 +27,8 @@ struct ValidateOptions {
   int level = levels - 1;
   std::uint64_t seed = 1;
   RunOptions run;
+  double fuzz_minutes = 0;  ///< 0: checks instead
+  std::string bundle;
   bool json = false, list = false, quiet = false;
 };
 
@@ -72,12 +76,38 @@ void validate_module(const ValidateOptions& options) {
                     : fmt::format("{}: nothing was tested", options.module));
 }
 
+/// Where a failure goes unless the user says so: NAME.failure in the working directory.
+std::filesystem::path bundle_of(const ValidateOptions& options) {
+  if (!options.bundle.empty()) return options.bundle;
+  return std::filesystem::path(options.module).filename().replace_extension(".failure");
+}
+
+void fuzz_module(const ValidateOptions& options) {
+  if (!std::filesystem::is_regular_file(options.module)) throw FileError(options.module, "is no file");
+  const std::filesystem::path bundle = bundle_of(options);
+  check_report_folder(bundle.string());
+  const WorkFolder folder;
+  const FuzzResult result =
+      fuzz(folder.subject(options.module, options.seed), {options.fuzz_minutes, options.run.jobs, bundle});
+  if (!result.failure.empty()) {
+    write_result(
+        fmt::format("FAIL    {}\n        burin replay {}\n", result.failure, shell_word(bundle.string())));
+    flush_results();
+    throw std::runtime_error(fmt::format("{}: one of {} trials failed", options.module, result.trials));
+  }
+  write_result(fmt::format("{} trials, none failed, {} refused\n", result.trials, result.refused));
+  if (result.refused < result.trials) return;
+  flush_results();
+  throw std::runtime_error(fmt::format("{}: nothing was tested", options.module));
+}
+
 void run(const ValidateOptions& options) {
   if (options.list) return print_list();
   if (!options.explain.empty()) return print_explanation(named_check(options.explain));
   if (options.module.empty()) throw CLI::ValidationError("plugin", "a plugin is required");
   if (!options.badge.empty() && !options.only.empty())
     throw CLI::ValidationError("--write-badge", "a badge needs all checks of a level, not --only");
+  if (options.fuzz_minutes > 0) return fuzz_module(options);
   validate_module(options);
 }
 
@@ -93,18 +123,34 @@ void add_validate(CLI::App& app) {
                   "deterministic and "
                   "bounded (the default), 5 fast, for machines that are not busy")
       ->check(CLI::Range(1, levels));
-  command.add_option("--only", options->only, "run one check")->type_name("CHECK");
+  CLI::Option* only = command.add_option("--only", options->only, "run one check")->type_name("CHECK");
   command.add_option("--seed", options->seed, "seed of what is random, 1 unless given");
   command.add_option("--jobs", options->run.jobs, "checks at a time, 2 unless given")
       ->check(CLI::Range(1, 64));
   command.add_flag("--in-process", options->run.in_process, "run checks in this process, for a debugger");
   command.add_flag("--quiet", options->quiet, "print the first failures and the last line only");
-  command.add_flag("--json", options->json, "write JSON to the standard output");
-  command.add_option("--junit", options->junit, "JUnit file to write")->type_name("FILE");
+  CLI::Option* json = command.add_flag("--json", options->json, "write JSON to the standard output");
+  CLI::Option* junit =
+      command.add_option("--junit", options->junit, "JUnit file to write")->type_name("FILE");
+  CLI::Option* badge = command
+                           .add_option("--write-badge", options->badge,
+                                       "badge to write; `burin list` shows NAME.badge.json beside NAME.burin")
+                           ->type_name("FILE");
+  CLI::Option* fuzz =
+      command
+          .add_option(
+              "--fuzz", options->fuzz_minutes,
+              "instead of checks, draw random strokes on random surfaces with random parameters for so "
+              "many minutes, or until one fails")
+          ->type_name("MINUTES")
+          ->check(positive_number());
+  for (CLI::Option* of_checks : {only, json, junit, badge}) fuzz->excludes(of_checks);
   command
-      .add_option("--write-badge", options->badge,
-                  "badge to write; `burin list` shows NAME.badge.json beside NAME.burin")
-      ->type_name("FILE");
+      .add_option("--bundle", options->bundle,
+                  "folder for the stroke, surface and parameters that failed, for `burin replay`; "
+                  "NAME.failure unless given")
+      ->type_name("FOLDER")
+      ->needs(fuzz);
   command.add_flag("--list", options->list, "list the checks");
   command.add_option("--explain", options->explain, "tell what a check does, and which clause it tests")
       ->type_name("CHECK");

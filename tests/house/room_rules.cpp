@@ -62,10 +62,11 @@ const std::map<std::string, Names> room_may_include = {
     {"host_stub/report", {"host_stub/system"}},
     {"host_stub/chart", {"host_stub/input"}},
     {"host_stub/watch", {"host_stub/pictures", "host_stub/report"}},
-    {"host_stub/replay", {"host_stub/input", "host_stub/watch"}},
+    {"host_stub/fuzz", {"host_stub/input", "host_stub/report", "host_stub/validate/probe"}},
+    {"host_stub/replay", {"host_stub/fuzz", "host_stub/watch"}},
     {"host_stub/bench", {"host_stub/replay"}},
     {"host_stub/bench_brush", {"host_stub/bench", "host_stub/validate"}},
-    {"host_stub/validate", {"host_stub/validate/checks", "host_stub/report"}},
+    {"host_stub/validate", {"host_stub/validate/checks", "host_stub/fuzz"}},
     {"host_stub/validate/checks", {"host_stub/validate/probe"}},
     {"host_stub/validate/probe", {"host_stub/system"}},
 };

@@ -202,10 +202,13 @@ ReplayResult replay(Session& session, const Recording& recorded, const GivenSett
   Replayer replayer(session, recording, observer);
   const ShownProgress shown(session, observer.progress);
   for (std::size_t i = first; i < settings.size(); ++i) {
+    const auto named = [&](const Error& error) { return fmt::format("stroke {}: {}", i + 1, error.what()); };
     try {
       replayer.draw(recording.strokes[i], settings[i]);
+    } catch (const ContractError& error) {
+      throw ContractError(named(error));
     } catch (const Error& error) {
-      throw Error(fmt::format("stroke {}: {}", i + 1, error.what()));
+      throw Error(named(error));
     }
   }
   ReplayResult result = replayer.finish();

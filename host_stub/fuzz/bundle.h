@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "fuzz/trial.h"
+
+namespace burin {
+
+/// A folder with a trial that failed: stroke.stroke, surface.ply, bundle.json and what files it names. It may
+/// be moved.
+struct Bundle {
+  std::filesystem::path module;  ///< absolute
+  std::string failure;           ///< what it failed with
+  Trial trial;
+};
+
+/// Throws FileError. `stamp`: the image that the trial may name as fuzz_stamp.
+void write_bundle(const std::filesystem::path& folder, const Bundle& bundle,
+                  const std::filesystem::path& stamp);
+
+/// Throws FileError for what is no bundle.
+Bundle read_bundle(const std::filesystem::path& folder);
+
+/// Runs the trial of a bundle in this process, so that a debugger or a sanitizer sees its failure, and tells
+/// what comes of it. Throws FileError for what is no bundle, std::runtime_error where it fails.
+void replay_bundle(const std::filesystem::path& folder);
+
+}  // namespace burin

@@ -1,0 +1,133 @@
+// Runs random trials in processes of their own, and shrinks the first that fails.
+#include "fuzz/fuzz.h"
+
+#include <burin/base/stopwatch.h>
+#include <fmt/format.h>
+
+#include "fuzz/bundle.h"
+#include "fuzz/fuzz_case.h"
+#include "fuzz/shrink.h"
+#include "system/child_tasks.h"
+#include "validate/probe/plugin.h"
+
+namespace burin {
+namespace {
+
+using End = ChildResult::End;
+
+/// Seconds after which a trial hangs: most take less than one, on a busy machine some. While one that hangs
+/// is shrunk less must do, since every step takes that long.
+constexpr double time_limit = 30, time_limit_shrinking = 8;
+/// Trials for shrinking.
+constexpr int tries = 400, tries_hanging = 12;
+
+FuzzCase case_of(const validate::Subject& subject, std::size_t number) {
+  const validate::Plugin plugin(subject);
+  const auto brushes = plugin.brushes();
+  if (brushes.empty()) throw Error("the module has no brushes");
+  return random_case(*brushes[number % brushes.size()], subject.seed ^ (number * 0x9E3779B97F4A7C15u));
+}
+
+/// What a child sends: a digit, the outcome, and its text. An error is a module that cannot be loaded.
+constexpr char unloadable = '9';
+
+std::string sent(const validate::Subject& subject, const std::function<const Trial&()>& trial) {
+  try {
+    const TrialResult result = run_trial(subject.module, subject.folder, trial());
+    return std::to_string(static_cast<int>(result.outcome)) + result.text;
+  } catch (const std::exception& error) {
+    return unloadable + std::string(error.what());
+  }
+}
+
+bool failed(const ChildResult& child) {
+  return child.end != End::whole || child.text[0] == '0' + static_cast<int>(Outcome::broke);
+}
+
+std::string failure_text(const ChildResult& child) {
+  return child.end == End::whole ? child.text.substr(1) : child.text;
+}
+
+/// A failure without its numbers, by which failures of one kind are known.
+std::string kind_of(const ChildResult& child) {
+  std::string kind = failure_text(child);
+  std::erase_if(kind, [](char c) {
+    return (c >= '0' && c <= '9') || std::string_view("+-.e").find(c) != std::string_view::npos;
+  });
+  return kind;
+}
+
+class Fuzzer {
+ public:
+  Fuzzer(const validate::Subject& subject, const FuzzOptions& options)
+      : subject_(subject), options_(options) {}
+
+  FuzzResult run() {
+    const Stopwatch watch;
+    do run_some();
+    while (result_.failure.empty() && watch.elapsed() < 60 * options_.minutes);
+    return result_;
+  }
+
+ private:
+  void run_some() {
+    const std::size_t first = result_.trials, count = 4 * static_cast<std::size_t>(options_.jobs);
+    const auto children = run_in_children(count, options_.jobs, time_limit, [&](std::size_t index) {
+      FuzzCase made;
+      return sent(subject_, [&]() -> const Trial& {
+        made = case_of(subject_, first + index);
+        return made.trial;
+      });
+    });
+    for (const ChildResult& child : children) {
+      if (child.end == End::whole && child.text[0] == unloadable) throw Error(child.text.substr(1));
+      if (failed(child)) return report(child);
+      result_.refused += child.text[0] == '0' + static_cast<int>(Outcome::refused);
+      ++result_.trials;
+    }
+  }
+
+  ChildResult run_alone(const Trial& trial, double limit) {
+    return run_in_children(
+        1, 1, limit, [&](std::size_t) { return sent(subject_, [&]() -> const Trial& { return trial; }); })[0];
+  }
+
+  /// The least case that fails as the child did, and with what.
+  FuzzCase least_of(const FuzzCase& failing, const ChildResult& child, std::string& failure) {
+    const bool hangs = child.end == End::late;
+    const auto fails = [&](const FuzzCase& some) {
+      const ChildResult again = run_alone(some.trial, hangs ? time_limit_shrinking : time_limit);
+      if (!failed(again) || again.end != child.end || (!hangs && kind_of(again) != kind_of(child)))
+        return false;
+      if (!hangs) failure = failure_text(again);
+      return true;
+    };
+    FuzzCase least = shrunk(failing, fails, hangs ? tries_hanging : tries);
+    // What takes long need not hang.
+    if (hangs && run_alone(least.trial, time_limit).end != End::late) return failing;
+    return least;
+  }
+
+  /// Of the trial that was the next one.
+  void report(const ChildResult& child) {
+    const std::size_t number = result_.trials++;
+    std::string failure = failure_text(child);
+    const FuzzCase least = least_of(case_of(subject_, number), child, failure);
+    write_bundle(options_.bundle, {subject_.module, failure, least.trial}, subject_.stamp);
+    result_.failure = fmt::format("trial {}: {}\n        {} samples, {} vertices, {}", number, failure,
+                                  least.trial.stroke.samples.size(), least.trial.mesh.positions.size(),
+                                  least.trial.settings.dump());
+  }
+
+  const validate::Subject& subject_;
+  const FuzzOptions& options_;
+  FuzzResult result_;
+};
+
+}  // namespace
+
+FuzzResult fuzz(const validate::Subject& subject, const FuzzOptions& options) {
+  return Fuzzer(subject, options).run();
+}
+
+}  // namespace burin

@@ -1,0 +1,23 @@
+#pragma once
+#include <burin/abi/brush.h>
+
+#include <cstdint>
+
+#include "fuzz/fuzz_surface.h"
+#include "fuzz/trial.h"
+
+namespace burin {
+
+/// A random trial and what its surface was made from.
+struct FuzzCase {
+  Trial trial;
+  FuzzSurface surface;
+};
+
+/// The name of the image that random cases name in the trial's folder.
+inline constexpr const char* fuzz_stamp = "stamp.png";
+
+/// Random parameters, settings, stroke and surface for a brush; the same for the same seed.
+FuzzCase random_case(const burin_brush_descriptor& brush, std::uint64_t seed);
+
+}  // namespace burin
