@@ -101,6 +101,10 @@ if(BURIN_TESTS)
   # Not required: without them the packages are not tested.
   burin_test_dependency(apt dpkg-dev lintian why "the packages of Debian are made and looked at")
 
+  # Not required: without them the headers are not compared with the frozen ones, and the site is not built.
+  burin_test_dependency(apt abigail-tools why "the ABI's headers are compared with the frozen ones")
+  burin_test_dependency(apt doxygen python3 why "the site of the guide and the reference")
+
   # Not required: tests/windows is skipped without it.
   burin_test_dependency(apt g++-mingw-w64-x86-64-posix why "a test compiles what is written for Windows")
 endif()

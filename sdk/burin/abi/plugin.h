@@ -17,7 +17,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
+/* Exports a symbol of the module. */
 #if defined(_WIN32)
 #define BURIN_EXPORT __declspec(dllexport)
 #elif defined(__GNUC__)

@@ -80,8 +80,8 @@ typedef struct burin_stroke_context {
                              s = x ^ (x >> 31)
                            modulo 2^64; its highest 24 bits times 2^-24 are uniform in 0 .. 1 */
   double length;        /* arc length of the stroke so far, object units */
-  double radius_min;    /* bounds of the radius along the whole stroke, object units, including the part */
-  double radius_max;    /* not drawn yet: the same in every call of a stroke, begin included */
+  double radius_min;    /* lower bound of the stroke's radius, drawn or not yet, object units */
+  double radius_max;    /* upper bound; both are the same in every call of a stroke, begin included */
   double object_scale;  /* diagonal of the surface's bounding box, object units */
   double dab_t; /* for a dab (BURIN_STROKE_DAB) its arc length along the stroke, object units; else 0 */
 } burin_stroke_context;

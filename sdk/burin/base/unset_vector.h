@@ -16,7 +16,7 @@ struct UnsetAllocator : std::allocator<T> {
     using other = UnsetAllocator<Other>;
   };
   template <class Element, class... Arguments>
-  void construct(Element* place, Arguments&&... arguments) {
+  void construct(Element* place, Arguments&&... arguments) {  ///< or leaves it as it is
     if constexpr (sizeof...(arguments) == 0) {
       ::new (static_cast<void*>(place)) Element;
     } else {

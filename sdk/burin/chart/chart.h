@@ -28,13 +28,13 @@ struct Chart {
   double length = 0;             ///< length of the stroke, object units
   bool closed = false;           ///< the stroke is closed: t is periodic with `length`
 
-  std::size_t size() const { return vertex.size(); }
-
+  std::size_t size() const { return vertex.size(); }  ///< number of nodes
+  /// Of one node.
   ChartFrame frame(std::size_t node) const {
     return {
         .t = t[node], .d = d[node], .e1 = e1[node], .curvature = curvature[node], .stretch = stretch[node]};
   }
-
+  /// All of one node.
   void set(std::size_t node, Index of_vertex, std::uint32_t of_sheet, const ChartFrame& frame,
            const Vec3f& unit_normal) {
     vertex[node] = of_vertex;
@@ -42,7 +42,7 @@ struct Chart {
     normal[node] = unit_normal;
     set_frame(node, frame);
   }
-
+  /// Of one node.
   void set_frame(std::size_t node, const ChartFrame& frame) {
     t[node] = frame.t;
     d[node] = frame.d;
@@ -50,7 +50,7 @@ struct Chart {
     stretch[node] = frame.stretch;
     curvature[node] = frame.curvature;
   }
-
+  /// Changes the number of nodes.
   void resize(std::size_t nodes) {
     vertex.resize(nodes);
     sheet.resize(nodes);

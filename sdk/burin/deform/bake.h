@@ -10,6 +10,7 @@
 // The functions may be called on any thread, also on several at once. Inside they use all threads of oneTBB.
 namespace burin {
 
+/// How a displacement becomes an image.
 struct BakeSettings {
   int size = 1024;             ///< texels per side, >= 1
   bool vectors = false;        ///< makes a vector displacement map instead of heights
@@ -19,6 +20,7 @@ struct BakeSettings {
   int padding = 8;             ///< texels by which islands are extended outward
 };
 
+/// A displacement as an image, and what did not go into it.
 struct BakedMap {
   FloatImage image;
   std::size_t overlaps = 0;      ///< texels inside several triangles; the value is that of the first one

@@ -10,11 +10,11 @@ namespace burin {
 struct Paint {
   std::vector<Vec4f> colour;  ///< [vertex] linear RGB and coverage, each 0..1
   std::vector<float> mask;    ///< [vertex] 0 = protected .. 1 = free
-
+  /// Of what is not painted.
   static Vec4f bare() { return {1, 1, 1, 0}; }
 
-  Vec4f colour_of(Index vertex) const { return colour.empty() ? bare() : colour[vertex]; }
-  float mask_of(Index vertex) const { return mask.empty() ? 1 : mask[vertex]; }
+  Vec4f colour_of(Index vertex) const { return colour.empty() ? bare() : colour[vertex]; }  ///< linear RGBA
+  float mask_of(Index vertex) const { return mask.empty() ? 1 : mask[vertex]; }             ///< 0..1
 };
 
 /// Colour and mask of one node or vertex in a form that can be added and averaged: linear red, green and blue

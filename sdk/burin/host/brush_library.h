@@ -26,7 +26,7 @@ struct BrushEntry {
 struct BrushDeleter {
   const char* id = nullptr;
   std::shared_ptr<const PluginModule> module;
-  void operator()(const burin_brush* brush) const;
+  void operator()(const burin_brush* brush) const;  ///< destroys the brush
 };
 using BrushPtr = std::unique_ptr<const burin_brush, BrushDeleter>;
 

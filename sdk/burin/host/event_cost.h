@@ -38,7 +38,7 @@ struct EventCost {
     return *this;
   }
 
-  double total() const {
+  double total() const {  ///< seconds of all stages
     double sum = 0;
     for (const double stage : seconds) sum += stage;
     return sum;
@@ -49,8 +49,8 @@ struct EventCost {
 /// stage.
 class StageClock {
  public:
-  explicit StageClock(EventCost& cost) : cost_(&cost), last_(std::chrono::steady_clock::now()) {}
-
+  explicit StageClock(EventCost& cost) : cost_(&cost), last_(std::chrono::steady_clock::now()) {}  ///< starts
+  /// Ends a stage.
   void lap(Stage stage) {
     const auto now = std::chrono::steady_clock::now();
     cost_->seconds[static_cast<std::size_t>(stage)] += std::chrono::duration<double>(now - last_).count();

@@ -38,6 +38,7 @@ typedef struct burin_recorder_camera {
   int32_t width, height; /* viewport, pixels */
 } burin_recorder_camera;
 
+/* What a recorder writes, and where. */
 typedef struct burin_recorder_options {
   uint32_t struct_size;
   burin_stroke_space space;
@@ -46,6 +47,7 @@ typedef struct burin_recorder_options {
   const burin_recorder_camera* camera; /* may be null in object space */
 } burin_recorder_options;
 
+/* What holds for a whole stroke. */
 typedef struct burin_recorded_stroke {
   uint32_t struct_size;
   uint32_t fields;      /* BURIN_PEN_* that the pen reports */

@@ -70,11 +70,11 @@ class Session {
   /// Changes whenever the surface is replaced by one of other vertices and triangles: when a stroke ends that
   /// merged a solid with it, and when that is undone. All indices of vertices are new then.
   std::uint64_t generation() const;
-  const Picker& picker() const;
+  const Picker& picker() const;  ///< of that surface
 
   /// The current positions, object units, and unit normals by vertex, including the open stroke.
   std::span<const Vec3f> positions() const;
-  std::span<const Vec3f> normals() const;
+  std::span<const Vec3f> normals() const;  ///< unit
 
   /// The current colours and masks by vertex, including the open stroke; an array may be empty.
   const Paint& paint() const;
@@ -143,7 +143,7 @@ class Session {
   /// The chart and the curve of the last piece of the open stroke, or of the last stroke; the chart is empty
   /// after generation() has changed.
   const Chart& chart() const;
-  const SurfaceCurve& curve() const;
+  const SurfaceCurve& curve() const;  ///< of that piece
 
   /// Undoes the last finished stroke exactly, to the bit. Returns false if there is none. Throws
   /// ContractError if a stroke is open.

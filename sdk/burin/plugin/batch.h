@@ -28,8 +28,11 @@ class Batch {
   const Stroke stroke;
   const Params params;
 
+  /// Number of nodes.
   std::size_t size() const { return batch_.count; }
 
+  /// The input of this name, by node; burin_batch tells what it is.
+  /// @{
   Floats t() const { return floats(batch_.t, BURIN_INPUT_T, "t"); }
   Floats d() const { return floats(batch_.d, BURIN_INPUT_D, "d"); }
   Floats radius() const { return floats(batch_.radius, BURIN_INPUT_RADIUS, "radius"); }
@@ -76,6 +79,7 @@ class Batch {
   Floats twist() const { return pen(batch_.twist, BURIN_INPUT_TWIST, "twist", zero_); }
   Floats speed() const { return pen(batch_.speed, BURIN_INPUT_SPEED, "speed", zero_); }
   Floats time() const { return pen(batch_.time, BURIN_INPUT_TIME, "time", zero_); }
+  /// @}
 
  private:
   void require(bool filled, std::uint64_t input, const char* name) const {

@@ -19,14 +19,14 @@ struct Cell {
 /// The cells of a batch. Needs BURIN_INPUT_T, D, RADIUS and FOOTPRINT.
 class Cells {
  public:
-  explicit Cells(const Batch& in)
+  explicit Cells(const Batch& in)  ///< of all nodes
       : t_(in.t()),
         d_(in.d()),
         radius_(in.radius()),
         footprint_t_(in.footprint_t()),
         footprint_d_(in.footprint_d()) {}
 
-  Cell operator[](std::size_t i) const {
+  Cell operator[](std::size_t i) const {  ///< of one node
     return {t_[i], d_[i], radius_[i], footprint_t_[i], footprint_d_[i]};
   }
 

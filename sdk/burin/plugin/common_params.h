@@ -13,11 +13,13 @@ inline constexpr BoolParam clean_stamp{
     .help = "Fills texels that are not finite from their neighbours; else such a file is refused.",
 };
 
+/// The layer of an image that has several.
 inline constexpr TextParam stamp_layer{
     .id = "layer",
     .name = "Layer",
     .help = "Of an EXR image with several, the layer to take.",
 };
+/// The channels of the image to use.
 inline constexpr TextParam stamp_channel{
     .id = "channel",
     .name = "Channel",

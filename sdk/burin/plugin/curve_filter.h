@@ -17,11 +17,15 @@ class CurvePoints {
   const Stroke stroke;  ///< the drawn one, so far: its length, and whether it is closed
   const Params params;  ///< all numbers uniform: the values before input dynamics
 
-  std::size_t size() const { return points_.count; }
+  std::size_t size() const { return points_.count; }  ///< number of points
+
+  /// The input of this name, by point; burin_curve_points tells what it is.
+  /// @{
   Floats t() const { return view(points_.t); }
   Vectors position() const { return views(points_.position); }
   Vectors normal() const { return views(points_.normal); }
   Vectors e1() const { return views(points_.e1); }
+  /// @}
 
  private:
   static Floats view(const burin_floats& values) { return {values.data, values.stride}; }

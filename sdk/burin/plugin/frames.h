@@ -11,6 +11,7 @@ struct FrameComponents {
   float along, across, up;
 };
 
+/// The scalar product of vectors i.
 inline float dot(const Vectors& a, const Vectors& b, std::size_t i) {
   return a.x[i] * b.x[i] + a.y[i] * b.y[i] + a.z[i] * b.z[i];
 }

@@ -13,10 +13,13 @@
 /// ink::outputs and, in its param_list, the four parameters below.
 namespace burin::plugin::ink {
 
+/// What a brush with Ink declares.
 inline constexpr std::uint64_t inputs =
     BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_FOOTPRINT;
 inline constexpr std::uint64_t outputs = BURIN_OUTPUT_DISPLACEMENT | BURIN_OUTPUT_MASK | BURIN_OUTPUT_COLOUR;
 
+/// What a brush with Ink lists among its parameters.
+/// @{
 inline constexpr FloatParam height =
     common::height("How far the figure stands out; below 0 it is engraved.", {-0.5f, 0.5f}, 0.1f);
 inline constexpr FloatParam bevel{
@@ -41,6 +44,7 @@ inline constexpr FloatParam mask{
     .hard = {0, 1},
     .default_value = 0,
 };
+/// @}
 
 /// Writes the outputs of a batch, one element per call.
 class Ink {

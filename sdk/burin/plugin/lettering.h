@@ -21,7 +21,7 @@ class Lettering {
 
   /// The measures of the line, in ems.
   const burin_lettering_info& info() const { return info_; }
-  const Stamp& stamp() const { return stamp_; }
+  const Stamp& stamp() const { return stamp_; }  ///< the line of text as an image
 
   /// The position in the stamp of the point x ems to the right of the line's start and y ems above its
   /// baseline.

@@ -13,10 +13,13 @@ class Log {
     if (const auto* log = host.service<burin_log>(BURIN_EXT_LOG)) write_ = complete(*log).write;
   }
 
+  /// Writes a line of this severity.
+  /// @{
   void debug(const std::string& line) const { write(BURIN_LOG_DEBUG, line); }
   void info(const std::string& line) const { write(BURIN_LOG_INFO, line); }
   void warning(const std::string& line) const { write(BURIN_LOG_WARNING, line); }
   void error(const std::string& line) const { write(BURIN_LOG_ERROR, line); }
+  /// @}
 
  private:
   void write(burin_log_severity severity, const std::string& line) const {

@@ -57,6 +57,7 @@ class GradientNoise {
 /// its height. An octave fades out where the mesh is too coarse to show it. O(octaves) per value.
 class FractalNoise {
  public:
+  /// How many octaves there are and how much each adds.
   struct Octaves {
     int count = 6;            ///< at least 1
     float gain = 0.5f;        ///< > 0

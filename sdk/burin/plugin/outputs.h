@@ -17,10 +17,11 @@ class Outputs {
 
   /// The displacement from the base surface along e1, e2 and the normal, object units. Initially zero.
   FloatsOut along() const { return floats(outputs_.along, "displacement"); }
-  FloatsOut across() const { return floats(outputs_.across, "displacement"); }
-  FloatsOut up() const { return floats(outputs_.up, "displacement"); }
+  FloatsOut across() const { return floats(outputs_.across, "displacement"); }  ///< along e2, object units
+  FloatsOut up() const { return floats(outputs_.up, "displacement"); }  ///< along the normal, object units
 
-  FloatsOut mask() const { return floats(outputs_.mask, "mask"); }
+  FloatsOut mask() const { return floats(outputs_.mask, "mask"); }  ///< 0..1
+  /// Linear RGBA, 0..1.
   ColoursOut colour() const {
     const auto& rgba = outputs_.colour;
     return {floats(rgba[0], "colour"), floats(rgba[1], "colour"), floats(rgba[2], "colour"),

@@ -32,8 +32,8 @@ class TextList {
   requires(sizeof...(Texts) >= 1 && sizeof...(Texts) <= 32) constexpr TextList(Texts... texts)
       : texts_{texts...}, size_(sizeof...(Texts)) {}
 
-  constexpr const char* const* data() const { return texts_.data(); }
-  constexpr std::size_t size() const { return size_; }
+  constexpr const char* const* data() const { return texts_.data(); }  ///< ended by a null pointer
+  constexpr std::size_t size() const { return size_; }                 ///< number of texts
 
  private:
   std::array<const char*, 33> texts_{};

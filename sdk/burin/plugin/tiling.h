@@ -42,6 +42,7 @@ struct TileLayout {
 
 /// The tile that contains a node, and the position of the node in it.
 struct Tile {
+  /// Where in the stroke a tile is.
   enum Role { start, middle, end };
 
   std::int64_t column;  ///< number along the stroke, 0 for the first; on a closed stroke within one turn

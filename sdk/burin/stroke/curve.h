@@ -34,7 +34,7 @@ struct SurfaceCurve {
   bool closed = false;
   double closing_length = 0;  ///< arc length from the last point to the first of a closed curve
 
-  double length() const { return points.empty() ? 0 : points.back().t + closing_length; }
+  double length() const { return points.empty() ? 0 : points.back().t + closing_length; }  ///< object units
 
   /// The number of segments; segment i starts at point i. A curve of one point has one segment of length 0.
   std::size_t segment_count() const {

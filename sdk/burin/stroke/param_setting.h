@@ -14,7 +14,7 @@ struct ParamSetting : std::variant<bool, double, std::string, std::vector<double
   using variant::variant;
   template <std::integral Whole>
   requires(!std::same_as<Whole, bool>) ParamSetting(Whole number) : variant(static_cast<double>(number)) {}
-  ParamSetting(std::initializer_list<double> numbers) : variant(std::vector<double>(numbers)) {}
+  ParamSetting(std::initializer_list<double> numbers) : variant(std::vector<double>(numbers)) {}  ///< a list
 };
 using ParamSettings = std::map<std::string, ParamSetting>;
 

@@ -40,7 +40,7 @@ class StrokeWriter {
   /// Begins a stroke with the settings and fields of `stroke`. Does not write its samples.
   void begin(const RecordedStroke& stroke);
   void add(const Sample& sample);
-  void end();
+  void end();  ///< ends the stroke
 
   /// Passes all lines to the operating system.
   void flush();

@@ -25,7 +25,7 @@ struct MeshSource {
   std::shared_ptr<const PolygonMesh> mesh;
   std::string file;  ///< as read_mesh() takes it; read where there is no mesh
 
-  bool given() const { return mesh || !file.empty(); }
+  bool given() const { return mesh || !file.empty(); }  ///< whether there is one
 };
 
 /// Meshes that a stroke bends along itself, as parts of their own beside the surface, instead of what a brush
@@ -42,7 +42,7 @@ struct AlongSettings {
                       ///< strokes
   double height = 0;  ///< radii, of the lowest point over the surface
 
-  bool given() const { return middle.given(); }
+  bool given() const { return middle.given(); }  ///< whether there is a mesh to repeat
 };
 
 /// What a stroke is drawn with. stroke/files/setting_table.h has the keys and texts of what people set.

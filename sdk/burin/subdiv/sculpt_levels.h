@@ -32,7 +32,7 @@ class SculptLevels {
   SculptLevels(SculptLevels&&) noexcept;
   SculptLevels& operator=(SculptLevels&&) noexcept;
 
-  int finest() const;
+  int finest() const;  ///< number of the finest level
 
   /// The positions of a level, object units, in the order of refine(). Valid until the next set_positions().
   /// Throws ContractError if there is no such level.

@@ -7,7 +7,7 @@
 #include <span>
 
 namespace burin {
-
+/// A ray from a point, object units.
 struct Ray {
   Vec3f origin;
   Vec3f direction;  ///< any length

@@ -22,8 +22,8 @@ struct Surface {
   std::vector<Index> source_vertex;     ///< [vertex] its index in the original mesh or point set
   double scale = 0;                     ///< diagonal of the original bounding box, object units
 
-  Index vertex_count() const { return static_cast<Index>(positions.size()); }
-  bool is_point_set() const { return triangles.empty(); }
+  Index vertex_count() const { return static_cast<Index>(positions.size()); }  ///< also of points
+  bool is_point_set() const { return triangles.empty(); }                      ///< see make_point_surface()
 };
 
 /// Triangles that take the place of others of a surface.

@@ -14,7 +14,7 @@ struct VertexPaint {
   std::vector<PaintBytes> colours;  ///< [vertex]
   std::vector<float> masks;         ///< [vertex] 0 = protected .. 1 = free
 
-  bool empty() const { return colours.empty() && masks.empty(); }
+  bool empty() const { return colours.empty() && masks.empty(); }  ///< whether nothing is painted
 };
 
 }  // namespace burin

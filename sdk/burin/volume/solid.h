@@ -81,8 +81,8 @@ class StrokeSolid {
   /// Adds another solid of the same voxel: afterwards this is both.
   void add(const StrokeSolid& other);
 
-  bool empty() const { return blocks_.empty(); }
-  double voxel() const { return voxel_; }  ///< edge, object units
+  bool empty() const { return blocks_.empty(); }  ///< whether there is none
+  double voxel() const { return voxel_; }         ///< edge, object units
 
   /// Where the solid is and around it, ascending by x, y and z. Elsewhere there is none of it. Values are as
   /// the distance has them in the stroke's coordinates, so that only where they are 0 they mean what they say

@@ -28,7 +28,7 @@ typedef struct burin_solid_plan {
   double detail; /* object units, above 0: the narrowest wall or gap that must not be lost; the host makes
                     its voxels from it */
 } burin_solid_plan;
-
+/* The ability of a brush; get_extension(BURIN_EXT_VOLUME) returns it. */
 typedef struct burin_volume {
   uint32_t struct_size;
   uint32_t reserved;
