@@ -92,7 +92,9 @@ TEST(ChartCheck, CountsHolesOfAllJoins) {
     EXPECT_GT(right.under_pen, 500U) << name;
     EXPECT_EQ(right.holes, 0U) << name;
     EXPECT_EQ(right.distances.has_value(), join == Join::round) << name;
-    std::ranges::replace(chart.vertex, chart.vertex[chart.size() / 2], no_index);
+    const auto on_stroke = std::ranges::min_element(chart.d, {}, [](float d) { return std::abs(d); });
+    const Index taken = chart.vertex[static_cast<std::size_t>(on_stroke - chart.d.begin())];
+    std::ranges::replace(chart.vertex, taken, no_index);
     EXPECT_EQ(check_chart(on.surface, on.curve, chart, radius, join).holes, 1U) << name;
   }
 }
