@@ -6,6 +6,8 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <string>
 #include <thread>
 
 #include "../run_command.h"
@@ -36,12 +38,12 @@ class Watch : public ::testing::Test {
 
   /// Starts the command, which ends after so many changes, and waits until it watches.
   void start(int changes, const std::string& options = "") {
-    const std::string stroke = folder_.write("a.stroke", equator_stroke(-0.6, 0.6, 20, R"("radius":0.2)"));
+    const std::string stroke = folder_.write("a.stroke", strokes_);
     const std::string mesh = folder_.write("cube.obj", cube_obj());
-    const std::string command =
-        std::string("exec ") + BURIN_COMMAND + " replay " + stroke + " --mesh " + mesh +
-        " --target-triangles 20000 --brush org.burin.test.reloaded --watch=" + std::to_string(changes) + " " +
-        options + " >" + out_ + " 2>" + err_;
+    const std::string command = std::string("exec ") + BURIN_COMMAND + " replay " + stroke + " --mesh " +
+                                mesh + " --target-triangles 20000" + brush_ +
+                                " --watch=" + std::to_string(changes) + " " + options + " >" + out_ + " 2>" +
+                                err_;
     running_ = std::thread([this, command] {
       exit_code_ =
           run_process({"/bin/sh", "-c", command}, {"BURIN_PLUGIN_PATH=" + module_.parent_path().string()})
@@ -67,6 +69,8 @@ class Watch : public ::testing::Test {
 
   CommandFolder folder_;
   fs::path module_ = folder_.path("reloaded.burin");
+  std::string strokes_ = equator_stroke(-0.6, 0.6, 20, R"("radius":0.2)"),
+              brush_ = " --brush org.burin.test.reloaded";
   std::string out_ = folder_.path("out.txt"), err_ = folder_.path("err.txt");
   std::thread running_;
   int exit_code_ = -1;
@@ -86,11 +90,21 @@ TEST_F(Watch, DrawsTheLastStrokeAgainWithTheNewModule) {
             read_file(folder_.path("report/watch_after.png")));
 }
 
-TEST_F(Watch, ShowsPartsBesideTheSurface) {
-  start(1, "--along-mesh " + folder_.write("part.obj", cube_obj()) + " --report " + folder_.path("report"));
-  write(version(2));
-  finish();
-  EXPECT_EQ(read_file(folder_.path("report/watch_after.png")), read_file(folder_.path("report/after.png")));
+// The solid is of the first stroke, which another brush draws.
+TEST_F(Watch, ShowsSolidsBesideTheSurface) {
+  brush_ = "";
+  strokes_ = equator_stroke(-0.6, 0.6, 20, R"("radius":0.2,"brush":"org.burin.tube")") +
+             equator_stroke_lines(-0.6, 0.6, 20, R"("radius":0.2,"brush":"org.burin.test.reloaded")");
+  std::set<std::string> pictures;
+  for (const char* solid : {"none", "separate"}) {
+    write(version(1));
+    out_ = folder_.path(std::string(solid) + ".txt");
+    start(1, "--solid " + std::string(solid) + " --report " + folder_.path(solid));
+    write(version(2));
+    finish();
+    pictures.insert(read_file(folder_.path(solid + std::string("/watch_after.png"))));
+  }
+  EXPECT_EQ(pictures.size(), 2u);
 }
 
 TEST_F(Watch, GoesOnWithTheOldModuleWhereTheNewOneDoesNotLoad) {
