@@ -157,7 +157,7 @@ TriangleMesh fan(Index spokes) {
 
 // Without stand-ins every vertex of the rim would fit thousands of others: half a minute of processor time.
 TEST(BaseSurface, CostsAFanInProportionToItsSpokes) {
-  Based on(fan(80000), 0.3);
+  Based on(fan(80000), 0.55);
   const std::clock_t before = std::clock();
   on.base.prepare(std::array{BaseSurface::Ball{Vec3f::UnitX(), 3, 1}});
   const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
@@ -167,6 +167,14 @@ TEST(BaseSurface, CostsAFanInProportionToItsSpokes) {
     ASSERT_NEAR(patch.position.z(), 0, 1e-6);
     ASSERT_GT(patch.normal.z(), 0.9999F);
   }
+}
+
+TEST(BaseSurface, IsNotForBrushesThatAreNarrowerThanMostTriangles) {
+  const Surface surface = make_surface(fan(300));
+  const SurfaceLevels levels(surface);
+  BaseSurface base(surface, levels);
+  EXPECT_FALSE(base.set_radius(0.45));
+  EXPECT_TRUE(base.set_radius(0.55));
 }
 
 TEST(BaseSurface, ProjectsPointsOntoASphere) {

@@ -33,8 +33,9 @@ class BaseSurface {
   static constexpr double fewest_edges = 9.5, fewest_own_edges = 5;
 
   /// Selects brushes of this radius, object units, and the coarsest level that has enough edges per radius.
-  /// Nodes computed for the same radius are kept. Returns false when even the surface itself is too coarse
-  /// for the radius; then the object must not be used.
+  /// Nodes computed for the same radius are kept. Returns false when even the surface itself is too coarse,
+  /// or half of its area lies in triangles longer than two radii, as in models of CAD with dense rims;
+  /// then the object must not be used.
   bool set_radius(double radius);
 
   /// Discards the nodes that depend on vertices which moved, by at most `distance`, object units. The levels

@@ -184,6 +184,25 @@ double reach_over(const std::vector<double>& edges) {
   return std::clamp(quantile(edges, sparse), least_reach_over_edge * typical, most_reach_over_edge * typical);
 }
 
+/// The longest edges of an even sample of the triangles: their median, each weighted by its triangle's area.
+double median_longest_edge(const Surface& surface) {
+  constexpr std::size_t most_triangles = 65536;
+  std::vector<std::pair<double, double>> edges;  // and areas
+  double rest = 0;
+  for (std::size_t i = 0; i < surface.triangles.size(); i += surface.triangles.size() / most_triangles + 1) {
+    const auto& [a, b, c] = surface.triangles[i];
+    const Vec3f ab = surface.positions[b] - surface.positions[a],
+                ac = surface.positions[c] - surface.positions[a];
+    const double area = static_cast<double>(ab.cross(ac).norm()) / 2;
+    edges.emplace_back(static_cast<double>(std::max({ab.norm(), ac.norm(), (ac - ab).norm()})), area);
+    rest += area / 2;
+  }
+  std::ranges::sort(edges);
+  for (const auto& [edge, area] : edges)
+    if ((rest -= area) <= 0) return edge;
+  return 0;
+}
+
 /// The ClusterMean of a single vertex, whose area is a third of the triangles around it.
 ClusterMean mean_of_vertex(const Surface& surface, Index vertex) {
   const Vec3f& at = surface.positions[vertex];
@@ -211,6 +230,7 @@ SurfaceLevels::SurfaceLevels(const Surface& surface) : surface_(&surface) {
       },
       [&](Index, double edge) { edges.push_back(edge); });
   edge_ = quantile(edges, dense);
+  longest_edge_ = median_longest_edge(surface);
   std::vector<Vec3f> middles;  // of the last level
   while (!edges.empty()) {
     const Graph graph = coarser_.empty() ? Graph{surface.positions, surface.neighbours}

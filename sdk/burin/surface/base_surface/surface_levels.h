@@ -47,6 +47,10 @@ class SurfaceLevels {
   }
   double spacing(std::size_t level) const { return level == 0 ? edge_ : coarser_[level - 1].spacing; }
 
+  /// Half of the surface's area lies in triangles whose longest edge is at least this long, object units; 0
+  /// for a point set.
+  double longest_edge() const { return longest_edge_; }
+
   /// The cluster of a vertex of the surface.
   Index cluster(std::size_t level, Index vertex) const { return ancestor(0, vertex, level); }
 
@@ -92,6 +96,7 @@ class SurfaceLevels {
 
   const Surface* surface_;
   double edge_ = 0;
+  double longest_edge_ = 0;
   std::vector<SurfaceLevel> coarser_;
 };
 
