@@ -11,6 +11,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Fuzzes a plugin until it fails, at most for a minute.
+ProcessResult fuzz(const std::string& module, const std::string& seed, const std::string& bundle) {
+  return burin({"validate", module, "--fuzz", "1", "--seed", seed, "--bundle", bundle});
+}
+
 nlohmann::json description(const std::string& bundle) {
   return nlohmann::json::parse(read_file(bundle + "/bundle.json"));
 }
