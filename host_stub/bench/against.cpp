@@ -2,6 +2,7 @@
 // speed affect both alike; the ratio of their times is estimated by a bootstrap over the rounds.
 #include "bench/against.h"
 
+#include <burin/base/program_file.h>
 #include <burin/base/quoted_word.h>
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@
 
 #include "bench/regression.h"
 #include "bench/run_suite.h"
-#include "system/platform.h"
 
 namespace burin {
 namespace {
@@ -43,7 +43,7 @@ Comparison compare(const Suite& suite, const std::string& name, const AgainstOpt
     report(progress, name, static_cast<double>(rounds_before + round) / all_rounds);
     // Rounds are the repetition, so each runs the strokes once unless more repeats are requested.
     const std::size_t repeat = options.repeat.value_or(1);
-    run_round(executable_file(), suite, name, repeat, comparison.this_ms, comparison.this_hash);
+    run_round(program_file(), suite, name, repeat, comparison.this_ms, comparison.this_hash);
     run_round(options.other, suite, name, repeat, comparison.other_ms, comparison.other_hash);
     ratios.push_back(comparison.this_ms.back() / comparison.other_ms.back());
   }
@@ -83,7 +83,7 @@ Json against_json(const Suite& suite, const AgainstOptions& options,
   }
   return {{"burin_bench_against", 1},
           {"suite", suite.name},
-          {"this", executable_file().string()},
+          {"this", program_file().string()},
           {"other", options.other.string()},
           {"rounds", options.rounds},
           {"threshold", options.threshold},

@@ -3,6 +3,7 @@
 #include "bench/run_suite.h"
 
 #include <burin/base/error.h>
+#include <burin/base/program_file.h>
 #include <burin/base/quoted_word.h>
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@
 
 #include "bench/regression.h"
 #include "system/child_process.h"
-#include "system/platform.h"
 
 namespace burin {
 namespace {
@@ -64,7 +64,7 @@ SuiteResult run_suite(const Suite& suite, std::optional<std::size_t> repeat,
     report(progress, one.name,
            static_cast<double>(result.cases.size()) / static_cast<double>(suite.cases.size()));
     const std::filesystem::path picture = picture_file(pictures, result.cases.size() + 1);
-    result.cases.push_back(run_case_in_process(executable_file(), suite, one.name, repeat, picture));
+    result.cases.push_back(run_case_in_process(program_file(), suite, one.name, repeat, picture));
   }
   return result;
 }

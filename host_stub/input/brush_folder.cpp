@@ -1,6 +1,7 @@
 // Loads the brushes of a command. At the end of the process a function checks that no plugin called exit().
 #include "input/brush_folder.h"
 
+#include <burin/base/program_file.h>
 #include <burin/deform/evaluate/plugin_call.h>
 #include <fmt/format.h>
 
@@ -9,7 +10,6 @@
 
 #include "system/console.h"
 #include "system/crash_line.h"
-#include "system/platform.h"
 
 namespace burin {
 namespace {
@@ -24,11 +24,7 @@ void report_exit_in_plugin() {
 
 }  // namespace
 
-std::filesystem::path own_brush_folder() {
-  const std::filesystem::path beside = executable_folder() / "brushes";
-  if (std::filesystem::is_directory(beside)) return beside;
-  return executable_folder().parent_path() / "lib" / "burin" / "brushes";
-}
+std::filesystem::path own_brush_folder() { return beside_program("brushes"); }
 
 namespace {
 

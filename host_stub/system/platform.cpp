@@ -37,10 +37,6 @@ double seconds_of(clockid_t clock) {
 
 }  // namespace
 
-std::filesystem::path executable_file() { return std::filesystem::read_symlink("/proc/self/exe"); }
-
-std::filesystem::path executable_folder() { return executable_file().parent_path(); }
-
 // getrusage() is not used, since its maximum survives exec() and may be that of the program that started this
 // one.
 std::size_t peak_memory() { return process_status("VmHWM"); }

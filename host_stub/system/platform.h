@@ -1,15 +1,10 @@
 #pragma once
 #include <cstddef>
 #include <cstdio>
-#include <filesystem>
 
 namespace burin {
 
 // Queries of the operating system about this process.
-
-/// The file of the running program, and its folder.
-std::filesystem::path executable_file();
-std::filesystem::path executable_folder();
 
 /// The greatest physical memory of the process so far, bytes.
 std::size_t peak_memory();

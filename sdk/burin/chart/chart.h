@@ -34,6 +34,7 @@ struct Chart {
     return {
         .t = t[node], .d = d[node], .e1 = e1[node], .curvature = curvature[node], .stretch = stretch[node]};
   }
+
   /// All of one node.
   void set(std::size_t node, Index of_vertex, std::uint32_t of_sheet, const ChartFrame& frame,
            const Vec3f& unit_normal) {
@@ -42,6 +43,7 @@ struct Chart {
     normal[node] = unit_normal;
     set_frame(node, frame);
   }
+
   /// Of one node.
   void set_frame(std::size_t node, const ChartFrame& frame) {
     t[node] = frame.t;
@@ -50,6 +52,7 @@ struct Chart {
     stretch[node] = frame.stretch;
     curvature[node] = frame.curvature;
   }
+
   /// Changes the number of nodes.
   void resize(std::size_t nodes) {
     vertex.resize(nodes);

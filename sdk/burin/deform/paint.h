@@ -10,6 +10,7 @@ namespace burin {
 struct Paint {
   std::vector<Vec4f> colour;  ///< [vertex] linear RGB and coverage, each 0..1
   std::vector<float> mask;    ///< [vertex] 0 = protected .. 1 = free
+
   /// Of what is not painted.
   static Vec4f bare() { return {1, 1, 1, 0}; }
 

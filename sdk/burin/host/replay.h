@@ -18,6 +18,7 @@ struct ReplayObserver {
   /// Called when a piece of a stroke has been drawn and ended; session.chart() is its chart.
   std::function<void(const Session& session)> piece_ended;
 };
+
 /// What a replay did.
 struct ReplayResult {
   std::size_t strokes = 0;    ///< of the recording

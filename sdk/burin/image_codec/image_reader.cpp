@@ -21,8 +21,6 @@
 namespace burin {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// One image of a file. EXR files have one or more, called parts.
 struct Part {
   int index = 0;
@@ -32,8 +30,11 @@ struct Part {
 /// An open EXR, TIFF or JPEG file.
 class ImageFile {
  public:
-  ImageFile(const fs::path& path, const char* format, std::uintmax_t bytes)
-      : path_(path.string()), format_(format), bytes_(bytes), input_(OIIO::ImageInput::create(format)) {
+  explicit ImageFile(const ImageFileFormat& file)
+      : path_(file.path.string()),
+        format_(file.name),
+        bytes_(file.size),
+        input_(OIIO::ImageInput::create(format_)) {
     OIIO::ImageSpec hints, first;
     hints.attribute("oiio:UnassociatedAlpha", 1);
     if (!input_) fail(OIIO::geterror());
@@ -187,36 +188,41 @@ void make_black_zero(StoredImage& image) {
     image.image.texels[i] = 1 - image.image.texels[i];
 }
 
-StoredImage read_tiff(const fs::path& path, std::uintmax_t bytes, const StampOptions& options) {
-  const TiffInfo facts = read_tiff_facts(path, bytes);
-  if (facts.cut_off) throw FileError(path.string(), "is cut off: texels lie beyond its end");
-  if (facts.more_images) throw FileError(path.string(), "holds several images; a stamp is one");
+StoredImage read_tiff(const ImageFileFormat& file, const StampOptions& options) {
+  const std::string path = file.path.string();
+  const TiffInfo facts = read_tiff_facts(file.path, file.size);
+  if (facts.cut_off) throw FileError(path, "is cut off: texels lie beyond its end");
+  if (facts.more_images) throw FileError(path, "holds several images; a stamp is one");
   if (!facts.numbers)
-    throw FileError(path.string(), "holds colours other than grey and RGB; a stamp is made of numbers");
-  ImageFile file(path, "tiff", bytes);
-  StoredImage image = read_chosen(file, options);
-  expect_texels_that_decode(path);
+    throw FileError(path, "holds colours other than grey and RGB; a stamp is made of numbers");
+  ImageFile opened(file);
+  StoredImage image = read_chosen(opened, options);
+  expect_texels_that_decode(file.path);
   if (facts.white_is_zero) make_black_zero(image);
   image.no_data = facts.no_data;
   return image;
 }
 
-StoredImage read_jpeg(const fs::path& path, std::uintmax_t bytes, const StampOptions& options) {
-  const JpegInfo size = jpeg_size(read_file(path));
-  check_stamp_size(path.string(), size.width, size.height, size.components, bytes);
-  if (!size.has_end) throw FileError(path.string(), "is cut off: the end of the image is missing");
-  ImageFile file(path, "jpeg", bytes);
-  return read_chosen(file, options);
+StoredImage read_jpeg(const ImageFileFormat& file, const StampOptions& options) {
+  const JpegInfo size = jpeg_size(read_file(file.path));
+  check_stamp_size(file.path.string(), size.width, size.height, size.components, file.size);
+  if (!size.has_end) throw FileError(file.path.string(), "is cut off: the end of the image is missing");
+  ImageFile opened(file);
+  return read_chosen(opened, options);
+}
+
+StoredImage read_exr(const ImageFileFormat& file, const StampOptions& options) {
+  check_exr_header(file.path, file.size);
+  ImageFile opened(file);
+  return read_chosen(opened, options);
 }
 
 }  // namespace
 
 StoredImage read_image(const ImageFileFormat& file, const StampOptions& options) {
-  if (file.name == "tiff") return read_tiff(file.path, file.size, options);
-  if (file.name == "jpeg") return read_jpeg(file.path, file.size, options);
-  check_exr_header(file.path, file.size);
-  ImageFile image(file.path, "openexr", file.size);
-  return read_chosen(image, options);
+  if (file.name == "tiff") return read_tiff(file, options);
+  if (file.name == "jpeg") return read_jpeg(file, options);
+  return read_exr(file, options);
 }
 
 }  // namespace burin

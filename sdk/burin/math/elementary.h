@@ -108,15 +108,18 @@ inline double atan_of_positive(double x) {
 }
 
 }  // namespace detail
+
 /// Of an angle in radians.
 inline double sin(double angle) { return detail::turned_sin(angle, 0); }
 inline double cos(double angle) { return detail::turned_sin(angle, 1); }
+
 /// Of an angle in radians.
 inline double tan(double angle) {
   const detail::Reduced r = detail::reduced(angle);
   const double sine = detail::sin_near_0(r.high, r.low), cosine = detail::cos_near_0(r.high, r.low);
   return r.odd() ? -cosine / sine : sine / cosine;
 }
+
 /// Radians.
 inline double atan(double x) { return std::copysign(detail::atan_of_positive(std::abs(x)), x); }
 
@@ -129,6 +132,7 @@ inline double atan2(double y, double x) {
   const double angle = up == 0 ? 0 : detail::atan_of_positive(quotient);
   return std::copysign(std::signbit(x) ? pi_high - (angle - pi_low) : angle, y);
 }
+
 /// e to the power of x.
 inline double exp(double x) {
   if (!(x < 710)) return x > 0 ? std::numeric_limits<double>::infinity() : x;
@@ -162,6 +166,7 @@ inline double pow(double x, double y) { return y == 0 ? 1 : exp(y * log(x)); }
 
 /// The length of (x, y). The squares of x and y must not overflow or underflow.
 inline double hypot(double x, double y) { return std::sqrt(x * x + y * y); }
+
 /// The same of floats.
 inline float sin(float angle) { return static_cast<float>(sin(double{angle})); }
 inline float cos(float angle) { return static_cast<float>(cos(double{angle})); }

@@ -62,6 +62,7 @@ class TargetDynamics {
 
   /// Selects the dynamics with this target. validation_error() must accept each of them.
   TargetDynamics(std::span<const Dynamic> dynamics, std::string_view target, const DrivenStroke& stroke);
+
   /// Whether nothing drives the target.
   bool empty() const { return dynamics_.empty(); }
 
@@ -99,6 +100,7 @@ class StrokeWidth {
   /// `pressure_width`: 0..1. If the pen reports pressure, the width is 1 - pressure_width * (1 - pressure),
   /// multiplied by the curves of "radius". Each curve and the product are clamped to 0.02..1.
   StrokeWidth(double pressure_width, std::span<const Dynamic> dynamics, const DrivenStroke& stroke);
+
   /// Whether it is other than 1 anywhere.
   bool varies() const { return pressure_width_ > 0 || !dynamics_.empty(); }
   /// A lower bound of the width.

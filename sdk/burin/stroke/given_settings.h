@@ -26,6 +26,7 @@ class GivenSettings {
   const T* find(T Owner::*member) const {
     return given_.contains(offset(member)) ? &(values_.*member) : nullptr;
   }
+
   /// Leaves the setting open.
   template <class T, class Owner>
   void erase(T Owner::*member) {

@@ -71,6 +71,7 @@ struct Stabilising {
 };
 
 // The names of the choices in command lines, suites and recordings.
+
 /// A choice and its name.
 template <class Choice>
 struct Named {

@@ -11,6 +11,7 @@ namespace burin {
 struct Csr {
   std::vector<Index> offsets;
   UnsetVector<Index> items;
+
   /// The entries of a row.
   std::span<const Index> operator[](Index row) const {
     return {items.data() + offsets[row], items.data() + offsets[row + 1]};

@@ -7,6 +7,7 @@
 #include <span>
 
 namespace burin {
+
 /// A ray from a point, object units.
 struct Ray {
   Vec3f origin;

@@ -20,11 +20,13 @@ enum class CreaseMethod {
   uniform,
   chaikin,  ///< averaged along creases whose edges differ in sharpness
 };
+
 /// An edge that refinement keeps sharp.
 struct CreaseEdge {
   Index a, b;
   float sharpness;  ///< 0 = smooth, >= 10 = infinitely sharp
 };
+
 /// A vertex that refinement keeps sharp.
 struct CornerVertex {
   Index vertex;
