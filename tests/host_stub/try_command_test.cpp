@@ -25,14 +25,6 @@ TEST(TryCommand, ShowsWhatParametersChange) {
   EXPECT_NE(read_file(plain), read_file(deep));
 }
 
-// Rays that meet spikes of a thousand radii take a minute: --gtest_also_run_disabled_tests.
-TEST(TryCommand, DISABLED_DrawsScalesWhoseCentreIsFarFromTheirImage) {
-  const CommandFolder folder;
-  const std::string stamp = std::string(BURIN_SAMPLES) + "/stamps/scales.exr";
-  burin_output({"try", "org.burin.scales", "--param", "stamp=" + stamp, "--param", "centre=-65504", "--param",
-                "depth=1", "--png", folder.path("a.png")});
-}
-
 TEST(TryCommand, NamesWhatIsNoBrush) {
   const CommandFolder folder;
   const std::string module =

@@ -343,5 +343,27 @@ TEST(ReplayCommand, WarnsWhenNoStrokeMeetsTheSurface) {
   EXPECT_EQ(result.err, "burin: warning: no stroke meets the surface\n");
 }
 
+/// A middle far from the image's values asks for displacements that the command refuses.
+TEST(ReplayCommand, DrawsStampsWhoseMiddleIsFarFromTheirImage) {
+  const CommandFolder folder;
+  const std::string mesh = folder.write("sphere.obj", obj_text(sphere(4, 0, 1)));
+  const std::string stroke = folder.write("a.stroke", equator_stroke(-0.6, 0.6, 21, "\"radius\":0.2"));
+  const std::string stamps = std::string("stamp=") + BURIN_SAMPLES + "/stamps/";
+  const std::vector<std::string> replay = {"replay", stroke, "--mesh", mesh, "--json"};
+  const auto drawn = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words = replay;
+    words.insert(words.end(), options.begin(), options.end());
+    return burin(words);
+  };
+  for (const char* middle : {"-65504", "65504"}) {
+    const ProcessResult scales = drawn({"--brush", "org.burin.scales", "--param", stamps + "scales.exr",
+                                        "--param", std::string("centre=") + middle, "--param", "depth=1"});
+    EXPECT_EQ(scales.exit_code, 0) << scales.err;
+    const ProcessResult thorns = drawn({"--brush", "org.burin.vdm-trail", "--param", stamps + "thorn.exr",
+                                        "--param", std::string("middle=") + middle, "--param", "amount=1"});
+    EXPECT_EQ(thorns.exit_code, 0) << thorns.err;
+  }
+}
+
 }  // namespace
 }  // namespace burin::test
