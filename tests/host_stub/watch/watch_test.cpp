@@ -90,7 +90,8 @@ TEST_F(Watch, DrawsTheLastStrokeAgainWithTheNewModule) {
             read_file(folder_.path("report/watch_after.png")));
 }
 
-// The solid is of the first stroke, which another brush draws. Takes minutes: --gtest_also_run_disabled_tests.
+// The solid is of the first stroke, which another brush draws. Takes minutes:
+// --gtest_also_run_disabled_tests.
 TEST_F(Watch, DISABLED_ShowsSolidsBesideTheSurface) {
   brush_ = "";
   strokes_ = equator_stroke(-0.6, 0.6, 20, R"("radius":0.2,"brush":"org.burin.tube")") +

@@ -1,0 +1,175 @@
+// Tests TIFF stamps as various programs write them.
+#include <burin/base/file.h>
+#include <burin/stamp/files/stamp_file.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "stamp/files/stamp_files.h"
+
+namespace burin::test {
+namespace {
+
+using TiffFiles = StampFiles;
+
+void white_is_zero(TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISWHITE); }
+
+TEST_F(TiffFiles, HasBlackAsZeroAtEveryDepth) {
+  const auto texels = [&](std::uint16_t bits, const std::string& bytes) {
+    return read_stamp(write_tiff(4, 1, bits, bytes, white_is_zero)).texels;
+  };
+  EXPECT_EQ(texels(1, "\x50"), (std::vector<float>{1, 0, 1, 0}));
+  const std::vector<float> quarters = texels(2, "\x1b");
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_FLOAT_EQ(quarters[i], 1 - static_cast<float>(i) / 3) << i;
+  const std::vector<float> nibbles = texels(4, "\x01\x2f");
+  EXPECT_FLOAT_EQ(nibbles[1], 14 / 15.0f);
+  EXPECT_FLOAT_EQ(nibbles[3], 0);
+  EXPECT_FLOAT_EQ(texels(8, std::string("\0\x33\x66\xff", 4))[1], 0.8f);
+  EXPECT_FLOAT_EQ(texels(16, bytes_of<std::uint16_t>({0, 13107, 1, 65535}))[1], 0.8f);
+  const auto floats = [](TIFF* tiff) {
+    white_is_zero(tiff);
+    TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
+  };
+  const fs::path file = write_tiff(4, 1, 32, bytes_of<float>({0, 0.25f, -1, 3}), floats);
+  expect_near(read_stamp(file).texels, (std::vector<float>{1, 0.75f, 2, -2}));
+}
+
+TEST_F(TiffFiles, HasBlackAsZeroInTilesToo) {
+  const auto tiled = [](TIFF* tiff) {
+    white_is_zero(tiff);
+    TIFFSetField(tiff, TIFFTAG_TILEWIDTH, 16);
+    TIFFSetField(tiff, TIFFTAG_TILELENGTH, 16);
+  };
+  const std::string bytes(256, '\x33');
+  expect_near(read_stamp(write_tiff(16, 16, 8, bytes, tiled)).texels, std::vector<float>(256, 0.8f));
+  const std::string words = bytes_of(std::vector<std::uint16_t>(256, 13107));
+  const std::vector<float> texels = read_stamp(write_tiff(16, 16, 16, words, tiled)).texels;
+  for (const float texel : texels) ASSERT_FLOAT_EQ(texel, 0.8f);
+}
+
+TEST_F(TiffFiles, LeavesOutWhereATiffStandsOnAPage) {
+  const auto offset = [](TIFF* tiff) {
+    TIFFSetField(tiff, TIFFTAG_XPOSITION, 2.0);
+    TIFFSetField(tiff, TIFFTAG_YPOSITION, 1.0);
+    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, 1.0);
+    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, 1.0);
+  };
+  const StampImage image = read_stamp(write_tiff(3, 2, 8, std::string("\0\x33\x66\x99\xcc\xff", 6), offset));
+  EXPECT_EQ(image.width, 3);
+  EXPECT_EQ(image.height, 2);
+  expect_near(image.texels, (std::vector<float>{0, 0.2f, 0.4f, 0.6f, 0.8f, 1}));
+}
+
+/// OpenImageIO gives zeros for strips that do not decode, and no error.
+TEST_F(TiffFiles, RefusesATiffWhoseTexelsDoNotDecode) {
+  const auto packed = [](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE); };
+  std::string ramp;
+  for (int i = 0; i < 256; ++i) ramp += static_cast<char>(i * i);
+  const fs::path file = write_tiff(16, 16, 8, ramp, packed);
+  EXPECT_EQ(complaint(file), "accepted");
+  std::string bytes = read_file(file);
+  constexpr std::size_t within_the_strip = 20;
+  for (std::size_t i = 0; i < 30; ++i) bytes[within_the_strip + i] ^= 0x5a;
+  write_file_whole(file, [&](std::ostream& out) { out << bytes; });
+  EXPECT_EQ(complaint(file),
+            ": is damaged, or compressed in a way that is not read: strip or tile 1 cannot be decoded");
+}
+
+TEST_F(TiffFiles, TurnsATiffUpright) {
+  const auto turned = [](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_RIGHTTOP); };
+  StampFile file;
+  const StampImage image = read_stamp(write_tiff(3, 1, 8, std::string("\0\x33\x66", 3), turned), {}, &file);
+  EXPECT_EQ(image.width, 1);
+  EXPECT_EQ(image.height, 3);
+  expect_near(image.texels, (std::vector<float>{0, 0.2f, 0.4f}));
+  EXPECT_EQ(file.orientation, 6);
+}
+
+constexpr TIFFFieldInfo no_data_field = {TIFFTAG_GDAL_NODATA, -1, -1, TIFF_ASCII,
+                                         FIELD_CUSTOM,        1,  0,  const_cast<char*>("GDALNoDataValue")};
+
+/// Sets the no-data value of a TIFF of floats, as GDAL does.
+std::function<void(TIFF*)> no_data(const char* text, bool floats = true) {
+  return [text, floats](TIFF* tiff) {
+    TIFFMergeFieldInfo(tiff, &no_data_field, 1);
+    TIFFSetField(tiff, TIFFTAG_GDAL_NODATA, text);
+    if (floats) TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
+  };
+}
+
+TEST_F(TiffFiles, FillsWhatHoldsNoDataWhereAskedElseRefusesIt) {
+  const float lowest = std::numeric_limits<float>::lowest();
+  for (const auto& [value, text] : {std::pair{-9999.0f, "-9999"},
+                                    {lowest, "-3.4028234663852886e+38"},
+                                    {lowest, "-3.40282e+38"},
+                                    {0.1f, " 0.1 "},
+                                    {1e-30f, "1e-30"}}) {
+    const fs::path file = write_tiff(3, 1, 32, bytes_of<float>({2, value, 4}), no_data(text));
+    EXPECT_TRUE(complaint(file).starts_with(":channel Y, x 1, y 0: the texel holds no data (")) << text;
+    StampFile described;
+    const StampImage image = read_stamp(file, {.clean = true}, &described);
+    EXPECT_EQ(image.texels, (std::vector<float>{2, 3, 4})) << text;
+    EXPECT_EQ(described.not_finite, 1u);
+  }
+  const fs::path other = write_tiff(2, 1, 32, bytes_of<float>({2, -9999}), no_data("-9998"));
+  EXPECT_EQ(read_stamp(other).texels, (std::vector<float>{2, -9999}));
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const fs::path nan = write_tiff(2, 1, 32, bytes_of<float>({2, none}), no_data("nan"));
+  EXPECT_EQ(read_stamp(nan, {.clean = true}).texels, (std::vector<float>{2, 2}));
+}
+
+TEST_F(TiffFiles, FillsWholeNumbersThatHoldNoData) {
+  const fs::path words =
+      write_tiff(3, 1, 16, bytes_of<std::uint16_t>({100, 32767, 300}), no_data("32767", false));
+  EXPECT_FLOAT_EQ(read_stamp(words, {.clean = true}).texels[1], 200 / 65535.0f);
+  const fs::path bytes = write_tiff(3, 1, 8, "\x0a\xff\x1e", no_data("255", false));
+  EXPECT_FLOAT_EQ(read_stamp(bytes, {.clean = true}).texels[1], 20 / 255.0f);
+}
+
+TEST_F(TiffFiles, ReadsWholeNumbersOf32BitsAndWithASign) {
+  const auto is_signed = [](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_INT); };
+  expect_near(read_stamp(write_tiff(3, 1, 32, bytes_of<std::uint32_t>({0, 858993459, 4294967295}))).texels,
+              {0, 0.2f, 1});
+  expect_near(
+      read_stamp(write_tiff(3, 1, 32, bytes_of<std::int32_t>({-2147483647, 0, 429496730}), is_signed)).texels,
+      {-1, 0, 0.2f});
+  expect_near(
+      read_stamp(write_tiff(3, 1, 16, bytes_of<std::int16_t>({-32767, 8192, 32767}), is_signed)).texels,
+      {-1, 8192 / 32767.0f, 1});
+  const auto lost = [&](TIFF* tiff) {
+    is_signed(tiff);
+    no_data("-32768", false)(tiff);
+  };
+  const fs::path file = write_tiff(3, 1, 16, bytes_of<std::int16_t>({100, -32768, 300}), lost);
+  EXPECT_NE(complaint(file), "accepted");
+  EXPECT_FLOAT_EQ(read_stamp(file, {.clean = true}).texels[1], 200 / 32767.0f);
+}
+
+TEST_F(TiffFiles, LeavesOutMasksAndSmallerCopiesOfATiff) {
+  const fs::path file = path("overviews.tif");
+  const auto kind = [](std::uint32_t number) {
+    return [number](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_SUBFILETYPE, number); };
+  };
+  for (const std::uint32_t second : {FILETYPE_REDUCEDIMAGE, FILETYPE_MASK, 0}) {
+    TIFF* tiff = TIFFOpen(file.c_str(), "w");
+    write_directory(tiff, 2, 1, 8, "\x33\x66");
+    write_directory(tiff, 1, 1, 8, "\x11", kind(second));
+    TIFFClose(tiff);
+    EXPECT_EQ(complaint(file), second ? "accepted" : ": holds several images; a stamp is one");
+    if (second) {
+      expect_near(read_stamp(file).texels, (std::vector<float>{0.2f, 0.4f}));
+    }
+  }
+}
+
+TEST_F(TiffFiles, RefusesColoursThatAreNoNumbers) {
+  const auto lab = [](TIFF* tiff) {
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_CIELAB);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 3);
+  };
+  EXPECT_EQ(complaint(write_tiff(1, 1, 8, "abc", lab)),
+            ": holds colours other than grey and RGB; a stamp is made of numbers");
+}
+
+}  // namespace
+}  // namespace burin::test
