@@ -1,10 +1,11 @@
+// Writes the manual page from the options of the command line.
 #include "man_page.h"
 
 #include <burin/version.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <cctype>
 
 namespace burin {
 namespace {
@@ -48,7 +49,7 @@ std::string usage(const CLI::App& command) {
 std::string type_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t colon = type.find(':');
-  if (colon == type.npos || type[colon - 1] == '[') return type;
+  if (colon == type.npos || colon == 0 || type[colon - 1] == '[') return type;
   const std::string name = type.substr(0, colon), values = type.substr(colon + 1);
   return values.starts_with('{') || values.starts_with(name) ? values : name;
 }

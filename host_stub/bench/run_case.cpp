@@ -18,8 +18,7 @@
 #include "input/radius_fit.h"
 #include "input/stroke_input.h"
 #include "input/suite_params.h"
-#include "pictures/painted.h"
-#include "pictures/render.h"
+#include "pictures/result_picture.h"
 #include "replay/replay_pictures.h"
 #include "report/report_folder.h"
 #include "system/platform.h"
@@ -161,9 +160,8 @@ void CaseRunner::draw_picture(const std::filesystem::path& file) {
   ViewOptions options;
   options.width = 480;
   options.height = 360;
-  const Surface& surface = session_->surface();
-  const Camera camera = replay_view(surface, extent_, recordings_, options);
-  const Picture picture = render(surface, session_->picker(), camera, painted(session_->paint()), progress_);
+  const Camera camera = replay_view(session_->surface(), extent_, recordings_, options);
+  const Picture picture = draw_result(*session_, part_meshes(*session_), camera, progress_);
   make_report_folder(file.parent_path().string());
   write_png(file, picture);
   result_.picture = file;

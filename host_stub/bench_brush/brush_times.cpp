@@ -114,6 +114,7 @@ std::vector<BrushTimes> measure_here(const BrushModules& modules, const validate
     for (const auto& candidate : candidates) candidate->measure(nodes);
     std::ranges::reverse(candidates);
   }
+  if (rounds % 2 != 0) std::ranges::reverse(candidates);
   std::vector<BrushTimes> times;
   for (const auto& candidate : candidates) times.push_back(candidate->times());
   return times;
@@ -161,6 +162,9 @@ std::vector<BrushTimes> measure_brushes(const BrushModules& modules, int rounds)
     if (!children[process].text.empty()) throw FileError(modules.plugin.string(), children[process].text);
     add_times(file_of(process), times);
   }
+  // A stock brush that some processes could not load has no interval.
+  std::erase_if(times,
+                [](const BrushTimes& brush) { return brush.nanoseconds.size() != measuring_processes; });
   return times;
 }
 

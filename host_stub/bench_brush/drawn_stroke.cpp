@@ -10,8 +10,7 @@
 
 #include "input/grid_mesh.h"
 #include "options/view.h"
-#include "pictures/painted.h"
-#include "pictures/render.h"
+#include "pictures/result_picture.h"
 #include "system/console.h"
 
 namespace burin {
@@ -64,7 +63,7 @@ DrawnStroke draw_stroke(const std::filesystem::path& module, const std::string& 
   view.direction = Vec3d(0.2, 0.7, -1);
   const Camera camera = stroke_view(session.surface(), {&curve, 1}, radius, view);
   return {cost.seconds[static_cast<std::size_t>(Stage::evaluate)] / cost.total(),
-          render(session.surface(), session.picker(), camera, painted(session.paint()))};
+          draw_result(session, part_meshes(session), camera)};
 }
 
 }  // namespace burin

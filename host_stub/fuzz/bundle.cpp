@@ -1,3 +1,4 @@
+// Writes what failed as a folder, and reads and draws it again.
 #include "fuzz/bundle.h"
 
 #include <burin/base/file.h>
@@ -11,6 +12,7 @@
 
 #include "fuzz/fuzz_case.h"
 #include "report/report_folder.h"
+#include "system/console.h"
 
 namespace burin {
 namespace fs = std::filesystem;
@@ -52,17 +54,19 @@ void write_bundle(const fs::path& folder, const Bundle& bundle, const fs::path& 
                      {"failure", bundle.failure},
                      {"module", bundle.module.string()},
                      {"settings", bundle.trial.settings}};
-  write_text(folder / description, json.dump(2) + "\n");
+  // The failure may hold bytes of the plugin that are no UTF-8.
+  write_text(folder / description, json_text(json));
 }
 
 Bundle read_bundle(const fs::path& folder) {
   const fs::path path = folder / description;
-  const JsonValue json = JsonValue::read(path);
+  const std::string text = read_file(path);
+  const JsonValue json = JsonValue::parse(text, path.string());
   if (const auto version = json.find("burin_bundle"); !version || version->number() != 1)
     throw FileError(path.string(), "is no bundle that this version reads");
   Bundle bundle{json.member("module").text(), json.member("failure").text(), {}};
   json.member("settings").member("brush").text();
-  bundle.trial.settings = Json::parse(read_file(path))["settings"];
+  bundle.trial.settings = Json::parse(text)["settings"];
   const Recording recording = read_strokes(folder / stroke_file);
   if (recording.strokes.size() != 1)
     throw FileError((folder / stroke_file).string(), "holds other than one stroke");

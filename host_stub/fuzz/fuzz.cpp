@@ -1,12 +1,20 @@
 // Runs random trials in processes of their own, and shrinks the first that fails.
 #include "fuzz/fuzz.h"
 
+#include <burin/base/error.h>
 #include <burin/base/stopwatch.h>
+#include <burin/host/brush_library.h>
+#include <burin/level_set/solid_mesh.h>
+#include <burin/services/stamp_services.h>
 #include <fmt/format.h>
+
+#include <functional>
+#include <string_view>
 
 #include "fuzz/bundle.h"
 #include "fuzz/fuzz_case.h"
 #include "fuzz/shrink.h"
+#include "input/brush_folder.h"
 #include "system/child_tasks.h"
 #include "validate/probe/plugin.h"
 
@@ -63,6 +71,7 @@ class Fuzzer {
       : subject_(subject), options_(options) {}
 
   FuzzResult run() {
+    expect_module_that_loads();
     const Stopwatch watch;
     do run_some();
     while (result_.failure.empty() && watch.elapsed() < 60 * options_.minutes);
@@ -70,6 +79,20 @@ class Fuzzer {
   }
 
  private:
+  /// In a process of its own, since this one loads the module too when a trial has failed.
+  void expect_module_that_loads() const {
+    const ChildResult loaded = run_in_children(1, 1, time_limit, [&](std::size_t) {
+      try {
+        BrushLibrary library(nullptr, stamp_services(read_vdb));
+        load_module(library, subject_.module);
+        return std::string();
+      } catch (const std::exception& error) {
+        return std::string(error.what());
+      }
+    })[0];
+    if (!loaded.text.empty()) throw Error(loaded.text);
+  }
+
   void run_some() {
     const std::size_t first = result_.trials, count = 4 * static_cast<std::size_t>(options_.jobs);
     const auto children = run_in_children(count, options_.jobs, time_limit, [&](std::size_t index) {

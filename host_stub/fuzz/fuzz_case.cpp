@@ -1,8 +1,13 @@
+// Chooses the parameters, the surface and the stroke of a trial by its number.
 #include "fuzz/fuzz_case.h"
+
+#include <burin/math/elementary.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "fuzz/draws.h"
@@ -125,8 +130,8 @@ RecordedStroke random_stroke(const FuzzSurface& surface, Draws& draws) {
     time += draws.between(0.002, 0.02);
     if (draws.once_in(12)) continue;
     heading += draws.between(-bend, bend);
-    u += step * std::cos(heading);
-    v += step * std::sin(heading);
+    u += step * math::cos(heading);
+    v += step * math::sin(heading);
   }
   return stroke;
 }

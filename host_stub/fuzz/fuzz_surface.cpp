@@ -1,3 +1,4 @@
+// Makes the surfaces of trials by formulas.
 #include "fuzz/fuzz_surface.h"
 
 #include <burin/math/elementary.h>

@@ -1,3 +1,4 @@
+// Leaves out and simplifies parts of a failing case as long as it fails [Zeller and Hildebrandt 2002].
 #include "fuzz/shrink.h"
 
 #include <fmt/format.h>

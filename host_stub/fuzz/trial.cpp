@@ -1,3 +1,4 @@
+// Draws a stroke in several ways through a session, which must agree.
 #include "fuzz/trial.h"
 
 #include <burin/base/parallel.h>
@@ -65,6 +66,8 @@ TrialResult run_trial(const std::filesystem::path& module, const std::filesystem
     return {Outcome::broke, error.what()};
   } catch (const Error& error) {
     return {Outcome::refused, error.what()};
+  } catch (const std::exception& error) {
+    return {Outcome::broke, error.what()};
   }
 }
 

@@ -1,3 +1,4 @@
+// Makes a grid of quads, each cut into two triangles.
 #include "input/grid_mesh.h"
 
 namespace burin {

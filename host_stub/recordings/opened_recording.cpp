@@ -1,3 +1,4 @@
+// Tells .stroke files from pen files by their first bytes, and reads either.
 #include "recordings/opened_recording.h"
 
 #include <burin/ink/pen_strokes.h>

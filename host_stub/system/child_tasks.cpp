@@ -1,3 +1,4 @@
+// Runs tasks in forked processes, whose texts come back through pipes.
 #include "system/child_tasks.h"
 
 #include <burin/base/error.h>
@@ -40,7 +41,12 @@ struct Child {
   const int nowhere = open("/dev/null", O_RDWR);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
   if (nowhere > STDERR_FILENO) close(nowhere);
-  const std::string text = " " + task(index);
+  std::string text = " ";
+  try {
+    text += task(index);
+  } catch (...) {
+    _exit(1);
+  }
   const ssize_t written = write(pipe, text.data(), std::min<std::size_t>(text.size(), 4001));
   _exit(written > 0 ? 0 : 1);
 }

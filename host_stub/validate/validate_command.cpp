@@ -117,18 +117,21 @@ void add_validate(CLI::App& app) {
   const auto options = std::make_shared<ValidateOptions>();
   CLI::App& command = *app.add_subcommand("validate", "test whether a plugin keeps to the plugin ABI");
   command.add_option("plugin", options->module, "module to test, NAME.burin")->type_name("FILE");
-  command
-      .add_option("--level", options->level,
-                  "test this level and those below: 1 loads and behaves, 2 the contract, 3 robust, 4 "
-                  "deterministic and "
-                  "bounded (the default), 5 fast, for machines that are not busy")
-      ->check(CLI::Range(1, levels));
+  CLI::Option* level =
+      command
+          .add_option("--level", options->level,
+                      "test this level and those below: 1 loads and behaves, 2 the contract, 3 robust, 4 "
+                      "deterministic and "
+                      "bounded (the default), 5 fast, for machines that are not busy")
+          ->check(CLI::Range(1, levels));
   CLI::Option* only = command.add_option("--only", options->only, "run one check")->type_name("CHECK");
   command.add_option("--seed", options->seed, "seed of what is random, 1 unless given");
   command.add_option("--jobs", options->run.jobs, "checks at a time, 2 unless given")
       ->check(CLI::Range(1, 64));
-  command.add_flag("--in-process", options->run.in_process, "run checks in this process, for a debugger");
-  command.add_flag("--quiet", options->quiet, "print the first failures and the last line only");
+  CLI::Option* in_process =
+      command.add_flag("--in-process", options->run.in_process, "run checks in this process, for a debugger");
+  CLI::Option* quiet =
+      command.add_flag("--quiet", options->quiet, "print the first failures and the last line only");
   CLI::Option* json = command.add_flag("--json", options->json, "write JSON to the standard output");
   CLI::Option* junit =
       command.add_option("--junit", options->junit, "JUnit file to write")->type_name("FILE");
@@ -144,7 +147,8 @@ void add_validate(CLI::App& app) {
               "many minutes, or until one fails")
           ->type_name("MINUTES")
           ->check(positive_number());
-  for (CLI::Option* of_checks : {only, json, junit, badge}) fuzz->excludes(of_checks);
+  for (CLI::Option* of_checks : {level, only, in_process, quiet, json, junit, badge})
+    fuzz->excludes(of_checks);
   command
       .add_option("--bundle", options->bundle,
                   "folder for the stroke, surface and parameters that failed, for `burin replay`; "

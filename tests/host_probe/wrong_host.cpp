@@ -216,7 +216,12 @@ class Gate {
     *static_cast<float*>(page_) = number;
     mprotect(page_, size(), PROT_NONE);
     struct sigaction action {};
-    action.sa_handler = [](int) {
+    action.sa_flags = SA_SIGINFO;
+    action.sa_sigaction = [](int, siginfo_t* fault, void*) {
+      if (fault->si_addr != page_) {
+        signal(SIGSEGV, SIG_DFL);
+        return;
+      }
       reader_waits_ = true;
       while (!open_) sched_yield();
       mprotect(page_, size(), PROT_READ);

@@ -37,7 +37,7 @@ foreach(header ${headers})
   math(EXPR rank "1000 - ${length}")
   list(APPEND ordered "${rank} ${header}")
 endforeach()
-list(SORT ordered)
+list(SORT ordered COMPARE NATURAL)
 list(TRANSFORM ordered REPLACE "^[0-9]+ " "")
 
 # A source includes a header, before it one that the header brings anyhow, before that one that this brings, and so

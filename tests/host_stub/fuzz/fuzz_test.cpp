@@ -11,9 +11,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Fuzzes a plugin until it fails, at most for a minute.
+/// Fuzzes a plugin until it fails, at most for four minutes.
 ProcessResult fuzz(const std::string& module, const std::string& seed, const std::string& bundle) {
-  return burin({"validate", module, "--fuzz", "1", "--seed", seed, "--bundle", bundle});
+  return burin({"validate", module, "--fuzz", "4", "--seed", seed, "--bundle", bundle});
 }
 
 nlohmann::json description(const std::string& bundle) {
@@ -93,7 +93,8 @@ TEST(Fuzz, TriesTheSameWithTheSameSeed) {
 
 TEST(Fuzz, FindsNoFaultWhereThereIsNone) {
   const CommandFolder folder;
-  const ProcessResult result = burin({"validate", bad_plugin("good"), "--fuzz", "0.01"});
+  const ProcessResult result =
+      burin({"validate", bad_plugin("good"), "--fuzz", "0.01", "--bundle", folder.path("bundle")});
   EXPECT_EQ(result.exit_code, 0) << result.out;
   EXPECT_NE(result.out.find(" trials, none failed, "), std::string::npos) << result.out;
 }

@@ -88,7 +88,7 @@ std::vector<CurveOffset> CurveFilter::offsets(const SurfaceCurve& drawn, std::si
   const burin_status status =
       filter_->filter(stroke_->brush(), stroke_->handle(), &context, &stroke_->params(), &abi,
                       {along.data(), 1, 0}, {across.data(), 1, 0}, error.abi());
-  if (status != BURIN_OK) throw Error(fmt::format("{}: {}", id, error.line(status)));
+  if (status != BURIN_OK) throw ContractError(fmt::format("{}: {}", id, error.line(status)));
   const float side = flags & BURIN_STROKE_MIRRORED ? -1.0F : 1.0F;
   std::vector<CurveOffset> offsets;
   const std::size_t wanted = points.size() - first;

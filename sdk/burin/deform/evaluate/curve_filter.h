@@ -21,8 +21,7 @@ class CurveFilter {
   const CurveReach& reach() const { return reach_; }
 
   /// The offsets of the points of a drawn curve from `first` on. `flags`: BURIN_STROKE_FINAL and _MIRRORED,
-  /// where they hold. Throws Error where the brush fails, ContractError for offsets that no point can move
-  /// by.
+  /// where they hold. Throws ContractError where the brush fails, and for offsets that no point can move by.
   std::vector<CurveOffset> offsets(const SurfaceCurve& drawn, std::size_t first, std::uint64_t flags) const;
 
  private:
