@@ -21,18 +21,11 @@ namespace {
 /// A caller's fault, for which C has a status of its own.
 [[noreturn]] void reject(const std::string& what) { throw plugin::Error(what, BURIN_INVALID_ARGUMENT); }
 
-/// The least sizes of structs: those of their first version, by its last member.
-constexpr std::size_t first_options =
-                          offsetof(burin_recorder_options, camera) + sizeof(burin_recorder_options::camera),
-                      first_stroke =
-                          offsetof(burin_recorded_stroke, settings) + sizeof(burin_recorded_stroke::settings),
-                      first_sample =
-                          offsetof(burin_recorded_sample, reserved) + sizeof(burin_recorded_sample::reserved);
-
 /// A copy of a struct that the caller filled. Members that the caller's version does not have are zero.
+/// `has_first`: whether it holds all members of the first version.
 template <class Struct>
-Struct known_members(const Struct* given, std::size_t first_version, const char* name) {
-  if (!given || given->struct_size < first_version) reject(std::string(name) + " is missing or too small");
+Struct known_members(const Struct* given, bool has_first, const char* name) {
+  if (!has_first) reject(std::string(name) + " is missing or too small");
   return plugin::complete(*given);
 }
 
@@ -107,7 +100,7 @@ burin_recorder* burin_recorder_open(const burin_recorder_options* options, burin
   using namespace burin;
   burin_recorder* opened = nullptr;
   called(error, [&] {
-    const burin_recorder_options known = known_members(options, first_options, "options");
+    const burin_recorder_options known = known_members(options, options && BURIN_HAS(options, burin_recorder_options, camera), "options");
     if (!known.path) reject("the path is missing");
     const std::string device = known.device ? known.device : "";
     opened = new burin_recorder{StrokeRecorder(std::filesystem::path(known.path), space_of(known.space),
@@ -122,7 +115,7 @@ burin_status burin_recorder_begin(burin_recorder* recorder, const burin_recorded
   using namespace burin;
   return called(error, [&] {
     check_recorder(recorder);
-    const burin_recorded_stroke known = known_members(stroke, first_stroke, "the stroke");
+    const burin_recorded_stroke known = known_members(stroke, stroke && BURIN_HAS(stroke, burin_recorded_stroke, settings), "the stroke");
     const GivenSettings settings = settings_of(known.settings);
     if (!settings.find(&StrokeSettings::brush) || !settings.find(&StrokeSettings::radius))
       reject("settings lack brush or radius");
@@ -137,7 +130,7 @@ burin_status burin_recorder_add(burin_recorder* recorder, const burin_recorded_s
   using namespace burin;
   return called(error, [&] {
     check_recorder(recorder);
-    const burin_recorded_sample known = known_members(sample, first_sample, "the sample");
+    const burin_recorded_sample known = known_members(sample, sample && BURIN_HAS(sample, burin_recorded_sample, reserved), "the sample");
     recorder->recorder.add(sample_of(known, recorder->fields));
   });
 }

@@ -170,6 +170,7 @@ StoredImage read_chosen(ImageFile& file, const StampOptions& options) {
   };
   expect_size(spec.width, spec.height);
   expect_size(spec.full_width, spec.full_height);
+  if (spec.tile_width > 0) expect_size(spec.tile_width, spec.tile_height);
   StoredImage image;
   image.file = describe(file, part, chosen);
   image.image.width = spec.full_width;

@@ -72,7 +72,11 @@ PenFileText open_pen_file(const std::filesystem::path& path) {
   PenFileText file{path, unpacked_pen_file(path)};
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (file.text.starts_with(byte_order_mark)) file.text.erase(0, byte_order_mark.size());
-  if (auto text = from_utf16(file.text)) file.text = std::move(*text);
+  auto text = from_utf16(file.text);
+  if (text) file.text = std::move(*text);
+  // UTF-8 may be longer than UTF-16.
+  if (text && file.text.size() > most_parsed_bytes)
+    throw FileError(path.string(), "more than 60 MB of XML, JSON or UTF-16");
   return file;
 }
 

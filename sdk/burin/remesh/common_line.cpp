@@ -114,13 +114,15 @@ std::vector<LinePair> pair_lines(const PatchMesh& first, const std::vector<Loop>
                                  const PatchMesh& second, const std::vector<Loop>& second_loops,
                                  double tolerance) {
   std::vector<LinePair> pairs;
+  std::vector<std::vector<Vec3d>> first_points;
+  for (const Loop& loop : first_loops) first_points.push_back(points_of(first, loop));
   std::vector<bool> taken(first_loops.size(), false);
   for (std::size_t j = 0; j < second_loops.size(); ++j) {
     const Loop turned(second_loops[j].rbegin(), second_loops[j].rend());
     const std::vector<Vec3d> points = points_of(second, turned);
     for (std::size_t i = 0; i < first_loops.size(); ++i) {
       if (taken[i]) continue;
-      auto order = along_common_line(points_of(first, first_loops[i]), points, tolerance);
+      auto order = along_common_line(first_points[i], points, tolerance);
       if (!order) continue;
       pairs.push_back({i, j, turned, std::move(*order)});
       taken[i] = true;

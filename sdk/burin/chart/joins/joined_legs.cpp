@@ -10,7 +10,6 @@
 #include <iterator>
 #include <span>
 #include <tuple>
-#include <utility>
 
 namespace burin {
 namespace {
@@ -49,11 +48,8 @@ void JoinedLegs::place(const SurfaceCurve& curve, double unchanged_t, Front& fro
     nodes.insert(nodes.end(), charted_[leg].nodes.begin(), charted_[leg].nodes.end());
   }
   chart_bends(curve, unchanged_t);
-  std::vector<LegNode> of_legs;
-  if (!corners_.empty() && options_.join != Join::overlap) {
-    of_legs = nodes;
-    select_nodes(nodes, curve.closed);
-  }
+  const bool chosen = !corners_.empty() && options_.join != Join::overlap;
+  if (chosen) select_nodes(nodes, curve.closed);
   if (options_.join == Join::smooth) smooth_long_bends(curve, nodes);
   // Joins move coordinates, so some nodes now lie outside the stroke.
   std::erase_if(nodes, [&](const LegNode& node) {
@@ -61,7 +57,7 @@ void JoinedLegs::place(const SurfaceCurve& curve, double unchanged_t, Front& fro
            (options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
   });
   add_bends(curve, nodes);
-  keep_last(curve, std::move(of_legs), nodes);
+  if (chosen) keep_last(curve, nodes);
 }
 
 bool JoinedLegs::is_corner(const Bend& bend) const {
@@ -205,25 +201,25 @@ void JoinedLegs::add_bends(const SurfaceCurve& curve, std::vector<LegNode>& node
 /// The choice at each corner drops the last node of a vertex where several corners lie within the radius and
 /// each prefers a node that the next one drops. A vertex under the pen then keeps the node that is nearest to
 /// its leg.
-void JoinedLegs::keep_last(const SurfaceCurve& curve, std::vector<LegNode> of_legs,
-                           std::vector<LegNode>& nodes) const {
+void JoinedLegs::keep_last(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const {
   const std::vector<Index> held = vertices_of(nodes);
-  std::erase_if(of_legs, [&](const LegNode& node) {
-    return node.distance > node.half_width || std::ranges::binary_search(held, node.vertex) ||
-           (options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
-  });
-  std::ranges::sort(of_legs, {}, [](const LegNode& node) {
+  std::vector<LegNode> last;
+  for (const ChartedLeg& leg : charted_)
+    std::ranges::copy_if(leg.nodes, std::back_inserter(last), [&](const LegNode& node) {
+      return node.distance <= node.half_width && !std::ranges::binary_search(held, node.vertex) &&
+             !(options_.cap == Cap::butt && beyond_end(node.frame.t, curve));
+    });
+  std::ranges::sort(last, {}, [](const LegNode& node) {
     return std::tuple(node.vertex, node.distance, node.leg, node.frame.t);
   });
-  const auto others = std::ranges::unique(of_legs, {}, &LegNode::vertex);
-  of_legs.erase(others.begin(), others.end());
-  nodes.insert(nodes.end(), of_legs.begin(), of_legs.end());
+  const auto others = std::ranges::unique(last, {}, &LegNode::vertex);
+  last.erase(others.begin(), others.end());
+  nodes.insert(nodes.end(), last.begin(), last.end());
 }
 
 /// At each corner a vertex keeps the node of the leg on whose side of the bisector it lies, which is the node
 /// that reaches less far beyond the corner.
 void JoinedLegs::select_nodes(std::vector<LegNode>& nodes, bool closed) const {
-  if (corners_.empty()) return;
   std::ranges::sort(nodes, {}, [](const LegNode& n) { return std::tuple(n.vertex, n.leg, n.frame.t); });
   const double near = 4 * options_.radius;
   const auto keeps = [&](const LegNode& node, std::size_t first, std::size_t last, const Corner* corner,

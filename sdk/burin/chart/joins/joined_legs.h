@@ -52,7 +52,7 @@ class JoinedLegs {
  private:
   struct Leg {
     double begin = 0, end = 0;  ///< arc lengths on the stroke
-    Extensions reach;           ///< how far it continues beyond them, to the outer ends of mitered corners
+    Extensions reach;           ///< how far it continues beyond them, around smooth and mitered corners
     bool corner_before = false, corner_after = false;
     bool operator==(const Leg&) const = default;
   };
@@ -72,7 +72,7 @@ class JoinedLegs {
   ChartedLeg chart_with(Front& front, const SurfaceCurve& part, const Leg& now);
   void add_bends(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const;
   void select_nodes(std::vector<LegNode>& nodes, bool closed) const;
-  void keep_last(const SurfaceCurve& curve, std::vector<LegNode> of_legs, std::vector<LegNode>& nodes) const;
+  void keep_last(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const;
   void smooth_corner(LegNode& node, const Corner& corner, bool first_leg) const;
   const Corner* corner_after(std::size_t leg, bool closed) const;
   const Corner* corner_before(std::size_t leg, bool closed) const;

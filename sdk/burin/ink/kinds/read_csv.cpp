@@ -230,6 +230,7 @@ PenFile read_csv(const PenFileText& file) {
     if (named.empty()) {
       named = header_columns(line);
       separator = separator_of(line);
+      if (named.empty() && !line.starts_with(comment_mark)) throw Error("names no columns x and y");
     } else if (!line.starts_with(comment_mark)) {
       rows.take(row_of(line, separator, named));
     }

@@ -89,7 +89,10 @@ void read_lists(const JsonValue& lists, PenStroke& stroke) {
 }
 
 std::optional<JsonValue> points_of(const JsonValue& stroke) {
-  if (stroke.is_array()) return stroke;
+  if (stroke.is_array()) {
+    const bool of_points = stroke.size() > 0 && stroke.items().front().is_object();
+    return of_points ? std::optional(stroke) : std::nullopt;
+  }
   return stroke.is_object() ? any_of(stroke, {"pointers", "points"}) : std::nullopt;
 }
 

@@ -31,13 +31,14 @@ bool turns_back(const std::vector<Sample>& samples, std::size_t i, const Vec3d& 
   return reached.dot(way) < most_cosine * reached.norm() * way.norm();
 }
 
-/// The number of samples at the beginning that are a hook; `way`: of the whole stroke. The turn must be
+/// The number of samples at the beginning that are a hook; `way` and `usual`: length and median step of the
+/// whole stroke. The turn must be
 /// sharp, near the hook and at its own length: a way that bends back later is drawn on purpose.
-std::size_t hook_at_start(const std::vector<Sample>& samples, double way) {
+std::size_t hook_at_start(const std::vector<Sample>& samples, double way, double usual) {
   constexpr std::size_t longest = 6, least_samples = 4 * longest;
   constexpr double least_share = 30, straight = 1.2;
   if (samples.size() < least_samples) return 0;
-  const double shortest = median_step(samples) / 2;  // less is the tremble of a pen that rests
+  const double shortest = usual / 2;  // less is the tremble of a pen that rests
   std::size_t hook = 0;
   double gone = 0;
   for (std::size_t i = 1; i <= longest; ++i) {
@@ -71,10 +72,10 @@ void remove_wild_samples(RecordedStroke& stroke, MendLog& log) {
 
 void remove_hooks(RecordedStroke& stroke, MendLog& log) {
   std::vector<Sample>& samples = stroke.samples;
-  const double way = drawn_length(samples);
-  const std::size_t at_start = hook_at_start(samples, way);
+  const double way = drawn_length(samples), usual = median_step(samples);
+  const std::size_t at_start = hook_at_start(samples, way, usual);
   std::ranges::reverse(samples);
-  const std::size_t at_end = hook_at_start(samples, way);
+  const std::size_t at_end = hook_at_start(samples, way, usual);
   std::ranges::reverse(samples);
   if (at_end > 0)
     log.add(samples.size() - at_end + 1, samples.size(), "a hook of the pen that lifts; left out");

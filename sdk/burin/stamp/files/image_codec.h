@@ -25,7 +25,7 @@ struct ImageCodec {
 };
 
 /// A program links one of two definitions: that in `image_codec`, which is linked to OpenImageIO, or that in
-/// `image_module`, which loads the library at the first call. Throws Error if it cannot be loaded.
+/// `image_module`, which loads the library at the first call. Throws FileError if it cannot be loaded.
 const ImageCodec& image_codec();
 
 }  // namespace burin

@@ -85,9 +85,15 @@ bool CurveGround::connects(const Point& from, const Point& to, double radius) co
   const auto is_near_surface = [this](const Vec3f& point, float reach) {
     return picker_->closest(point, reach).has_value();
   };
+  // Farther than this apart no samples lie on two sides of one groove.
+  const double farthest = 4 * radius;
+  const auto are_joined = [&] {
+    const double apart = static_cast<double>((to.on_surface.position - from.on_surface.position).norm());
+    return apart <= farthest && has_path_near_chord(*surface_, from.on_surface, to.on_surface, radius / 2);
+  };
   return (base_ && runs_near(from.at.position, to.at.position, scale(), is_near_base)) ||
          runs_near(from.on_surface.position, to.on_surface.position, scale(), is_near_surface) ||
-         has_path_near_chord(*surface_, from.on_surface, to.on_surface, radius / 2);
+         are_joined();
 }
 
 CurveGround::Point CurveGround::on_base(Index near, const Vec3f& point) const {

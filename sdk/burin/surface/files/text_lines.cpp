@@ -24,7 +24,7 @@ std::from_chars_result read_whole(std::string_view word, Number& value) {
 /// Returns nothing for other words.
 std::optional<double> written_on_windows(std::string_view word) {
   const bool negative = word.starts_with('-');
-  if (negative) word.remove_prefix(1);
+  if (negative || word.starts_with('+')) word.remove_prefix(1);
   constexpr std::string_view start = "1.#";
   if (!word.starts_with(start)) return std::nullopt;
   word.remove_prefix(start.size());

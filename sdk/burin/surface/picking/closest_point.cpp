@@ -21,13 +21,6 @@ Corners corners_of(const Surface& surface, Index triangle) {
 /// Barycentric interpolation, exact at the corners.
 Vec3d blend(const Corners& t, double u, double v) { return (1 - u - v) * t.a + u * t.b + v * t.c; }
 
-/// The parameter, from 0 at a to 1 at b, of the segment's point closest to p.
-double closest_share(const Vec3d& a, const Vec3d& b, const Vec3d& p) {
-  const Vec3d edge = b - a;
-  const double square = edge.squaredNorm();
-  return square > 0 ? std::clamp((p - a).dot(edge) / square, 0.0, 1.0) : 0;
-}
-
 TrianglePoint point_at(const Corners& t, const Vec3d& query, double u, double v) {
   const Vec3d position = blend(t, u, v);
   return {u, v, position, (position - query).squaredNorm()};

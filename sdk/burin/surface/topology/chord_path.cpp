@@ -1,6 +1,7 @@
 // Searches the edges near a chord depth first. A path over triangles crosses edges, and each of them has a
 // vertex in common with the next one, so that the search goes from near edges to near edges at their
 // vertices.
+#include <burin/surface/geometry/closest_share.h>
 #include <burin/surface/topology/chord_path.h>
 
 #include <algorithm>
@@ -18,11 +19,8 @@ struct Segment {
 
 Segment segment(const Vec3f& from, const Vec3f& to) { return {from.cast<double>(), to.cast<double>()}; }
 
-/// The parameter of the point of a segment, 0 to 1, that is closest to a position.
 double closest(const Segment& segment, const Vec3d& position) {
-  const Vec3d along = segment.to - segment.from;
-  const double squared = along.squaredNorm();
-  return squared > 0 ? std::clamp((position - segment.from).dot(along) / squared, 0.0, 1.0) : 0;
+  return closest_share(segment.from, segment.to, position);
 }
 
 Vec3d at(const Segment& segment, double s) { return segment.from + s * (segment.to - segment.from); }
