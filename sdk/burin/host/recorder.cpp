@@ -100,7 +100,8 @@ burin_recorder* burin_recorder_open(const burin_recorder_options* options, burin
   using namespace burin;
   burin_recorder* opened = nullptr;
   called(error, [&] {
-    const burin_recorder_options known = known_members(options, options && BURIN_HAS(options, burin_recorder_options, camera), "options");
+    const burin_recorder_options known =
+        known_members(options, options && BURIN_HAS(options, burin_recorder_options, camera), "options");
     if (!known.path) reject("the path is missing");
     const std::string device = known.device ? known.device : "";
     opened = new burin_recorder{StrokeRecorder(std::filesystem::path(known.path), space_of(known.space),
@@ -115,7 +116,8 @@ burin_status burin_recorder_begin(burin_recorder* recorder, const burin_recorded
   using namespace burin;
   return called(error, [&] {
     check_recorder(recorder);
-    const burin_recorded_stroke known = known_members(stroke, stroke && BURIN_HAS(stroke, burin_recorded_stroke, settings), "the stroke");
+    const burin_recorded_stroke known =
+        known_members(stroke, stroke && BURIN_HAS(stroke, burin_recorded_stroke, settings), "the stroke");
     const GivenSettings settings = settings_of(known.settings);
     if (!settings.find(&StrokeSettings::brush) || !settings.find(&StrokeSettings::radius))
       reject("settings lack brush or radius");
@@ -130,7 +132,8 @@ burin_status burin_recorder_add(burin_recorder* recorder, const burin_recorded_s
   using namespace burin;
   return called(error, [&] {
     check_recorder(recorder);
-    const burin_recorded_sample known = known_members(sample, sample && BURIN_HAS(sample, burin_recorded_sample, reserved), "the sample");
+    const burin_recorded_sample known =
+        known_members(sample, sample && BURIN_HAS(sample, burin_recorded_sample, reserved), "the sample");
     recorder->recorder.add(sample_of(known, recorder->fields));
   });
 }

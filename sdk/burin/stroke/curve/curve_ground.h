@@ -36,9 +36,9 @@ class CurveGround {
   /// Whether a pen whose brush has this radius (object units) can move from one point to the other without
   /// leaving the ground. Three points of the chord must be within a quarter of its length of the ground.
   /// Failing that, the same must hold for the chord between the points of the surface itself, since relief as
-  /// wide as the brush makes the base surface ragged. Failing that too, points at most four radii apart may be
-  /// joined by a path over the surface within half the radius of the chord, since the pen may go from one side
-  /// of a groove to the other with one sample. Both points must have their point of the surface.
+  /// wide as the brush makes the base surface ragged. Failing that too, points at most four radii apart may
+  /// be joined by a path over the surface within half the radius of the chord, since the pen may go from one
+  /// side of a groove to the other with one sample. Both points must have their point of the surface.
   bool connects(const Point& from, const Point& to, double radius) const;
 
   /// The point of the ground closest to a point, found by a search that starts at `near`. Returns nothing if

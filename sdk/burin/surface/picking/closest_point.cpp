@@ -1,5 +1,6 @@
 // Computes closest points of triangles in doubles, by the Voronoi regions of corners and edges [Ericson
 // 2005].
+#include <burin/surface/geometry/closest_share.h>
 #include <burin/surface/picking/closest_point.h>
 
 #include <Eigen/Geometry>
