@@ -149,7 +149,9 @@ void JoinedLegs::chart(const SurfaceCurve& curve, std::size_t leg, const Leg& no
     });
 }
 
-/// Charts a part of the stroke by a front that was restarted for it or holds a chart of it.
+/// Charts a part of the stroke by a front that was restarted for it or holds a chart of it. Discs that are
+/// widened for extensions let false frames pass where the surface folds, so nodes are held against discs of
+/// the usual size.
 JoinedLegs::ChartedLeg JoinedLegs::chart_with(Front& front, const SurfaceCurve& part, const Leg& now) {
   front.update(part);
   settled_ += front.settled();
@@ -160,7 +162,10 @@ JoinedLegs::ChartedLeg JoinedLegs::chart_with(Front& front, const SurfaceCurve& 
   for (const FrontNode* node : inside[0]) {
     ChartFrame frame = node->frame;
     const double half_width = front.half_width(frame.t);
-    const double distance = front.stroke().path.chart_distance(frame.t, static_cast<double>(frame.d));
+    const StrokePath& path = front.stroke().path;
+    const double distance = path.chart_distance(frame.t, static_cast<double>(frame.d));
+    const double excess = path.excess(frame.t, static_cast<double>(frame.d), node->position);
+    if (distance + excess > disc_over_width * std::max(distance, half_width)) continue;
     frame.t += now.begin;
     charted.nodes.push_back({node->vertex(), 0, frame, half_width, distance});
   }
@@ -253,17 +258,22 @@ void JoinedLegs::select_nodes(std::vector<LegNode>& nodes, bool closed) const {
   nodes = std::move(kept);
 }
 
-/// The circle around a smooth corner may leave out places that lie within the radius of the bend itself. They
-/// keep their distance from the bend.
+/// Within the bend of a smooth corner the distance and e1 are the bend's own: the circle around the point
+/// where the continued legs meet lies off a bend that is rounded. Its far side, which no node of the bend
+/// reaches, keeps the distance from the end of the leg and is outside of the stroke.
 void JoinedLegs::smooth_corner(LegNode& node, const Corner& corner, bool first_leg) const {
+  const ChartedLeg& leg = charted_[node.leg];
+  const double beyond = first_leg ? node.frame.t - leg.leg.end : leg.leg.begin - node.frame.t;
   node.frame = smoothed(corner, first_leg, node.frame, ground_[node.vertex].normal);
-  const double left_out = static_cast<double>(std::abs(node.frame.d));
-  if (left_out <= node.half_width) return;
+  if (beyond <= 0) return;
   const ChartedLeg& bend = charted_bends_[static_cast<std::size_t>(&corner - corners_.data())];
-  double nearest = left_out;
-  for (const LegNode& of_bend : std::ranges::equal_range(bend.nodes, node.vertex, {}, &LegNode::vertex))
-    nearest = std::min(nearest, of_bend.distance);
-  node.frame.d = std::copysign(static_cast<float>(nearest), node.frame.d);
+  double distance = node.distance;
+  for (const LegNode& of_bend : std::ranges::equal_range(bend.nodes, node.vertex, {}, &LegNode::vertex)) {
+    if (of_bend.distance >= distance) continue;
+    distance = of_bend.distance;
+    node.frame.e1 = of_bend.frame.e1;
+  }
+  node.frame.d = std::copysign(static_cast<float>(distance), node.frame.d);
 }
 
 void JoinedLegs::smooth_long_bends(const SurfaceCurve& curve, std::vector<LegNode>& nodes) const {

@@ -12,9 +12,6 @@
 namespace burin {
 namespace {
 
-/// Radius of a sample's disc, in half widths of the stroke there.
-constexpr double disc_over_width = 1.25;
-
 /// The factor by which the disc around the sample at t must grow to hold the corners of the extensions.
 double widening(const Extensions& extensions, double t, double length, double radius) {
   double widest = 1;

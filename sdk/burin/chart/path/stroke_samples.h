@@ -15,9 +15,11 @@ struct Extensions {
   bool operator==(const Extensions&) const = default;
 };
 
-/// Evenly spaced points of a stroke that distinguish its visits to a vertex. Each sample has a disc of 1.25
-/// times the stroke's half width; samples are an eighth of the radius apart [Schmidt 2013, section 4.1:
-/// "slide a geodesic disc along S"].
+/// Radius of a sample's disc, in half widths of the stroke there.
+inline constexpr double disc_over_width = 1.25;
+
+/// Evenly spaced points of a stroke that distinguish its visits to a vertex. Each sample has a disc, and
+/// samples are an eighth of the radius apart [Schmidt 2013, section 4.1: "slide a geodesic disc along S"].
 class StrokeSamples {
  public:
   /// The largest distance between samples of a stroke of this radius, object units, unless update() is given
