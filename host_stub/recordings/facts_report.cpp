@@ -54,6 +54,7 @@ Json facts_json(const std::string& path, const PenFile& file) {
                {"pages", facts.pages},
                {"layers", facts.layers},
                {"hovering", file.hovering},
+               {"not_used", file.not_used},
                {"samples_per_stroke", {facts.shortest, facts.median_length, facts.longest}},
                {"duplicates", facts.duplicates},
                {"x", json_of(facts.x)},
@@ -86,7 +87,10 @@ std::string facts_text(const std::string& path, const PenFile& file) {
   if (facts.samples == 0) return text;
   text += fmt::format("  x {:.6g} to {:.6g}, y {:.6g} to {:.6g} {}\n", facts.x->least, facts.x->most,
                       facts.y->least, facts.y->most, file.unit.empty() ? "of an unknown unit" : file.unit);
-  return text + time_text(facts) + pressure_text(facts) + tilt_text(facts);
+  text += time_text(facts) + pressure_text(facts) + tilt_text(facts);
+  return file.not_used.empty()
+             ? text
+             : text + fmt::format("  not used: the columns {}\n", fmt::join(file.not_used, ", "));
 }
 
 }  // namespace burin::command

@@ -32,6 +32,7 @@ struct PenFile {
   std::string unit;          ///< of positions: "mm", "px", "pt" (1/72 inch), "dm"; empty if unknown
   double millimetres = 0;    ///< that a unit stands for; 0 if unknown
   std::size_t hovering = 0;  ///< samples left out since the pen did not touch
+  std::vector<std::string> not_used;  ///< names of the columns that are not known, in the file's order
   std::vector<PenStroke> strokes;
 };
 

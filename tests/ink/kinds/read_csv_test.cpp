@@ -20,6 +20,7 @@ TEST(ReadCsv, TakesColumnsByTheirNames) {
   EXPECT_EQ(places(file.strokes[1]), "8 7");
   EXPECT_EQ(places(file.strokes[2]), "9 9");
   EXPECT_EQ(file.hovering, 1u);
+  EXPECT_EQ(file.not_used, std::vector<std::string>{"note"});
 }
 
 TEST(ReadCsv, LeavesOutComments) {

@@ -50,12 +50,14 @@ TEST(ReadStl, ReadsTextAsProgramsWriteIt) {
     return read_mesh(MeshFile("a.stl", content).path()).face_vertices;
   };
   const std::vector<Index> expected = {0, 1, 2};
-  std::string upper = text_solid, one_line = text_solid, infinite = text_solid, cr = text_solid;
+  std::string upper = text_solid, one_line = text_solid, infinite = text_solid, cr = text_solid,
+              broken = text_solid;
   for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   one_line.replace(one_line.find("outer loop\n"), 11, "outer loop ");
   infinite.replace(infinite.find("0 0 1"), 5, "-1.#IND nan 1.#QNAN");
   std::ranges::replace(cr, '\n', '\r');
-  for (const std::string& text : {upper, one_line, infinite, cr, "\xef\xbb\xbf \n" + text_solid})
+  broken.replace(broken.find("normal 0 0 1"), 12, "normal\n0 0\n1");
+  for (const std::string& text : {upper, one_line, infinite, cr, broken, "\xef\xbb\xbf \n" + text_solid})
     EXPECT_EQ(vertices(text), expected) << text;
   EXPECT_EQ(vertices(text_solid + text_solid).size(), 6u);
 }

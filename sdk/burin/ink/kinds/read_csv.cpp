@@ -81,13 +81,13 @@ void for_each_cell(std::string_view line, char separator, const Take& take) {
   }
 }
 
-/// The columns that a first line names.
+/// The columns that a first line names, which must outlive them.
 std::vector<Column> columns_of(std::string_view header) {
   std::vector<Column> named;
   for_each_cell(header, separator_of(header), [&](std::string_view cell, std::size_t) {
     const std::string name = in_lower_case(std::string(cell));
     const auto found = std::ranges::find(columns, name, &Column::name);
-    named.push_back(found == columns.end() ? Column{{}, Cell::unknown, 1} : *found);
+    named.push_back(found == columns.end() ? Column{cell, Cell::unknown, 1} : *found);
   });
   return named;
 }
@@ -235,7 +235,10 @@ PenFile read_csv(const PenFileText& file) {
       rows.take(row_of(line, separator, named));
     }
   });
-  return rows.finish();
+  PenFile content = rows.finish();
+  for (const Column& column : named)
+    if (column.cell == Cell::unknown) content.not_used.emplace_back(column.name);
+  return content;
 }
 
 }  // namespace burin

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 namespace burin {
 namespace {
@@ -13,11 +14,13 @@ namespace {
 constexpr const char* names[] = {"red",       "green",    "blue",      "alpha", "ink_red",
                                  "ink_green", "ink_blue", "ink_alpha", "mask"};
 
-/// The name of a colour channel in files of older programs.
-constexpr std::string_view older_prefix = "diffuse_";
-
+/// Older programs write colour channels as "diffuse_red".
 std::string_view without_prefix(std::string_view name) {
-  return name.starts_with(older_prefix) ? name.substr(older_prefix.size()) : name;
+  constexpr std::string_view older_prefix = "diffuse_";
+  if (!name.starts_with(older_prefix)) return name;
+  const std::string_view channel = name.substr(older_prefix.size());
+  const auto channels = std::span(names).first(4);
+  return std::ranges::find(channels, channel) == channels.end() ? name : channel;
 }
 
 bool has(const PlyElement& element, std::string_view name) {

@@ -92,10 +92,16 @@ class TextReader {
   /// Processes a word and removes its arguments from the rest of the line.
   void read_word(std::string_view word, std::string_view& rest) {
     const std::string key = in_lower_case(std::string(word));
+    if (key == "outer") normal_words_ = 0;
+    if (normal_words_ > 0) return static_cast<void>(--normal_words_);
     if (key == "vertex") return read_vertex(rest);
     if (key == "endloop") return end_loop();
-    if (key == "outer" || key == "endfacet") return skip(key == "outer" ? 1 : 0, rest);
-    if (key == "facet") return skip(4, rest);
+    if (key == "outer") return static_cast<void>(next_word(rest));
+    if (key == "endfacet") return;
+    if (key == "facet") {
+      normal_words_ = 4;
+      return;
+    }
     if (key == "solid" || key == "endsolid") {
       in_solid_ = key == "solid";
       rest = {};
@@ -107,10 +113,6 @@ class TextReader {
       return;
     }
     fail(fmt::format("{} is not a word of an STL file", quoted_word(word)));
-  }
-
-  static void skip(int words, std::string_view& rest) {
-    while (words-- > 0) next_word(rest);
   }
 
   void read_vertex(std::string_view& rest) {
@@ -131,7 +133,8 @@ class TextReader {
   FileMesh file_;
   UnusedCount unused_;
   bool in_solid_ = false;
-  Index corners_ = 0;  ///< number of corners of the loop that is being read
+  int normal_words_ = 0;  ///< number of words to skip: "normal" and three numbers, on one line or several
+  Index corners_ = 0;     ///< number of corners of the loop that is being read
 };
 
 FileMesh read_soup(std::string_view bytes, const std::filesystem::path& path) {
