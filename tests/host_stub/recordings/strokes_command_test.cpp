@@ -22,7 +22,7 @@ const char* const csv =
 
 TEST(StrokesCommand, TellsWhatFilesHold) {
   const CommandFolder folder;
-  const std::string a = folder.write("a", csv), b = folder.write("b", "x,y\n1,2\n3,4\n");
+  const std::string a = folder.write("a", csv), b = folder.write("b", "x,y,timestamp\n1,2,9\n3,4,9\n");
   const auto json = burin_json({"strokes", a, b});
   ASSERT_EQ(json.size(), 2u);
   EXPECT_EQ(json[0]["file"], a);
@@ -44,9 +44,11 @@ TEST(StrokesCommand, TellsWhatFilesHold) {
   EXPECT_EQ(json[1]["time"], nullptr);
   EXPECT_EQ(json[1]["pressure"], nullptr);
   EXPECT_EQ(json[1]["samples"], 2);
+  EXPECT_EQ(json[1]["not_used"], nlohmann::json({"timestamp"}));
   const std::string text = burin_output({"strokes", a, b});
   EXPECT_NE(text.find(a + ": csv, 2 strokes, 7 samples"), text.npos) << text;
   EXPECT_NE(text.find("no time"), text.npos) << text;
+  EXPECT_NE(text.find("not used: the columns timestamp\n"), text.npos) << text;
 }
 
 TEST(StrokesCommand, RefusesWhatIsNoPenFile) {
