@@ -21,6 +21,8 @@ std::string version(int number) {
   return read_file(fs::path(BURIN_RELOADED_BRUSHES) / ("reloaded_" + std::to_string(number) + ".burin"));
 }
 
+const std::string small_pictures = "--width 200 --height 150 ";
+
 std::size_t count_of(const std::string& part, const std::string& text) {
   std::size_t count = 0;
   for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
@@ -77,7 +79,7 @@ class Watch : public ::testing::Test {
 };
 
 TEST_F(Watch, DrawsTheLastStrokeAgainWithTheNewModule) {
-  start(1, "--report " + folder_.path("report"));
+  start(1, small_pictures + "--report " + folder_.path("report"));
   write(version(2));
   finish();
   const std::string out = read_file(out_);
@@ -90,9 +92,8 @@ TEST_F(Watch, DrawsTheLastStrokeAgainWithTheNewModule) {
             read_file(folder_.path("report/watch_after.png")));
 }
 
-// The solid is of the first stroke, which another brush draws. Takes minutes:
-// --gtest_also_run_disabled_tests.
-TEST_F(Watch, DISABLED_ShowsSolidsBesideTheSurface) {
+// The solid is of the first stroke, which another brush draws.
+TEST_F(Watch, ShowsSolidsBesideTheSurface) {
   brush_ = "";
   strokes_ = equator_stroke(-0.6, 0.6, 20, R"("radius":0.2,"brush":"org.burin.tube")") +
              equator_stroke_lines(-0.6, 0.6, 20, R"("radius":0.2,"brush":"org.burin.test.reloaded")");
@@ -100,7 +101,7 @@ TEST_F(Watch, DISABLED_ShowsSolidsBesideTheSurface) {
   for (const char* solid : {"none", "separate"}) {
     write(version(1));
     out_ = folder_.path(std::string(solid) + ".txt");
-    start(1, "--solid " + std::string(solid) + " --report " + folder_.path(solid));
+    start(1, small_pictures + "--solid " + solid + " --report " + folder_.path(solid));
     write(version(2));
     finish();
     pictures.insert(read_file(folder_.path(solid + std::string("/watch_after.png"))));
