@@ -27,11 +27,11 @@ struct PenStroke {
 
 /// What a pen file holds: the samples as recorded, in the order of the file.
 struct PenFile {
-  std::string_view kind;     ///< PenFileKind::name
-  std::string device;        ///< as the file names it; empty if it does not
-  std::string unit;          ///< of positions: "mm", "px", "pt" (1/72 inch), "dm"; empty if unknown
-  double millimetres = 0;    ///< that a unit stands for; 0 if unknown
-  std::size_t hovering = 0;  ///< samples left out since the pen did not touch
+  std::string_view kind;              ///< PenFileKind::name
+  std::string device;                 ///< as the file names it; empty if it does not
+  std::string unit;                   ///< of positions: "mm", "px", "pt" (1/72 inch), "dm"; empty if unknown
+  double millimetres = 0;             ///< that a unit stands for; 0 if unknown
+  std::size_t hovering = 0;           ///< samples left out since the pen did not touch
   std::vector<std::string> not_used;  ///< names of the columns that are not known, in the file's order
   std::vector<PenStroke> strokes;
 };
