@@ -24,16 +24,19 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// The member of the first of these names that a value has.
-std::optional<JsonValue> any_of(const JsonValue& value, std::initializer_list<const char*> names) {
-  for (const char* name : names)
+/// The member of the first of these names that a value has; null names are none.
+template <std::size_t count>
+std::optional<JsonValue> any_of(const JsonValue& value, const std::array<const char*, count>& names) {
+  for (const char* name : names) {
+    if (name == nullptr) continue;
     if (auto found = value.find(name)) return found;
+  }
   return std::nullopt;
 }
 
 /// Values of one channel: of the points, or of the stroke as a list.
 struct Channel {
-  std::initializer_list<const char*> names;
+  std::array<const char*, 4> names;
   void (*set)(Sample& sample, double value);
   bool PenFields::*field;
 };
@@ -93,7 +96,7 @@ std::optional<JsonValue> points_of(const JsonValue& stroke) {
     const bool of_points = stroke.size() > 0 && stroke.items().front().is_object();
     return of_points ? std::optional(stroke) : std::nullopt;
   }
-  return stroke.is_object() ? any_of(stroke, {"pointers", "points"}) : std::nullopt;
+  return stroke.is_object() ? any_of(stroke, std::array{"pointers", "points"}) : std::nullopt;
 }
 
 /// Takes the strokes of a list; shapes without points may stand between.
