@@ -37,17 +37,16 @@ std::optional<SurfaceCurve> viewed_stroke(const Surface& surface, const Picker& 
   const CurveGround ground(surface, picker);
   CurveTracer tracer(ground, radius);
   std::optional<CurveGround::Point> before;
-  const auto follows = [&](const CurveGround::Point& point) {
-    // Without a radius no path over a fold joins two points.
-    return !before || ground.connects(*before, point, 0);
-  };
   std::size_t count = 0;
   for (const Vec2d& sample : in_radii) {
     const Vec2f at = (radius * sample).cast<float>();
     const auto hit = picker.pick({above + at.x() * right + at.y() * up, -n});
-    if (!hit || normal_at(surface, *hit).dot(n) <= 0 || !follows(ground.point(*hit))) break;
-    before = ground.point(*hit);
-    tracer.add(*before, static_cast<double>(count) / 240, {});
+    if (!hit || normal_at(surface, *hit).dot(n) <= 0) break;
+    const CurveGround::Point point = ground.point(*hit);
+    // Without a radius no path over a fold joins two points.
+    if (before && !ground.connects(*before, point, 0)) break;
+    tracer.add(point, static_cast<double>(count) / 240, {});
+    before = point;
     ++count;
   }
   if (2 * count < in_radii.size() || leaves_surface(surface, tracer.curve())) return std::nullopt;

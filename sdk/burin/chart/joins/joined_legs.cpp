@@ -26,6 +26,13 @@ std::vector<Index> vertices_of(const std::vector<LegNode>& nodes) {
   return vertices;
 }
 
+/// Whether a node lies outside of the disc, of the usual size, around its foot. The discs of extended legs
+/// are wider and let false frames pass where the surface folds.
+bool outside_disc(const StrokePath& path, const FrontNode& node, double half_width) {
+  const double t = node.frame.t, d = static_cast<double>(node.frame.d);
+  return path.chart_distance(t, d) + path.excess(t, d, node.position) > disc_over_width * half_width;
+}
+
 }  // namespace
 
 void JoinedLegs::begin(const ChartOptions& options) {
@@ -149,14 +156,13 @@ void JoinedLegs::chart(const SurfaceCurve& curve, std::size_t leg, const Leg& no
     });
 }
 
-/// Charts a part of the stroke by a front that was restarted for it or holds a chart of it. Discs that are
-/// widened for extensions let false frames pass where the surface folds, so nodes are held against discs of
-/// the usual size.
+/// Charts a part of the stroke by a front that was restarted for it or holds a chart of it.
 JoinedLegs::ChartedLeg JoinedLegs::chart_with(Front& front, const SurfaceCurve& part, const Leg& now) {
   front.update(part);
   settled_ += front.settled();
   pushes_ += front.pushes();
   ChartedLeg charted{now, {}};
+  const bool extended = now.reach != Extensions{};
   const std::vector<std::vector<const FrontNode*>> inside = front.inside();
   charted.nodes.reserve(inside[0].size());
   for (const FrontNode* node : inside[0]) {
@@ -164,8 +170,7 @@ JoinedLegs::ChartedLeg JoinedLegs::chart_with(Front& front, const SurfaceCurve& 
     const double half_width = front.half_width(frame.t);
     const StrokePath& path = front.stroke().path;
     const double distance = path.chart_distance(frame.t, static_cast<double>(frame.d));
-    const double excess = path.excess(frame.t, static_cast<double>(frame.d), node->position);
-    if (distance + excess > disc_over_width * std::max(distance, half_width)) continue;
+    if (extended && outside_disc(path, *node, std::max(distance, half_width))) continue;
     frame.t += now.begin;
     charted.nodes.push_back({node->vertex(), 0, frame, half_width, distance});
   }

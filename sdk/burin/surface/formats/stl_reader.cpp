@@ -92,11 +92,17 @@ class TextReader {
   /// Processes a word and removes its arguments from the rest of the line.
   void read_word(std::string_view word, std::string_view& rest) {
     const std::string key = in_lower_case(std::string(word));
-    if (key == "outer") normal_words_ = 0;
-    if (normal_words_ > 0) return static_cast<void>(--normal_words_);
+    if (key == "outer") {
+      normal_words_ = 0;
+      next_word(rest);
+      return;
+    }
+    if (normal_words_ > 0) {
+      --normal_words_;
+      return;
+    }
     if (key == "vertex") return read_vertex(rest);
     if (key == "endloop") return end_loop();
-    if (key == "outer") return static_cast<void>(next_word(rest));
     if (key == "endfacet") return;
     if (key == "facet") {
       normal_words_ = 4;
