@@ -1,13 +1,14 @@
 // Computes stroke charts on one ground [R. Schmidt, Stroke Parameterization, 2013]: by one front for open
-// strokes with round joins, by legs (joined_legs.h) for all others. A chart of n nodes costs O(n log n).
+// strokes with round joins, by legs (leg_charts.h, vertex_join.h) for all others. A chart of n nodes costs
+// O(n log n).
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/chart/ground_chart_builder.h>
+#include <burin/chart/joins/vertex_join.h>
 #include <burin/chart/path/closed_length.h>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace burin {
 
@@ -29,6 +30,26 @@ void set(Chart& chart, std::size_t first, std::size_t i, Index vertex, const Cha
   chart.set(i, vertex, same ? chart.sheet[i - 1] + 1 : 0, frame, normal);
 }
 
+bool beyond_end(double t, const SurfaceCurve& curve) {
+  return beyond_ends(t, curve.length(), curve.closed) > 0;
+}
+
+/// The nodes of each vertex, joined, in the order of (vertex, t).
+std::vector<LegNode> joined_by_vertex(const std::vector<LegNode>& nodes, const VertexJoin& join,
+                                      const ChartGround& ground) {
+  std::vector<LegNode> all, of_vertex;
+  for (auto first = nodes.begin(); first != nodes.end();) {
+    const Index vertex = first->vertex;
+    const auto last = std::find_if(first, nodes.end(), [&](const LegNode& n) { return n.vertex != vertex; });
+    of_vertex.assign(first, last);
+    join.join(of_vertex, ground[vertex].normal);
+    std::ranges::stable_sort(of_vertex, {}, [](const LegNode& node) { return node.frame.t; });
+    all.insert(all.end(), of_vertex.begin(), of_vertex.end());
+    first = last;
+  }
+  return all;
+}
+
 }  // namespace
 
 std::size_t parts_for(const SurfaceCurve& curve, double radius) {
@@ -41,28 +62,31 @@ std::size_t parts_for(const SurfaceCurve& curve, double radius) {
                                  thread_count());
 }
 
-void GroundChartBuilder::begin(const ChartOptions& options) {
+void GroundChartBuilder::begin(const ChartOptions& options, double stroke_radius) {
   options_ = options;
+  stroke_radius_ = stroke_radius;
   front_.restart(options_.radius, options_.order);
-  legs_.begin(options);
+  legs_.begin(options_.radius, options_.order);
   live_.clear();
 }
 
-bool GroundChartBuilder::in_one_piece(const SurfaceCurve& curve) {
+void GroundChartBuilder::expect_curve(const SurfaceCurve& curve) const {
   if (options_.radius == 0) throw ContractError("there is no stroke chart to extend");
   if (curve.points.empty()) throw ContractError("a stroke chart needs a curve of at least one point");
-  in_legs_ = options_.join != Join::round || curve.closed;
-  return !in_legs_;
 }
 
 Chart GroundChartBuilder::update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t parts) {
-  if (!in_one_piece(curve)) return joined(curve, unchanged);
+  expect_curve(curve);
+  in_legs_ = !in_one_piece(curve);
+  if (in_legs_) return joined(curve, unchanged);
   front_.update(curve, unchanged, parts);
   return plain(curve);
 }
 
 const LiveChart& GroundChartBuilder::draw(const SurfaceCurve& curve, std::size_t unchanged) {
-  if (!in_one_piece(curve)) {
+  expect_curve(curve);
+  in_legs_ = !in_one_piece(curve);
+  if (in_legs_) {
     live_.assign(joined(curve, unchanged));
     return live_;
   }
@@ -94,13 +118,21 @@ Chart GroundChartBuilder::plain(const SurfaceCurve& curve) {
   return chart;
 }
 
-Chart GroundChartBuilder::joined(const SurfaceCurve& curve, std::size_t unchanged) {
-  std::vector<LegNode> nodes;
+GroundChartBuilder::Legs GroundChartBuilder::draw_legs(const SurfaceCurve& curve, std::size_t unchanged) {
+  expect_curve(curve);
+  in_legs_ = true;
   const double unchanged_t = unchanged > 0 ? curve.points[unchanged - 1].t : -1;
-  legs_.place(curve, unchanged_t, front_, nodes);
-  if (curve.closed)
-    for (LegNode& node : nodes) node.frame.t = wrapped_t(node.frame.t, curve.length());
-  std::ranges::sort(nodes, {}, [](const LegNode& node) { return std::pair(node.vertex, node.frame.t); });
+  ChartOptions of_stroke = options_;
+  of_stroke.radius = stroke_radius_;
+  const double same_below = std::min(stroke_legs_.update(curve, of_stroke, options_.radius), unchanged_t);
+  legs_.update(curve, unchanged_t, stroke_legs_, front_);
+  return {stroke_legs_, legs_.nodes(), same_below};
+}
+
+Chart GroundChartBuilder::joined(const SurfaceCurve& curve, std::size_t unchanged) {
+  const Legs legs = draw_legs(curve, unchanged);
+  const std::vector<LegNode> nodes =
+      joined_by_vertex(legs.nodes, VertexJoin(legs.stroke, curve, options_), ground_);
   Chart chart = chart_of(curve, nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)
     set(chart, 0, i, nodes[i].vertex, nodes[i].frame, ground_[nodes[i].vertex].normal);

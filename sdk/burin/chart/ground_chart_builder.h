@@ -1,7 +1,8 @@
 #pragma once
 #include <burin/chart/chart_options.h>
 #include <burin/chart/front/front.h>
-#include <burin/chart/joins/joined_legs.h>
+#include <burin/chart/joins/leg_charts.h>
+#include <burin/chart/joins/stroke_legs.h>
 #include <burin/chart/live_chart.h>
 
 #include <cstddef>
@@ -18,7 +19,11 @@ class GroundChartBuilder {
 
   /// Starts a stroke. The radius must be finite and above 0. `follow` is ignored: the ground already reflects
   /// it.
-  void begin(const ChartOptions& options);
+  void begin(const ChartOptions& options) { begin(options, options.radius); }
+
+  /// Starts a stroke whose own half width `stroke_radius`, object units, at most that of the chart, decides
+  /// where it is cut into legs.
+  void begin(const ChartOptions& options, double stroke_radius);
 
   /// Extends the chart to this curve; the result equals that of a fresh start bit for bit. The first
   /// `unchanged` points are those of the curve before. `parts` is the number of parts of a fresh front.
@@ -30,20 +35,33 @@ class GroundChartBuilder {
 
   const LiveChart& live() const { return live_; }
 
-  /// The stroke of the last chart, or null when that chart was put together from legs.
-  const FrontStroke* stroke() const { return in_legs_ ? nullptr : &front_.stroke(); }
+  /// Whether one front charts this curve; otherwise it is put together from legs.
+  bool in_one_piece(const SurfaceCurve& curve) const { return options_.join == Join::round && !curve.closed; }
+
+  /// The charts of the legs of this curve, before they are joined, instead of update() or draw().
+  struct Legs {
+    const StrokeLegs& stroke;    ///< valid until the next call
+    std::vector<LegNode> nodes;  ///< in the order of (vertex, leg, t)
+    double same_below;           ///< joins have the same results as in the last call below this arc length
+  };
+  Legs draw_legs(const SurfaceCurve& curve, std::size_t unchanged);
+
+  /// The stroke of the last chart in one piece.
+  const FrontStroke& stroke() const { return front_.stroke(); }
   std::uint64_t settled() const { return in_legs_ ? legs_.settled() : front_.settled(); }
   std::uint64_t pushes() const { return in_legs_ ? legs_.pushes() : front_.pushes(); }
 
  private:
-  bool in_one_piece(const SurfaceCurve& curve);
+  void expect_curve(const SurfaceCurve& curve) const;
   Chart plain(const SurfaceCurve& curve);
   Chart joined(const SurfaceCurve& curve, std::size_t unchanged);
 
   ChartGround ground_;
   ChartOptions options_;
+  double stroke_radius_ = 0;
   Front front_;
-  JoinedLegs legs_;
+  StrokeLegs stroke_legs_;
+  LegCharts legs_;
   LiveChart live_;
   bool in_legs_ = false;  ///< the last chart was put together from legs
 };

@@ -1,10 +1,12 @@
 // Computes stroke charts [R. Schmidt, Stroke Parameterization, 2013]: propagated over the vertices
 // themselves, or over the nodes of a base surface and interpolated from there to the vertices
-// (chart_transfer.h).
+// (chart_transfer.h, leg_transfer.h).
 #include <burin/base/error.h>
 #include <burin/chart/ground_chart_builder.h>
+#include <burin/chart/path/curve_parts.h>
 #include <burin/chart/stroke_chart_builder.h>
 #include <burin/chart/transfer/chart_transfer.h>
+#include <burin/chart/transfer/leg_transfer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +20,13 @@ struct StrokeChartBuilder::Stroke {
   }
 
   void begin(const ChartOptions& with);
+  void begin_base();
   BaseSurface* base_for(double radius, double follow);
   void prepare(const SurfaceCurve& curve, std::size_t unchanged);
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged);
-  bool on_base() const { return transfer.has_value(); }
+  bool on_base() const { return transferred.has_value(); }
+  void follow(const SurfaceCurve& curve);
+  const SurfaceCurve& widened(const SurfaceCurve& curve);
   GroundChartBuilder& own();
   GroundChartBuilder& builder() { return on_base() ? *of_base : own(); }
 
@@ -31,10 +36,13 @@ struct StrokeChartBuilder::Stroke {
       of_surface;  ///< created for the first stroke that runs on the surface itself
   std::optional<BaseSurface> base;
   std::optional<GroundChartBuilder> of_base;
-  Index of_base_nodes = 0;                ///< node count for which of_base was created; levels differ in it
-  std::optional<ChartTransfer> transfer;  ///< set while the stroke runs on the base surface
-  BaseSurface::Ball prepared{};           ///< the last ball in which base nodes were computed
-  LiveChart live;                         ///< the vertices' chart of a stroke on the base surface
+  Index of_base_nodes = 0;  ///< node count for which of_base was created; levels differ in it
+  std::optional<TransferredStroke> transferred;  ///< set while the stroke runs on the base surface
+  std::optional<ChartTransfer> transfer;         ///< of a stroke in one piece
+  std::optional<LegTransfer> leg_transfer;       ///< of a stroke in legs
+  SurfaceCurve with_margin;      ///< the last curve whose width varies, as the base chart sees it
+  BaseSurface::Ball prepared{};  ///< the last ball in which base nodes were computed
+  LiveChart live;                ///< the vertices' chart of a stroke on the base surface
 };
 
 GroundChartBuilder& StrokeChartBuilder::Stroke::own() {
@@ -50,17 +58,23 @@ void StrokeChartBuilder::Stroke::begin(const ChartOptions& with) {
   if (!base_for(with.radius, with.follow)) return own().begin(with);
   if (of_base_nodes != base->node_count()) of_base.emplace(ChartGround(*base));
   of_base_nodes = base->node_count();
-  ChartOptions wider = with;
-  wider.radius += transfer_margin * base->spacing();
-  wider.cap = Cap::round;
-  of_base->begin(wider);
+  transferred = {with.radius, with.radius + transfer_margin * base->spacing(), with.cap};
+  begin_base();
   live.clear();
   prepared = {Vec3f::Zero(), -1, no_index};
-  transfer.emplace(*base, surface, TransferredStroke{with.radius, wider.radius, with.cap});
+}
+
+void StrokeChartBuilder::Stroke::begin_base() {
+  ChartOptions of_nodes = options;
+  of_nodes.radius = transferred->base_radius;
+  of_nodes.cap = Cap::round;
+  of_base->begin(of_nodes, options.radius);
 }
 
 BaseSurface* StrokeChartBuilder::Stroke::base_for(double radius, double follow) {
+  transferred.reset();
   transfer.reset();
+  leg_transfer.reset();
   const double scale = radius * (1 - follow);
   return base && scale > 0 && base->set_radius(scale) ? &*base : nullptr;
 }
@@ -81,11 +95,42 @@ void StrokeChartBuilder::Stroke::prepare(const SurfaceCurve& curve, std::size_t 
   base->prepare(balls);
 }
 
+/// The curve with widths that make the base chart wider than the stroke by the same margin everywhere. Valid
+/// until the next call, and no longer than `curve`.
+const SurfaceCurve& StrokeChartBuilder::Stroke::widened(const SurfaceCurve& curve) {
+  if (has_uniform_width(curve)) return curve;
+  with_margin = curve;
+  const auto [radius, base_radius, cap] = *transferred;
+  for (CurvePoint& point : with_margin.points)
+    point.width =
+        static_cast<float>((radius * static_cast<double>(point.width) + base_radius - radius) / base_radius);
+  return with_margin;
+}
+
+/// Goes over to the kind of transfer that the curve needs. A stroke changes its kind when it is closed; the
+/// slots of the other kind are not used again.
+void StrokeChartBuilder::Stroke::follow(const SurfaceCurve& curve) {
+  const Index first_slot = static_cast<Index>(live.nodes().size());
+  if (of_base->in_one_piece(curve)) {
+    if (transfer) return;
+    if (leg_transfer) begin_base();
+    leg_transfer.reset();
+    transfer.emplace(*base, surface, *transferred, first_slot);
+  } else {
+    transfer.reset();
+    if (!leg_transfer) leg_transfer.emplace(*base, surface, first_slot);
+  }
+}
+
 const LiveChart& StrokeChartBuilder::Stroke::draw(const SurfaceCurve& curve, std::size_t unchanged) {
   if (!on_base()) return own().draw(curve, unchanged);
   if (!curve.points.empty()) prepare(curve, unchanged);
-  const LiveChart& nodes = of_base->draw(transfer->widened(curve), unchanged);
-  transfer->update(nodes, of_base->stroke(), curve, live);
+  follow(curve);
+  const SurfaceCurve& on_base_nodes = widened(curve);
+  if (transfer)
+    transfer->update(of_base->draw(on_base_nodes, unchanged), of_base->stroke(), curve, live);
+  else
+    leg_transfer->update(of_base->draw_legs(on_base_nodes, unchanged), curve, options, live);
   return live;
 }
 

@@ -150,6 +150,8 @@ TEST_P(JoinedStrokes, HaveNoHoles) {
   Tally all = draw_all({test::exact_plane(), all_relief, 0.02, 1.05, 0.06, 0.24, 15, 51, GetParam()});
   all.add(draw_all({test::exact_plane(), all_relief, 0.005, 1.25, 0.06, 0.3, 3, 52, GetParam()}));
   all.add(draw_all({test::exact_sphere(), all_relief, 0.034, 1.05, 0.1, 0.24, 4, 53, GetParam()}));
+  all.add(draw_all({test::exact_plane(), own_scale, 0.01, 1.15, 0.12, 0.27, 4, 54, GetParam()}));
+  all.add(draw_all({test::exact_sphere(), own_scale, 0.017, 1.15, 0.2, 0.3, 2, 55, GetParam()}));
   EXPECT_GT(all.errors.vertices, 100'000U);
   EXPECT_EQ(all.errors.holes, 0U);
 }

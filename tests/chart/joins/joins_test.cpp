@@ -1,6 +1,7 @@
 // Tests every kind of join at bends sharper than the radius, on a plane, where lengths and angles can be
 // computed by hand.
 #include <burin/chart/stroke_chart_builder.h>
+#include <burin/surface/base_surface/surface_levels.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -9,6 +10,7 @@
 #include <map>
 #include <numbers>
 
+#include "support/closed_curve.h"
 #include "support/shapes.h"
 #include "support/traced.h"
 
@@ -19,20 +21,40 @@ constexpr double radius = 0.2, edge = 0.01;
 
 struct Scene {
   Surface surface = make_surface(test::shuffled(test::plane(1, edge, 5), 6));
+  SurfaceLevels levels{surface};
   Picker picker{surface};
-  StrokeChartBuilder builder{surface};
+  StrokeChartBuilder builder{surface, &levels};
 
   SurfaceCurve traced(const std::vector<Vec3d>& samples) const {
     return test::traced(surface, picker, radius, samples);
   }
 
-  /// Along the x axis to the origin, there by `turn` to the left, and on.
-  SurfaceCurve corner(double turn) const {
+  /// Along the x axis to the origin, there by `turn` to the left, and on; each leg is `run` long.
+  static std::vector<Vec3d> corner_samples(double turn, double run) {
     std::vector<Vec3d> samples;
-    for (int i = 60; i > 0; --i) samples.emplace_back(-0.9 * i / 60., 0, 0);
+    for (int i = 60; i > 0; --i) samples.emplace_back(-run * i / 60., 0, 0);
     for (int i = 0; i <= 60; ++i)
-      samples.emplace_back(0.9 * i / 60. * std::cos(turn), 0.9 * i / 60. * std::sin(turn), 0);
-    return traced(samples);
+      samples.emplace_back(run * i / 60. * std::cos(turn), run * i / 60. * std::sin(turn), 0);
+    return samples;
+  }
+  SurfaceCurve corner(double turn, double run = 0.9) const { return traced(corner_samples(turn, run)); }
+
+  /// Once around the square with the corners (+-0.4, +-0.4), counterclockwise from the middle of a side:
+  /// number 0 is the lower one.
+  SurfaceCurve square(int side) const {
+    std::vector<Vec3d> samples;
+    for (int i = 0; i <= 320; ++i) {
+      const double s = static_cast<double>(i) / 80 + side + 0.5, along = 0.8 * (s - std::floor(s)) - 0.4;
+      const int at = static_cast<int>(std::floor(s)) % 4;
+      const Vec2d x = at == 0   ? Vec2d(along, -0.4)
+                      : at == 1 ? Vec2d(0.4, along)
+                      : at == 2 ? Vec2d(-along, 0.4)
+                                : Vec2d(-0.4, -along);
+      samples.emplace_back(x.x(), x.y(), 0);
+    }
+    SurfaceCurve curve = traced(samples);
+    test::close(curve);
+    return curve;
   }
 };
 
@@ -193,6 +215,134 @@ TEST_P(Joins, RoundIsTheDistanceToTheStroke) {
   EXPECT_LE(mean, 0.003);
   EXPECT_LE(worst, 0.05);
 }
+
+/// The largest differences of t and d, in radii, between nodes of two charts of a corner, away from the
+/// bisector and from the rim.
+struct Differences {
+  double t = 0, d = 0;
+  std::size_t compared = 0;
+};
+
+Differences compare(const Scene& scene, const Chart& a, const Chart& b, double turn) {
+  std::map<Index, std::size_t> of_b;
+  for (std::size_t i = 0; i < b.size(); ++i) of_b[b.vertex[i]] = i;
+  Differences most;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec2d x = scene.surface.positions[a.vertex[i]].head<2>().cast<double>();
+    const bool at_rim = static_cast<double>(std::abs(a.d[i])) > radius - edge;
+    if (place_of(x, turn).off_bisector < edge || at_rim || x.norm() > 0.8) continue;
+    const auto found = of_b.find(a.vertex[i]);
+    if (found == of_b.end()) return {1e9, 1e9, 0};
+    most.t = std::max(most.t, std::abs(a.t[i] - b.t[found->second]) / radius);
+    most.d = std::max(most.d, static_cast<double>(std::abs(a.d[i] - b.d[found->second])) / radius);
+    ++most.compared;
+  }
+  return most;
+}
+
+// On the plane, a chart on the base surface has the coordinates of one on the vertices themselves. The points
+// of the curves differ, and so does the middle of the bend, by up to half of their spacing.
+TEST_P(Joins, AreTheSameAtTheBrushesOwnScale) {
+  const double turn = GetParam() * std::numbers::pi / 180;
+  Scene scene;
+  for (const Join join : {Join::smooth, Join::miter}) {
+    scene.builder.begin({.radius = radius, .join = join, .follow = 0});
+    ASSERT_NE(scene.builder.base(), nullptr);
+    const CurveGround base(scene.surface, scene.picker, scene.builder.base());
+    const SurfaceCurve on_base = test::traced(base, scene.picker, radius, Scene::corner_samples(turn, 0.9));
+    const Chart own = scene.builder.draw(on_base).sorted();
+    const Chart fine = scene.builder.chart(scene.corner(turn), {.radius = radius, .join = join});
+    const Differences most = compare(scene, own, fine, turn);
+    std::cout << name_of(named_joins, join) << ": t " << most.t << ", d " << most.d << " radii, "
+              << most.compared << " nodes\n";
+    EXPECT_LE(most.t, 0.05) << name_of(named_joins, join);
+    EXPECT_LE(most.d, 0.02) << name_of(named_joins, join);
+    EXPECT_GT(most.compared, 5000U);
+  }
+}
+
+class SharpCorners : public testing::TestWithParam<double> {};
+
+// The legs end 1.3 radii from the corner, so that there is no room to take t across the bisector whole.
+TEST_P(SharpCorners, SmoothDoesNotSqueezeTOnTheInside) {
+  const double turn = GetParam() * std::numbers::pi / 180, run = 1.3 * radius;
+  Scene scene;
+  const Chart chart = scene.builder.chart(scene.corner(turn, run), {.radius = radius, .join = Join::smooth});
+  std::size_t checked = 0;
+  double most = 0;
+  for (const ChartTriangle& triangle : triangles_of(scene.surface, chart)) {
+    const auto [off, inner] = place_of(triangle.middle, turn);
+    const double along_first = -triangle.middle.x(),
+                 along_second = triangle.middle.dot(Vec2d(std::cos(turn), std::sin(turn)));
+    if (!inner || off < 3 * edge || std::max(along_first, along_second) > run - 2 * edge) continue;
+    if (triangle.middle.norm() < 4 * edge) continue;  // the samples round the corner a little
+    EXPECT_GT(triangle.flip, 0) << triangle.middle.transpose();
+    most = std::max(most, triangle.grad_t.norm());
+    ++checked;
+  }
+  EXPECT_LE(most, 2.5);
+  EXPECT_GT(checked, 200U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Turns, SharpCorners, testing::Values(100., 120., 135., -135.), [](const auto& turn) {
+  return (turn.param < 0 ? "Right" : "Left") + std::to_string(std::abs(static_cast<int>(turn.param)));
+});
+
+// A hook's legs nearly coincide. A vertex beside both has the node of each.
+TEST(Hooks, KeepBothLegsOfASmoothJoin) {
+  const double turn = 165 * std::numbers::pi / 180;
+  Scene scene;
+  const SurfaceCurve curve = scene.corner(turn);
+  const Chart chart = scene.builder.chart(curve, {.radius = radius, .join = Join::smooth});
+  std::map<Index, std::vector<double>> told;
+  for (std::size_t i = 0; i < chart.size(); ++i)
+    told[chart.vertex[i]].push_back(std::abs(static_cast<double>(chart.d[i])));
+  const Vec2d along(std::cos(turn), std::sin(turn));
+  std::size_t checked = 0;
+  for (Index vertex = 0; vertex < scene.surface.vertex_count(); ++vertex) {
+    const Vec2d x = scene.surface.positions[vertex].head<2>().cast<double>();
+    const double first = std::abs(x.y()), second = std::abs(x.x() * along.y() - x.y() * along.x());
+    if (std::max(first, second) > 0.95 * radius || -x.x() < 0.3 || -x.x() > 0.8) continue;
+    std::vector<double>& both = told[vertex];
+    std::ranges::sort(both);
+    ASSERT_EQ(both.size(), 2U) << x.transpose();
+    EXPECT_NEAR(both[0], std::min(first, second), 0.02 * radius);
+    EXPECT_NEAR(both[1], std::max(first, second), 0.02 * radius);
+    ++checked;
+  }
+  EXPECT_GT(checked, 500U);
+}
+
+class ClosedJoins : public testing::TestWithParam<Join> {};
+
+// Where a closed stroke begins makes no difference but to t, by what the beginning moved.
+TEST_P(ClosedJoins, DoNotDependOnTheBeginning) {
+  Scene scene;
+  const ChartOptions options{.radius = radius, .join = GetParam()};
+  std::map<Index, std::pair<double, double>> first;
+  const Chart chart = scene.builder.chart(scene.square(0), options);
+  for (std::size_t i = 0; i < chart.size(); ++i)
+    first[chart.vertex[i]] = {chart.t[i], static_cast<double>(chart.d[i])};
+  for (const int side : {1, 2, 3}) {
+    const Chart other = scene.builder.chart(scene.square(side), options);
+    std::size_t compared = 0;
+    for (std::size_t i = 0; i < other.size(); ++i) {
+      const Vec2d x = scene.surface.positions[other.vertex[i]].head<2>().cast<double>();
+      const double off_diagonal = std::abs(std::abs(x.x()) - std::abs(x.y())) / std::sqrt(2.);
+      if (off_diagonal < 2 * edge || std::abs(std::abs(other.d[i]) - radius) < edge) continue;
+      const auto at = first.find(other.vertex[i]);
+      ASSERT_NE(at, first.end()) << x.transpose();
+      const double ways = other.t[i] + 0.8 * side - at->second.first;
+      EXPECT_NEAR(std::remainder(ways, 3.2), 0, 0.06 * radius) << x.transpose();
+      EXPECT_NEAR(static_cast<double>(other.d[i]), at->second.second, 0.03 * radius) << x.transpose();
+      ++compared;
+    }
+    EXPECT_GT(compared, 8000U);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Closed, ClosedJoins, testing::Values(Join::smooth, Join::miter),
+                         [](const auto& joined) { return std::string(name_of(named_joins, joined.param)); });
 
 // An arc of half the radius: no corner, but too sharp for the stroke's outside.
 TEST(LongBends, SmoothBoundsTheGradientOfT) {

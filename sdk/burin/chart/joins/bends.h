@@ -11,6 +11,7 @@ namespace burin {
 struct Bend {
   double begin, middle, end;  ///< begin to end holds 96 % of the turn; half of it comes before the middle
   double turn;                ///< radians, left positive
+  bool operator==(const Bend&) const = default;
 };
 
 /// Finds the bends of a stroke that are sharper than its radius, and measures how far the stroke turns

@@ -36,6 +36,10 @@ std::size_t first_ending_from(const SurfaceCurve& curve, std::size_t segment, do
   return segment;
 }
 
+bool has_uniform_width(const SurfaceCurve& curve) {
+  return std::ranges::all_of(curve.points, [](const CurvePoint& point) { return point.width == 1; });
+}
+
 SurfaceCurve part_of(const SurfaceCurve& curve, double begin, double end) {
   SurfaceCurve part;
   const double length = curve.length();

@@ -14,6 +14,9 @@ std::size_t first_ending_from(const SurfaceCurve& curve, std::size_t segment, do
 /// length.
 CurvePoint point_at(const SurfaceCurve& curve, double t);
 
+/// Whether the stroke's width is 1 everywhere.
+bool has_uniform_width(const SurfaceCurve& curve);
+
 /// The part of a curve between two arc lengths, begin < end, as an open curve whose t starts at 0. On a
 /// closed curve `end` may lie beyond the length: the part continues across the seam.
 SurfaceCurve part_of(const SurfaceCurve& curve, double begin, double end);

@@ -17,6 +17,7 @@ struct DistanceRay {
   float length = 0, inverse_length = 0;  ///< r, object units, and 1 / r; both 0 beside the stroke
 
   bool from_end() const { return length > 0; }
+  bool operator==(const DistanceRay&) const = default;
 };
 
 /// A step in components across the ray and along it, object units. In the templates below a Ray is a

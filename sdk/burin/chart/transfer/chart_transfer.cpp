@@ -12,32 +12,15 @@
 #include <limits>
 
 namespace burin {
-namespace {
-
-bool same_width(const SurfaceCurve& curve) {
-  return std::ranges::all_of(curve.points, [](const CurvePoint& point) { return point.width == 1; });
-}
-
-}  // namespace
-
-const SurfaceCurve& ChartTransfer::widened(const SurfaceCurve& curve) {
-  if (same_width(curve)) return curve;
-  widened_ = curve;
-  const double margin = stroke_.base_radius - stroke_.radius;
-  for (CurvePoint& point : widened_.points)
-    point.width = static_cast<float>((stroke_.radius * static_cast<double>(point.width) + margin) /
-                                     stroke_.base_radius);
-  return widened_;
-}
-
-void ChartTransfer::update(const LiveChart& nodes, const FrontStroke* on_base, const SurfaceCurve& curve,
+void ChartTransfer::update(const LiveChart& nodes, const FrontStroke& on_base, const SurfaceCurve& curve,
                            LiveChart& vertices) {
-  uniform_ = same_width(curve);
-  const std::span<const Index> affected = on_base ? contest_.update(nodes) : std::span<const Index>();
+  uniform_ = has_uniform_width(curve);
+  const std::span<const Index> affected = contest_.update(nodes);
   const double from = unchanged_up_to(nodes);
   length_ = nodes.nodes().length;
-  vertices.begin_event(length_, nodes.nodes().closed, from);
+  vertices.begin_event(length_, false, from);
   ranges_.resize(std::max(ranges_.size(), nodes.nodes().size()));
+  for (; first_slot_ > 0; --first_slot_) vertices.remove(first_slot_ - 1);
   for (const Index slot : nodes.removed())
     if (nodes.vacant(slot)) vacate(slot, vertices);
   find_stale(nodes, affected, from);
@@ -60,7 +43,6 @@ void ChartTransfer::update(const LiveChart& nodes, const FrontStroke* on_base, c
 /// coordinates did not change stays inside or outside the stroke. In contested clusters the same holds for
 /// vertices that depend only on nodes with a lower t.
 double ChartTransfer::unchanged_up_to(const LiveChart& nodes) const {
-  if (nodes.nodes().closed) return nowhere;
   const double ends = std::min(length_, nodes.nodes().length);
   return uniform_ && !contest_.any() ? ends : std::min(ends, nodes.computed_from());
 }
@@ -118,12 +100,10 @@ void ChartTransfer::transfer(const Event& event, Index slot, Transferred& transf
   const BasePatch patch = base_->patch(range.node);
   if (range.size == 0) find_feet(patch, range);
   range.last_t = nowhere;
-  if (event.on_base) contest_.find_rivals(event.nodes, slot, transferred.rivals);
-  if (event.on_base && !transferred.rivals.empty())
-    return transfer_contested(event, slot, patch, transferred);
+  contest_.find_rivals(event.nodes, slot, transferred.rivals);
+  if (!transferred.rivals.empty()) return transfer_contested(event, slot, patch, transferred);
   const ChartFrame of_node = event.nodes.nodes().frame(slot);
-  const DistanceRay ray =
-      event.on_base ? event.on_base->path.ray(of_node.t, static_cast<double>(of_node.d)) : DistanceRay{};
+  const DistanceRay ray = event.on_base.path.ray(of_node.t, static_cast<double>(of_node.d));
   const CoordinatePatch coordinates(patch, of_node, ray);
   constexpr Index lanes = CoordinatePatch::lanes;
   CoordinatePatch::Feet feet{CoordinatePatch::Lanes::Zero(), CoordinatePatch::Lanes::Zero()};
@@ -135,9 +115,8 @@ void ChartTransfer::transfer(const Event& event, Index slot, Transferred& transf
     }
     const CoordinatePatch::Frames frames = coordinates.at(feet);
     for (int lane = 0; lane < count; ++lane) {
-      ChartFrame frame = coordinates.frame(frames, feet, lane);
+      const ChartFrame frame = coordinates.frame(frames, feet, lane);
       const Index at = begin + static_cast<Index>(lane);
-      if (event.nodes.nodes().closed) frame.t = wrapped_t(frame.t, event.nodes.nodes().length);
       range.last_t = std::max(range.last_t, frame.t);
       write(event, at, frame, patch, transferred);
     }
@@ -149,7 +128,7 @@ void ChartTransfer::transfer(const Event& event, Index slot, Transferred& transf
 void ChartTransfer::transfer_contested(const Event& event, Index slot, const BasePatch& patch,
                                        Transferred& transferred) {
   Range& range = ranges_[slot];
-  const StrokePath& path = event.on_base->path;
+  const StrokePath& path = event.on_base.path;
   for (Index at = range.begin; at < range.begin + range.size; ++at) {
     const GroundVertex vertex{patch.point_at(foot_[at]), patch.normal_at(foot_[at]), patch.gauss_curvature()};
     ChartFrame nearest;
@@ -162,7 +141,7 @@ void ChartTransfer::transfer_contested(const Event& event, Index slot, const Bas
       least = distance;
       nearest = told;
     }
-    const MendedFrame mended = mended_frame(*event.on_base, vertex, nearest);
+    const MendedFrame mended = mended_frame(event.on_base, vertex, nearest);
     range.last_t = std::max(range.last_t, mended.depends_to);
     write(event, at, mended.frame, patch, transferred);
   }
@@ -179,7 +158,7 @@ void ChartTransfer::write(const Event& event, Index at, const ChartFrame& frame,
 }
 
 bool ChartTransfer::within(const ChartFrame& frame, const SurfaceCurve& curve) const {
-  const double beyond = beyond_ends(frame.t, length_, curve.closed);
+  const double beyond = beyond_ends(frame.t, length_, false);
   if (beyond > 0 && stroke_.cap == Cap::butt) return false;
   const double width = uniform_ ? 1 : static_cast<double>(point_at(curve, frame.t).width);
   const double half_width = stroke_.radius * width, d = static_cast<double>(frame.d);

@@ -30,22 +30,21 @@ struct TransferredStroke {
 /// influences. Uses all threads; the result does not depend on their number.
 class ChartTransfer {
  public:
-  /// Base and surface must outlive the object.
-  ChartTransfer(BaseSurface& base, const Surface& surface, const TransferredStroke& stroke)
+  /// Base and surface must outlive the object. The slots of the vertices' chart below `first_slot` are not
+  /// used; the first update() removes their nodes.
+  ChartTransfer(BaseSurface& base, const Surface& surface, const TransferredStroke& stroke, Index first_slot)
       : base_(&base),
         surface_(&surface),
         stroke_(stroke),
+        first_slot_(first_slot),
+        vertex_(first_slot),
+        foot_(first_slot),
         contest_(base),
         near_end_(StrokeSamples::most_spacing(stroke.radius)) {}
 
-  /// Returns the curve with widths that make the base chart wider than the stroke by the same margin
-  /// everywhere. Valid until the next call, and no longer than `curve`.
-  const SurfaceCurve& widened(const SurfaceCurve& curve);
-
   /// Applies the last event of the base chart `nodes`, which is the chart of this curve, to `vertices`.
-  /// `curve` lies on the base surface. `on_base` is the stroke of the base chart's front, or null when that
-  /// chart was put together from legs.
-  void update(const LiveChart& nodes, const FrontStroke* on_base, const SurfaceCurve& curve,
+  /// `curve` lies on the base surface. `on_base` is the stroke of the base chart's front.
+  void update(const LiveChart& nodes, const FrontStroke& on_base, const SurfaceCurve& curve,
               LiveChart& vertices);
 
  private:
@@ -78,7 +77,7 @@ class ChartTransfer {
   /// The arguments of update().
   struct Event {
     const LiveChart& nodes;
-    const FrontStroke* on_base;
+    const FrontStroke& on_base;
     const SurfaceCurve& curve;
     LiveChart& vertices;
   };
@@ -92,7 +91,7 @@ class ChartTransfer {
   BaseSurface* base_;
   const Surface* surface_;
   TransferredStroke stroke_;
-  SurfaceCurve widened_;
+  Index first_slot_;
   bool uniform_ = true;        ///< the stroke's width is 1 everywhere
   double length_ = 0;          ///< length of the stroke at the last event
   std::vector<Range> ranges_;  ///< [slot of the base chart]

@@ -1,0 +1,37 @@
+// Chooses between the nodes of the legs that meet at corners.
+#include <burin/chart/joins/leg_choice.h>
+
+namespace burin {
+namespace {
+
+/// Whether a node is kept where another leg has a node, too.
+bool wins(const LegEnd& end, const LegNode& node, double beyond, const LegNode& other, double other_beyond) {
+  const bool less_far = end.first_leg ? beyond <= other_beyond : beyond < other_beyond;
+  if (beyond > 0 || other_beyond > 0) return less_far;
+  if (!end.continued) return true;
+  return node.distance < other.distance || (node.distance == other.distance && less_far);
+}
+
+bool is_kept(const std::optional<LegEnd>& end, const LegNode& node, std::span<const LegNode> of_vertex,
+             double near) {
+  if (!end) return true;
+  const double beyond = way_beyond(end->corner, end->first_leg, node.frame.t);
+  if (beyond < -near) return true;
+  for (const LegNode& other : of_vertex) {
+    if (&other == &node || other.leg != end->other_leg) continue;
+    const double other_beyond = way_beyond(end->corner, !end->first_leg, other.frame.t);
+    if (other_beyond >= -near) return wins(*end, node, beyond, other, other_beyond);
+  }
+  return beyond <= 0 || on_own_side(end->corner, end->first_leg, node.frame);
+}
+
+}  // namespace
+
+void choose_at_corners(std::span<LegNode> of_vertex, std::span<const LegEnds> ends, double near) {
+  for (LegNode& node : of_vertex) {
+    const auto& [before, after] = ends[node.leg];
+    node.dropped = !is_kept(after, node, of_vertex, near) || !is_kept(before, node, of_vertex, near);
+  }
+}
+
+}  // namespace burin

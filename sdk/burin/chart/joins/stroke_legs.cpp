@@ -1,0 +1,138 @@
+// Cuts a stroke at its bends into legs. Costs what finding the bends costs, and O(b^2) for b bends.
+#include <burin/chart/front/front.h>
+#include <burin/chart/joins/stroke_legs.h>
+#include <burin/chart/path/curve_parts.h>
+#include <burin/math/elementary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace burin {
+namespace {
+
+/// A bend shorter than this share of the radius is a corner.
+constexpr double corner_length = 0.5;
+
+/// The arc length below which two lists of bends have the same influence on joins: bends choose between nodes
+/// up to `near` before them, and spread t over their span.
+double same_below(std::span<const SpreadBend> before, std::span<const SpreadBend> now, double near) {
+  const auto [old_end, new_end] = std::ranges::mismatch(before, now);
+  double below = std::numeric_limits<double>::infinity();
+  const auto limit = [&](const SpreadBend& bend) {
+    below = std::min(below, bend.bend.begin - std::max(near, bend.span));
+  };
+  std::for_each(old_end, before.end(), limit);
+  std::for_each(new_end, now.end(), limit);
+  return below;
+}
+
+}  // namespace
+
+double StrokeLegs::update(const SurfaceCurve& curve, const ChartOptions& options, double charted_radius) {
+  const bool was_closed = std::exchange(closed_, curve.closed);
+  options_ = options;
+  charted_radius_ = charted_radius;
+  length_ = curve.length();
+  const std::vector<SpreadBend> old_cuts = std::exchange(cuts_, {}), old_uncut = std::exchange(uncut_, {});
+  corners_.clear();
+  if (options.join != Join::round) find_cuts(curve);
+  legs_.clear();
+  ends_.clear();
+  if (cuts_.empty()) {
+    add_leg(0, length_);
+  } else {
+    if (!closed_) add_leg(0, cuts_.front().bend.begin);
+    for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) add_leg(cuts_[i].bend.end, cuts_[i + 1].bend.begin);
+    add_leg(cuts_.back().bend.end, closed_ ? cuts_.front().bend.begin + length_ : length_);
+  }
+  if (closed_ || was_closed) return -std::numeric_limits<double>::infinity();
+  const double near = corner_nearness * options.radius;
+  return std::min(same_below(old_cuts, cuts_, near), same_below(old_uncut, uncut_, near));
+}
+
+bool StrokeLegs::is_corner(const SpreadBend& cut) const {
+  return cut.bend.end - cut.bend.begin < corner_length * options_.radius;
+}
+
+bool StrokeLegs::is_cut(const SurfaceCurve& curve, const Bend& bend) const {
+  if (options_.join != Join::overlap && !is_corner({bend, 0})) return false;
+  if (options_.join == Join::miter && !(miter_reach(bend.turn, options_.radius) > 0)) return false;
+  return curve.closed || (bend.begin > 0 && bend.end < length_);
+}
+
+void StrokeLegs::find_cuts(const SurfaceCurve& curve) {
+  GeodesicCurvature curvature;
+  curvature.update(curve, Front::curvature_window * options_.radius);
+  bends_.update(curve, curvature, options_.radius);
+  for (const Bend& bend : bends_.all()) {
+    const SpreadBend spread{bend, span(bend)};
+    if (is_cut(curve, bend)) {
+      // The first corner of a closed stroke ends the last leg, which counts t on beyond the length.
+      corners_.push_back(corner_at(curve, spread, curve.closed && cuts_.empty() ? length_ : 0));
+      cuts_.push_back(spread);
+    } else {
+      uncut_.push_back(spread);
+    }
+  }
+}
+
+Corner StrokeLegs::corner_at(const SurfaceCurve& curve, const SpreadBend& cut, double loop) const {
+  const auto [begin, middle, end, turn] = cut.bend;
+  const Vec3d from = point_at(curve, begin).at.position.cast<double>();
+  const double chord = (point_at(curve, end).at.position.cast<double>() - from).norm();
+  const double way = std::min(chord / 2 / math::cos(bounded_half(turn)), options_.radius);
+  return {.first = begin + way + loop,
+          .second = end - way,
+          .first_past = begin + way - middle,
+          .second_past = middle - (end - way),
+          .turn = turn,
+          .span = cut.span};
+}
+
+/// How far before and after a bend a smooth join spreads t: long enough that |grad t| stays between 1/2 and 2
+/// at a right angle, but at most half way to the next bend, and not beyond an end of the stroke.
+double StrokeLegs::span(const Bend& bend) const {
+  double span = 4 * options_.radius * math::tan(bounded_half(bend.turn));
+  span = closed_ ? std::min(span, length_ / 2) : std::min({span, bend.middle, length_ - bend.middle});
+  for (const Bend& other : bends_.all()) {
+    double gap = std::abs(other.middle - bend.middle);
+    if (closed_) gap = std::min(gap, length_ - gap);
+    if (other.middle != bend.middle) span = std::min(span, gap / 2);
+  }
+  return span;
+}
+
+double StrokeLegs::reach(const std::optional<LegEnd>& end) const {
+  if (!end) return 0;
+  const double beyond = options_.join == Join::miter    ? miter_reach(end->corner.turn, charted_radius_)
+                        : options_.join == Join::smooth ? smooth_reach(end->corner.turn, charted_radius_)
+                                                        : 0;
+  return beyond > 0 ? 1.1 * beyond + corner_length * charted_radius_ : 0;
+}
+
+/// The corners at both ends of a leg. On a closed stroke each leg begins at the corner of its own number.
+LegEnds StrokeLegs::ends_of(std::size_t leg) const {
+  LegEnds ends;
+  const std::size_t corners = corners_.size(), legs = corners + (closed_ ? 0 : 1);
+  const auto end = [&](std::size_t cut, bool first_leg) {
+    const std::size_t other = first_leg ? (leg + 1) % legs : (leg + legs - 1) % legs;
+    std::optional<LegEnd> at{
+        {corners_[cut], static_cast<Index>(cut), first_leg, static_cast<Index>(other), false}};
+    at->continued = reach(at) > 0;
+    return at;
+  };
+  if (corners == 0) return ends;
+  if (closed_ || leg > 0) ends.before = end(closed_ ? leg : leg - 1, false);
+  if (closed_ || leg < corners) ends.after = end(closed_ ? (leg + 1) % corners : leg, true);
+  return ends;
+}
+
+void StrokeLegs::add_leg(double begin, double end) {
+  const LegEnds ends = ends_of(legs_.size());
+  legs_.push_back({begin, std::max(begin, end), {reach(ends.before), reach(ends.after)}});
+  ends_.push_back(ends);
+}
+
+}  // namespace burin
