@@ -13,6 +13,7 @@ struct LegNode {
   DistanceRay ray;   ///< at the frame
 
   // VertexJoin sets these.
+  double past = 0;         ///< how far t lies beyond the end of the leg or bend, negative before its begin
   double distance = 0;     ///< from the leg or bend, object units
   double half_width = 0;   ///< of the stroke at t, object units
   bool continued = false;  ///< the node lies beyond an end of its leg that is continued straight

@@ -52,14 +52,14 @@ double StrokeLegs::update(const SurfaceCurve& curve, const ChartOptions& options
   return std::min(same_below(old_cuts, cuts_, near), same_below(old_uncut, uncut_, near));
 }
 
-bool StrokeLegs::is_corner(const SpreadBend& cut) const {
-  return cut.bend.end - cut.bend.begin < corner_length * options_.radius;
+bool StrokeLegs::is_corner(const Bend& bend) const {
+  return bend.end - bend.begin < corner_length * options_.radius;
 }
 
-bool StrokeLegs::is_cut(const SurfaceCurve& curve, const Bend& bend) const {
-  if (options_.join != Join::overlap && !is_corner({bend, 0})) return false;
+bool StrokeLegs::is_cut(const Bend& bend) const {
+  if (options_.join != Join::overlap && !is_corner(bend)) return false;
   if (options_.join == Join::miter && !(miter_reach(bend.turn, options_.radius) > 0)) return false;
-  return curve.closed || (bend.begin > 0 && bend.end < length_);
+  return closed_ || (bend.begin > 0 && bend.end < length_);
 }
 
 void StrokeLegs::find_cuts(const SurfaceCurve& curve) {
@@ -68,7 +68,7 @@ void StrokeLegs::find_cuts(const SurfaceCurve& curve) {
   bends_.update(curve, curvature, options_.radius);
   for (const Bend& bend : bends_.all()) {
     const SpreadBend spread{bend, span(bend)};
-    if (is_cut(curve, bend)) {
+    if (is_cut(bend)) {
       // The first corner of a closed stroke ends the last leg, which counts t on beyond the length.
       corners_.push_back(corner_at(curve, spread, curve.closed && cuts_.empty() ? length_ : 0));
       cuts_.push_back(spread);

@@ -54,7 +54,6 @@ class StrokeLegs {
 
   /// The bends between the legs, in the order of t.
   std::span<const SpreadBend> cuts() const { return cuts_; }
-  bool is_corner(const SpreadBend& cut) const;
   /// The bend at a cut as a part of the stroke. On a closed stroke it may end beyond the length.
   Leg bend(std::size_t cut) const {
     const double loop = cuts_[cut].bend.begin < 0 ? length_ : 0;
@@ -69,7 +68,8 @@ class StrokeLegs {
 
  private:
   void find_cuts(const SurfaceCurve& curve);
-  bool is_cut(const SurfaceCurve& curve, const Bend& bend) const;
+  bool is_corner(const Bend& bend) const;
+  bool is_cut(const Bend& bend) const;
   Corner corner_at(const SurfaceCurve& curve, const SpreadBend& cut, double loop) const;
   double span(const Bend& bend) const;
   double reach(const std::optional<LegEnd>& end) const;

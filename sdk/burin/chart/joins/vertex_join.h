@@ -4,6 +4,7 @@
 #include <burin/chart/joins/stroke_legs.h>
 #include <burin/stroke/curve/surface_curve.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,13 +28,16 @@ class VertexJoin {
   using Nodes = std::span<LegNode>;
   Index leg_count() const { return static_cast<Index>(legs_.legs().size()); }
   bool is_of_bend(const LegNode& node) const { return node.leg >= leg_count(); }
+  const SpreadBend& cut_of(const LegNode& of_bend) const { return legs_.cuts()[of_bend.leg - leg_count()]; }
   void measure(LegNode& node) const;
+  bool is_past_joint(const LegNode& node) const;
   bool is_cut_off(const LegNode& node) const;
   bool is_inside(const LegNode& node) const;
+  std::optional<LegNode> nearest_of(Nodes of_legs, const Vec3f& normal) const;
   void smooth(Nodes of_legs, Nodes of_bends, const Vec3f& normal) const;
   void smooth_corner(LegNode& node, const LegEnd& end, Nodes of_bends, const Vec3f& normal) const;
   void smooth_bend(LegNode& node, const SpreadBend& spread) const;
-  void fill_from_bends(Nodes of_legs, Nodes of_bends) const;
+  void fill_from_bends(Nodes of_legs, Nodes of_bends, const Vec3f& normal) const;
 
   const StrokeLegs& legs_;
   const SurfaceCurve& curve_;
