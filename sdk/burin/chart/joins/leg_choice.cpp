@@ -1,5 +1,8 @@
 // Chooses between the nodes of the legs that meet at corners.
 #include <burin/chart/joins/leg_choice.h>
+#include <burin/math/elementary.h>
+
+#include <cmath>
 
 namespace burin {
 namespace {
@@ -12,6 +15,14 @@ bool wins(const LegEnd& end, const LegNode& node, double beyond, const LegNode& 
   return node.distance < other.distance || (node.distance == other.distance && less_far);
 }
 
+/// Whether two nodes tell of the vertex the same distance from the corner, so that their legs meet there.
+/// Otherwise a leg has come back to the vertex by a bend farther on.
+bool meet_there(const LegNode& a, double a_beyond, const LegNode& b, double b_beyond, double near) {
+  const double from_a = math::hypot(a_beyond, static_cast<double>(a.frame.d));
+  const double from_b = math::hypot(b_beyond, static_cast<double>(b.frame.d));
+  return std::abs(from_a - from_b) <= near / 8;
+}
+
 bool is_kept(const std::optional<LegEnd>& end, const LegNode& node, std::span<const LegNode> of_vertex,
              double near) {
   if (!end) return true;
@@ -20,7 +31,8 @@ bool is_kept(const std::optional<LegEnd>& end, const LegNode& node, std::span<co
   for (const LegNode& other : of_vertex) {
     if (&other == &node || other.leg != end->other_leg) continue;
     const double other_beyond = way_beyond(end->corner, !end->first_leg, other.frame.t);
-    if (other_beyond >= -near) return wins(*end, node, beyond, other, other_beyond);
+    if (other_beyond >= -near && meet_there(node, beyond, other, other_beyond, near))
+      return wins(*end, node, beyond, other, other_beyond);
   }
   return beyond <= 0 || on_own_side(end->corner, end->first_leg, node.frame);
 }
