@@ -1,4 +1,4 @@
-// org.burin.wave: a rounded bead or groove along a sine wave, whose middle line is the drawn stroke.
+// org.burin.wave: draws a rounded bead or groove along a sine wave, whose middle line is the drawn stroke.
 
 #include <burin/plugin/plugin.h>
 

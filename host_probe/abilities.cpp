@@ -1,4 +1,5 @@
-// The optional interfaces of the probe: a state, and for the probe of solids a solid and a moved curve.
+// Serves the optional interfaces of the probe: a state, and for the probe of solids a solid and a moved
+// curve.
 #include "abilities.h"
 
 #include <burin/abi/ext/curve_filter.h>

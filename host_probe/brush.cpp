@@ -1,4 +1,4 @@
-// The functions of the probe's brushes: they check what they get, and draw a round ridge.
+// Implements the probe's brushes, which check what they get, and draw a round ridge.
 #include "brush.h"
 
 #include <algorithm>

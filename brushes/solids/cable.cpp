@@ -1,4 +1,4 @@
-// org.burin.cable: strands that wind around a core, which fills the valleys between them halfway.
+// org.burin.cable: makes strands that wind around a core, which fills the valleys between them halfway.
 
 #include <burin/plugin/plugin.h>
 

@@ -1,4 +1,5 @@
-// org.burin.carve: a channel that is wider below the surface than at its mouth, as a solid to be taken away.
+// org.burin.carve: makes a channel that is wider below the surface than at its mouth, as a solid to be taken
+// away.
 
 #include <burin/plugin/plugin.h>
 

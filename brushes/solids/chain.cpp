@@ -1,4 +1,5 @@
-// org.burin.chain: interlocked links, each a ring with straight sides, tilted in turn to the left and right.
+// org.burin.chain: makes interlocked links, each a ring with straight sides, tilted in turn to the left and
+// right.
 
 #include <burin/plugin/plugin.h>
 

@@ -1,4 +1,4 @@
-// org.burin.rivets: a row of rivet heads, parts of spheres.
+// org.burin.rivets: makes a row of rivet heads, parts of spheres.
 
 #include <burin/plugin/plugin.h>
 

@@ -1,4 +1,4 @@
-// org.burin.screw: a rod with the thread of a screw.
+// org.burin.screw: makes a rod with the thread of a screw.
 
 #include <burin/plugin/plugin.h>
 

@@ -1,4 +1,4 @@
-// org.burin.tube: a rod or a pipe along the stroke, of round, square or star section.
+// org.burin.tube: makes a rod or a pipe along the stroke, of round, square or star section.
 
 #include <burin/plugin/plugin.h>
 

@@ -1,4 +1,4 @@
-// org.burin.zipper: two rows of teeth that interlock, each on a band beside the stroke.
+// org.burin.zipper: makes two rows of teeth that interlock, each on a band beside the stroke.
 
 #include <burin/plugin/plugin.h>
 

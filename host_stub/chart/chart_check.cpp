@@ -30,7 +30,8 @@ Vec3d place(const SurfaceCurve& curve, std::size_t point) {
 
 /// The vertices whose distance along edges to a point of the curve is within the stroke's half width at that
 /// point.
-std::vector<Index> vertices_under_pen(const Surface& surface, const SurfaceCurve& curve, double radius) {
+std::vector<Index> vertices_under_pen(const Surface& surface, const Picker& picker, const SurfaceCurve& curve,
+                                      double radius) {
   // The queue is ordered by the remaining half width, greatest first.
   std::priority_queue<std::pair<double, Index>> queue;
   std::unordered_map<Index, double> left_at;
@@ -42,10 +43,13 @@ std::vector<Index> vertices_under_pen(const Surface& surface, const SurfaceCurve
     entry->second = left;
     queue.emplace(left, vertex);
   };
-  for (const CurvePoint& point : curve.points)
-    for (const Index corner : point.at.corners)
+  for (const CurvePoint& point : curve.points) {
+    const auto at = picker.closest(point.at.position, static_cast<float>(radius));
+    if (!at) continue;
+    for (const Index corner : at->corners)
       reach(corner, radius * static_cast<double>(point.width) -
                         static_cast<double>((surface.positions[corner] - point.at.position).norm()));
+  }
   while (!queue.empty()) {
     const auto [left, vertex] = queue.top();
     queue.pop();
@@ -143,14 +147,15 @@ std::unordered_map<Index, double> told_distances(const Chart& chart) {
 
 }  // namespace
 
-ChartCheck check_chart(const Surface& surface, const SurfaceCurve& curve, const Chart& chart, double radius,
-                       Join join) {
-  const std::vector<Index> vertices = vertices_under_pen(surface, curve, radius);
+ChartCheck check_chart(const Surface& surface, const Picker& picker, const SurfaceCurve& curve,
+                       const Chart& chart, double radius, Join join) {
+  const std::vector<Index> vertices = vertices_under_pen(surface, picker, curve, radius);
   const std::unordered_map<Index, double> told = told_distances(chart);
   ChartCheck check;
   check.under_pen = vertices.size();
-  // Other joins define distances of their own at bends.
-  const std::optional<Shape> shape = join == Join::round ? shape_of(surface, vertices, radius) : std::nullopt;
+  // Smooth and mitered joins define distances of their own at bends.
+  const bool to_stroke = join == Join::round || join == Join::overlap;
+  const std::optional<Shape> shape = to_stroke ? shape_of(surface, vertices, radius) : std::nullopt;
   if (shape) check.distances.emplace().sphere = shape->sphere;
   for (const Index vertex : vertices) {
     const auto found = told.find(vertex);

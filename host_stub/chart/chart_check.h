@@ -2,6 +2,7 @@
 #include <burin/chart/chart.h>
 #include <burin/stroke/curve/surface_curve.h>
 #include <burin/stroke/stroke_choices.h>
+#include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
 
 #include <cstddef>
@@ -22,13 +23,13 @@ struct ChartCheck {
   std::size_t holes = 0;      ///< number of these without a node
 
   /// The errors at the vertices under the pen that have a node, if the surface around the stroke is a plane
-  /// or a sphere and the joins are round.
+  /// or a sphere and the joins are round or overlap.
   std::optional<DistanceCheck> distances;
 };
 
-/// Checks the chart of this curve, which must have round ends. `radius` is the half width of the stroke at
-/// width 1, object units.
-ChartCheck check_chart(const Surface& surface, const SurfaceCurve& curve, const Chart& chart, double radius,
-                       Join join);
+/// Checks the chart of this curve, which must have round ends and may lie on a base surface. The picker is
+/// that of the surface. `radius` is the half width of the stroke at width 1, object units.
+ChartCheck check_chart(const Surface& surface, const Picker& picker, const SurfaceCurve& curve,
+                       const Chart& chart, double radius, Join join);
 
 }  // namespace burin::command

@@ -155,10 +155,8 @@ std::string check_text(const ChartCheck& check) {
 }
 
 void print_result(const ChartCommandOptions& options, const LoadedSurface& loaded, const SurfaceCurve& curve,
-                  const Chart& chart, double radius, Join join) {
+                  const Chart& chart, double radius, const std::optional<ChartCheck>& check) {
   const Index sheets = chart.size() == 0 ? 0 : std::ranges::max(chart.sheet) + 1;
-  std::optional<ChartCheck> check;
-  if (options.check) check = check_chart(loaded.surface, curve, chart, radius, join);
   if (options.json) {
     Json json = {{"mesh", mesh_json(options.mesh, loaded)},
                  {"stroke", options.stroke},
@@ -218,7 +216,9 @@ void run(const ChartCommandOptions& options) {
     write_png(options.png, draw_chart(loaded.surface, picker, curve, chart, radius, camera));
   }
   if (!options.csv.empty()) write_csv(options.csv, loaded, chart);
-  print_result(options, loaded, curve, chart, radius, settings.join);
+  std::optional<ChartCheck> check;
+  if (options.check) check = check_chart(loaded.surface, picker, curve, chart, radius, settings.join);
+  print_result(options, loaded, curve, chart, radius, check);
 }
 
 }  // namespace
@@ -246,10 +246,9 @@ void add_chart(CLI::App& app) {
       ->capture_default_str();
   command.add_option("--csv", options->csv, "table to write")->type_name("FILE");
   command.add_option("--png", options->png, "picture to write: a checkerboard of (t, d)")->type_name("FILE");
-  command.add_flag(
-      "--check", options->check,
-      "tell how many vertices under the pen have no coordinates, and for round joins on planes and "
-      "spheres how far distances are off; for round ends");
+  command.add_flag("--check", options->check,
+                   "tell how many vertices under the pen have no coordinates, and for joins round and "
+                   "overlap on planes and spheres how far distances are off; for round ends");
   command.add_flag("--json", options->json, "write JSON to the standard output");
   command.callback([options] {
     const ReplaySettings settings = options->settings.complete();

@@ -1,4 +1,4 @@
-// Checks of passes, of end_influence and of what a brush offers besides evaluate.
+// Checks passes, end_influence and what a brush offers besides evaluate.
 #include <burin/abi/ext/bench_budget.h>
 #include <burin/abi/ext/curve_filter.h>
 #include <burin/abi/ext/state.h>

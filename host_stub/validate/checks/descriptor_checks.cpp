@@ -1,4 +1,4 @@
-// Checks of what a plugin declares.
+// Checks what a plugin declares.
 #include <burin/host/plugin/descriptor_check.h>
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Checks of what evaluate reads and writes.
+// Checks what evaluate reads and writes.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Checks of how a plugin deals with other hosts: older, newer, with fewer services.
+// Checks how a plugin deals with other hosts: older, newer, with fewer services.
 #include <fmt/format.h>
 
 #include <algorithm>

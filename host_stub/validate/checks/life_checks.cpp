@@ -1,4 +1,4 @@
-// Checks of the lifetimes of brushes and strokes, and of values of parameters.
+// Checks the lifetimes of brushes and strokes, and values of parameters.
 #include <fmt/format.h>
 #include <malloc.h>
 

@@ -1,4 +1,4 @@
-// Checks of what evaluate touches: arrays to their ends, what is not declared, memory, files.
+// Checks what evaluate touches: arrays to their ends, what is not declared, memory, files.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,4 +1,4 @@
-// Checks of the module's file and of how it is loaded, initialised and unloaded.
+// Checks the module's file and how it is loaded, initialised and unloaded.
 #include <burin/base/stopwatch.h>
 #include <burin/host/plugin/module.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Checks of results that must follow the surface: rims, seams, moved, mirrored and scaled strokes.
+// Checks results that must follow the surface: rims, seams, moved, mirrored and scaled strokes.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Checks of times, which hold for a machine that is not busy.
+// Checks times, which hold for a machine that is not busy.
 #include <burin/abi/ext/bench_budget.h>
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// The inverse of a chart, with heights. The triangle in which (t, d) lies is found by straight lines between
+// Inverts a chart, with heights. The triangle in which (t, d) lies is found by straight lines between
 // its corners; the place in it by a few steps towards where the prism's coordinates, which are right to
 // second order, are (t, d). Neighbours agree on the line between them in both.
 #include <burin/along/shell_map.h>

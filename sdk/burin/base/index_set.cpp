@@ -1,5 +1,5 @@
-// A two-level bitmap. The upper level says which words of the lower level are not zero, so that draining
-// skips 4096 indices per empty word of the upper level.
+// Keeps a two-level bitmap. The upper level says which words of the lower level are not zero, so that
+// draining skips 4096 indices per empty word of the upper level.
 #include <burin/base/index_set.h>
 
 #include <bit>

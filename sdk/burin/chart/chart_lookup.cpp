@@ -1,4 +1,4 @@
-// Point location in the (t, d) plane: a uniform grid lists the bounding boxes of the chart's triangles, and
+// Locates points in the (t, d) plane: a uniform grid lists the bounding boxes of the chart's triangles, and
 // barycentric coordinates decide. The header has the costs.
 #include <burin/base/error.h>
 #include <burin/chart/chart_lookup.h>

@@ -1,4 +1,4 @@
-// A chart stored in slots. Slots of one vertex form a linked list in the order of t; setting or removing a
+// Stores a chart in slots. Slots of one vertex form a linked list in the order of t; setting or removing a
 // node costs O(1) and the few sheets of its vertex, sorted() O(n) in the number of nodes.
 #include <burin/base/index_set.h>
 #include <burin/chart/live_chart.h>

@@ -1,4 +1,4 @@
-// The C face of StrokeRecorder.
+// Gives StrokeRecorder to programs in C.
 #include <burin/base/error.h>
 #include <burin/base/text/json_value.h>
 #include <burin/host/recorder.h>

@@ -1,4 +1,4 @@
-// The functions of the codec that is linked to OpenImageIO.
+// Implements the codec that is linked to OpenImageIO.
 #include <burin/image_codec/exr_writer.h>
 #include <burin/image_codec/image_reader.h>
 #include <burin/image_codec/open_image_io_codec.h>

@@ -1,4 +1,4 @@
-// The entry point of the module burin-images.so.
+// Implements the entry point of the module burin-images.so.
 #include <burin/image_codec/open_image_io_codec.h>
 #include <burin/image_module/image_module.h>
 #include <burin/version.h>

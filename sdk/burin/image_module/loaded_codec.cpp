@@ -1,4 +1,4 @@
-// The image codec of programs that load OpenImageIO when they open an image.
+// Gives programs that load OpenImageIO when they open an image their image codec.
 #include <burin/base/error.h>
 #include <burin/base/program_file.h>
 #include <burin/image_module/image_module.h>

@@ -1,4 +1,4 @@
-// Sets of triangles that are joined through voxels. The result's distance is contoured around the solid. The
+// Joins sets of triangles through voxels. The result's distance is contoured around the solid. The
 // surface is cut, and the contour too, along the line on which the solid is as far as the result differs from
 // the surface and a voxel more; there both lie on the surface, and are joined. The seam is remeshed.
 #include <burin/base/error.h>

@@ -1,5 +1,5 @@
-// Voxels of a closed mesh by OpenVDB, which finds the distance to the nearest triangle and what is inside by
-// filling the outside.
+// Finds the voxels of a closed mesh by OpenVDB, which finds the distance to the nearest triangle and what is
+// inside by filling the outside.
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/level_set/mesh_solid.h>

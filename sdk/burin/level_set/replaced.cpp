@@ -1,4 +1,4 @@
-// The part of a surface around a solid that is cut out, before it is cut along the exact line: whole
+// Finds the part of a surface around a solid that is cut out, before it is cut along the exact line: whole
 // triangles. A triangle is near if the distance at its middle says so, or that of a quarter of it, and so on
 // down to a voxel.
 #include <burin/base/error.h>

@@ -1,5 +1,5 @@
-// The surface of a voxel solid as a triangle mesh, by contouring its level set and relaxing the vertices, and
-// solids written as OpenVDB files.
+// Turns the surface of a voxel solid into a triangle mesh, by contouring its level set and relaxing the
+// vertices, and solids written as OpenVDB files.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
 #include <burin/level_set/relaxed_mesh.h>

@@ -1,4 +1,4 @@
-// The host's service burin.lettering/1.
+// Implements the host's service burin.lettering/1.
 #include <burin/host/plugin/utf8_path.h>
 #include <burin/services/service_tables.h>
 #include <burin/stamp/lettering/font_search.h>

@@ -1,4 +1,4 @@
-// The host's service burin.stamps/1: checks arguments at the ABI, and samples open stamps.
+// Implements the host's service burin.stamps/1: checks arguments at the ABI, and samples open stamps.
 #include <burin/abi/ext/log.h>
 #include <burin/host/plugin/utf8_path.h>
 #include <burin/services/service_tables.h>

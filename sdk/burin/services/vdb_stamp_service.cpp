@@ -1,4 +1,4 @@
-// The host's service burin.vdb-stamps/1: checks arguments at the ABI, and samples open grids.
+// Implements the host's service burin.vdb-stamps/1: checks arguments at the ABI, and samples open grids.
 #include <burin/host/plugin/utf8_path.h>
 #include <burin/services/service_tables.h>
 

@@ -1,4 +1,4 @@
-// Names of the wrap modes.
+// Names the wrap modes.
 #include <burin/stamp/wrap.h>
 
 #include <algorithm>

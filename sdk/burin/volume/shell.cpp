@@ -1,6 +1,6 @@
-// The prisms over the triangles of a chart, in which a point in space has stroke coordinates [S. Porumbescu
-// et al., Shell Maps, 2005]. Newton's method finds the foot of a point: its barycentric coordinates and
-// height in the prism.
+// Finds the prisms over the triangles of a chart, in which a point in space has stroke coordinates [S.
+// Porumbescu et al., Shell Maps, 2005]. Newton's method finds the foot of a point: its barycentric
+// coordinates and height in the prism.
 #include <burin/base/parallel.h>
 #include <burin/chart/chart_triangles.h>
 #include <burin/volume/shell.h>

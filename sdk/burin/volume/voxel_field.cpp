@@ -1,5 +1,5 @@
-// A box of voxels with trilinear interpolation between them. Voxels are stored in blocks of 8 x 8 x 8, of
-// which those of one value are stored as that value.
+// Stores a box of voxels, with trilinear interpolation between them. Voxels are stored in blocks of 8 x 8 x
+// 8, of which those of one value are stored as that value.
 #include <burin/volume/voxel_field.h>
 
 #include <algorithm>

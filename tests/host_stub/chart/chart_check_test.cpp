@@ -30,7 +30,7 @@ std::vector<Vec3d> bow_on_sphere() {
 TEST(ChartCheck, FindsNothingWrongOnThePlane) {
   test::Charted on(test::plane(1, 0.02, 3));
   const Chart chart = on.chart({.radius = radius}, bow(0));
-  const ChartCheck check = check_chart(on.surface, on.curve, chart, radius, Join::round);
+  const ChartCheck check = check_chart(on.surface, on.picker, on.curve, chart, radius, Join::round);
   EXPECT_GT(check.under_pen, 500U);
   EXPECT_EQ(check.holes, 0U);
   ASSERT_TRUE(check.distances.has_value());
@@ -39,10 +39,27 @@ TEST(ChartCheck, FindsNothingWrongOnThePlane) {
   EXPECT_GT(check.distances->worst, 0);
 }
 
+// The points of a curve on a base surface name its nodes, not vertices.
+TEST(ChartCheck, CountsTheSameVerticesAtTheBrushesOwnScale) {
+  test::Charted on(test::plane(1, 0.008, 3));
+  std::vector<std::size_t> counts;
+  for (const double follow : {0., 1.}) {
+    const Chart chart = on.chart({.radius = radius, .follow = follow}, bow(0));
+    const ChartCheck check = check_chart(on.surface, on.picker, on.curve, chart, radius, Join::round);
+    EXPECT_EQ(check.holes, 0U);
+    ASSERT_TRUE(check.distances.has_value());
+    EXPECT_LT(check.distances->worst, 0.005);
+    counts.push_back(check.under_pen);
+  }
+  EXPECT_GT(counts[1], 5000U);
+  EXPECT_NEAR(static_cast<double>(counts[0]), static_cast<double>(counts[1]),
+              0.01 * static_cast<double>(counts[1]));
+}
+
 TEST(ChartCheck, FindsNothingWrongOnTheSphere) {
   test::Charted on(test::sphere(6, 0.1, 3));
   const Chart chart = on.chart({.radius = radius}, bow_on_sphere());
-  const ChartCheck check = check_chart(on.surface, on.curve, chart, radius, Join::round);
+  const ChartCheck check = check_chart(on.surface, on.picker, on.curve, chart, radius, Join::round);
   EXPECT_EQ(check.holes, 0U);
   ASSERT_TRUE(check.distances.has_value());
   EXPECT_TRUE(check.distances->sphere);
@@ -64,7 +81,7 @@ TEST(ChartCheck, CountsNodesThatAreMissingOrWrong) {
     }
   }
   ASSERT_GT(taken, 3U);
-  const ChartCheck check = check_chart(on.surface, on.curve, chart, radius, Join::round);
+  const ChartCheck check = check_chart(on.surface, on.picker, on.curve, chart, radius, Join::round);
   EXPECT_EQ(check.holes, taken);
   EXPECT_EQ(check.distances->off_2, moved);
   EXPECT_EQ(check.distances->off_10, moved);
@@ -76,7 +93,7 @@ TEST(ChartCheck, KnowsNoDistancesOnOtherSurfaces) {
       test::patch({.u_min = -1, .u_max = 1, .v_min = -1, .v_max = 1, .cells_u = 100, .cells_v = 100},
                   [](double u, double v) { return Vec3d(u, v, 0.2 * u * v); }));
   const Chart chart = on.chart({.radius = radius}, bow(0));
-  const ChartCheck check = check_chart(on.surface, on.curve, chart, radius, Join::round);
+  const ChartCheck check = check_chart(on.surface, on.picker, on.curve, chart, radius, Join::round);
   EXPECT_EQ(check.holes, 0U);
   EXPECT_FALSE(check.distances.has_value());
 }
@@ -88,14 +105,14 @@ TEST(ChartCheck, CountsHolesOfAllJoins) {
     corner.push_back(back);
   for (const auto& [name, join] : named_joins) {
     Chart chart = on.chart({.radius = radius, .join = join}, corner);
-    const ChartCheck right = check_chart(on.surface, on.curve, chart, radius, join);
+    const ChartCheck right = check_chart(on.surface, on.picker, on.curve, chart, radius, join);
     EXPECT_GT(right.under_pen, 500U) << name;
     EXPECT_EQ(right.holes, 0U) << name;
-    EXPECT_EQ(right.distances.has_value(), join == Join::round) << name;
+    EXPECT_EQ(right.distances.has_value(), join == Join::round || join == Join::overlap) << name;
     const auto on_stroke = std::ranges::min_element(chart.d, {}, [](float d) { return std::abs(d); });
     const Index taken = chart.vertex[static_cast<std::size_t>(on_stroke - chart.d.begin())];
     std::ranges::replace(chart.vertex, taken, no_index);
-    EXPECT_EQ(check_chart(on.surface, on.curve, chart, radius, join).holes, 1U) << name;
+    EXPECT_EQ(check_chart(on.surface, on.picker, on.curve, chart, radius, join).holes, 1U) << name;
   }
 }
 

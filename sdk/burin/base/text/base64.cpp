@@ -1,4 +1,4 @@
-// Base64 [RFC 4648, section 4]: six bits a letter.
+// Decodes Base64 [RFC 4648, section 4], six bits a letter.
 #include <burin/base/text/base64.h>
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The exchange of border nodes between the parts of a front. Each part keeps copies of the nodes of others
+// Exchanges border nodes between the parts of a front. Each part keeps copies of the nodes of others
 // beside its own vertices, and what others know of its own, so that it reports only what differs.
 #include <burin/chart/front/front_part.h>
 

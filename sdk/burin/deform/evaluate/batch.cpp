@@ -1,5 +1,5 @@
-// The buffers of one call of a brush: float columns for all inputs and outputs, allocated once and filled for
-// up to 1024 nodes at a time.
+// Keeps the buffers of one call of a brush: float columns for all inputs and outputs, allocated once and
+// filled for up to 1024 nodes at a time.
 #include <burin/deform/evaluate/batch.h>
 #include <burin/deform/evaluate/supported_inputs.h>
 

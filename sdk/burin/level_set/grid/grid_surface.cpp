@@ -1,5 +1,5 @@
-// Surfaces of grids by OpenVDB's dual contouring, and the way to where the distance is 0, taken as quadratic
-// between voxels.
+// Finds surfaces of grids by OpenVDB's dual contouring, and the way to where the distance is 0, taken as
+// quadratic between voxels.
 #include <burin/base/parallel.h>
 #include <burin/level_set/grid/grid_surface.h>
 #include <openvdb/tools/Interpolation.h>

@@ -1,5 +1,5 @@
-// Voxels of solids as grids of OpenVDB. Distances in space come by sweeping outward from the surface [H.
-// Zhao, A Fast Sweeping Method for Eikonal Equations, 2004].
+// Makes grids of OpenVDB from the voxels of solids. Distances in space come by sweeping outward from the
+// surface [H. Zhao, A Fast Sweeping Method for Eikonal Equations, 2004].
 #include <burin/level_set/grid/grids.h>
 #include <openvdb/tools/FastSweeping.h>
 #include <openvdb/tools/SignedFloodFill.h>

@@ -1,5 +1,5 @@
-// A state machine with the states "moving" and "resting". Samples wait until it is known whether they become
-// knots. A call costs O(waiting samples + log knots).
+// Runs a state machine with the states "moving" and "resting". Samples wait until it is known whether they
+// become knots. A call costs O(waiting samples + log knots).
 #include <burin/stroke/curve/pen_path.h>
 
 #include <algorithm>
