@@ -40,7 +40,7 @@ const std::map<std::string, Names> room_may_include = {
     {"chart/front", {"chart/frames"}},
     {"chart/joins", {"chart/front"}},
     {"chart/dabs", {"chart/frames"}},
-    {"chart/transfer", {"chart/frames"}},
+    {"chart/transfer", {"chart/joins"}},
     {"stamp/files", {}},
     {"stamp/lettering", {}},
     {"deform/evaluate", {}},
