@@ -32,6 +32,9 @@ class ChartGround {
     return {patch.position, patch.normal, patch.gauss_curvature()};
   }
 
+  /// The surface whose vertices these are; null for the nodes of a base surface.
+  const Surface* surface() const { return surface_; }
+
   /// Whether several threads may read at once.
   bool concurrent() const { return !base_; }
 

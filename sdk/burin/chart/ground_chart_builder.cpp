@@ -4,7 +4,6 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/chart/ground_chart_builder.h>
-#include <burin/chart/joins/vertex_join.h>
 #include <burin/chart/path/closed_length.h>
 
 #include <algorithm>
@@ -34,22 +33,6 @@ bool beyond_end(double t, const SurfaceCurve& curve) {
   return beyond_ends(t, curve.length(), curve.closed) > 0;
 }
 
-/// The nodes of each vertex, joined, in the order of (vertex, t).
-std::vector<LegNode> joined_by_vertex(const std::vector<LegNode>& nodes, const VertexJoin& join,
-                                      const ChartGround& ground) {
-  std::vector<LegNode> all, of_vertex;
-  for (auto first = nodes.begin(); first != nodes.end();) {
-    const Index vertex = first->vertex;
-    const auto last = std::find_if(first, nodes.end(), [&](const LegNode& n) { return n.vertex != vertex; });
-    of_vertex.assign(first, last);
-    join.join(of_vertex, ground[vertex].normal);
-    std::ranges::stable_sort(of_vertex, {}, [](const LegNode& node) { return node.frame.t; });
-    all.insert(all.end(), of_vertex.begin(), of_vertex.end());
-    first = last;
-  }
-  return all;
-}
-
 }  // namespace
 
 std::size_t parts_for(const SurfaceCurve& curve, double radius) {
@@ -66,8 +49,15 @@ void GroundChartBuilder::begin(const ChartOptions& options, double stroke_radius
   options_ = options;
   stroke_radius_ = stroke_radius;
   front_.restart(options_.radius, options_.order);
-  legs_.begin(options_.radius, options_.order);
+  legs_.reset();
+  joined_.reset();
   live_.clear();
+  in_legs_ = false;
+}
+
+/// A closed stroke that is opened again starts anew.
+void GroundChartBuilder::goes_in_one_piece() {
+  if (in_legs_) begin(options_, stroke_radius_);
 }
 
 void GroundChartBuilder::expect_curve(const SurfaceCurve& curve) const {
@@ -77,19 +67,16 @@ void GroundChartBuilder::expect_curve(const SurfaceCurve& curve) const {
 
 Chart GroundChartBuilder::update(const SurfaceCurve& curve, std::size_t unchanged, std::size_t parts) {
   expect_curve(curve);
-  in_legs_ = !in_one_piece(curve);
-  if (in_legs_) return joined(curve, unchanged);
+  if (!in_one_piece(curve)) return draw_joined(curve, unchanged).sorted();
+  goes_in_one_piece();
   front_.update(curve, unchanged, parts);
   return plain(curve);
 }
 
 const LiveChart& GroundChartBuilder::draw(const SurfaceCurve& curve, std::size_t unchanged) {
   expect_curve(curve);
-  in_legs_ = !in_one_piece(curve);
-  if (in_legs_) {
-    live_.assign(joined(curve, unchanged));
-    return live_;
-  }
+  if (!in_one_piece(curve)) return draw_joined(curve, unchanged);
+  goes_in_one_piece();
   front_.update(curve, unchanged, parts_for(curve, options_.radius));
   live_.begin_event(curve.length(), false, front_.unchanged_t());
   front_.for_each_touched([&](Index slot, const FrontNode& node) {
@@ -118,25 +105,25 @@ Chart GroundChartBuilder::plain(const SurfaceCurve& curve) {
   return chart;
 }
 
-GroundChartBuilder::Legs GroundChartBuilder::draw_legs(const SurfaceCurve& curve, std::size_t unchanged) {
+const LegCharts& GroundChartBuilder::draw_legs(const SurfaceCurve& curve, std::size_t unchanged) {
   expect_curve(curve);
+  if (!legs_) {
+    ChartOptions of_stroke = options_;
+    of_stroke.radius = stroke_radius_;
+    legs_.emplace(ground_).begin(of_stroke, options_.radius);
+    unchanged = 0;
+  }
   in_legs_ = true;
-  const double unchanged_t = unchanged > 0 ? curve.points[unchanged - 1].t : -1;
-  ChartOptions of_stroke = options_;
-  of_stroke.radius = stroke_radius_;
-  const double same_below = std::min(stroke_legs_.update(curve, of_stroke, options_.radius), unchanged_t);
-  legs_.update(curve, unchanged_t, stroke_legs_, front_);
-  return {stroke_legs_, legs_.nodes(), same_below};
+  legs_->update(curve, unchanged, front_);
+  return *legs_;
 }
 
-Chart GroundChartBuilder::joined(const SurfaceCurve& curve, std::size_t unchanged) {
-  const Legs legs = draw_legs(curve, unchanged);
-  const std::vector<LegNode> nodes =
-      joined_by_vertex(legs.nodes, VertexJoin(legs.stroke, curve, options_), ground_);
-  Chart chart = chart_of(curve, nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    set(chart, 0, i, nodes[i].vertex, nodes[i].frame, ground_[nodes[i].vertex].normal);
-  return chart;
+const LiveChart& GroundChartBuilder::draw_joined(const SurfaceCurve& curve, std::size_t unchanged) {
+  const LegCharts& legs = draw_legs(curve, unchanged);
+  if (!joined_)
+    joined_.emplace(nullptr, *ground_.surface(), options_.radius, static_cast<Index>(live_.nodes().size()));
+  joined_->update(legs, curve, options_, live_);
+  return live_;
 }
 
 }  // namespace burin

@@ -2,10 +2,11 @@
 #include <burin/chart/chart_options.h>
 #include <burin/chart/front/front.h>
 #include <burin/chart/joins/leg_charts.h>
-#include <burin/chart/joins/stroke_legs.h>
 #include <burin/chart/live_chart.h>
+#include <burin/chart/transfer/leg_transfer.h>
 
 #include <cstddef>
+#include <optional>
 
 namespace burin {
 
@@ -15,7 +16,7 @@ class GroundChartBuilder {
  public:
   /// The ground's surface must outlive the object.
   explicit GroundChartBuilder(const ChartGround& ground)
-      : ground_(ground), front_(ground), legs_(ground), live_(ground.vertex_count()) {}
+      : ground_(ground), front_(ground), live_(ground.vertex_count()) {}
 
   /// Starts a stroke. The radius must be finite and above 0. `follow` is ignored: the ground already reflects
   /// it.
@@ -38,32 +39,29 @@ class GroundChartBuilder {
   /// Whether one front charts this curve; otherwise it is put together from legs.
   bool in_one_piece(const SurfaceCurve& curve) const { return options_.join == Join::round && !curve.closed; }
 
-  /// The charts of the legs of this curve, before they are joined, instead of update() or draw().
-  struct Legs {
-    const StrokeLegs& stroke;    ///< valid until the next call
-    std::vector<LegNode> nodes;  ///< in the order of (vertex, leg, t)
-    double same_below;           ///< joins have the same results as in the last call below this arc length
-  };
-  Legs draw_legs(const SurfaceCurve& curve, std::size_t unchanged);
+  /// Charts the legs of this curve instead of update() or draw(), and does not join them. Valid until the
+  /// next call.
+  const LegCharts& draw_legs(const SurfaceCurve& curve, std::size_t unchanged);
 
   /// The stroke of the last chart in one piece.
   const FrontStroke& stroke() const { return front_.stroke(); }
-  std::uint64_t settled() const { return in_legs_ ? legs_.settled() : front_.settled(); }
-  std::uint64_t pushes() const { return in_legs_ ? legs_.pushes() : front_.pushes(); }
+  std::uint64_t settled() const { return in_legs_ ? legs_->settled() : front_.settled(); }
+  std::uint64_t pushes() const { return in_legs_ ? legs_->pushes() : front_.pushes(); }
 
  private:
   void expect_curve(const SurfaceCurve& curve) const;
+  void goes_in_one_piece();
+  const LiveChart& draw_joined(const SurfaceCurve& curve, std::size_t unchanged);
   Chart plain(const SurfaceCurve& curve);
-  Chart joined(const SurfaceCurve& curve, std::size_t unchanged);
 
   ChartGround ground_;
   ChartOptions options_;
   double stroke_radius_ = 0;
   Front front_;
-  StrokeLegs stroke_legs_;
-  LegCharts legs_;
+  std::optional<LegCharts> legs_;      ///< set from the first chart of a stroke that is made of legs
+  std::optional<LegTransfer> joined_;  ///< joins them on the vertices themselves
   LiveChart live_;
-  bool in_legs_ = false;  ///< the last chart was put together from legs
+  bool in_legs_ = false;  ///< the last chart was made of legs
 };
 
 /// The number of parts into which the front of this curve is cut: 1 for small charts, at most one per thread.

@@ -118,7 +118,7 @@ void StrokeChartBuilder::Stroke::follow(const SurfaceCurve& curve) {
     transfer.emplace(*base, surface, *transferred, first_slot);
   } else {
     transfer.reset();
-    if (!leg_transfer) leg_transfer.emplace(*base, surface, first_slot);
+    if (!leg_transfer) leg_transfer.emplace(&*base, surface, options.radius, first_slot);
   }
 }
 

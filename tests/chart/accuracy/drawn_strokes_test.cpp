@@ -171,11 +171,11 @@ TEST(DrawnStrokes, HaveExactDistancesAtTheBrushesOwnScale) {
 }
 
 /// A stroke that grows sample by sample has the chart of the stroke in one go, bit for bit.
-void expect_to_grow(double follow, std::uint32_t seed) {
+void expect_to_grow(double follow, std::uint32_t seed, Join join = Join::round) {
   test::Charted growing(test::plane(1.05, 0.02, seed)), fresh(test::plane(1.05, 0.02, seed));
   std::mt19937 random(seed);
   const double radius = 0.2;
-  const ChartOptions options{.radius = radius, .follow = follow};
+  const ChartOptions options{.radius = radius, .join = join, .follow = follow};
   for (const std::string_view kind : test::drawn_kinds()) {
     const auto samples = laid_onto(*test::exact_plane(), test::drawn_stroke(kind, random), radius);
     growing.builder.begin(options);
@@ -199,6 +199,17 @@ TEST(DrawnStrokes, GrowBitForBit) {
     expect_to_grow(own_scale, seed);
   }
 }
+
+class JoinedStrokesThatGrow : public testing::TestWithParam<Join> {};
+
+TEST_P(JoinedStrokesThatGrow, GrowBitForBit) {
+  expect_to_grow(all_relief, 34, GetParam());
+  expect_to_grow(own_scale, 35, GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(DrawnStrokes, JoinedStrokesThatGrow,
+                         testing::Values(Join::smooth, Join::miter, Join::overlap),
+                         [](const auto& joined) { return std::string(name_of(named_joins, joined.param)); });
 
 }  // namespace
 }  // namespace burin

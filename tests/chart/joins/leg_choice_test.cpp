@@ -14,7 +14,7 @@ std::vector<LegEnds> two_legs(bool continued) {
 }
 
 LegNode node(Index leg, double t, float d, double distance) {
-  return {.vertex = 7, .leg = leg, .frame = {.t = t, .d = d}, .ray = {}, .distance = distance};
+  return {.part = part_of_leg(leg), .slot = 0, .frame = {.t = t, .d = d}, .ray = {}, .distance = distance};
 }
 
 std::vector<double> kept(std::vector<LegNode> nodes, bool continued = true) {

@@ -1,6 +1,7 @@
 // Finds bends by sliding a window of a quarter radius along the stroke: a bend is a maximal stretch on which
 // the tangent turns by more than window / radius within the window. Costs O(s log n) for n points of the
-// curve and s = 32 length / radius steps.
+// curve and s = 32 length / radius steps; when the curve grows, only the steps near what changed are taken
+// again.
 #include <burin/chart/joins/bends.h>
 
 #include <algorithm>
@@ -15,6 +16,9 @@ constexpr double least_turn = 0.35;
 /// Upper limit of the number of steps along the stroke.
 constexpr double most_steps = 1e5;
 
+/// The width of the window, and the length of a step, in radii.
+constexpr double window_width = 0.25, step_length = 1. / 32;
+
 }  // namespace
 
 double StrokeBends::angle_at(double t) const {
@@ -23,10 +27,10 @@ double StrokeBends::angle_at(double t) const {
   const auto after = std::ranges::upper_bound(t_, place) - t_.begin();
   const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1)) - 1;
   const bool last = i + 1 == t_.size();
-  if (last && !closed_) return angles_[i];
-  const double end = last ? length_ : t_[i + 1], angle = last ? loop_angle_ : angles_[i + 1];
+  if (last && !closed_) return angles_.at(i);
+  const double end = last ? length_ : t_[i + 1], angle = last ? angles_.loop() : angles_.at(i + 1);
   const double share = end > t_[i] ? std::clamp((place - t_[i]) / (end - t_[i]), 0., 1.) : 0;
-  return angles_[i] + share * (angle - angles_[i]) + loops * loop_angle_;
+  return angles_.at(i) + share * (angle - angles_.at(i)) + loops * angles_.loop();
 }
 
 /// Finds by bisection the arc length at which this share of the bend's turn is complete.
@@ -39,38 +43,65 @@ double StrokeBends::reached(const Bend& bend, double share) const {
   return (low + high) / 2;
 }
 
-void StrokeBends::update(const SurfaceCurve& curve, const GeodesicCurvature& curvature, double radius) {
+/// The turn within the window around a step over that of a circle of the radius.
+double StrokeBends::sharpness(long step) const {
+  const double t = static_cast<double>(step) * step_;
+  return turn(t - window_ / 2, t + window_ / 2) / window_width;
+}
+
+/// The bend on a stretch that holds all of its turn, with some margin on either side.
+Bend StrokeBends::measured(double begin, double end) const {
+  const Bend stretch{begin, 0, end, turn(begin, end)};
+  const double margin = window_ / 4;
+  return {reached(stretch, 0.02) - margin, reached(stretch, 0.5), reached(stretch, 0.98) + margin,
+          stretch.turn};
+}
+
+void StrokeBends::update(const SurfaceCurve& curve, double radius, std::size_t unchanged) {
+  if (curve.closed || closed_) unchanged = 0;
   closed_ = curve.closed;
   length_ = curve.length();
-  loop_angle_ = curvature.loop_angle();
-  bends_.clear();
-  t_.clear();
-  angles_.clear();
-  for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    t_.push_back(curve.points[i].t);
-    angles_.push_back(curvature.turned(i));
+  angles_.update(curve, unchanged);
+  t_.resize(unchanged);
+  for (std::size_t i = unchanged; i < curve.points.size(); ++i) t_.push_back(curve.points[i].t);
+  const double step = std::max(radius * step_length, length_ / most_steps);
+  if (step != step_) unchanged = 0;
+  step_ = step;
+  window_ = radius * window_width;
+  const long from = unchanged > 0 ? drop_changed(t_[unchanged - 1]) : 0;
+  if (from == 0) {
+    bends_.clear();
+    ends_.clear();
   }
-  if (!(length_ > 0)) return;
+  if (length_ > 0) find(from);
+}
 
-  const double window = radius / 4, step = std::max(radius / 32, length_ / most_steps);
-  const auto sharpness = [&](double t) { return turn(t - window / 2, t + window / 2) / (window / radius); };
-  const auto steps = static_cast<long>(std::ceil(length_ / step));
+/// Drops the bends that depend on the curve beyond this arc length. Returns a step within no bend, up to
+/// which all bends are kept.
+long StrokeBends::drop_changed(double unchanged_t) {
+  long from = static_cast<long>((unchanged_t - window_ / 2) / step_) - 1;
+  while (from > 0 && std::abs(sharpness(from)) > 1) --from;
+  from = std::max(from, 0L);
+  while (!ends_.empty() && ends_.back() > from) {
+    bends_.pop_back();
+    ends_.pop_back();
+  }
+  return from;
+}
+
+void StrokeBends::find(long from) {
+  const auto steps = static_cast<long>(std::ceil(length_ / step_));
   // On a closed stroke a bend across the seam is found from where it begins, before the seam.
-  for (long i = 0; i < steps; ++i) {
-    const double t = static_cast<double>(i) * step, now = sharpness(t);
+  for (long i = from; i < steps; ++i) {
+    const double now = sharpness(i);
     if (std::abs(now) <= 1) continue;
-    Bend bend{t - window / 2, 0, t + window / 2, 0};
-    const bool entered = i > 0 || !closed_ || sharpness(-step) * now <= 0 || std::abs(sharpness(-step)) <= 1;
-    while (i < 2 * steps && sharpness(static_cast<double>(i) * step) * now > std::abs(now)) ++i;
-    bend.end = static_cast<double>(i - 1) * step + window / 2;
-    bend.turn = turn(bend.begin, bend.end);
-    if (!entered || std::abs(bend.turn) < least_turn) continue;
-    const double margin = radius / 16, begin = reached(bend, 0.02) - margin,
-                 end = reached(bend, 0.98) + margin;
-    bend.middle = reached(bend, 0.5);
-    bend.begin = begin;
-    bend.end = end;
-    bends_.push_back(bend);
+    const bool entered = i > 0 || !closed_ || sharpness(-1) * now <= 0 || std::abs(sharpness(-1)) <= 1;
+    const double begin = static_cast<double>(i) * step_ - window_ / 2;
+    while (i < 2 * steps && sharpness(i) * now > std::abs(now)) ++i;
+    const double end = static_cast<double>(i - 1) * step_ + window_ / 2;
+    if (!entered || std::abs(turn(begin, end)) < least_turn) continue;
+    bends_.push_back(measured(begin, end));
+    ends_.push_back(i);
   }
 }
 

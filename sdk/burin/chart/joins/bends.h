@@ -1,7 +1,8 @@
 #pragma once
-#include <burin/stroke/curve/geodesic_curvature.h>
 #include <burin/stroke/curve/surface_curve.h>
+#include <burin/stroke/curve/tangent_turn.h>
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,9 @@ struct Bend {
 /// between two arc lengths.
 class StrokeBends {
  public:
-  void update(const SurfaceCurve& curve, const GeodesicCurvature& curvature, double radius);
+  /// Goes over to this curve, whose first `unchanged` points are those of the last call, with the same
+  /// radius. Costs O(1) per point and step that changed.
+  void update(const SurfaceCurve& curve, double radius, std::size_t unchanged = 0);
 
   /// The bends in the order of t. On a closed stroke the first one may begin below 0 and the last one may end
   /// beyond the length.
@@ -31,11 +34,18 @@ class StrokeBends {
  private:
   double angle_at(double t) const;
   double reached(const Bend& bend, double share) const;
+  double sharpness(long step) const;
+  long drop_changed(double unchanged_t);
+  void find(long from);
+  Bend measured(double begin, double end) const;
 
-  std::vector<double> t_, angles_;  ///< [point of the curve] arc length, turn since the start
-  double length_ = 0, loop_angle_ = 0;
+  TangentTurn angles_;
+  std::vector<double> t_;  ///< [point of the curve] arc length
+  double length_ = 0;
   bool closed_ = false;
+  double window_ = 0, step_ = 0;  ///< object units
   std::vector<Bend> bends_;
+  std::vector<long> ends_;  ///< [bend] the first step after it
 };
 
 }  // namespace burin

@@ -29,7 +29,7 @@ bool is_kept(const std::optional<LegEnd>& end, const LegNode& node, std::span<co
   const double beyond = way_beyond(end->corner, end->first_leg, node.frame.t);
   if (beyond < -near) return true;
   for (const LegNode& other : of_vertex) {
-    if (&other == &node || other.leg != end->other_leg) continue;
+    if (&other == &node || other.part != part_of_leg(end->other_leg)) continue;
     const double other_beyond = way_beyond(end->corner, !end->first_leg, other.frame.t);
     if (other_beyond >= -near && meet_there(node, beyond, other, other_beyond, near))
       return wins(*end, node, beyond, other, other_beyond);
@@ -41,7 +41,7 @@ bool is_kept(const std::optional<LegEnd>& end, const LegNode& node, std::span<co
 
 void choose_at_corners(std::span<LegNode> of_vertex, std::span<const LegEnds> ends, double near) {
   for (LegNode& node : of_vertex) {
-    const auto& [before, after] = ends[node.leg];
+    const auto& [before, after] = ends[node.leg()];
     node.dropped = !is_kept(after, node, of_vertex, near) || !is_kept(before, node, of_vertex, near);
   }
 }

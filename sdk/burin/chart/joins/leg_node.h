@@ -5,10 +5,15 @@
 
 namespace burin {
 
-/// A node of the chart of one leg, or of the bend between two legs.
+/// A part of a stroke that is charted by itself: leg i has the number 2 i, the bend at cut i the number 2 i
+/// + 1.
+inline constexpr Index part_of_leg(Index leg) { return 2 * leg; }
+inline constexpr Index part_of_cut(Index cut) { return 2 * cut + 1; }
+
+/// A node of the chart of one part.
 struct LegNode {
-  Index vertex;
-  Index leg;         ///< index of the leg in the order of t; bends come after all legs
+  Index part;
+  Index slot;        ///< of the node in the front that charted the part
   ChartFrame frame;  ///< t on the stroke
   DistanceRay ray;   ///< at the frame
 
@@ -19,10 +24,9 @@ struct LegNode {
   bool continued = false;  ///< the node lies beyond an end of its leg that is continued straight
   bool dropped = false;
 
-  /// Whether the chart of the leg has the same node, whatever a join made of it.
-  bool charted_as(const LegNode& other) const {
-    return vertex == other.vertex && leg == other.leg && frame == other.frame && ray == other.ray;
-  }
+  bool is_of_bend() const { return part % 2 == 1; }
+  Index leg() const { return part / 2; }  ///< of a node that is not of a bend
+  Index cut() const { return part / 2; }  ///< of a node of a bend
 };
 
 }  // namespace burin

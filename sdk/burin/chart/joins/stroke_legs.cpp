@@ -1,5 +1,5 @@
-// Cuts a stroke at its bends into legs. Costs what finding the bends costs, and O(b^2) for b bends.
-#include <burin/chart/front/front.h>
+// Cuts a stroke at its bends into legs. Costs what finding the bends costs, and O(b log n) for b bends of a
+// curve of n points.
 #include <burin/chart/joins/stroke_legs.h>
 #include <burin/chart/path/curve_parts.h>
 #include <burin/math/elementary.h>
@@ -15,29 +15,41 @@ namespace {
 /// A bend shorter than this share of the radius is a corner.
 constexpr double corner_length = 0.5;
 
-/// The arc length below which two lists of bends have the same influence on joins: bends choose between nodes
-/// up to `near` before them, and spread t over their span.
-double same_below(std::span<const SpreadBend> before, std::span<const SpreadBend> now, double near) {
-  const auto [old_end, new_end] = std::ranges::mismatch(before, now);
-  double below = std::numeric_limits<double>::infinity();
+/// The arc length below which two lists of bends have the same influence on joins, on a curve that is the
+/// same below `unchanged_t`: bends choose between nodes up to `near` before them, and spread t over their
+/// span, by how the stroke turns there.
+double same_below(std::span<const SpreadBend> before, std::span<const SpreadBend> now, double near,
+                  double unchanged_t) {
+  double below = unchanged_t;
   const auto limit = [&](const SpreadBend& bend) {
     below = std::min(below, bend.bend.begin - std::max(near, bend.span));
   };
+  const auto [old_end, new_end] = std::ranges::mismatch(before, now);
   std::for_each(old_end, before.end(), limit);
   std::for_each(new_end, now.end(), limit);
+  const auto first_open = std::ranges::find_if(
+      now, [&](const SpreadBend& bend) { return bend.bend.middle + bend.span >= unchanged_t; });
+  std::for_each(first_open, now.end(), limit);
   return below;
 }
 
 }  // namespace
 
-double StrokeLegs::update(const SurfaceCurve& curve, const ChartOptions& options, double charted_radius) {
-  const bool was_closed = std::exchange(closed_, curve.closed);
+void StrokeLegs::begin(const ChartOptions& options, double charted_radius) {
+  *this = StrokeLegs();
   options_ = options;
   charted_radius_ = charted_radius;
+}
+
+double StrokeLegs::update(const SurfaceCurve& curve, std::size_t unchanged) {
+  const bool was_closed = std::exchange(closed_, curve.closed);
   length_ = curve.length();
   const std::vector<SpreadBend> old_cuts = std::exchange(cuts_, {}), old_uncut = std::exchange(uncut_, {});
   corners_.clear();
-  if (options.join != Join::round) find_cuts(curve);
+  if (options_.join != Join::round) {
+    bends_.update(curve, options_.radius, unchanged);
+    find_cuts(curve);
+  }
   legs_.clear();
   ends_.clear();
   if (cuts_.empty()) {
@@ -47,9 +59,10 @@ double StrokeLegs::update(const SurfaceCurve& curve, const ChartOptions& options
     for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) add_leg(cuts_[i].bend.end, cuts_[i + 1].bend.begin);
     add_leg(cuts_.back().bend.end, closed_ ? cuts_.front().bend.begin + length_ : length_);
   }
-  if (closed_ || was_closed) return -std::numeric_limits<double>::infinity();
-  const double near = corner_nearness * options.radius;
-  return std::min(same_below(old_cuts, cuts_, near), same_below(old_uncut, uncut_, near));
+  if (closed_ || was_closed || unchanged == 0) return -std::numeric_limits<double>::infinity();
+  const double near = corner_nearness * options_.radius, unchanged_t = curve.points[unchanged - 1].t;
+  return std::min(same_below(old_cuts, cuts_, near, unchanged_t),
+                  same_below(old_uncut, uncut_, near, unchanged_t));
 }
 
 bool StrokeLegs::is_corner(const Bend& bend) const {
@@ -63,14 +76,12 @@ bool StrokeLegs::is_cut(const Bend& bend) const {
 }
 
 void StrokeLegs::find_cuts(const SurfaceCurve& curve) {
-  GeodesicCurvature curvature;
-  curvature.update(curve, Front::curvature_window * options_.radius);
-  bends_.update(curve, curvature, options_.radius);
-  for (const Bend& bend : bends_.all()) {
-    const SpreadBend spread{bend, span(bend)};
-    if (is_cut(bend)) {
+  const std::span<const Bend> bends = bends_.all();
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    const SpreadBend spread{bends[i], span(i)};
+    if (is_cut(bends[i])) {
       // The first corner of a closed stroke ends the last leg, which counts t on beyond the length.
-      corners_.push_back(corner_at(curve, spread, curve.closed && cuts_.empty() ? length_ : 0));
+      corners_.push_back(corner_at(curve, spread, closed_ && cuts_.empty() ? length_ : 0));
       cuts_.push_back(spread);
     } else {
       uncut_.push_back(spread);
@@ -93,14 +104,16 @@ Corner StrokeLegs::corner_at(const SurfaceCurve& curve, const SpreadBend& cut, d
 
 /// How far before and after a bend a smooth join spreads t: long enough that |grad t| stays between 1/2 and 2
 /// at a right angle, but at most half way to the next bend, and not beyond an end of the stroke.
-double StrokeLegs::span(const Bend& bend) const {
-  double span = 4 * options_.radius * math::tan(bounded_half(bend.turn));
-  span = closed_ ? std::min(span, length_ / 2) : std::min({span, bend.middle, length_ - bend.middle});
-  for (const Bend& other : bends_.all()) {
-    double gap = std::abs(other.middle - bend.middle);
-    if (closed_) gap = std::min(gap, length_ - gap);
-    if (other.middle != bend.middle) span = std::min(span, gap / 2);
-  }
+double StrokeLegs::span(std::size_t bend) const {
+  const std::span<const Bend> all = bends_.all();
+  const double middle = all[bend].middle;
+  double span = 4 * options_.radius * math::tan(bounded_half(all[bend].turn));
+  span = closed_ ? std::min(span, length_ / 2) : std::min({span, middle, length_ - middle});
+  const auto keep_off = [&](double other) { span = std::min(span, std::abs(other - middle) / 2); };
+  if (bend > 0) keep_off(all[bend - 1].middle);
+  if (bend + 1 < all.size()) keep_off(all[bend + 1].middle);
+  if (closed_ && all.size() > 1 && bend == 0) keep_off(all.back().middle - length_);
+  if (closed_ && all.size() > 1 && bend + 1 == all.size()) keep_off(all.front().middle + length_);
   return span;
 }
 

@@ -42,10 +42,14 @@ struct SpreadBend {
 /// that are too long to be corners. Strokes with round joins, and strokes without bends, are one leg.
 class StrokeLegs {
  public:
-  /// Cuts another curve. `charted_radius` is the half width of the legs' charts at width 1, at least that of
-  /// the stroke. Returns the arc length up to which all is as with the curve before, provided that the curve
-  /// itself is; below any arc length when something changed on a closed stroke.
-  double update(const SurfaceCurve& curve, const ChartOptions& options, double charted_radius);
+  /// Forgets the curve. `charted_radius` is the half width of the legs' charts at width 1, object units, at
+  /// least that of the stroke.
+  void begin(const ChartOptions& options, double charted_radius);
+
+  /// Cuts another curve, whose first `unchanged` points are those of the last call. Returns the arc length
+  /// below which joins make the same of the same nodes as with the curve before; minus infinity on closed
+  /// strokes and without unchanged points.
+  double update(const SurfaceCurve& curve, std::size_t unchanged);
 
   /// The legs in the order of t. On a closed stroke with corners the last one ends beyond the length.
   std::span<const Leg> legs() const { return legs_; }
@@ -71,7 +75,7 @@ class StrokeLegs {
   bool is_corner(const Bend& bend) const;
   bool is_cut(const Bend& bend) const;
   Corner corner_at(const SurfaceCurve& curve, const SpreadBend& cut, double loop) const;
-  double span(const Bend& bend) const;
+  double span(std::size_t bend) const;
   double reach(const std::optional<LegEnd>& end) const;
   LegEnds ends_of(std::size_t leg) const;
   void add_leg(double begin, double end);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 namespace burin {
 namespace {
@@ -35,8 +36,10 @@ VertexJoin::VertexJoin(const StrokeLegs& legs, const SurfaceCurve& curve, const 
 
 void VertexJoin::join(std::vector<LegNode>& nodes, const Vec3f& normal) const {
   for (LegNode& node : nodes) measure(node);
-  const auto first_of_bends =
-      std::ranges::find_if(nodes, [&](const LegNode& node) { return is_of_bend(node); });
+  std::ranges::sort(nodes, {}, [](const LegNode& node) {
+    return std::tuple(node.is_of_bend(), node.part, node.frame.t, node.slot);
+  });
+  const auto first_of_bends = std::ranges::find_if(nodes, &LegNode::is_of_bend);
   const Nodes of_legs(nodes.begin(), first_of_bends), of_bends(first_of_bends, nodes.end());
   const std::optional<LegNode> nearest = nearest_of(of_legs, normal);
   if (options_.join != Join::overlap && !legs_.cuts().empty())
@@ -48,12 +51,13 @@ void VertexJoin::join(std::vector<LegNode>& nodes, const Vec3f& normal) const {
   if (nodes.empty() && nearest) nodes.push_back(*nearest);
   if (legs_.closed())
     for (LegNode& node : nodes) node.frame.t = wrapped_t(node.frame.t, legs_.length());
+  std::ranges::stable_sort(nodes, {}, [](const LegNode& node) { return node.frame.t; });
 }
 
 /// Computes how far a node is from its leg or bend, and how far past an end of it.
 void VertexJoin::measure(LegNode& node) const {
   const double t = node.frame.t;
-  const Leg part = is_of_bend(node) ? legs_.bend(node.leg - leg_count()) : legs_.legs()[node.leg];
+  const Leg part = node.is_of_bend() ? legs_.bend(node.cut()) : legs_.legs()[node.leg()];
   const bool endless = legs_.closed() && legs_.cuts().empty();
   node.past = endless ? 0 : t - std::clamp(t, part.begin, part.end);
   node.distance = math::hypot(node.past, static_cast<double>(node.frame.d));
@@ -64,8 +68,8 @@ void VertexJoin::measure(LegNode& node) const {
 /// Whether a node lies past an end within the stroke.
 bool VertexJoin::is_past_joint(const LegNode& node) const {
   if (node.past == 0) return false;
-  if (is_of_bend(node)) return true;
-  const auto& [before, after] = legs_.ends()[node.leg];
+  if (node.is_of_bend()) return true;
+  const auto& [before, after] = legs_.ends()[node.leg()];
   return node.past < 0 ? before.has_value() : after.has_value();
 }
 
@@ -94,7 +98,7 @@ std::optional<LegNode> VertexJoin::nearest_of(Nodes of_legs, const Vec3f& normal
 void VertexJoin::smooth(Nodes of_legs, Nodes of_bends, const Vec3f& normal) const {
   for (LegNode& node : of_legs) {
     if (node.dropped) continue;
-    const auto& [before, after] = legs_.ends()[node.leg];
+    const auto& [before, after] = legs_.ends()[node.leg()];
     if (after) smooth_corner(node, *after, of_bends, normal);
     if (before) smooth_corner(node, *before, of_bends, normal);
     for (const SpreadBend& bend : legs_.uncut()) smooth_bend(node, bend);
@@ -105,7 +109,7 @@ void VertexJoin::smooth(Nodes of_legs, Nodes of_bends, const Vec3f& normal) cons
 /// where the continued legs meet lies off a bend that is rounded. Its far side, which no node of the bend
 /// reaches, keeps the distance from the end of the leg and is outside of the stroke.
 void VertexJoin::smooth_corner(LegNode& node, const LegEnd& end, Nodes of_bends, const Vec3f& normal) const {
-  const Leg& leg = legs_.legs()[node.leg];
+  const Leg& leg = legs_.legs()[node.leg()];
   const double beyond = end.first_leg ? node.frame.t - leg.end : leg.begin - node.frame.t;
   const bool inside = static_cast<double>(node.frame.d) * end.corner.turn > 0;
   if (beyond > 0 && inside && !end.continued) {
@@ -116,7 +120,7 @@ void VertexJoin::smooth_corner(LegNode& node, const LegEnd& end, Nodes of_bends,
   if (beyond <= 0) return;
   double distance = node.distance;
   for (const LegNode& of_bend : of_bends) {
-    if (of_bend.leg != leg_count() + end.cut || of_bend.distance >= distance) continue;
+    if (of_bend.part != part_of_cut(end.cut) || of_bend.distance >= distance) continue;
     distance = of_bend.distance;
     node.frame.e1 = of_bend.frame.e1;
   }
@@ -137,7 +141,7 @@ void VertexJoin::fill_from_bends(Nodes of_legs, Nodes of_bends, const Vec3f& nor
   for (LegNode& node : of_bends) {
     node.dropped = node.dropped || held;
     if (node.past != 0) node = turned_around_end(node, normal);
-    if (options_.join == Join::smooth && !node.dropped) smooth_bend(node, cut_of(node));
+    if (options_.join == Join::smooth && !node.dropped) smooth_bend(node, legs_.cuts()[node.cut()]);
   }
 }
 

@@ -20,15 +20,12 @@ class VertexJoin {
   /// Legs and curve must outlive the object.
   VertexJoin(const StrokeLegs& legs, const SurfaceCurve& curve, const ChartOptions& options);
 
-  /// Replaces the nodes of one vertex, which come in the order of (leg, t), by those of the joined stroke.
-  /// `normal` is the unit normal at the vertex. On a closed stroke t is reduced to [0, length).
+  /// Replaces the nodes of one vertex by those of the joined stroke, in the order of t. `normal` is the unit
+  /// normal at the vertex. On a closed stroke t is reduced to [0, length).
   void join(std::vector<LegNode>& nodes, const Vec3f& normal) const;
 
  private:
   using Nodes = std::span<LegNode>;
-  Index leg_count() const { return static_cast<Index>(legs_.legs().size()); }
-  bool is_of_bend(const LegNode& node) const { return node.leg >= leg_count(); }
-  const SpreadBend& cut_of(const LegNode& of_bend) const { return legs_.cuts()[of_bend.leg - leg_count()]; }
   void measure(LegNode& node) const;
   bool is_past_joint(const LegNode& node) const;
   bool is_cut_off(const LegNode& node) const;

@@ -57,4 +57,25 @@ SurfaceCurve part_of(const SurfaceCurve& curve, double begin, double end) {
   return part;
 }
 
+std::size_t update_part(SurfaceCurve& part, const SurfaceCurve& curve, double begin, double end,
+                        double unchanged_t) {
+  // The last point was interpolated at the end of the part.
+  const double kept_before = std::min(unchanged_t, end) - begin;
+  const auto is_gone = [&](const CurvePoint& point) { return point.t >= kept_before; };
+  part.points.pop_back();
+  while (!part.points.empty() && is_gone(part.points.back())) part.points.pop_back();
+  const std::size_t kept = part.points.size();
+  const auto add = [&](CurvePoint point, double t) {
+    point.t = t - begin;
+    part.points.push_back(std::move(point));
+  };
+  if (kept == 0) add(point_at(curve, begin), begin);
+  const auto in_part = [&](const CurvePoint& point) { return point.t - begin; };
+  for (auto next = std::ranges::upper_bound(curve.points, part.points.back().t, {}, in_part);
+       next != curve.points.end() && next->t < end; ++next)
+    add(*next, next->t);
+  add(point_at(curve, end), end);
+  return kept;
+}
+
 }  // namespace burin

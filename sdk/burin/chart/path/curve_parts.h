@@ -21,4 +21,10 @@ bool has_uniform_width(const SurfaceCurve& curve);
 /// closed curve `end` may lie beyond the length: the part continues across the seam.
 SurfaceCurve part_of(const SurfaceCurve& curve, double begin, double end);
 
+/// Makes `part`, which part_of() made of an open curve with the same begin, that of the curve as it is now.
+/// The curve is as it was below the arc length `unchanged_t`, greater than `begin`. Returns the number of
+/// first points of the part that were kept. Costs O(log n) and what changes.
+std::size_t update_part(SurfaceCurve& part, const SurfaceCurve& curve, double begin, double end,
+                        double unchanged_t);
+
 }  // namespace burin

@@ -1,24 +1,15 @@
-// Interpolates the charts of legs from base nodes to vertices and joins them. An event costs O(1) per node of
-// the legs to find what changed, and O(n^2) per vertex of a changed cluster with n nodes.
+// Joins the charts of legs at vertices. An event costs O(n^2) per vertex of a changed cluster with n nodes.
 #include <burin/base/parallel.h>
 #include <burin/chart/transfer/coordinate_patch.h>
 #include <burin/chart/transfer/leg_transfer.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <utility>
 
 namespace burin {
 namespace {
 
-/// The nodes of the first node's vertex.
-std::span<const LegNode> first_vertex(std::span<const LegNode> nodes) {
-  if (nodes.empty()) return nodes;
-  const auto last =
-      std::ranges::find_if(nodes, [&](const LegNode& node) { return node.vertex != nodes.front().vertex; });
-  return nodes.first(static_cast<std::size_t>(last - nodes.begin()));
-}
+constexpr double before_all = -std::numeric_limits<double>::infinity();
 
 /// The frames at points of the patch of a node's base node, extrapolated from the node.
 std::vector<ChartFrame> extrapolated(const BasePatch& patch, const LegNode& node,
@@ -39,103 +30,96 @@ std::vector<ChartFrame> extrapolated(const BasePatch& patch, const LegNode& node
   return frames;
 }
 
-bool charted_alike(std::span<const LegNode> a, std::span<const LegNode> b) {
-  return std::ranges::equal(a, b, [](const LegNode& x, const LegNode& y) { return x.charted_as(y); });
-}
-
 }  // namespace
 
-void LegTransfer::update(GroundChartBuilder::Legs legs, const SurfaceCurve& curve,
-                         const ChartOptions& options, LiveChart& vertices) {
-  // Which arc lengths joins computed anew is not known, but for all of them.
-  constexpr double all = -std::numeric_limits<double>::infinity();
-  const bool whole = !(legs.same_below > 0);
-  vertices.begin_event(curve.length(), curve.closed, whole ? all : -all);
-  for (; unused_ > 0; --unused_) vertices.remove(unused_ - 1);
-  const std::vector<LegNode> before = std::exchange(nodes_, std::move(legs.nodes));
+void LegTransfer::update(const LegCharts& charts, const SurfaceCurve& curve, const ChartOptions& options,
+                         LiveChart& vertices) {
   // The vertices of a cluster lie less than a radius before or after its node.
-  const std::vector<Nodes> stale =
-      find_stale(before, nodes_, whole ? all : legs.same_below - options.radius, vertices);
-  for (const Nodes& of_node : stale) make_room(of_node, vertices);
+  const double same_below = charts.same_below() - options.radius;
+  // Joins may compute any arc length anew, and no arc length is known from which on they compute all.
+  vertices.begin_event(curve.length(), curve.closed, same_below > 0 ? -before_all : before_all);
+  for (; unused_ > 0; --unused_) vertices.remove(unused_ - 1);
+  const std::vector<Index> stale = find_stale(charts, same_below);
+  for (const Index local : stale) make_room(charts, local, vertices);
   vertices.reserve(slots_);
-  const VertexJoin join(legs.stroke, curve, options);
+  const VertexJoin join(charts.stroke(), curve, options);
   std::vector<std::vector<Result>> results(stale.size());
   constexpr std::size_t nodes_per_block = 16;
   parallel_blocks(stale.size(), nodes_per_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) results[i] = joined(stale[i], join);
+    for (std::size_t i = begin; i < end; ++i) results[i] = joined(charts, stale[i], join);
   });
   for (const std::vector<Result>& of_node : results)
     for (const auto& [slot, vertex, frame, normal, filled] : of_node)
       filled ? vertices.set(slot, vertex, frame, normal) : vertices.remove(slot);
 }
 
-/// The nodes of each base node whose nodes changed, or that joins at or beyond the arc length `same_below`
-/// influence. Vacates the slots of base nodes that have no nodes any more.
-std::vector<LegTransfer::Nodes> LegTransfer::find_stale(Nodes before, Nodes now, double same_below,
-                                                        LiveChart& vertices) {
-  std::vector<Nodes> stale;
-  while (!before.empty() || !now.empty()) {
-    Nodes old_nodes = first_vertex(before), new_nodes = first_vertex(now);
-    if (!before.empty() && !now.empty() && before.front().vertex != now.front().vertex)
-      (before.front().vertex < now.front().vertex ? new_nodes : old_nodes) = {};
-    before = before.subspan(old_nodes.size());
-    now = now.subspan(new_nodes.size());
-    const bool near =
-        std::ranges::any_of(new_nodes, [&](const LegNode& n) { return n.frame.t >= same_below; });
-    if (new_nodes.empty())
-      vacate(ranges_[local_.find(old_nodes.front().vertex)], vertices);
-    else if (near || !charted_alike(old_nodes, new_nodes))
-      stale.push_back(new_nodes);
+/// The vertices of the charts whose nodes changed, or that joins at or beyond the arc length `same_below`
+/// influence, by their numbers in ascending order.
+std::vector<Index> LegTransfer::find_stale(const LegCharts& charts, double same_below) {
+  ranges_.resize(charts.local_count());
+  last_t_.resize(charts.local_count(), before_all);
+  for (const Index local : charts.changed()) {
+    last_t_[local] = before_all;
+    for (const LegNode& node : charts.nodes(local)) last_t_[local] = std::max(last_t_[local], node.frame.t);
   }
+  const auto last_t = [this](Index local) { return last_t_[local]; };
+  std::vector<Index> stale(charts.changed().begin(), charts.changed().end());
+  for (const Index local : stale_.find(same_below, charts.changed(), charts.local_count(), last_t))
+    if (last_t(local) >= same_below) stale.push_back(local);
+  std::ranges::sort(stale);
+  const auto repeated = std::ranges::unique(stale);
+  stale.erase(repeated.begin(), repeated.end());
   return stale;
 }
 
-/// Reserves slots of the vertices' chart for the cluster of a base node that has these nodes.
-void LegTransfer::make_room(Nodes of_node, LiveChart& vertices) {
-  const Index node = of_node.front().vertex, sheets = static_cast<Index>(of_node.size());
-  Index local = local_.find(node);
-  if (local == no_index) {
-    local = local_.insert(node);
-    ranges_.emplace_back();
-    base_->for_each_vertex(node, [&](Index) { ++ranges_.back().vertices; });
-  }
+/// Reserves slots of the vertices' chart for the cluster of a node.
+void LegTransfer::make_room(const LegCharts& charts, Index local, LiveChart& vertices) {
   Range& range = ranges_[local];
+  if (range.vertices == 0) {
+    if (base_)
+      base_->for_each_vertex(charts.vertex(local), [&](Index) { ++range.vertices; });
+    else
+      range.vertices = 1;
+  }
+  const auto sheets = static_cast<Index>(charts.nodes(local).size());
   if (sheets <= range.sheets) return;
-  vacate(range, vertices);
+  for (Index i = 0; i < range.size(); ++i) vertices.remove(range.begin + i);
   range.begin = slots_;
   range.sheets = sheets;
   slots_ += range.size();
 }
 
-void LegTransfer::vacate(const Range& range, LiveChart& vertices) {
-  for (Index i = 0; i < range.size(); ++i) vertices.remove(range.begin + i);
+/// The vertices of the cluster of a node with the coordinates that each of its charts gives them.
+std::vector<LegTransfer::OfVertex> LegTransfer::cluster(const LegCharts& charts, Index local) const {
+  const std::span<const LegNode> nodes = charts.nodes(local);
+  const Index at = charts.vertex(local);
+  if (!base_) return {{at, surface_->normals[at], {nodes.begin(), nodes.end()}}};
+  const BasePatch patch = base_->patch(at);
+  std::vector<BasePatch::Local<float>> feet;
+  std::vector<OfVertex> cluster;
+  base_->for_each_vertex(at, [&](Index vertex) {
+    feet.push_back(patch.foot(surface_->positions[vertex]));
+    cluster.push_back({vertex, patch.normal_at(feet.back()), {nodes.begin(), nodes.end()}});
+  });
+  for (std::size_t sheet = 0; sheet < nodes.size(); ++sheet) {
+    const std::vector<ChartFrame> frames = extrapolated(patch, nodes[sheet], feet);
+    for (std::size_t i = 0; i < cluster.size(); ++i) cluster[i].nodes[sheet].frame = frames[i];
+  }
+  return cluster;
 }
 
-/// What the slots of the cluster of one base node hold.
-std::vector<LegTransfer::Result> LegTransfer::joined(Nodes of_node, const VertexJoin& join) const {
-  const Index node = of_node.front().vertex;
-  const Range& range = ranges_[local_.find(node)];
-  const BasePatch patch = base_->patch(node);
-  std::vector<Index> cluster;
-  std::vector<BasePatch::Local<float>> feet;
-  base_->for_each_vertex(node, [&](Index vertex) {
-    cluster.push_back(vertex);
-    feet.push_back(patch.foot(surface_->positions[vertex]));
-  });
-  std::vector<std::vector<ChartFrame>> frames;  // [node of the cluster][vertex of the cluster]
-  for (const LegNode& of_leg : of_node) frames.push_back(extrapolated(patch, of_leg, feet));
+/// What the slots of a node's cluster hold.
+std::vector<LegTransfer::Result> LegTransfer::joined(const LegCharts& charts, Index local,
+                                                     const VertexJoin& join) const {
+  const Range& range = ranges_[local];
   std::vector<Result> results;
   results.reserve(range.size());
-  std::vector<LegNode> of_vertex;
-  for (std::size_t i = 0; i < cluster.size(); ++i) {
-    of_vertex.assign(of_node.begin(), of_node.end());
-    for (std::size_t sheet = 0; sheet < of_vertex.size(); ++sheet) of_vertex[sheet].frame = frames[sheet][i];
-    const Vec3f normal = patch.normal_at(feet[i]);
-    join.join(of_vertex, normal);
+  for (auto& [vertex, normal, nodes] : cluster(charts, local)) {
+    join.join(nodes, normal);
     for (Index sheet = 0; sheet < range.sheets; ++sheet) {
       const Index slot = range.begin + static_cast<Index>(results.size());
-      const bool filled = sheet < of_vertex.size();
-      results.push_back({slot, cluster[i], filled ? of_vertex[sheet].frame : ChartFrame{}, normal, filled});
+      const bool filled = sheet < nodes.size();
+      results.push_back({slot, vertex, filled ? nodes[sheet].frame : ChartFrame{}, normal, filled});
     }
   }
   return results;

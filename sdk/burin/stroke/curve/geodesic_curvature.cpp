@@ -1,9 +1,7 @@
 // Estimates the geodesic curvature of a polyline on a surface as the derivative of the angle by which its
 // tangent turns against parallel transport: a local least-squares polynomial at each point (Savitzky and
 // Golay 1964, for uneven spacing). O(points in the window) per point that changed.
-#include <burin/math/elementary.h>
 #include <burin/stroke/curve/geodesic_curvature.h>
-#include <burin/surface/geometry/parallel_transport.h>
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -32,13 +30,6 @@ std::size_t stride(const SurfaceCurve& curve, std::size_t point, double reach, b
       std::ranges::upper_bound(points, points[point].t + (forward ? reach : -reach), {}, &CurvePoint::t);
   const std::ptrdiff_t count = std::abs(end - points.begin() - static_cast<std::ptrdiff_t>(point));
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(count / enough_points, 1));
-}
-
-/// The angle by which the tangent turns from a to b, radians.
-double turn_between(const CurvePoint& a, const CurvePoint& b) {
-  const Vec3f carried = transport(a.tangent, a.normal, b.normal);
-  const double sine = b.normal.cross(carried).dot(b.tangent);
-  return math::atan2(sine, static_cast<double>(carried.dot(b.tangent)));
 }
 
 /// A least-squares polynomial fitted to values at abscissas around 0, which are scaled by the reach.
@@ -74,22 +65,13 @@ class LocalFit {
 std::size_t GeodesicCurvature::update(const SurfaceCurve& curve, double window, std::size_t first_changed) {
   const auto& points = curve.points;
   if (curve.closed) first_changed = 0;
-  turn(curve, first_changed);
+  turn_.update(curve, first_changed);
   // The estimate of a point may change if its window reaches beyond the last unchanged point.
   const double unchanged = first_changed > 0 ? points[first_changed - 1].t : 0;
   while (first_changed > 0 && points[first_changed - 1].t + window >= unchanged) --first_changed;
   curvature_.resize(points.size());
   for (std::size_t i = first_changed; i < points.size(); ++i) curvature_[i] = slope_at(curve, window, i);
   return first_changed;
-}
-
-void GeodesicCurvature::turn(const SurfaceCurve& curve, std::size_t first_changed) {
-  const auto& points = curve.points;
-  angles_.resize(points.size());
-  angles_[0] = 0;
-  for (std::size_t i = std::max<std::size_t>(first_changed, 1); i < points.size(); ++i)
-    angles_[i] = angles_[i - 1] + turn_between(points[i - 1], points[i]);
-  closing_angle_ = curve.closed ? turn_between(points.back(), points.front()) : 0;
 }
 
 float GeodesicCurvature::slope_at(const SurfaceCurve& curve, double window, std::size_t point) const {
@@ -111,7 +93,7 @@ float GeodesicCurvature::slope_at(const SurfaceCurve& curve, double window, std:
                                : wraps ? points.size() - 1
                                        : i - std::min(i, step);
       const std::size_t from = forward ? i : next, to = forward ? next : i;
-      const double turned = wraps ? closing_angle_ : angles_[to] - angles_[from];
+      const double turned = wraps ? turn_.closing() : turn_.at(to) - turn_.at(from);
       const double extent = (wraps ? length : points[to].t) - points[from].t;
       place += forward ? extent : -extent;
       angle += forward ? turned : -turned;

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/stroke/curve/surface_curve.h>
+#include <burin/stroke/curve/tangent_turn.h>
 
 #include <cstddef>
 #include <vector>
@@ -25,18 +26,10 @@ class GeodesicCurvature {
   float operator[](std::size_t point) const { return curvature_[point]; }
   const std::vector<float>& values() const { return curvature_; }
 
-  /// The angle by which the tangent turns from the first point to this one, radians, positive to the left.
-  double turned(std::size_t point) const { return angles_[point]; }
-
-  /// The angle by which the tangent turns along a whole closed curve, back to its first point, radians.
-  double loop_angle() const { return angles_.empty() ? 0 : angles_.back() + closing_angle_; }
-
  private:
-  void turn(const SurfaceCurve& curve, std::size_t first_changed);
   float slope_at(const SurfaceCurve& curve, double window, std::size_t point) const;
 
-  std::vector<double> angles_;  ///< [point] turn of the tangent since the first point, radians
-  double closing_angle_ = 0;    ///< turn from the last point to the first of a closed curve, radians
+  TangentTurn turn_;
   std::vector<float> curvature_;
 };
 
