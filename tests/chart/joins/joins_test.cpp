@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 #include "support/closed_curve.h"
 #include "support/shapes.h"
@@ -343,6 +344,51 @@ TEST_P(ClosedJoins, DoNotDependOnTheBeginning) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Closed, ClosedJoins, testing::Values(Join::smooth, Join::miter),
+                         [](const auto& joined) { return std::string(name_of(named_joins, joined.param)); });
+
+/// What each event of a growing stroke cost: nodes settled by fronts, and nodes of vertices computed.
+std::vector<std::size_t> costs_of_events(const ChartOptions& options, const std::vector<Vec3d>& samples) {
+  Scene scene;
+  scene.builder.begin(options);
+  const CurveGround ground(scene.surface, scene.picker, scene.builder.base());
+  CurveTracer tracer(ground, options.radius);
+  std::vector<std::size_t> costs;
+  for (const Vec3d& sample : samples) {
+    const auto at = scene.picker.closest(sample.cast<float>(), 0.1F);
+    const std::size_t unchanged = tracer.final_points();
+    tracer.add(*at, static_cast<double>(costs.size()) / 240, {});
+    const std::size_t computed = scene.builder.draw(tracer.curve(), unchanged).computed().size();
+    costs.push_back(scene.builder.settled() + computed);
+  }
+  return costs;
+}
+
+class GrowingJoins : public testing::TestWithParam<Join> {};
+
+// Lines to and fro with right angles between them: what an event costs does not depend on how much was drawn.
+TEST_P(GrowingJoins, CostTheSameHoweverLongTheStrokeIs) {
+  constexpr int rows = 12, steps = 50;
+  const double small = 0.05;
+  std::vector<Vec3d> samples;
+  for (int i = 0; i < rows * steps; ++i) {
+    const double along = static_cast<double>(i % steps) / steps, y = -0.8 + 0.13 * (i / steps);
+    const double x = 0.8 * std::clamp(2.2 * along - 1, -1., 1.), rise = 0.13 * std::max(0., 12 * along - 11);
+    samples.emplace_back(i / steps % 2 == 0 ? x : -x, y + rise, 0);
+  }
+  for (const double follow : {0., 1.}) {
+    const auto costs = costs_of_events({.radius = small, .join = GetParam(), .follow = follow}, samples);
+    const auto sum = [&](int from, int to) {
+      return std::accumulate(costs.begin() + from * steps, costs.begin() + to * steps, std::size_t{0});
+    };
+    const std::size_t early = sum(2, 4), late = sum(rows - 2, rows);
+    std::cout << "follow " << follow << ": " << early << " in the third and fourth row, " << late
+              << " in the last two\n";
+    EXPECT_GT(early, 10'000U);
+    EXPECT_LT(static_cast<double>(late), 1.15 * static_cast<double>(early));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Growing, GrowingJoins, testing::Values(Join::smooth, Join::miter, Join::overlap),
                          [](const auto& joined) { return std::string(name_of(named_joins, joined.param)); });
 
 // An arc of half the radius: no corner, but too sharp for the stroke's outside.
