@@ -32,7 +32,7 @@ expect("${WORK}/plugin" "plugin" found "found" -DCMAKE_DISABLE_FIND_PACKAGE_Eige
 expect("${WORK}/plugin;${WORK}/runtime" "runtime" missing
   "Component runtime is not installed in ${WORK}/plugin, the first prefix that has Burin; install it there: cmake --install BUILD --component runtime --prefix ${WORK}/plugin")
 expect("${WORK}/runtime" "plugin" missing "Component plugin is not installed in ${WORK}/runtime")
-expect("${WORK}/runtime" "brushes" missing "There is no component brushes: plugin, runtime, stamps, subdiv or solids.")
+expect("${WORK}/runtime" "brushes" missing "There is no component brushes: plugin, runtime, stamps, subdiv, solids or c.")
 expect("${WORK}/runtime" "runtime" missing
   "Component runtime needs what was not found: fmt::fmt (Debian: libfmt-dev)."
   -DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON)

@@ -11,6 +11,7 @@
 #include <burin/surface/triangle_mesh.h>
 #include <burin/volume/solid.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -135,7 +136,7 @@ class Session {
   /// previous state.
   void cancel_stroke();
 
-  /// The vertices that the last non-const call changed, as StrokeEvent::changed; after undo(),
+  /// The vertices that the last non-const call changed, as StrokeEvent::changed; after undo(), redo(),
   /// cancel_stroke() and calls that threw as well. set_paint() may change all vertices and is not reported
   /// here. Valid until the next call.
   std::span<const Index> changed() const;
@@ -148,6 +149,14 @@ class Session {
   /// Undoes the last finished stroke exactly, to the bit. Returns false if there is none. Throws
   /// ContractError if a stroke is open.
   bool undo();
+
+  /// Makes the stroke that was undone last again, to the bit, without drawing it. Returns false if there is
+  /// none, as after another stroke. Throws ContractError if a stroke is open.
+  bool redo();
+
+  /// How many strokes can be undone, and how many made again.
+  std::size_t undo_count() const;
+  std::size_t redo_count() const;
 
   /// The cost of the last non-const call (cancel_stroke() does not count).
   const EventCost& cost() const;

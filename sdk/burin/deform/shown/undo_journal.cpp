@@ -13,15 +13,17 @@ void UndoJournal::record(std::span<const Index> vertices, std::span<const Vec3f>
   for (const Index vertex : vertices) step.positions.push_back(positions_of_surface[vertex]);
   step.paint = std::move(paint);
   step.made = made;
-  steps_.push_back(std::move(step));
+  record(std::move(step));
 }
 
 void UndoJournal::record(Surface surface, Paint paint) {
   UndoStep step;
   step.surface = std::move(surface);
   step.surface_paint = std::move(paint);
-  steps_.push_back(std::move(step));
+  record(std::move(step));
 }
+
+void UndoJournal::record(UndoStep step) { steps_.push_back(std::move(step)); }
 
 std::optional<UndoStep> UndoJournal::take() {
   if (steps_.empty()) return std::nullopt;

@@ -13,7 +13,8 @@ namespace burin {
 /// What a stroke made beside the surface.
 enum class MadePart { none, solid, mesh };
 
-/// The positions and paint of the changed vertices before a stroke.
+/// The positions and paint of the vertices that a stroke changed, before it; or, of a stroke that was undone,
+/// after it.
 struct UndoStep {
   std::vector<Index> vertices;
   std::vector<Vec3f> positions;  ///< [i] of vertices[i]
@@ -23,9 +24,9 @@ struct UndoStep {
   Paint surface_paint;             ///< of that
 };
 
-/// The undo steps of the finished strokes of a session, newest last. A step takes 16 bytes per vertex that
-/// the stroke moved, and up to 24 per vertex that it painted. Normals follow from positions and are not
-/// stored.
+/// The undo steps of the finished strokes of a session, newest last, or the redo steps of those that were
+/// undone. A step takes 16 bytes per vertex that the stroke moved, and up to 24 per vertex that it painted.
+/// Normals follow from positions and are not stored.
 class UndoJournal {
  public:
   /// Stores the current positions of these vertices, and the paint before the stroke. A stroke that changed
@@ -36,8 +37,15 @@ class UndoJournal {
   /// Stores a surface and its paint that a stroke replaced.
   void record(Surface surface, Paint paint);
 
+  void record(UndoStep step);
+
   /// Removes and returns the newest step; nothing if there is none.
   std::optional<UndoStep> take();
+
+  /// Removes all steps.
+  void clear() { steps_.clear(); }
+
+  std::size_t size() const { return steps_.size(); }
 
  private:
   std::vector<UndoStep> steps_;

@@ -51,6 +51,7 @@ void SculptedSurface::drop() {
 void SculptedSurface::keep(MadePart made) {
   const std::vector<Index> displaced = shown_.take_displaced(surface_);
   journal_.record(displaced, surface_.positions, paint_.commit(), made);
+  end_redoing();
   commit(displaced);
 }
 
@@ -62,21 +63,42 @@ void SculptedSurface::replace(PaintedSurface made) {
   exchange(std::move(made));
   builders_ = std::make_unique<ChartBuilders>(surface_, picker_);
   journal_.record(std::move(replaced), std::move(before));
+  end_redoing();
+}
+
+void SculptedSurface::end_redoing() {
+  undone_.clear();
+  undone_builders_.clear();
 }
 
 void SculptedSurface::show(const UndoStep& step) {
   note_changed(shown_.move(surface_, step.vertices, step.positions), step.paint.vertices);
 }
 
-void SculptedSurface::restore(UndoStep step) {
-  if (step.surface) {
-    exchange({std::move(*step.surface), std::move(step.surface_paint)});
-    builders_ = std::move(replaced_builders_.back());
-    replaced_builders_.pop_back();
-    return;
-  }
+void SculptedSurface::restore(UndoStep step, Turn turn) {
+  UndoStep replaced =
+      step.surface ? restore_surface(std::move(step), turn) : restore_vertices(std::move(step));
+  steps(turn == Turn::undo ? Turn::redo : Turn::undo).record(std::move(replaced));
+}
+
+UndoStep SculptedSurface::restore_surface(UndoStep step, Turn turn) {
+  UndoStep replaced;
+  replaced.surface_paint = paint_.base();
+  replaced.surface = std::move(surface_);
+  builders_->free_strokes();
+  builders_of(turn == Turn::undo ? Turn::redo : Turn::undo).push_back(std::move(builders_));
+  exchange({std::move(*step.surface), std::move(step.surface_paint)});
+  builders_ = std::move(builders_of(turn).back());
+  builders_of(turn).pop_back();
+  return replaced;
+}
+
+UndoStep SculptedSurface::restore_vertices(UndoStep step) {
+  for (std::size_t i = 0; i < step.vertices.size(); ++i)
+    step.positions[i] = surface_.positions[step.vertices[i]];
   commit(step.vertices);
-  paint_.restore(step.paint);
+  step.paint = paint_.restore(step.paint);
+  return step;
 }
 
 /// Sets `changed_` to the union of two ascending lists.

@@ -14,6 +14,9 @@
 
 namespace burin {
 
+/// Which way a finished stroke is taken: undone, or made again.
+enum class Turn { undo, redo };
+
 /// The surface of a session with all that depends on it, as it is shown while a stroke is open, and the steps
 /// that undo finished strokes. Neither copied nor moved, since pickers and builders refer to its surface.
 class SculptedSurface {
@@ -49,13 +52,22 @@ class SculptedSurface {
   /// Replaces a part of the surface, with an undo step. No stroke may refer to the surface any more.
   void replace(PaintedSurface made);
 
-  /// Undoing takes two calls: show() moves the vertices of the step back, and restore() makes that the
-  /// surface. For a step that holds a surface restore() does both.
-  std::optional<UndoStep> take_step() { return journal_.take(); }
+  /// Undoing and redoing take two calls: show() moves the vertices of the step, and restore() makes that the
+  /// surface. For a step that holds a surface restore() does both. What restore() replaces is a step for the
+  /// other way. A stroke that is kept ends redoing.
+  std::optional<UndoStep> take_step(Turn turn) { return steps(turn).take(); }
+  std::size_t step_count(Turn turn) const { return turn == Turn::undo ? journal_.size() : undone_.size(); }
   void show(const UndoStep& step);
-  void restore(UndoStep step);
+  void restore(UndoStep step, Turn turn);
 
  private:
+  using Builders = std::vector<std::unique_ptr<ChartBuilders>>;
+
+  UndoJournal& steps(Turn turn) { return turn == Turn::undo ? journal_ : undone_; }
+  Builders& builders_of(Turn turn) { return turn == Turn::undo ? replaced_builders_ : undone_builders_; }
+  void end_redoing();
+  UndoStep restore_surface(UndoStep step, Turn turn);
+  UndoStep restore_vertices(UndoStep step);
   void note_changed(std::span<const Index> moved, std::span<const Index> painted);
   void commit(std::span<const Index> displaced);
   void exchange(PaintedSurface made);
@@ -63,11 +75,12 @@ class SculptedSurface {
   Surface surface_;
   Picker picker_;
   std::unique_ptr<ChartBuilders> builders_;
-  /// Of the surfaces that were replaced: made anew after undo they would have other clusters.
-  std::vector<std::unique_ptr<ChartBuilders>> replaced_builders_;
+  /// Of the surfaces that were replaced, and of those whose replacing was undone: made anew they would have
+  /// other clusters.
+  Builders replaced_builders_, undone_builders_;
   ShownSurface shown_;
   ShownPaint paint_;
-  UndoJournal journal_;
+  UndoJournal journal_, undone_;
   std::vector<Index> changed_;
   std::uint64_t generation_ = 0;
 };
