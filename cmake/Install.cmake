@@ -1,7 +1,7 @@
 # What `cmake --install` lays out, in components that stand alone:
 #   plugin   headers and CMake package for brush authors; needs no third-party package
 #   runtime  headers, static libraries and CMake package for applications that embed Burin
-#   library  libburin.so.0, for programs that load it
+#   library  libburin.so.0 and what it looks for beside itself, for programs that load it
 #   c        its header, CMake package and pkg-config file, for those who build such programs
 #   brushes  the stock brushes
 #   command  burin

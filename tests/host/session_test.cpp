@@ -212,6 +212,36 @@ TEST(Session, UndoesStrokesBitForBit) {
   EXPECT_TRUE(Snapshot(session) == states[1]) << "as if nothing had ever been undone";
 }
 
+TEST(Session, MakesUndoneStrokesAgainBitForBit) {
+  Session session = test::sphere_session();
+  std::vector<Snapshot> states = {Snapshot(session)};
+  for (const double radius : {0.1, 0.3, 0.2}) {
+    draw(session, settings("org.burin.groove", radius), test::wave_on_sphere());
+    states.emplace_back(session);
+  }
+  EXPECT_FALSE(session.redo());
+  for (int i = 0; i < 2; ++i) session.undo();
+  EXPECT_EQ(session.undo_count(), 1u);
+  EXPECT_EQ(session.redo_count(), 2u);
+  for (const std::size_t i : {2u, 3u}) {
+    EXPECT_TRUE(session.redo());
+    EXPECT_FALSE(session.changed().empty());
+    EXPECT_TRUE(Snapshot(session) == states[i]) << i;
+  }
+  EXPECT_FALSE(session.redo());
+  EXPECT_TRUE(session.undo());
+  EXPECT_TRUE(Snapshot(session) == states[2]);
+  draw(session, settings("org.burin.groove", 0.2), test::wave_on_sphere());
+  EXPECT_TRUE(Snapshot(session) == states[3]) << "as if nothing had ever been made again";
+  EXPECT_FALSE(session.redo()) << "another stroke was drawn";
+  session.undo();
+  session.begin_stroke(settings("org.burin.groove"));
+  session.cancel_stroke();
+  EXPECT_TRUE(session.redo()) << "a stroke that was cancelled changed nothing";
+  session.begin_stroke(settings("org.burin.groove"));
+  EXPECT_THROW(session.redo(), ContractError);
+}
+
 TEST(Session, PicksTheSurfaceAsOfTheLastFinishedStroke) {
   Session session = test::plane_session();
   const Ray down{Vec3f(0, 0, 1), Vec3f(0, 0, -1)};

@@ -18,12 +18,23 @@ struct burin_recorder {
 namespace burin {
 namespace {
 
-using c::called;
 using c::fields_of;
 using c::known_members;
 using c::reject;
 
 void check_recorder(const burin_recorder* recorder) { c::require(recorder, "the recorder"); }
+
+/// Runs `body` for a call from C.
+template <class Body>
+burin_status called(burin_text* error, const Body& body) {
+  return plugin::guarded(error, [&] {
+    try {
+      body();
+    } catch (const ContractError& fault) {
+      reject(fault.what());
+    }
+  });
+}
 
 StrokeSpace space_of(burin_stroke_space space) {
   if (space == BURIN_SPACE_OBJECT) return StrokeSpace::object;

@@ -17,8 +17,8 @@ struct ReplayObserver {
   Progress progress;
   /// Called when a piece of a stroke has been drawn and ended; session.chart() is its chart.
   std::function<void(const Session& session)> piece_ended;
-  /// Called after each sample and end of a piece or stroke, and where one threw: Session::changed() tells what
-  /// it changed.
+  /// Called after each sample and end of a piece or stroke, and where one threw: Session::changed() tells
+  /// what it changed.
   std::function<void(const Session& session)> changed = {};
 };
 

@@ -85,7 +85,8 @@ BURIN_API burin_status BURIN_CALL burin_library_load(burin_library* library, con
 
 /* Loads a module that is there anew, from its file as it is now. The next stroke of every session draws with
  * the new brushes, which take over the state of the old ones. Descriptors of the module are no longer valid.
- * If the call fails the old module stays. */
+ * If the call fails the old module stays. Whoever writes a new file must not write over the old one before
+ * the first time, but remove it or rename another over it. */
 BURIN_API burin_status BURIN_CALL burin_library_reload(burin_library* library, const char* path,
                                                        burin_text* error);
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <burin/abi/base.h>
-#include <burin/base/error.h>
 #include <burin/plugin/detail/complete.h>
 #include <burin/plugin/detail/error.h>
 
@@ -36,18 +35,6 @@ void give(const Struct& result, Struct* given, bool has_first, const char* name)
   Struct whole = result;
   whole.struct_size = given->struct_size;
   std::memcpy(given, &whole, std::min<std::size_t>(given->struct_size, sizeof whole));
-}
-
-/// Runs `body` for a call from C.
-template <class Body>
-burin_status called(burin_text* error, const Body& body) {
-  return plugin::guarded(error, [&] {
-    try {
-      body();
-    } catch (const ContractError& fault) {
-      reject(fault.what());
-    }
-  });
 }
 
 }  // namespace burin::c

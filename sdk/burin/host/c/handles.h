@@ -43,7 +43,9 @@ inline constexpr std::size_t attribute_count = 4;
 
 struct burin_session {
   burin_session(std::shared_ptr<burin::BrushLibrary> library, burin::Surface surface, burin_order numbers)
-      : brushes(std::move(library)), session(std::move(surface), *brushes), order(session.surface(), numbers) {}
+      : brushes(std::move(library)),
+        session(std::move(surface), *brushes),
+        order(session.surface(), numbers) {}
 
   /// Notes what the session's last call changed.
   void note_changed() {
@@ -62,8 +64,8 @@ struct burin_session {
 
 namespace burin::c {
 
-/// Makes the library of burin_library_create(), with extensions for its plugins. Throws plugin::Error for what
-/// the caller got wrong.
+/// Makes the library of burin_library_create(), with extensions for its plugins. Throws plugin::Error for
+/// what the caller got wrong.
 void create_library(const burin_library_options* options, std::unique_ptr<HostExtensions> extensions,
                     burin_library** library);
 

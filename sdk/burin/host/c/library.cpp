@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 /// A log that passes lines on to a function of C.
 BrushLibrary::Log log_of(const burin_library_options& options) {
   if (!options.log) return {};
-  return [log = options.log, user = options.user](int severity, std::string_view line) {
-    log(user, severity, std::string(line).c_str());
+  return [write = options.log, user = options.user](int severity, std::string_view line) {
+    write(user, severity, std::string(line).c_str());
   };
 }
 
@@ -45,7 +45,7 @@ void create_library(const burin_library_options* options, std::unique_ptr<HostEx
 using namespace burin;
 
 burin_status burin_get_version(burin_version_info* info, burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     const burin_version_info version{.struct_size = 0,
                                      .major = BURIN_C_MAJOR,
                                      .minor = BURIN_C_MINOR,
@@ -60,7 +60,7 @@ burin_status burin_get_version(burin_version_info* info, burin_text* error) {
 void burin_library_destroy(burin_library* library) { delete library; }
 
 burin_status burin_library_load(burin_library* library, const char* path, burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require(library, "library");
     const auto refresh = [&] { library->refused = library->brushes->refused(); };
     try {
@@ -74,7 +74,7 @@ burin_status burin_library_load(burin_library* library, const char* path, burin_
 }
 
 burin_status burin_library_reload(burin_library* library, const char* path, burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require(library, "library");
     c::require(path, "path");
     library->brushes->reload(path);

@@ -116,8 +116,8 @@ void check(const burin_mesh& given) {
 
 TriangleMesh read_arrays(const burin_mesh& given) {
   check(given);
-  std::vector<Vec3f> positions = given.position_type == BURIN_FLOAT32 ? read_positions<float>(given)
-                                                                      : read_positions<double>(given);
+  std::vector<Vec3f> positions =
+      given.position_type == BURIN_FLOAT32 ? read_positions<float>(given) : read_positions<double>(given);
   return given.corner_type == BURIN_UINT32 ? with_faces<std::uint32_t>(given, std::move(positions))
                                            : with_faces<std::uint64_t>(given, std::move(positions));
 }

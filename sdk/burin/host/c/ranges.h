@@ -20,8 +20,8 @@ class Ranges {
       ranges_.push_back({vertex, vertex + 1});
   }
 
-  /// The ranges, at most `most` of them: where there are more, the smallest gaps are closed, of equal ones the
-  /// first. O(n log n) for n ranges.
+  /// The ranges, at most `most` of them: where there are more, the smallest gaps are closed, of equal ones
+  /// the first. O(n log n) for n ranges.
   std::vector<burin_range> at_most(std::size_t most) const;
 
  private:

@@ -39,7 +39,7 @@ using namespace burin;
 
 burin_status burin_session_create(burin_library* library, const burin_mesh* mesh, burin_session** session,
                                   burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require(library, "library");
     c::require(session, "session");
     const burin_mesh known = c::known_members(mesh, mesh && BURIN_HAS(mesh, burin_mesh, reserved), "mesh");
@@ -51,7 +51,7 @@ void burin_session_destroy(burin_session* session) { delete session; }
 
 burin_status burin_session_get_info(const burin_session* session, burin_session_info* info,
                                     burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require(session, "session");
     const Surface& surface = session->session.surface();
     const burin_session_info known{.struct_size = 0,
@@ -66,7 +66,7 @@ burin_status burin_session_get_info(const burin_session* session, burin_session_
 
 burin_status burin_session_read_map(const burin_session* session, burin_map map, uint32_t* numbers,
                                     uint64_t capacity, burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require(session, "session");
     c::require(numbers, "numbers");
     if (map != BURIN_MAP_CALLER_TO_SURFACE && map != BURIN_MAP_SURFACE_TO_CALLER)
@@ -82,7 +82,7 @@ burin_status burin_session_read_map(const burin_session* session, burin_map map,
 
 burin_status burin_session_read_triangles(const burin_session* session, uint32_t* corners, uint64_t capacity,
                                           burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require(session, "session");
     c::require(corners, "corners");
     const Surface& surface = session->session.surface();
@@ -93,7 +93,7 @@ burin_status burin_session_read_triangles(const burin_session* session, uint32_t
 }
 
 burin_status burin_session_hash(const burin_session* session, uint64_t* hash, burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require(session, "session");
     c::require(hash, "hash");
     *hash = session->session.result_hash();
@@ -103,7 +103,7 @@ burin_status burin_session_hash(const burin_session* session, uint64_t* hash, bu
 burin_status burin_session_update(burin_session* session, burin_attribute attribute, uint64_t gap,
                                   burin_range* ranges, uint64_t capacity, uint64_t* count,
                                   burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require(session, "session");
     c::require(ranges, "ranges");
     c::require(count, "count");
@@ -124,7 +124,7 @@ const float* burin_session_values(const burin_session* session, burin_attribute 
 
 burin_status burin_session_read(const burin_session* session, burin_attribute attribute,
                                 const burin_range* range, const burin_target* target, burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require(session, "session");
     c::require(range, "range");
     const burin_target known =
@@ -136,7 +136,7 @@ burin_status burin_session_read(const burin_session* session, burin_attribute at
 }
 
 burin_status burin_session_chart(burin_session* session, burin_chart* chart, burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require(session, "session");
     const Chart& made = session->session.chart();
     session->chart_vertices.resize(made.size());

@@ -9,8 +9,8 @@
 
 namespace burin::c {
 
-/// The values of one attribute as the caller last saw them, by the caller's numbers, and the vertices that may
-/// have changed since.
+/// The values of one attribute as the caller last saw them, by the caller's numbers, and the vertices that
+/// may have changed since.
 class ShownValues {
  public:
   /// All vertices count as changed.

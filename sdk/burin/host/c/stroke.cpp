@@ -87,7 +87,8 @@ void check(const PenSample& given, std::uint64_t number, const OpenStroke& strok
 }
 
 /// Samples that lie one after the other, each of the size that it tells.
-std::vector<PenSample> read_samples(const burin_sample* given, std::uint64_t count, const OpenStroke& stroke) {
+std::vector<PenSample> read_samples(const burin_sample* given, std::uint64_t count,
+                                    const OpenStroke& stroke) {
   std::vector<PenSample> samples(count);
   double last_time = stroke.last_time;
   const char* at = reinterpret_cast<const char*>(given);
@@ -132,7 +133,8 @@ burin_event add_all(burin_session& session, std::vector<PenSample> samples) {
     stroke.last_time = given.sample.time;
     stroke.has_samples = true;
     if (!given.is_ray()) given.sample = stroke.stabiliser.add(given.sample);
-    const StrokeEvent::Outcome outcome = draw(session, given, &given == &samples.back() ? Show::now : Show::later);
+    const StrokeEvent::Outcome outcome =
+        draw(session, given, &given == &samples.back() ? Show::now : Show::later);
     const bool drawn = outcome == StrokeEvent::Outcome::drawn;
     event.outcome = drawn ? BURIN_OUTCOME_DRAWN : BURIN_OUTCOME_OFF_SURFACE;
     event.drawn += drawn;
@@ -172,7 +174,7 @@ void replay_file(burin_session& session, const char* path, const char* const* se
 using namespace burin;
 
 burin_status burin_session_begin(burin_session* session, const burin_stroke* stroke, burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require_stroke(session, false);
     const burin_stroke known =
         c::known_members(stroke, stroke && BURIN_HAS(stroke, burin_stroke, seed), "stroke");
@@ -185,7 +187,7 @@ burin_status burin_session_begin(burin_session* session, const burin_stroke* str
 
 burin_status burin_session_add(burin_session* session, const burin_sample* samples, uint64_t count,
                                burin_event* event, burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require_stroke(session, true);
     c::require(samples, "samples");
     const bool has_first = !event || BURIN_HAS(event, burin_event, drawn);
@@ -196,14 +198,14 @@ burin_status burin_session_add(burin_session* session, const burin_sample* sampl
 }
 
 burin_status burin_session_end(burin_session* session, burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require_stroke(session, true);
     c::end(*session);
   });
 }
 
 burin_status burin_session_cancel(burin_session* session, burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require(session, "session");
     session->session.cancel_stroke();
     session->note_changed();
@@ -212,16 +214,17 @@ burin_status burin_session_cancel(burin_session* session, burin_text* error) {
 }
 
 burin_status burin_session_undo(burin_session* session, burin_text* error) {
-  return c::called(error, [&] { c::take(session, &Session::undo, "there is no stroke to undo"); });
+  return plugin::guarded(error, [&] { c::take(session, &Session::undo, "there is no stroke to undo"); });
 }
 
 burin_status burin_session_redo(burin_session* session, burin_text* error) {
-  return c::called(error, [&] { c::take(session, &Session::redo, "there is no stroke to make again"); });
+  return plugin::guarded(error,
+                         [&] { c::take(session, &Session::redo, "there is no stroke to make again"); });
 }
 
 burin_status burin_session_replay(burin_session* session, const char* path, const char* const* settings,
                                   burin_text* error) {
-  return c::called(error, [&] {
+  return plugin::guarded(error, [&] {
     c::require_stroke(session, false);
     c::require(path, "path");
     c::replay_file(*session, path, settings);

@@ -5,6 +5,6 @@
 
 burin_status burin_library_create(const burin_library_options* options, burin_library** library,
                                   burin_text* error) {
-  return burin::c::called(
-      error, [&] { burin::c::create_library(options, burin::stamp_services(), library); });
+  return burin::plugin::guarded(error,
+                                [&] { burin::c::create_library(options, burin::stamp_services(), library); });
 }
