@@ -48,7 +48,7 @@ run(${WORK}/by_hand ${EMBED}/mesh.obj ${SAMPLES}/strokes/scale_band.stroke brush
 # Where something is wrong it says what, and ends with 2.
 execute_process(COMMAND ${WORK}/by_hand ${EMBED}/mesh.obj ${SAMPLES}/strokes/meander.stroke brush=org.burin.none radius=1
   RESULT_VARIABLE status ERROR_VARIABLE line)
-if(NOT status EQUAL 2 OR NOT line MATCHES "^c_host: no brush \"org.burin.none\"; there are: ")
+if(NOT status EQUAL 2 OR NOT line MATCHES "^c_host: no brush 'org.burin.none'; there are: ")
   message(FATAL_ERROR "c_host: status ${status}: ${line}")
 endif()
 message("c_host: two programs, both with the hash ${expected}")
