@@ -79,7 +79,10 @@ burin_deb(libburin-dev libdevel COMPONENTS runtime c
 foreach(package BURIN LIBBURIN0)
   set(CPACK_DEBIAN_${package}_PACKAGE_SHLIBDEPS ON)
 endforeach()
-# What programs that are linked with libburin.so.0 depend on, and ldconfig.
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+# The package that programs depend on which are linked with libburin.so.0, and the call of ldconfig.
+set(control ${PROJECT_BINARY_DIR}/debian/libburin0)
+file(WRITE ${control}/shlibs "libburin 0 libburin0 (>= ${PROJECT_VERSION})\n")
+file(WRITE ${control}/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBBURIN0_PACKAGE_CONTROL_EXTRA ${control}/shlibs ${control}/triggers)
 
 include(CPack)

@@ -87,9 +87,8 @@ void run(const TryOptions& options) {
   check_output_path(options.png);
   BrushLibrary library(log_on_console, stamp_services(read_vdb));
   const std::string brush = load_brush(library, options.brush);
-  const ParamSettings params = parse_param_settings(options.params, [&](const std::string& name) {
-    return takes_text(library, &brush, name);
-  });
+  const ParamSettings params = parse_param_settings(
+      options.params, [&](const std::string& name) { return takes_text(library, &brush, name); });
   Session session(make_surface(make_sheet()), library, merge_solid);
   StrokeExtent extent;
   ReplayObserver observer;

@@ -260,6 +260,13 @@ void Session::set_paint(Paint paint) {
   });
 }
 
+void Session::move_vertices(std::span<const Index> vertices, std::span<const Vec3f> positions) {
+  impl_->guarded([&] {
+    if (impl_->stroke) throw ContractError("a stroke is open");
+    impl_->surface.move(vertices, positions);
+  });
+}
+
 void Session::begin_stroke(const StrokeSettings& settings) {
   impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open already");
@@ -329,6 +336,8 @@ bool Session::undo() { return impl_->take_unless_open(Turn::undo); }
 bool Session::redo() { return impl_->take_unless_open(Turn::redo); }
 std::size_t Session::undo_count() const { return impl_->surface.step_count(Turn::undo); }
 std::size_t Session::redo_count() const { return impl_->surface.step_count(Turn::redo); }
+void Session::limit_undo(std::size_t bytes) { impl_->surface.limit_undo(bytes); }
+std::size_t Session::undo_bytes() const { return impl_->surface.undo_bytes(); }
 
 const EventCost& Session::cost() const { return impl_->cost; }
 

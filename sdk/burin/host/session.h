@@ -84,6 +84,13 @@ class Session {
   /// array is neither empty nor has one element per vertex, or if a value is outside 0..1.
   void set_paint(Paint paint);
 
+  /// Moves vertices, which must be distinct, as other tools of the application did: the surface from now on.
+  /// It is no step of undo. Steps hold positions: an application whose own undo takes such moves back in turn
+  /// with strokes gets every state again, others undo a stroke to where its vertices were before it. Costs
+  /// what moved; changed() lists it. Throws ContractError if a stroke is open, if there is not one position
+  /// for each vertex, or for a vertex or position that is not there or not finite.
+  void move_vertices(std::span<const Index> vertices, std::span<const Vec3f> positions);
+
   /// Is called while the end of a stroke makes a solid and merges it with the surface, which can take
   /// seconds, on the thread of that call. If it throws, so does the call, and the surface is as before the
   /// stroke: that is how users cancel.
@@ -157,6 +164,11 @@ class Session {
   /// How many strokes can be undone, and how many made again.
   std::size_t undo_count() const;
   std::size_t redo_count() const;
+
+  /// Bounds what undo and redo may hold, now and whenever a stroke is finished: while it is more, the oldest
+  /// stroke can no longer be undone. Without a bound all can.
+  void limit_undo(std::size_t bytes);
+  std::size_t undo_bytes() const;  ///< what both hold
 
   /// The cost of the last non-const call (cancel_stroke() does not count).
   const EventCost& cost() const;

@@ -268,9 +268,8 @@ TEST_F(CBadCalls, ThatReadWriteNothing) {
       of_call("there is room for no range", update(BURIN_POSITIONS, ranges, 0)),
       of_call("the range is not one of vertices", read({1, 0}, BURIN_FLOAT32, values)),
       of_call("the range is not one of vertices", read({0, vertices + 1}, BURIN_FLOAT32, values)),
-      of_call("the target's type is neither BURIN_FLOAT32 nor BURIN_FLOAT64",
-              read({0, 1}, BURIN_UINT32, values)),
-      of_call("the target's data is missing", read({0, 1}, BURIN_FLOAT32, nullptr)),
+      of_call("the type is neither BURIN_FLOAT32 nor BURIN_FLOAT64", read({0, 1}, BURIN_UINT32, values)),
+      of_call("data is missing", read({0, 1}, BURIN_FLOAT32, nullptr)),
       of_call("target is missing or too small",
               [](burin_session* s, burin_text* error) {
                 return IN_C(burin_session_read)(s, BURIN_POSITIONS, &range, nullptr, error);
@@ -295,6 +294,28 @@ TEST_F(CBadCalls, ThatReadWriteNothing) {
                 return IN_C(burin_session_get_info)(s, nullptr, error);
               }),
   });
+  const auto write = [](burin_attribute attribute, burin_range what, const std::vector<float>& from) {
+    return [=](burin_session* s, burin_text* error) {
+      auto source = sized<burin_source>();
+      source.type = BURIN_FLOAT32;
+      source.data = from.data();
+      return IN_C(burin_session_write)(s, attribute, &what, &source, error);
+    };
+  };
+  const std::uint64_t before = session_.hash();
+  expect_refused({
+      of_call("normals follow from positions", write(BURIN_NORMALS, {0, 1}, {0, 0, 1})),
+      of_call("there is no such attribute", write(9, {0, 1}, {0, 0, 1})),
+      of_call("a position is not finite", write(BURIN_POSITIONS, {0, 2}, {5, 5, 5, 0, nan, 0})),
+      of_call("a value is not from 0 to 1", write(BURIN_MASKS, {0, 2}, {0, 1.5f})),
+      of_call("a value is not from 0 to 1", write(BURIN_COLOURS, {0, 1}, {0, 0, nan, 0})),
+      of_call("the range is not one of vertices", write(BURIN_MASKS, {vertices, vertices + 1}, {0})),
+      of_call("source is missing or too small",
+              [](burin_session* s, burin_text* error) {
+                return IN_C(burin_session_write)(s, BURIN_MASKS, &range, nullptr, error);
+              }),
+  });
+  EXPECT_EQ(session_.hash(), before);
   EXPECT_EQ(count, 77u);
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(values[i], 5);

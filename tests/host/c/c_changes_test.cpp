@@ -6,6 +6,8 @@
 #include <random>
 
 #include <burin/host/c/ranges.h>
+#include <burin/surface/mesh_file.h>
+#include <burin/surface/triangulate.h>
 #include "c_host.h"
 
 namespace burin::test {
@@ -142,6 +144,73 @@ TEST_P(CChanges, AreTheDifferencesAcrossPieces) {
   watched.expect_differences();
   session.check(IN_C(burin_session_undo)(session, &session.error));
   EXPECT_GT(watched.expect_differences(), 200u);
+}
+
+TEST_P(CChanges, AreTheDifferencesThatOtherToolsMake) {
+  const auto write = [&](burin_attribute attribute, burin_range range, const std::vector<double>& values) {
+    auto source = sized<burin_source>();
+    source.type = BURIN_FLOAT64;
+    source.data = values.data();
+    session.check(IN_C(burin_session_write)(session, attribute, &range, &source, &session.error));
+  };
+  const std::vector<float> flat = session.read(BURIN_POSITIONS, 3);
+  std::vector<double> raised(flat.begin() + 300, flat.begin() + 900);
+  const std::vector<double> before = raised;
+  for (std::size_t i = 2; i < raised.size(); i += 9) raised[i] += 0.25;
+  write(BURIN_POSITIONS, {100, 300}, raised);
+  EXPECT_GT(watched.expect_differences(), 67u);
+  const std::vector<float> now = session.read(BURIN_POSITIONS, 3);
+  EXPECT_TRUE(std::equal(raised.begin(), raised.end(), now.begin() + 300));
+  EXPECT_EQ(session.info().undo_count, 0u);
+  session.draw(groove, in_c(wave(15)));
+  watched.expect_differences();
+  session.check(IN_C(burin_session_undo)(session, &session.error));
+  watched.expect_differences();
+  EXPECT_EQ(session.read(BURIN_POSITIONS, 3), now);
+  write(BURIN_POSITIONS, {100, 300}, before);
+  watched.expect_differences();
+  EXPECT_EQ(session.read(BURIN_POSITIONS, 3), flat);
+  session.check(IN_C(burin_session_redo)(session, &session.error));
+  watched.expect_differences();
+
+  write(BURIN_MASKS, {10, 13}, {0, 0.5, 1});
+  EXPECT_EQ(watched.expect_differences(), 2u);
+  write(BURIN_COLOURS, {20, 21}, {0.25, 0.5, 0.75, 1});
+  EXPECT_EQ(watched.expect_differences(), 1u);
+  EXPECT_EQ(session.read(BURIN_COLOURS, 4)[4 * 20 + 2], 0.75f);
+  EXPECT_EQ(session.read(BURIN_MASKS, 1)[11], 0.5f);
+}
+
+/// Cancels what it watches at the call of this number.
+struct Watcher {
+  static int32_t BURIN_CALL look(void* user, const char* stage, double done) {
+    auto& watcher = *static_cast<Watcher*>(user);
+    EXPECT_STREQ(stage, "replaying strokes");
+    EXPECT_GE(done, watcher.done);
+    watcher.done = done;
+    return ++watcher.calls == watcher.cancels_at;
+  }
+  int calls = 0, cancels_at = 0;
+  double done = 0;
+};
+
+TEST(CChangesOfFailures, AreTheDifferencesWhenARecordingIsCancelled) {
+  const std::string stroke = std::string(BURIN_SAMPLES) + "/strokes/meander.stroke";
+  Watched watched(triangulate(read_mesh(std::string(BURIN_SAMPLES) + "/meshes/ewer.obj")));
+  CSession& session = watched.session;
+  const std::uint64_t before = session.hash();
+  Watcher watcher{.cancels_at = 100};
+  session.check(IN_C(burin_session_set_progress)(session, Watcher::look, &watcher, &session.error));
+  EXPECT_EQ(IN_C(burin_session_replay)(session, stroke.c_str(), nullptr, &session.error), BURIN_ERROR);
+  EXPECT_EQ(session.error.str(), "stroke 1: cancelled");
+  EXPECT_EQ(watcher.calls, 100);
+  EXPECT_EQ(watched.expect_differences(), 0u);
+  EXPECT_EQ(session.hash(), before);
+  EXPECT_EQ(session.info().stroke_open, 0u);
+  watcher = {};
+  session.check(IN_C(burin_session_replay)(session, stroke.c_str(), nullptr, &session.error));
+  EXPECT_EQ(watcher.done, 1);
+  EXPECT_GT(watched.expect_differences(), 50u);
 }
 
 TEST(CChangesOfFailures, AreTheDifferencesWhenTheBrushFails) {

@@ -244,6 +244,35 @@ TEST(CSession, TakesRaysAndBreaksStrokesBesideTheSurface) {
   EXPECT_EQ(in_groups.hash(), session.result_hash());
 }
 
+TEST(CSession, TakesStructsOfLaterVersions) {
+  struct LaterSample {
+    burin_sample sample;
+    double more[2];
+  };
+  struct LaterInfo {
+    burin_session_info info;
+    std::uint64_t more;
+  };
+  const TriangleMesh mesh = shuffled(plane(1, 0.04, 4), 5);
+  std::vector<LaterSample> samples;
+  for (const burin_sample& sample : in_c(wave())) {
+    samples.push_back({sample, {1e300, -1}});
+    samples.back().sample.struct_size = sizeof(LaterSample);
+  }
+  CSession session(mesh);
+  session.begin(groove);
+  session.check(
+      IN_C(burin_session_add)(session, &samples.front().sample, samples.size(), nullptr, &session.error));
+  session.end();
+  EXPECT_EQ(session.hash(), expected_hash(mesh, "org.burin.groove"));
+  LaterInfo info{{}, 77};
+  info.info.struct_size = sizeof info;
+  session.check(IN_C(burin_session_get_info)(session, &info.info, &session.error));
+  EXPECT_EQ(info.info.struct_size, sizeof info);
+  EXPECT_EQ(info.info.undo_count, 1u);
+  EXPECT_EQ(info.more, 77u) << "what this version does not know";
+}
+
 TEST(CSession, ReadsColoursMasksAndNormalsAsTheyAre) {
   const TriangleMesh mesh = rough_plane();
   Session expected(make_surface(mesh), brushes());

@@ -4,6 +4,7 @@
 #include <burin/surface/surface.h>
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,13 +43,18 @@ class UndoJournal {
   /// Removes and returns the newest step; nothing if there is none.
   std::optional<UndoStep> take();
 
+  /// Removes and returns the oldest step. There must be one.
+  UndoStep drop_oldest();
+
   /// Removes all steps.
-  void clear() { steps_.clear(); }
+  void clear();
 
   std::size_t size() const { return steps_.size(); }
+  std::size_t bytes() const { return bytes_; }  ///< of all steps
 
  private:
-  std::vector<UndoStep> steps_;
+  std::deque<UndoStep> steps_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace burin

@@ -165,6 +165,7 @@ typedef struct burin_session_info {
   uint64_t triangle_count; /* without those that have a vertex twice */
   uint64_t undo_count;     /* strokes that can be undone */
   uint64_t redo_count;     /* strokes that can be made again */
+  uint64_t undo_bytes;     /* what both hold */
 } burin_session_info;
 
 /* Fills the members that info->struct_size covers. */
@@ -253,6 +254,22 @@ BURIN_API burin_status BURIN_CALL burin_session_cancel(burin_session* session, b
 BURIN_API burin_status BURIN_CALL burin_session_undo(burin_session* session, burin_text* error);
 BURIN_API burin_status BURIN_CALL burin_session_redo(burin_session* session, burin_text* error);
 
+/* Bounds what undo and redo may hold, now and whenever a stroke ends: while it is more, the oldest stroke can
+ * no longer be undone. Without a bound all can. */
+BURIN_API burin_status BURIN_CALL burin_session_limit_undo(burin_session* session, uint64_t bytes,
+                                                           burin_text* error);
+
+/* Is told what a call does that may take seconds, on the thread of the call: the name of the step, valid
+ * during the call, and the share of it that is done, 0..1. Any return but 0 ends the call with BURIN_ERROR
+ * and the text "cancelled". It must not call Burin with this session. */
+typedef int32_t(BURIN_CALL* burin_progress_function)(void* user, const char* stage, double done);
+
+/* Sets what burin_session_end tells while it makes solids, and burin_session_replay of all strokes; null:
+ * none. `user` is given to it. */
+BURIN_API burin_status BURIN_CALL burin_session_set_progress(burin_session* session,
+                                                             burin_progress_function progress, void* user,
+                                                             burin_text* error);
+
 /* Draws all strokes of a recording, as `burin replay` does. `settings` are as those of burin_stroke, hold
  * before the recording's own, and may be null. If a stroke fails, those before it stay. */
 BURIN_API burin_status BURIN_CALL burin_session_replay(burin_session* session, const char* path,
@@ -301,6 +318,23 @@ typedef struct burin_target {
   void* data;        /* of the first vertex of the range */
   uint64_t stride;   /* bytes from one vertex to the next; 0: the values of a vertex */
 } burin_target;
+
+/* Where numbers are to be read. */
+typedef struct burin_source {
+  uint32_t struct_size;
+  burin_number type; /* BURIN_FLOAT32 or BURIN_FLOAT64 */
+  const void* data;  /* of the first vertex of the range */
+  uint64_t stride;   /* bytes from one vertex to the next; 0: the values of a vertex */
+} burin_source;
+
+/* Takes values of a range of vertices that other tools of the caller changed: positions, finite, or colours
+ * or masks, 0..1; normals follow from positions. It is no step of undo, whose steps hold values of their own:
+ * a caller that undoes its own moves by this call, in turn with strokes, gets every state again. Positions
+ * cost what really moved, colours and masks a copy of all. The next update tells what changed. Not within a
+ * stroke. */
+BURIN_API burin_status BURIN_CALL burin_session_write(burin_session* session, burin_attribute attribute,
+                                                      const burin_range* range, const burin_source* source,
+                                                      burin_text* error);
 
 /* Writes the current values of a range of vertices, whether or not there was an update. */
 BURIN_API burin_status BURIN_CALL burin_session_read(const burin_session* session, burin_attribute attribute,

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/progress.h>
 #include <burin/host/brush_library.h>
 #include <burin/host/c/burin.h>
 #include <burin/host/c/shown_values.h>
@@ -47,15 +48,19 @@ struct burin_session {
         session(std::move(surface), *brushes),
         order(session.surface(), numbers) {}
 
-  /// Notes what the session's last call changed.
-  void note_changed() {
+  /// Notes vertices of the surface that may have changed.
+  void note(std::span<const burin::Index> vertices) {
     for (auto& values : shown)
-      if (values) values->note(session.changed(), order);
+      if (values) values->note(vertices, order);
   }
+
+  /// Notes what the session's last call changed.
+  void note_changed() { note(session.changed()); }
 
   std::shared_ptr<burin::BrushLibrary> brushes;
   burin::Session session;
   burin::c::VertexOrder order;
+  burin::Progress progress;
   std::optional<burin::c::OpenStroke> stroke;
   /// [attribute - 1]; made with its first update
   std::array<std::optional<burin::c::ShownValues>, burin::c::attribute_count> shown;

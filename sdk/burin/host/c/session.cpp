@@ -1,39 +1,10 @@
-// Sessions for C: surfaces, and what of them a caller may read.
+// Sessions for C, and what of their surfaces and strokes a caller may read.
 #include <burin/host/c/call.h>
 #include <burin/host/c/handles.h>
 #include <burin/host/c/mesh_arrays.h>
 
 #include <algorithm>
 #include <utility>
-
-namespace burin::c {
-namespace {
-
-ShownValues& shown_values(burin_session& session, burin_attribute attribute, std::size_t size) {
-  std::optional<ShownValues>& shown = session.shown[static_cast<std::size_t>(attribute) - 1];
-  if (!shown) shown.emplace(session.session.surface().vertex_count(), size);
-  return *shown;
-}
-
-void check(const burin_range& range, const Session& session) {
-  if (range.begin > range.end || range.end > session.surface().vertex_count())
-    reject("the range is not one of vertices");
-}
-
-void read(const burin_session& session, const VertexValues& values, const burin_range& range,
-          const burin_target& target) {
-  if (target.type != BURIN_FLOAT32 && target.type != BURIN_FLOAT64)
-    reject("the target's type is neither BURIN_FLOAT32 nor BURIN_FLOAT64");
-  const std::size_t number = target.type == BURIN_FLOAT32 ? sizeof(float) : sizeof(double);
-  const std::uint64_t stride = target.stride ? target.stride : values.size * number;
-  char* to = static_cast<char*>(target.data);
-  for (std::uint64_t vertex = range.begin; vertex < range.end; ++vertex, to += stride)
-    write_values(values.of(session.order.to_surface(static_cast<Index>(vertex))), values.size, target.type,
-                 to);
-}
-
-}  // namespace
-}  // namespace burin::c
 
 using namespace burin;
 
@@ -59,8 +30,9 @@ burin_status burin_session_get_info(const burin_session* session, burin_session_
                                    .vertex_count = surface.vertex_count(),
                                    .triangle_count = surface.triangles.size(),
                                    .undo_count = session->session.undo_count(),
-                                   .redo_count = session->session.redo_count()};
-    c::give(known, info, info && BURIN_HAS(info, burin_session_info, redo_count), "info");
+                                   .redo_count = session->session.redo_count(),
+                                   .undo_bytes = session->session.undo_bytes()};
+    c::give(known, info, info && BURIN_HAS(info, burin_session_info, undo_bytes), "info");
   });
 }
 
@@ -97,41 +69,6 @@ burin_status burin_session_hash(const burin_session* session, uint64_t* hash, bu
     c::require(session, "session");
     c::require(hash, "hash");
     *hash = session->session.result_hash();
-  });
-}
-
-burin_status burin_session_update(burin_session* session, burin_attribute attribute, uint64_t gap,
-                                  burin_range* ranges, uint64_t capacity, uint64_t* count,
-                                  burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require(session, "session");
-    c::require(ranges, "ranges");
-    c::require(count, "count");
-    if (capacity == 0) c::reject("there is room for no range");
-    const c::VertexValues values = c::values_of(session->session, attribute);
-    c::ShownValues& shown = c::shown_values(*session, attribute, values.size);
-    const std::vector<burin_range> changed = shown.update(values, session->order, gap).at_most(capacity);
-    std::ranges::copy(changed, ranges);
-    *count = changed.size();
-  });
-}
-
-const float* burin_session_values(const burin_session* session, burin_attribute attribute) {
-  if (!session || attribute < BURIN_POSITIONS || attribute > BURIN_MASKS) return nullptr;
-  const auto& shown = session->shown[static_cast<std::size_t>(attribute) - 1];
-  return shown ? shown->data() : nullptr;
-}
-
-burin_status burin_session_read(const burin_session* session, burin_attribute attribute,
-                                const burin_range* range, const burin_target* target, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require(session, "session");
-    c::require(range, "range");
-    const burin_target known =
-        c::known_members(target, target && BURIN_HAS(target, burin_target, stride), "target");
-    c::require(known.data, "the target's data");
-    c::check(*range, session->session);
-    c::read(*session, c::values_of(session->session, attribute), *range, known);
   });
 }
 

@@ -11,7 +11,8 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstring>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace burin::c {
@@ -164,8 +165,29 @@ void replay_file(burin_session& session, const char* path, const char* const* se
   if (recording.cut_off_at)
     throw FileError(path, std::to_string(*recording.cut_off_at), "the recording is cut off here");
   ReplayObserver observer;
+  observer.progress = session.progress;
   observer.changed = [&](const Session&) { session.note_changed(); };
-  replay(session.session, recording, overrides, observer);
+  const auto end = [&] {
+    // One that its progress cancelled is still open.
+    session.session.cancel_stroke();
+    session.note_changed();
+    session.session.set_progress(session.progress);
+  };
+  try {
+    replay(session.session, recording, overrides, observer);
+  } catch (...) {
+    end();
+    throw;
+  }
+  end();
+}
+
+/// Passes progress on to a function of C.
+Progress progress_of(burin_progress_function progress, void* user) {
+  if (!progress) return {};
+  return [progress, user](std::string_view stage, double done) {
+    if (progress(user, std::string(stage).c_str(), done) != 0) throw Error("cancelled");
+  };
 }
 
 }  // namespace
@@ -220,6 +242,22 @@ burin_status burin_session_undo(burin_session* session, burin_text* error) {
 burin_status burin_session_redo(burin_session* session, burin_text* error) {
   return plugin::guarded(error,
                          [&] { c::take(session, &Session::redo, "there is no stroke to make again"); });
+}
+
+burin_status burin_session_set_progress(burin_session* session, burin_progress_function progress, void* user,
+                                        burin_text* error) {
+  return plugin::guarded(error, [&] {
+    c::require(session, "session");
+    session->progress = c::progress_of(progress, user);
+    session->session.set_progress(session->progress);
+  });
+}
+
+burin_status burin_session_limit_undo(burin_session* session, uint64_t bytes, burin_text* error) {
+  return plugin::guarded(error, [&] {
+    c::require(session, "session");
+    session->session.limit_undo(bytes);
+  });
 }
 
 burin_status burin_session_replay(burin_session* session, const char* path, const char* const* settings,

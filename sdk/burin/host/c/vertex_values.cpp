@@ -40,4 +40,16 @@ void write_values(const float* values, std::size_t size, burin_number type, void
   }
 }
 
+float read_value(const void* values, burin_number type, std::size_t k) {
+  const char* const data = static_cast<const char*>(values);
+  if (type == BURIN_FLOAT32) {
+    float value = 0;
+    std::memcpy(&value, data + k * sizeof value, sizeof value);
+    return value;
+  }
+  double value = 0;
+  std::memcpy(&value, data + k * sizeof value, sizeof value);
+  return static_cast<float>(value);
+}
+
 }  // namespace burin::c

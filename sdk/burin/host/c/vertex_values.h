@@ -21,4 +21,7 @@ VertexValues values_of(const Session& session, burin_attribute attribute);
 /// Writes values of a vertex as the target wants them.
 void write_values(const float* values, std::size_t size, burin_number type, void* to);
 
+/// Number k of a vertex, as a float.
+float read_value(const void* values, burin_number type, std::size_t k);
+
 }  // namespace burin::c

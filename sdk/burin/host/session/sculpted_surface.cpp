@@ -31,6 +31,15 @@ void SculptedSurface::set_paint(Paint paint) {
   paint_.assign(std::move(paint));
 }
 
+void SculptedSurface::move(std::span<const Index> vertices, std::span<const Vec3f> positions) {
+  const bool sound = vertices.size() == positions.size() &&
+                     std::ranges::all_of(vertices, [&](Index v) { return v < surface_.vertex_count(); }) &&
+                     std::ranges::all_of(positions, [](const Vec3f& p) { return p.allFinite(); });
+  if (!sound) throw ContractError("vertices must be there, and have one finite position each");
+  note_changed(shown_.move(surface_, vertices, positions), {});
+  commit(shown_.take_displaced(surface_));
+}
+
 void SculptedSurface::show(const VertexMoves& moves) {
   const std::span<const Index> moved = shown_.move(surface_, moves.vertices, moves.positions);
   std::vector<Index> painted;
@@ -69,6 +78,17 @@ void SculptedSurface::replace(PaintedSurface made) {
 void SculptedSurface::end_redoing() {
   undone_.clear();
   undone_builders_.clear();
+  drop_oldest();
+}
+
+void SculptedSurface::limit_undo(std::size_t bytes) {
+  most_undo_bytes_ = bytes;
+  drop_oldest();
+}
+
+void SculptedSurface::drop_oldest() {
+  while (journal_.size() > 0 && undo_bytes() > most_undo_bytes_)
+    if (journal_.drop_oldest().surface) replaced_builders_.erase(replaced_builders_.begin());
 }
 
 void SculptedSurface::show(const UndoStep& step) {

@@ -6,7 +6,9 @@
 #include <burin/host/session/stroke_instance.h>
 #include <burin/host/session/vertex_moves.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -40,6 +42,10 @@ class SculptedSurface {
   void set_paint(Paint paint);
   void prepare_paint(std::uint64_t outputs) { paint_.prepare(outputs); }
 
+  /// Moves vertices of base(), which has no step of undo. Throws ContractError for what is no such vertex or
+  /// not finite.
+  void move(std::span<const Index> vertices, std::span<const Vec3f> positions);
+
   /// Shows what an open stroke moved and painted.
   void show(const VertexMoves& moves);
 
@@ -60,12 +66,17 @@ class SculptedSurface {
   void show(const UndoStep& step);
   void restore(UndoStep step, Turn turn);
 
+  /// Bounds the bytes of the steps of both ways.
+  void limit_undo(std::size_t bytes);
+  std::size_t undo_bytes() const { return journal_.bytes() + undone_.bytes(); }
+
  private:
   using Builders = std::vector<std::unique_ptr<ChartBuilders>>;
 
   UndoJournal& steps(Turn turn) { return turn == Turn::undo ? journal_ : undone_; }
   Builders& builders_of(Turn turn) { return turn == Turn::undo ? replaced_builders_ : undone_builders_; }
   void end_redoing();
+  void drop_oldest();
   UndoStep restore_surface(UndoStep step, Turn turn);
   UndoStep restore_vertices(UndoStep step);
   void note_changed(std::span<const Index> moved, std::span<const Index> painted);
@@ -81,6 +92,7 @@ class SculptedSurface {
   ShownSurface shown_;
   ShownPaint paint_;
   UndoJournal journal_, undone_;
+  std::size_t most_undo_bytes_ = std::numeric_limits<std::size_t>::max();
   std::vector<Index> changed_;
   std::uint64_t generation_ = 0;
 };
