@@ -1,6 +1,8 @@
 # What `cmake --install` lays out, in components that stand alone:
 #   plugin   headers and CMake package for brush authors; needs no third-party package
 #   runtime  headers, static libraries and CMake package for applications that embed Burin
+#   library  libburin.so.0 and what it looks for beside itself, for programs that load it
+#   c        its header, CMake package and pkg-config file, for those who build such programs
 #   brushes  the stock brushes
 #   command  burin
 include(CMakePackageConfigHelpers)
@@ -49,6 +51,17 @@ function(burin_install_library name)
   endforeach()
 endfunction()
 
+# libburin.so and what programs in C are built with.
+function(burin_install_c_library)
+  install(TARGETS burin_c EXPORT burin_c LIBRARY COMPONENT library NAMELINK_COMPONENT c)
+  set(sdk ${PROJECT_SOURCE_DIR}/sdk/burin)
+  set(include ${CMAKE_INSTALL_INCLUDEDIR}/burin)
+  install(DIRECTORY ${sdk}/abi/ DESTINATION ${include}/abi COMPONENT c FILES_MATCHING PATTERN "*.h")
+  install(FILES ${sdk}/host/recorder.h DESTINATION ${include}/host COMPONENT c)
+  install(FILES ${sdk}/host/c/burin.h DESTINATION ${include}/host/c COMPONENT c)
+  burin_install_pkgconfig(burin ${CMAKE_INSTALL_LIBDIR}/pkgconfig c)
+endfunction()
+
 function(burin_install_brush target)
   install(TARGETS ${target} LIBRARY DESTINATION ${BURIN_BRUSHES_FOLDER} COMPONENT brushes)
 endfunction()
@@ -59,7 +72,7 @@ function(burin_install_package)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/BurinConfig.cmake.in ${PROJECT_BINARY_DIR}/BurinConfig.cmake
     INSTALL_DESTINATION ${BURIN_PACKAGE_FOLDER})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/BurinConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-  foreach(component plugin runtime)
+  foreach(component plugin runtime c)
     install(FILES ${PROJECT_BINARY_DIR}/BurinConfig.cmake ${PROJECT_BINARY_DIR}/BurinConfigVersion.cmake
       DESTINATION ${BURIN_PACKAGE_FOLDER} COMPONENT ${component})
     install(FILES ${PROJECT_BINARY_DIR}/include/burin/version.h
@@ -67,27 +80,29 @@ function(burin_install_package)
   endforeach()
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/BurinAddBrush.cmake
     DESTINATION ${BURIN_PACKAGE_FOLDER} COMPONENT plugin)
-  burin_install_pkgconfig()
+  burin_install_pkgconfig(burin-plugin ${CMAKE_INSTALL_DATADIR}/pkgconfig plugin)
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/BurinFindLibrary.cmake
     DESTINATION ${BURIN_PACKAGE_FOLDER} COMPONENT runtime)
   burin_install_export(abi plugin)
-  # CMake installs an export once only; this is the same file for the other component.
-  install(CODE "
-    file(GLOB_RECURSE exported \"${PROJECT_BINARY_DIR}/CMakeFiles/Export/*/Burin-abi.cmake\")
-    file(INSTALL \${exported} DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${BURIN_PACKAGE_FOLDER}\")"
-    COMPONENT runtime)
+  # CMake installs an export once only; this is the same file for the other components.
+  foreach(component runtime c)
+    install(CODE "
+      file(GLOB_RECURSE exported \"${PROJECT_BINARY_DIR}/CMakeFiles/Export/*/Burin-abi.cmake\")
+      file(INSTALL \${exported} DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${BURIN_PACKAGE_FOLDER}\")"
+      COMPONENT ${component})
+  endforeach()
   burin_install_export(plugin plugin)
   foreach(export_set runtime stamps subdiv solids)
     burin_install_export(${export_set} runtime)
   endforeach()
+  burin_install_export(c c)
 endfunction()
 
-# For authors of brushes who build without CMake.
-function(burin_install_pkgconfig)
-  set(folder ${CMAKE_INSTALL_DATADIR}/pkgconfig)
+# burin_install_pkgconfig(NAME FOLDER COMPONENT): for those who build without CMake.
+function(burin_install_pkgconfig name folder component)
   file(RELATIVE_PATH BURIN_PREFIX_FROM_PKGCONFIG /${folder} /)
-  configure_file(${PROJECT_SOURCE_DIR}/cmake/burin-plugin.pc.in ${PROJECT_BINARY_DIR}/burin-plugin.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/burin-plugin.pc DESTINATION ${folder} COMPONENT plugin)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${folder} COMPONENT ${component})
 endfunction()
 
 function(burin_install_export export_set component)

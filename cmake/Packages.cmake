@@ -1,7 +1,9 @@
 # What `cpack -G DEB` makes, see ./dev package:
 #   burin         the command and the stock brushes
 #   burin-dev     for authors of brushes: headers and CMake package
-#   libburin-dev  for applications that embed Burin: libraries and more headers, beside burin-dev
+#   libburin0     libburin.so.0, for programs that load it
+#   libburin-dev  for applications that embed Burin: what programs in C are built with, and for C++ static libraries
+#                 and more headers, beside burin-dev
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME burin)
 set(CPACK_PACKAGE_VENDOR Burin)
@@ -20,7 +22,7 @@ set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER ${CPACK_PACKAGE_CONTACT})
-set(CPACK_COMPONENTS_ALL command brushes plugin runtime)
+set(CPACK_COMPONENTS_ALL command brushes plugin runtime library c)
 
 # Lintian wants copyright and changelog of each package. They are installed with packages only.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
@@ -61,13 +63,26 @@ burin_deb(burin-dev devel COMPONENTS plugin
   TEXT "A brush is a pointwise function over the chart of a stroke, built as a"
        "module that hosts load. The headers are the C ABI between brushes and"
        "hosts, and a C++ layer over it.")
-burin_deb(libburin-dev libdevel COMPONENTS runtime
-  DEPENDS "burin-dev (= ${PROJECT_VERSION}), libeigen3-dev, libtbb-dev, libfmt-dev, libxxhash-dev"
+burin_deb(libburin0 libs COMPONENTS library
+  RECOMMENDS "burin (= ${PROJECT_VERSION})"
+  SUMMARY "shared library of Burin, for programs that draw with its brushes"
+  TEXT "A program gives its mesh and the samples of its pen to a session, and"
+       "shows the vertices that the session reports as changed. The stock"
+       "brushes are in the package burin.")
+burin_deb(libburin-dev libdevel COMPONENTS runtime c
+  DEPENDS "burin-dev (= ${PROJECT_VERSION}), libburin0 (= ${PROJECT_VERSION}), libeigen3-dev, libtbb-dev, libfmt-dev, libxxhash-dev"
   RECOMMENDS "libopenimageio-dev, libpng-dev, libtiff-dev, libfreetype-dev, libharfbuzz-dev, libosd-dev, libopenvdb-dev, libimath-dev"
   SUMMARY "libraries for applications that draw with Burin brushes"
   TEXT "An application gives its mesh and the samples of its pen to a session,"
-       "and shows the vertices that the session reports as changed. The"
-       "libraries are static.")
-set(CPACK_DEBIAN_BURIN_PACKAGE_SHLIBDEPS ON)
+       "and shows the vertices that the session reports as changed: in C by"
+       "libburin.so, in C++ by static libraries.")
+foreach(package BURIN LIBBURIN0)
+  set(CPACK_DEBIAN_${package}_PACKAGE_SHLIBDEPS ON)
+endforeach()
+# The package that programs depend on which are linked with libburin.so.0, and the call of ldconfig.
+set(control ${PROJECT_BINARY_DIR}/debian/libburin0)
+file(WRITE ${control}/shlibs "libburin 0 libburin0 (>= ${PROJECT_VERSION})\n")
+file(WRITE ${control}/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBBURIN0_PACKAGE_CONTROL_EXTRA ${control}/shlibs ${control}/triggers)
 
 include(CPack)

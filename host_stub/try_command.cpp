@@ -2,6 +2,7 @@
 // two seconds. The pen presses least at the ends of the stroke.
 #include <burin/abi/plugin.h>
 #include <burin/host/percentile.h>
+#include <burin/host/plugin/brush_params.h>
 #include <burin/host/replay.h>
 #include <burin/level_set/solid_mesh.h>
 #include <burin/math/elementary.h>
@@ -14,7 +15,6 @@
 
 #include "command.h"
 #include "input/brush_folder.h"
-#include "input/brush_params.h"
 #include "input/grid_mesh.h"
 #include "options/options.h"
 #include "options/view.h"
@@ -87,9 +87,8 @@ void run(const TryOptions& options) {
   check_output_path(options.png);
   BrushLibrary library(log_on_console, stamp_services(read_vdb));
   const std::string brush = load_brush(library, options.brush);
-  const ParamSettings params = parse_param_settings(options.params, [&](const std::string& name) {
-    return has_param(library, &brush, name, {BURIN_PARAM_TEXT, BURIN_PARAM_FILE, BURIN_PARAM_CHOICE});
-  });
+  const ParamSettings params = parse_param_settings(
+      options.params, [&](const std::string& name) { return takes_text(library, &brush, name); });
   Session session(make_surface(make_sheet()), library, merge_solid);
   StrokeExtent extent;
   ReplayObserver observer;

@@ -24,7 +24,8 @@ def public_headers():
 
 def run_doxygen(out):
     """Returns the lines of its complaints."""
-    inputs = ["docs", "sdk/burin/abi", "sdk/burin/plugin", "sdk/burin/math"] + public_headers()
+    inputs = ["docs", "sdk/burin/abi", "sdk/burin/plugin", "sdk/burin/math", "sdk/burin/host/c/burin.h"]
+    inputs += public_headers()
     settings = (ROOT / "docs/site/Doxyfile").read_text()
     settings += f"INPUT = {' '.join(inputs)}\nOUTPUT_DIRECTORY = \"{out}\"\n"
     settings += "INPUT_FILTER = \"python3 docs/site/filter.py\"\n"

@@ -24,7 +24,7 @@ void report_exit_in_plugin() {
 
 }  // namespace
 
-std::filesystem::path own_brush_folder() { return beside_program("brushes"); }
+std::filesystem::path own_brush_folder() { return beside_own_file("brushes"); }
 
 namespace {
 

@@ -1,9 +1,9 @@
 // Resolves the files among a suite's brush parameters against the suite's folder.
 #include "input/suite_params.h"
 
-#include <filesystem>
+#include <burin/host/plugin/brush_params.h>
 
-#include "input/brush_params.h"
+#include <filesystem>
 
 namespace burin {
 

@@ -2,41 +2,12 @@
 #include "options/options.h"
 
 #include <burin/base/quoted_word.h>
+#include <burin/stroke/files/setting_texts.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
 
 namespace burin {
-std::optional<double> parse_number(std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
-
-std::optional<std::vector<double>> parse_numbers(std::string_view text) {
-  std::vector<double> numbers;
-  while (true) {
-    const std::size_t comma = text.find(',');
-    const auto number = parse_number(text.substr(0, comma));
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
-    if (comma == std::string_view::npos) return numbers;
-    text.remove_prefix(comma + 1);
-  }
-}
-
 namespace {
-
-ParamSetting parse_setting(const std::string& text) {
-  if (text == "true") return true;
-  if (text == "false") return false;
-  const auto numbers = parse_numbers(text);
-  if (!numbers) return text;
-  if (numbers->size() == 1) return numbers->front();
-  return *numbers;
-}
 
 Vec3d parse_vector(const std::string& name, const std::string& text) {
   const auto numbers = parse_numbers(text);
@@ -85,7 +56,7 @@ ParamSettings parse_param_settings(const std::vector<std::string>& texts,
       throw CLI::ValidationError("--param", "takes NAME=VALUE, not " + quoted_word(text));
     }
     const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
-    settings[name] = is_text(name) ? value : parse_setting(value);
+    settings[name] = is_text(name) ? ParamSetting(value) : param_of_text(value);
   }
   return settings;
 }

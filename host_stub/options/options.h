@@ -1,11 +1,11 @@
 #pragma once
+#include <burin/base/text/number_text.h>
 #include <burin/base/vector.h>
 #include <burin/stroke/param_setting.h>
 
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cli_fwd.h"
@@ -21,12 +21,6 @@ const CLI::Validator& finite_number();
 /// Adds an option that takes "x,y,z", finite and not all zero.
 void add_vector_option(CLI::App& command, const std::string& name, std::optional<Vec3d>& vector,
                        const std::string& help);
-
-/// The finite number that a text is, if it is one.
-std::optional<double> parse_number(std::string_view text);
-
-/// All numbers between commas, or nothing when one of them is none.
-std::optional<std::vector<double>> parse_numbers(std::string_view text);
 
 /// The value of "NAME=VALUE": true and false, a number, numbers between commas, else text; always text where
 /// `is_text` says so of the NAME. Throws CLI::ValidationError without a NAME.

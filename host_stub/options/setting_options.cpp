@@ -2,12 +2,11 @@
 // which the same functions read and check as those of files.
 #include "options/setting_options.h"
 
-#include <burin/stroke/files/setting_table.h>
+#include <burin/stroke/files/setting_texts.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "options/options.h"
@@ -16,33 +15,6 @@ namespace burin {
 namespace {
 
 using nlohmann::json;
-
-/// A text that is not a number stays text, which the setting then refuses.
-json number_json(const std::string& text) {
-  const auto number = parse_number(text);
-  if (!number) return text;
-  const bool whole = *number >= 0 && *number < 1e15 && *number == std::floor(*number);
-  return whole ? json(static_cast<std::uint64_t>(*number)) : json(*number);
-}
-
-json numbers_json(const std::string& text) {
-  const auto numbers = parse_numbers(text);
-  return numbers ? json(*numbers) : json(text);
-}
-
-/// Splits "TARGET=SOURCE:x0,y0,x1,y1,...".
-json dynamic_json(const std::string& text, const SettingRow& row) {
-  const std::size_t equals = text.find('='), colon = text.find(':', std::min(equals, text.size()));
-  if (equals == 0 || colon == std::string::npos) JsonValue::of(text, row.option).reject_type(row.typed);
-  return {{"target", text.substr(0, equals)},
-          {"source", text.substr(equals + 1, colon - equals - 1)},
-          {"curve", numbers_json(text.substr(colon + 1))}};
-}
-
-json json_of(const std::string& text, SettingForm form) {
-  if (form == SettingForm::number) return number_json(text);
-  return form == SettingForm::numbers ? numbers_json(text) : json(text);
-}
 
 /// Makes a help text such as "half the width of the stroke, object units (as recorded)".
 std::string help_of(const SettingRow& row, std::string_view absent) {
@@ -64,13 +36,13 @@ CLI::Option* add_option(CLI::App& command, const SettingRow& row, GivenSettings&
   if (row.form == SettingForm::dynamics) {
     const auto take_all = [take, &row](const std::vector<std::string>& texts) {
       json all = json::array();
-      for (const std::string& text : texts) all.push_back(dynamic_json(text, row));
+      for (const std::string& text : texts) all.push_back(setting_json(row, text, row.option));
       take(all);
     };
     return repeatable(command.add_option_function<std::vector<std::string>>(row.option, take_all, help));
   }
   return command.add_option_function<std::string>(
-      row.option, [take, &row](const std::string& text) { take(json_of(text, row.form)); }, help);
+      row.option, [take, &row](const std::string& text) { take(setting_json(row, text, row.option)); }, help);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The command `burin replay`: draws recorded strokes on a surface, and writes the results: a summary, the
 // mesh, solids, a displacement map, pictures and a report.
 #include <burin/base/error.h>
+#include <burin/host/plugin/brush_params.h>
 #include <burin/host/replay.h>
 #include <burin/level_set/solid_mesh.h>
 #include <burin/services/stamp_services.h>
@@ -17,7 +18,6 @@
 #include "command.h"
 #include "fuzz/bundle.h"
 #include "input/brush_folder.h"
-#include "input/brush_params.h"
 #include "input/name_file.h"
 #include "input/radius_fit.h"
 #include "input/stroke_input.h"
@@ -203,8 +203,7 @@ void save_mesh(const ReplayOptions& options, const Session& session, const Repla
 /// Parses parameter settings. A value that looks like a number stays text if the brush's parameter is text.
 ParamSettings read_params(const ReplayOptions& options, const BrushLibrary& library) {
   return parse_param_settings(options.params, [&](const std::string& name) {
-    return has_param(library, options.settings.find(&StrokeSettings::brush), name,
-                     {BURIN_PARAM_TEXT, BURIN_PARAM_FILE, BURIN_PARAM_CHOICE});
+    return takes_text(library, options.settings.find(&StrokeSettings::brush), name);
   });
 }
 

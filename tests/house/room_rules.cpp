@@ -50,6 +50,7 @@ const std::map<std::string, Names> room_may_include = {
     {"deform/solid", {"deform/evaluate"}},
     {"host/plugin", {}},
     {"host/session", {"host/plugin"}},
+    {"host/c", {"host/plugin"}},
     {"level_set/grid", {}},
     {"brushes/solids", {}},
     {"host_probe/checks", {}},

@@ -1,25 +1,28 @@
 # The sample application against the installed runtime: its hash must be that of BURIN_COMMAND replay.
 #   BURIN_BUILD, BURIN_CONFIG  the build to install, below WORK
+#   COMPONENTS                 what of it to install
 #   SOURCE, COMPILERS          built by each compiler that is there; each program of the build is run
 #   SAMPLES, BRUSHES           the samples, and where the prefix has the stock brushes
 #   GENERATOR, CXX_FLAGS       of the build
+# Leaves prefix, mesh.obj and hash, the text that programs must print.
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
-foreach(component runtime brushes)
+foreach(component ${COMPONENTS})
   run(${CMAKE_COMMAND} --install ${BURIN_BUILD} --config ${BURIN_CONFIG} --prefix ${WORK}/prefix
     --component ${component})
 endforeach()
 
 # A mesh of some fineness, and what the command makes of a stroke on it.
 set(stroke ${SAMPLES}/strokes/meander.stroke)
-run(${BURIN_COMMAND} replay ${stroke} --mesh ${SAMPLES}/meshes/ewer.obj --subdivide 4 --save-mesh ${WORK}/mesh.ply
+run(${BURIN_COMMAND} replay ${stroke} --mesh ${SAMPLES}/meshes/ewer.obj --subdivide 4 --save-mesh ${WORK}/mesh.obj
   --json OUTPUT_FILE ${WORK}/first.json)
-execute_process(COMMAND ${BURIN_COMMAND} replay ${stroke} --mesh ${WORK}/mesh.ply --json
+execute_process(COMMAND ${BURIN_COMMAND} replay ${stroke} --mesh ${WORK}/mesh.obj --json
   OUTPUT_VARIABLE replayed COMMAND_ERROR_IS_FATAL ANY)
 string(JSON expected GET ${replayed} result_hash)
+file(WRITE ${WORK}/hash ${expected})
 
 # Packages that the runtime does not need.
 set(without "")
@@ -45,7 +48,7 @@ foreach(compiler ${COMPILERS})
       continue()
     endif()
     execute_process(
-      COMMAND ${build}/${program} ${WORK}/mesh.ply ${stroke} ${WORK}/prefix/${BRUSHES} ${WORK}/${name}-${program}.ply
+      COMMAND ${build}/${program} ${WORK}/mesh.obj ${stroke} ${WORK}/prefix/${BRUSHES} ${WORK}/${name}-${program}.ply
       OUTPUT_VARIABLE hash OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
     if(NOT hash STREQUAL expected)
       message(FATAL_ERROR "embed: ${name}, ${program}: hash ${hash}, but replay has ${expected}")

@@ -1,7 +1,7 @@
 # find_package(Burin) where something is missing: says what, and how to get it.
 #   BURIN_BUILD, BURIN_CONFIG  the build to install, below WORK
 file(REMOVE_RECURSE ${WORK})
-foreach(component plugin runtime)
+foreach(component plugin runtime library c)
   execute_process(COMMAND ${CMAKE_COMMAND} --install ${BURIN_BUILD} --config ${BURIN_CONFIG}
     --prefix ${WORK}/${component} --component ${component} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
@@ -28,11 +28,15 @@ endfunction()
 
 expect("${WORK}/runtime" "runtime" found "found")
 expect("${WORK}/runtime" "runtime stamps subdiv solids" found "found")
+expect("${WORK}/c" "c" missing "Component c needs what was not found: libburin.so (component library, Debian: libburin0).")
+file(COPY ${WORK}/library/ DESTINATION ${WORK}/c)
+expect("${WORK}/c" "c" found "found" -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON)
+expect("${WORK}/runtime" "c" missing "Component c is not installed in ${WORK}/runtime")
 expect("${WORK}/plugin" "plugin" found "found" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)
 expect("${WORK}/plugin;${WORK}/runtime" "runtime" missing
   "Component runtime is not installed in ${WORK}/plugin, the first prefix that has Burin; install it there: cmake --install BUILD --component runtime --prefix ${WORK}/plugin")
 expect("${WORK}/runtime" "plugin" missing "Component plugin is not installed in ${WORK}/runtime")
-expect("${WORK}/runtime" "brushes" missing "There is no component brushes: plugin, runtime, stamps, subdiv or solids.")
+expect("${WORK}/runtime" "brushes" missing "There is no component brushes: plugin, runtime, stamps, subdiv, solids or c.")
 expect("${WORK}/runtime" "runtime" missing
   "Component runtime needs what was not found: fmt::fmt (Debian: libfmt-dev)."
   -DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON)

@@ -20,9 +20,15 @@ endfunction()
 expect(burin bin/burin share/man/man1/burin.1.gz lib/burin/brushes/groove.burin)
 expect(burin-dev include/burin/plugin/plugin.h include/burin/abi/plugin.h lib/cmake/Burin/BurinAddBrush.cmake
   share/pkgconfig/burin-plugin.pc)
-expect(libburin-dev include/burin/host/session.h lib/libburin_host.a lib/cmake/Burin/Burin-runtime.cmake)
+expect(libburin0 lib/libburin.so.0.1.0)
+expect(libburin-dev include/burin/host/session.h lib/libburin_host.a lib/cmake/Burin/Burin-runtime.cmake
+  include/burin/host/c/burin.h lib/cmake/Burin/Burin-c.cmake lib/pkgconfig/burin.pc)
 if(contents_of_libburin-dev MATCHES "abi/plugin\\.h")
   message(FATAL_ERROR "packages: a file is in burin-dev and in libburin-dev")
+endif()
+
+if(contents_of_libburin0 MATCHES "burin-images")
+  message(FATAL_ERROR "packages: a file is in burin and in libburin0")
 endif()
 
 file(GLOB debs ${WORK}/*.deb)

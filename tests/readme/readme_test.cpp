@@ -161,6 +161,20 @@ TEST(EmbeddingPage, ShowsTheSampleApplication) {
   EXPECT_EQ(builds.front(), read_file(source_folder / "samples/embed/CMakeLists.txt"));
 }
 
+TEST(CHostsPage, RunsAsItSays) {
+  const Checkout checkout;
+  const auto scripts = fenced_blocks(page_text("c_hosts"), "sh");
+  ASSERT_EQ(scripts.size(), 1u);
+  ASSERT_EQ(
+      checkout.run(scripts.front() +
+                   "build/release/bin/burin replay samples/strokes/meander.stroke "
+                   "--mesh samples/meshes/ewer.obj --param width=0.5 --json > replayed.json\n"
+                   "./c_host samples/meshes/ewer.obj samples/strokes/meander.stroke brush=org.burin.groove "
+                   "radius=0.18 params=depth=0.18 params=width=0.5 > hash\n"
+                   "grep -q \"$(cat hash)\" replayed.json\n"),
+      0);
+}
+
 TEST(Readme, LinksToFilesThatAreThere) {
   std::size_t pictures = 0;
   for (const std::string& target : link_targets(readme())) {

@@ -26,7 +26,8 @@ struct RefusedModule {
 };
 
 struct BrushLibrary::Impl {
-  Impl(Log log, std::unique_ptr<HostExtensions> extensions) : services(log, std::move(extensions)) {}
+  Impl(Log log, std::unique_ptr<HostExtensions> extensions)
+      : services(std::move(log), std::move(extensions)) {}
 
   void load(const fs::path& module, std::vector<std::string>& ids);
   void refuse(const Error& error, std::vector<std::string> ids);
@@ -95,7 +96,7 @@ void BrushDeleter::operator()(const burin_brush* brush) const {
 }
 
 BrushLibrary::BrushLibrary(Log log, std::unique_ptr<HostExtensions> extensions)
-    : impl_(std::make_unique<Impl>(log, std::move(extensions))) {}
+    : impl_(std::make_unique<Impl>(std::move(log), std::move(extensions))) {}
 BrushLibrary::~BrushLibrary() = default;
 
 /// Loads a module. `ids` receives the ids of its brushes, also if the module is refused because of one of
@@ -156,6 +157,12 @@ void BrushLibrary::load_search_path(const fs::path& own_folder) {
 }
 
 const std::vector<BrushEntry>& BrushLibrary::brushes() const { return impl_->brushes; }
+
+std::vector<std::string> BrushLibrary::refused() const {
+  std::vector<std::string> lines;
+  for (const RefusedModule& module : impl_->refused) lines.push_back(module.why);
+  return lines;
+}
 
 const BrushEntry& BrushLibrary::find(std::string_view id) const {
   for (const RefusedModule& module : impl_->refused)

@@ -2,6 +2,7 @@
 #include <burin/host/host_extensions.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -35,9 +36,9 @@ class BrushLibrary {
  public:
   /// Receives log lines of brushes and of the library; severities are those of abi/ext/log.h. It must not
   /// throw, and it is called on any thread, also on several at once.
-  using Log = void (*)(int severity, std::string_view line);
+  using Log = std::function<void(int severity, std::string_view line)>;
 
-  /// Starts empty. Plugins are given the log, which is discarded if `log` is null, and these extensions, if
+  /// Starts empty. Plugins are given the log, which is discarded if `log` is empty, and these extensions, if
   /// any.
   explicit BrushLibrary(Log log = nullptr, std::unique_ptr<HostExtensions> extensions = nullptr);
   ~BrushLibrary();
@@ -67,6 +68,9 @@ class BrushLibrary {
 
   /// Valid until something is loaded, as are references into it.
   const std::vector<BrushEntry>& brushes() const;
+
+  /// Why modules of folders were passed over, in the order of loading: lines that name the module.
+  std::vector<std::string> refused() const;
 
   /// Finds a brush by its id. Throws Error, which lists the known brushes and the modules that could not be
   /// loaded, if there is none; also if a module that could not be loaded has this id.

@@ -1,10 +1,10 @@
 // Gives StrokeRecorder to programs in C.
 #include <burin/base/error.h>
 #include <burin/base/text/json_value.h>
+#include <burin/host/c/call.h>
+#include <burin/host/c/pen_fields.h>
 #include <burin/host/recorder.h>
 #include <burin/host/stroke_recorder.h>
-#include <burin/plugin/detail/complete.h>
-#include <burin/plugin/detail/error.h>
 #include <burin/stroke/files/setting_table.h>
 
 #include <cstddef>
@@ -18,20 +18,11 @@ struct burin_recorder {
 namespace burin {
 namespace {
 
-/// A caller's fault, for which C has a status of its own.
-[[noreturn]] void reject(const std::string& what) { throw plugin::Error(what, BURIN_INVALID_ARGUMENT); }
+using c::fields_of;
+using c::known_members;
+using c::reject;
 
-/// A copy of a struct that the caller filled. Members that the caller's version does not have are zero.
-/// `has_first`: whether it holds all members of the first version.
-template <class Struct>
-Struct known_members(const Struct* given, bool has_first, const char* name) {
-  if (!has_first) reject(std::string(name) + " is missing or too small");
-  return plugin::complete(*given);
-}
-
-void check_recorder(const burin_recorder* recorder) {
-  if (!recorder) reject("the recorder is missing");
-}
+void check_recorder(const burin_recorder* recorder) { c::require(recorder, "the recorder"); }
 
 /// Runs `body` for a call from C.
 template <class Body>
@@ -72,24 +63,11 @@ GivenSettings settings_of(const char* text) {
   return settings;
 }
 
-PenFields fields_of(uint32_t fields) {
-  return {.time = (fields & BURIN_PEN_TIME) != 0,
-          .pressure = (fields & BURIN_PEN_PRESSURE) != 0,
-          .tilt = (fields & BURIN_PEN_TILT) != 0,
-          .twist = (fields & BURIN_PEN_TWIST) != 0};
-}
-
 /// Reads those fields alone that the pen reports.
 Sample sample_of(const burin_recorded_sample& given, const PenFields& fields) {
   Sample sample;
   sample.position = Vec3d(given.position[0], given.position[1], given.position[2]);
-  if (fields.time) sample.time = given.time;
-  if (fields.pressure) sample.pen.pressure = given.pressure;
-  if (fields.tilt) {
-    sample.pen.tilt_x = given.tilt_x;
-    sample.pen.tilt_y = given.tilt_y;
-  }
-  if (fields.twist) sample.pen.twist = given.twist;
+  c::read_pen(given, fields, sample.time, sample.pen);
   return sample;
 }
 

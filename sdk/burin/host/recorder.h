@@ -20,6 +20,13 @@
 extern "C" {
 #endif
 
+/* A function that libburin.so has (burin/host/c/burin.h). */
+#if defined(__GNUC__) && !defined(_WIN32)
+#define BURIN_API __attribute__((visibility("default")))
+#else
+#define BURIN_API
+#endif
+
 typedef int32_t burin_stroke_space;
 enum {
   BURIN_SPACE_UNKNOWN = 0,
@@ -67,24 +74,26 @@ typedef struct burin_recorded_sample {
 } burin_recorded_sample;
 
 /* Creates a recording. Returns null and writes a text on failure. */
-burin_recorder* BURIN_CALL burin_recorder_open(const burin_recorder_options* options, burin_text* error);
+BURIN_API burin_recorder* BURIN_CALL burin_recorder_open(const burin_recorder_options* options,
+                                                         burin_text* error);
 
 /* Begins a stroke. BURIN_INVALID_ARGUMENT, and nothing is written, within a stroke and for settings that the
  * format would refuse. */
-burin_status BURIN_CALL burin_recorder_begin(burin_recorder* recorder, const burin_recorded_stroke* stroke,
-                                             burin_text* error);
+BURIN_API burin_status BURIN_CALL burin_recorder_begin(burin_recorder* recorder,
+                                                       const burin_recorded_stroke* stroke,
+                                                       burin_text* error);
 
 /* Adds a sample of the open stroke, whether or not it hits the surface. BURIN_INVALID_ARGUMENT, and nothing
  * is written, outside a stroke, for values that are not finite or out of range, and for time that falls. */
-burin_status BURIN_CALL burin_recorder_add(burin_recorder* recorder, const burin_recorded_sample* sample,
-                                           burin_text* error);
+BURIN_API burin_status BURIN_CALL burin_recorder_add(burin_recorder* recorder,
+                                                     const burin_recorded_sample* sample, burin_text* error);
 
 /* Ends the open stroke. */
-burin_status BURIN_CALL burin_recorder_end(burin_recorder* recorder, burin_text* error);
+BURIN_API burin_status BURIN_CALL burin_recorder_end(burin_recorder* recorder, burin_text* error);
 
 /* Closes the file and frees the recorder, which may be null. A stroke that is open stays without an end, as
  * after a crash; it is read nevertheless. */
-void BURIN_CALL burin_recorder_close(burin_recorder* recorder);
+BURIN_API void BURIN_CALL burin_recorder_close(burin_recorder* recorder);
 
 #ifdef __cplusplus
 }

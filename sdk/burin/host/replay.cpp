@@ -58,6 +58,8 @@ class Replayer {
   void record_event(std::vector<double>& latencies, std::vector<EventCost>& costs);
   template <class EndPiece>
   void end(const EndPiece& end_piece);
+  template <class Call>
+  auto told(const Call& call);
   void report_progress();
 
   Session& session_;
@@ -93,10 +95,26 @@ void Replayer::draw(const RecordedStroke& stroke, const ReplaySettings& settings
   if (closure == Closure::closed && drawn && !(whole && session_.curve().closed)) ++result_.left_open;
 }
 
+/// What a call of the session returns, once the observer was told of it.
+template <class Call>
+auto Replayer::told(const Call& call) {
+  const auto tell = [&] {
+    if (observer_.changed) observer_.changed(session_);
+  };
+  try {
+    const auto result = call();
+    tell();
+    return result;
+  } catch (...) {
+    tell();
+    throw;
+  }
+}
+
 Outcome Replayer::add(const Sample& sample) {
   const bool shown = show_every_ > 0 && (drawn_in_piece_ + 1) % show_every_ == 0;
   const Stopwatch watch;
-  const StrokeEvent event = add_to_session(sample, shown ? Show::now : Show::later);
+  const StrokeEvent event = told([&] { return add_to_session(sample, shown ? Show::now : Show::later); });
   const double seconds = watch.elapsed();
   if (event.outcome != Outcome::drawn) return event.outcome;
   add_cost(seconds);
@@ -129,7 +147,7 @@ StrokeEvent Replayer::add_to_session(const Sample& sample, Show show) {
 template <class EndPiece>
 void Replayer::end(const EndPiece& end_piece) {
   const Stopwatch watch;
-  result_.vertices_changed += end_piece().size();
+  result_.vertices_changed += told(end_piece).size();
   const double seconds = watch.elapsed();
   if (drawn_in_piece_ == 0) return;
   add_cost(seconds);

@@ -12,11 +12,14 @@
 // replay() is to be called on the session's thread, replay_settings() on any, also on several at once.
 namespace burin {
 
-/// Who watches a replay; both may be empty.
+/// Who watches a replay; all may be empty.
 struct ReplayObserver {
   Progress progress;
   /// Called when a piece of a stroke has been drawn and ended; session.chart() is its chart.
   std::function<void(const Session& session)> piece_ended;
+  /// Called after each sample and end of a piece or stroke, and where one threw: Session::changed() tells
+  /// what it changed.
+  std::function<void(const Session& session)> changed = {};
 };
 
 /// What a replay did.

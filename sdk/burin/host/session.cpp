@@ -14,7 +14,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace burin {
 
@@ -24,6 +26,18 @@ namespace {
 struct CreatedBrush {
   const burin_brush_descriptor* descriptor = nullptr;
   BrushPtr brush;
+};
+
+/// What strokes made of one kind, in their order, and what those made that were undone, the last one first.
+template <class Thing>
+struct Made {
+  std::vector<Thing> there, undone;
+
+  void take(Turn turn) {
+    auto [from, to] = turn == Turn::undo ? std::tie(there, undone) : std::tie(undone, there);
+    to.push_back(std::move(from.back()));
+    from.pop_back();
+  }
 };
 
 }  // namespace
@@ -42,8 +56,10 @@ struct Session::Impl {
   std::span<const Index> apply(const VertexMoves& moves);
   MadePart add_part();
   void merge_solid(const SolidMerge& merge);
+  void end_redoing();
   void drop();
-  bool undo();
+  bool take(Turn turn);
+  bool take_unless_open(Turn turn);
 
   /// Runs `body`. If it throws, the open stroke is dropped, and the surface is as before the stroke.
   template <class Body>
@@ -67,12 +83,12 @@ struct Session::Impl {
   std::optional<Chart> sorted_chart;     ///< sorted copy of last_live, made on request
   const LiveChart* last_live = nullptr;  ///< chart of the open stroke, or of the last one
   SurfaceCurve last_curve;
-  std::vector<StrokeSolid> parts;
+  Made<StrokeSolid> parts;
   SolidMerger merger;
   Progress progress;
-  std::vector<MergeReport> merges;
+  Made<MergeReport> merges;
   std::vector<std::string> warnings;  ///< of finished strokes
-  std::vector<TriangleMesh> bent_meshes;
+  Made<TriangleMesh> bent_meshes;
   EventCost cost;
 };
 
@@ -143,10 +159,12 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
   if (std::optional<SolidMerge> merge = stroke->merge()) {
     merge->progress = progress;
     merge_solid(*merge);
+    end_redoing();
     clock.lap(Stage::record);
     return surface.changed();
   }
   surface.keep(add_part());
+  end_redoing();
   stroke.reset();
   clock.lap(Stage::record);
   return surface.changed();
@@ -155,13 +173,20 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
 /// What the stroke made, if anything.
 MadePart Session::Impl::add_part() {
   if (stroke->bent()) {
-    bent_meshes.push_back(std::move(*stroke->bent()));
+    bent_meshes.there.push_back(std::move(*stroke->bent()));
     return MadePart::mesh;
   }
   std::optional<StrokeSolid>& solid = stroke->solid();
   if (!solid || solid->empty()) return MadePart::none;
-  parts.push_back(std::move(*solid));
+  parts.there.push_back(std::move(*solid));
   return MadePart::solid;
+}
+
+/// What was undone is gone once another stroke is finished.
+void Session::Impl::end_redoing() {
+  parts.undone.clear();
+  merges.undone.clear();
+  bent_meshes.undone.clear();
 }
 
 /// Merges what the stroke made with the surface. The stroke is gone then.
@@ -178,7 +203,7 @@ void Session::Impl::merge_solid(const SolidMerge& merge) {
   last_live = nullptr;
   surface.replace(std::move(made));
   report.rebuild_seconds = watch.lap();
-  merges.push_back(report);
+  merges.there.push_back(report);
 }
 
 void Session::Impl::drop() {
@@ -187,22 +212,22 @@ void Session::Impl::drop() {
   stroke.reset();
 }
 
-/// Undoes the last step; returns false if there is none.
-bool Session::Impl::undo() {
-  std::optional<UndoStep> step = surface.take_step();
+/// Undoes the last step, or makes the last undone one again; returns false if there is none.
+bool Session::Impl::take(Turn turn) {
+  std::optional<UndoStep> step = surface.take_step(turn);
   if (!step) return false;
   StageClock clock(cost);
   if (step->surface) {
     last_live = nullptr;
-    merges.pop_back();
+    merges.take(turn);
   } else {
     surface.show(*step);
     cost.moved = step->vertices.size();
     clock.lap(Stage::move);
-    if (step->made == MadePart::solid) parts.pop_back();
-    if (step->made == MadePart::mesh) bent_meshes.pop_back();
+    if (step->made == MadePart::solid) parts.take(turn);
+    if (step->made == MadePart::mesh) bent_meshes.take(turn);
   }
-  surface.restore(std::move(*step));
+  surface.restore(std::move(*step), turn);
   clock.lap(Stage::record);
   return true;
 }
@@ -222,16 +247,23 @@ std::span<const Vec3f> Session::normals() const { return impl_->surface.shown().
 std::uint64_t Session::generation() const { return impl_->surface.generation(); }
 void Session::set_progress(Progress progress) { impl_->progress = std::move(progress); }
 
-std::span<const StrokeSolid> Session::parts() const { return impl_->parts; }
-std::span<const MergeReport> Session::merges() const { return impl_->merges; }
+std::span<const StrokeSolid> Session::parts() const { return impl_->parts.there; }
+std::span<const MergeReport> Session::merges() const { return impl_->merges.there; }
 std::span<const std::string> Session::warnings() const { return impl_->warnings; }
-std::span<const TriangleMesh> Session::bent_meshes() const { return impl_->bent_meshes; }
+std::span<const TriangleMesh> Session::bent_meshes() const { return impl_->bent_meshes.there; }
 const Paint& Session::paint() const { return impl_->surface.paint().shown(); }
 
 void Session::set_paint(Paint paint) {
   impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open");
     impl_->surface.set_paint(std::move(paint));
+  });
+}
+
+void Session::move_vertices(std::span<const Index> vertices, std::span<const Vec3f> positions) {
+  impl_->guarded([&] {
+    if (impl_->stroke) throw ContractError("a stroke is open");
+    impl_->surface.move(vertices, positions);
   });
 }
 
@@ -293,12 +325,19 @@ const SurfaceCurve& Session::curve() const {
   return impl_->stroke ? impl_->stroke->curve() : impl_->last_curve;
 }
 
-bool Session::undo() {
-  return impl_->guarded([&] {
-    if (impl_->stroke) throw ContractError("a stroke is open");
-    return impl_->undo();
+bool Session::Impl::take_unless_open(Turn turn) {
+  return guarded([&] {
+    if (stroke) throw ContractError("a stroke is open");
+    return take(turn);
   });
 }
+
+bool Session::undo() { return impl_->take_unless_open(Turn::undo); }
+bool Session::redo() { return impl_->take_unless_open(Turn::redo); }
+std::size_t Session::undo_count() const { return impl_->surface.step_count(Turn::undo); }
+std::size_t Session::redo_count() const { return impl_->surface.step_count(Turn::redo); }
+void Session::limit_undo(std::size_t bytes) { impl_->surface.limit_undo(bytes); }
+std::size_t Session::undo_bytes() const { return impl_->surface.undo_bytes(); }
 
 const EventCost& Session::cost() const { return impl_->cost; }
 

@@ -11,6 +11,7 @@
 #include <burin/surface/triangle_mesh.h>
 #include <burin/volume/solid.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -83,6 +84,13 @@ class Session {
   /// array is neither empty nor has one element per vertex, or if a value is outside 0..1.
   void set_paint(Paint paint);
 
+  /// Moves vertices, which must be distinct, as other tools of the application did: the surface from now on.
+  /// It is no step of undo. Steps hold positions: an application whose own undo takes such moves back in turn
+  /// with strokes gets every state again, others undo a stroke to where its vertices were before it. Costs
+  /// what moved; changed() lists it. Throws ContractError if a stroke is open, if there is not one position
+  /// for each vertex, or for a vertex or position that is not there or not finite.
+  void move_vertices(std::span<const Index> vertices, std::span<const Vec3f> positions);
+
   /// Is called while the end of a stroke makes a solid and merges it with the surface, which can take
   /// seconds, on the thread of that call. If it throws, so does the call, and the surface is as before the
   /// stroke: that is how users cancel.
@@ -135,7 +143,7 @@ class Session {
   /// previous state.
   void cancel_stroke();
 
-  /// The vertices that the last non-const call changed, as StrokeEvent::changed; after undo(),
+  /// The vertices that the last non-const call changed, as StrokeEvent::changed; after undo(), redo(),
   /// cancel_stroke() and calls that threw as well. set_paint() may change all vertices and is not reported
   /// here. Valid until the next call.
   std::span<const Index> changed() const;
@@ -148,6 +156,19 @@ class Session {
   /// Undoes the last finished stroke exactly, to the bit. Returns false if there is none. Throws
   /// ContractError if a stroke is open.
   bool undo();
+
+  /// Makes the stroke that was undone last again, to the bit, without drawing it. Returns false if there is
+  /// none, as after another stroke. Throws ContractError if a stroke is open.
+  bool redo();
+
+  /// How many strokes can be undone, and how many made again.
+  std::size_t undo_count() const;
+  std::size_t redo_count() const;
+
+  /// Bounds what undo and redo may hold, now and whenever a stroke is finished: while it is more, the oldest
+  /// stroke can no longer be undone. Without a bound all can.
+  void limit_undo(std::size_t bytes);
+  std::size_t undo_bytes() const;  ///< what both hold
 
   /// The cost of the last non-const call (cancel_stroke() does not count).
   const EventCost& cost() const;

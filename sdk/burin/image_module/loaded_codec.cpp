@@ -13,7 +13,7 @@ namespace {
 /// The module stays loaded until the process ends, since libraries that it loads do not expect to be
 /// unloaded.
 const ImageCodec& loaded_codec() {
-  const std::string file = beside_program("burin-images.so").string();
+  const std::string file = beside_own_file("burin-images.so").string();
   void* module = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (!module) throw FileError(file, std::string("cannot be loaded to read or write an image: ") + dlerror());
   const auto entry = reinterpret_cast<decltype(&burin_image_codec)>(dlsym(module, "burin_image_codec"));

@@ -71,6 +71,13 @@ TEST(Along, LiesBesideTheSurfaceAndIsUndone) {
   EXPECT_TRUE(session.undo());
   EXPECT_TRUE(session.bent_meshes().empty());
   EXPECT_EQ(session.result_hash(), before);
+  EXPECT_TRUE(session.redo());
+  EXPECT_EQ(session.result_hash(), one);
+  EXPECT_EQ(session.redo_count(), 2u);
+  EXPECT_TRUE(session.redo());
+  EXPECT_EQ(session.bent_meshes().size(), 1u);
+  EXPECT_TRUE(session.redo());
+  EXPECT_EQ(session.bent_meshes().size(), 2u);
 }
 
 TEST(Along, IsDroppedWithItsStroke) {

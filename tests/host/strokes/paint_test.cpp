@@ -96,8 +96,18 @@ TEST(SessionPaint, IsUndoneBitForBit) {
   StrokeSettings again = painting(0.7);
   again.radius = 0.1;
   draw(session, again, test::wave(25));
-  EXPECT_NE(session.result_hash(), hash);
-  EXPECT_NE(session.paint().colour, before.colour);
+  const Paint after = session.paint();
+  const std::uint64_t hash_after = session.result_hash();
+  EXPECT_NE(hash_after, hash);
+  EXPECT_NE(after.colour, before.colour);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(session.undo());
+    EXPECT_EQ(session.result_hash(), hash);
+    EXPECT_TRUE(session.redo());
+    EXPECT_EQ(session.paint().colour, after.colour);
+    EXPECT_EQ(session.paint().mask, after.mask);
+    EXPECT_EQ(session.result_hash(), hash_after);
+  }
   EXPECT_TRUE(session.undo());
   EXPECT_EQ(session.paint().colour, before.colour);
   EXPECT_EQ(session.paint().mask, before.mask);

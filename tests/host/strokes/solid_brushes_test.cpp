@@ -266,6 +266,12 @@ TEST(SolidStrokes, AreUndoneOneByOne) {
   const std::uint64_t one = session.result_hash();
   draw(session, settings, line({0, -0.5, 0}, {0, 0.5, 0}));
   EXPECT_EQ(session.parts().size(), 2u);
+  const std::uint64_t two = session.result_hash();
+  for (int i = 0; i < 2; ++i) EXPECT_TRUE(session.undo());
+  EXPECT_TRUE(session.redo());
+  EXPECT_EQ(session.result_hash(), one);
+  EXPECT_TRUE(session.redo());
+  EXPECT_EQ(session.result_hash(), two);
   EXPECT_TRUE(session.undo());
   EXPECT_EQ(session.result_hash(), one);
   EXPECT_TRUE(session.undo());

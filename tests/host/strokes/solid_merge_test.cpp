@@ -67,6 +67,29 @@ TEST(SolidMerge, IsUndoneExactly) {
   EXPECT_FALSE(session.undo());
 }
 
+TEST(SolidMerge, IsMadeAgainExactly) {
+  const auto drawn = [](bool again) {
+    Session session = sphere_session();
+    draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+    if (again) {
+      const std::uint64_t united = session.result_hash();
+      const std::vector<Triangle> triangles = session.surface().triangles;
+      for (int i = 0; i < 2; ++i) {
+        EXPECT_TRUE(session.undo());
+        EXPECT_TRUE(session.merges().empty());
+        EXPECT_TRUE(session.redo());
+        EXPECT_EQ(session.result_hash(), united);
+        EXPECT_TRUE(session.surface().triangles == triangles);
+        EXPECT_EQ(session.merges().size(), 1u);
+        EXPECT_EQ(session.changed().size(), session.surface().vertex_count());
+      }
+    }
+    draw(session, test::settings("org.burin.bead", 0.15), arc(-0.3, 0.3));
+    return session.result_hash();
+  };
+  EXPECT_EQ(drawn(true), drawn(false)) << "the next stroke runs on the same ground";
+}
+
 TEST(SolidMerge, GoesOnFromTheResult) {
   Session session = sphere_session();
   draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));

@@ -60,13 +60,21 @@ std::vector<Index> ShownPaint::drop() {
   return vertices;
 }
 
-void ShownPaint::restore(const PaintStep& step) {
+PaintStep ShownPaint::restore(const PaintStep& step) {
   // The step may hold colours or masks although a paint without them was assigned since.
   prepare((step.colours.empty() ? 0 : BURIN_OUTPUT_COLOUR) | (step.masks.empty() ? 0 : BURIN_OUTPUT_MASK));
-  for (Paint* paint : {&base_, &shown_}) {
-    for (std::size_t i = 0; i < step.colours.size(); ++i) paint->colour[step.vertices[i]] = step.colours[i];
-    for (std::size_t i = 0; i < step.masks.size(); ++i) paint->mask[step.vertices[i]] = step.masks[i];
+  PaintStep replaced = step;
+  for (std::size_t i = 0; i < step.colours.size(); ++i) {
+    const Index vertex = step.vertices[i];
+    replaced.colours[i] = base_.colour[vertex];
+    base_.colour[vertex] = shown_.colour[vertex] = step.colours[i];
   }
+  for (std::size_t i = 0; i < step.masks.size(); ++i) {
+    const Index vertex = step.vertices[i];
+    replaced.masks[i] = base_.mask[vertex];
+    base_.mask[vertex] = shown_.mask[vertex] = step.masks[i];
+  }
+  return replaced;
 }
 
 std::vector<Index> ShownPaint::take_touched() {

@@ -40,8 +40,8 @@ class ShownPaint {
   /// Shows the base again. Returns the vertices that may have changed, ascending.
   std::vector<Index> drop();
 
-  /// Restores the values of a step. No stroke may be open.
-  void restore(const PaintStep& step);
+  /// Restores the values of a step. No stroke may be open. Returns the values that they replaced.
+  PaintStep restore(const PaintStep& step);
 
  private:
   std::vector<Index> take_touched();

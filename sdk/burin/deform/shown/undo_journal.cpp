@@ -5,6 +5,26 @@
 
 namespace burin {
 
+namespace {
+
+template <class... Vectors>
+std::size_t bytes_in(const Vectors&... vectors) {
+  return (std::size_t{0} + ... + (vectors.size() * sizeof(*vectors.data())));
+}
+
+std::size_t bytes_of(const UndoStep& step) {
+  std::size_t bytes = sizeof step + bytes_in(step.vertices, step.positions) +
+                      bytes_in(step.paint.vertices, step.paint.colours, step.paint.masks) +
+                      bytes_in(step.surface_paint.colour, step.surface_paint.mask);
+  if (const std::optional<Surface>& surface = step.surface)
+    bytes += bytes_in(surface->positions, surface->normals, surface->triangles, surface->gauss_curvature,
+                      surface->triangle_uv, surface->source_vertex, surface->neighbours.offsets,
+                      surface->neighbours.items, surface->incident.offsets, surface->incident.items);
+  return bytes;
+}
+
+}  // namespace
+
 void UndoJournal::record(std::span<const Index> vertices, std::span<const Vec3f> positions_of_surface,
                          PaintStep paint, MadePart made) {
   UndoStep step;
@@ -13,13 +33,18 @@ void UndoJournal::record(std::span<const Index> vertices, std::span<const Vec3f>
   for (const Index vertex : vertices) step.positions.push_back(positions_of_surface[vertex]);
   step.paint = std::move(paint);
   step.made = made;
-  steps_.push_back(std::move(step));
+  record(std::move(step));
 }
 
 void UndoJournal::record(Surface surface, Paint paint) {
   UndoStep step;
   step.surface = std::move(surface);
   step.surface_paint = std::move(paint);
+  record(std::move(step));
+}
+
+void UndoJournal::record(UndoStep step) {
+  bytes_ += bytes_of(step);
   steps_.push_back(std::move(step));
 }
 
@@ -27,7 +52,20 @@ std::optional<UndoStep> UndoJournal::take() {
   if (steps_.empty()) return std::nullopt;
   UndoStep step = std::move(steps_.back());
   steps_.pop_back();
+  bytes_ -= bytes_of(step);
   return step;
+}
+
+UndoStep UndoJournal::drop_oldest() {
+  UndoStep step = std::move(steps_.front());
+  steps_.pop_front();
+  bytes_ -= bytes_of(step);
+  return step;
+}
+
+void UndoJournal::clear() {
+  steps_.clear();
+  bytes_ = 0;
 }
 
 }  // namespace burin

@@ -4,6 +4,7 @@
 #include <burin/surface/surface.h>
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,7 +14,8 @@ namespace burin {
 /// What a stroke made beside the surface.
 enum class MadePart { none, solid, mesh };
 
-/// The positions and paint of the changed vertices before a stroke.
+/// The positions and paint of the vertices that a stroke changed, before it; or, of a stroke that was undone,
+/// after it.
 struct UndoStep {
   std::vector<Index> vertices;
   std::vector<Vec3f> positions;  ///< [i] of vertices[i]
@@ -23,9 +25,9 @@ struct UndoStep {
   Paint surface_paint;             ///< of that
 };
 
-/// The undo steps of the finished strokes of a session, newest last. A step takes 16 bytes per vertex that
-/// the stroke moved, and up to 24 per vertex that it painted. Normals follow from positions and are not
-/// stored.
+/// The undo steps of the finished strokes of a session, newest last, or the redo steps of those that were
+/// undone. A step takes 16 bytes per vertex that the stroke moved, and up to 24 per vertex that it painted.
+/// Normals follow from positions and are not stored.
 class UndoJournal {
  public:
   /// Stores the current positions of these vertices, and the paint before the stroke. A stroke that changed
@@ -36,11 +38,23 @@ class UndoJournal {
   /// Stores a surface and its paint that a stroke replaced.
   void record(Surface surface, Paint paint);
 
+  void record(UndoStep step);
+
   /// Removes and returns the newest step; nothing if there is none.
   std::optional<UndoStep> take();
 
+  /// Removes and returns the oldest step. There must be one.
+  UndoStep drop_oldest();
+
+  /// Removes all steps.
+  void clear();
+
+  std::size_t size() const { return steps_.size(); }
+  std::size_t bytes() const { return bytes_; }  ///< of all steps
+
  private:
-  std::vector<UndoStep> steps_;
+  std::deque<UndoStep> steps_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace burin

@@ -25,7 +25,7 @@ const void* BURIN_CALL get_extension(const burin_host* host, const char* id) {
 }  // namespace
 
 HostServices::HostServices(Log log, std::unique_ptr<HostExtensions> extensions)
-    : log_(log),
+    : log_(std::move(log)),
       extensions_(std::move(extensions)),
       host_{.struct_size = sizeof(burin_host),
             .abi_major = BURIN_ABI_MAJOR,

@@ -2,6 +2,7 @@
 #include <burin/abi/host.h>
 #include <burin/host/host_extensions.h>
 
+#include <functional>
 #include <memory>
 #include <string_view>
 
@@ -12,9 +13,9 @@ namespace burin {
 class HostServices {
  public:
   /// Must not throw. Called on any thread, also on several at once.
-  using Log = void (*)(int severity, std::string_view line);
+  using Log = std::function<void(int severity, std::string_view line)>;
 
-  /// `log` and `extensions` may be null.
+  /// `log` and `extensions` may be empty.
   explicit HostServices(Log log, std::unique_ptr<HostExtensions> extensions = nullptr);
   HostServices(const HostServices&) = delete;
   HostServices& operator=(const HostServices&) = delete;

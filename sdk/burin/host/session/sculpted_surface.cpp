@@ -31,6 +31,15 @@ void SculptedSurface::set_paint(Paint paint) {
   paint_.assign(std::move(paint));
 }
 
+void SculptedSurface::move(std::span<const Index> vertices, std::span<const Vec3f> positions) {
+  const bool sound = vertices.size() == positions.size() &&
+                     std::ranges::all_of(vertices, [&](Index v) { return v < surface_.vertex_count(); }) &&
+                     std::ranges::all_of(positions, [](const Vec3f& p) { return p.allFinite(); });
+  if (!sound) throw ContractError("vertices must be there, and have one finite position each");
+  note_changed(shown_.move(surface_, vertices, positions), {});
+  commit(shown_.take_displaced(surface_));
+}
+
 void SculptedSurface::show(const VertexMoves& moves) {
   const std::span<const Index> moved = shown_.move(surface_, moves.vertices, moves.positions);
   std::vector<Index> painted;
@@ -51,6 +60,7 @@ void SculptedSurface::drop() {
 void SculptedSurface::keep(MadePart made) {
   const std::vector<Index> displaced = shown_.take_displaced(surface_);
   journal_.record(displaced, surface_.positions, paint_.commit(), made);
+  end_redoing();
   commit(displaced);
 }
 
@@ -62,21 +72,53 @@ void SculptedSurface::replace(PaintedSurface made) {
   exchange(std::move(made));
   builders_ = std::make_unique<ChartBuilders>(surface_, picker_);
   journal_.record(std::move(replaced), std::move(before));
+  end_redoing();
+}
+
+void SculptedSurface::end_redoing() {
+  undone_.clear();
+  undone_builders_.clear();
+  drop_oldest();
+}
+
+void SculptedSurface::limit_undo(std::size_t bytes) {
+  most_undo_bytes_ = bytes;
+  drop_oldest();
+}
+
+void SculptedSurface::drop_oldest() {
+  while (journal_.size() > 0 && undo_bytes() > most_undo_bytes_)
+    if (journal_.drop_oldest().surface) replaced_builders_.erase(replaced_builders_.begin());
 }
 
 void SculptedSurface::show(const UndoStep& step) {
   note_changed(shown_.move(surface_, step.vertices, step.positions), step.paint.vertices);
 }
 
-void SculptedSurface::restore(UndoStep step) {
-  if (step.surface) {
-    exchange({std::move(*step.surface), std::move(step.surface_paint)});
-    builders_ = std::move(replaced_builders_.back());
-    replaced_builders_.pop_back();
-    return;
-  }
+void SculptedSurface::restore(UndoStep step, Turn turn) {
+  UndoStep replaced =
+      step.surface ? restore_surface(std::move(step), turn) : restore_vertices(std::move(step));
+  steps(turn == Turn::undo ? Turn::redo : Turn::undo).record(std::move(replaced));
+}
+
+UndoStep SculptedSurface::restore_surface(UndoStep step, Turn turn) {
+  UndoStep replaced;
+  replaced.surface_paint = paint_.base();
+  replaced.surface = std::move(surface_);
+  builders_->free_strokes();
+  builders_of(turn == Turn::undo ? Turn::redo : Turn::undo).push_back(std::move(builders_));
+  exchange({std::move(*step.surface), std::move(step.surface_paint)});
+  builders_ = std::move(builders_of(turn).back());
+  builders_of(turn).pop_back();
+  return replaced;
+}
+
+UndoStep SculptedSurface::restore_vertices(UndoStep step) {
+  for (std::size_t i = 0; i < step.vertices.size(); ++i)
+    step.positions[i] = surface_.positions[step.vertices[i]];
   commit(step.vertices);
-  paint_.restore(step.paint);
+  step.paint = paint_.restore(step.paint);
+  return step;
 }
 
 /// Sets `changed_` to the union of two ascending lists.

@@ -6,13 +6,18 @@
 #include <burin/host/session/stroke_instance.h>
 #include <burin/host/session/vertex_moves.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace burin {
+
+/// Which way a finished stroke is taken: undone, or made again.
+enum class Turn { undo, redo };
 
 /// The surface of a session with all that depends on it, as it is shown while a stroke is open, and the steps
 /// that undo finished strokes. Neither copied nor moved, since pickers and builders refer to its surface.
@@ -37,6 +42,10 @@ class SculptedSurface {
   void set_paint(Paint paint);
   void prepare_paint(std::uint64_t outputs) { paint_.prepare(outputs); }
 
+  /// Moves vertices of base(), which has no step of undo. Throws ContractError for what is no such vertex or
+  /// not finite.
+  void move(std::span<const Index> vertices, std::span<const Vec3f> positions);
+
   /// Shows what an open stroke moved and painted.
   void show(const VertexMoves& moves);
 
@@ -49,13 +58,27 @@ class SculptedSurface {
   /// Replaces a part of the surface, with an undo step. No stroke may refer to the surface any more.
   void replace(PaintedSurface made);
 
-  /// Undoing takes two calls: show() moves the vertices of the step back, and restore() makes that the
-  /// surface. For a step that holds a surface restore() does both.
-  std::optional<UndoStep> take_step() { return journal_.take(); }
+  /// Undoing and redoing take two calls: show() moves the vertices of the step, and restore() makes that the
+  /// surface. For a step that holds a surface restore() does both. What restore() replaces is a step for the
+  /// other way. A stroke that is kept ends redoing.
+  std::optional<UndoStep> take_step(Turn turn) { return steps(turn).take(); }
+  std::size_t step_count(Turn turn) const { return turn == Turn::undo ? journal_.size() : undone_.size(); }
   void show(const UndoStep& step);
-  void restore(UndoStep step);
+  void restore(UndoStep step, Turn turn);
+
+  /// Bounds the bytes of the steps of both ways.
+  void limit_undo(std::size_t bytes);
+  std::size_t undo_bytes() const { return journal_.bytes() + undone_.bytes(); }
 
  private:
+  using Builders = std::vector<std::unique_ptr<ChartBuilders>>;
+
+  UndoJournal& steps(Turn turn) { return turn == Turn::undo ? journal_ : undone_; }
+  Builders& builders_of(Turn turn) { return turn == Turn::undo ? replaced_builders_ : undone_builders_; }
+  void end_redoing();
+  void drop_oldest();
+  UndoStep restore_surface(UndoStep step, Turn turn);
+  UndoStep restore_vertices(UndoStep step);
   void note_changed(std::span<const Index> moved, std::span<const Index> painted);
   void commit(std::span<const Index> displaced);
   void exchange(PaintedSurface made);
@@ -63,11 +86,13 @@ class SculptedSurface {
   Surface surface_;
   Picker picker_;
   std::unique_ptr<ChartBuilders> builders_;
-  /// Of the surfaces that were replaced: made anew after undo they would have other clusters.
-  std::vector<std::unique_ptr<ChartBuilders>> replaced_builders_;
+  /// Of the surfaces that were replaced, and of those whose replacing was undone: made anew they would have
+  /// other clusters.
+  Builders replaced_builders_, undone_builders_;
   ShownSurface shown_;
   ShownPaint paint_;
-  UndoJournal journal_;
+  UndoJournal journal_, undone_;
+  std::size_t most_undo_bytes_ = std::numeric_limits<std::size_t>::max();
   std::vector<Index> changed_;
   std::uint64_t generation_ = 0;
 };

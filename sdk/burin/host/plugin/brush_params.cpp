@@ -1,7 +1,6 @@
 // Looks up parameters in the descriptors of brushes.
-#include "input/brush_params.h"
+#include <burin/host/plugin/brush_params.h>
 
-#include <burin/abi/plugin.h>
 #include <algorithm>
 
 namespace burin {
@@ -21,6 +20,10 @@ bool has_param(const BrushLibrary& brushes, const std::string* brush, std::strin
   return std::ranges::any_of(brushes.brushes(), [&](const BrushEntry& entry) {
     return (!brush || *brush == entry.descriptor->id) && has_param(*entry.descriptor, name, types);
   });
+}
+
+bool takes_text(const BrushLibrary& brushes, const std::string* brush, std::string_view name) {
+  return has_param(brushes, brush, name, {BURIN_PARAM_TEXT, BURIN_PARAM_FILE, BURIN_PARAM_CHOICE});
 }
 
 }  // namespace burin

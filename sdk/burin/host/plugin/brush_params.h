@@ -12,4 +12,7 @@ namespace burin {
 bool has_param(const BrushLibrary& brushes, const std::string* brush, std::string_view name,
                std::initializer_list<burin_param_type> types);
 
+/// Whether the value of this parameter is a text whatever it looks like: a text, a file or a choice.
+bool takes_text(const BrushLibrary& brushes, const std::string* brush, std::string_view name);
+
 }  // namespace burin

@@ -1,0 +1,365 @@
+/* burin/host/c/burin.h - Burin for applications in C, and in every language that calls C: libburin.so.
+ *
+ *   burin_library_create(&options, &library, &error);
+ *   burin_library_load(library, NULL, &error);                  // the brushes
+ *   burin_session_create(library, &mesh, &session, &error);     // a surface, from the caller's arrays
+ *   burin_session_begin(session, &stroke, &error);
+ *   burin_session_add(session, &sample, 1, NULL, &error);       // for every sample of the pen
+ *   burin_session_update(session, BURIN_POSITIONS, 64, ranges, 32, &count, &error);  // what to upload
+ *   burin_session_end(session, &error);
+ *   burin_session_destroy(session);
+ *   burin_library_destroy(library);
+ *
+ * The rules of burin/abi/base.h hold: sized structs, which the caller zeroes before it sets struct_size and
+ * members; a status and a text for every call that may fail; buffers of the caller's. Besides:
+ *  - BURIN_INVALID_ARGUMENT is what breaks a rule of this header: an argument that is null where its comment
+ * does not allow it, a struct that is too small, a number out of range. Such a call changes nothing, nor does
+ * one that gives BURIN_NOT_FOUND. Any other failure within a stroke drops it: the surface is as before the
+ *    stroke, which the next update tells. Functions without a status return 0 or null.
+ *  - Vertices are numbers from 0, those of the arrays that the caller gave unless it chose
+ * BURIN_ORDER_SURFACE.
+ *  - Libraries are for one thread, on which brushes are loaded, created and destroyed: the main thread, if
+ *    brushes are to find what the plugin ABI promises. A session belongs to one thread at a time and, while
+ *    a stroke is open, to one thread; its first stroke with a brush and its destruction belong on the main
+ *    thread. Different sessions may be used at once. Inside, sessions use all threads of oneTBB.
+ *  - There is no global state: libraries and sessions know nothing of others. Nothing is written to standard
+ *    streams.
+ */
+#ifndef BURIN_HOST_C_BURIN_H
+#define BURIN_HOST_C_BURIN_H
+
+#include <burin/abi/brush.h>
+#include <burin/abi/ext/log.h>
+#include <burin/host/recorder.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Functions and structs are added with a new minor version, never changed: a program that was built with this
+ * header runs with every later library of the same major version, which is that of libburin.so.0. */
+#define BURIN_C_MAJOR 0u
+#define BURIN_C_MINOR 1u
+
+/* What a library is. */
+typedef struct burin_version_info {
+  uint32_t struct_size;
+  uint32_t major, minor;         /* of this header when the library was built: BURIN_C_MAJOR, BURIN_C_MINOR */
+  uint32_t abi_major, abi_minor; /* of the plugins that it loads */
+  uint32_t reserved;
+  const char* text; /* version of Burin, "0.1.0"; lives as long as the library is loaded */
+} burin_version_info;
+
+/* Fills the members that info->struct_size covers. [any thread, concurrent] */
+BURIN_API burin_status BURIN_CALL burin_get_version(burin_version_info* info, burin_text* error);
+
+/* ---- Brushes ---- */
+
+typedef struct burin_library burin_library;
+
+/* Receives a line of a brush or of the library. It must not call Burin; it is called on any thread, also on
+ * several at once. `line` is valid during the call. */
+typedef void(BURIN_CALL* burin_log_function)(void* user, burin_log_severity severity, const char* line);
+
+typedef struct burin_library_options {
+  uint32_t struct_size;
+  uint32_t reserved;
+  burin_log_function log; /* null: lines are discarded */
+  void* user;             /* is given to log */
+} burin_library_options;
+
+/* Makes a library without brushes. `options` may be null. */
+BURIN_API burin_status BURIN_CALL burin_library_create(const burin_library_options* options,
+                                                       burin_library** library, burin_text* error);
+
+/* Frees the library, which may be null. Its brushes live on until the last session of it is destroyed. */
+BURIN_API void BURIN_CALL burin_library_destroy(burin_library* library);
+
+/* Loads brushes from `path`, UTF-8: a module, or all modules NAME.burin of a folder, in the order of their
+ * names. Null: from the folders of the environment variable BURIN_PLUGIN_PATH, then the stock brushes that
+ * are installed with libburin.so, if they are. A module of a folder that cannot be loaded is passed over: a
+ * warning in the log tells why, and so does burin_library_refused. A module by itself that cannot be loaded,
+ * or a folder that cannot be read, fails. Modules that are there already are skipped. */
+BURIN_API burin_status BURIN_CALL burin_library_load(burin_library* library, const char* path,
+                                                     burin_text* error);
+
+/* Loads a module that is there anew, from its file as it is now. The next stroke of every session draws with
+ * the new brushes, which take over the state of the old ones. Descriptors of the module are no longer valid.
+ * If the call fails the old module stays. Whoever writes a new file must not write over the old one before
+ * the first time, but remove it or rename another over it. */
+BURIN_API burin_status BURIN_CALL burin_library_reload(burin_library* library, const char* path,
+                                                       burin_text* error);
+
+/* The number of brushes. */
+BURIN_API uint64_t BURIN_CALL burin_library_brush_count(const burin_library* library);
+
+/* The descriptor of a brush with all its parameters, as burin/abi/brush.h and param.h define them: a panel is
+ * made of it. Members that BURIN_HAS denies, since the plugin is older, have the defaults of their comments.
+ * Brushes are in the order of loading; null beyond the last. Valid as long as the library, or until its
+ * module is loaded anew. */
+BURIN_API const burin_brush_descriptor* BURIN_CALL burin_library_brush(const burin_library* library,
+                                                                       uint64_t index);
+
+/* The number of modules that were passed over. */
+BURIN_API uint64_t BURIN_CALL burin_library_refused_count(const burin_library* library);
+
+/* Why a module was passed over: one line that names it; null beyond the last. Valid until the library loads
+ * again. */
+BURIN_API const char* BURIN_CALL burin_library_refused(const burin_library* library, uint64_t index);
+
+/* ---- Surfaces ---- */
+
+typedef struct burin_session burin_session;
+
+/* The type of the numbers of an array. */
+typedef int32_t burin_number;
+enum {
+  BURIN_NUMBER_UNKNOWN = 0,
+  BURIN_FLOAT32 = 1,
+  BURIN_FLOAT64 = 2,
+  BURIN_UINT32 = 3, /* also for int32_t: negative numbers are refused */
+  BURIN_UINT64 = 4  /* also for int64_t */
+};
+
+/* The numbers that vertices have in all calls. Burin sorts them along a curve through space, so that a stroke
+ * changes few ranges; a caller that can hold its buffers in that order uploads least. */
+typedef int32_t burin_order;
+enum {
+  BURIN_ORDER_UNKNOWN = 0, /* BURIN_ORDER_CALLER */
+  BURIN_ORDER_CALLER = 1,  /* as in burin_mesh.positions */
+  BURIN_ORDER_SURFACE = 2  /* Burin's own; see burin_session_read_map and burin_session_read_triangles */
+};
+
+/* A mesh in arrays of the caller's, which are read during the call only: up to 2^32 - 1 vertices, triangles
+ * and polygons, open, of several parts and not manifold if need be. Larger faces are cut into triangles
+ * without new vertices. Vertices that are there several times, as along seams of texture coordinates, end
+ * strokes: they must be joined. Positions become floats: those far from the origin lose digits unless the
+ * caller moves them. */
+typedef struct burin_mesh {
+  uint32_t struct_size;
+  burin_number position_type; /* BURIN_FLOAT32 or BURIN_FLOAT64 */
+  const void* positions;      /* x, y and z of a vertex next to each other; finite, object units */
+  uint64_t vertex_count;
+  uint64_t position_stride; /* bytes from one vertex to the next; 0: 3 numbers */
+  const void* corners;      /* vertices of the faces, counter-clockwise seen from outside */
+  uint64_t face_count;
+  uint64_t face_stride; /* bytes from one face to the next; 0: the corners of a face; without face_sizes */
+  burin_number corner_type; /* BURIN_UINT32 or BURIN_UINT64, of corners and face_sizes */
+  uint32_t face_size;       /* corners of every face, 3 or more; 0: face_sizes */
+  const void* face_sizes; /* corners of each face, which lie face by face in `corners`; null with face_size */
+  burin_order order;
+  uint32_t reserved;
+} burin_mesh;
+
+/* Makes a session that sculpts this mesh with the brushes of a library. */
+BURIN_API burin_status BURIN_CALL burin_session_create(burin_library* library, const burin_mesh* mesh,
+                                                       burin_session** session, burin_text* error);
+
+/* Frees the session, which may be null. */
+BURIN_API void BURIN_CALL burin_session_destroy(burin_session* session);
+
+typedef struct burin_session_info {
+  uint32_t struct_size;
+  uint32_t stroke_open; /* 1: a stroke is open */
+  uint64_t vertex_count;
+  uint64_t triangle_count; /* without those that have a vertex twice */
+  uint64_t undo_count;     /* strokes that can be undone */
+  uint64_t redo_count;     /* strokes that can be made again */
+  uint64_t undo_bytes;     /* what both hold */
+} burin_session_info;
+
+/* Fills the members that info->struct_size covers. */
+BURIN_API burin_status BURIN_CALL burin_session_get_info(const burin_session* session,
+                                                         burin_session_info* info, burin_text* error);
+
+/* Which numbers a map gives, and for which. */
+typedef int32_t burin_map;
+enum {
+  BURIN_MAP_UNKNOWN = 0,
+  BURIN_MAP_CALLER_TO_SURFACE = 1, /* element i: the number in Burin's order of vertex i of the caller's */
+  BURIN_MAP_SURFACE_TO_CALLER = 2
+};
+
+/* Writes a map between the caller's order of vertices and Burin's, vertex_count numbers, whatever the order
+ * that the session was made with. `capacity`: numbers that fit, at least vertex_count. */
+BURIN_API burin_status BURIN_CALL burin_session_read_map(const burin_session* session, burin_map map,
+                                                         uint32_t* numbers, uint64_t capacity,
+                                                         burin_text* error);
+
+/* Writes the triangles, three of the session's vertices each, in the order of the surface. `capacity`:
+ * triangles that fit, at least triangle_count. */
+BURIN_API burin_status BURIN_CALL burin_session_read_triangles(const burin_session* session,
+                                                               uint32_t* corners, uint64_t capacity,
+                                                               burin_text* error);
+
+/* ---- Strokes ---- */
+
+/* How a stroke is drawn. */
+typedef struct burin_stroke {
+  uint32_t struct_size;
+  uint32_t fields; /* BURIN_PEN_* that the pen reports */
+  /* Texts "KEY=VALUE", UTF-8, ended by a null pointer; at least brush and radius. The keys are those of
+   * docs/stroke_format.md and docs/bench.md, the values as `burin replay` takes them: "radius=0.1",
+   * "closed=auto", "clamp=true", "symmetry_centre=0,0,1". Two may be there several times: "params=NAME=VALUE"
+   * and "dynamics=TARGET=SOURCE:X0,Y0,X1,Y1,...". */
+  const char* const* settings;
+  uint64_t seed; /* of random numbers */
+} burin_stroke;
+
+/* A sample of the pen. What the pen does not report (burin_stroke.fields) is not read. */
+typedef struct burin_sample {
+  uint32_t struct_size;
+  float pressure;       /* 0..1 */
+  double time;          /* seconds; must not fall within a stroke. Samples of one time stamp slow the pen down
+                           and speed it up: give those of a packet times of their own */
+  double position[3];   /* near the surface, within a radius; with a direction where its ray starts */
+  double direction[3];  /* zero: none; else the sample is the first place of the surface along this ray */
+  float tilt_x, tilt_y; /* radians from upright, towards +x and +y */
+  float twist;          /* radians */
+  uint32_t reserved;
+} burin_sample;
+
+/* What became of a sample. */
+typedef int32_t burin_outcome;
+enum {
+  BURIN_OUTCOME_UNKNOWN = 0,
+  BURIN_OUTCOME_DRAWN = 1,
+  BURIN_OUTCOME_OFF_SURFACE = 2 /* the ray misses, or no surface is near: the next sample on the surface
+                                   begins another piece of the stroke */
+};
+
+typedef struct burin_event {
+  uint32_t struct_size;
+  burin_outcome outcome; /* of the last sample */
+  uint64_t drawn;        /* how many of the samples were drawn */
+} burin_event;
+
+/* Opens a stroke. BURIN_NOT_FOUND if there is no such brush. */
+BURIN_API burin_status BURIN_CALL burin_session_begin(burin_session* session, const burin_stroke* stroke,
+                                                      burin_text* error);
+
+/* Adds samples to the open stroke, one struct after the other. The surface is brought up to date once, after
+ * the last: the result is that of one by one, at less cost. `event` may be null. */
+BURIN_API burin_status BURIN_CALL burin_session_add(burin_session* session, const burin_sample* samples,
+                                                    uint64_t count, burin_event* event, burin_text* error);
+
+/* Ends the open stroke, which then can be undone unless it has no sample on the surface. */
+BURIN_API burin_status BURIN_CALL burin_session_end(burin_session* session, burin_text* error);
+
+/* Drops the open stroke, if there is one. */
+BURIN_API burin_status BURIN_CALL burin_session_cancel(burin_session* session, burin_text* error);
+
+/* Undoes the last stroke to the bit, or makes the one that was undone last again. BURIN_NOT_FOUND, and
+ * nothing changes, if there is none. After another stroke there is nothing to redo. */
+BURIN_API burin_status BURIN_CALL burin_session_undo(burin_session* session, burin_text* error);
+BURIN_API burin_status BURIN_CALL burin_session_redo(burin_session* session, burin_text* error);
+
+/* Bounds what undo and redo may hold, now and whenever a stroke ends: while it is more, the oldest stroke can
+ * no longer be undone. Without a bound all can. */
+BURIN_API burin_status BURIN_CALL burin_session_limit_undo(burin_session* session, uint64_t bytes,
+                                                           burin_text* error);
+
+/* Is told what a call does that may take seconds, on the thread of the call: the name of the step, valid
+ * during the call, and the share of it that is done, 0..1. Any return but 0 ends the call with BURIN_ERROR
+ * and the text "cancelled". It must not call Burin with this session. */
+typedef int32_t(BURIN_CALL* burin_progress_function)(void* user, const char* stage, double done);
+
+/* Sets what burin_session_end tells while it makes solids, and burin_session_replay of all strokes; null:
+ * none. `user` is given to it. */
+BURIN_API burin_status BURIN_CALL burin_session_set_progress(burin_session* session,
+                                                             burin_progress_function progress, void* user,
+                                                             burin_text* error);
+
+/* Draws all strokes of a recording, as `burin replay` does. `settings` are as those of burin_stroke, hold
+ * before the recording's own, and may be null. If a stroke fails, those before it stay. */
+BURIN_API burin_status BURIN_CALL burin_session_replay(burin_session* session, const char* path,
+                                                       const char* const* settings, burin_text* error);
+
+/* The number that `burin replay` prints as the result's hash: of positions, and of colours and masks if there
+ * are any, in the order of the caller's vertices. */
+BURIN_API burin_status BURIN_CALL burin_session_hash(const burin_session* session, uint64_t* hash,
+                                                     burin_text* error);
+
+/* ---- What to show ---- */
+
+/* Values that each vertex has, floats next to each other. */
+typedef int32_t burin_attribute;
+enum {
+  BURIN_ATTRIBUTE_UNKNOWN = 0,
+  BURIN_POSITIONS = 1, /* x, y, z, object units */
+  BURIN_NORMALS = 2,   /* x, y, z, unit, outward */
+  BURIN_COLOURS = 3,   /* linear red, green, blue and coverage, 0..1; 1, 1, 1, 0 where nothing is painted */
+  BURIN_MASKS = 4      /* 0 = protected .. 1 = free */
+};
+
+/* FROZEN. The vertices begin, begin + 1, .. end - 1. */
+typedef struct burin_range {
+  uint64_t begin, end;
+} burin_range;
+
+/* Brings burin_session_values of an attribute up to date, and tells where that changed a bit: in all that
+ * happened since the last update of this attribute, be it samples, ends, undo, redo, cancelled strokes or
+ * strokes that failed. The first update is of all vertices. Ranges are not empty, ascending and more than
+ * `gap` vertices apart: fewer, larger ones for a larger gap. Where they would be more than `capacity`, which
+ * is at least 1, those closest to each other become one. Costs what changed. */
+BURIN_API burin_status BURIN_CALL burin_session_update(burin_session* session, burin_attribute attribute,
+                                                       uint64_t gap, burin_range* ranges, uint64_t capacity,
+                                                       uint64_t* count, burin_text* error);
+
+/* The values of all vertices as of the last update; null before the first. The address stays the same until
+ * the session is destroyed. Other threads may read it while no call updates. */
+BURIN_API const float* BURIN_CALL burin_session_values(const burin_session* session,
+                                                       burin_attribute attribute);
+
+/* Where numbers are to be written. */
+typedef struct burin_target {
+  uint32_t struct_size;
+  burin_number type; /* BURIN_FLOAT32 or BURIN_FLOAT64 */
+  void* data;        /* of the first vertex of the range */
+  uint64_t stride;   /* bytes from one vertex to the next; 0: the values of a vertex */
+} burin_target;
+
+/* Where numbers are to be read. */
+typedef struct burin_source {
+  uint32_t struct_size;
+  burin_number type; /* BURIN_FLOAT32 or BURIN_FLOAT64 */
+  const void* data;  /* of the first vertex of the range */
+  uint64_t stride;   /* bytes from one vertex to the next; 0: the values of a vertex */
+} burin_source;
+
+/* Takes values of a range of vertices that other tools of the caller changed: positions, finite, or colours
+ * or masks, 0..1; normals follow from positions. It is no step of undo, whose steps hold values of their own:
+ * a caller that undoes its own moves by this call, in turn with strokes, gets every state again. Positions
+ * cost what really moved, colours and masks a copy of all. The next update tells what changed. Not within a
+ * stroke. */
+BURIN_API burin_status BURIN_CALL burin_session_write(burin_session* session, burin_attribute attribute,
+                                                      const burin_range* range, const burin_source* source,
+                                                      burin_text* error);
+
+/* Writes the current values of a range of vertices, whether or not there was an update. */
+BURIN_API burin_status BURIN_CALL burin_session_read(const burin_session* session, burin_attribute attribute,
+                                                     const burin_range* range, const burin_target* target,
+                                                     burin_text* error);
+
+/* The coordinates (t, d) of the vertices around the last piece of the open stroke, or of the last stroke. A
+ * vertex that the stroke visits several times is there once for each visit, its sheets. Arrays have `count`
+ * elements, belong to the session and are valid until its next call. */
+typedef struct burin_chart {
+  uint32_t struct_size;
+  uint32_t closed; /* 1: t is periodic with `length` */
+  uint64_t count;
+  double length;          /* of the stroke, object units */
+  const uint32_t* vertex; /* the session's numbers; in Burin's order */
+  const uint32_t* sheet;  /* 0, 1, ... at each vertex, in the order of t */
+  const double* t;        /* arc length along the stroke, object units */
+  const float* d;         /* signed distance to the stroke, object units; positive on its left */
+} burin_chart;
+
+/* Fills the members that chart->struct_size covers. */
+BURIN_API burin_status BURIN_CALL burin_session_chart(burin_session* session, burin_chart* chart,
+                                                      burin_text* error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,98 @@
+// Brush libraries for C.
+#include <burin/base/program_file.h>
+#include <burin/host/c/call.h>
+#include <burin/host/c/handles.h>
+#include <burin/version.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <utility>
+
+namespace burin::c {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A log that passes lines on to a function of C.
+BrushLibrary::Log log_of(const burin_library_options& options) {
+  if (!options.log) return {};
+  return [write = options.log, user = options.user](int severity, std::string_view line) {
+    write(user, severity, std::string(line).c_str());
+  };
+}
+
+void load(burin_library& library, const char* path) {
+  if (!path)
+    library.brushes->load_search_path(beside_own_file("brushes"));
+  else if (fs::is_directory(fs::path(path)))
+    library.brushes->load_folder(path);
+  else
+    library.brushes->load(path);
+}
+
+}  // namespace
+
+void create_library(const burin_library_options* options, std::unique_ptr<HostExtensions> extensions,
+                    burin_library** library) {
+  require(library, "library");
+  burin_library_options known{};
+  if (options) known = known_members(options, BURIN_HAS(options, burin_library_options, user), "options");
+  *library = new burin_library{std::make_shared<BrushLibrary>(log_of(known), std::move(extensions)), {}};
+}
+
+}  // namespace burin::c
+
+using namespace burin;
+
+burin_status burin_get_version(burin_version_info* info, burin_text* error) {
+  return plugin::guarded(error, [&] {
+    const burin_version_info version{.struct_size = 0,
+                                     .major = BURIN_C_MAJOR,
+                                     .minor = BURIN_C_MINOR,
+                                     .abi_major = BURIN_ABI_MAJOR,
+                                     .abi_minor = BURIN_ABI_MINOR,
+                                     .reserved = 0,
+                                     .text = BURIN_VERSION};
+    c::give(version, info, info && BURIN_HAS(info, burin_version_info, text), "info");
+  });
+}
+
+void burin_library_destroy(burin_library* library) { delete library; }
+
+burin_status burin_library_load(burin_library* library, const char* path, burin_text* error) {
+  return plugin::guarded(error, [&] {
+    c::require(library, "library");
+    const auto refresh = [&] { library->refused = library->brushes->refused(); };
+    try {
+      c::load(*library, path);
+    } catch (...) {
+      refresh();
+      throw;
+    }
+    refresh();
+  });
+}
+
+burin_status burin_library_reload(burin_library* library, const char* path, burin_text* error) {
+  return plugin::guarded(error, [&] {
+    c::require(library, "library");
+    c::require(path, "path");
+    library->brushes->reload(path);
+  });
+}
+
+uint64_t burin_library_brush_count(const burin_library* library) {
+  return library ? library->brushes->brushes().size() : 0;
+}
+
+const burin_brush_descriptor* burin_library_brush(const burin_library* library, uint64_t index) {
+  return index < burin_library_brush_count(library) ? library->brushes->brushes()[index].descriptor : nullptr;
+}
+
+uint64_t burin_library_refused_count(const burin_library* library) {
+  return library ? library->refused.size() : 0;
+}
+
+const char* burin_library_refused(const burin_library* library, uint64_t index) {
+  return index < burin_library_refused_count(library) ? library->refused[index].c_str() : nullptr;
+}

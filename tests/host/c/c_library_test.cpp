@@ -1,0 +1,237 @@
+// Brush libraries of libburin.so, and what the file itself shows to others.
+#include <burin/base/file.h>
+#include <burin/version.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <mutex>
+#include <regex>
+#include <set>
+
+#include "c_host.h"
+#include "support/process.h"
+#include "support/shared_data.h"
+
+namespace burin::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+/// The functions that a header declares for libburin.so.
+Names declared(const fs::path& header) {
+  static const std::regex function(R"(BURIN_API [^;]*?BURIN_CALL\s+(burin_\w+)\()");
+  const std::string text = read_file(header);
+  Names names;
+  for (std::sregex_iterator match(text.begin(), text.end(), function), end; match != end; ++match)
+    names.insert((*match)[1]);
+  return names;
+}
+
+TEST(CLibraryFile, ShowsTheFunctionsOfItsHeadersAndNothingElse) {
+  const ProcessResult result = run_process({"nm", "-D", "--defined-only", "--format=posix", BURIN_C_LIBRARY});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  Names shown;
+  std::istringstream lines(result.out);
+  for (std::string name, rest; lines >> name && std::getline(lines, rest);)
+    if (name != "BURIN_0") shown.insert(name.substr(0, name.find('@')));
+  Names expected = declared(fs::path(BURIN_SDK) / "burin/host/c/burin.h");
+  EXPECT_GE(expected.size(), 25u);
+  expected.merge(declared(fs::path(BURIN_SDK) / "burin/host/recorder.h"));
+  EXPECT_EQ(shown, expected);
+}
+
+TEST(CLibraryFile, HasItsMajorVersionInItsName) {
+  const ProcessResult result = run_process({"readelf", "-d", BURIN_C_LIBRARY});
+  EXPECT_NE(result.out.find("[libburin.so." + std::to_string(BURIN_C_MAJOR) + "]"), std::string::npos)
+      << result.out;
+  EXPECT_NE(result.out.find("SYMBOLIC"), std::string::npos);
+}
+
+TEST(CLibraryFile, TellsItsVersion) {
+  auto info = sized<burin_version_info>();
+  CText error;
+  ASSERT_EQ(IN_C(burin_get_version)(&info, &error), BURIN_OK);
+  EXPECT_EQ(info.struct_size, sizeof info);
+  EXPECT_EQ(info.major, BURIN_C_MAJOR);
+  EXPECT_EQ(info.minor, BURIN_C_MINOR);
+  EXPECT_EQ(info.abi_major, BURIN_ABI_MAJOR);
+  EXPECT_STREQ(info.text, BURIN_VERSION);
+}
+
+/// A stroke of a library that is one of several in the process, sample by sample.
+class OneOfSeveral {
+ public:
+  OneOfSeveral(const fs::path& file, const TriangleMesh& mesh) : functions_(file.string()) {
+    check(
+        functions_.find<decltype(burin_library_create)>("burin_library_create")(nullptr, &library_, &error_));
+    check(functions_.find<decltype(burin_library_load)>("burin_library_load")(
+        library_, brushes_folder.c_str(), &error_));
+    const burin_mesh arrays = arrays_of(mesh);
+    check(functions_.find<decltype(burin_session_create)>("burin_session_create")(library_, &arrays,
+                                                                                  &session_, &error_));
+    const char* const settings[] = {"brush=org.burin.groove", "radius=0.15", nullptr};
+    auto stroke = sized<burin_stroke>();
+    stroke.settings = settings;
+    check(functions_.find<decltype(burin_session_begin)>("burin_session_begin")(session_, &stroke, &error_));
+  }
+  void add(const burin_sample& sample) {
+    check(functions_.find<decltype(burin_session_add)>("burin_session_add")(session_, &sample, 1, nullptr,
+                                                                            &error_));
+  }
+  std::uint64_t end() {
+    std::uint64_t hash = 0;
+    check(functions_.find<decltype(burin_session_end)>("burin_session_end")(session_, &error_));
+    check(functions_.find<decltype(burin_session_hash)>("burin_session_hash")(session_, &hash, &error_));
+    functions_.find<decltype(burin_session_destroy)>("burin_session_destroy")(session_);
+    functions_.find<decltype(burin_library_destroy)>("burin_library_destroy")(library_);
+    return hash;
+  }
+  const void* address() const {
+    return reinterpret_cast<const void*>(functions_.find<decltype(burin_session_add)>("burin_session_add"));
+  }
+
+ private:
+  void check(burin_status status) {
+    if (status != BURIN_OK) throw std::runtime_error(error_.str());
+  }
+
+  CLibrary functions_;
+  CText error_;
+  burin_library* library_ = nullptr;
+  burin_session* session_ = nullptr;
+};
+
+TEST(CLibraryFile, MayBeInAProcessSeveralTimes) {
+  const TemporaryFolder folder;
+  const TriangleMesh mesh = shuffled(plane(1, 0.04, 4), 5);
+  Session expected(make_surface(mesh), brushes());
+  StrokeSettings groove = settings("org.burin.groove");
+  groove.fields = {};
+  draw(expected, groove, without_pen(wave()));
+  for (const char* name : {"a.so", "b.so"}) fs::copy(BURIN_C_LIBRARY, folder.path() / name);
+  OneOfSeveral a(folder.path() / "a.so", mesh), b(folder.path() / "b.so", mesh);
+  EXPECT_NE(a.address(), b.address());
+  for (const burin_sample& sample : in_c(wave())) {
+    a.add(sample);
+    b.add(sample);
+  }
+  EXPECT_EQ(a.end(), expected.result_hash());
+  EXPECT_EQ(b.end(), expected.result_hash());
+}
+
+/// Lines of a log, with their severities.
+struct Log {
+  static void BURIN_CALL write(void* user, burin_log_severity severity, const char* line) {
+    auto& log = *static_cast<Log*>(user);
+    const std::lock_guard lock(log.mutex);
+    log.lines.push_back(std::to_string(severity) + " " + line);
+  }
+  std::mutex mutex;
+  std::vector<std::string> lines;
+};
+
+class CBrushes : public ::testing::Test {
+ protected:
+  CBrushes() {
+    auto options = sized<burin_library_options>();
+    options.log = Log::write;
+    options.user = &log_;
+    EXPECT_EQ(IN_C(burin_library_create)(&options, &library_, &error_), BURIN_OK) << error_.str();
+  }
+  ~CBrushes() override { IN_C(burin_library_destroy)(library_); }
+
+  burin_status load(const fs::path& path) {
+    return IN_C(burin_library_load)(library_, path.c_str(), &error_);
+  }
+  std::uint64_t count() const { return IN_C(burin_library_brush_count)(library_); }
+
+  /// Whether the first brush has a parameter of this id.
+  bool has_param(std::string_view id) const {
+    const burin_brush_descriptor* brush = IN_C(burin_library_brush)(library_, 0);
+    return std::any_of(brush->params, brush->params + brush->param_count,
+                       [&](const burin_param_info* param) { return param->id == id; });
+  }
+
+  Log log_;
+  burin_library* library_ = nullptr;
+  CText error_;
+};
+
+TEST_F(CBrushes, PassOverAPluginThatIsBrokenAndLoadTheOthers) {
+  const TemporaryFolder folder;
+  fs::copy(brushes_folder / "bead.burin", folder.path());
+  fs::copy(brushes_folder / "rope.burin", folder.path());
+  fs::copy(test_plugins_folder / "broken_descriptor.burin", folder.path() / "c.burin");
+  EXPECT_EQ(load(folder.path()), BURIN_OK) << error_.str();
+  EXPECT_EQ(count(), 2u);
+  ASSERT_EQ(IN_C(burin_library_refused_count)(library_), 1u);
+  const std::string why = IN_C(burin_library_refused)(library_, 0);
+  EXPECT_EQ(why.find((folder.path() / "c.burin").string()), 0u) << why;
+  EXPECT_EQ(IN_C(burin_library_refused)(library_, 1), nullptr);
+  EXPECT_EQ(log_.lines, std::vector<std::string>{"3 " + why});
+  EXPECT_EQ(load(test_plugins_folder / "broken_descriptor.burin"), BURIN_ERROR) << "by itself it fails";
+  EXPECT_NE(error_.str(), "");
+  EXPECT_EQ(load(folder.path() / "none"), BURIN_ERROR);
+  EXPECT_EQ(count(), 2u);
+}
+
+TEST_F(CBrushes, ComeWithTheLibraryAndDescribeTheirPanels) {
+  EXPECT_EQ(IN_C(burin_library_load)(library_, nullptr, &error_), BURIN_OK) << error_.str();
+  EXPECT_GE(count(), 18u);
+  Names ids;
+  for (std::uint64_t i = 0; i < count(); ++i) {
+    const burin_brush_descriptor* brush = IN_C(burin_library_brush)(library_, i);
+    ids.insert(brush->id);
+    for (std::uint32_t k = 0; k < brush->param_count; ++k) EXPECT_NE(brush->params[k]->name, nullptr);
+  }
+  EXPECT_EQ(IN_C(burin_library_brush)(library_, count()), nullptr);
+  EXPECT_TRUE(ids.contains("org.burin.groove"));
+  EXPECT_EQ(ids.size(), count());
+}
+
+TEST_F(CBrushes, SampleStampsAndSetLettersBesideTheirLibrary) {
+  EXPECT_EQ(IN_C(burin_library_load)(library_, nullptr, &error_), BURIN_OK) << error_.str();
+  const TriangleMesh mesh = plane(1, 0.04, 4);
+  const burin_mesh arrays = arrays_of(mesh);
+  burin_session* session = nullptr;
+  ASSERT_EQ(IN_C(burin_session_create)(library_, &arrays, &session, &error_), BURIN_OK) << error_.str();
+  const std::string stamp = "params=stamp=" + std::string(BURIN_SAMPLES) + "/stamps/scales.exr";
+  const char* const scales[] = {"brush=org.burin.scales", "radius=0.15", stamp.c_str(), nullptr};
+  // What looks like a number is the text that it is.
+  const char* const text[] = {"brush=org.burin.text", "radius=0.15", "params=text=1884", nullptr};
+  const std::vector<burin_sample> samples = in_c(without_pen(wave(15)));
+  for (const char* const* settings : {scales, text}) {
+    auto stroke = sized<burin_stroke>();
+    stroke.settings = settings;
+    std::uint64_t before = 0, after = 0;
+    IN_C(burin_session_hash)(session, &before, &error_);
+    EXPECT_EQ(IN_C(burin_session_begin)(session, &stroke, &error_), BURIN_OK) << error_.str();
+    EXPECT_EQ(IN_C(burin_session_add)(session, samples.data(), samples.size(), nullptr, &error_), BURIN_OK)
+        << error_.str();
+    EXPECT_EQ(IN_C(burin_session_end)(session, &error_), BURIN_OK) << error_.str();
+    IN_C(burin_session_hash)(session, &after, &error_);
+    EXPECT_NE(before, after);
+  }
+  // The library may go first.
+  IN_C(burin_library_destroy)(library_);
+  library_ = nullptr;
+  EXPECT_EQ(IN_C(burin_session_undo)(session, &error_), BURIN_OK);
+  IN_C(burin_session_destroy)(session);
+}
+
+TEST_F(CBrushes, AreLoadedAnew) {
+  const TemporaryFolder folder;
+  const fs::path module = folder.path() / "a.burin";
+  fs::copy(fs::path(BURIN_RELOADED_BRUSHES) / "reloaded_1.burin", module);
+  ASSERT_EQ(load(module), BURIN_OK) << error_.str();
+  EXPECT_TRUE(has_param("count"));
+  fs::remove(module);  // what is loaded must not be overwritten
+  fs::copy(fs::path(BURIN_RELOADED_BRUSHES) / "reloaded_2.burin", module);
+  EXPECT_EQ(IN_C(burin_library_reload)(library_, module.c_str(), &error_), BURIN_OK) << error_.str();
+  EXPECT_TRUE(has_param("amount"));
+  EXPECT_EQ(IN_C(burin_library_reload)(library_, "/no/such/file", &error_), BURIN_ERROR);
+}
+
+}  // namespace
+}  // namespace burin::test
