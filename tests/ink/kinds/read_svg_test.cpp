@@ -24,20 +24,25 @@ TEST(ReadSvg, FollowsLines) {
 }
 
 TEST(ReadSvg, FollowsSkewsAndViews) {
-  const std::string path = R"(<path d="M0 0L1 2"/>)";
+  const std::string path = R"svg(<path d="M0 0L1 2"/>)svg";
   const auto placed = [&](const std::string& around, const std::string& end) {
     return places(PenFileFolder().read(around + path + end).strokes.at(0));
   };
-  EXPECT_EQ(placed(R"(<svg><g transform="skewX(45)">)", "</g></svg>"), "0 0, 3 2");
-  EXPECT_EQ(placed(R"(<svg><g transform="skewY(45)">)", "</g></svg>"), "0 0, 1 3");
-  EXPECT_EQ(placed(R"(<svg width="1in" height="96" viewBox="-1 -2 48 24">)", "</svg>"), "2 28, 4 32");
-  EXPECT_EQ(placed(R"(<svg width="96" height="96" viewBox="0,0,48,24" preserveAspectRatio="none">)", "</svg>"),
+  EXPECT_EQ(placed(R"svg(<svg><g transform="skewX(45)">)svg", "</g></svg>"), "0 0, 3 2");
+  EXPECT_EQ(placed(R"svg(<svg><g transform="skewY(45)">)svg", "</g></svg>"), "0 0, 1 3");
+  EXPECT_EQ(placed(R"svg(<svg width="1in" height="96" viewBox="-1 -2 48 24">)svg", "</svg>"), "2 28, 4 32");
+  EXPECT_EQ(placed(R"svg(<svg width="96" height="96" viewBox="0,0,48,24" preserveAspectRatio="none">)svg",
+                   "</svg>"),
             "0 0, 2 8");
-  EXPECT_EQ(placed(R"(<svg width="96" height="96" viewBox="0 0 48 24" preserveAspectRatio="xMaxYMin slice">)", "</svg>"),
-            "-96 0, -92 8");
-  EXPECT_EQ(placed(R"(<svg width="100%" viewBox="5 5 8 8">)", "</svg>"), "0 0, 1 2") << "of an unknown size";
-  EXPECT_EQ(placed(R"(<svg><svg x="10" y="20" width="8" height="8" viewBox="0 0 4 4">)", "</svg></svg>"),
-            "10 20, 12 24");
+  EXPECT_EQ(
+      placed(R"svg(<svg width="96" height="96" viewBox="0 0 48 24" preserveAspectRatio="xMaxYMin slice">)svg",
+             "</svg>"),
+      "-96 0, -92 8");
+  EXPECT_EQ(placed(R"svg(<svg width="100%" viewBox="5 5 8 8">)svg", "</svg>"), "0 0, 1 2")
+      << "of an unknown size";
+  EXPECT_EQ(
+      placed(R"svg(<svg><svg x="10" y="20" width="8" height="8" viewBox="0 0 4 4">)svg", "</svg></svg>"),
+      "10 20, 12 24");
 }
 
 TEST(ReadSvg, GivesChordsOfCurves) {

@@ -61,7 +61,7 @@ TEST(ReadTilt, NamesTheByteOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(sketch(0x80000000U)), "byte 75: 2147483648 items are told, 36 bytes follow");
   EXPECT_EQ(folder.complaint(sketch(1) + "!"), "byte 111: bytes follow the last stroke");
-  EXPECT_EQ(folder.complaint("tilT" + std::string(12, '\0')),
+  EXPECT_EQ(folder.complaint(std::string("tilT\x10\0\1\0\0\0\0\0\0\0\0\0", 16)),
             " cannot be unpacked: Unrecognized archive format");
 }
 

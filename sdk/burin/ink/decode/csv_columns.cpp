@@ -106,6 +106,8 @@ CsvColumn column_of(std::string_view cell) {
 
 }  // namespace
 
+bool is_position(CsvCell cell) { return cell == CsvCell::x || cell == CsvCell::y || cell == CsvCell::z; }
+
 char csv_separator_of(std::string_view header) {
   for (const char separator : {'\t', ';'})
     if (header.find(separator) != header.npos) return separator;

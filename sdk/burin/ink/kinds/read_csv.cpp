@@ -180,6 +180,7 @@ PenFile read_csv(const PenFileText& file) {
   Rows rows;
   for_each_line_of(file.text, file.path.string(), [&](std::string_view line) {
     if (line.find_first_not_of(blanks) == line.npos) return;
+    if (line.ends_with('\r')) line.remove_suffix(1);
     if (named.empty()) {
       named = header_columns(line);
       separator = csv_separator_of(line);

@@ -88,7 +88,7 @@ bool holds_paths(std::string_view name) { return name.ends_with(".protobuf"); }
 /// Whether a member of a zip is what holds the strokes: of Xournal++, of WILL, of a folder of Tilt Brush.
 bool holds_strokes(std::string_view name) {
   return name == "content.xml" || name.ends_with(".will") || holds_paths(name) ||
-         name == sketch_member || name.ends_with("/" + std::string(sketch_member));
+         name.ends_with(sketch_member);
 }
 
 /// Refuses XML, JSON and UTF-16 that are too long, by their first character.

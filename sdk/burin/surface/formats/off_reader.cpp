@@ -2,8 +2,8 @@
 // colours of faces are counted as unused.
 //
 // The format is a sequence of words, whatever lines they stand in. Only the colour of a face needs its line:
-// it is what follows the corners up to the end of it, in any number. So what is left of a line behind an
-// element is taken for the start of another one only if the lines that follow are too few for all others.
+// it is what follows the corners up to the end of it, in any number. So what is left of a line behind a face
+// is taken for the start of another one only if the lines that follow are too few for all others.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <burin/surface/files/file_colours.h>
@@ -54,10 +54,11 @@ class OffReader {
   /// The next word of an element; empty where the element is cut off.
   std::string_view next() { return by_lines_ ? words_.next_of_line() : words_.next(); }
 
-  /// Goes behind an element. Returns how many words of its line belong to no other one.
-  std::size_t end_element() {
+  /// Goes behind an element. Returns how many words of its line belong to no other one; only faces have such
+  /// words in whatever lines.
+  std::size_t end_element(bool face) {
     --elements_left_;
-    if (elements_left_ > words_.lines_left()) return 0;
+    if (!by_lines_ && !(face && elements_left_ <= words_.lines_left())) return 0;
     const std::size_t extra = words_.left_of_line();
     words_.skip_line();
     return extra;
@@ -127,7 +128,7 @@ class OffReader {
     if (kind_.colours) read_colour(on_line);
     if (kind_.texture) read_texture();
     file_.places.push_back(place);
-    if (const std::size_t extra = end_element(); extra > 0)
+    if (const std::size_t extra = end_element(false); extra > 0)
       unused_.add("other number of a vertex", "other numbers of vertices", extra);
   }
 
@@ -168,7 +169,7 @@ class OffReader {
       file_.mesh.face_vertices.push_back(static_cast<Index>(*vertex));
     }
     file_.mesh.face_sizes.push_back(static_cast<Index>(*corners));
-    if (end_element() > 0) unused_.add("colour of a face", "colours of faces");
+    if (end_element(true) > 0) unused_.add("colour of a face", "colours of faces");
   }
 
   OffWords words_;
