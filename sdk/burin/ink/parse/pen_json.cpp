@@ -38,6 +38,20 @@ void check_json_bounds(const PenFileText& file) {
   if (tree > most_tree_bytes) throw FileError(file.path.string(), "more values of JSON than 56 MB hold");
 }
 
+JsonValue pen_json_part(const PenFileText& file, std::string_view part) {
+  return pen_json({file.path, std::string(part)});
+}
+
+std::optional<PenFile> pen_file_by_parts(const std::function<bool(PenFile& content)>& read) {
+  PenFile content;
+  try {
+    if (read(content)) return content;
+  } catch (const FileError&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 JsonValue pen_json(const PenFileText& file) {
   check_json_bounds(file);
   return JsonValue::parse(file.text, file.path.string());
