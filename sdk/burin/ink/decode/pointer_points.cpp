@@ -150,24 +150,35 @@ bool PlainStroke::take_number(double value) {
   return true;
 }
 
-/// A channel that some points lack is none.
 PenStroke PlainStroke::finish() {
-  const Sample neutral;
-  for (std::size_t i = 0; i < pointer_channels.size(); ++i)
-    if (whole_[first_channel + i]) stroke_.fields.*pointer_channels[i].field = true;
-  const auto whole = [&](std::size_t channel) { return whole_[first_channel + channel]; };
-  for (Sample& sample : stroke_.samples) {
-    if (!whole(0)) sample.time = neutral.time;
-    if (!whole(1)) sample.pen.pressure = neutral.pen.pressure;
-    if (!whole(2)) sample.pen.tilt_x = neutral.pen.tilt_x;
-    if (!whole(3)) sample.pen.tilt_y = neutral.pen.tilt_y;
-    if (!whole(4)) sample.pen.twist = neutral.pen.twist;
-  }
+  std::array<bool, pointer_channels.size()> whole{};
+  std::copy(whole_.begin() + first_channel, whole_.end(), whole.begin());
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    if (whole[i]) stroke_.fields.*pointer_channels[i].field = true;
+  keep_channels(stroke_, whole);
   stroke_.made_pressure &= stroke_.fields.pressure;
   return std::move(stroke_);
 }
 
 }  // namespace
+
+std::optional<JsonValue> channel_of(const JsonValue& value, const PointerChannel& channel) {
+  for (const std::string_view name : channel.names)
+    if (!name.empty())
+      if (auto found = value.find(std::string(name))) return found;
+  return std::nullopt;
+}
+
+void keep_channels(PenStroke& stroke, const std::array<bool, pointer_channels.size()>& whole) {
+  const Sample neutral;
+  for (Sample& sample : stroke.samples) {
+    if (!whole[0]) sample.time = neutral.time;
+    if (!whole[1]) sample.pen.pressure = neutral.pen.pressure;
+    if (!whole[2]) sample.pen.tilt_x = neutral.pen.tilt_x;
+    if (!whole[3]) sample.pen.tilt_y = neutral.pen.tilt_y;
+    if (!whole[4]) sample.pen.twist = neutral.pen.twist;
+  }
+}
 
 std::string_view tool_of_pointer_type(std::string_view type) {
   static constexpr std::array<std::string_view, 3> tools = {"pen", "touch", "mouse"};

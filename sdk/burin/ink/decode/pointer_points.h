@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/text/json_value.h>
 #include <burin/ink/pen_file.h>
 
 #include <array>
@@ -15,6 +16,12 @@ struct PointerChannel {
 };
 
 extern const std::array<PointerChannel, 5> pointer_channels;
+
+/// The member of a value that gives it a channel.
+std::optional<JsonValue> channel_of(const JsonValue& value, const PointerChannel& channel);
+
+/// Sets channels that not all samples have to what a pen without them has.
+void keep_channels(PenStroke& stroke, const std::array<bool, pointer_channels.size()>& whole);
 
 /// What a device reports, as against what programs make of the speed and call pressure too.
 inline constexpr std::string_view reported_pressure = "pressure";

@@ -103,13 +103,25 @@ void read_list(const JsonValue& list, PenFile& content) {
   }
 }
 
+/// Whether a text has this name in quotes before a colon.
+bool has_key(std::string_view text, std::string_view name) {
+  for (const char* quote : {"\"", "'"}) {
+    const std::string quoted = quote + std::string(name) + quote;
+    for (std::size_t at = 0; (at = text.find(quoted, at)) != text.npos;) {
+      at += quoted.size();
+      std::string_view behind = text.substr(at);
+      if (take_character(behind, ':')) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 bool is_brush_strokes(std::string_view text) {
   const std::string_view head = text.substr(0, 65536);
   return (head.find("stroke=") != head.npos || head.find_first_not_of(blanks) == head.find('[')) &&
-         (head.find("\"mouse\"") != head.npos || head.find("'mouse'") != head.npos ||
-          head.find("\"location\"") != head.npos || head.find("'location'") != head.npos);
+         (has_key(head, "mouse") || has_key(head, "location"));
 }
 
 PenFile read_brush_strokes(const PenFileText& file) {

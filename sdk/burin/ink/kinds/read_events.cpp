@@ -1,7 +1,8 @@
-// Reads recordings of events that stroke/files/pen_events.h describes: of libmypaint, SVC, and arrays of
-// PointerEvents. They have no first bytes of their own, but lines of so many numbers, or such names.
+// Reads recordings of events that stroke/files/pen_events.h describes: of libmypaint, SVC, and arrays or
+// lists of PointerEvents. They have no first bytes of their own, but lines of so many numbers, or such names.
 #include <burin/base/error.h>
 #include <burin/base/text/json_value.h>
+#include <burin/ink/decode/pointer_event_list.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/json_parts.h>
 #include <burin/ink/parse/pen_json.h>
@@ -76,6 +77,7 @@ PenFile read_svc(const PenFileText& file) { return pen_file_of(svc_events(file.t
 
 bool is_pointer_arrays(std::string_view text) {
   const auto names = pointer_column_names();
+  if (begins_as_event_list(text)) return true;
   const auto take = [&text](char expected) { return take_character(text, expected); };
   if (!take('{') || !take('"')) return false;
   const std::string_view name = text.substr(0, text.find('"'));
@@ -84,6 +86,7 @@ bool is_pointer_arrays(std::string_view text) {
 }
 
 PenFile read_pointer_arrays(const PenFileText& file) {
+  if (begins_as_event_list(file.text)) return read_event_list(file);
   auto content = pen_file_by_parts([&](PenFile& to) { return read_columns(file, to); });
   if (content) return std::move(*content);
   check_json_bounds(file);

@@ -1,7 +1,7 @@
-// Reads strokes of web programs from JSON: a list of strokes, or an object that has one as "strokes" or
-// "pointers". A stroke has its points as a list of objects, {"pointers": [{"x", "y", "t", "p"}]} or the list
-// alone, or as lists of numbers, {"x": [], "y": [], "t": [], "p": []}. Positions are CSS pixels, times
-// milliseconds, tilts and twist degrees, as PointerEvent has them.
+// Reads strokes of web programs from JSON: a list of strokes, or an object that has one as "strokes",
+// "events" or "pointers". A stroke has its points as a list of objects, {"pointers": [{"x", "y", "t", "p"}]}
+// or the list alone, or as lists of numbers, {"x": [], "y": [], "t": [], "p": []}. Positions are CSS pixels,
+// times milliseconds, tilts and twist degrees, as PointerEvent has them.
 //
 // "p" is what programs make of the speed and call pressure, "pressure" what a device reports.
 #include <burin/base/error.h>
@@ -23,14 +23,6 @@
 
 namespace burin {
 namespace {
-
-/// The member of a value that gives it a channel.
-std::optional<JsonValue> channel_of(const JsonValue& value, const PointerChannel& channel) {
-  for (const std::string_view name : channel.names)
-    if (!name.empty())
-      if (auto found = value.find(std::string(name))) return found;
-  return std::nullopt;
-}
 
 bool has_reported_pressure(const JsonValue& value) {
   return value.find(std::string(reported_pressure)).has_value();
@@ -99,6 +91,12 @@ void read_strokes_of(const JsonValue& list, PenFile& content) {
   for (const JsonValue& one : list.items()) add(stroke_of(one), content);
 }
 
+/// The list of strokes that an object has.
+std::optional<JsonValue> list_of_strokes(const JsonValue& root) {
+  const auto strokes = root.find("strokes");
+  return strokes ? strokes : root.find("events");
+}
+
 /// Reads stroke by stroke. Returns false for what must be read as a whole.
 bool read_by_strokes(const PenFileText& file, PenFile& content) {
   const auto take_stroke = [&](std::string_view, std::string_view part) {
@@ -107,7 +105,8 @@ bool read_by_strokes(const PenFileText& file, PenFile& content) {
     return true;
   };
   const auto take_member = [&](std::string_view name, std::string_view part) {
-    return name == "strokes" ? for_each_json_part(part, take_stroke) : nlohmann::json::accept(part);
+    return name == "strokes" || name == "events" ? for_each_json_part(part, take_stroke)
+                                                 : nlohmann::json::accept(part);
   };
   std::string_view text = file.text;
   skip_blanks(text);
@@ -147,7 +146,7 @@ PenFile read_pointers(const PenFileText& file) {
     content = std::move(*strokes);
   } else {
     const JsonValue root = pen_json(file);
-    const auto list = root.is_array() ? std::optional(root) : root.find("strokes");
+    const auto list = root.is_array() ? std::optional(root) : list_of_strokes(root);
     if (list)
       read_strokes_of(*list, content);
     else
