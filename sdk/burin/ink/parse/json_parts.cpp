@@ -52,8 +52,9 @@ bool for_each_json_part(std::string_view json,
   const bool object = take_character(json, '{');
   if (!object && !take_character(json, '[')) return false;
   const char end = object ? '}' : ']';
-  for (bool first = true; !take_character(json, end); first = false) {
-    if (!first && !take_character(json, ',')) return false;
+  constexpr std::size_t most_parts = 500'000;
+  for (std::size_t number = 0; !take_character(json, end); ++number) {
+    if (number == most_parts || (number > 0 && !take_character(json, ','))) return false;
     std::string_view name = object ? take_value(json) : std::string_view();
     if (object && (name.size() < 2 || name.front() != '"' || !take_character(json, ':'))) return false;
     if (object) name = name.substr(1, name.size() - 2);
