@@ -137,7 +137,9 @@ bool is_pointers(std::string_view text) {
   skip_blanks(text);
   if (begins_with_lists_of_points(text)) return true;
   if (text.starts_with('[')) return has_key_early(text, "\"pointers\"") || has_key_early(text, "\"points\"");
-  return text.starts_with('{') && (has_key_early(text, "\"strokes\"") || has_key_early(text, "\"pointers\""));
+  return text.starts_with('{') &&
+         (has_key_early(text, "\"strokes\"") || has_key_early(text, "\"pointers\"") ||
+          (has_key_early(text, "\"events\"") && has_key_early(text, "\"points\"")));
 }
 
 PenFile read_pointers(const PenFileText& file) {
