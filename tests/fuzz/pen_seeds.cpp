@@ -32,14 +32,16 @@ std::string uim() {
   return riff("UINK", "INPT", Bytes().add_field(1, contexts).add_field(2, data.text()).text());
 }
 
-std::string will() {
+std::string will_path() {
   const std::string path = Bytes()
                                .add_field(3, std::uint64_t{1})
                                .add_field(4, zigzags({10, 20, 5, -10, 300, 7}))
                                .add_field(5, zigzags({30, 1, 1}))
                                .text();
-  return riff("WILL", "INK ", Bytes().add_varint(path.size()).add_text(path).text());
+  return Bytes().add_varint(path.size()).add_text(path).text();
 }
+
+std::string will() { return riff("WILL", "INK ", will_path()); }
 
 std::string tilt() {
   Bytes bytes;
@@ -89,6 +91,22 @@ std::string remarkable_6() {
 
 std::vector<PenSeed> all_seeds() {
   return {
+      {"will", test::stored_zip({{"a/strokes.protobuf", will_path()}, {"b.protobuf", ""}})},
+      {"tilt",
+       std::string("tilT\x10\0\1\0\0\0\0\0\0\0\0\0", 16) + test::stored_zip({{"data.sketch", tilt()}})},
+      {"inkml",
+       R"(<ink><definitions><trace id="a">1 2 T</trace></definitions><context><traceFormat><channel name="X"/>)"
+       R"(<channel name="Y" orientation="-ve"/><channel name="S" type="boolean"/><intermittentChannels>)"
+       R"(<channel name="F" max="2" default="1"/></intermittentChannels></traceFormat></context>)"
+       R"(<trace id="b" continuation="begin">1 2 T 1,3 4 F</trace><trace continuation="end" priorRef="#b">5 6 T)"
+       R"(</trace><traceView traceDataRef="#a"/></ink>)"},
+      {"svg",
+       R"svg(<svg width="1in" height="9" viewBox="0 0 8 4" preserveAspectRatio="xMinYMax slice"><g)svg"
+       R"svg( transform="skewX(9)"><path d="M0 0Q1 2 3 4T5 6A1 2 3 014 5S1 2 3 4H1V2"/></g></svg>)svg"},
+      {"csv",
+       "sep=;\n\"x (cm)\";y_px;t (ms);p (%);Tilt X (deg);note\n1,5;2;0;50;9;\"a;b\"\n\"3\";4;8;20,5;0;\n"},
+      {"pointers",
+       R"({"events":[{"pointerType":"PEN","points":[{"clientX":1,"x":2,"y":3,"force":1,"n":[]}]}]})"},
       {"uim", uim()},
       {"will", will()},
       {"tilt", tilt()},

@@ -28,9 +28,12 @@ Seeds stroke_seeds() {
 }
 
 Seeds pointer_seeds() {
-  return {R"({"x":[1,2,3,4],"y":[1,2,1,2],"time":[0,8,16,24],"pressure":[0.5,0.6,0.7,0],"buttons":[1,1,1,0],)"
-          R"("tiltX":[0,10,20,30],"tiltY":[0,-10,0,0],"twist":[0,90,180,359],"pointerId":[1,1,1,1]})",
-          R"({"x":[1,2,3],"y":[1,2,1],"time":[0,8,16]})"};
+  return {
+      R"({"x":[1,2,3,4],"y":[1,2,1,2],"time":[0,8,16,24],"pressure":[0.5,0.6,0.7,0],"buttons":[1,1,1,0],)"
+      R"("tiltX":[0,10,20,30],"tiltY":[0,-10,0,0],"twist":[0,90,180,359],"pointerId":[1,1,1,1]})",
+      R"({"x":[1,2,3],"y":[1,2,1],"time":[0,8,16]})",
+      R"([{"type":"pointerdown","clientX":1,"clientY":2,"pressure":0.5,"timeStamp":8,"pointerId":1,"tiltX":9},)"
+      R"({"type":"pointerup","x":3,"y":4,"buttons":0,"pointerType":"pen"}])"};
 }
 
 Seeds svc_seeds() {

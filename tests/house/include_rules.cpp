@@ -63,7 +63,7 @@ const std::map<std::string, Names> third_party = {
     {"yaml-cpp/", {"ink"}},
     {"xxh", {"base"}},
     {"CLI/", {"host_stub"}},
-    {"nlohmann/", {"base", "surface", "stroke", "host_stub"}},
+    {"nlohmann/", {"base", "surface", "stroke", "ink", "host_stub"}},
     {"fmt/",
      {"base", "surface", "subdiv", "stroke", "ink", "chart", "stamp", "image_codec", "deform", "feature",
       "refine", "volume", "along", "remesh", "level_set", "host", "services", "host_stub"}},

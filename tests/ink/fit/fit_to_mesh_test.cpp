@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 
 #include "support/shapes.h"
 
@@ -74,6 +75,34 @@ TEST(FitToMesh, PutsARingAroundAHole) {
   ASSERT_TRUE(fit_to_mesh(across, front_camera(), surface));
   EXPECT_EQ(places_beside(across, surface), 0);
   EXPECT_GT(width_of(around), 2 * width_of(across));
+}
+
+TEST(FitToMesh, StaysOnOneSideOfAStep) {
+  // Plates beside each other, one nearer by less than a cell of the view: gaps between close samples of a
+  // line.
+  TriangleMesh mesh = test::plane(1, 0.02, 3);
+  for (Vec3f& place : mesh.positions) place.x() = place.x() / 2 - 0.5F;
+  const auto vertices = static_cast<Index>(mesh.positions.size());
+  for (Index i = 0; i < vertices; ++i) mesh.positions.push_back(mesh.positions[i] + Vec3f(1, 0, 0.006F));
+  for (std::size_t i = 0, count = mesh.triangles.size(); i < count; ++i) {
+    Triangle raised = mesh.triangles[i];
+    for (Index& corner : raised) corner += vertices;
+    mesh.triangles.push_back(raised);
+  }
+  const Surface surface = make_surface(std::move(mesh));
+  std::vector<Eigen::Vector2d> places;
+  for (int i = 0; i <= 400; ++i) places.emplace_back(i, 0);
+  std::vector<RecordedStroke> line = {stroke_of(places)};
+  ASSERT_TRUE(fit_to_mesh(line, front_camera(), surface));
+  EXPECT_EQ(places_beside(line, surface), 0);
+  EXPECT_GT(width_of(line), 200) << "of the about 270 pixels of a plate";
+  const Picker picker(surface);
+  std::set<bool> sides;
+  for (const Sample& sample : line[0].samples)
+    sides.insert(
+        picker.pick(pixel_ray(front_camera(), sample.position.x(), sample.position.y()))->position.z() >
+        0.003F);
+  EXPECT_EQ(sides.size(), 1u);
 }
 
 TEST(FitToMesh, KeepsShapesAndTaps) {

@@ -3,6 +3,8 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burin::test {
 
@@ -58,6 +60,43 @@ inline std::string riff(std::string_view form, std::string_view chunk, std::stri
   bytes.add_text("RIFF").add(size + 12).add_text(form).add_text(chunk).add(size).add_text(content);
   if (size % 2 != 0) bytes.add_text(std::string(1, '\0'));
   return bytes.text();
+}
+
+/// The check sum of the members of a zip.
+inline std::uint32_t crc32_of(std::string_view text) {
+  std::uint32_t sum = ~0U;
+  for (const char letter : text) {
+    sum ^= static_cast<unsigned char>(letter);
+    for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (sum & 1 ? 0xEDB88320U : 0U);
+  }
+  return ~sum;
+}
+
+/// A zip of members, names and contents, that are not compressed.
+inline std::string stored_zip(const std::vector<std::pair<std::string, std::string>>& members) {
+  Bytes zip, directory;
+  for (const auto& [name, content] : members) {
+    const auto at = static_cast<std::uint32_t>(zip.text().size());
+    // The version that can read it, flags, how it is compressed and when it was written.
+    const auto add_member = [&, &to_name = name, &to_content = content](Bytes& bytes) {
+      const auto size = static_cast<std::uint32_t>(to_content.size());
+      bytes.add(std::uint16_t{10}).add(0U).add(0U).add(crc32_of(to_content)).add(size).add(size);
+      bytes.add(static_cast<std::uint16_t>(to_name.size())).add(std::uint16_t{0});
+    };
+    add_member(zip.add_text("PK\3\4"));
+    zip.add_text(name).add_text(content);
+    add_member(directory.add_text("PK\1\2").add(std::uint16_t{10}));
+    directory.add(std::uint16_t{0})
+        .add(std::uint16_t{0})
+        .add(std::uint16_t{0})
+        .add(0U)
+        .add(at)
+        .add_text(name);
+  }
+  const auto count = static_cast<std::uint16_t>(members.size());
+  const auto at = static_cast<std::uint32_t>(zip.text().size());
+  zip.add_text(directory.text()).add_text("PK\5\6").add(0U).add(count).add(count);
+  return zip.add(static_cast<std::uint32_t>(directory.text().size())).add(at).add(std::uint16_t{0}).text();
 }
 
 }  // namespace burin::test

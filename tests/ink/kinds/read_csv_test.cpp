@@ -23,6 +23,39 @@ TEST(ReadCsv, TakesColumnsByTheirNames) {
   EXPECT_EQ(file.not_used, std::vector<std::string>{"note"});
 }
 
+TEST(ReadCsv, ReadsWhatSpreadsheetsWrite) {
+  const PenFileFolder folder;
+  const PenFile file = folder.read(
+      "\xEF\xBB\xBFsep=;\r\n\"X (cm)\";\"Y [cm]\"; Time (ms) ;note;Pressure (%);Tilt X "
+      "(\u00b0);tilt_y_deg;Pen down\r\n"
+      "\"1,5\";2,25;8;\"a; b\";50;90;0;TRUE\r\n3;-4,5e1;16;;100,0;0;45;true;\r\n1;1;24;;0;0;0;FALSE\r\n");
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "15 22.5, 30 -450");
+  EXPECT_EQ(file.unit, "mm");
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true, .tilt = true}));
+  EXPECT_DOUBLE_EQ(file.strokes[0].samples[1].time, 0.016);
+  EXPECT_EQ(file.strokes[0].samples[0].pen.pressure, 0.5F);
+  EXPECT_NEAR(file.strokes[0].samples[0].pen.tilt_x, std::numbers::pi / 2, 1e-6);
+  EXPECT_NEAR(file.strokes[0].samples[1].pen.tilt_y, std::numbers::pi / 4, 1e-6);
+  EXPECT_EQ(file.hovering, 1u);
+  EXPECT_EQ(file.not_used, std::vector<std::string>{"note"});
+  const PenFile american = folder.read("x,y\n\"1,5\",\"2,5\"\n");
+  EXPECT_EQ(places(american.strokes.at(0)), "1.5 2.5");
+}
+
+TEST(ReadCsv, LeavesOutColumnsOfUnknownUnits) {
+  const PenFile file = PenFileFolder().read("x_px,y_px,time (min),timestamp,timestamp_us\n1,2,3,4,5000000\n");
+  EXPECT_EQ(file.not_used, (std::vector<std::string>{"time (min)", "timestamp"}));
+  EXPECT_EQ(file.unit, "px");
+  EXPECT_EQ(file.strokes.at(0).samples.at(0).time, 5);
+}
+
+TEST(ReadCsv, ReadsLinesThatEndInCarriageReturns) {
+  const PenFile file = PenFileFolder().read("# of an old program\rx\ty\tp\r1\t2\tNaN\r3\t4\t\r");
+  EXPECT_EQ(places(file.strokes.at(0)), "1 2, 3 4");
+  EXPECT_FALSE(file.strokes[0].fields.pressure);
+}
+
 TEST(ReadCsv, LeavesOutComments) {
   const PenFileFolder folder;
   EXPECT_EQ(places(folder.read("# of a tablet\n# x, y\n1,2\n# 5,6\n3,4\n").strokes.at(0)), "1 2, 3 4");

@@ -49,6 +49,60 @@ TEST(ReadInkml, TakesChannelsFromContextsOfNestedGroups) {
   EXPECT_EQ(file.unit, "");
 }
 
+TEST(ReadInkml, TakesContextsWithoutAnIdOrAFormat) {
+  const PenFile file =
+      PenFileFolder().read(ink(R"(<traceFormat><channel name="Y"/><channel name="X"/></traceFormat>
+    <definitions><brush xml:id="b"/><context xml:id="inked" brushRef="#b"/></definitions>
+    <trace>1 2</trace><trace contextRef="#inked">3 4</trace>
+    <context><traceFormat><channel name="X"/><channel name="Y"/></traceFormat></context><trace>5 6</trace>
+    <context contextRef="#inked"/><trace>7 8</trace>)"));
+  ASSERT_EQ(file.strokes.size(), 4u);
+  EXPECT_EQ(places(file.strokes[0]), "2 1");
+  EXPECT_EQ(places(file.strokes[1]), "4 3");
+  EXPECT_EQ(places(file.strokes[2]), "5 6");
+  EXPECT_EQ(places(file.strokes[3]), "8 7");
+}
+
+TEST(ReadInkml, TurnsReversedChannelsAndTakesDefaults) {
+  const PenFile file =
+      PenFileFolder().read(ink(R"(<traceFormat><channel name="X"/><channel name="Y" orientation="-ve"/>
+    <intermittentChannels><channel name="F" max="4" default="1"/></intermittentChannels></traceFormat>
+    <trace>1 2 3, 4 5</trace>)"));
+  EXPECT_EQ(places(file.strokes.at(0)), "1 -2, 4 -5");
+  EXPECT_EQ(file.strokes[0].samples[0].pen.pressure, 0.75F);
+  EXPECT_EQ(file.strokes[0].samples[1].pen.pressure, 0.25F);
+}
+
+TEST(ReadInkml, PartsStrokesWhereTheTipIsUp) {
+  const PenFile file = PenFileFolder().read(ink(R"(<traceFormat><channel name="X"/><channel name="Y"/>
+    <channel name="S" type="boolean"/></traceFormat><trace>0 0 F, 1 2 T, 3 4*, 5 6 F, 7 8 T</trace>)"));
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4");
+  EXPECT_EQ(places(file.strokes[1]), "7 8");
+  EXPECT_EQ(file.hovering, 2u);
+}
+
+TEST(ReadInkml, JoinsContinuations) {
+  const PenFile file = PenFileFolder().read(ink(R"(<trace xml:id="a" continuation="begin">1 2, 3 4</trace>
+    <trace xml:id="o">0 0</trace><trace xml:id="b" continuation="middle" priorRef="#a">5 6</trace>
+    <trace continuation="end" priorRef="#b">7 <!-- the last -->8</trace><trace priorRef="#a">9 9</trace>)"));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4, 5 6, 7 8");
+  EXPECT_EQ(places(file.strokes[1]), "0 0");
+  EXPECT_EQ(places(file.strokes[2]), "9 9");
+}
+
+TEST(ReadInkml, TakesDefinedTracesThatViewsName) {
+  const PenFile file = PenFileFolder().read(ink(R"(<definitions><trace xml:id="a">1 2</trace>
+    <traceGroup xml:id="g"><trace>3 4</trace></traceGroup><trace xml:id="unused">5 6</trace></definitions>
+    <trace xml:id="here">7 8</trace><traceView><traceView traceDataRef="#g"/><traceView traceDataRef="#here"/>
+    </traceView><traceView traceDataRef="#a"/><traceView traceDataRef="#a"/>)"));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "7 8");
+  EXPECT_EQ(places(file.strokes[1]), "3 4");
+  EXPECT_EQ(places(file.strokes[2]), "1 2");
+}
+
 TEST(ReadInkml, HasUnitsOfChannelsAndOfOfficePrograms) {
   const std::string format = R"(<traceFormat><channel name="X" units="cm"/><channel name="Y" units="cm"/>
       <channel name="OTx" units="deg"/><channel name="OTy" units="deg"/></traceFormat>

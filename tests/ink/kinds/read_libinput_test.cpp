@@ -33,6 +33,38 @@ devices:
   events:
 )";
 
+TEST(ReadLibinput, ReadsEventsInWhateverYamlAlike) {
+  const std::string plain = R"(  - evdev:
+    - [  0,      0,   3,   0,    2000] # EV_ABS / ABS_X ] 1
+    - [  0,      0,   3,   1,    -400]
+    - [  0,      0,   1, 330,       1]
+    - [  0,      0,   0,   0,       0]
+  - evdev:
+    - [  1,  10000,   3,   0,    2200]
+    - [  1,  10000,   0,   0,       0]
+)";
+  const std::string other = R"(  - evdev: [[0, 0, 3, 0, 2000], ["0", 0, 3, 1, -400],
+       [0, 0, 1, 330, 1],
+       [0, 0, 0, 0, 0]]
+  - evdev:
+    - [1, 10000, 3, 0,
+       2200]
+    - - 1
+      - 10000
+      - 0
+      - 0
+      - 0
+)";
+  const PenFileFolder folder;
+  const PenFile a = folder.read(head + plain), b = folder.read(head + other);
+  EXPECT_EQ(places(a.strokes.at(0)), "10 -2, 11 -2");
+  EXPECT_EQ(places(b.strokes.at(0)), "10 -2, 11 -2");
+  EXPECT_EQ(a.strokes[0].samples[1].time, 1.01);
+  EXPECT_EQ(b.strokes[0].samples[1].time, 1.01);
+  EXPECT_EQ(folder.complaint(head + plain + "  - evdev:\n    - [1, 2, 3, 4]\n").substr(0, 3), "34:");
+  EXPECT_TRUE(folder.read(head + "  - evdev:\n    - run:0\n    - run:99\n").strokes.empty());
+}
+
 TEST(ReadLibinput, HasTheFramesOfATablet) {
   const PenFile file = PenFileFolder().read(head + R"(  # Current time is 12:34:56
   - evdev:

@@ -38,6 +38,60 @@ TEST(ReadPointers, ReadsListsOfListsOfPoints) {
   EXPECT_EQ(file.strokes[1].fields, PenFields());
 }
 
+TEST(ReadPointers, ReadsPointsInWhateverShapeAlike) {
+  const PenFileFolder folder;
+  const std::string points[] = {R"({"x": 1, "y": -2.5, "t": 1500, "pressure": 0.5, "p": 1, "tiltX": 90)",
+                                R"({"timeStamp": 1508, "y": 3e1, "f": 1, "x": 4, "tiltX": 0, "twist": 90)"};
+  const auto file = [&](const std::string& rest) {
+    return folder.read(R"([{"pointerType": "PEN", "pointers": [)" + points[0] + rest + "}, " + points[1] +
+                       rest + "}]}]");
+  };
+  // A nested value leaves the way that needs no memory for JSON.
+  const PenFile plain = file(R"(, "note": "a")"), whole = file(R"(, "note": {"a": [1]})");
+  for (const PenFile& one : {plain, whole}) {
+    ASSERT_EQ(one.strokes.size(), 1u);
+    const PenStroke& stroke = one.strokes[0];
+    EXPECT_EQ(stroke.fields, (PenFields{.time = true, .pressure = true, .tilt = true}));
+    EXPECT_FALSE(stroke.made_pressure);
+    EXPECT_EQ(stroke.tool, "pen");
+    EXPECT_EQ(places(stroke), "1 -2.5, 4 30");
+    EXPECT_EQ(stroke.samples[1].time, 1.508);
+    EXPECT_EQ(stroke.samples[0].pen.pressure, 0.5F);
+    EXPECT_EQ(stroke.samples[1].pen.pressure, 1);
+    EXPECT_NEAR(stroke.samples[0].pen.tilt_x, std::numbers::pi / 2, 1e-6);
+    EXPECT_EQ(stroke.samples[1].pen.twist, 0) << "a point lacks it";
+  }
+}
+
+TEST(ReadPointers, ReadsListsOfEvents) {
+  const PenFileFolder folder;
+  const auto event = [](const char* type, int x, double pressure, const char* rest) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  R"({"type": "%s", "clientX": %d, "clientY": 2, "pressure": %g, "timeStamp": %d%s})", type,
+                  x, pressure, 8 * x, rest);
+    return std::string(text);
+  };
+  const std::string mouse = R"(, "pointerType": "mouse")", other = R"(, "pointerId": 2)";
+  const PenFile typed =
+      folder.read("[" + event("pointermove", 0, 0, "") + "," + event("pointerdown", 1, 0.5, mouse.c_str()) +
+                  "," + event("pointerdown", 7, 1, other.c_str()) + "," +
+                  event("pointermove", 2, 0, mouse.c_str()) + "," + event("pointerup", 3, 0, "") + "]");
+  EXPECT_EQ(typed.kind, "pointer");
+  ASSERT_EQ(typed.strokes.size(), 2u);
+  EXPECT_EQ(places(typed.strokes[0]), "1 2, 2 2");
+  EXPECT_EQ(typed.strokes[0].tool, "mouse");
+  EXPECT_EQ(typed.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
+  EXPECT_EQ(typed.strokes[0].samples[1].time, 0.016);
+  EXPECT_EQ(places(typed.strokes[1]), "7 2");
+  EXPECT_EQ(typed.hovering, 2u);
+  const PenFile buttons = folder.read(R"([{"x": 1, "y": 2, "buttons": 0}, {"x": 3, "y": 4, "buttons": 1}])");
+  EXPECT_EQ(places(buttons.strokes.at(0)), "3 4");
+  EXPECT_EQ(places(folder.read(R"([{"x": 1, "y": 2}, {"x": 3, "y": 4}])").strokes.at(0)), "1 2, 3 4");
+  EXPECT_EQ(folder.complaint(R"([{"x": 1, "y": 2}, {"x": 3}])"), " [1]: lacks 'y'");
+  EXPECT_EQ(places(folder.read(R"({"events": [{"pointers": [{"x": 1, "y": 2}]}]})").strokes.at(0)), "1 2");
+}
+
 TEST(ReadPointers, NamesThePlaceOfAFault) {
   const PenFileFolder folder;
   EXPECT_NE(folder.complaint("[[{\"x\": 1, \"y\": 2}, 7]]"), "accepted");

@@ -23,6 +23,28 @@ TEST(ReadSvg, FollowsLines) {
   EXPECT_EQ(file.strokes[0].fields, PenFields());
 }
 
+TEST(ReadSvg, FollowsSkewsAndViews) {
+  const std::string path = R"svg(<path d="M0 0L1 2"/>)svg";
+  const auto placed = [&](const std::string& around, const std::string& end) {
+    return places(PenFileFolder().read(around + path + end).strokes.at(0));
+  };
+  EXPECT_EQ(placed(R"svg(<svg><g transform="skewX(45)">)svg", "</g></svg>"), "0 0, 3 2");
+  EXPECT_EQ(placed(R"svg(<svg><g transform="skewY(45)">)svg", "</g></svg>"), "0 0, 1 3");
+  EXPECT_EQ(placed(R"svg(<svg width="1in" height="96" viewBox="-1 -2 48 24">)svg", "</svg>"), "2 28, 4 32");
+  EXPECT_EQ(placed(R"svg(<svg width="96" height="96" viewBox="0,0,48,24" preserveAspectRatio="none">)svg",
+                   "</svg>"),
+            "0 0, 2 8");
+  EXPECT_EQ(
+      placed(R"svg(<svg width="96" height="96" viewBox="0 0 48 24" preserveAspectRatio="xMaxYMin slice">)svg",
+             "</svg>"),
+      "-96 0, -92 8");
+  EXPECT_EQ(placed(R"svg(<svg width="100%" viewBox="5 5 8 8">)svg", "</svg>"), "0 0, 1 2")
+      << "of an unknown size";
+  EXPECT_EQ(
+      placed(R"svg(<svg><svg x="10" y="20" width="8" height="8" viewBox="0 0 4 4">)svg", "</svg></svg>"),
+      "10 20, 12 24");
+}
+
 TEST(ReadSvg, GivesChordsOfCurves) {
   const PenFile file = PenFileFolder().read(svg(
       R"(<path d="M0 0C0 8 8 8 8 0S16-8 16 0"/><path d="M0,0Q4,8 8,0T16,0"/><path d="M-5 0A5 5 0 015 0"/>)"));
@@ -41,8 +63,8 @@ TEST(ReadSvg, NamesTheLineOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(svg("<path d=\"M0 0L1\"/>")), "4: expected a number in a path, found ''");
   EXPECT_EQ(folder.complaint(svg("\n<path d=\"M0 0X\"/>")), "5: no command of a path: 'X'");
-  EXPECT_EQ(folder.complaint(svg("<g transform=\"skewX(3)\"/>")),
-            "4: a transform that is not known: 'skewX'");
+  EXPECT_EQ(folder.complaint(svg("<g transform=\"skew(3)\"/>")), "4: a transform that is not known: 'skew'");
+  EXPECT_EQ(folder.complaint(svg("<g transform=\"rotate(3 a)\"/>")), "4: expected a number, found 'a'");
 }
 
 }  // namespace

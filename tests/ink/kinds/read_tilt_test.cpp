@@ -39,11 +39,29 @@ TEST(ReadTilt, ReadsASketchThatIsAFolder) {
   EXPECT_THROW(read_pen_file(folder.path()), FileError);
 }
 
+TEST(ReadTilt, ReadsZipsBehindAHeadOfAnySizeOrNone) {
+  const std::string zip = test::stored_zip({{"metadata.json", "{}"}, {"data.sketch", sketch(1)}});
+  const auto head = [](std::uint16_t size) {
+    return Bytes()
+        .add_text("tilT")
+        .add(size)
+        .add(std::uint16_t{1})
+        .add_text(std::string(size - 8, '\0'))
+        .text();
+  };
+  for (const std::string& text : {head(16) + zip, head(24) + zip, zip,
+                                  test::stored_zip({{"Untitled_1.tilt/data.sketch", sketch(1)}})}) {
+    const PenFile file = PenFileFolder().read(text);
+    EXPECT_EQ(file.kind, "tilt");
+    EXPECT_EQ(file.strokes.size(), 1u);
+  }
+}
+
 TEST(ReadTilt, NamesTheByteOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(sketch(0x80000000U)), "byte 75: 2147483648 items are told, 36 bytes follow");
   EXPECT_EQ(folder.complaint(sketch(1) + "!"), "byte 111: bytes follow the last stroke");
-  EXPECT_EQ(folder.complaint("tilT" + std::string(12, '\0')),
+  EXPECT_EQ(folder.complaint(std::string("tilT\x10\0\1\0\0\0\0\0\0\0\0\0", 16)),
             " cannot be unpacked: Unrecognized archive format");
 }
 

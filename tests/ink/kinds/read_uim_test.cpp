@@ -92,6 +92,11 @@ TEST(ReadUim, NamesTheByteOfAFault) {
   EXPECT_EQ(complaint("\x0f"), "byte 21: no field of a message");
   EXPECT_EQ(folder.complaint(Bytes().add_text("RIFFxxxxUINKINPT").add(0x80000000U).text()),
             "byte 20: 2147483648 bytes are told, 0 follow");
+  // The second chunk behind the head is compressed.
+  const std::string head("HEAD\x14\0\0\0\3\1\0\0\3\1\0\1\0\0\0\0\3\1\0\1\1\0\0\0", 28);
+  EXPECT_EQ(folder.complaint(
+                Bytes().add_text("RIFFxxxxUINK" + head + "PRPS").add(0U).add_text("INPT").add(0U).text()),
+            "byte 56: the chunk 'INPT' is compressed, which is not read");
 }
 
 TEST(ReadUimJson, HasTheSame) {

@@ -30,6 +30,18 @@ TEST(ReadWill, HasPathsOfARiffAndByThemselves) {
   }
 }
 
+TEST(ReadWill, HasThePathsOfAllMembersOfAZip) {
+  const PenFile file = PenFileFolder().read(
+      test::stored_zip({{"props/core.xml", "<a/>"},
+                        {"sections/media/strokes.protobuf", path_of(zigzags({10, 20}), "")},
+                        {"sections/section.svg", "<svg/>"},
+                        {"sections/media/strokes1.protobuf",
+                         path_of(zigzags({30, 40}), "") + path_of(zigzags({50, 60}), "")}}));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2");
+  EXPECT_EQ(places(file.strokes[2]), "5 6");
+}
+
 TEST(ReadWill, NamesTheByteOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(riff("WILL", "INK ", path_of(zigzags({1, 2, 3}), ""))),

@@ -141,6 +141,25 @@ TEST_F(ReadStrokes, PassesOverObjectsOfKeysItDoesNotKnow) {
       1u);
 }
 
+TEST_F(ReadStrokes, ReadsSamplesOfTheWriterAsAnyOtherJson) {
+  const std::string numbers[] = {"0", "-0.0", "1e3", "-12.5E-3", "0.1", "3602879701896397", "1e-320"};
+  std::string plain, spaced;
+  for (std::size_t i = 0; i < std::size(numbers); ++i) {
+    const std::string sample = fmt::format("{},{},{},7", i, numbers[i], numbers[std::size(numbers) - 1 - i]);
+    plain += "[" + sample + "]\n";
+    spaced += "[ " + sample + "]\n";
+  }
+  const Recording a = read(lines({header, begin}) + plain + end + "\n");
+  const Recording b = read(lines({header, begin}) + spaced + end + "\n");
+  ASSERT_EQ(a.strokes.at(0).samples.size(), std::size(numbers));
+  for (std::size_t i = 0; i < std::size(numbers); ++i) {
+    EXPECT_EQ(a.strokes[0].samples[i].time, b.strokes.at(0).samples.at(i).time);
+    EXPECT_EQ(a.strokes[0].samples[i].position, b.strokes[0].samples[i].position) << numbers[i];
+  }
+  for (const char* number : {"01", "1.", ".5", "+1", "inf", "nan", "1e999", "0x1", "1.e3", "-", ""})
+    EXPECT_THROW(read(lines({header, begin, fmt::format("[0,{},0,0]", number), end})), FileError) << number;
+}
+
 TEST_F(ReadStrokes, RejectsBadSamples) {
   EXPECT_EQ(sample_complaint("[1, 0, 0, 0]"), "accepted");
   EXPECT_EQ(sample_complaint("[0.5, 0, 0, 0]"), "4: time falls from 1 to 0.5");

@@ -26,6 +26,29 @@ TEST(ReadOff, ReadsWhatProgramsWrite) {
   }
 }
 
+TEST(ReadOff, ReadsWordsInWhateverLines) {
+  const PolygonMesh expected = read("OFF\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 1 2\n");
+  for (const std::string text : {"OFF 4 2 5 0 0 0 1 0 0 1 1 0 0 1 0 4 0 1 2 3 3 0 1 2",
+                                 "OFF4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 1 2\n",
+                                 "OFF\n4\n2\n5\n0 0 0 1 0 0 # two\n1 1 0 0 1 0\n4 0 1 2 3 3 0 1 2",
+                                 "4 2 5 0 0\r0 1 0 0 1 1 0 0 1\r0 4 0\r1 2 3\r3 0 1 2",
+                                 "OFF\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1\n2 3 0.5 0 0\n3 0 1 2 7\n",
+                                 "# one\nOFF#\n4 2 5#4\n0 0 0\n1 0 0\n1 1 0\n0 1 0#\n4 0 1 2 3\n\n#\n3 0 1 2",
+                                 "OFF\n4 2 5\n0 0 0 9 9 9 255\n1 0 0 9 9 9 255\n1 1 0 9 9 9 255\n0 1 0 9 9 9 "
+                                 "255\n4 0 1 2 3\n3 0 1 2\n"}) {
+    const PolygonMesh mesh = read(text);
+    EXPECT_EQ(mesh.positions, expected.positions) << text;
+    EXPECT_EQ(mesh.face_sizes, expected.face_sizes) << text;
+    EXPECT_EQ(mesh.face_vertices, expected.face_vertices) << text;
+  }
+  const PolygonMesh coloured =
+      read("COFF 3 1 0 0 0 0 255 1 0 255 1 0 0 0 0 1 128 0 1 0 1 1 1 0 3 0 1 2 0.1 0.2 0.3");
+  EXPECT_EQ(coloured.paint.colours,
+            (std::vector<std::array<std::uint8_t, 4>>{{255, 1, 0, 255}, {0, 0, 1, 128}, {1, 1, 1, 0}}));
+  EXPECT_EQ(coloured.not_used, "1 colour of a face");
+  EXPECT_EQ(read("OFF\n3 1 0\n0 0 0 8 8\n1 0 0\n0 1 0\n3 0 1 2\n").not_used, "2 other numbers of vertices");
+}
+
 TEST(ReadOff, ReadsColoursNormalsAndTextureCoordinates) {
   using Colours = std::vector<std::array<std::uint8_t, 4>>;
   const std::string face = "3 0 1 2\n";
@@ -48,6 +71,11 @@ TEST(ReadOff, NamesTheLineThatIsWrong) {
   EXPECT_EQ(message("OFF\n3\n"), "a.off:2: the numbers of vertices and faces are missing");
   EXPECT_EQ(message("OFF\n3 x 0\n"), "a.off:2: 'x' is not a number of elements");
   EXPECT_EQ(message("OFF\n3 2000000000 0\n"), "a.off:2: is too short for 2000000000 elements");
+  EXPECT_EQ(message("OFFx 3\n"), "a.off:1: is not an OFF file: it begins with 'OFFx'");
+  EXPECT_EQ(message("OFF 3 1 0\n0 0 0 1 0 0\n0 1 0 3 0\n1 x"),
+            "a.off:4: names vertex 'x' of 3, counted from 0");
+  EXPECT_EQ(message("OFF 3 1 0 0 0 0 1 0 0 0 # 1"), "a.off:1: a vertex needs three coordinates");
+  EXPECT_EQ(message("OFF 3 1 0\n0 0 0 1 0 0\n0 1 0 3 0 1"), "a.off:3: a face of 3 corners names 2 vertices");
   const std::string begin = "OFF\n3 1 0\n0 0 0\n1 0 0\n";
   EXPECT_EQ(message(begin), "a.off:4: the file is cut off");
   EXPECT_EQ(message(begin + "0 1\n"), "a.off:5: a vertex needs three coordinates");

@@ -24,6 +24,9 @@ InkmlChannel channel_of(const pugi::xml_node& node) {
           .units = attribute(node, "units").value(),
           .least = number_of(attribute(node, "min")),
           .most = number_of(attribute(node, "max")),
+          .otherwise = number_of(attribute(node, "default")),
+          .boolean = std::string_view(attribute(node, "type").value()) == "boolean",
+          .reversed = std::string_view(attribute(node, "orientation").value()) == "-ve",
           .resolution = 0,
           .resolution_units = {}};
 }
@@ -54,9 +57,17 @@ std::string id_of(const pugi::xml_node& node) { return attribute(node, "id").val
 
 }  // namespace
 
+std::string InkmlFormats::reference_of(const pugi::xml_node& context) {
+  const std::string id = id_of(context);
+  // No id begins with a number sign.
+  return id.empty() ? fmt::format("##{}", context.offset_debug()) : "#" + id;
+}
+
 InkmlFormats::InkmlFormats(const XmlFile& file) : file_(file) {
   collect(file.root());
   if (plain_.channels.empty()) plain_ = {{InkmlChannel{.name = "X"}, InkmlChannel{.name = "Y"}}, 2};
+  for (auto& [id, format] : formats_)
+    if (format.channels.empty()) format = plain_;
 }
 
 /// An element that has a format, or names one that came before, gives it to those around it: a source to its
@@ -71,21 +82,23 @@ void InkmlFormats::collect(const pugi::xml_node& node) {
     const bool of_source = local_name(around.name()) == "inkSource";
     if (of_source) add_properties(format, child(around, "channelProperties"));
     const pugi::xml_node context = of_source ? around.parent() : around;
-    for (const pugi::xml_node& one : {node, around, context})
-      if (const std::string id = id_of(one); !id.empty()) formats_[id] = format;
+    for (const pugi::xml_node& one : {node, around, context}) formats_[reference_of(one).substr(1)] = format;
     if (plain_.channels.empty() && id_of(node).empty() && id_of(around).empty()) plain_ = format;
     return;
   }
-  for (const char* reference : {"traceFormatRef", "inkSourceRef", "contextRef"}) {
-    std::string_view to = attribute(node, reference).value();
-    if (name != "context" || to.empty()) continue;
-    to.remove_prefix(to.starts_with('#') ? 1 : 0);
-    if (const auto found = formats_.find(to); found != formats_.end()) {
-      const InkmlFormat format = found->second;
-      formats_[id_of(node)] = format;
-    }
-  }
+  if (name == "context") take_references(node);
   for (const pugi::xml_node& one : node.children()) collect(one);
+}
+
+/// A context without a format of its own has that of what it names, or the plain one.
+void InkmlFormats::take_references(const pugi::xml_node& context) {
+  InkmlFormat format;
+  for (const char* reference : {"traceFormatRef", "inkSourceRef", "contextRef"}) {
+    std::string_view to = attribute(context, reference).value();
+    to.remove_prefix(to.starts_with('#') ? 1 : 0);
+    if (const auto found = formats_.find(to); found != formats_.end()) format = found->second;
+  }
+  formats_[reference_of(context).substr(1)] = format;
 }
 
 const InkmlFormat& InkmlFormats::of(const pugi::xml_node& node, std::string_view reference) const {
@@ -93,8 +106,8 @@ const InkmlFormat& InkmlFormats::of(const pugi::xml_node& node, std::string_view
   const std::string_view id = reference.substr(reference.starts_with('#') ? 1 : 0);
   const auto found = formats_.find(id);
   if (found == formats_.end()) {
-    // A context without a format has X and Y.
-    if (!formats_.empty())
+    const auto named = [](const auto& one) { return !one.first.starts_with('#'); };
+    if (std::ranges::any_of(formats_, named))
       file_.reject(node, fmt::format("names {}, which has no format", quoted_word(reference)));
     return plain_;
   }

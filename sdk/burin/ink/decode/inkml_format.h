@@ -14,6 +14,9 @@ struct InkmlChannel {
   std::string name = {};   ///< "X", "F", "OTx"
   std::string units = {};  ///< "cm", "deg"; empty if not said
   std::optional<double> least = {}, most = {};
+  std::optional<double> otherwise = {};  ///< the value of points that lack the channel
+  bool boolean = false;
+  bool reversed = false;              ///< grows against the axis that its name tells
   double resolution = 0;              ///< values per `resolution_units`; 0: not said
   std::string resolution_units = {};  ///< "1/cm"
 };
@@ -33,11 +36,15 @@ class InkmlFormats {
   /// none.
   const InkmlFormat& of(const pugi::xml_node& node, std::string_view reference) const;
 
+  /// The reference by which of() finds what a context says, whether it has an id or not.
+  static std::string reference_of(const pugi::xml_node& context);
+
   /// The format of traces that name none: the first one that has no id, or X and Y.
   const InkmlFormat& plain() const { return plain_; }
 
  private:
   void collect(const pugi::xml_node& node);
+  void take_references(const pugi::xml_node& context);
 
   const XmlFile& file_;
   std::map<std::string, InkmlFormat, std::less<>> formats_;

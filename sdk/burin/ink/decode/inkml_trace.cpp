@@ -55,7 +55,7 @@ std::optional<double> InkmlTrace::take_value(Channel& channel) {
   text_.remove_prefix(1);
   if (first == '*') return advance(channel, std::nullopt);
   if (first == '?') return std::nullopt;
-  return first == 'T' ? 1 : 0;
+  return channel.value = first == 'T' ? 1 : 0;
 }
 
 /// Without a number the channel goes on as before.

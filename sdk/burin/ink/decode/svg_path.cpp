@@ -191,6 +191,7 @@ void PathFollower::take_command(char command) {
 }
 
 void PathFollower::follow() {
+  if (rest_ == "none") return;
   for (skip_commas(); !rest_.empty(); skip_commas()) {
     char command = rest_.front();
     rest_.remove_prefix(1);

@@ -1,8 +1,9 @@
 // Fits strokes into the part of a view that shows a surface. The view is divided into cells; strokes of a
 // given scale fit where all cells that they touch are among the seen ones, an erosion of a picture by a
 // shape, which bits of whole rows make fast. The scale is bisected. Samples that miss the surface
-// nevertheless, in a crack smaller than a cell, take their cell out of the seen ones, and the search begins
-// again.
+// nevertheless, in a crack smaller than a cell, or that lie behind a step, take their cell out of the seen
+// ones, and the search begins again. Where steps are everywhere, as on rough surfaces, strokes may cross
+// them.
 #include <burin/base/parallel.h>
 #include <burin/base/vector.h>
 #include <burin/ink/fit/fit_to_mesh.h>
@@ -11,6 +12,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -112,49 +114,100 @@ std::optional<Placement> largest_placement(const CellSet& seen, const std::vecto
   return found;
 }
 
-/// Takes the cells of samples that miss the surface out of `seen`; returns whether there were any.
-bool take_out_missed(CellSet& seen, const std::vector<RecordedStroke>& strokes, const Camera& camera,
-                     const Picker& picker) {
+/// What becomes of a sample on the surface.
+enum class Place : char { good, behind_step, missed };
+
+/// Whether the surface goes on from one sample's place to the next one's: it is as near to points of the
+/// chord as it must be for a stroke on it (stroke/curve/curve_ground.cpp).
+bool goes_on(const Picker& picker, const Vec3f& from, const Vec3f& to) {
+  const Vec3f chord = to - from;
+  return from == to || std::ranges::all_of(std::array{0.25F, 0.5F, 0.75F}, [&](float share) {
+           return picker.closest(from + share * chord, chord.norm() / 4).has_value();
+         });
+}
+
+std::vector<Place> places_on(const RecordedStroke& stroke, const Camera& camera, const Picker& picker) {
   constexpr std::size_t samples_at_once = 256;
-  bool missed = false;
+  std::vector<Place> places(stroke.samples.size(), Place::missed);
+  std::vector<Vec3f> found(places.size());
+  parallel_blocks(places.size(), samples_at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3d& position = stroke.samples[i].position;
+      const auto hit = picker.pick(pixel_ray(camera, position.x(), position.y()));
+      if (!hit) continue;
+      places[i] = Place::good;
+      found[i] = hit->position;
+    }
+  });
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if (places[i] == Place::good && places[i - 1] != Place::missed &&
+        !goes_on(picker, found[i - 1], found[i]))
+      places[i] = Place::behind_step;
+  return places;
+}
+
+/// Takes a square of cells out of a set, so many on either side of one.
+void take_out(CellSet& cells, const Cell& middle, int around) {
+  for (int row = std::max(0, middle.second - around);
+       row <= std::min(cells.rows() - 1, middle.second + around); ++row)
+    for (int column = std::max(0, middle.first - around);
+         column <= std::min(cells.columns() - 1, middle.first + around); ++column)
+      cells.set(column, row, false);
+}
+
+/// Takes the cells of samples that are in no good place out of `seen`; returns the worst place of all.
+Place take_out_bad(CellSet& seen, const std::vector<RecordedStroke>& strokes, const Camera& camera,
+                   const Picker& picker) {
+  Place worst = Place::good;
   for (const RecordedStroke& stroke : strokes) {
-    std::vector<char> hits(stroke.samples.size());
-    parallel_blocks(hits.size(), samples_at_once, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const Vec3d& position = stroke.samples[i].position;
-        hits[i] = picker.pick(pixel_ray(camera, position.x(), position.y())).has_value();
-      }
-    });
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-      if (hits[i]) continue;
+    const std::vector<Place> places = places_on(stroke, camera, picker);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (places[i] == Place::good) continue;
       const Eigen::Vector2d at = stroke.samples[i].position.head<2>() / cell_size(camera);
-      seen.set(static_cast<int>(at.x()), static_cast<int>(at.y()), false);
-      missed = true;
+      // Steps are lines, so that one goes on in the cells around.
+      take_out(seen, {static_cast<int>(at.x()), static_cast<int>(at.y())},
+               places[i] == Place::missed ? 0 : 2);
+      worst = std::max(worst, places[i]);
     }
   }
-  return missed;
+  return worst;
+}
+
+/// From so many samples on, a search takes so long that fewer are made.
+constexpr std::size_t many_samples = 100'000;
+
+std::size_t samples_in(const std::vector<RecordedStroke>& strokes) {
+  std::size_t count = 0;
+  for (const RecordedStroke& stroke : strokes) count += stroke.samples.size();
+  return count;
 }
 
 }  // namespace
 
 bool fit_to_mesh(std::vector<RecordedStroke>& strokes, const Camera& camera, const Surface& surface) {
-  constexpr int most_searches = 20;
+  const int most_searches = samples_in(strokes) < many_samples ? 60 : 20;
   const Picker picker(surface);
   const Eigen::AlignedBox2d box = flat_box_of(strokes);
   const Placement filling = view_placement(box, camera, 0);
   const double cell = cell_size(camera);
   const std::vector<Cell> squares = touched_squares(strokes, filling, box.min(), cell / 2);
   CellSet seen = without_rim(seen_cells(camera, picker));
+  // The largest one of which all samples are seen, and the share of it to which steps may shrink a drawing.
+  std::optional<Placement> all_seen;
+  constexpr double smallest = 0.25;
   for (int search = 0; search < most_searches; ++search) {
     const auto placement = largest_placement(seen, squares, filling, box.min(), cell);
-    if (!placement) return false;
+    if (!placement || (all_seen && placement->scale < smallest * all_seen->scale)) break;
     std::vector<RecordedStroke> placed = strokes;
     place(placed, *placement);
-    if (take_out_missed(seen, placed, camera, picker)) continue;
+    const Place worst = take_out_bad(seen, placed, camera, picker);
+    if (!all_seen && worst != Place::missed) all_seen = placement;
+    if (worst != Place::good) continue;
     strokes = std::move(placed);
     return true;
   }
-  return false;
+  if (all_seen) place(strokes, *all_seen);
+  return all_seen.has_value();
 }
 
 }  // namespace burin

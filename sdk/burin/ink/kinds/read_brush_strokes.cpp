@@ -22,11 +22,12 @@
 namespace burin {
 namespace {
 
-/// The lists of strokes in a text: what follows each "stroke=", or all of it. Line breaks before them are
-/// kept for messages.
-std::vector<std::string> lists_in(std::string_view text) {
+/// Calls `take` with the lists of strokes in a text: what follows each "stroke=", or all of it, and the
+/// number of lines before it.
+template <class Take>
+void for_each_list(std::string_view text, const Take& take) {
   constexpr std::string_view argument = "stroke=";
-  std::vector<std::string> lists;
+  std::size_t counted = 0, lines = 0;
   for (std::size_t at = 0; (at = text.find(argument, at)) != text.npos;) {
     const std::size_t begin = at + argument.size();
     int depth = 0;
@@ -35,14 +36,13 @@ std::vector<std::string> lists_in(std::string_view text) {
       if (text[end] == '[' || text[end] == '(') ++depth;
       if ((text[end] == ']' || text[end] == ')') && --depth <= 0) break;
     }
-    const std::ptrdiff_t lines =
-        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
-    lists.push_back(std::string(static_cast<std::size_t>(lines), '\n') +
-                    std::string(text.substr(begin, end + 1 - begin)));
+    const std::string_view before = text.substr(counted, begin - counted);
+    lines += static_cast<std::size_t>(std::ranges::count(before, '\n'));
+    counted = begin;
+    take(text.substr(begin, end + 1 - begin), lines);
     at = end;
   }
-  if (lists.empty()) lists.emplace_back(text);
-  return lists;
+  if (counted == 0) take(text, 0);
 }
 
 bool flag(const JsonValue& element, const char* name) {
@@ -103,19 +103,39 @@ void read_list(const JsonValue& list, PenFile& content) {
   }
 }
 
+/// Whether a text has this name in quotes before a colon.
+bool has_key(std::string_view text, std::string_view name) {
+  for (const char* quote : {"\"", "'"}) {
+    const std::string quoted = quote + std::string(name) + quote;
+    for (std::size_t at = 0; (at = text.find(quoted, at)) != text.npos;) {
+      at += quoted.size();
+      std::string_view behind = text.substr(at);
+      if (take_character(behind, ':')) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 bool is_brush_strokes(std::string_view text) {
   const std::string_view head = text.substr(0, 65536);
   return (head.find("stroke=") != head.npos || head.find_first_not_of(blanks) == head.find('[')) &&
-         (head.find("\"mouse\"") != head.npos || head.find("'mouse'") != head.npos ||
-          head.find("\"location\"") != head.npos || head.find("'location'") != head.npos);
+         (has_key(head, "mouse") || has_key(head, "location"));
 }
 
 PenFile read_brush_strokes(const PenFileText& file) {
   PenFile content;
-  for (const std::string& list : lists_in(file.text))
-    read_list(pen_json({file.path, json_of_python(list)}), content);
+  for_each_list(file.text, [&](std::string_view list, std::size_t lines) {
+    const PenFileText json{file.path, json_of_python(list)};
+    try {
+      read_list(pen_json(json), content);
+    } catch (const MalformedJson&) {
+      // The message of the list after line breaks names the line of the file.
+      pen_json({file.path, std::string(lines, '\n') + json.text});
+      throw;
+    }
+  });
   return content;
 }
 

@@ -10,10 +10,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace burin {
 namespace {
@@ -47,27 +46,27 @@ void parse_axis(std::string_view rest, EvdevAxes& axes) {
   axes[code] = {static_cast<double>(least), static_cast<double>(most), static_cast<double>(resolution)};
 }
 
-struct Evemu {
+/// What the lines before the events tell of the device.
+struct Description {
   std::string device;
   EvdevAxes axes;
-  std::vector<EvdevEvent> events;
 };
 
-Evemu parse(const PenFileText& file) {
-  Evemu evemu;
+/// Calls `take` with each event; lines of the description go to `description` before.
+template <class Take>
+void parse(const PenFileText& file, Description& description, const Take& take) {
   for_each_line_of(file.text, file.path.string(), [&](std::string_view line) {
     const std::string_view before = line.substr(0, line.find('#'));
     if (line.starts_with("N:")) {
       line.remove_prefix(2);
       skip_blanks(line);
-      evemu.device = line.substr(0, line.find_last_not_of(blanks) + 1);
+      description.device = line.substr(0, line.find_last_not_of(blanks) + 1);
     } else if (line.starts_with("A:")) {
-      parse_axis(before.substr(2), evemu.axes);
+      parse_axis(before.substr(2), description.axes);
     } else if (line.starts_with("E:")) {
-      evemu.events.push_back(parse_event(before.substr(2)));
+      take(parse_event(before.substr(2)));
     }
   });
-  return evemu;
 }
 
 /// The description with the longest name that the recording's begins with, or an empty path.
@@ -83,12 +82,9 @@ fs::path description_beside(const fs::path& recording) {
   return best;
 }
 
-void add_description(const fs::path& recording, Evemu& evemu) {
+void take_description_beside(const fs::path& recording, Description& description) {
   const fs::path path = description_beside(fs::absolute(recording));
-  if (path.empty()) return;
-  const Evemu description = parse({path, read_file(path)});
-  evemu.axes = description.axes;
-  evemu.device = description.device;
+  if (!path.empty()) parse({path, read_file(path)}, description, [](const EvdevEvent&) {});
 }
 
 }  // namespace
@@ -108,12 +104,15 @@ bool is_evemu(std::string_view text) {
 }
 
 PenFile read_evemu(const PenFileText& file) {
-  Evemu evemu = parse(file);
-  if (evemu.axes.empty()) add_description(file.path, evemu);
-  EvdevFrames frames(std::move(evemu.axes));
-  for (const EvdevEvent& event : evemu.events) frames.take(event);
-  PenFile content = frames.finish();
-  content.device = evemu.device;
+  Description description;
+  std::optional<EvdevFrames> frames;
+  parse(file, description, [&](const EvdevEvent& event) {
+    if (!frames && description.axes.empty()) take_description_beside(file.path, description);
+    if (!frames) frames.emplace(description.axes);
+    frames->take(event);
+  });
+  PenFile content = frames ? frames->finish() : PenFile();
+  content.device = description.device;
   return content;
 }
 

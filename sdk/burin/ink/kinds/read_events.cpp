@@ -1,7 +1,10 @@
-// Reads recordings of events that stroke/files/pen_events.h describes: of libmypaint, SVC, and arrays of
-// PointerEvents. They have no first bytes of their own, but lines of so many numbers, or such names.
+// Reads recordings of events that stroke/files/pen_events.h describes: of libmypaint, SVC, and arrays or
+// lists of PointerEvents. They have no first bytes of their own, but lines of so many numbers, or such names.
 #include <burin/base/error.h>
+#include <burin/base/text/json_value.h>
+#include <burin/ink/decode/pointer_event_list.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/json_parts.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/pen_file.h>
@@ -9,7 +12,8 @@
 #include <burin/stroke/recording.h>
 
 #include <algorithm>
-#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -38,6 +42,21 @@ PenFile pen_file_of(const PenEvents& recorded, std::string_view unit) {
   return content;
 }
 
+/// Reads one array after the other. Returns false for whatever must be read as a whole.
+bool read_columns(const PenFileText& file, PenFile& content) {
+  PointerColumns columns;
+  const auto names = pointer_column_names();
+  const auto take = [&](std::string_view name, std::string_view part) {
+    if (std::ranges::find(names, name) == names.end()) return nlohmann::json::accept(part);
+    return columns.emplace(name, pen_json_part(file, part).numbers()).second;
+  };
+  if (!for_each_json_part(file.text, take)) return false;
+  auto events = pointer_events(columns);
+  columns.clear();
+  if (events) content = pen_file_of(*events, "px");
+  return events.has_value();
+}
+
 }  // namespace
 
 bool is_mypaint(std::string_view text) {
@@ -57,8 +76,8 @@ bool is_svc(std::string_view text) {
 PenFile read_svc(const PenFileText& file) { return pen_file_of(svc_events(file.text, file.path), "mm"); }
 
 bool is_pointer_arrays(std::string_view text) {
-  constexpr std::array<std::string_view, 9> names = {"x",     "y",     "time",  "pressure", "buttons",
-                                                     "tiltX", "tiltY", "twist", "pointerId"};
+  const auto names = pointer_column_names();
+  if (begins_as_event_list(text)) return true;
   const auto take = [&text](char expected) { return take_character(text, expected); };
   if (!take('{') || !take('"')) return false;
   const std::string_view name = text.substr(0, text.find('"'));
@@ -67,6 +86,9 @@ bool is_pointer_arrays(std::string_view text) {
 }
 
 PenFile read_pointer_arrays(const PenFileText& file) {
+  if (begins_as_event_list(file.text)) return read_event_list(file);
+  auto content = pen_file_by_parts([&](PenFile& to) { return read_columns(file, to); });
+  if (content) return std::move(*content);
   check_json_bounds(file);
   return pen_file_of(pointer_events(file.text, file.path), "px");
 }

@@ -3,6 +3,7 @@
 // CSS pixels. Pressures that the program simulates are not in the file.
 #include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/json_parts.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/pen_file.h>
@@ -10,6 +11,7 @@
 
 #include <Eigen/Geometry>
 
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -64,15 +66,34 @@ PenStroke stroke_of(const JsonValue& element) {
   return stroke;
 }
 
+void read_element(const JsonValue& element, std::size_t page, PenFile& content) {
+  if (!element.is_object()) element.reject_type("an element");
+  const auto type = element.find("type");
+  if (!type || !type->is_text() || type->text() != "freedraw" || is_set(element, "isDeleted")) return;
+  PenStroke stroke = stroke_of(element);
+  stroke.page = page;
+  if (!stroke.samples.empty()) content.strokes.push_back(std::move(stroke));
+}
+
 void read_elements(const JsonValue& elements, std::size_t page, PenFile& content) {
-  for (const JsonValue& element : elements.items()) {
-    if (!element.is_object()) element.reject_type("an element");
-    const auto type = element.find("type");
-    if (!type || !type->is_text() || type->text() != "freedraw" || is_set(element, "isDeleted")) continue;
-    PenStroke stroke = stroke_of(element);
-    stroke.page = page;
-    if (!stroke.samples.empty()) content.strokes.push_back(std::move(stroke));
-  }
+  for (const JsonValue& element : elements.items()) read_element(element, page, content);
+}
+
+/// Reads a scene element by element. Returns false for a library and whatever else is to be read as a whole.
+bool read_scene(const PenFileText& file, PenFile& content) {
+  bool scene = false;
+  return for_each_json_part(file.text,
+                            [&](std::string_view name, std::string_view part) {
+                              if (name != "elements")
+                                return !name.starts_with("library") && nlohmann::json::accept(part);
+                              scene = true;
+                              return for_each_json_part(
+                                  part, [&](std::string_view, std::string_view element) {
+                                    read_element(pen_json_part(file, element), 1, content);
+                                    return true;
+                                  });
+                            }) &&
+         scene;
 }
 
 }  // namespace
@@ -87,18 +108,21 @@ bool is_excalidraw(std::string_view text) {
 }
 
 PenFile read_excalidraw(const PenFileText& file) {
-  const JsonValue root = pen_json(file);
   PenFile content;
+  std::size_t page = 0;
+  if (auto scene = pen_file_by_parts([&](PenFile& to) { return read_scene(file, to); })) {
+    content = std::move(*scene);
+  } else {
+    const JsonValue root = pen_json(file);
+    if (const auto items = root.find("libraryItems"))
+      for (const JsonValue& item : items->items()) read_elements(item.member("elements"), ++page, content);
+    else if (const auto library = root.find("library"))
+      for (const JsonValue& elements : library->items()) read_elements(elements, ++page, content);
+    else
+      read_elements(root.member("elements"), 1, content);
+  }
   content.unit = "px";
   content.millimetres = millimetres_a_pixel;
-  std::size_t page = 0;
-  if (const auto items = root.find("libraryItems")) {
-    for (const JsonValue& item : items->items()) read_elements(item.member("elements"), ++page, content);
-  } else if (const auto library = root.find("library")) {
-    for (const JsonValue& elements : library->items()) read_elements(elements, ++page, content);
-  } else {
-    read_elements(root.member("elements"), 1, content);
-  }
   return content;
 }
 

@@ -1,8 +1,9 @@
 // Reads what `libinput record` writes: YAML with the axes of each device under devices/evdev/absinfo, and its
 // events as lists [sec, usec, type, code, value] under devices/events. It is parsed as a stream, since
-// recordings have hundreds of thousands of numbers.
+// recordings have hundreds of thousands of numbers, and without the lines of events, which are most of it.
 #include <burin/base/error.h>
 #include <burin/ink/decode/evdev_frames.h>
+#include <burin/ink/decode/libinput_lines.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/pen_file.h>
@@ -29,6 +30,9 @@ struct YamlFault : Error {
 /// Follows the stream of a recording.
 class Recorded : public YAML::EventHandler {
  public:
+  /// `text`: of the file, which must outlive the object.
+  explicit Recorded(std::string_view text) : text_(text) {}
+
   std::string device;
   PenFile finish();
 
@@ -62,9 +66,12 @@ class Recorded : public YAML::EventHandler {
   void take_number(const YAML::Mark& mark, const std::string& value);
   void value_ended();
   bool in_event() const;
+  bool in_events() const;
+  void take_event(const EvdevEvent& event);
   bool in_axis() const;
   bool at_path(std::initializer_list<std::string_view> path) const;
 
+  std::string_view text_;
   std::vector<Level> levels_;
   std::vector<std::int64_t> numbers_;  ///< of the event or axis that is open
   YAML::Mark mark_;
@@ -93,6 +100,15 @@ bool Recorded::in_event() const {
   return levels_.size() == 7 && at_path({"devices", "", "events", "", "evdev", "", ""});
 }
 
+bool Recorded::in_events() const {
+  return levels_.size() == 6 && at_path({"devices", "", "events", "", "evdev", ""});
+}
+
+void Recorded::take_event(const EvdevEvent& event) {
+  if (!frames_) frames_.emplace(axes_);
+  frames_->take(event);
+}
+
 void Recorded::open(bool map) {
   // A new device.
   if (map && levels_.size() == 2 && at_path({"devices", ""})) {
@@ -111,10 +127,9 @@ void Recorded::close() {
                      static_cast<double>(numbers_[4])};
   } else if (in_event()) {
     if (numbers_.size() != 5) throw YamlFault("an event needs five numbers: sec usec type code value", mark_);
-    if (!frames_) frames_.emplace(axes_);
-    frames_->take({static_cast<double>(numbers_[0]) + static_cast<double>(numbers_[1]) / 1e6,
-                   static_cast<unsigned>(numbers_[2]), static_cast<unsigned>(numbers_[3]),
-                   static_cast<int>(numbers_[4])});
+    take_event({static_cast<double>(numbers_[0]) + static_cast<double>(numbers_[1]) / 1e6,
+                static_cast<unsigned>(numbers_[2]), static_cast<unsigned>(numbers_[3]),
+                static_cast<int>(numbers_[4])});
   }
   levels_.pop_back();
   // The end of a device.
@@ -142,6 +157,8 @@ void Recorded::take_scalar(const YAML::Mark& mark, const std::string& value) {
     return;
   }
   if (in_axis() || in_event()) take_number(mark, value);
+  if (in_events())
+    for_each_event_of_run(text_, value, [this](const EvdevEvent& event) { take_event(event); });
   if (at_path({"devices", "", "evdev", "name"}) && levels_.size() == 4) content_.device = value;
   value_ended();
 }
@@ -178,9 +195,9 @@ bool is_libinput(std::string_view text) {
 
 PenFile read_libinput(const PenFileText& file) {
   check_brackets(file);
-  Recorded recorded;
+  Recorded recorded(file.text);
   try {
-    std::istringstream stream(file.text);
+    std::istringstream stream(with_runs_of_events(file.text));
     YAML::Parser parser(stream);
     parser.HandleNextDocument(recorded);
   } catch (const YamlFault& fault) {

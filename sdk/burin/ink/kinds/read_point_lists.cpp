@@ -4,11 +4,14 @@
 // devices without.
 #include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/json_parts.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/pen_file.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -70,15 +73,24 @@ bool is_point_lists(std::string_view text) {
 }
 
 PenFile read_point_lists(const PenFileText& file) {
-  PenFile content;
-  content.unit = "px";
-  content.millimetres = millimetres_a_pixel;
-  const JsonValue root = pen_json(file);
-  for (const auto& [name, list] : root.members()) {
-    PenStroke stroke = stroke_of(list);
-    if (!stroke.samples.empty()) content.strokes.push_back(std::move(stroke));
+  // By their names, as far as there are any of the same.
+  std::multimap<std::string, PenStroke> strokes;
+  auto content = pen_file_by_parts([&](PenFile&) {
+    return for_each_json_part(file.text, [&](std::string_view name, std::string_view part) {
+      strokes.emplace(name, stroke_of(pen_json_part(file, part)));
+      return true;
+    });
+  });
+  if (!content) {
+    strokes.clear();
+    for (const auto& [name, list] : pen_json(file).members()) strokes.emplace(name, stroke_of(list));
+    content.emplace();
   }
-  return content;
+  for (auto& [name, stroke] : strokes)
+    if (!stroke.samples.empty()) content->strokes.push_back(std::move(stroke));
+  content->unit = "px";
+  content->millimetres = millimetres_a_pixel;
+  return std::move(*content);
 }
 
 }  // namespace burin

@@ -1,20 +1,22 @@
-// Reads strokes of web programs from JSON: a list of strokes, or an object that has one as "strokes" or
-// "pointers". A stroke has its points as a list of objects, {"pointers": [{"x", "y", "t", "p"}]} or the list
-// alone, or as lists of numbers, {"x": [], "y": [], "t": [], "p": []}. Positions are CSS pixels, times
-// milliseconds, tilts and twist degrees, as PointerEvent has them.
+// Reads strokes of web programs from JSON: a list of strokes, or an object that has one as "strokes",
+// "events" or "pointers". A stroke has its points as a list of objects, {"pointers": [{"x", "y", "t", "p"}]}
+// or the list alone, or as lists of numbers, {"x": [], "y": [], "t": [], "p": []}. Positions are CSS pixels,
+// times milliseconds, tilts and twist degrees, as PointerEvent has them.
 //
 // "p" is what programs make of the speed and call pressure, "pressure" what a device reports.
 #include <burin/base/error.h>
 #include <burin/base/text/json_value.h>
+#include <burin/ink/decode/pointer_points.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/json_parts.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/pen_file.h>
 
 #include <algorithm>
-#include <array>
-#include <numbers>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -22,73 +24,40 @@
 namespace burin {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
-/// The member of the first of these names that a value has; null names are none.
-template <std::size_t count>
-std::optional<JsonValue> any_of(const JsonValue& value, const std::array<const char*, count>& names) {
-  for (const char* name : names) {
-    if (name == nullptr) continue;
-    if (auto found = value.find(name)) return found;
-  }
-  return std::nullopt;
+bool has_reported_pressure(const JsonValue& value) {
+  return value.find(std::string(reported_pressure)).has_value();
 }
-
-/// Values of one channel: of the points, or of the stroke as a list.
-struct Channel {
-  std::array<const char*, 4> names;
-  void (*set)(Sample& sample, double value);
-  bool PenFields::*field;
-};
-
-const std::array channels = {
-    Channel{{"t", "time", "timestamp", "timeStamp"},
-            [](Sample& s, double v) { s.time = v / 1000; },
-            &PenFields::time},
-    Channel{{"pressure", "p", "force", "f"},
-            [](Sample& s, double v) { s.pen.pressure = static_cast<float>(v); },
-            &PenFields::pressure},
-    Channel{{"tiltX"},
-            [](Sample& s, double v) { s.pen.tilt_x = static_cast<float>(v * degree); },
-            &PenFields::tilt},
-    Channel{{"tiltY"},
-            [](Sample& s, double v) { s.pen.tilt_y = static_cast<float>(v * degree); },
-            &PenFields::tilt},
-    Channel{{"twist"},
-            [](Sample& s, double v) { s.pen.twist = static_cast<float>(v * degree); },
-            &PenFields::twist}};
 
 void read_points(const JsonValue& points, PenStroke& stroke) {
   const std::vector<JsonValue> items = points.items();
-  // A channel that some points lack is none.
-  std::array<bool, channels.size()> whole{};
-  for (std::size_t i = 0; i < channels.size(); ++i)
-    whole[i] = std::ranges::all_of(
-        items, [&](const JsonValue& point) { return any_of(point, channels[i].names).has_value(); });
-  for (const JsonValue& point : items) {
-    Sample& sample = stroke.samples.emplace_back();
-    sample.position = {point.member("x").number(), point.member("y").number(), 0};
-    for (std::size_t i = 0; i < channels.size(); ++i)
-      if (whole[i]) channels[i].set(sample, any_of(point, channels[i].names)->number());
+  for (const JsonValue& point : items)
+    stroke.samples.emplace_back().position = {point.member("x").number(), point.member("y").number(), 0};
+  if (items.empty()) return;
+  for (const PointerChannel& channel : pointer_channels) {
+    // A channel that some points lack is none.
+    if (!std::ranges::all_of(items,
+                             [&](const JsonValue& point) { return channel_of(point, channel).has_value(); }))
+      continue;
+    stroke.fields.*channel.field = true;
+    for (std::size_t i = 0; i < items.size(); ++i)
+      channel.set(stroke.samples[i], channel_of(items[i], channel)->number());
   }
-  for (std::size_t i = 0; i < channels.size(); ++i)
-    if (whole[i] && !items.empty()) stroke.fields.*channels[i].field = true;
-  if (!items.empty()) stroke.made_pressure = stroke.fields.pressure && !items[0].find("pressure");
+  stroke.made_pressure = stroke.fields.pressure && !has_reported_pressure(items[0]);
 }
 
 void read_lists(const JsonValue& lists, PenStroke& stroke) {
   const std::vector<double> x = lists.member("x").numbers(), y = lists.member("y").numbers();
   if (x.size() != y.size()) lists.reject("x and y differ in their count");
   for (std::size_t i = 0; i < x.size(); ++i) stroke.samples.emplace_back().position = {x[i], y[i], 0};
-  for (const Channel& channel : channels) {
-    const auto found = any_of(lists, channel.names);
+  for (const PointerChannel& channel : pointer_channels) {
+    const auto found = channel_of(lists, channel);
     if (!found || !found->is_array() || found->size() == 0) continue;
     const std::vector<double> values = found->numbers();
     if (values.size() != x.size()) found->reject("has another count than x");
     for (std::size_t i = 0; i < x.size(); ++i) channel.set(stroke.samples[i], values[i]);
     stroke.fields.*channel.field = true;
   }
-  stroke.made_pressure = stroke.fields.pressure && !lists.find("pressure");
+  stroke.made_pressure = stroke.fields.pressure && !has_reported_pressure(lists);
 }
 
 std::optional<JsonValue> points_of(const JsonValue& stroke) {
@@ -96,19 +65,54 @@ std::optional<JsonValue> points_of(const JsonValue& stroke) {
     const bool of_points = stroke.size() > 0 && stroke.items().front().is_object();
     return of_points ? std::optional(stroke) : std::nullopt;
   }
-  return stroke.is_object() ? any_of(stroke, std::array{"pointers", "points"}) : std::nullopt;
+  if (!stroke.is_object()) return std::nullopt;
+  const auto pointers = stroke.find("pointers");
+  return pointers ? pointers : stroke.find("points");
 }
 
-/// Takes the strokes of a list; shapes without points may stand between.
+/// A stroke of any shape; one without samples for a shape that has none.
+PenStroke stroke_of(const JsonValue& one) {
+  PenStroke stroke;
+  if (const auto points = points_of(one))
+    read_points(*points, stroke);
+  else if (one.is_object() && one.find("x") && one.member("x").is_array())
+    read_lists(one, stroke);
+  const auto type = one.is_object() ? one.find("pointerType") : std::nullopt;
+  if (type && type->is_text()) stroke.tool = tool_of_pointer_type(type->text());
+  return stroke;
+}
+
+/// Adds a stroke; shapes without points may stand between strokes.
+void add(PenStroke stroke, PenFile& content) {
+  if (!stroke.samples.empty()) content.strokes.push_back(std::move(stroke));
+}
+
 void read_strokes_of(const JsonValue& list, PenFile& content) {
-  for (const JsonValue& one : list.items()) {
-    PenStroke stroke;
-    if (const auto points = points_of(one))
-      read_points(*points, stroke);
-    else if (one.is_object() && one.find("x") && one.member("x").is_array())
-      read_lists(one, stroke);
-    if (!stroke.samples.empty()) content.strokes.push_back(std::move(stroke));
-  }
+  for (const JsonValue& one : list.items()) add(stroke_of(one), content);
+}
+
+/// The list of strokes that an object has.
+std::optional<JsonValue> list_of_strokes(const JsonValue& root) {
+  const auto strokes = root.find("strokes");
+  return strokes ? strokes : root.find("events");
+}
+
+/// Reads stroke by stroke. Returns false for what must be read as a whole.
+bool read_by_strokes(const PenFileText& file, PenFile& content) {
+  const auto take_stroke = [&](std::string_view, std::string_view part) {
+    auto stroke = plain_pointer_stroke(part);
+    add(stroke ? std::move(*stroke) : stroke_of(pen_json_part(file, part)), content);
+    return true;
+  };
+  const auto take_member = [&](std::string_view name, std::string_view part) {
+    return name == "strokes" || name == "events" ? for_each_json_part(part, take_stroke)
+                                                 : nlohmann::json::accept(part);
+  };
+  std::string_view text = file.text;
+  skip_blanks(text);
+  const bool read =
+      text.starts_with('[') ? for_each_json_part(text, take_stroke) : for_each_json_part(text, take_member);
+  return read && !content.strokes.empty();
 }
 
 /// What a text has before its first object or list within the outermost list or object.
@@ -133,22 +137,24 @@ bool is_pointers(std::string_view text) {
   skip_blanks(text);
   if (begins_with_lists_of_points(text)) return true;
   if (text.starts_with('[')) return has_key_early(text, "\"pointers\"") || has_key_early(text, "\"points\"");
-  return text.starts_with('{') && (has_key_early(text, "\"strokes\"") || has_key_early(text, "\"pointers\""));
+  return text.starts_with('{') &&
+         (has_key_early(text, "\"strokes\"") || has_key_early(text, "\"pointers\"") ||
+          (has_key_early(text, "\"events\"") && has_key_early(text, "\"points\"")));
 }
 
 PenFile read_pointers(const PenFileText& file) {
-  const JsonValue root = pen_json(file);
   PenFile content;
-  content.unit = "px";
-  if (root.is_array()) {
-    read_strokes_of(root, content);
-  } else if (const auto strokes = root.find("strokes")) {
-    read_strokes_of(*strokes, content);
+  if (auto strokes = pen_file_by_parts([&](PenFile& to) { return read_by_strokes(file, to); })) {
+    content = std::move(*strokes);
   } else {
-    PenStroke stroke;
-    read_points(root.member("pointers"), stroke);
-    content.strokes.push_back(std::move(stroke));
+    const JsonValue root = pen_json(file);
+    const auto list = root.is_array() ? std::optional(root) : list_of_strokes(root);
+    if (list)
+      read_strokes_of(*list, content);
+    else
+      read_points(root.member("pointers"), content.strokes.emplace_back());
   }
+  content.unit = "px";
   return content;
 }
 

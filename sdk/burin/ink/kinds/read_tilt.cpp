@@ -1,12 +1,13 @@
-// Reads sketches of Tilt Brush and Open Brush: a head of 16 bytes and a zip whose member data.sketch has the
-// strokes, or that member by itself. Points lie in space, x to the right, y up and z forward, in units of 0.1
-// m; z is turned towards the viewer here. The brush is held in the air: it has an orientation, and no tilt
-// against a plane.
+// Reads sketches of Tilt Brush and Open Brush: a head that tells its size, 16 bytes, and a zip whose member
+// data.sketch has the strokes, or that member by itself. Points lie in space, x to the right, y up and z
+// forward, in units of 0.1 m; z is turned towards the viewer here. The brush is held in the air: it has an
+// orientation, and no tilt against a plane.
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/byte_reader.h>
 #include <burin/ink/parse/unpack.h>
 #include <burin/ink/pen_file.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -15,8 +16,8 @@
 namespace burin {
 namespace {
 
+constexpr std::string_view magic = "tilT";
 constexpr std::string_view sketch_magic = "\xcd\xa5\x76\xc5";
-constexpr std::size_t zip_head = 16;
 constexpr unsigned mask_bits = 32, short_bits = 16;
 
 /// The words that a mask tells of a stroke.
@@ -84,7 +85,7 @@ void read_sketch(ByteReader bytes, PenFile& content) {
 
 }  // namespace
 
-bool is_tilt(std::string_view text) { return text.starts_with("tilT") || text.starts_with(sketch_magic); }
+bool is_tilt(std::string_view text) { return text.starts_with(magic) || text.starts_with(sketch_magic); }
 
 PenFile read_tilt(const PenFileText& file) {
   PenFile content;
@@ -95,7 +96,9 @@ PenFile read_tilt(const PenFileText& file) {
     read_sketch({text, file.path}, content);
   } else {
     ByteReader head(text, file.path);
-    head.take_bytes(zip_head);
+    head.take_bytes(magic.size());
+    const auto head_size = head.take<std::uint16_t>();
+    head.take_bytes(std::max<std::size_t>(head_size, head.place()) - head.place());
     const std::string sketch = zip_member(file.path, head.bytes(), sketch_member);
     read_sketch({sketch, file.path}, content);
   }

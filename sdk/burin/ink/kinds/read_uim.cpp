@@ -2,6 +2,7 @@
 // what the sensors measured, never the splines that the program made of it. In 3.0 one chunk DATA holds the
 // model, whose field 1 is the input data; in 3.1 that is the chunk INPT.
 #include <burin/base/error.h>
+#include <burin/base/quoted_word.h>
 #include <burin/ink/decode/uim_sensors.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/protobuf.h>
@@ -117,6 +118,16 @@ void read_input(const ByteReader& message, PenFile& content) {
   });
 }
 
+/// Refuses a chunk that the head of version 3.1 tells to be compressed. The head has 4 bytes, then 8 for each
+/// chunk that follows: version, type of its content, compression.
+void check_plain(std::string_view head, std::size_t number, const RiffChunk& chunk) {
+  constexpr std::size_t version_bytes = 4, chunk_bytes = 8, compression_at = 4;
+  const std::size_t at = version_bytes + number * chunk_bytes + compression_at;
+  if (at < head.size() && head[at] != 0)
+    chunk.content.reject(
+        fmt::format("the chunk {} is compressed, which is not read", quoted_word(chunk.name)));
+}
+
 }  // namespace
 
 bool is_uim(std::string_view text) { return is_riff(text, "UINK"); }
@@ -125,8 +136,14 @@ PenFile read_uim(const PenFileText& file) {
   PenFile content;
   content.unit = "px";
   content.millimetres = millimetres_a_pixel;
+  std::string_view head;
+  std::size_t number = 0;
   for (RiffChunks chunks(file.text, file.path); !chunks.empty();) {
     const RiffChunk chunk = chunks.next();
+    if (chunk.name == "HEAD")
+      head = chunk.content.bytes();
+    else
+      check_plain(head, number++, chunk);
     if (chunk.name == "INPT") read_input(chunk.content, content);
     if (chunk.name != "DATA") continue;
     for_each_field(chunk.content, [&](const ProtobufField& field) {

@@ -3,13 +3,16 @@
 #include <burin/base/text/json_value.h>
 #include <burin/ink/decode/uim_sensors.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/json_parts.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/pen_file.h>
 
 #include <cmath>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -68,6 +71,39 @@ UimSensorData sensor_data(const JsonValue& value) {
   return data;
 }
 
+void add_data(const JsonValue& data, const UimChannels& channels, PenFile& content) {
+  try {
+    add_stroke(sensor_data(data), channels, content);
+  } catch (const FileError&) {
+    throw;
+  } catch (const Error& error) {
+    data.reject(error.what());
+  }
+}
+
+/// The text of a member of an object, which is empty if it has none or more than one. Others must be JSON.
+std::string_view only_member(std::string_view json, std::string_view name) {
+  std::string_view found;
+  const auto take = [&](std::string_view member, std::string_view part) {
+    if (member != name) return nlohmann::json::accept(part);
+    return std::exchange(found, part).empty();
+  };
+  return for_each_json_part(json, take) ? found : std::string_view();
+}
+
+/// Reads the data of one sensor after the other. Returns false for what must be read as a whole.
+bool read_by_sensors(const PenFileText& file, PenFile& content) {
+  const std::string_view input = only_member(file.text, "inputData");
+  const std::string_view contexts = only_member(input, "inputContextData"),
+                         all_data = only_member(input, "sensorData");
+  if (contexts.empty() || all_data.empty()) return false;
+  const UimChannels channels = channels_of(pen_json_part(file, contexts));
+  return for_each_json_part(all_data, [&](std::string_view, std::string_view data) {
+    add_data(pen_json_part(file, data), channels, content);
+    return true;
+  });
+}
+
 }  // namespace
 
 bool is_uim_json(std::string_view text) {
@@ -77,21 +113,16 @@ bool is_uim_json(std::string_view text) {
 }
 
 PenFile read_uim_json(const PenFileText& file) {
-  const JsonValue input = pen_json(file).member("inputData");
-  const UimChannels channels = channels_of(input.member("inputContextData"));
-  PenFile content;
-  content.unit = "px";
-  content.millimetres = millimetres_a_pixel;
-  for (const JsonValue& data : items_of(input, "sensorData")) {
-    try {
-      add_stroke(sensor_data(data), channels, content);
-    } catch (const FileError&) {
-      throw;
-    } catch (const Error& error) {
-      data.reject(error.what());
-    }
+  auto content = pen_file_by_parts([&](PenFile& to) { return read_by_sensors(file, to); });
+  if (!content) {
+    const JsonValue input = pen_json(file).member("inputData");
+    const UimChannels channels = channels_of(input.member("inputContextData"));
+    content.emplace();
+    for (const JsonValue& data : items_of(input, "sensorData")) add_data(data, channels, *content);
   }
-  return content;
+  content->unit = "px";
+  content->millimetres = millimetres_a_pixel;
+  return std::move(*content);
 }
 
 }  // namespace burin

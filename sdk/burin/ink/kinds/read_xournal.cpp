@@ -9,6 +9,7 @@
 #include <burin/ink/pen_file.h>
 #include <fmt/format.h>
 
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -46,7 +47,8 @@ std::vector<float> widths_of(std::string_view text, std::size_t points) {
 }
 
 PenStroke stroke_of(const XmlFile& xml, const pugi::xml_node& node) try {
-  const std::vector<double> numbers = numbers_of(node.text().get());
+  std::string joined;
+  const std::vector<double> numbers = numbers_of(text_of(node, joined));
   if (numbers.size() % 2 != 0) throw Error("a stroke with an x without y");
   PenStroke stroke;
   for (std::size_t i = 0; i < numbers.size(); i += 2)

@@ -10,14 +10,12 @@ constexpr std::size_t most_tree_bytes = 56'000'000;
 // What nlohmann::json and the JsonValue of each item take, as measured.
 constexpr std::size_t value_bytes = 24, member_bytes = 100, container_bytes = 100;
 
-}  // namespace
-
-void check_json_bounds(const PenFileText& file) {
+void check_bounds(std::string_view text, const std::string& path) {
   bool in_text = false;
   int depth = 0;
   std::size_t tree = 0;
-  for (std::size_t i = 0; i < file.text.size(); ++i) {
-    const char c = file.text[i];
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
     if (in_text && c == '\\') {
       ++i;
     } else if (c == '"') {
@@ -26,7 +24,7 @@ void check_json_bounds(const PenFileText& file) {
       continue;
     } else if (c == '[' || c == '{') {
       tree += container_bytes;
-      if (++depth > deepest) throw FileError(file.path.string(), "JSON nested deeper than 200 levels");
+      if (++depth > deepest) throw FileError(path, "JSON nested deeper than 200 levels");
     } else if (c == ']' || c == '}') {
       --depth;
     } else if (c == ',') {
@@ -35,12 +33,28 @@ void check_json_bounds(const PenFileText& file) {
       tree += member_bytes;
     }
   }
-  if (tree > most_tree_bytes) throw FileError(file.path.string(), "more values of JSON than 56 MB hold");
+  if (tree > most_tree_bytes) throw FileError(path, "more values of JSON than 56 MB hold");
 }
 
-JsonValue pen_json(const PenFileText& file) {
-  check_json_bounds(file);
-  return JsonValue::parse(file.text, file.path.string());
+}  // namespace
+
+void check_json_bounds(const PenFileText& file) { check_bounds(file.text, file.path.string()); }
+
+JsonValue pen_json_part(const PenFileText& file, std::string_view part) {
+  check_bounds(part, file.path.string());
+  return JsonValue::parse(part, file.path.string());
 }
+
+std::optional<PenFile> pen_file_by_parts(const std::function<bool(PenFile& content)>& read) {
+  PenFile content;
+  try {
+    if (read(content)) return content;
+  } catch (const FileError&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+JsonValue pen_json(const PenFileText& file) { return pen_json_part(file, file.text); }
 
 }  // namespace burin

@@ -2,6 +2,10 @@
 #include <burin/base/text/json_value.h>
 #include <burin/ink/pen_file.h>
 
+#include <functional>
+#include <optional>
+#include <string_view>
+
 namespace burin {
 
 /// Throws FileError for JSON that is nested deeper than 200 levels or whose values would need more than 56 MB
@@ -10,5 +14,13 @@ void check_json_bounds(const PenFileText& file);
 
 /// The JSON of a pen file, within these bounds.
 JsonValue pen_json(const PenFileText& file);
+
+/// The JSON of a part of a pen file, within the same bounds; faults do not tell the place of the part.
+JsonValue pen_json_part(const PenFileText& file, std::string_view part);
+
+/// What `read` adds to a file that it reads part by part, so that one of many parts needs little memory.
+/// Nothing where it returns false or finds a fault: the file must then be read as a whole, so that the
+/// message names the place in it.
+std::optional<PenFile> pen_file_by_parts(const std::function<bool(PenFile& content)>& read);
 
 }  // namespace burin

@@ -51,13 +51,15 @@ bool read_whole(std::string_view word, Whole& value, int base = 10) {
   return error == std::errc() && stop == word.data() + word.size() && !word.empty();
 }
 
-/// Calls `take` with every line of a text, without its newline. An Error that it throws becomes a FileError
+/// Calls `take` with every line of a text, without its newline, or its carriage return where a text has no
+/// newlines. An Error that it throws becomes a FileError
 /// that names the line.
 template <class Take>
 void for_each_line_of(const std::string& text, const std::string& path, const Take& take) {
   std::size_t number = 0;
+  const char line_end = text.find('\n') == text.npos ? '\r' : '\n';
   for (std::size_t begin = 0; begin < text.size(); ++begin) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::size_t end = std::min(text.find(line_end, begin), text.size());
     ++number;
     try {
       take(std::string_view(text).substr(begin, end - begin));

@@ -36,17 +36,27 @@ class Archive {
       expect_ok(result);
       const char* name = archive_entry_pathname(entry);
       const bool zip = (archive_format(archive_.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
-      if (!zip || (name && fits(std::string_view(name)))) return true;
+      if (zip && !(name && fits(std::string_view(name)))) continue;
+      name_ = zip ? name : "";
+      return true;
     }
   }
 
+  /// The name of the member of a zip that find_content() found last.
+  const std::string& name() const { return name_; }
+
   std::string content() {
     std::string text;
+    append_content(text);
+    return text;
+  }
+
+  void append_content(std::string& text) {
     std::array<char, 1 << 16> block{};
     for (;;) {
       const la_ssize_t got = archive_read_data(archive_.get(), block.data(), block.size());
       if (got < 0) fail();
-      if (got == 0) return text;
+      if (got == 0) return;
       if (text.size() + static_cast<std::size_t>(got) > most_parsed_bytes)
         throw FileError(path_.string(), "unpacks to more than 60 MB");
       text.append(block.data(), static_cast<std::size_t>(got));
@@ -63,6 +73,7 @@ class Archive {
   }
 
   std::filesystem::path path_;
+  std::string name_;
   std::unique_ptr<archive, int (*)(archive*)> archive_{archive_read_new(), archive_read_free};
 };
 
@@ -71,9 +82,13 @@ bool packed(std::string_view bytes) {
          bytes.starts_with("PK\x03\x04");
 }
 
-/// Whether a member of a zip is what holds the strokes: of Xournal++, of WILL.
+/// Whether a member of a zip is a list of paths of WILL, of which documents have one for each page or layer.
+bool holds_paths(std::string_view name) { return name.ends_with(".protobuf"); }
+
+/// Whether a member of a zip is what holds the strokes: of Xournal++, of WILL, of a folder of Tilt Brush.
 bool holds_strokes(std::string_view name) {
-  return name == "content.xml" || name.ends_with(".will") || name.ends_with(".protobuf");
+  return name == "content.xml" || name.ends_with(".will") || holds_paths(name) ||
+         name.ends_with(sketch_member);
 }
 
 /// Refuses XML, JSON and UTF-16 that are too long, by their first character.
@@ -110,8 +125,11 @@ std::string unpacked_pen_file(const std::filesystem::path& path) {
   if (!packed(bytes)) return bytes;
   Archive archive(path, bytes);
   if (!archive.find_content(holds_strokes))
-    throw FileError(path.string(), "a zip without content.xml, .will or .protobuf");
-  return archive.content();
+    throw FileError(path.string(), "a zip without content.xml, .will, .protobuf or data.sketch");
+  std::string text = archive.content();
+  // Lists of paths make one list when they stand one behind the other.
+  while (holds_paths(archive.name()) && archive.find_content(holds_paths)) archive.append_content(text);
+  return text;
 }
 
 }  // namespace burin

@@ -75,6 +75,18 @@ pugi::xml_attribute attribute(const pugi::xml_node& node, std::string_view name)
   return node.find_attribute([&](const pugi::xml_attribute& one) { return local_name(one.name()) == name; });
 }
 
+std::string_view text_of(const pugi::xml_node& node, std::string& joined) {
+  const auto is_text = [](const pugi::xml_node& one) {
+    return one.type() == pugi::node_pcdata || one.type() == pugi::node_cdata;
+  };
+  const auto texts = node.children();
+  if (std::ranges::count_if(texts, is_text) <= 1) return node.text().get();
+  joined.clear();
+  for (const pugi::xml_node& one : texts)
+    if (is_text(one)) joined.append(one.value()).append(" ");
+  return joined;
+}
+
 pugi::xml_node child(const pugi::xml_node& node, std::string_view name) {
   return node.find_child([&](const pugi::xml_node& one) { return local_name(one.name()) == name; });
 }

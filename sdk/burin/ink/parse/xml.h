@@ -36,6 +36,10 @@ std::string_view local_name(const char* name);
 /// The attribute of this name, with whatever prefix; an empty one if there is none.
 pugi::xml_attribute attribute(const pugi::xml_node& node, std::string_view name);
 
+/// The text of an element, whatever comments or CDATA part it. A text in several parts is put together in
+/// `joined`, which must outlive it.
+std::string_view text_of(const pugi::xml_node& node, std::string& joined);
+
 /// The first child element of this name, with whatever prefix; an empty one if there is none.
 pugi::xml_node child(const pugi::xml_node& node, std::string_view name);
 

@@ -3,7 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace burin {
@@ -32,6 +37,15 @@ PenEvents mypaint_events(const std::string& text, const std::filesystem::path& p
 /// tiltX, tiltY, twist (degrees), pointerId. buttons 0 means a lifted pen, whatever its pressure; without
 /// buttons, pressure 0 does.
 PenEvents pointer_events(const std::string& text, const std::filesystem::path& path);
+
+/// Such arrays by their names.
+using PointerColumns = std::map<std::string, std::vector<double>, std::less<>>;
+
+/// The names of the arrays that are read.
+std::span<const std::string_view> pointer_column_names();
+
+/// The same of arrays that were parsed one by one; nothing if pointer_events() would throw.
+std::optional<PenEvents> pointer_events(const PointerColumns& columns);
 
 /// SVC files in the units of BDALab's handwriting-sample: the number of events, then lines of `x y time
 /// pen_down azimuth altitude pressure`. x, y are in mm, y upward; the azimuth of the pen's upper end is

@@ -4,78 +4,82 @@
 #include <burin/stroke/files/recording_faults.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <numbers>
 #include <utility>
 
 namespace burin {
 namespace {
 
-/// The arrays of one file.
-class PointerEvents {
- public:
-  explicit PointerEvents(JsonValue root) : root_(std::move(root)) {
-    if (!root_.is_object()) root_.reject("expected an object of arrays x, y, time");
-  }
+constexpr std::array<std::string_view, 9> names = {"x",     "y",     "time",  "pressure", "buttons",
+                                                   "tiltX", "tiltY", "twist", "pointerId"};
 
-  PenFields fields() const;
-  std::vector<PenEvent> events() const;
-
- private:
-  /// The array of this name, which must be as long as x, or an empty one if the file does not have it.
-  std::vector<double> optional_column(const char* name) const;
-  std::vector<double> column(const char* name) const;
-
-  JsonValue root_;
-};
-
-PenFields PointerEvents::fields() const {
-  const auto has = [&](const char* name) { return root_.find(name).has_value(); };
-  return {
-      .time = true, .pressure = has("pressure"), .tilt = has("tiltX") || has("tiltY"), .twist = has("twist")};
-}
-
-std::vector<double> PointerEvents::column(const char* name) const {
-  const JsonValue column = root_.member(name), x = root_.member("x");
-  std::vector<double> values = column.numbers();
-  if (values.size() != x.size())
-    column.reject(fmt::format("has {} values, x has {}", values.size(), x.size()));
-  return values;
-}
-
-std::vector<double> PointerEvents::optional_column(const char* name) const {
-  return root_.find(name) ? column(name) : std::vector<double>();
-}
-
-std::vector<PenEvent> PointerEvents::events() const {
-  const std::vector<double> x = column("x"), y = column("y"), time = column("time");
-  const std::vector<double> pressure = optional_column("pressure"), buttons = optional_column("buttons"),
-                            tilt_x = optional_column("tiltX"), tilt_y = optional_column("tiltY"),
-                            twist = optional_column("twist"), pointer = optional_column("pointerId");
-  const auto radians = [](const std::vector<double>& degrees, std::size_t i) {
-    return degrees.empty() ? 0 : static_cast<float>(degrees[i] * std::numbers::pi / 180);
+/// Makes events of arrays of the same length, of which x, y and time are there. Calls `reject` with the fault
+/// of one, and leaves the loop.
+template <class Reject>
+PenEvents events_of(const PointerColumns& columns, const Reject& reject) {
+  const auto find = [&](std::string_view name) {
+    const auto found = columns.find(name);
+    return found == columns.end() ? nullptr : &found->second;
   };
-  std::vector<PenEvent> events(x.size());
+  const std::vector<double>&x = *find("x"), &y = *find("y"), &time = *find("time");
+  const std::vector<double>*pressure = find("pressure"), *buttons = find("buttons"), *tilt_x = find("tiltX"),
+        *tilt_y = find("tiltY"), *twist = find("twist"), *pointer = find("pointerId");
+  const auto radians = [](const std::vector<double>* degrees, std::size_t i) {
+    return degrees ? static_cast<float>((*degrees)[i] * std::numbers::pi / 180) : 0;
+  };
+  PenEvents made;
+  made.fields = {
+      .time = true, .pressure = pressure != nullptr, .tilt = tilt_x || tilt_y, .twist = twist != nullptr};
+  made.events.resize(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
-    Sample& sample = events[i].sample;
+    PenEvent& event = made.events[i];
+    Sample& sample = event.sample;
     sample.time = time[i] / 1000;
     sample.position = {x[i], y[i], 0};
-    if (!pressure.empty()) sample.pen.pressure = static_cast<float>(pressure[i]);
+    if (pressure) sample.pen.pressure = static_cast<float>((*pressure)[i]);
     sample.pen.tilt_x = radians(tilt_x, i);
     sample.pen.tilt_y = radians(tilt_y, i);
     sample.pen.twist = radians(twist, i);
-    events[i].contact = buttons.empty() ? sample.pen.pressure > 0 : buttons[i] != 0;
-    if (!pointer.empty()) events[i].pointer = pointer[i];
-    if (const std::string_view fault = validation_error(sample); !fault.empty())
-      root_.reject(fmt::format("event {}: {}", i, fault));
+    event.contact = buttons ? (*buttons)[i] != 0 : sample.pen.pressure > 0;
+    if (pointer) event.pointer = (*pointer)[i];
+    if (const std::string_view fault = validation_error(sample); !fault.empty()) {
+      reject(fmt::format("event {}: {}", i, fault));
+      break;
+    }
   }
-  return events;
+  return made;
 }
 
 }  // namespace
 
 PenEvents pointer_events(const std::string& text, const std::filesystem::path& path) {
-  const PointerEvents file(JsonValue::parse(text, path.string()));
-  return {file.events(), file.fields()};
+  const JsonValue root = JsonValue::parse(text, path.string());
+  if (!root.is_object()) root.reject("expected an object of arrays x, y, time");
+  PointerColumns columns;
+  const std::size_t count = root.member("x").numbers().size();
+  for (const std::string_view name : names) {
+    const bool needed = name == "x" || name == "y" || name == "time";
+    const std::optional<JsonValue> column =
+        needed ? std::optional(root.member(std::string(name))) : root.find(std::string(name));
+    if (!column) continue;
+    std::vector<double> values = column->numbers();
+    if (values.size() != count) column->reject(fmt::format("has {} values, x has {}", values.size(), count));
+    columns.emplace(name, std::move(values));
+  }
+  return events_of(columns, [&](std::string_view fault) { root.reject(fault); });
 }
+
+std::optional<PenEvents> pointer_events(const PointerColumns& columns) {
+  if (!columns.contains("x") || !columns.contains("y") || !columns.contains("time")) return std::nullopt;
+  const std::size_t count = columns.find("x")->second.size();
+  for (const auto& [name, values] : columns)
+    if (values.size() != count) return std::nullopt;
+  bool good = true;
+  PenEvents made = events_of(columns, [&](std::string_view) { good = false; });
+  return good ? std::optional(std::move(made)) : std::nullopt;
+}
+
+std::span<const std::string_view> pointer_column_names() { return names; }
 
 }  // namespace burin

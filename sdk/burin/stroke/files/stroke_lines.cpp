@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <limits>
 #include <map>
 #include <set>
@@ -106,6 +107,23 @@ void set(Sample& sample, Column column, double value) {
   }
 }
 
+bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
+
+/// Removes a number of JSON from the front of a text. Takes no other writings of numbers, which
+/// std::from_chars() knows too; returns false for these and for numbers out of range.
+bool take_json_number(std::string_view& text, double& value) {
+  const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
+  const bool zero_before = digits.starts_with('0') && digits.size() > 1 && is_digit(digits[1]);
+  if (digits.empty() || !is_digit(digits.front()) || zero_before) return false;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc()) return false;
+  const auto size = static_cast<std::size_t>(stop - text.data());
+  const std::size_t point = text.substr(0, size).find('.');
+  if (point != text.npos && (point + 1 == size || !is_digit(text[point + 1]))) return false;
+  text.remove_prefix(size);
+  return true;
+}
+
 }  // namespace
 
 HeaderLine parse_header(const JsonValue& line) {
@@ -143,6 +161,20 @@ Sample parse_sample(const JsonValue& line, const std::vector<Column>& columns) {
     if (columns[i] != Column::unknown) set(sample, columns[i], line.number_at(i));
   reject_fault(line, validation_error(sample));
   return sample;
+}
+
+std::optional<Sample> plain_sample(std::string_view line, const std::vector<Column>& columns) {
+  Sample sample;
+  char before = '[';
+  for (const Column column : columns) {
+    double value = 0;
+    if (!line.starts_with(before)) return std::nullopt;
+    line.remove_prefix(1);
+    if (!take_json_number(line, value)) return std::nullopt;
+    if (column != Column::unknown) set(sample, column, value);
+    before = ',';
+  }
+  return line == "]" && validation_error(sample).empty() ? std::optional(sample) : std::nullopt;
 }
 
 }  // namespace burin

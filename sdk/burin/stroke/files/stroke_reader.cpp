@@ -28,6 +28,7 @@ class Reader {
   void take_begin(const JsonValue& line);
   void take_end(const JsonValue& line);
   void take_sample(const JsonValue& line);
+  bool goes_on_with(const Sample& sample) const;
 
   std::string path_;
   std::size_t line_ = 0;
@@ -40,6 +41,11 @@ class Reader {
 void Reader::take_line(std::string_view text, bool complete) {
   ++line_;
   if (text.find_first_not_of(" \t\r") == text.npos) return;
+  if (const auto sample = open_ ? plain_sample(text, columns_) : std::nullopt;
+      sample && goes_on_with(*sample)) {
+    recording_.strokes.back().samples.push_back(*sample);
+    return;
+  }
   if (const auto line = parse(text, complete))
     take(*line);
   else
@@ -95,11 +101,17 @@ void Reader::take_end(const JsonValue& line) {
   open_ = false;
 }
 
+/// Whether the open stroke may go on with a sample.
+bool Reader::goes_on_with(const Sample& sample) const {
+  const std::vector<Sample>& samples = recording_.strokes.back().samples;
+  return samples.empty() || sample.time >= samples.back().time;
+}
+
 void Reader::take_sample(const JsonValue& line) {
   if (!open_) line.reject("a sample outside a stroke");
   const Sample sample = parse_sample(line, columns_);
   std::vector<Sample>& samples = recording_.strokes.back().samples;
-  if (!samples.empty() && sample.time < samples.back().time)
+  if (!goes_on_with(sample))
     line.reject(fmt::format("time falls from {} to {}", samples.back().time, sample.time));
   samples.push_back(sample);
 }

@@ -8,16 +8,19 @@
 
 namespace burin {
 
+std::string read_coordinate(std::string_view word, double& coordinate) {
+  if (word.empty()) return "a vertex needs three coordinates";
+  const auto value = real_number(word);
+  if (!value) return quoted_word(word) + " is not a coordinate";
+  if (!(std::abs(*value) <= std::numeric_limits<float>::max()))
+    return "the coordinate " + quoted_word(word) + " is not finite";
+  coordinate = *value;
+  return {};
+}
+
 std::string read_position(std::string_view& line, Vec3d& place) {
-  for (double& coordinate : place) {
-    const std::string_view word = next_word(line);
-    if (word.empty()) return "a vertex needs three coordinates";
-    const auto value = real_number(word);
-    if (!value) return quoted_word(word) + " is not a coordinate";
-    if (!(std::abs(*value) <= std::numeric_limits<float>::max()))
-      return "the coordinate " + quoted_word(word) + " is not finite";
-    coordinate = *value;
-  }
+  for (double& coordinate : place)
+    if (std::string fault = read_coordinate(next_word(line), coordinate); !fault.empty()) return fault;
   return {};
 }
 

@@ -1,0 +1,134 @@
+// Knows the columns of tables of samples by their names, and the units that these tell.
+#include <burin/base/text/lower_case.h>
+#include <burin/ink/decode/csv_columns.h>
+#include <burin/ink/parse/scan.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <utility>
+
+namespace burin {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// A name that a column may have.
+struct Name {
+  std::string_view name;  ///< in lower case, blanks as "_"
+  CsvCell cell;
+  std::string_view unit;  ///< of a column that tells none
+};
+
+constexpr std::array names = {Name{"x", CsvCell::x, ""},
+                              Name{"y", CsvCell::y, ""},
+                              Name{"z", CsvCell::z, ""},
+                              Name{"time", CsvCell::time, "s"},
+                              Name{"t", CsvCell::time, "s"},
+                              Name{"timestamp", CsvCell::time, "no unit"},
+                              Name{"pressure", CsvCell::pressure, ""},
+                              Name{"p", CsvCell::pressure, ""},
+                              Name{"tilt_x", CsvCell::tilt_x, "rad"},
+                              Name{"tilt_y", CsvCell::tilt_y, "rad"},
+                              Name{"tiltx", CsvCell::tilt_x, "deg"},
+                              Name{"tilty", CsvCell::tilt_y, "deg"},
+                              Name{"twist", CsvCell::twist, "rad"},
+                              Name{"contact", CsvCell::contact, ""},
+                              Name{"pen_down", CsvCell::contact, ""},
+                              Name{"stroke", CsvCell::stroke, ""},
+                              Name{"stroke_id", CsvCell::stroke, ""},
+                              Name{"eraser", CsvCell::eraser, ""}};
+
+enum class Measure { length, time, angle, share };
+
+struct Unit {
+  std::string_view name;
+  Measure measure;
+  double scale;  ///< to millimetres, seconds, radians, or a share of 1
+};
+
+constexpr std::array units = {Unit{"mm", Measure::length, 1},
+                              Unit{"cm", Measure::length, 10},
+                              Unit{"m", Measure::length, 1000},
+                              Unit{"in", Measure::length, 25.4},
+                              Unit{"s", Measure::time, 1},
+                              Unit{"ms", Measure::time, 1e-3},
+                              Unit{"us", Measure::time, 1e-6},
+                              Unit{"\u00b5s", Measure::time, 1e-6},
+                              Unit{"ns", Measure::time, 1e-9},
+                              Unit{"deg", Measure::angle, degree},
+                              Unit{"\u00b0", Measure::angle, degree},
+                              Unit{"rad", Measure::angle, 1},
+                              Unit{"%", Measure::share, 0.01}};
+
+std::string_view trimmed(std::string_view text) {
+  skip_blanks(text);
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+/// Parts a name as "time_ms", "Time (ms)" and "time [ms]" into the name and its unit, in lower case.
+std::pair<std::string, std::string> name_and_unit(std::string_view cell) {
+  std::string name = in_lower_case(std::string(cell)), unit;
+  const std::size_t open = name.find_first_of("([");
+  if (open != name.npos) {
+    const std::size_t close = name.find_first_of(")]", open);
+    unit = trimmed(std::string_view(name).substr(open + 1, close - open - 1));
+    name = trimmed(std::string_view(name).substr(0, open));
+  }
+  std::ranges::replace(name, ' ', '_');
+  const std::size_t mark = name.find_last_of('_');
+  if (!unit.empty() || mark == name.npos) return {name, unit};
+  const std::string suffix = name.substr(mark + 1);
+  if (suffix != "px" && std::ranges::find(units, suffix, &Unit::name) == units.end()) return {name, ""};
+  return {name.substr(0, mark), suffix};
+}
+
+/// What a column is by its name. Times and angles of a unit that is not known are left out.
+CsvColumn column_of(std::string_view cell) {
+  const auto [name, told] = name_and_unit(cell);
+  const auto found = std::ranges::find(names, name, &Name::name);
+  CsvColumn column{std::string(cell)};
+  if (found == names.end()) return column;
+  const std::string_view unit = told.empty() ? found->unit : std::string_view(told);
+  const auto known = std::ranges::find(units, unit, &Unit::name);
+  const auto in = [&](Measure measure) { return known != units.end() && known->measure == measure; };
+  const bool angle =
+      found->cell == CsvCell::tilt_x || found->cell == CsvCell::tilt_y || found->cell == CsvCell::twist;
+  if ((found->cell == CsvCell::time && !in(Measure::time)) || (angle && !in(Measure::angle))) return column;
+  column.cell = found->cell;
+  if (in(Measure::time) || in(Measure::angle) || (column.cell == CsvCell::pressure && in(Measure::share)))
+    column.scale = known->scale;
+  if (!is_position(column.cell)) return column;
+  if (in(Measure::length)) column.scale = known->scale;
+  column.unit = in(Measure::length) ? "mm" : unit == "px" ? "px" : "";
+  return column;
+}
+
+}  // namespace
+
+bool is_position(CsvCell cell) { return cell == CsvCell::x || cell == CsvCell::y || cell == CsvCell::z; }
+
+char csv_separator_of(std::string_view header) {
+  for (const char separator : {'\t', ';'})
+    if (header.find(separator) != header.npos) return separator;
+  return ',';
+}
+
+std::string_view take_csv_cell(std::string_view& line, char separator) {
+  const std::size_t begin = std::min(line.find_first_not_of(" \r"), line.size());
+  const bool quoted = line.substr(begin).starts_with('"');
+  const std::size_t close = quoted ? std::min(line.find('"', begin + 1), line.size()) : 0;
+  const std::size_t end = std::min(line.find(separator, close), line.size());
+  const std::string_view cell = quoted ? line.substr(begin + 1, close - begin - 1) : line.substr(0, end);
+  line.remove_prefix(std::min(end + 1, line.size()));
+  return trimmed(cell);
+}
+
+std::vector<CsvColumn> csv_columns_of(std::string_view header) {
+  const char separator = csv_separator_of(header);
+  std::vector<CsvColumn> named;
+  while (!header.empty()) named.push_back(column_of(take_csv_cell(header, separator)));
+  return named;
+}
+
+}  // namespace burin

@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// What a column of a table of samples has.
+enum class CsvCell { x, y, z, time, pressure, tilt_x, tilt_y, twist, contact, stroke, eraser, unknown };
+
+/// A column as its name tells it.
+struct CsvColumn {
+  std::string name;  ///< as the file has it
+  CsvCell cell = CsvCell::unknown;
+  double scale = 1;       ///< to millimetres, seconds, radians, or a share of 1
+  std::string unit = {};  ///< of positions, as PenFile::unit
+};
+
+bool is_position(CsvCell cell);
+
+/// What parts the cells of the lines of a table, by the one that names its columns.
+char csv_separator_of(std::string_view header);
+
+/// Removes the next cell and its separator from the front of a line. Quotes around a cell keep separators in
+/// it, and are removed.
+std::string_view take_csv_cell(std::string_view& line, char separator);
+
+/// The columns that a line names.
+std::vector<CsvColumn> csv_columns_of(std::string_view header);
+
+}  // namespace burin

@@ -1,0 +1,23 @@
+#pragma once
+#include <burin/ink/decode/evdev_frames.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace burin {
+
+/// The event of a line as `libinput record` writes it, "- [ sec, usec, type, code, value] # comment". Nothing
+/// for any other line.
+std::optional<EvdevEvent> libinput_event(std::string_view line);
+
+/// A recording in which each run of such lines is one item, "- run:" and the byte of the text at which it
+/// begins, so that a parser of YAML has a tenth to do. The lines keep their numbers.
+std::string with_runs_of_events(std::string_view text);
+
+/// Calls `take` with the events of the run that such an item stands for; returns false for other texts.
+bool for_each_event_of_run(std::string_view text, std::string_view item,
+                           const std::function<void(const EvdevEvent& event)>& take);
+
+}  // namespace burin

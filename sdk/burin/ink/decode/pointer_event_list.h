@@ -1,0 +1,15 @@
+#pragma once
+#include <burin/ink/pen_file.h>
+
+#include <string_view>
+
+namespace burin {
+
+/// Whether a text begins as a list of flat objects with an x: PointerEvents as they came.
+bool begins_as_event_list(std::string_view text);
+
+/// Reads a list of PointerEvents. One of each run in which a pointer touches is a stroke; whether it does is
+/// told by `buttons`, else by `type`, else by the pressure. Throws FileError.
+PenFile read_event_list(const PenFileText& file);
+
+}  // namespace burin

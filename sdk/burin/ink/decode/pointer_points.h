@@ -1,0 +1,37 @@
+#pragma once
+#include <burin/base/text/json_value.h>
+#include <burin/ink/pen_file.h>
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace burin {
+
+/// A value that points of web programs have beside x and y.
+struct PointerChannel {
+  std::array<std::string_view, 4> names;  ///< the first that a point has counts; empty ones are none
+  void (*set)(Sample& sample, double value);
+  bool PenFields::*field;
+};
+
+extern const std::array<PointerChannel, 5> pointer_channels;
+
+/// The member of a value that gives it a channel.
+std::optional<JsonValue> channel_of(const JsonValue& value, const PointerChannel& channel);
+
+/// Sets channels that not all samples have to what a pen without them has.
+void keep_channels(PenStroke& stroke, const std::array<bool, pointer_channels.size()>& whole);
+
+/// What a device reports, as against what programs make of the speed and call pressure too.
+inline constexpr std::string_view reported_pressure = "pressure";
+
+/// PenStroke::tool of a PointerEvent's pointerType, in any case; empty for others.
+std::string_view tool_of_pointer_type(std::string_view type);
+
+/// Reads one stroke: a list of points, flat objects of numbers, or an object with such a list as "pointers"
+/// or "points". Needs no memory but for the samples. Returns nothing for malformed JSON, and for whatever
+/// else may be a stroke or a fault; one without samples for an object without points.
+std::optional<PenStroke> plain_pointer_stroke(std::string_view json);
+
+}  // namespace burin
