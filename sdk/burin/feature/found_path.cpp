@@ -38,7 +38,7 @@ class PathFinder {
     const double cube = search_.stiff * search_.stiff * search_.stiff, stiffness = cube * cube;
     const std::vector<double> smooth = smooth_offsets(wanted, search_.bends, stiffness);
     for (std::size_t i = 0; i < path.size(); ++i) path[i].row = smooth[i];
-    const SignificanceWindow window{.beside = 2 * search_.smoothing.rows,
+    const SignificanceWindow window{.beside = 1.75 * search_.smoothing.rows,
                                     .along = search_.window,
                                     .apart = static_cast<int>(std::ceil(3 * search_.smoothing.columns)),
                                     .one_side_is_enough = search_.one_side_is_enough};

@@ -125,8 +125,10 @@ class Snapping {
     return bends;
   }
 
+  /// Charts around a path that is near the feature need to reach beyond the windows of fits and of contrasts.
   double aligned_radius() const {
-    return std::min(options_.radius, std::max(options_.radius / 2, 6 * scale_));
+    constexpr double scales = 4;
+    return std::min(options_.radius, scales * scale_);
   }
 
   double chosen_scale() const {
@@ -149,7 +151,8 @@ class Snapping {
     const std::vector<PathColumn> fine = refined(path, grid);
     const double step = grid.t(grid.margin + 1) * static_cast<double>(path.size() - !stroke_.closed) /
                         static_cast<double>(fine.size() - !stroke_.closed);
-    const ChartLookup lookup(surface_, chart);
+    const Chart near_path = part_near(chart, fine, grid, step);
+    const ChartLookup lookup(surface_, near_path);
     std::vector<std::optional<SnappedPoint>> points(fine.size());
     for (std::size_t i = 0; i < fine.size(); ++i) {
       const double t = static_cast<double>(i) * step;
@@ -157,10 +160,41 @@ class Snapping {
       std::optional<SurfacePoint> at = sampled.point_at(grid.x(t), fine[i].row);
       if (!at)
         if (const auto found = lookup.find(t, grid.d(fine[i].row))) at = found->at;
-      if (at) points[i] = SnappedPoint{stroke_t_at(current_, period(), t), *at};
+      if (at) points[i] = SnappedPoint{stroke_t_of(i, fine.size(), t), *at};
       if (at && is_held(*points[i])) points[i].reset();
     }
     make_current(fine, points, step);
+  }
+
+  /// The arc length on the stroke that belongs to one of `count` points of a path at t. Those at the ends of
+  /// open strokes are exact, so that nothing of the stroke is left beyond them.
+  double stroke_t_of(std::size_t point, std::size_t count, double t) const {
+    if (!stroke_.closed && point == 0) return 0;
+    if (!stroke_.closed && point + 1 == count) return stroke_.length();
+    return stroke_t_at(current_, period(), t);
+  }
+
+  /// The nodes within two edges of a path with points `step` apart. Looking it up in them takes a fraction of
+  /// the time that it would take in the whole chart.
+  Chart part_near(const Chart& chart, const std::vector<PathColumn>& path, const ChartGrid& grid,
+                  double step) const {
+    constexpr double edges = 2;
+    const double reach = edges * edge_ + grid.step_d;
+    const double last = static_cast<double>(path.size() - 1);
+    Chart part;
+    part.length = chart.length;
+    part.closed = chart.closed;
+    std::vector<std::size_t> nodes;
+    for (std::size_t node = 0; node < chart.size(); ++node) {
+      const double at = std::clamp(std::round(chart.t[node] / step), 0., last);
+      const double d = grid.d(path[static_cast<std::size_t>(at)].row);
+      if (std::abs(static_cast<double>(chart.d[node]) - d) <= reach) nodes.push_back(node);
+    }
+    part.resize(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      part.set(i, chart.vertex[nodes[i]], chart.sheet[nodes[i]], chart.frame(nodes[i]),
+               chart.normal[nodes[i]]);
+    return part;
   }
 
   /// The path with points at most half an edge apart: a Catmull-Rom spline through its columns.
