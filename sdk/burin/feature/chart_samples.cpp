@@ -7,16 +7,22 @@
 namespace burin {
 namespace {
 
-/// A third of the area of the triangles around a vertex; 1 on a point set, whose points all count the same.
-float vertex_area(const Surface& surface, Index vertex) {
-  if (surface.is_point_set()) return 1;
+/// Sets area and mean normal of a vertex; those of points are alike.
+void set_area(ChartSample& sample, const Surface& surface, Index vertex) {
+  sample.area = 1;
+  sample.mean_normal = sample.normal = surface.normals[vertex];
+  if (surface.is_point_set()) return;
+  Vec3f sum = Vec3f::Zero();
   float doubled = 0;
   for (const Index triangle : surface.incident[vertex]) {
     const auto& [a, b, c] = surface.triangles[triangle];
     const Vec3f& at = surface.positions[a];
-    doubled += (surface.positions[b] - at).cross(surface.positions[c] - at).norm();
+    const Vec3f cross = (surface.positions[b] - at).cross(surface.positions[c] - at);
+    sum += cross;
+    doubled += cross.norm();
   }
-  return doubled / 6;
+  sample.area = doubled / 6;
+  if (doubled > 0) sample.mean_normal = sum / doubled;
 }
 
 /// Calls visit(column) for the columns of a node at `x`, which has several on closed strokes.
@@ -46,10 +52,11 @@ ChartSamples::ChartSamples(const Surface& surface, const Chart& chart, const Cha
   for (std::size_t node = 0; node < chart.size(); ++node) {
     const Index vertex = chart.vertex[node];
     ChartSample sample{.y = static_cast<float>(grid.y(static_cast<double>(chart.d[node]))),
-                       .area = vertex_area(surface, vertex),
                        .vertex = vertex,
                        .position = surface.positions[vertex] - origin_,
-                       .normal = surface.normals[vertex]};
+                       .mean_normal = Vec3f::Zero(),
+                       .normal = Vec3f::Zero()};
+    set_area(sample, surface, vertex);
     for_each_place(grid, grid.x(chart.t[node]), [&](double x, std::size_t column) {
       sample.x = static_cast<float>(x);
       samples_[next[column]++] = sample;

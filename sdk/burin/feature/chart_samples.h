@@ -11,10 +11,13 @@ namespace burin {
 /// A node of a chart in an image.
 struct ChartSample {
   float x = 0, y = 0;  ///< place in the image, pixels
-  float area = 0;      ///< of its vertex, object units^2
+  float area = 0;      ///< a third of that of the triangles around its vertex, object units^2
   Index vertex = no_index;
   Vec3f position;  ///< object units, from ChartSamples::origin()
-  Vec3f normal;    ///< of the surface, unit
+  /// Mean of the normals of these triangles by their areas. Smoothed, it is the slope of the smoothed
+  /// surface, as it would not be if vertex normals were used, whose errors do not cancel out.
+  Vec3f mean_normal;
+  Vec3f normal;  ///< of the vertex, unit
 };
 
 /// The nodes of a chart by columns of an image. Built in O(n) for n nodes.

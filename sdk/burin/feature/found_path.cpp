@@ -40,7 +40,7 @@ class PathFinder {
     for (std::size_t i = 0; i < path.size(); ++i) path[i].row = smooth[i];
     const SignificanceWindow window{.beside = 1.75 * search_.smoothing.rows,
                                     .along = search_.window,
-                                    .apart = static_cast<int>(std::ceil(3 * search_.smoothing.columns)),
+                                    .apart = static_cast<int>(std::lround(2 * search_.smoothing.columns)),
                                     .one_side_is_enough = search_.one_side_is_enough};
     const std::vector<double> all =
         significance(sampled_.level(), sampled_.contrast(), smooth, columns_.first, window);

@@ -58,12 +58,12 @@ LevelImage level_image(const SmoothedImage& image, const Value& value) {
 
 }  // namespace
 
-std::vector<float> geometry_of(const ChartSamples& samples) {
+std::vector<float> geometry_of(const ChartSamples& samples, Vec3f ChartSample::*normal) {
   std::vector<float> values;
   values.reserve(geometry_channels * samples.all().size());
   for (const ChartSample& sample : samples.all()) {
     values.insert(values.end(), sample.position.begin(), sample.position.end());
-    values.insert(values.end(), sample.normal.begin(), sample.normal.end());
+    values.insert(values.end(), (sample.*normal).begin(), (sample.*normal).end());
   }
   return values;
 }

@@ -18,8 +18,8 @@ struct LevelImage {
 /// Channels of an image of the surface's geometry: smoothed positions, then smoothed normals.
 inline constexpr std::size_t geometry_channels = 6;
 
-/// The geometry of samples, to be smoothed.
-std::vector<float> geometry_of(const ChartSamples& samples);
+/// The geometry of samples, to be smoothed, with one of their normals.
+std::vector<float> geometry_of(const ChartSamples& samples, Vec3f ChartSample::*normal);
 
 /// The greatest principal curvature of the smoothed surface, 1 / length, convex positive; with `sign` -1 the
 /// greatest of the opposite surface, which is that of valleys. It is the greatest eigenvalue of the

@@ -14,8 +14,14 @@ bool has_values(FeatureKind kind) { return kind == FeatureKind::high || kind == 
 bool is_negative(FeatureKind kind) { return kind == FeatureKind::valley || kind == FeatureKind::low; }
 
 SmoothedImage smoothed(const ChartSamples& samples, const Feature& feature, const Smoothing& smoothing) {
-  if (!has_values(feature.kind))
-    return smoothed_image(samples, geometry_of(samples), geometry_channels, smoothing);
+  if (!has_values(feature.kind)) {
+    // Curvature is a slope of normals, which have to be those of the surface itself. The zero of n . v is
+    // nearer to that of a smooth surface with the normals of vertices.
+    const bool is_slope = feature.kind != FeatureKind::silhouette;
+    return smoothed_image(samples,
+                          geometry_of(samples, is_slope ? &ChartSample::mean_normal : &ChartSample::normal),
+                          geometry_channels, smoothing);
+  }
   std::vector<float> values;
   for (const ChartSample& sample : samples.all()) values.push_back(feature.values[sample.vertex]);
   return smoothed_image(samples, values, 1, smoothing);

@@ -22,9 +22,9 @@ struct SignificanceWindow {
 };
 
 /// The contrast of a path in units of the level's noise, per column of [first, first + path.size()), averaged
-/// along the path; `path` has its rows. The noise is estimated from second differences along t (Immerkaer
-/// 1996), by their median, which the few pixels of a feature do not change; a feature that runs along the
-/// stroke does not count as noise anyway. 0 where the level is not known.
+/// along the path; `path` has its rows. The noise is estimated from third differences along t (after
+/// Immerkaer 1996), by their median, which the few pixels of a feature do not change; a feature that runs
+/// along the stroke does not count as noise anyway. 0 where the level is not known.
 std::vector<double> significance(const LevelImage& level, Contrast contrast, std::span<const double> path,
                                  int first, const SignificanceWindow& window);
 
