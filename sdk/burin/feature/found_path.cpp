@@ -31,31 +31,30 @@ class PathFinder {
   std::vector<PathColumn> find() {
     const std::vector<int> rows = best_path(score_, columns_.first, columns_.count, {});
     std::vector<PathColumn> path(rows.size());
-    std::vector<WeightedValue> wanted = fitted(rows);
+    const std::vector<WeightedValue> found = fitted(rows);
+    std::vector<WeightedValue> wanted = found;
     normalize(wanted);
     const std::vector<bool> placed = near_fits(wanted);
     hold_between(wanted, rows);
     const double cube = search_.stiff * search_.stiff * search_.stiff, stiffness = cube * cube;
     const std::vector<double> smooth = smooth_offsets(wanted, search_.bends, stiffness);
     for (std::size_t i = 0; i < path.size(); ++i) path[i].row = smooth[i];
-    const SignificanceWindow window{.beside = 1.75 * search_.smoothing.rows,
-                                    .along = search_.window,
-                                    .apart = static_cast<int>(std::lround(2 * search_.smoothing.columns)),
-                                    .one_side_is_enough = search_.one_side_is_enough};
-    const std::vector<double> all =
-        significance(sampled_.level(), sampled_.contrast(), smooth, columns_.first, window);
+    const std::vector<double> all = means_along(significances(smooth, found), search_.window);
     for (std::size_t i = 0; i < path.size(); ++i) path[i].significance = placed[i] ? all[i] : 0;
     return path;
   }
 
  private:
+  /// Columns from one that is placed to the next.
+  std::size_t fit_stride() const {
+    if (sampled_.kind() == FeatureKind::border) return 1;
+    return std::max<std::size_t>(1, static_cast<std::size_t>(search_.smoothing.rows));
+  }
+
   /// Places every few columns by a fit, those of borders all.
   std::vector<WeightedValue> fitted(const std::vector<int>& rows) const {
     constexpr double rounding = 0.02;  // rows; fits are not more precise than that
-    const bool of_border = sampled_.contrast() == Contrast::absolute;
-    const auto stride = of_border
-                            ? std::size_t{1}
-                            : std::max<std::size_t>(1, static_cast<std::size_t>(search_.smoothing.rows));
+    const std::size_t stride = fit_stride();
     std::vector<WeightedValue> wanted(rows.size());
     for (std::size_t i = 0; i < rows.size(); i += stride) {
       const auto refined = sampled_.refine(columns_.first + static_cast<int>(i), rows[i]);
@@ -63,6 +62,35 @@ class PathFinder {
       wanted[i] = {rows[i] + refined->offset, 1 / (refined->variance + rounding * rounding)};
     }
     return wanted;
+  }
+
+  /// The significance of each column by itself.
+  std::vector<double> significances(std::span<const double> path,
+                                    const std::vector<WeightedValue>& found) const {
+    if (sampled_.kind() == FeatureKind::silhouette) return exactness(found);
+    if (sampled_.kind() == FeatureKind::border) {
+      constexpr double of_whole_border = 6;
+      std::vector<double> result = levels_on(sampled_.level(), path, columns_.first);
+      for (double& value : result) value *= of_whole_border;
+      return result;
+    }
+    const ContrastWindow window{.beside = 1.75 * search_.smoothing.rows,
+                                .apart = static_cast<int>(std::lround(2 * search_.smoothing.columns)),
+                                .one_side_is_enough = search_.one_side_is_enough};
+    return crest_contrasts(sampled_.level(), path, columns_.first, window);
+  }
+
+  /// The scale over the standard error of the place, of the nearest column before that was placed.
+  std::vector<double> exactness(const std::vector<WeightedValue>& found) const {
+    constexpr double most = 50;  // so that a few exact places do not stand for others
+    std::vector<double> result;
+    double last = 0;
+    const std::size_t stride = fit_stride();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (i % stride == 0) last = std::min(search_.smoothing.rows * std::sqrt(found[i].weight), most);
+      result.push_back(last);
+    }
+    return result;
   }
 
   /// Whether there is a placed column within three deviations of each.

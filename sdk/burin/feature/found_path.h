@@ -8,8 +8,10 @@ namespace burin {
 
 /// What the path of a feature is in one column of an image.
 struct PathColumn {
-  double row = 0;           ///< pixels
-  double significance = 0;  ///< see significance()
+  double row = 0;  ///< pixels
+  /// Of crests, their contrast in units of the noise; of silhouettes, the scale over the standard error of
+  /// their place; of borders, six times the share of them that is there. Averaged along the path.
+  double significance = 0;
 };
 
 /// Columns of an image.
@@ -21,7 +23,7 @@ struct ColumnRange {
 struct PathSearch {
   Smoothing smoothing;              ///< of the image, pixels
   double window = 10;               ///< columns to either side over which significance is averaged
-  bool one_side_is_enough = false;  ///< see SignificanceWindow
+  bool one_side_is_enough = false;  ///< see ContrastWindow
   double stiff = 1;                 ///< waves of the path shorter than 2 pi times this are flattened, columns
   /// Second differences of the stroke's positions at the columns, to the left, rows; see smooth_offsets().
   std::span<const double> bends;

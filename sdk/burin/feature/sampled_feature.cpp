@@ -60,11 +60,6 @@ LevelImage SampledFeature::score() const {
   return crest_score(level_);
 }
 
-Contrast SampledFeature::contrast() const {
-  if (feature_.kind == FeatureKind::border) return Contrast::absolute;
-  return feature_.kind == FeatureKind::silhouette ? Contrast::crossing : Contrast::crest;
-}
-
 std::optional<SampledFeature::ExactRow> SampledFeature::refine(int column, double row) const {
   if (feature_.kind == FeatureKind::border) {
     const auto point = near_border(column, row);

@@ -4,7 +4,6 @@
 #include <burin/feature/feature.h>
 #include <burin/feature/level_image.h>
 #include <burin/feature/local_fit.h>
-#include <burin/feature/significance.h>
 #include <burin/feature/smoothed_image.h>
 
 #include <optional>
@@ -24,7 +23,7 @@ class SampledFeature {
   /// What paths are searched in, see best_path().
   LevelImage score() const;
 
-  Contrast contrast() const;
+  FeatureKind kind() const { return feature_.kind; }
 
   /// A row of a column.
   struct ExactRow {

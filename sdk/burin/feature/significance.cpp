@@ -65,7 +65,7 @@ std::optional<double> side_of(const LevelImage& level, int column, double from, 
   return values.size() < fewest ? std::nullopt : median(values);
 }
 
-double crest_contrast(const LevelImage& level, int column, double row, const SignificanceWindow& window) {
+double crest_contrast(const LevelImage& level, int column, double row, const ContrastWindow& window) {
   const double top = level_at(level, column, row);
   auto right = side_of(level, column, 0, row - window.beside + 1);
   auto left = side_of(level, column, row + window.beside, level.grid.rows);
@@ -77,40 +77,36 @@ double crest_contrast(const LevelImage& level, int column, double row, const Sig
   return std::max(0., top - std::max(*right, *left));
 }
 
-double crossing_contrast(const LevelImage& level, int column, double row, double beside) {
-  const double right = level_at(level, column, row - beside), left = level_at(level, column, row + beside);
-  return right * left < 0 ? std::min(std::abs(right), std::abs(left)) : 0;
-}
-
-double contrast_at(const LevelImage& level, Contrast contrast, int column, double row,
-                   const SignificanceWindow& window) {
-  switch (contrast) {
-    case Contrast::crest:
-      return crest_contrast(level, column, row, window);
-    case Contrast::crossing:
-      return crossing_contrast(level, column, row, window.beside);
-    default:
-      return level_at(level, column, row);
-  }
-}
-
 }  // namespace
 
-std::vector<double> significance(const LevelImage& level, Contrast contrast, std::span<const double> path,
-                                 int first, const SignificanceWindow& window) {
-  constexpr double noise_of_absolute = 1. / 6;
-  const double noise = contrast == Contrast::absolute ? noise_of_absolute : noise_of(level, window.apart);
-  std::vector<double> sums = {0};  // [i] sum of the contrasts before i
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const int column = first + static_cast<int>(i);
-    sums.push_back(sums.back() + contrast_at(level, contrast, column, path[i], window));
-  }
+std::vector<double> crest_contrasts(const LevelImage& level, std::span<const double> path, int first,
+                                    const ContrastWindow& window) {
+  const double noise = noise_of(level, window.apart);
   std::vector<double> result(path.size());
-  const auto along = static_cast<std::size_t>(std::lround(window.along));
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const std::size_t begin = i - std::min(i, along), end = std::min(i + along + 1, path.size());
-    const double mean = (sums[end] - sums[begin]) / static_cast<double>(end - begin);
-    result[i] = mean > 0 && noise > 0 ? mean / noise : 0;
+    const double contrast = crest_contrast(level, first + static_cast<int>(i), path[i], window);
+    result[i] = contrast > 0 && noise > 0 ? contrast / noise : 0;
+  }
+  return result;
+}
+
+std::vector<double> levels_on(const LevelImage& level, std::span<const double> path, int first) {
+  std::vector<double> result(path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const double value = level_at(level, first + static_cast<int>(i), path[i]);
+    result[i] = std::isnan(value) ? 0 : value;
+  }
+  return result;
+}
+
+std::vector<double> means_along(std::span<const double> values, double places) {
+  std::vector<double> sums = {0};  // [i] sum of the values before i
+  for (const double value : values) sums.push_back(sums.back() + value);
+  std::vector<double> result(values.size());
+  const auto along = static_cast<std::size_t>(std::lround(places));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t begin = i - std::min(i, along), end = std::min(i + along + 1, values.size());
+    result[i] = (sums[end] - sums[begin]) / static_cast<double>(end - begin);
   }
   return result;
 }

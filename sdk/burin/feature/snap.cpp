@@ -99,7 +99,8 @@ class Snapping {
     const SampledFeature sampled(surface_, chart, samples, feature_, smoothing);
     const ColumnRange all =
         stroke_.closed ? ColumnRange{0, grid.columns} : ColumnRange{grid.margin, grid.inner_columns()};
-    const double window = options_.radius / 2 / grid.step_t,
+    constexpr double window_in_radii = 0.75;
+    const double window = window_in_radii * options_.radius / grid.step_t,
                  stiff = (is_aligned ? 1 : 0.5) * scale_ / grid.step_t;
     std::vector<double> bends(static_cast<std::size_t>(all.count));
     if (is_aligned) bends = bends_of(grid, all);

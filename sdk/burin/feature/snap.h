@@ -18,7 +18,7 @@ struct SnapOptions {
   /// radius for ridges, valleys and values, but at least default_edges edges; that many for others.
   double scale = 0;
   int iterations = 2;       ///< charts: the first around the stroke, each other one around the result before
-  double significance = 5;  ///< least contrast that counts, in units of the noise; see significance()
+  double significance = 4;  ///< least contrast that counts, in units of the noise; see significance()
   bool fixed_ends = false;  ///< the ends of the stroke stay where they are
 };
 
