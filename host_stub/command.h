@@ -15,6 +15,7 @@ void add_export(CLI::App& app);
 void add_new(CLI::App& app);
 void add_try(CLI::App& app);
 void add_strokes(CLI::App& app);
+void add_snap(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_bench_brush(CLI::App& app);
 void add_validate(CLI::App& app);

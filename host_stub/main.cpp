@@ -61,6 +61,7 @@ int main(int argc, char** argv) {
   burin::command::add_import(app);
   burin::command::add_export(app);
   burin::command::add_strokes(app);
+  burin::command::add_snap(app);
   burin::command::add_bench(app);
   burin::command::add_bench_brush(app);
   burin::command::add_validate(app);

@@ -49,23 +49,6 @@ const RecordedStroke& chosen_stroke(const ChartCommandOptions& options, const Re
                   fmt::format("has no stroke {}: it holds {}", options.stroke, recording.strokes.size()));
 }
 
-/// What the stroke is drawn with, but for the brush.
-ReplaySettings chosen_settings(const ChartCommandOptions& options, const RecordedStroke& stroke) {
-  ReplaySettings settings = stroke.settings.complete();
-  options.settings.apply_to(settings);
-  if (settings.radius > 0) return settings;
-  throw FileError(options.strokes,
-                  fmt::format("stroke {} has no radius: give one with --radius", options.stroke));
-}
-
-/// The options to trace the stroke with, as replay() does.
-TraceOptions trace_options(const ReplaySettings& settings, const PenFields& fields, std::size_t number) {
-  const DrivenStroke driven{fields, settings.radius, number};
-  return {.radius = settings.radius,
-          .closure = settings.closure,
-          .width = StrokeWidth(settings.pressure_width, settings.dynamics, driven)};
-}
-
 /// The longest piece of the stroke, since a chart has only one arc length t.
 SurfaceCurve chosen_curve(const ChartCommandOptions& options, const std::vector<SurfaceCurve>& pieces,
                           Closure closure) {
@@ -185,7 +168,8 @@ void run(const ChartCommandOptions& options) {
   turn(recording, turn_of_strokes(options.axes, options.mesh.path));
   repair_times(recording);
   const RecordedStroke& stroke = chosen_stroke(options, recording);
-  const ReplaySettings settings = chosen_settings(options, stroke);
+  const ReplaySettings settings =
+      settings_to_trace(options.strokes, stroke, options.stroke - 1, options.settings);
   const TraceOptions trace = trace_options(settings, stroke.fields, options.stroke - 1);
   const double radius = settings.radius;
   const LoadedSurface loaded = load_mesh_or_points_on_console(options.mesh);

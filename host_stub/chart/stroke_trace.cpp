@@ -2,6 +2,9 @@
 // leaves the surface or jumps over a gap.
 #include "chart/stroke_trace.h"
 
+#include <burin/base/error.h>
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace burin {
@@ -15,6 +18,21 @@ std::optional<CurveGround::Point> place(const CurveGround& ground, const Recordi
 }
 
 }  // namespace
+
+ReplaySettings settings_to_trace(const std::string& path, const RecordedStroke& stroke, std::size_t number,
+                                 const GivenSettings& given) {
+  ReplaySettings settings = stroke.settings.complete();
+  given.apply_to(settings);
+  if (settings.radius > 0) return settings;
+  throw FileError(path, fmt::format("stroke {} has no radius: give one with --radius", number + 1));
+}
+
+TraceOptions trace_options(const ReplaySettings& settings, const PenFields& fields, std::size_t number) {
+  const DrivenStroke driven{fields, settings.radius, number};
+  return {.radius = settings.radius,
+          .closure = settings.closure,
+          .width = StrokeWidth(settings.pressure_width, settings.dynamics, driven)};
+}
 
 std::vector<SurfaceCurve> trace_stroke(const CurveGround& ground, const Recording& recording,
                                        const RecordedStroke& stroke, const TraceOptions& options) {

@@ -23,6 +23,11 @@ void fill(const CommandFolder& folder) {
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "property float mask\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
       "0 0 0 1\n1 0 0 2\n0 1 0 1\n3 0 1 2\n");
+  folder.write(
+      "values.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float height\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 1\n1 0 0 nan\n0 1 0 1\n3 0 1 2\n");
   folder.write("mesh.xyz", "0 0 0\n");
   folder.write("points.ply", ply_text(sphere_points(3, 1)));
   folder.write(
@@ -113,6 +118,35 @@ std::vector<std::string> chart(const std::string& stroke, const std::vector<std:
   std::vector<std::string> arguments = {"chart", stroke, "--mesh", "@sphere.obj"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   return arguments;
+}
+
+std::vector<std::string> snap(const std::string& stroke, const std::string& mesh, const std::string& feature,
+                              const std::vector<std::string>& options = {}) {
+  std::vector<std::string> arguments = {"snap",      stroke,  "--mesh", mesh,
+                                        "--feature", feature, "--out",  "@out.stroke"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return arguments;
+}
+
+std::vector<BadInput> snaps() {
+  return {{"snap_off_the_surface", snap("@off.stroke", "@sphere.obj", "ridge"),
+           "@off.stroke: stroke 1 does not meet the surface"},
+          {"snap_of_points", snap("@good.stroke", "@points.ply", "ridge"), "@points.ply: holds points"},
+          {"snap_to_a_missing_value", snap("@good.stroke", "@values.ply", "scalar:heat"),
+           "@values.ply: its vertices have no value 'heat', only 'x', 'y', 'z', 'height'"},
+          {"snap_to_a_value_that_is_no_number", snap("@good.stroke", "@values.ply", "scalar:height"),
+           "@values.ply: vertex 2: is not finite"},
+          {"snap_to_a_value_of_obj", snap("@good.stroke", "@sphere.obj", "scalar:heat"),
+           "@sphere.obj: only PLY files"},
+          {"snap_to_a_value_of_a_cage",
+           snap("@good.stroke", "@values.ply", "scalar:height", {"--subdivide", "1"}), "--feature"},
+          {"snap_to_no_feature", snap("@good.stroke", "@sphere.obj", "crest"), "'crest'"},
+          {"snap_without_radius", snap("@no_radius.stroke", "@sphere.obj", "ridge"), "@no_radius.stroke"},
+          {"snap_without_view", snap("@good.stroke", "@sphere.obj", "silhouette"), "@good.stroke"},
+          {"snap_scale_of_zero", snap("@good.stroke", "@sphere.obj", "ridge", {"--scale", "0"}), "--scale"},
+          {"snap_without_folder",
+           {"snap", "@good.stroke", "--mesh", "@sphere.obj", "--feature", "ridge", "--out", "@none/a.stroke"},
+           "@none/a.stroke"}};
 }
 
 std::vector<BadInput> meshes() {
@@ -272,6 +306,7 @@ std::vector<BadInput> point_sets() {
 std::string test_name(const ::testing::TestParamInfo<BadInput>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, BadInputs, ::testing::ValuesIn(meshes()), test_name);
+INSTANTIATE_TEST_SUITE_P(Snaps, BadInputs, ::testing::ValuesIn(snaps()), test_name);
 INSTANTIATE_TEST_SUITE_P(Strokes, BadInputs, ::testing::ValuesIn(strokes()), test_name);
 INSTANTIATE_TEST_SUITE_P(Settings, BadInputs, ::testing::ValuesIn(settings()), test_name);
 INSTANTIATE_TEST_SUITE_P(Outputs, BadInputs, ::testing::ValuesIn(outputs()), test_name);
@@ -279,7 +314,7 @@ INSTANTIATE_TEST_SUITE_P(PointSets, BadInputs, ::testing::ValuesIn(point_sets())
 INSTANTIATE_TEST_SUITE_P(OtherCommands, BadInputs, ::testing::ValuesIn(other_commands()), test_name);
 
 TEST(Help, ExplainsEveryCommand) {
-  for (const char* command : {"replay", "chart", "render", "list", "import"}) {
+  for (const char* command : {"replay", "chart", "render", "list", "import", "snap"}) {
     EXPECT_NE(burin_output({"--help"}).find(command), std::string::npos);
     EXPECT_NE(burin_output({command, "--help"}).find("--json"), std::string::npos);
   }

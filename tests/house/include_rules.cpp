@@ -43,7 +43,7 @@ const std::map<std::string, Names> may_include = {
     {"c", {"services"}},
     {"brushes", {"abi", "math", "plugin"}},
     {"host_probe", {"abi"}},
-    {"host_stub", {"services", "level_set", "subdiv", "ink"}},
+    {"host_stub", {"services", "level_set", "subdiv", "ink", "feature"}},
 };
 
 /// Third-party headers, by how they begin, and the folders that may see them.

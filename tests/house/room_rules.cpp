@@ -62,6 +62,7 @@ const std::map<std::string, Names> room_may_include = {
     {"host_stub/recordings", {"host_stub/input"}},
     {"host_stub/report", {"host_stub/system"}},
     {"host_stub/chart", {"host_stub/input"}},
+    {"host_stub/snap", {"host_stub/chart", "host_stub/recordings"}},
     {"host_stub/watch", {"host_stub/pictures", "host_stub/report"}},
     {"host_stub/fuzz", {"host_stub/input", "host_stub/report", "host_stub/validate/probe"}},
     {"host_stub/replay", {"host_stub/fuzz", "host_stub/watch"}},

@@ -1,0 +1,31 @@
+#pragma once
+#include <burin/base/vector.h>
+
+#include <span>
+
+namespace burin {
+
+/// What a stroke is snapped to.
+enum class FeatureKind {
+  ridge,       ///< where the greatest principal curvature is greatest across the stroke; convex is positive
+  valley,      ///< where the least principal curvature is least
+  silhouette,  ///< where the surface turns away from the viewer: normal . direction of sight = 0
+  border,      ///< the surface's open border
+  high,        ///< where a value of the vertices is greatest across the stroke
+  low,         ///< where it is least
+};
+
+/// Where a surface is seen from.
+struct Viewpoint {
+  bool is_eye = false;         ///< perspective: `at` is the eye's position; else the direction of sight
+  Vec3d at = Vec3d(0, 0, -1);  ///< object units; a direction has any length but 0
+};
+
+/// A kind of line on a surface.
+struct Feature {
+  FeatureKind kind = FeatureKind::ridge;
+  Viewpoint view = {};                 ///< of silhouettes
+  std::span<const float> values = {};  ///< [vertex of the surface], of high and low; must outlive the object
+};
+
+}  // namespace burin

@@ -1,0 +1,154 @@
+// The functions of all kinds of features.
+#include <burin/feature/best_path.h>
+#include <burin/feature/sampled_feature.h>
+#include <burin/surface/geometry/unit_tangent.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+bool has_values(FeatureKind kind) { return kind == FeatureKind::high || kind == FeatureKind::low; }
+
+bool is_negative(FeatureKind kind) { return kind == FeatureKind::valley || kind == FeatureKind::low; }
+
+SmoothedImage smoothed(const ChartSamples& samples, const Feature& feature, const Smoothing& smoothing) {
+  if (!has_values(feature.kind)) {
+    // Curvature is a slope of normals, which have to be those of the surface itself. The zero of n . v is
+    // nearer to that of a smooth surface with the normals of vertices.
+    const bool is_slope = feature.kind != FeatureKind::silhouette;
+    return smoothed_image(samples,
+                          geometry_of(samples, is_slope ? &ChartSample::mean_normal : &ChartSample::normal),
+                          geometry_channels, smoothing);
+  }
+  std::vector<float> values;
+  for (const ChartSample& sample : samples.all()) values.push_back(feature.values[sample.vertex]);
+  return smoothed_image(samples, values, 1, smoothing);
+}
+
+}  // namespace
+
+SampledFeature::SampledFeature(const Surface& surface, const Chart& chart, const ChartSamples& samples,
+                               const Feature& feature, const Smoothing& smoothing)
+    : surface_(surface), samples_(samples), feature_(feature), smoothing_(smoothing) {
+  if (feature.kind == FeatureKind::border)
+    edges_ = border_edges(surface, chart, samples.grid());
+  else
+    smoothed_ = smoothed(samples, feature, smoothing);
+  level_ = make_level();
+}
+
+LevelImage SampledFeature::make_level() {
+  const float sign = is_negative(feature_.kind) ? -1 : 1;
+  switch (feature_.kind) {
+    case FeatureKind::border:
+      return border_image(edges_, samples_.grid(), smoothing_.rows);
+    case FeatureKind::silhouette:
+      return facing_image(smoothed_, samples_.origin(), feature_.view);
+    case FeatureKind::high:
+    case FeatureKind::low:
+      return channel_image(smoothed_, sign);
+    default:
+      return curvature_image(smoothed_, sign);
+  }
+}
+
+LevelImage SampledFeature::score() const {
+  constexpr double deviations = 3;
+  if (feature_.kind == FeatureKind::silhouette) return crossing_score(level_, deviations * smoothing_.rows);
+  return crest_score(level_);
+}
+
+std::optional<SampledFeature::ExactRow> SampledFeature::refine(int column, double row) const {
+  if (feature_.kind == FeatureKind::border) {
+    const auto point = near_border(column, row);
+    return point ? std::optional(ExactRow{point->row - row, 0}) : std::nullopt;
+  }
+  // The second fit is centred on what the first one found, so that its window is symmetric.
+  constexpr int fits = 2;
+  std::optional<ExactRow> found;
+  double at = row;
+  for (int i = 0; i < fits; ++i) {
+    found = fit(column, at);
+    if (!found) return std::nullopt;
+    at += found->offset;
+  }
+  return ExactRow{at - row, found->variance};
+}
+
+std::optional<SurfacePoint> SampledFeature::point_at(double column, double row) const {
+  if (feature_.kind != FeatureKind::border) return std::nullopt;
+  const auto point = near_border(column, row);
+  return point ? std::optional(point->at) : std::nullopt;
+}
+
+std::optional<BorderPoint> SampledFeature::near_border(double column, double row) const {
+  constexpr double deviations = 3;
+  auto point = border_at(surface_, edges_, column, row);
+  if (point && std::abs(point->row - row) > deviations * smoothing_.rows) point.reset();
+  return point;
+}
+
+/// Fits the function around a row of a column and finds its landmark: the zero of n . v, the crest of a
+/// value, or that of the curvature of the profile (y, z) across the stroke as functions of d. There the
+/// slope of the curvature, y' z_ddd - z' y_ddd, is 0, whatever the axes of y and z.
+std::optional<SampledFeature::ExactRow> SampledFeature::fit(int column, double row) const {
+  const ChartGrid& grid = samples_.grid();
+  const int nearest = std::clamp(static_cast<int>(std::lround(row)), 1, grid.rows - 2);
+  if (!smoothed_.known[grid.pixel(column, nearest)]) return std::nullopt;
+  constexpr double deviations = 3;  // of the bump's window, which has the variance of the image's Gaussian
+  constexpr double share_along = 2. / 3;  // shorter along the stroke, so that the fit follows bends
+  const double reach = deviations * smoothing_.rows;
+  const FitWindow window{{column, row}, {share_along * reach * grid.step_d / grid.step_t, reach}};
+  const bool is_profile = feature_.kind == FeatureKind::ridge || feature_.kind == FeatureKind::valley;
+  const auto fit = is_profile ? fit_profile(window) : fit_values(window);
+  if (!fit) return std::nullopt;
+  const auto slope_of_curvature = [&](double v) {
+    const Vec2d p1 = fit->derivative(1, v), p2 = fit->derivative(2, v), p3 = fit->derivative(3, v),
+                p4 = fit->derivative(4, v);
+    return Vec2d(p1[0] * p3[1] - p1[1] * p3[0],
+                 p2[0] * p3[1] + p1[0] * p4[1] - p2[1] * p3[0] - p1[1] * p4[0]);
+  };
+  const int order = is_profile ? 3 : has_values(feature_.kind) ? 1 : 0;
+  const auto function = [&](double v) {
+    if (is_profile) return slope_of_curvature(v);
+    return Vec2d(fit->derivative(order, v)[1], fit->derivative(order + 1, v)[1]);
+  };
+  constexpr double farthest = 0.6;
+  const auto v = root_near_0(function, farthest);
+  if (!v) return std::nullopt;
+  const double slope = function(*v)[1];
+  // Heights have their fourth derivative positive on ridges, values their second one negative on crests.
+  const bool is_rising = is_negative(feature_.kind) != is_profile;
+  const int sign = feature_.kind == FeatureKind::silhouette ? 0 : is_rising ? 1 : -1;
+  if (slope == 0 || sign * slope < 0) return std::nullopt;
+  const double gain = is_profile ? fit->derivative(1, *v)[0] : 1;
+  return ExactRow{*v * reach, gain * gain * fit->variance(order) / (slope * slope) * reach * reach};
+}
+
+std::optional<LocalFit> SampledFeature::fit_values(const FitWindow& window) const {
+  return LocalFit::make(samples_, window, [&](const ChartSample& sample) {
+    if (has_values(feature_.kind)) return Vec2d(0, static_cast<double>(feature_.values[sample.vertex]));
+    const Vec3f direction = to_viewer(feature_.view, sample.position + samples_.origin());
+    return Vec2d(0, static_cast<double>(sample.normal.dot(direction)));
+  });
+}
+
+/// The profile of the surface across the stroke, along the direction of d and along the normal; object units.
+std::optional<LocalFit> SampledFeature::fit_profile(const FitWindow& window) const {
+  const int column = static_cast<int>(window.middle.x());
+  const int row = std::clamp(static_cast<int>(std::lround(window.middle.y())), 1, samples_.grid().rows - 2);
+  const auto vector_at = [&](std::size_t channel, int at_row) {
+    return Vec3f(smoothed_.at(channel, column, at_row), smoothed_.at(channel + 1, column, at_row),
+                 smoothed_.at(channel + 2, column, at_row));
+  };
+  const Vec3f middle = vector_at(0, row), normal = vector_at(3, row).normalized();
+  const Vec3f across = unit_tangent(vector_at(0, row + 1) - vector_at(0, row - 1), normal);
+  return LocalFit::make(samples_, window, [&](const ChartSample& sample) {
+    const Vec3f from = sample.position - middle;
+    return Vec2d(static_cast<double>(from.dot(across)), static_cast<double>(from.dot(normal)));
+  });
+}
+
+}  // namespace burin
