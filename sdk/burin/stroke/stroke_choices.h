@@ -16,10 +16,10 @@ enum class Cap {
 /// How coordinates are defined where the stroke bends sharper than its radius.
 enum class Join {
   round,    ///< by geodesic distance alone: around the outside of the bend t hardly changes, inside it jumps
-  smooth,   ///< t is spread evenly along the lines of constant d through the bend, inside and outside
+  smooth,   ///< t is spread evenly along the lines of constant d through the bend, inside as far as |grad t|
+            ///< stays below about 2
   miter,    ///< the legs' straight coordinates continue until they meet; below 120 degrees, else round
-  overlap,  ///< each leg ends at the bend with the stroke's cap, and the legs have separate sheets there; a
-            ///< bend that is longer than half a radius is a leg too
+  overlap,  ///< legs and bends have separate sheets of all vertices that lie beside them, out to the radius
 };
 
 /// How the sheets of a vertex are combined where a stroke overlaps itself. A vertex has a sheet for each

@@ -51,7 +51,7 @@ struct StrokeSettings {
   double radius = 0;    ///< object units, > 0
   double strength = 1;  ///< factor on the brush's displacement
   Cap cap = Cap::round;
-  Join join = Join::round;         ///< smooth, miter and overlap chart the stroke afresh with every sample
+  Join join = Join::round;
   std::optional<Overlap> overlap;  ///< what holds where the stroke overlaps itself; none: as the brush says
   Accumulate accumulate = Accumulate::from_base;  ///< from_current: sheets add up, whatever `overlap` says
   /// 0..1: how much of the surface's relief the stroke feels. 1: every bump. Less: what is wider than about a
