@@ -14,7 +14,7 @@
 namespace burin {
 namespace {
 
-/// Runs at the end of the process: reports a plugin that called exit().
+/// Runs at the end of the process: reports a plugin that called exit() or quick_exit().
 void report_exit_in_plugin() {
   const RunningPlugin plugin = PluginCall::running();
   if (!plugin.name) return;
@@ -33,6 +33,7 @@ void load_guarded(const Load& load) {
   keep_plugins_off_standard_output();
   name_plugins_that_crash();
   std::atexit(report_exit_in_plugin);
+  std::at_quick_exit(report_exit_in_plugin);
   load();
   // It is registered again because the last registered function runs first: before the destruction of
   // anything that brushes on other threads still use.

@@ -1,12 +1,11 @@
-// Looks at a module's file ten times a second. A changed file is whole when the last table that its ELF
-// header names lies within it.
+// Looks at a module's file ten times a second. A changed file is whole when it holds what its ELF header
+// names.
 #include "watch/module_watch.h"
 
 #include <burin/base/stopwatch.h>
+#include <burin/host/plugin/module_file.h>
 
-#include <array>
 #include <chrono>
-#include <cstring>
 #include <fstream>
 #include <thread>
 
@@ -18,25 +17,12 @@ namespace {
 constexpr auto between_looks = std::chrono::milliseconds(100);
 constexpr double patience = 5;  ///< seconds without a change, after which half a library is taken as it is
 
-/// The part of an ELF file's header that tells where its last table ends; see elf(5).
-struct ElfHeader {
-  std::array<char, 40> before;
-  std::uint64_t sections;  ///< where the table of sections begins, bytes
-  std::array<char, 10> between;
-  std::uint16_t section_bytes, section_count, names;
-};
-static_assert(sizeof(ElfHeader) == 64);
-
 /// Whether a file ends where its header says, if it is a library of this kind of system.
-bool is_whole(const fs::path& module, std::uintmax_t size) {
+bool is_whole(const fs::path& module) {
   std::ifstream file(module, std::ios::binary);
-  ElfHeader header{};
-  file.read(reinterpret_cast<char*>(&header), sizeof header);
-  const bool nothing_yet = !file || header.before[0] == 0;
-  if (nothing_yet) return false;
-  if (std::memcmp(header.before.data(), "\177ELF", 4) != 0) return true;
-  const std::uint64_t tables = std::uint64_t{header.section_bytes} * header.section_count;
-  return header.sections <= size && tables <= size - header.sections;
+  const int first = file.get();
+  const bool nothing_yet = first == std::ifstream::traits_type::eof() || first == 0;
+  return !nothing_yet && !is_cut_off(module);
 }
 
 }  // namespace
@@ -58,7 +44,7 @@ void ModuleWatch::wait() {
     const bool changed = now && now != seen_, still = now == last;
     last = now;
     if (!changed || !still) continue;
-    if (!is_whole(module_, now->size) && since_change.elapsed() < patience) continue;
+    if (!is_whole(module_) && since_change.elapsed() < patience) continue;
     seen_ = now;
     return;
   }

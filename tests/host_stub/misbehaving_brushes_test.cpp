@@ -42,6 +42,21 @@ TEST_F(MisbehavingBrushes, LeaveTheOtherBrushesAlone) {
   EXPECT_EQ(own_lines(result.err), std::vector<std::string>{});
 }
 
+TEST_F(MisbehavingBrushes, AreWarnedOfWhenTheirFilesAreCutOff) {
+  const std::string whole =
+      read_file(std::filesystem::path(BURIN_COMMAND).parent_path() / "brushes/bead.burin");
+  std::filesystem::create_directory(folder_.path("plugins"));
+  for (const std::size_t bytes : {std::size_t{40}, std::size_t{4096}, whole.size() / 2, whole.size() - 1}) {
+    folder_.write("plugins/bad.burin", whole.substr(0, bytes));
+    const ProcessResult result =
+        run_process({BURIN_COMMAND, "list"}, {"BURIN_PLUGIN_PATH=" + folder_.path("plugins")});
+    EXPECT_EQ(result.exit_code, 0) << bytes;
+    EXPECT_EQ(result.err, "burin: warning: " + folder_.path("plugins/bad.burin") +
+                              ": is cut off: it ends before what its header names\n");
+    EXPECT_NE(result.out.find("org.burin.groove"), std::string::npos);
+  }
+}
+
 TEST_F(MisbehavingBrushes, AreNamedWhenTheyAreAskedFor) {
   const ProcessResult result = replay("org.burin.test.wrong-major");
   EXPECT_EQ(result.exit_code, 2);

@@ -102,6 +102,20 @@ TEST(Picker, HitsWhatBruteForceHits) {
   EXPECT_GT(misses, 50);
 }
 
+// Rays through corners and edges of a grid along its axes: the components of -0 must not move them aside.
+TEST(Picker, HitsFlatGridsAtTheirCornersAndEdges) {
+  const Surface surface = make_surface(
+      test::patch({.u_min = -1, .u_max = 1, .v_min = -1, .v_max = 1, .cells_u = 100, .cells_v = 100},
+                  [](double u, double v) { return Vec3d(u, v, 0); }));
+  const Picker picker(surface);
+  for (const float zero : {0.F, -0.F})
+    for (const Vec3f& corner : surface.positions) {
+      if (corner.cwiseAbs().maxCoeff() > 0.99F) continue;
+      EXPECT_TRUE(picker.pick({corner + Vec3f(0, 0, 1), {zero, zero, -1}})) << corner.transpose();
+      EXPECT_TRUE(picker.pick({corner + Vec3f(0.005F, 0, 1), {zero, zero, -1}})) << corner.transpose();
+    }
+}
+
 TEST(Picker, HitsFromBothSides) {
   const Surface surface = make_surface({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   const Picker picker(surface);

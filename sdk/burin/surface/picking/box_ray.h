@@ -21,7 +21,8 @@ class BoxRay {
         std::max({origin.lpNorm<Eigen::Infinity>(), whole.min().cast<double>().lpNorm<Eigen::Infinity>(),
                   whole.max().cast<double>().lpNorm<Eigen::Infinity>()});
     for (int axis = 0; axis < 3; ++axis) {
-      const double along = ray.direction[axis], slack = std::copysign(1e-12 * extent, along);
+      // A component of -0 counts as 0.
+      const double along = ray.direction[axis], slack = along < 0 ? -1e-12 * extent : 1e-12 * extent;
       // A direction at right angles to the axis has a huge number, since infinity times 0 would be NaN.
       inverse_[axis] = along != 0 ? 1 / along : std::numeric_limits<double>::max();
       origin_in_[axis] = origin[axis] + slack;

@@ -1,0 +1,11 @@
+#pragma once
+#include <filesystem>
+
+namespace burin {
+
+/// Whether a file begins as an ELF library of 64 bits and ends before what its header names: its segments,
+/// which the loader of the system would map and read beyond the end of the file, or its table of sections,
+/// which is written last. False for files that cannot be read, and for those that are no such library.
+bool is_cut_off(const std::filesystem::path& module);
+
+}  // namespace burin
