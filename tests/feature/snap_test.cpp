@@ -85,6 +85,25 @@ TEST(Snap, FindsValleysToATenthOfAnEdge) {
   expect_within(errors_of(result, known.distance), 0.1, 0.5, "valley");
 }
 
+TEST(Snap, FindsSharpEdgesToATenthOfAnEdge) {
+  // Slopes on both sides of an arc of radius 60, which is an edge of 2 arctan(slope).
+  constexpr double bend = 60;
+  for (const double slope : {0.2, 1., 2.}) {
+    const auto at = [&](double u, double v) {
+      const double angle = u / bend;
+      return Vec3d((bend - v) * std::sin(angle), bend - (bend - v) * std::cos(angle), -slope * std::abs(v));
+    };
+    SnapScene scene(shuffled(patch({-40, 40, -20, 20, 80, 40, false, 0.3, 0, 3}, at), 4));
+    std::vector<Vec3d> pen;
+    for (int i = 0; i <= 60; ++i) pen.push_back(at(i - 30, 3 + std::sin(i / 6.)));
+    const SnapResult result = scene.snap(pen, {FeatureKind::ridge}, {.radius = 10});
+    const auto distance = [&](const Vec3d& x) {
+      return std::abs(bend - std::hypot(x.x(), x.y() - bend)) * std::sqrt(1 + slope * slope);
+    };
+    expect_within(errors_of(result, distance), 0.1, 0.5, "slope " + std::to_string(slope));
+  }
+}
+
 /// The ellipsoid (x / a)^2 + (y / b)^2 + (z / c)^2 = 1.
 struct Ellipsoid {
   Vec3d axes{1, 0.7, 0.5};

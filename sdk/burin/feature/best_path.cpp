@@ -11,7 +11,6 @@
 namespace burin {
 namespace {
 
-constexpr int steepest = 2;  // rows per column
 constexpr double score_of_unknown = -0.25;
 
 /// The known values of a column.

@@ -57,7 +57,7 @@ class PathFinder {
     const std::size_t stride = fit_stride();
     std::vector<WeightedValue> wanted(rows.size());
     for (std::size_t i = 0; i < rows.size(); i += stride) {
-      const auto refined = sampled_.refine(columns_.first + static_cast<int>(i), rows[i]);
+      const auto refined = sampled_.refine(columns_.first + static_cast<int>(i), rows[i], search_.fits);
       if (!refined) continue;
       wanted[i] = {rows[i] + refined->offset, 1 / (refined->variance + rounding * rounding)};
     }

@@ -23,6 +23,7 @@ struct ColumnRange {
 struct PathSearch {
   Smoothing smoothing;              ///< of the image, pixels
   double window = 10;               ///< columns to either side over which significance is averaged
+  int fits = 2;                     ///< of each place; the second is centred on the first one's result
   bool one_side_is_enough = false;  ///< see ContrastWindow
   double stiff = 1;                 ///< waves of the path shorter than 2 pi times this are flattened, columns
   /// Second differences of the stroke's positions at the columns, to the left, rows; see smooth_offsets().

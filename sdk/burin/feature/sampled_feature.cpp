@@ -60,13 +60,11 @@ LevelImage SampledFeature::score() const {
   return crest_score(level_);
 }
 
-std::optional<SampledFeature::ExactRow> SampledFeature::refine(int column, double row) const {
+std::optional<SampledFeature::ExactRow> SampledFeature::refine(int column, double row, int fits) const {
   if (feature_.kind == FeatureKind::border) {
     const auto point = near_border(column, row);
     return point ? std::optional(ExactRow{point->row - row, 0}) : std::nullopt;
   }
-  // The second fit is centred on what the first one found, so that its window is symmetric.
-  constexpr int fits = 2;
   std::optional<ExactRow> found;
   double at = row;
   for (int i = 0; i < fits; ++i) {

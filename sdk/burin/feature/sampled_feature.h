@@ -30,8 +30,9 @@ class SampledFeature {
     double offset = 0;    ///< from the row that it is near, pixels
     double variance = 0;  ///< pixels^2
   };
-  /// The feature's exact row near a row of a column, if the nodes around it determine it.
-  std::optional<ExactRow> refine(int column, double row) const;
+  /// The feature's exact row near a row of a column, if the nodes around it determine it. Each of `fits` fits
+  /// is centred on what the one before found, so that its window gets symmetric.
+  std::optional<ExactRow> refine(int column, double row, int fits) const;
 
   /// The point of the surface that belongs to a place (column, row) of the feature, if the feature knows it
   /// better than the chart does: that of a border.

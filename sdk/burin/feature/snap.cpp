@@ -1,9 +1,9 @@
 // Snaps strokes to features, see the header. One iteration goes from the current curve to its chart, the
 // image of the feature over it, the path in the image, and back to the surface.
 #include <burin/base/error.h>
-#include <burin/chart/chart_lookup.h>
 #include <burin/feature/chart_samples.h>
 #include <burin/feature/found_path.h>
+#include <burin/feature/path_on_surface.h>
 #include <burin/feature/sampled_feature.h>
 #include <burin/feature/snap.h>
 #include <burin/feature/snapped_curve.h>
@@ -99,12 +99,18 @@ class Snapping {
     const SampledFeature sampled(surface_, chart, samples, feature_, smoothing);
     const ColumnRange all =
         stroke_.closed ? ColumnRange{0, grid.columns} : ColumnRange{grid.margin, grid.inner_columns()};
+    // The spline must not flatten the swings of a stroke that weaves.
+    const double stiff = (is_aligned ? 1 : 0.5) * scale_;
     constexpr double window_in_radii = 0.75;
-    const double window = window_in_radii * options_.radius / grid.step_t,
-                 stiff = (is_aligned ? 1 : 0.5) * scale_ / grid.step_t;
     std::vector<double> bends(static_cast<std::size_t>(all.count));
     if (is_aligned) bends = bends_of(grid, all);
-    std::vector<PathColumn> path = find_path(sampled, all, {smoothing, window, !is_last, stiff, bends});
+    std::vector<PathColumn> path = find_path(sampled, all,
+                                             {.smoothing = smoothing,
+                                              .window = window_in_radii * options_.radius / grid.step_t,
+                                              .fits = is_aligned ? 2 : 1,
+                                              .one_side_is_enough = !is_last,
+                                              .stiff = stiff / grid.step_t,
+                                              .bends = bends});
     if (stroke_.closed) path = {path.begin() + grid.margin, path.end() - grid.margin};
     move_to(path, sampled, chart);
     note(sampled.level(), path);
@@ -148,23 +154,16 @@ class Snapping {
 
   /// Moves the current curve to the significant parts of a path.
   void move_to(const std::vector<PathColumn>& path, const SampledFeature& sampled, const Chart& chart) {
-    const ChartGrid& grid = sampled.level().grid;
-    const std::vector<PathColumn> fine = refined(path, grid);
-    const double step = grid.t(grid.margin + 1) * static_cast<double>(path.size() - !stroke_.closed) /
-                        static_cast<double>(fine.size() - !stroke_.closed);
-    const Chart near_path = part_near(chart, fine, grid, step);
-    const ChartLookup lookup(surface_, near_path);
-    std::vector<std::optional<SnappedPoint>> points(fine.size());
-    for (std::size_t i = 0; i < fine.size(); ++i) {
-      const double t = static_cast<double>(i) * step;
-      if (fine[i].significance < least_significance_) continue;
-      std::optional<SurfacePoint> at = sampled.point_at(grid.x(t), fine[i].row);
-      if (!at)
-        if (const auto found = lookup.find(t, grid.d(fine[i].row))) at = found->at;
-      if (at) points[i] = SnappedPoint{stroke_t_of(i, fine.size(), t), *at};
-      if (at && is_held(*points[i])) points[i].reset();
+    const FinePath fine = finer_path(path, sampled.level().grid, edge_ / 2);
+    const auto places = on_surface(surface_, chart, sampled, fine, edge_);
+    std::vector<std::optional<SnappedPoint>> points(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!places[i] || fine.points[i].significance < least_significance_) continue;
+      const double t = static_cast<double>(i) * fine.step;
+      const SnappedPoint point{stroke_t_of(i, places.size(), t), *places[i]};
+      if (!is_held(point)) points[i] = point;
     }
-    make_current(fine, points, step);
+    make_current(fine.points, points, fine.step);
   }
 
   /// The arc length on the stroke that belongs to one of `count` points of a path at t. Those at the ends of
@@ -173,55 +172,6 @@ class Snapping {
     if (!stroke_.closed && point == 0) return 0;
     if (!stroke_.closed && point + 1 == count) return stroke_.length();
     return stroke_t_at(current_, period(), t);
-  }
-
-  /// The nodes within two edges of a path with points `step` apart. Looking it up in them takes a fraction of
-  /// the time that it would take in the whole chart.
-  Chart part_near(const Chart& chart, const std::vector<PathColumn>& path, const ChartGrid& grid,
-                  double step) const {
-    constexpr double edges = 2;
-    const double reach = edges * edge_ + grid.step_d;
-    const double last = static_cast<double>(path.size() - 1);
-    Chart part;
-    part.length = chart.length;
-    part.closed = chart.closed;
-    std::vector<std::size_t> nodes;
-    for (std::size_t node = 0; node < chart.size(); ++node) {
-      const double at = std::clamp(std::round(chart.t[node] / step), 0., last);
-      const double d = grid.d(path[static_cast<std::size_t>(at)].row);
-      if (std::abs(static_cast<double>(chart.d[node]) - d) <= reach) nodes.push_back(node);
-    }
-    part.resize(nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      part.set(i, chart.vertex[nodes[i]], chart.sheet[nodes[i]], chart.frame(nodes[i]),
-               chart.normal[nodes[i]]);
-    return part;
-  }
-
-  /// The path with points at most half an edge apart: a Catmull-Rom spline through its columns.
-  std::vector<PathColumn> refined(const std::vector<PathColumn>& path, const ChartGrid& grid) const {
-    const int parts = edge_ > 0 ? std::max(1, static_cast<int>(std::ceil(2 * grid.step_t / edge_))) : 1;
-    const auto count = static_cast<std::ptrdiff_t>(path.size());
-    const auto row = [&](std::ptrdiff_t i) {
-      const std::ptrdiff_t at =
-          stroke_.closed ? (i + count) % count : std::clamp<std::ptrdiff_t>(i, 0, count - 1);
-      return path[static_cast<std::size_t>(at)].row;
-    };
-    std::vector<PathColumn> fine;
-    const std::ptrdiff_t segments = stroke_.closed ? count : count - 1;
-    for (std::ptrdiff_t i = 0; i < segments; ++i) {
-      for (int part = 0; part < parts; ++part) {
-        const double s = static_cast<double>(part) / parts;
-        const double before = (row(i + 1) - row(i - 1)) / 2, after = (row(i + 2) - row(i)) / 2;
-        const double rise = row(i + 1) - row(i);
-        const double at =
-            row(i) + s * (before + s * (3 * rise - 2 * before - after + s * (before + after - 2 * rise)));
-        const auto nearest = static_cast<std::size_t>(2 * part < parts ? i : (i + 1) % count);
-        fine.push_back({at, path[nearest].significance});
-      }
-    }
-    if (!stroke_.closed) fine.push_back(path.back());
-    return fine;
   }
 
   /// Whether a point is so near to an end that must stay where it is that the stroke cannot reach it.
