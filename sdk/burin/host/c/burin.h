@@ -61,6 +61,7 @@ typedef struct burin_library burin_library;
  * several at once. `line` is valid during the call. */
 typedef void(BURIN_CALL* burin_log_function)(void* user, burin_log_severity severity, const char* line);
 
+/* How a library is made. */
 typedef struct burin_library_options {
   uint32_t struct_size;
   uint32_t reserved;
@@ -158,6 +159,7 @@ BURIN_API burin_status BURIN_CALL burin_session_create(burin_library* library, c
 /* Frees the session, which may be null. */
 BURIN_API void BURIN_CALL burin_session_destroy(burin_session* session);
 
+/* What a session holds. */
 typedef struct burin_session_info {
   uint32_t struct_size;
   uint32_t stroke_open; /* 1: a stroke is open */
@@ -219,7 +221,7 @@ typedef struct burin_sample {
   uint32_t reserved;
 } burin_sample;
 
-/* What became of a sample. */
+/* Whether a sample was drawn. */
 typedef int32_t burin_outcome;
 enum {
   BURIN_OUTCOME_UNKNOWN = 0,
@@ -228,6 +230,7 @@ enum {
                                    begins another piece of the stroke */
 };
 
+/* What became of the samples of a call. */
 typedef struct burin_event {
   uint32_t struct_size;
   burin_outcome outcome; /* of the last sample */
