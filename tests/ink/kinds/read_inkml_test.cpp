@@ -82,6 +82,12 @@ TEST(ReadInkml, PartsStrokesWhereTheTipIsUp) {
   EXPECT_EQ(file.hovering, 2u);
 }
 
+TEST(ReadInkml, ReadsHexadecimalNumbers) {
+  const PenFileFolder folder;
+  EXPECT_EQ(places(folder.read(ink("<trace>#1f 2,'#A'#0a</trace>")).strokes.at(0)), "31 2, 41 12");
+  EXPECT_EQ(folder.complaint(ink("<trace>#g 2</trace>")), "3: expected a number, found '#g 2'");
+}
+
 TEST(ReadInkml, JoinsContinuations) {
   const PenFile file = PenFileFolder().read(ink(R"(<trace xml:id="a" continuation="begin">1 2, 3 4</trace>
     <trace xml:id="o">0 0</trace><trace xml:id="b" continuation="middle" priorRef="#a">5 6</trace>

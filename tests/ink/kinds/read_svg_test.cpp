@@ -14,7 +14,7 @@ std::string svg(const std::string& content) {
 TEST(ReadSvg, FollowsLines) {
   const PenFile file = PenFileFolder().read(svg(R"svg(<svg:g transform="translate(10,20) scale(2)">
     <path transform="rotate(90)" d="M1-2.5l1.5.5 2,3 H7v-1z m1 1 2 2M9 9"/></svg:g>
-    <polyline points="0,0 1,2 3 4"/><defs><path d="M0 0L5 5"/></defs>)svg"));
+    <path d="none"/><polyline points="0,0 1,2 3 4"/><defs><path d="M0 0L5 5"/></defs>)svg"));
   ASSERT_EQ(file.strokes.size(), 3u) << "a move alone is none";
   EXPECT_EQ(file.strokes[0].samples.size(), 6u);
   EXPECT_EQ(places(file.strokes[0]), "15 22, 14 25, 8 29, 8 34, 10 34, 15 22");

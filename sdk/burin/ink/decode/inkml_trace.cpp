@@ -1,13 +1,31 @@
 // Decodes InkML traces. A value may follow another without a blank where its sign or prefix parts them. The
 // prefixes "!" (absolute), "'" (difference) and '"' (difference of differences) hold for the channel until
-// the next one; "*" goes on as before, "?" is unknown.
+// the next one; "*" goes on as before, "?" is unknown, "#" begins a hexadecimal number.
 #include <burin/base/error.h>
 #include <burin/base/quoted_word.h>
 #include <burin/ink/decode/inkml_trace.h>
 #include <burin/ink/parse/scan.h>
 #include <fmt/format.h>
 
+#include <charconv>
+#include <system_error>
+
 namespace burin {
+namespace {
+
+/// Removes a whole number behind a '#' from the front of a text. Returns false, and leaves the text, if there
+/// is none.
+bool take_hexadecimal(std::string_view& text, double& number) {
+  if (!text.starts_with('#')) return false;
+  unsigned value = 0;
+  const auto [stop, error] = std::from_chars(text.data() + 1, text.data() + text.size(), value, 16);
+  if (error != std::errc()) return false;
+  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+  number = value;
+  return true;
+}
+
+}  // namespace
 
 InkmlTrace::InkmlTrace(std::string_view text, std::size_t channels, std::size_t regular)
     : text_(text), channels_(channels), regular_(regular) {}
@@ -49,7 +67,7 @@ std::optional<double> InkmlTrace::take_value(Channel& channel) {
   skip_blanks(text_);
   const char first = text_.empty() ? '\0' : text_.front();
   double number = 0;
-  if (take_number(text_, number)) return advance(channel, number);
+  if (take_number(text_, number) || take_hexadecimal(text_, number)) return advance(channel, number);
   if (first != '*' && first != '?' && first != 'T' && first != 'F')
     throw Error(fmt::format("expected a number, found {}", quoted_word(text_.substr(0, 20))));
   text_.remove_prefix(1);
