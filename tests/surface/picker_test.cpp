@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "support/shapes.h"
 #include "surface/test_meshes.h"
 
 namespace burin {
