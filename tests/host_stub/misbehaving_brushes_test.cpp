@@ -1,3 +1,4 @@
+#include <burin/base/file.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
