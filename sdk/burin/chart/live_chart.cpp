@@ -47,8 +47,9 @@ void LiveChart::set(Index slot, Index vertex, const ChartFrame& frame, const Vec
   if (slot >= nodes_.size()) reserve(slot + 1);
   computed_.push_back(slot);
   const bool was_contested = std::exchange(contested_[slot], static_cast<std::uint8_t>(contested));
-  const bool same = nodes_.normal[slot] == normal && nodes_.frame(slot) == frame;
-  if (!vacant(slot) && same && was_contested == contested) return;
+  if (!vacant(slot) && was_contested == contested && nodes_.normal[slot] == normal &&
+      nodes_.frame(slot) == frame)
+    return;
   changed_in_[slot] = event_;
   const bool in_place = alone(slot);
   if (!vacant(slot) && !in_place) unlink(slot);

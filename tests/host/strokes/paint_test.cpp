@@ -146,6 +146,20 @@ struct Uploaded {
   std::vector<Vec4f> colours;
 };
 
+// Memory for paint that a dropped stroke left behind is not a part of the result.
+TEST(SessionPaint, LeavesTheHashAsItWasWhenItIsCancelledOrUndone) {
+  Session session = test::plane_session();
+  const std::uint64_t bare = session.result_hash();
+  draw(session, painting(), test::wave());
+  EXPECT_NE(session.result_hash(), bare);
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.result_hash(), bare);
+  session.begin_stroke(painting());
+  add(session, test::wave());
+  session.cancel_stroke();
+  EXPECT_EQ(session.result_hash(), bare);
+}
+
 TEST(SessionPaint, SaysWhatChangedWhenAStrokeIsUndoneCancelledOrFails) {
   Session session = test::plane_session();
   Uploaded uploaded(session);

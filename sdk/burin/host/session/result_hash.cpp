@@ -3,6 +3,7 @@
 #include <burin/base/hash.h>
 #include <burin/host/session.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <ranges>
 #include <vector>
@@ -23,14 +24,24 @@ auto in_source_order(const Values& values, const Surface& surface) {
   return ordered;
 }
 
+/// The values, or none if all of them are that of vertices that are not painted.
+template <class Value>
+std::vector<Value> unless_all(const std::vector<Value>& values, const Value& unpainted) {
+  const bool painted = std::ranges::any_of(values, [&](const Value& value) { return value != unpainted; });
+  return painted ? values : std::vector<Value>();
+}
+
 }  // namespace
 
 std::uint64_t Session::result_hash() const {
   const auto ordered = [this](const auto& values) { return hash_of(in_source_order(values, surface())); };
   std::vector<std::uint64_t> hashes{ordered(positions())};
-  if (!paint().colour.empty() || !paint().mask.empty()) {
-    hashes.push_back(ordered(paint().colour));
-    hashes.push_back(ordered(paint().mask));
+  // Whether arrays are there depends on strokes that were dropped or undone.
+  const std::vector<Vec4f> colour = unless_all(paint().colour, Paint::bare());
+  const std::vector<float> mask = unless_all(paint().mask, 1.F);
+  if (!colour.empty() || !mask.empty()) {
+    hashes.push_back(ordered(colour));
+    hashes.push_back(ordered(mask));
   }
   for (const StrokeSolid& part : parts()) hashes.push_back(hash_of(part.blocks()));
   for (const TriangleMesh& mesh : bent_meshes()) {
