@@ -12,10 +12,10 @@ inline constexpr Index part_of_cut(Index cut) { return 2 * cut + 1; }
 
 /// A node of the chart of one part.
 struct LegNode {
-  Index part;
-  Index slot;        ///< of the node in the front that charted the part
-  ChartFrame frame;  ///< t on the stroke
-  DistanceRay ray;   ///< at the frame
+  Index part = no_index;
+  Index slot = no_index;  ///< of the node in the front that charted the part
+  ChartFrame frame;       ///< t on the stroke
+  DistanceRay ray;        ///< at the frame
 
   // VertexJoin sets these.
   double past = 0;         ///< how far t lies beyond the end of the leg or bend, negative before its begin
