@@ -1,4 +1,4 @@
-// Joins the nodes of one vertex, in O(n^2 + n b) for n nodes and b bends that are not corners.
+// Joins the nodes of one vertex, in O(n^2 + n b) for n nodes and b bends at which the stroke is not cut.
 #include <burin/chart/joins/leg_choice.h>
 #include <burin/chart/joins/vertex_join.h>
 #include <burin/chart/path/closed_length.h>

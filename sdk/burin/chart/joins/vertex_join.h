@@ -13,8 +13,7 @@ namespace burin {
 /// Joins the nodes that the legs of a stroke and the bends between them have at one vertex. Joins choose
 /// between the nodes of legs and change their coordinates. A vertex without a chosen node takes that of a
 /// bend, or else the nearest of its legs. So each vertex within the half width of any part keeps a node. With
-/// Join::overlap all legs keep their nodes, and a bend that is not a corner is a leg, too. Several threads
-/// may use one object.
+/// Join::overlap legs and bends keep all nodes that lie beside them. Several threads may use one object.
 class VertexJoin {
  public:
   /// Legs and curve must outlive the object.
