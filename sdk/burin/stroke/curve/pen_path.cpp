@@ -56,8 +56,9 @@ void PenPath::wait(const PenKnot& anchor, const PenKnot& sample) {
   if (!waiting_.empty() && (trembles_ || distance(before_last(), waiting_.back()) < least_step_))
     waiting_.pop_back();
   const PenKnot& before = waiting_.empty() ? anchor : waiting_.back();
-  waiting_.push_back(sample);
-  waiting_.back().path_length = before.path_length + distance(before, sample);
+  PenKnot next = sample;
+  next.path_length = before.path_length + distance(before, sample);
+  waiting_.push_back(next);
 }
 
 void PenPath::go_on(std::vector<PenKnot>& knots) {
