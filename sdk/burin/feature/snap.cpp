@@ -1,6 +1,8 @@
 // Snaps strokes to features, see the header. One iteration goes from the current curve to its chart, the
 // image of the feature over it, the path in the image, and back to the surface.
 #include <burin/base/error.h>
+#include <burin/chart/path/closed_length.h>
+#include <burin/chart/path/curve_parts.h>
 #include <burin/feature/chart_samples.h>
 #include <burin/feature/found_path.h>
 #include <burin/feature/path_on_surface.h>
@@ -43,13 +45,18 @@ double stroke_t_at(const SnappedCurve& current, double period, double t) {
   const SurfaceCurve& curve = current.curve;
   const double turns = curve.closed ? std::floor(t / curve.length()) : 0;
   const double within = t - turns * curve.length();
-  const auto after = std::ranges::upper_bound(curve.points, within, {}, &CurvePoint::t);
-  const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - curve.points.begin() - 1, 0));
+  const std::size_t from = segment_at(curve, within);
   const std::size_t to = curve.next(from);
   const double begin = curve.points[from].t, length = curve.segment_end(from) - begin;
   const double share = length > 0 ? std::clamp((within - begin) / length, 0., 1.) : 0;
   const double end_t = current.stroke_t[to] + (to < from ? period : 0);
   return current.stroke_t[from] + share * (end_t - current.stroke_t[from]) + turns * period;
+}
+
+SnappedCurve unmoved(const SurfaceCurve& stroke) {
+  SnappedCurve curve{stroke, {}};
+  for (const CurvePoint& point : stroke.points) curve.stroke_t.push_back(point.t);
+  return curve;
 }
 
 /// The work on one stroke.
@@ -63,8 +70,7 @@ class Snapping {
         stroke_(stroke),
         feature_(feature),
         options_(options) {
-    current_.curve = stroke;
-    for (const CurvePoint& point : stroke.points) current_.stroke_t.push_back(point.t);
+    current_ = unmoved(stroke);
   }
 
   SnapResult run() {
@@ -125,7 +131,7 @@ class Snapping {
       const Vec3d middle = stroke_position(curve, t);
       const Vec3d before = stroke_position(curve, t - grid.step_t),
                   after = stroke_position(curve, t + grid.step_t);
-      const PenAt at = pen_at(curve, curve.closed ? t - curve.length() * std::floor(t / curve.length()) : t);
+      const PenAt at = pen_at(curve, curve.closed ? wrapped_t(t, curve.length()) : t);
       const Vec3d left = at.normal.cast<double>().cross(after - before).normalized();
       bends[static_cast<std::size_t>(i)] = (before - 2 * middle + after).dot(left) / grid.step_d;
     }
@@ -189,8 +195,7 @@ class Snapping {
                        });
     collect_runs(path, points, whole);
     if (runs_.empty()) {
-      current_ = {stroke_, {}};
-      for (const CurvePoint& point : stroke_.points) current_.stroke_t.push_back(point.t);
+      current_ = unmoved(stroke_);
     } else {
       constexpr double least_share = 0.1;
       current_ = snapped_curve(surface_, picker_, stroke_, runs_, whole, least_share * step);

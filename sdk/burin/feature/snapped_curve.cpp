@@ -1,5 +1,7 @@
 // Puts the moved parts of a stroke and the rest together. O(n log n) for n points, with one closest point per
 // point of the transitions.
+#include <burin/chart/path/closed_length.h>
+#include <burin/chart/path/curve_parts.h>
 #include <burin/feature/snapped_curve.h>
 #include <burin/stroke/curve/curve_spline.h>
 #include <burin/stroke/curve/surface_curve.h>
@@ -7,7 +9,6 @@
 #include <burin/surface/geometry/unit_tangent.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace burin {
@@ -171,10 +172,8 @@ void measure(SurfaceCurve& curve, const std::vector<Piece>& pieces) {
 }  // namespace
 
 Vec3d stroke_position(const SurfaceCurve& stroke, double t) {
-  if (stroke.closed) t -= stroke.length() * std::floor(t / stroke.length());
-  const auto after = std::ranges::upper_bound(stroke.points, t, {}, &CurvePoint::t);
-  const auto segment =
-      static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - stroke.points.begin() - 1, 0));
+  if (stroke.closed) t = wrapped_t(t, stroke.length());
+  const std::size_t segment = segment_at(stroke, t);
   const double begin = stroke.points[segment].t, length = stroke.segment_end(segment) - begin;
   const double share = length > 0 ? std::clamp((t - begin) / length, 0., 1.) : 0;
   const Vec3d from = stroke.points[segment].at.position.cast<double>();
