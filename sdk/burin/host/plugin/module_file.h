@@ -5,7 +5,8 @@ namespace burin {
 
 /// Whether a file begins as an ELF library of 64 bits and ends before what its header names: its segments,
 /// which the loader of the system would map and read beyond the end of the file, or its table of sections,
-/// which is written last. False for files that cannot be read, and for those that are no such library.
+/// which is written last. False for files that cannot be read, for those that are no such library, and on
+/// other systems than Linux.
 bool is_cut_off(const std::filesystem::path& module);
 
 }  // namespace burin
