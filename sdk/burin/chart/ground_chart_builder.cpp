@@ -52,12 +52,11 @@ void GroundChartBuilder::begin(const ChartOptions& options, double stroke_radius
   legs_.reset();
   joined_.reset();
   live_.clear();
-  in_legs_ = false;
 }
 
 /// A closed stroke that is opened again starts anew.
 void GroundChartBuilder::goes_in_one_piece() {
-  if (in_legs_) begin(options_, stroke_radius_);
+  if (legs_) begin(options_, stroke_radius_);
 }
 
 void GroundChartBuilder::expect_curve(const SurfaceCurve& curve) const {
@@ -110,10 +109,9 @@ const LegCharts& GroundChartBuilder::draw_legs(const SurfaceCurve& curve, std::s
   if (!legs_) {
     ChartOptions of_stroke = options_;
     of_stroke.radius = stroke_radius_;
-    legs_.emplace(ground_).begin(of_stroke, options_.radius);
+    legs_.emplace(ground_, of_stroke, options_.radius);
     unchanged = 0;
   }
-  in_legs_ = true;
   legs_->update(curve, unchanged, front_);
   return *legs_;
 }

@@ -45,8 +45,8 @@ class GroundChartBuilder {
 
   /// The stroke of the last chart in one piece.
   const FrontStroke& stroke() const { return front_.stroke(); }
-  std::uint64_t settled() const { return in_legs_ ? legs_->settled() : front_.settled(); }
-  std::uint64_t pushes() const { return in_legs_ ? legs_->pushes() : front_.pushes(); }
+  std::uint64_t settled() const { return legs_ ? legs_->settled() : front_.settled(); }
+  std::uint64_t pushes() const { return legs_ ? legs_->pushes() : front_.pushes(); }
 
  private:
   void expect_curve(const SurfaceCurve& curve) const;
@@ -58,10 +58,9 @@ class GroundChartBuilder {
   ChartOptions options_;
   double stroke_radius_ = 0;
   Front front_;
-  std::optional<LegCharts> legs_;      ///< set from the first chart of a stroke that is made of legs
+  std::optional<LegCharts> legs_;      ///< set while the stroke is made of legs
   std::optional<LegTransfer> joined_;  ///< joins them on the vertices themselves
   LiveChart live_;
-  bool in_legs_ = false;  ///< the last chart was made of legs
 };
 
 /// The number of parts into which the front of this curve is cut: 1 for small charts, at most one per thread.

@@ -20,7 +20,6 @@ struct StrokeChartBuilder::Stroke {
   }
 
   void begin(const ChartOptions& with);
-  void begin_base();
   BaseSurface* base_for(double radius, double follow);
   void prepare(const SurfaceCurve& curve, std::size_t unchanged);
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged);
@@ -59,16 +58,12 @@ void StrokeChartBuilder::Stroke::begin(const ChartOptions& with) {
   if (of_base_nodes != base->node_count()) of_base.emplace(ChartGround(*base));
   of_base_nodes = base->node_count();
   transferred = {with.radius, with.radius + transfer_margin * base->spacing(), with.cap};
-  begin_base();
-  live.clear();
-  prepared = {Vec3f::Zero(), -1, no_index};
-}
-
-void StrokeChartBuilder::Stroke::begin_base() {
-  ChartOptions of_nodes = options;
+  ChartOptions of_nodes = with;
   of_nodes.radius = transferred->base_radius;
   of_nodes.cap = Cap::round;
-  of_base->begin(of_nodes, options.radius);
+  of_base->begin(of_nodes, with.radius);
+  live.clear();
+  prepared = {Vec3f::Zero(), -1, no_index};
 }
 
 BaseSurface* StrokeChartBuilder::Stroke::base_for(double radius, double follow) {
@@ -112,10 +107,8 @@ const SurfaceCurve& StrokeChartBuilder::Stroke::widened(const SurfaceCurve& curv
 void StrokeChartBuilder::Stroke::follow(const SurfaceCurve& curve) {
   const Index first_slot = static_cast<Index>(live.nodes().size());
   if (of_base->in_one_piece(curve)) {
-    if (transfer) return;
-    if (leg_transfer) begin_base();
     leg_transfer.reset();
-    transfer.emplace(*base, surface, *transferred, first_slot);
+    if (!transfer) transfer.emplace(*base, surface, *transferred, first_slot);
   } else {
     transfer.reset();
     if (!leg_transfer) leg_transfer.emplace(&*base, surface, options.radius, first_slot);

@@ -17,26 +17,19 @@ bool outside_disc(const StrokePath& path, const FrontNode& node, double half_wid
   return distance + path.excess(t, d, node.position) > disc_over_width * std::max(distance, half_width);
 }
 
-}  // namespace
-
-void LegCharts::begin(const ChartOptions& options, double charted_radius) {
-  charted_radius_ = charted_radius;
-  order_ = options.order;
-  stroke_.begin(options, charted_radius);
-  parts_.clear();
-  local_.clear();
-  nodes_.clear();
-  changed_.clear();
-  has_changed_.clear();
-  front_leg_.reset();
+/// The arc length up to which a curve is known to be as before, minus infinity for no arc length.
+double unchanged_below(const SurfaceCurve& curve, std::size_t unchanged) {
+  return unchanged > 0 && !curve.closed ? curve.points[unchanged - 1].t
+                                        : -std::numeric_limits<double>::infinity();
 }
+
+}  // namespace
 
 void LegCharts::update(const SurfaceCurve& curve, std::size_t unchanged, Front& front) {
   for (const Index local : changed_) has_changed_[local] = 0;
   changed_.clear();
   settled_ = pushes_ = 0;
-  const double unchanged_t = unchanged > 0 && !curve.closed ? curve.points[unchanged - 1].t
-                                                            : -std::numeric_limits<double>::infinity();
+  const double unchanged_t = unchanged_below(curve, unchanged);
   same_below_ = stroke_.update(curve, unchanged);
   const auto legs = static_cast<Index>(stroke_.legs().size()),
              cuts = static_cast<Index>(stroke_.cuts().size());
@@ -44,7 +37,7 @@ void LegCharts::update(const SurfaceCurve& curve, std::size_t unchanged, Front& 
   for (Index leg = 0; leg < legs; ++leg) {
     const std::optional<Leg>& before = part(part_of_leg(leg)).leg;
     const Leg& now = stroke_.legs()[leg];
-    if (before != now || now.end >= unchanged_t) chart_leg(curve, leg, unchanged_t, front);
+    if (before != now || now.end >= unchanged_t) chart_leg(curve, leg, unchanged, front);
   }
   for (Index cut = 0; cut < cuts; ++cut) {
     const Leg now = stroke_.bend(cut);
@@ -64,12 +57,13 @@ void LegCharts::drop_parts(std::size_t legs, std::size_t cuts) {
 }
 
 /// Charts a leg. The last leg of a growing stroke goes on with the front of the previous call.
-void LegCharts::chart_leg(const SurfaceCurve& curve, Index leg, double unchanged_t, Front& front) {
+void LegCharts::chart_leg(const SurfaceCurve& curve, Index leg, std::size_t unchanged, Front& front) {
   const Index number = part_of_leg(leg);
   const Leg& now = stroke_.legs()[leg];
   const std::optional<Leg> before = part(number).leg;
   const bool goes_on = front_leg_ == leg && before && !curve.closed && !front.stroke().curve.closed &&
-                       before->begin == now.begin && before->reach == now.reach && now.begin < unchanged_t;
+                       before->begin == now.begin && before->reach == now.reach &&
+                       now.begin < unchanged_below(curve, unchanged);
   if (!goes_on) {
     front.restart(charted_radius_, order_, now.reach);
     clear_part(number);
@@ -78,13 +72,15 @@ void LegCharts::chart_leg(const SurfaceCurve& curve, Index leg, double unchanged
   }
   front_leg_ = leg;
   if (stroke_.cuts().empty()) {
+    const bool was_whole = front_curve_.points.empty();
     front_curve_.points.clear();
-    front.update(curve);
+    front.update(curve, was_whole ? unchanged : 0);
   } else if (front_curve_.points.empty()) {
     front_curve_ = part_of(curve, now.begin, now.end);
     front.update(front_curve_);
   } else {
-    const std::size_t kept = update_part(front_curve_, curve, now.begin, now.end, unchanged_t);
+    const std::size_t kept =
+        update_part(front_curve_, curve, now.begin, now.end, unchanged_below(curve, unchanged));
     front.update(front_curve_, kept);
   }
   follow(front, number, now);

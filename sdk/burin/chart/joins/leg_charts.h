@@ -17,16 +17,18 @@ namespace burin {
 /// have round ends. So every vertex within the half width of the stroke has a node.
 class LegCharts {
  public:
-  /// The ground's surface must outlive the object.
-  explicit LegCharts(const ChartGround& ground) : ground_(ground), local_(ground.vertex_count()) {}
-
-  /// Discards all charts. `options` are those of the stroke; the half width of the charts at width 1,
-  /// `charted_radius`, object units, may be greater than the stroke's.
-  void begin(const ChartOptions& options, double charted_radius);
+  /// The ground's surface must outlive the object. `options` are those of the stroke; the half width of the
+  /// charts at width 1, `charted_radius`, object units, may be greater than the stroke's.
+  LegCharts(const ChartGround& ground, const ChartOptions& options, double charted_radius)
+      : ground_(ground),
+        charted_radius_(charted_radius),
+        order_(options.order),
+        stroke_(options, charted_radius),
+        local_(ground.vertex_count()) {}
 
   /// Charts the legs of this curve, whose first `unchanged` points are those of the last call. `front` does
-  /// the work and must not be used for anything else between begin() and the last call. Only what changed is
-  /// charted again.
+  /// the work and must not be used for anything else between the first and the last call. Only what changed
+  /// is charted again.
   void update(const SurfaceCurve& curve, std::size_t unchanged, Front& front);
 
   const StrokeLegs& stroke() const { return stroke_; }
@@ -57,7 +59,7 @@ class LegCharts {
 
   Part& part(Index number);
   void drop_parts(std::size_t legs, std::size_t cuts);
-  void chart_leg(const SurfaceCurve& curve, Index leg, double unchanged_t, Front& front);
+  void chart_leg(const SurfaceCurve& curve, Index leg, std::size_t unchanged, Front& front);
   void chart_bend(const SurfaceCurve& curve, Index cut);
   void clear_part(Index number);
   void follow(const Front& front, Index number, const Leg& now);
@@ -66,8 +68,8 @@ class LegCharts {
   void note_change(Index local);
 
   ChartGround ground_;
-  double charted_radius_ = 0;
-  int order_ = 2;
+  double charted_radius_;
+  int order_;
   StrokeLegs stroke_;
   std::vector<Part> parts_;  ///< [number of the part]
   VertexNodes local_;
@@ -76,7 +78,7 @@ class LegCharts {
   std::vector<std::uint8_t> has_changed_;  ///< [number of the vertex]
   std::optional<Front> bend_front_;        ///< charts bends; created for the first bend
   std::optional<Index> front_leg_;         ///< the leg whose chart the caller's front holds
-  SurfaceCurve front_curve_;               ///< the part of the curve that is this leg
+  SurfaceCurve front_curve_;               ///< the part of the curve that is this leg; empty: it is whole
   std::vector<Index> at_slot_;  ///< [slot of the caller's front] number of the vertex whose node it holds
   double same_below_ = 0;
   std::uint64_t settled_ = 0, pushes_ = 0;

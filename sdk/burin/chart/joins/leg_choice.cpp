@@ -17,21 +17,23 @@ bool wins(const LegEnd& end, const LegNode& node, double beyond, const LegNode& 
 
 /// Whether two nodes tell of the vertex the same distance from the corner, so that their legs meet there.
 /// Otherwise a leg has come back to the vertex by a bend farther on.
-bool meet_there(const LegNode& a, double a_beyond, const LegNode& b, double b_beyond, double near) {
+bool meet_there(const LegNode& a, double a_beyond, const LegNode& b, double b_beyond, double radius) {
+  constexpr double alike = 0.5;  // radii
   const double from_a = math::hypot(a_beyond, static_cast<double>(a.frame.d));
   const double from_b = math::hypot(b_beyond, static_cast<double>(b.frame.d));
-  return std::abs(from_a - from_b) <= near / 8;
+  return std::abs(from_a - from_b) <= alike * radius;
 }
 
 bool is_kept(const std::optional<LegEnd>& end, const LegNode& node, std::span<const LegNode> of_vertex,
-             double near) {
+             double radius) {
   if (!end) return true;
+  const double near = corner_nearness * radius;
   const double beyond = way_beyond(end->corner, end->first_leg, node.frame.t);
   if (beyond < -near) return true;
   for (const LegNode& other : of_vertex) {
     if (&other == &node || other.part != part_of_leg(end->other_leg)) continue;
     const double other_beyond = way_beyond(end->corner, !end->first_leg, other.frame.t);
-    if (other_beyond >= -near && meet_there(node, beyond, other, other_beyond, near))
+    if (other_beyond >= -near && meet_there(node, beyond, other, other_beyond, radius))
       return wins(*end, node, beyond, other, other_beyond);
   }
   return beyond <= 0 || on_own_side(end->corner, end->first_leg, node.frame);
@@ -39,10 +41,10 @@ bool is_kept(const std::optional<LegEnd>& end, const LegNode& node, std::span<co
 
 }  // namespace
 
-void choose_at_corners(std::span<LegNode> of_vertex, std::span<const LegEnds> ends, double near) {
+void choose_at_corners(std::span<LegNode> of_vertex, std::span<const LegEnds> ends, double radius) {
   for (LegNode& node : of_vertex) {
     const auto& [before, after] = ends[node.leg()];
-    node.dropped = !is_kept(after, node, of_vertex, near) || !is_kept(before, node, of_vertex, near);
+    node.dropped = !is_kept(after, node, of_vertex, radius) || !is_kept(before, node, of_vertex, radius);
   }
 }
 

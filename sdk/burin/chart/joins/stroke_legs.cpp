@@ -35,12 +35,6 @@ double same_below(std::span<const SpreadBend> before, std::span<const SpreadBend
 
 }  // namespace
 
-void StrokeLegs::begin(const ChartOptions& options, double charted_radius) {
-  *this = StrokeLegs();
-  options_ = options;
-  charted_radius_ = charted_radius;
-}
-
 double StrokeLegs::update(const SurfaceCurve& curve, std::size_t unchanged) {
   const bool was_closed = std::exchange(closed_, curve.closed);
   length_ = curve.length();
@@ -117,10 +111,17 @@ double StrokeLegs::span(std::size_t bend) const {
   return span;
 }
 
-double StrokeLegs::reach(const std::optional<LegEnd>& end) const {
-  if (!end) return 0;
-  const double beyond = options_.join == Join::miter    ? miter_reach(end->corner.turn, charted_radius_)
-                        : options_.join == Join::smooth ? smooth_reach(end->corner.turn, charted_radius_)
+std::span<const SpreadBend> StrokeLegs::uncut_around(double t) const {
+  if (closed_) return uncut_;
+  const auto end = [](const SpreadBend& bend) { return bend.bend.middle + bend.span; };
+  const auto at = std::ranges::lower_bound(uncut_, t, {}, end);
+  return at == uncut_.end() ? std::span<const SpreadBend>() : std::span(at, 1);
+}
+
+/// How far a leg continues beyond an end at a corner of this turn, object units.
+double StrokeLegs::reach(double turn) const {
+  const double beyond = options_.join == Join::miter    ? miter_reach(turn, charted_radius_)
+                        : options_.join == Join::smooth ? smooth_reach(turn, charted_radius_)
                                                         : 0;
   return beyond > 0 ? 1.1 * beyond + corner_length * charted_radius_ : 0;
 }
@@ -131,10 +132,8 @@ LegEnds StrokeLegs::ends_of(std::size_t leg) const {
   const std::size_t corners = corners_.size(), legs = corners + (closed_ ? 0 : 1);
   const auto end = [&](std::size_t cut, bool first_leg) {
     const std::size_t other = first_leg ? (leg + 1) % legs : (leg + legs - 1) % legs;
-    std::optional<LegEnd> at{
-        {corners_[cut], static_cast<Index>(cut), first_leg, static_cast<Index>(other), false}};
-    at->continued = reach(at) > 0;
-    return at;
+    return LegEnd{corners_[cut], static_cast<Index>(cut), first_leg, static_cast<Index>(other),
+                  reach(corners_[cut].turn) > 0};
   };
   if (corners == 0) return ends;
   if (closed_ || leg > 0) ends.before = end(closed_ ? leg : leg - 1, false);
@@ -144,7 +143,8 @@ LegEnds StrokeLegs::ends_of(std::size_t leg) const {
 
 void StrokeLegs::add_leg(double begin, double end) {
   const LegEnds ends = ends_of(legs_.size());
-  legs_.push_back({begin, std::max(begin, end), {reach(ends.before), reach(ends.after)}});
+  const auto reach_at = [&](const std::optional<LegEnd>& at) { return at ? reach(at->corner.turn) : 0; };
+  legs_.push_back({begin, std::max(begin, end), {reach_at(ends.before), reach_at(ends.after)}});
   ends_.push_back(ends);
 }
 

@@ -42,9 +42,10 @@ struct SpreadBend {
 /// that are too long to be corners. Strokes with round joins, and strokes without bends, are one leg.
 class StrokeLegs {
  public:
-  /// Forgets the curve. `charted_radius` is the half width of the legs' charts at width 1, object units, at
-  /// least that of the stroke.
-  void begin(const ChartOptions& options, double charted_radius);
+  /// `charted_radius` is the half width of the legs' charts at width 1, object units, at least that of the
+  /// stroke.
+  StrokeLegs(const ChartOptions& options, double charted_radius)
+      : options_(options), charted_radius_(charted_radius) {}
 
   /// Cuts another curve, whose first `unchanged` points are those of the last call. Returns the arc length
   /// below which joins make the same of the same nodes as with the curve before; minus infinity on closed
@@ -63,8 +64,9 @@ class StrokeLegs {
     const double loop = cuts_[cut].bend.begin < 0 ? length_ : 0;
     return {cuts_[cut].bend.begin + loop, cuts_[cut].bend.end + loop, {}};
   }
-  /// The bends at which the stroke is not cut.
-  std::span<const SpreadBend> uncut() const { return uncut_; }
+  /// The bends at which the stroke is not cut and over whose spans t may lie: on an open stroke at most one,
+  /// since spans do not overlap; on a closed one, where t counts modulo the length, all.
+  std::span<const SpreadBend> uncut_around(double t) const;
 
   const StrokeBends& bends() const { return bends_; }
   bool closed() const { return closed_; }
@@ -76,12 +78,13 @@ class StrokeLegs {
   bool is_cut(const Bend& bend) const;
   Corner corner_at(const SurfaceCurve& curve, const SpreadBend& cut, double loop) const;
   double span(std::size_t bend) const;
-  double reach(const std::optional<LegEnd>& end) const;
+  double reach(double turn) const;
   LegEnds ends_of(std::size_t leg) const;
   void add_leg(double begin, double end);
 
   ChartOptions options_;
-  double charted_radius_ = 0, length_ = 0;
+  double charted_radius_;
+  double length_ = 0;
   bool closed_ = false;
   StrokeBends bends_;
   std::vector<SpreadBend> cuts_, uncut_;

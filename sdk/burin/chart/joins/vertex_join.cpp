@@ -43,7 +43,7 @@ void VertexJoin::join(std::vector<LegNode>& nodes, const Vec3f& normal) const {
   const Nodes of_legs(nodes.begin(), first_of_bends), of_bends(first_of_bends, nodes.end());
   const std::optional<LegNode> nearest = nearest_of(of_legs, normal);
   if (options_.join != Join::overlap && !legs_.cuts().empty())
-    choose_at_corners(of_legs, legs_.ends(), corner_nearness * options_.radius);
+    choose_at_corners(of_legs, legs_.ends(), options_.radius);
   if (options_.join == Join::smooth) smooth(of_legs, of_bends, normal);
   for (LegNode& node : nodes) node.dropped = node.dropped || !is_inside(node);
   if (options_.join != Join::overlap) fill_from_bends(of_legs, of_bends, normal);
@@ -51,7 +51,8 @@ void VertexJoin::join(std::vector<LegNode>& nodes, const Vec3f& normal) const {
   if (nodes.empty() && nearest) nodes.push_back(*nearest);
   if (legs_.closed())
     for (LegNode& node : nodes) node.frame.t = wrapped_t(node.frame.t, legs_.length());
-  std::ranges::stable_sort(nodes, {}, [](const LegNode& node) { return node.frame.t; });
+  // Sorting allocates memory, which most vertices do not need.
+  if (nodes.size() > 1) std::ranges::stable_sort(nodes, {}, [](const LegNode& node) { return node.frame.t; });
 }
 
 /// Computes how far a node is from its leg or bend, and how far past an end of it.
@@ -101,7 +102,7 @@ void VertexJoin::smooth(Nodes of_legs, Nodes of_bends, const Vec3f& normal) cons
     const auto& [before, after] = legs_.ends()[node.leg()];
     if (after) smooth_corner(node, *after, of_bends, normal);
     if (before) smooth_corner(node, *before, of_bends, normal);
-    for (const SpreadBend& bend : legs_.uncut()) smooth_bend(node, bend);
+    for (const SpreadBend& bend : legs_.uncut_around(node.frame.t)) smooth_bend(node, bend);
   }
 }
 

@@ -105,22 +105,11 @@ void ChartTransfer::transfer(const Event& event, Index slot, Transferred& transf
   const ChartFrame of_node = event.nodes.nodes().frame(slot);
   const DistanceRay ray = event.on_base.path.ray(of_node.t, static_cast<double>(of_node.d));
   const CoordinatePatch coordinates(patch, of_node, ray);
-  constexpr Index lanes = CoordinatePatch::lanes;
-  CoordinatePatch::Feet feet{CoordinatePatch::Lanes::Zero(), CoordinatePatch::Lanes::Zero()};
-  for (Index begin = range.begin, end = begin + range.size; begin < end; begin += lanes) {
-    const int count = static_cast<int>(std::min(lanes, end - begin));
-    for (int lane = 0; lane < count; ++lane) {
-      feet.x[lane] = foot_[begin + static_cast<Index>(lane)].x;
-      feet.y[lane] = foot_[begin + static_cast<Index>(lane)].y;
-    }
-    const CoordinatePatch::Frames frames = coordinates.at(feet);
-    for (int lane = 0; lane < count; ++lane) {
-      const ChartFrame frame = coordinates.frame(frames, feet, lane);
-      const Index at = begin + static_cast<Index>(lane);
-      range.last_t = std::max(range.last_t, frame.t);
-      write(event, at, frame, patch, transferred);
-    }
-  }
+  const std::span feet(foot_.data() + range.begin, range.size);
+  coordinates.for_each_frame(feet, [&](std::size_t i, const ChartFrame& frame) {
+    range.last_t = std::max(range.last_t, frame.t);
+    write(event, range.begin + static_cast<Index>(i), frame, patch, transferred);
+  });
 }
 
 /// Computes the frames of a contested cluster: each vertex takes that of the rival that places it nearest to

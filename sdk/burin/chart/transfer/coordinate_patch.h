@@ -5,7 +5,9 @@
 #include <burin/surface/base_surface/base_patch.h>
 #include <burin/surface/geometry/unit_tangent.h>
 
-#include <array>
+#include <algorithm>
+#include <cstddef>
+#include <span>
 
 namespace burin {
 
@@ -38,6 +40,10 @@ class CoordinatePatch {
   /// The frame of one lane. Its curvature is left at 0.
   ChartFrame frame(const Frames& frames, const Feet& feet, int lane) const;
 
+  /// Calls visit(i, frame) for each of these points, in order.
+  template <class Visit>
+  void for_each_frame(std::span<const BasePatch::Local<float>> points, const Visit& visit) const;
+
  private:
   struct Quadratic {
     float x, y, xx, xy, yy;  ///< first and second derivatives
@@ -63,6 +69,22 @@ inline ChartFrame CoordinatePatch::frame(const Frames& frames, const Feet& feet,
     frame.e1 =
         unit_tangent(of_node_.e1, patch_.normal_at(BasePatch::Local<float>{feet.x[lane], feet.y[lane]}));
   return frame;
+}
+
+template <class Visit>
+void CoordinatePatch::for_each_frame(std::span<const BasePatch::Local<float>> points,
+                                     const Visit& visit) const {
+  Feet feet{Lanes::Zero(), Lanes::Zero()};
+  for (std::size_t begin = 0; begin < points.size(); begin += lanes) {
+    const auto count = static_cast<int>(std::min<std::size_t>(lanes, points.size() - begin));
+    for (int lane = 0; lane < count; ++lane) {
+      feet.x[lane] = points[begin + static_cast<std::size_t>(lane)].x;
+      feet.y[lane] = points[begin + static_cast<std::size_t>(lane)].y;
+    }
+    const Frames frames = at(feet);
+    for (int lane = 0; lane < count; ++lane)
+      visit(begin + static_cast<std::size_t>(lane), frame(frames, feet, lane));
+  }
 }
 
 }  // namespace burin

@@ -11,25 +11,6 @@ namespace {
 
 constexpr double before_all = -std::numeric_limits<double>::infinity();
 
-/// The frames at points of the patch of a node's base node, extrapolated from the node.
-std::vector<ChartFrame> extrapolated(const BasePatch& patch, const LegNode& node,
-                                     std::span<const BasePatch::Local<float>> points) {
-  const CoordinatePatch coordinates(patch, node.frame, node.ray);
-  CoordinatePatch::Feet feet{CoordinatePatch::Lanes::Zero(), CoordinatePatch::Lanes::Zero()};
-  std::vector<ChartFrame> frames;
-  frames.reserve(points.size());
-  for (std::size_t begin = 0; begin < points.size(); begin += CoordinatePatch::lanes) {
-    const auto count = static_cast<int>(std::min<std::size_t>(CoordinatePatch::lanes, points.size() - begin));
-    for (int lane = 0; lane < count; ++lane) {
-      feet.x[lane] = points[begin + static_cast<std::size_t>(lane)].x;
-      feet.y[lane] = points[begin + static_cast<std::size_t>(lane)].y;
-    }
-    const CoordinatePatch::Frames at_feet = coordinates.at(feet);
-    for (int lane = 0; lane < count; ++lane) frames.push_back(coordinates.frame(at_feet, feet, lane));
-  }
-  return frames;
-}
-
 }  // namespace
 
 void LegTransfer::update(const LegCharts& charts, const SurfaceCurve& curve, const ChartOptions& options,
@@ -102,8 +83,9 @@ std::vector<LegTransfer::OfVertex> LegTransfer::cluster(const LegCharts& charts,
     cluster.push_back({vertex, patch.normal_at(feet.back()), {nodes.begin(), nodes.end()}});
   });
   for (std::size_t sheet = 0; sheet < nodes.size(); ++sheet) {
-    const std::vector<ChartFrame> frames = extrapolated(patch, nodes[sheet], feet);
-    for (std::size_t i = 0; i < cluster.size(); ++i) cluster[i].nodes[sheet].frame = frames[i];
+    const CoordinatePatch coordinates(patch, nodes[sheet].frame, nodes[sheet].ray);
+    coordinates.for_each_frame(
+        feet, [&](std::size_t i, const ChartFrame& frame) { cluster[i].nodes[sheet].frame = frame; });
   }
   return cluster;
 }
