@@ -25,7 +25,7 @@ std::string load_error(const std::string& path) {
 Module::Module(const std::filesystem::path& path, const std::filesystem::path& shown) {
   // The path must be absolute: dlopen() searches a bare name among the system's libraries.
   const std::string file = std::filesystem::absolute(path).string();
-  // Loading such a file ends the process by a bus error.
+  // dlopen() counts on whole files.
   if (is_cut_off(file)) throw FileError(shown.string(), "is cut off: it ends before what its header names");
   handle_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!handle_) throw FileError(shown.string(), load_error(file));
