@@ -3,9 +3,8 @@
 
 namespace burin {
 
-/// Whether a file begins as an ELF library of 64 bits and ends before what its header names: its segments,
-/// which the loader of the system would map and read beyond the end of the file, or its table of sections,
-/// which is written last. False for files that cannot be read, for those that are no such library, and on
+/// Whether a file begins as an ELF library of 64 bits and ends before what its header names, its segments or
+/// its table of sections. False for files that cannot be read, for those that are no such library, and on
 /// other systems than Linux.
 bool is_cut_off(const std::filesystem::path& module);
 
