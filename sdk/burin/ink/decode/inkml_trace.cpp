@@ -7,9 +7,6 @@
 #include <burin/ink/parse/scan.h>
 #include <fmt/format.h>
 
-#include <charconv>
-#include <system_error>
-
 namespace burin {
 namespace {
 
@@ -17,10 +14,10 @@ namespace {
 /// is none.
 bool take_hexadecimal(std::string_view& text, double& number) {
   if (!text.starts_with('#')) return false;
+  std::string_view digits = text.substr(1);
   unsigned value = 0;
-  const auto [stop, error] = std::from_chars(text.data() + 1, text.data() + text.size(), value, 16);
-  if (error != std::errc()) return false;
-  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+  if (!take_whole(digits, value, 16)) return false;
+  text = digits;
   number = value;
   return true;
 }

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <iterator>
-#include <system_error>
 
 namespace burin {
 namespace {
@@ -20,21 +18,16 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-bool take_whole(std::string_view& line, int& value) {
-  skip_blanks(line);
-  const auto [stop, error] = std::from_chars(line.data(), line.data() + line.size(), value);
-  if (error != std::errc()) return false;
-  line.remove_prefix(static_cast<std::size_t>(stop - line.data()));
-  return true;
-}
-
 }  // namespace
 
 std::optional<EvdevEvent> libinput_event(std::string_view line) {
   if (!take_character(line, '-') || !line.starts_with(' ') || !take_character(line, '[')) return std::nullopt;
   std::array<int, 5> numbers{};
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if ((i > 0 && !take_character(line, ',')) || !take_whole(line, numbers[i])) return std::nullopt;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i > 0 && !take_character(line, ',')) return std::nullopt;
+    skip_blanks(line);
+    if (!take_whole(line, numbers[i])) return std::nullopt;
+  }
   const auto [seconds, microseconds, type, code, value] = numbers;
   if (!take_character(line, ']') || seconds < 0 || microseconds < 0 || type < 0 || code < 0)
     return std::nullopt;

@@ -36,6 +36,16 @@ inline bool take_number(std::string_view& text, double& value) {
   return true;
 }
 
+/// Removes a whole number of this base from the front of a text. Returns false, and leaves the text, if there
+/// is none.
+template <class Whole>
+bool take_whole(std::string_view& text, Whole& value, int base = 10) {
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  if (error != std::errc()) return false;
+  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+  return true;
+}
+
 /// Removes the next word, up to a blank, from the front of a text.
 inline std::string_view take_word(std::string_view& text) {
   skip_blanks(text);
@@ -47,8 +57,7 @@ inline std::string_view take_word(std::string_view& text) {
 /// Reads all of a word as a whole number of this base. Returns false if it is none.
 template <class Whole>
 bool read_whole(std::string_view word, Whole& value, int base = 10) {
-  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value, base);
-  return error == std::errc() && stop == word.data() + word.size() && !word.empty();
+  return take_whole(word, value, base) && word.empty();
 }
 
 /// Calls `take` with every line of a text, without its newline, or its carriage return where a text has no
