@@ -194,9 +194,7 @@ void run(const ChartCommandOptions& options) {
       chosen_curve(options, trace_stroke(ground, recording, stroke, trace), trace.closure);
   const Chart chart = builder.chart(curve, how);
   if (!options.png.empty()) {
-    const bool recorded_view = recording.space == StrokeSpace::screen && !options.view.direction;
-    const Camera camera = recorded_view ? fit_into(*recording.camera, options.view.width)
-                                        : stroke_view(loaded.surface, {&curve, 1}, radius, options.view);
+    const Camera camera = recorded_view({&recording, 1}, loaded.surface, {&curve, 1}, radius, options.view);
     write_png(options.png, draw_chart(loaded.surface, picker, curve, chart, radius, camera));
   }
   if (!options.csv.empty()) write_csv(options.csv, loaded, chart);

@@ -27,6 +27,15 @@ Camera frame(const Eigen::AlignedBox3d& box, const Vec3d& direction, const ViewO
                         options.height, options.field_of_view * std::numbers::pi / 180);
 }
 
+/// The camera with a viewport of at most `longest` pixels on its longer side.
+Camera fit_into(Camera camera, int longest) {
+  const double scale = static_cast<double>(longest) / std::max(camera.width, camera.height);
+  if (scale >= 1) return camera;
+  camera.width = std::max(1, static_cast<int>(std::lround(camera.width * scale)));
+  camera.height = std::max(1, static_cast<int>(std::lround(camera.height * scale)));
+  return camera;
+}
+
 }  // namespace
 
 void add_view_options(CLI::App& command, ViewOptions& options) {
@@ -67,12 +76,12 @@ Camera stroke_view(const Surface& surface, std::span<const SurfaceCurve> curves,
                options.direction.value_or(one_sided ? Vec3d(-normals) : front_from_above), options);
 }
 
-Camera fit_into(Camera camera, int longest) {
-  const double scale = static_cast<double>(longest) / std::max(camera.width, camera.height);
-  if (scale >= 1) return camera;
-  camera.width = std::max(1, static_cast<int>(std::lround(camera.width * scale)));
-  camera.height = std::max(1, static_cast<int>(std::lround(camera.height * scale)));
-  return camera;
+Camera recorded_view(std::span<const Recording> recordings, const Surface& surface,
+                     std::span<const SurfaceCurve> curves, double radius, const ViewOptions& options) {
+  const auto on_screen = std::ranges::find(recordings, StrokeSpace::screen, &Recording::space);
+  if (on_screen == recordings.end() || !on_screen->camera || options.direction)
+    return stroke_view(surface, curves, radius, options);
+  return fit_into(*on_screen->camera, options.width);
 }
 
 }  // namespace burin

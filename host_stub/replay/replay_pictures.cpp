@@ -18,13 +18,6 @@ double widest_in(const Chart& chart) {
   return widest;
 }
 
-std::optional<Camera> recorded_camera(const std::vector<Recording>& recordings) {
-  for (const Recording& recording : recordings) {
-    if (recording.space == StrokeSpace::screen) return recording.camera;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 void StrokeExtent::piece_ended(const Session& session) {
@@ -45,9 +38,7 @@ Vec3f StrokeRecorder::colour(const SurfacePoint& point) const {
 
 Camera replay_view(const Surface& surface, const StrokeExtent& extent,
                    const std::vector<Recording>& recordings, const ViewOptions& options) {
-  const std::optional<Camera> recorded = recorded_camera(recordings);
-  if (recorded && !options.direction) return fit_into(*recorded, options.width);
-  return stroke_view(surface, extent.curves(), extent.widest(), options);
+  return recorded_view(recordings, surface, extent.curves(), extent.widest(), options);
 }
 
 ReplayPictures draw_replay(Session& session, const StrokeRecorder& recorder, const Camera& camera,

@@ -193,9 +193,8 @@ void write_picture(const SnapCommandOptions& options, const Recording& recording
                    const Picker& picker, const SnappedRecording& snapped) {
   std::vector<SurfaceCurve> curves;
   for (const SnappedStroke& stroke : snapped.strokes()) curves.push_back(stroke.stroke);
-  const bool recorded_view = recording.space == StrokeSpace::screen && !options.view.direction;
-  const Camera camera = recorded_view ? fit_into(*recording.camera, options.view.width)
-                                      : stroke_view(loaded.surface, curves, snapped.radius(), options.view);
+  const Camera camera =
+      recorded_view({&recording, 1}, loaded.surface, curves, snapped.radius(), options.view);
   constexpr double share_of_radius = 0.1;  // lines on silhouettes are half hidden
   write_png(options.png, snap_picture(loaded.surface, picker, camera, snapped.strokes(),
                                       share_of_radius * snapped.radius()));

@@ -24,11 +24,10 @@ auto in_source_order(const Values& values, const Surface& surface) {
   return ordered;
 }
 
-/// The values, or none if all of them are that of vertices that are not painted.
+/// Whether a vertex has another value than those that are not painted.
 template <class Value>
-std::vector<Value> unless_all(const std::vector<Value>& values, const Value& unpainted) {
-  const bool painted = std::ranges::any_of(values, [&](const Value& value) { return value != unpainted; });
-  return painted ? values : std::vector<Value>();
+bool painted(const std::vector<Value>& values, const Value& bare) {
+  return std::ranges::any_of(values, [&](const Value& value) { return value != bare; });
 }
 
 }  // namespace
@@ -37,11 +36,10 @@ std::uint64_t Session::result_hash() const {
   const auto ordered = [this](const auto& values) { return hash_of(in_source_order(values, surface())); };
   std::vector<std::uint64_t> hashes{ordered(positions())};
   // Whether arrays are there depends on strokes that were dropped or undone.
-  const std::vector<Vec4f> colour = unless_all(paint().colour, Paint::bare());
-  const std::vector<float> mask = unless_all(paint().mask, 1.F);
-  if (!colour.empty() || !mask.empty()) {
-    hashes.push_back(ordered(colour));
-    hashes.push_back(ordered(mask));
+  const bool coloured = painted(paint().colour, Paint::bare()), masked = painted(paint().mask, 1.F);
+  if (coloured || masked) {
+    hashes.push_back(coloured ? ordered(paint().colour) : hash_of(std::vector<Vec4f>()));
+    hashes.push_back(masked ? ordered(paint().mask) : hash_of(std::vector<float>()));
   }
   for (const StrokeSolid& part : parts()) hashes.push_back(hash_of(part.blocks()));
   for (const TriangleMesh& mesh : bent_meshes()) {
