@@ -79,17 +79,23 @@ inline burin_library* c_brushes() {
   return library;
 }
 
-/// The arrays of a mesh of triangles. The mesh must outlive them.
-inline burin_mesh arrays_of(const TriangleMesh& mesh) {
+/// The arrays of faces of one size, whose corners are numbers of 32 bits. They must outlive the result.
+inline burin_mesh arrays_of(const std::vector<Vec3f>& positions, const void* corners, std::size_t face_count,
+                            std::uint32_t face_size) {
   auto arrays = sized<burin_mesh>();
   arrays.position_type = BURIN_FLOAT32;
-  arrays.positions = mesh.positions.data();
-  arrays.vertex_count = mesh.positions.size();
+  arrays.positions = positions.data();
+  arrays.vertex_count = positions.size();
   arrays.corner_type = BURIN_UINT32;
-  arrays.corners = mesh.triangles.data();
-  arrays.face_count = mesh.triangles.size();
-  arrays.face_size = 3;
+  arrays.corners = corners;
+  arrays.face_count = face_count;
+  arrays.face_size = face_size;
   return arrays;
+}
+
+/// The arrays of a mesh of triangles. The mesh must outlive them.
+inline burin_mesh arrays_of(const TriangleMesh& mesh) {
+  return arrays_of(mesh.positions, mesh.triangles.data(), mesh.triangles.size(), 3);
 }
 
 /// A session of libburin.so whose calls must succeed, unless a test calls by itself.

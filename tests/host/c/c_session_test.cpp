@@ -109,14 +109,7 @@ PolygonMesh polygons(int cells) {
 
 TEST(CSession, CutsQuadsAndPolygonsAsTheReadersOfFilesDo) {
   const PolygonMesh grid = quads(50), mixed = polygons(50);
-  burin_mesh arrays = sized<burin_mesh>();
-  arrays.position_type = BURIN_FLOAT32;
-  arrays.positions = grid.positions.data();
-  arrays.vertex_count = grid.positions.size();
-  arrays.corner_type = BURIN_UINT32;
-  arrays.corners = grid.face_vertices.data();
-  arrays.face_count = grid.face_sizes.size();
-  arrays.face_size = 4;
+  burin_mesh arrays = arrays_of(grid.positions, grid.face_vertices.data(), grid.face_sizes.size(), 4);
   CSession of_quads(arrays);
   of_quads.draw(groove, in_c(wave()));
   EXPECT_EQ(of_quads.hash(), expected_hash(triangulate(grid), "org.burin.groove"));
