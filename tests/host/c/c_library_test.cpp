@@ -9,6 +9,7 @@
 #include <set>
 
 #include "c_host.h"
+#include "house/all_matches.h"
 #include "support/process.h"
 #include "support/shared_data.h"
 
@@ -21,11 +22,7 @@ using Names = std::set<std::string>;
 /// The functions that a header declares for libburin.so.
 Names declared(const fs::path& header) {
   static const std::regex function(R"(BURIN_API [^;]*?BURIN_CALL\s+(burin_\w+)\()");
-  const std::string text = read_file(header);
-  Names names;
-  for (std::sregex_iterator match(text.begin(), text.end(), function), end; match != end; ++match)
-    names.insert((*match)[1]);
-  return names;
+  return all_matches<Names>(read_file(header), function);
 }
 
 TEST(CLibraryFile, ShowsTheFunctionsOfItsHeadersAndNothingElse) {
