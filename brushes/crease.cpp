@@ -18,7 +18,7 @@ class Crease : public Brush {
       .version = "1.0.0",
       .help = "Cuts a sharp valley, or folds up a sharp ridge, and gathers the surface along it.",
       .features = {"procedural"},
-      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
+      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_END_DISTANCE,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
   };
   static constexpr FloatParam depth =
@@ -53,11 +53,11 @@ class Crease : public Brush {
   static constexpr auto params = param_list(depth, sharpness, bulge, pinch, taper);
 
   explicit Crease(StrokeStart& start) : taper_(start.params[taper].value()) {
-    start.end_influence = taper_ * start.stroke.radius_max();
+    start.end_influence = taper_influence(start.stroke, taper_);
   }
 
   void evaluate(const Batch& in, const Outputs& out) const override {
-    const Floats t = in.t(), d = in.d(), radius = in.radius();
+    const Floats t = in.t(), d = in.d(), radius = in.radius(), end_distance = in.end_distance();
     const Floats depths = in.params[depth], exponents = in.params[sharpness];
     const Floats bulges = in.params[bulge], pinches = in.params[pinch];
     const FloatsOut along = out.along(), across = out.across(), up = out.up();
@@ -66,7 +66,7 @@ class Crease : public Brush {
       const float valley = math::pow(inside, exponents[i]);
       const float side =
           16 * x * x * inside * inside;  // 1 half way to the rim, 0 with zero slope at both ends
-      const float ends = end_factor(in.stroke, t[i], radius[i], taper_);
+      const float ends = taper_factor(in.stroke, end_distance[i], radius[i], taper_);
       const float pull = pinches[i] * inside * inside * ends;  // never beyond the middle
       along[i] = -pull * in.stroke.beyond(t[i]);
       across[i] = -pull * d[i];

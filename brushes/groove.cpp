@@ -17,7 +17,7 @@ class Groove : public Brush {
       .version = "1.0.0",
       .help = "Engraves a procedural profile along the stroke.",
       .features = {"procedural"},
-      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
+      .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_END_DISTANCE,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
   };
   static constexpr FloatParam depth =
@@ -37,16 +37,17 @@ class Groove : public Brush {
 
   explicit Groove(StrokeStart& start)
       : taper_(start.params[taper].value()), profile_(start.params[profile].value()) {
-    start.end_influence = taper_ * start.stroke.radius_max();
+    start.end_influence = taper_influence(start.stroke, taper_);
   }
 
   void evaluate(const Batch& in, const Outputs& out) const override {
-    const Floats t = in.t(), d = in.d(), radius = in.radius();
+    const Floats t = in.t(), d = in.d(), radius = in.radius(), end_distance = in.end_distance();
     const Floats depths = in.params[depth], widths = in.params[width];
     const FloatsOut up = out.up();
     for (std::size_t i = 0; i < in.size(); ++i) {
       const float across = in.stroke.distance(t[i], d[i]) / (widths[i] * radius[i]);
-      up[i] = -depths[i] * radius[i] * shape(across) * end_factor(in.stroke, t[i], radius[i], taper_);
+      up[i] = -depths[i] * radius[i] * shape(across) *
+              taper_factor(in.stroke, end_distance[i], radius[i], taper_);
     }
   }
 

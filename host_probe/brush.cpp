@@ -81,7 +81,7 @@ void draw(const Brush& brush, const Stroke& stroke, const burin_stroke_context& 
 }
 
 bool check_sizes(const burin_batch* batch, const burin_outputs* outputs) {
-  const bool whole = batch && outputs && BURIN_HAS(batch, burin_batch, fine_mean_curvature) &&
+  const bool whole = batch && outputs && BURIN_HAS(batch, burin_batch, end_distance) &&
                      BURIN_HAS(outputs, burin_outputs, colour) && batch->count > 0 && batch->params;
   return expect(Rule::batch_size, whole && outputs->count == batch->count, "count", batch ? batch->count : 0);
 }

@@ -95,7 +95,7 @@ constexpr burin_brush_descriptor described(const char* id, const char* name, con
   return descriptor;
 }
 
-constexpr std::uint64_t all_inputs = (BURIN_INPUT_FINE_MEAN_CURVATURE << 1) - 1;
+constexpr std::uint64_t all_inputs = (BURIN_INPUT_END_DISTANCE << 1) - 1;
 
 }  // namespace
 

@@ -83,7 +83,8 @@ inline auto arrays_of(const burin_batch& batch) {
                     floats(BURIN_INPUT_FINE_NORMAL, "fine_normal.x", b.fine_normal.x),
                     floats(BURIN_INPUT_FINE_NORMAL, "fine_normal.y", b.fine_normal.y),
                     floats(BURIN_INPUT_FINE_NORMAL, "fine_normal.z", b.fine_normal.z),
-                    floats(BURIN_INPUT_FINE_MEAN_CURVATURE, "fine_mean_curvature", b.fine_mean_curvature)};
+                    floats(BURIN_INPUT_FINE_MEAN_CURVATURE, "fine_mean_curvature", b.fine_mean_curvature),
+                    floats(BURIN_INPUT_END_DISTANCE, "end_distance", b.end_distance)};
 }
 
 }  // namespace burin_probe

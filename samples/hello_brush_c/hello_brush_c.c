@@ -24,14 +24,14 @@ static const burin_brush_descriptor descriptor = {
     .help = "Raises a ridge along the stroke.",
     .features = features,
     .params = params,
-    .inputs_read = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
+    .inputs_read = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_END_DISTANCE,
     .outputs_written = BURIN_OUTPUT_DISPLACEMENT};
 
 static const float taper = 2; /* radii from an end to the full height */
 
 static void plan(const burin_stroke_context* context, const burin_params* values, burin_stroke_plan* plan) {
   (void)values;
-  plan->end_influence = taper * context->radius_max;
+  plan->end_influence = burin_taper_influence(context, taper);
 }
 
 static burin_status BURIN_CALL evaluate(const burin_brush* brush, void* stroke,
@@ -40,8 +40,8 @@ static burin_status BURIN_CALL evaluate(const burin_brush* brush, void* stroke,
   (void)brush, (void)stroke, (void)error;
   for (uint32_t i = 0; i < in->count; ++i) {
     const float t = BURIN_AT(in->t, i), d = BURIN_AT(in->d, i), radius = BURIN_AT(in->radius, i);
-    const float share =
-        burin_rim_factor(context, t, d, radius, 1) * burin_end_factor(context, t, radius, taper);
+    const float share = burin_rim_factor(context, t, d, radius, 1) *
+                        burin_taper_factor(context, BURIN_AT(in->end_distance, i), radius, taper);
     BURIN_AT(out->up, i) = BURIN_AT(in->params->values[0].number, i) * radius * share;
   }
   return BURIN_OK;

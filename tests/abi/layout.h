@@ -95,7 +95,7 @@
   MEMBER(burin_stroke_context, radius_max, 48) \
   MEMBER(burin_stroke_context, object_scale, 56) \
   MEMBER(burin_stroke_context, dab_t, 64) \
-  STRUCT(burin_batch, 816) \
+  STRUCT(burin_batch, 832) \
   MEMBER(burin_batch, struct_size, 0) \
   MEMBER(burin_batch, count, 4) \
   MEMBER(burin_batch, params, 8) \
@@ -128,6 +128,7 @@
   MEMBER(burin_batch, fine_position, 704) \
   MEMBER(burin_batch, fine_normal, 752) \
   MEMBER(burin_batch, fine_mean_curvature, 800) \
+  MEMBER(burin_batch, end_distance, 816) \
   STRUCT(burin_outputs, 136) \
   MEMBER(burin_outputs, struct_size, 0) \
   MEMBER(burin_outputs, count, 4) \

@@ -69,7 +69,9 @@ struct DrawnNodes {
              const SurfaceCurve& curve = straight_curve())
       : live(surface.vertex_count()), nodes(live, reads) {
     live.assign(chart);
-    nodes.follow(curve, std::numeric_limits<double>::infinity());
+    const EndDistances ends(curve, 0.3, 0.2);
+    nodes.follow(curve, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                 {&ends});
   }
   DrawnNodes(const DrawnNodes&) = delete;
   DrawnNodes& operator=(const DrawnNodes&) = delete;

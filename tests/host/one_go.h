@@ -45,7 +45,9 @@ inline std::vector<Vec3f> in_one_go(const Surface& base, const SurfaceCurve& cur
   const SurfaceLevels levels(base);
   StrokeChartBuilder builder(base, &levels);
   chart.assign(builder.chart(curve, {.radius = radius, .cap = settings.cap, .follow = settings.follow}));
-  const std::vector<Index> vertices = nodes.follow(curve, 0).vertices;
+  const EndDistances ends(curve, radius, stroke.plan().end_influence);
+  const std::vector<Index> vertices =
+      nodes.follow(curve, 0, -std::numeric_limits<double>::infinity(), {&ends}).vertices;
   const FootLine foot(curve, radius);
   const NodeSource source{.surface = base,
                           .nodes = nodes,

@@ -87,7 +87,7 @@ struct Nodes {
       *vectors = {all(zero), all(zero), all(zero)};
     abi.displacement = {all(zero), all(zero), all(before)};
     abi.e1 = {all(one), all(zero), all(zero)};
-    abi.mean_curvature = abi.fine_mean_curvature = all(zero);
+    abi.mean_curvature = abi.fine_mean_curvature = abi.end_distance = all(zero);
     abi.mask = all(one);
     abi.colour = {all(zero), all(zero), all(zero), all(zero)};
     abi.sheet = abi.node_id = abi.symmetry = {&first, 0, 0};

@@ -232,6 +232,16 @@ void StrokeDriver::end() {
   open_ = false;
 }
 
+/// The input of a stroke that is longer than twice its brush's end influence.
+std::vector<float> StrokeDriver::end_distances(const Nodes& nodes) const {
+  std::vector<float> distances;
+  const auto length = static_cast<float>(context.length), most = static_cast<float>(plan.end_influence);
+  const bool has_ends = !(context.flags & (BURIN_STROKE_CLOSED | BURIN_STROKE_DAB));
+  for (const float t : nodes.t)
+    distances.push_back(has_ends ? std::clamp(std::min(t, length - t), 0.0f, most) : most);
+  return distances;
+}
+
 Answer StrokeDriver::evaluate(const Nodes& nodes) {
   std::string line(text_capacity, '\0');
   burin_text text{sizeof text, text_capacity, line.data()};
@@ -256,6 +266,9 @@ Answer StrokeDriver::evaluate(const Nodes& nodes) {
   if (read & BURIN_INPUT_FOOT) batch.foot = vectors(nodes.foot);
   if (read & BURIN_INPUT_FOOT) batch.foot_normal = vectors(nodes.foot_normal);
   if (read & BURIN_INPUT_FINE_POSITION) batch.fine_position = vectors(nodes.fine_position);
+
+  const std::vector<float> end_distance = end_distances(nodes);
+  if (read & BURIN_INPUT_END_DISTANCE) batch.end_distance = {end_distance.data(), 1, 0};
 
   burin_outputs outputs{};
   outputs.struct_size = sizeof outputs;

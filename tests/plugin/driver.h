@@ -140,6 +140,8 @@ class StrokeDriver {
   burin_stroke_plan plan{};
 
  private:
+  std::vector<float> end_distances(const Nodes& nodes) const;
+
   const burin_brush_descriptor& descriptor_;
   const burin_brush* brush_;
   void* stroke_ = nullptr;

@@ -58,12 +58,26 @@ TEST(Falloff, EndsAtRimAndEnds) {
   EXPECT_EQ(plugin::rim_factor(stroke(10), 5, 1, 2, 0.5f), 1);
   EXPECT_EQ(plugin::rim_factor(stroke(10), 5, -1.5f, 2, 0.5f), 0.5f);
   EXPECT_EQ(plugin::rim_factor(stroke(10), 11.5f, 1.6f, 2, 0.5f), 0);
-  EXPECT_EQ(plugin::end_factor(stroke(10), 0, 2, 1), 0);
-  EXPECT_EQ(plugin::end_factor(stroke(10), 9, 2, 1), 0.5f);
-  EXPECT_EQ(plugin::end_factor(stroke(10), 8, 2, 1), 1);
-  EXPECT_EQ(plugin::end_factor(stroke(10), 9, 2, 0), 1);
-  EXPECT_EQ(plugin::end_factor(stroke(10, BURIN_STROKE_CLOSED), 0, 2, 1), 1);
-  EXPECT_EQ(plugin::end_factor(stroke(0, BURIN_STROKE_DAB), 0, 2, 1), 1);
+  EXPECT_EQ(plugin::taper_factor(stroke(10), 0, 2, 1), 0);
+  EXPECT_EQ(plugin::taper_factor(stroke(10), 1, 2, 1), 0.5f);
+  EXPECT_EQ(plugin::taper_factor(stroke(10), 2, 2, 1), 1);
+  EXPECT_EQ(plugin::taper_factor(stroke(10), 1, 2, 0), 1);
+  EXPECT_EQ(plugin::taper_factor(stroke(10, BURIN_STROKE_CLOSED), 0, 2, 1), 1);
+  EXPECT_EQ(plugin::taper_factor(stroke(0, BURIN_STROKE_DAB), 0, 2, 1), 1);
+}
+
+TEST(Falloff, HardlyTapersWhatIsShorterThanARadius) {
+  EXPECT_EQ(plugin::taper_factor(stroke(0), 0, 2, 1), 1) << "a tap";
+  EXPECT_EQ(plugin::taper_factor(stroke(0.5), 0, 2, 1), 0.75f);
+  EXPECT_EQ(plugin::taper_factor(stroke(2), 0, 2, 1), 0);
+}
+
+TEST(Falloff, TellsHowFarATaperReaches) {
+  const double radius = stroke(10).radius_max();
+  EXPECT_EQ(plugin::taper_influence(stroke(10), 3), 3 * radius);
+  EXPECT_EQ(plugin::taper_influence(stroke(10), 0.5f), 2 * radius)
+      << "all of a stroke as short as its radius";
+  EXPECT_EQ(plugin::taper_influence(stroke(10), 0), 0);
 }
 
 TEST(Falloff, RoundsStrands) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t lengths = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_FOOTPRINT |
                                   BURIN_INPUT_POSITION | BURIN_INPUT_LAPLACIAN | BURIN_INPUT_DISPLACEMENT |
-                                  BURIN_INPUT_SPEED | BURIN_INPUT_FINE_POSITION,
+                                  BURIN_INPUT_SPEED | BURIN_INPUT_FINE_POSITION | BURIN_INPUT_END_DISTANCE,
                         curvatures = BURIN_INPUT_MEAN_CURVATURE | BURIN_INPUT_FINE_MEAN_CURVATURE;
 
 /// The host's table has the inputs in the order of burin_batch, without a gap.
@@ -66,6 +66,7 @@ void fill(Nodes& nodes, std::size_t i) {
   set(BURIN_INPUT_PRESSURE, 0, 0.8f);
   set(BURIN_INPUT_SPEED, 0, 2);
   set(BURIN_INPUT_TIME, 0, std::max(t, 0.0f) / 2);
+  set(BURIN_INPUT_END_DISTANCE, 0, std::clamp(std::min(t, 10 - t), 0.0f, 3.0f));
   set(BURIN_INPUT_FOOT, 0, std::clamp(t, 0.0f, 10.0f));
   set(BURIN_INPUT_FOOT, 5, 1);
 }

@@ -32,7 +32,7 @@ extern "C" {
 
 /* A host refuses a plugin whose major version differs from its own. The minor version counts additions. */
 #define BURIN_ABI_MAJOR 1u
-#define BURIN_ABI_MINOR 2u
+#define BURIN_ABI_MINOR 3u
 /* The calling convention of all functions that cross the ABI. */
 #if defined(_WIN32)
 #define BURIN_CALL __cdecl

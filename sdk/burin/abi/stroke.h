@@ -49,6 +49,7 @@ extern "C" {
 #define BURIN_INPUT_FINE_POSITION (UINT64_C(1) << 23)
 #define BURIN_INPUT_FINE_NORMAL (UINT64_C(1) << 24)
 #define BURIN_INPUT_FINE_MEAN_CURVATURE (UINT64_C(1) << 25)
+#define BURIN_INPUT_END_DISTANCE (UINT64_C(1) << 26) /* since 1.3 */
 
 /* Outputs that a brush may write: bits of burin_brush_descriptor.outputs_written. */
 #define BURIN_OUTPUT_DISPLACEMENT (UINT64_C(1) << 0)
@@ -125,6 +126,11 @@ typedef struct burin_batch {
   burin_vectors fine_position; /* fine surface; from the second pass on, displaced by the previous passes */
   burin_vectors fine_normal;   /* fine surface, unit, outward */
   burin_floats fine_mean_curvature; /* fine surface, 1/length, positive where convex seen from outside */
+  burin_floats end_distance; /* since 1.3: how far the node is from the stroke's nearer end along the stroke,
+                                at most burin_stroke_plan.end_influence, object units, >= 0; finite, and as
+                                great as possible, for strokes without ends. For tapered ends: it is that of
+                                t, but has only small steps, of 0.35 |d| at most, on the inside of sharp
+                                bends, and no corner in the middle of short strokes */
 } burin_batch;
 
 /* Where a brush writes its results. The host fills displacement with zero and colour and mask with those

@@ -72,6 +72,9 @@ class Batch {
   Floats fine_mean_curvature() const {
     return floats(batch_.fine_mean_curvature, BURIN_INPUT_FINE_MEAN_CURVATURE, "fine mean curvature");
   }
+  Floats end_distance() const {
+    return floats(batch_.end_distance, BURIN_INPUT_END_DISTANCE, "end distance");
+  }
 
   Floats pressure() const { return pen(batch_.pressure, BURIN_INPUT_PRESSURE, "pressure", one_); }
   Floats tilt_x() const { return pen(batch_.tilt_x, BURIN_INPUT_TILT, "tilt", zero_); }

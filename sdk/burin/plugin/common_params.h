@@ -84,7 +84,7 @@ constexpr FloatParam whole_width(const char* help, float default_value, float le
   return whole;
 }
 
-/// Length over which the brush fades out at either end of the stroke, radii; as end_factor() takes it.
+/// Length over which the brush fades out at either end of the stroke, radii; as taper_factor() takes it.
 constexpr FloatParam taper(const char* help, float default_value) {
   return {.id = "taper",
           .name = "Taper",

@@ -22,10 +22,17 @@ inline float rim_factor(const Stroke& stroke, float t, float d, float radius, fl
   return burin_rim_factor(&stroke.raw(), t, d, radius, rim);
 }
 
+/// How far back from its end a stroke with this taper (radii) depends on its length, object units: what
+/// StrokeStart::end_influence must be at least for taper_factor().
+inline double taper_influence(const Stroke& stroke, float taper) {
+  return burin_taper_influence(&stroke.raw(), taper);
+}
+
 /// A factor that fades out towards the ends of an open stroke: 0 at an end and beyond, 1 at least `taper`
-/// radii inside. A brush that uses it sets StrokeStart::end_influence to at least taper * radius_max.
-inline float end_factor(const Stroke& stroke, float t, float radius, float taper) {
-  return burin_end_factor(&stroke.raw(), t, radius, taper);
+/// radii inside. A stroke shorter than a radius fades out less, and a tap, whose length is 0, not at all.
+/// `end_distance` is the input of this name.
+inline float taper_factor(const Stroke& stroke, float end_distance, float radius, float taper) {
+  return burin_taper_factor(&stroke.raw(), end_distance, radius, taper);
 }
 
 }  // namespace burin::plugin

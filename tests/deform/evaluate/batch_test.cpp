@@ -277,6 +277,16 @@ TEST_F(BatchTest, TellsThePlaneOfTheFoot) {
   EXPECT_NE(at(batch.foot.x, 0), at(batch.foot.x, batch.count - 1));
 }
 
+TEST_F(BatchTest, FillsDistancesFromTheEnds) {
+  const burin_batch& batch = fill(BURIN_INPUT_END_DISTANCE);
+  const EndDistances ends(test::straight_curve(), 0.3, 0.2);
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    const Vec3f& position = surface_.positions[vertex(i)];
+    ASSERT_EQ(at(batch.end_distance, i),
+              ends.at(position.x(), position.y() - 0.5f, Vec3f::UnitX(), Vec3f::UnitZ()));
+  }
+}
+
 /// A sheet of 6 radii with an egg crate on it that is narrow against the radius, and its base surface.
 struct Bumpy {
   Bumpy()

@@ -122,6 +122,37 @@ TEST_F(StrokeNodesEvents, AreStaleInTheEndZone) {
   EXPECT_EQ(set(nodes.in_zone(7).stale), (std::set<Index>{7}));
 }
 
+/// A curve along x of this length with a corner at x = 1.
+SurfaceCurve cornered_curve(double length) {
+  SurfaceCurve curve;
+  for (int i = 0; i <= 100; ++i) {
+    CurvePoint point = test::straight_curve().points[0];
+    point.t = length * i / 100;
+    point.at.position =
+        point.t < 1 ? Vec3d(point.t, 0, 0).cast<float>() : Vec3d(1, 1 - point.t, 0).cast<float>();
+    curve.points.push_back(point);
+  }
+  return curve;
+}
+
+// Of two nodes that no event computed again, the one inside of the corner comes to know of what follows it.
+TEST_F(StrokeNodesEvents, AreStaleNearTheBeginWhereTheirDistanceFromTheEndsIsOther) {
+  StrokeNodes nodes(live_, reading(BURIN_INPUT_END_DISTANCE));
+  const EndDistances shorter(cornered_curve(1.3), 1, 1.2), longer(cornered_curve(2.6), 1, 1.2);
+  ASSERT_TRUE(shorter.begin_bends() && longer.begin_bends());
+  begin();
+  live_.set(3, 3, frame(0.7, -0.28f), Vec3f::UnitZ());
+  live_.set(4, 4, frame(0.1, 0.1f), Vec3f::UnitZ());
+  EXPECT_EQ(set(nodes.follow(cornered_curve(1.3), nowhere, 0, {&shorter, 1.2}).stale),
+            (std::set<Index>{3, 4}));
+  EXPECT_EQ(nodes.end_distance()[3], shorter.at(0.7, -0.28f, Vec3f::UnitX(), Vec3f::UnitZ()));
+  begin(1);
+  EXPECT_EQ(set(nodes.follow(cornered_curve(2.6), 2, 0, {&longer}).stale), (std::set<Index>{}));
+  begin(1);
+  EXPECT_EQ(set(nodes.follow(cornered_curve(2.6), 2, 0, {&longer, 1.2}).stale), (std::set<Index>{3}));
+  EXPECT_EQ(nodes.end_distance()[3], longer.at(0.7, -0.28f, Vec3f::UnitX(), Vec3f::UnitZ()));
+}
+
 TEST_F(StrokeNodesEvents, AreStaleForWhoReadsSheetsWhenOneAppears) {
   const auto stale_after_a_sheet = [&](std::uint64_t inputs) {
     live_.clear();

@@ -14,6 +14,7 @@ TEST(SupportedInputs, NamesInputsByTheirBits) {
   EXPECT_EQ(
       input_names(BURIN_INPUT_FINE_POSITION | BURIN_INPUT_FINE_NORMAL | BURIN_INPUT_FINE_MEAN_CURVATURE),
       "fine position, fine normal, fine mean curvature");
+  EXPECT_EQ(input_names(BURIN_INPUT_END_DISTANCE), "end distance");
   EXPECT_EQ(input_names(UINT64_C(1) << 40), "number 40");
 }
 
@@ -30,7 +31,7 @@ TEST(SupportedInputs, TakeTheColumnsThatTheirMembersLookInto) {
   EXPECT_EQ(columns(BURIN_INPUT_COLOUR), 4u);
   EXPECT_EQ(columns(BURIN_INPUT_FOOT), 6u);
   EXPECT_EQ(columns(BURIN_INPUT_SHEET), 0u) << "whole numbers";
-  EXPECT_EQ(sum(all_inputs).columns, 46u);
+  EXPECT_EQ(sum(all_inputs).columns, 47u);
   EXPECT_EQ(sum(all_outputs).columns, 8u);
 }
 

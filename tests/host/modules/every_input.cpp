@@ -19,7 +19,7 @@ class EveryInput : public Brush {
                 BURIN_INPUT_TWIST | BURIN_INPUT_SPEED | BURIN_INPUT_TIME | BURIN_INPUT_FOOTPRINT |
                 BURIN_INPUT_MEAN_CURVATURE | BURIN_INPUT_LAPLACIAN | BURIN_INPUT_MASK | BURIN_INPUT_COLOUR |
                 BURIN_INPUT_SYMMETRY | BURIN_INPUT_FOOT | BURIN_INPUT_FINE_POSITION |
-                BURIN_INPUT_FINE_NORMAL | BURIN_INPUT_FINE_MEAN_CURVATURE,
+                BURIN_INPUT_FINE_NORMAL | BURIN_INPUT_FINE_MEAN_CURVATURE | BURIN_INPUT_END_DISTANCE,
       .outputs = BURIN_OUTPUT_DISPLACEMENT | BURIN_OUTPUT_MASK | BURIN_OUTPUT_COLOUR};
 
   explicit EveryInput(StrokeStart& start) {
@@ -55,7 +55,8 @@ class EveryInput : public Brush {
   static float surroundings(const Batch& in, std::size_t i) {
     const float size = in.footprint_t()[i] + in.footprint_d()[i];
     const float foot = in.foot().x[i] + in.foot_normal().z[i];
-    const float relief = in.fine_position().z[i] + in.fine_normal().x[i] + size * in.fine_mean_curvature()[i];
+    const float relief = in.end_distance()[i] + in.fine_position().z[i] + in.fine_normal().x[i] +
+                         size * in.fine_mean_curvature()[i];
     return size + foot + relief + size * in.mean_curvature()[i] + 0.1f * static_cast<float>(in.symmetry()[i]);
   }
 

@@ -32,6 +32,7 @@ class Groove : public testing::Test {
 TEST_F(Groove, IsAsDeepAsItsParameterSaysInTheMiddle) {
   stroke_.params.set("depth", 0.5f);
   stroke_.params.set("taper", 1);
+  stroke_.context.radius_min = stroke_.context.radius_max = 3;
   for (const float profile : {round_profile, v_profile, flat_profile}) {
     stroke_.params.set("profile", profile);
     EXPECT_FLOAT_EQ(evaluate({{5.0f}, {0.0f}, 3.0f})[0], -1.5f) << profile;

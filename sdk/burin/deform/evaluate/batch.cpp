@@ -38,6 +38,7 @@ void Batch::fill(const NodeSource& source, std::uint64_t inputs, std::uint64_t o
   fill_surroundings(inputs, nodes);
   fill_paint(inputs, nodes);
   fill_foot(inputs, nodes);
+  fill_end_distance(inputs, nodes);
   fill_pen(inputs, nodes);
   fill_names(inputs, nodes);
 }

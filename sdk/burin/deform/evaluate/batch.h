@@ -79,6 +79,7 @@ class Batch {
   void fill_fine(std::uint64_t inputs, std::span<const Index> nodes, std::span<const Vec3f> displacement);
   void fill_surroundings(std::uint64_t inputs, std::span<const Index> nodes);
   void fill_paint(std::uint64_t inputs, std::span<const Index> nodes);
+  void fill_end_distance(std::uint64_t inputs, std::span<const Index> nodes);
   void fill_foot(std::uint64_t inputs, std::span<const Index> nodes);
   void fill_pen(std::uint64_t inputs, std::span<const Index> nodes);
   void fill_names(std::uint64_t inputs, std::span<const Index> nodes);

@@ -170,6 +170,12 @@ void Batch::fill_foot(std::uint64_t inputs, std::span<const Index> nodes) {
   batch_.foot_normal = vectors(nodes.size(), [&](std::size_t i) { return planes[i].normal; });
 }
 
+void Batch::fill_end_distance(std::uint64_t inputs, std::span<const Index> nodes) {
+  if (!(inputs & BURIN_INPUT_END_DISTANCE)) return;
+  const std::vector<float>& distance = source_->nodes.end_distance();
+  batch_.end_distance = numbers(nodes, [&](Index node) { return distance[node]; });
+}
+
 void Batch::fill_pen(std::uint64_t inputs, std::span<const Index> nodes) {
   const std::vector<NodePen>& pen = source_->nodes.pen();
   const auto field = [&](std::uint64_t input, float NodePen::*member, const float& neutral) {

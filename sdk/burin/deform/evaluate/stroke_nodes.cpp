@@ -26,10 +26,12 @@ NodePen node_pen(const PenAt& at, std::uint64_t inputs) {
 
 }  // namespace
 
-StrokeChanges StrokeNodes::follow(const SurfaceCurve& curve, double end_zone, double same_pen_up_to) {
+StrokeChanges StrokeNodes::follow(const SurfaceCurve& curve, double end_zone, double same_pen_up_to,
+                                  const StrokeEnds& ends) {
   ++event_;
-  collect(same_pen_up_to);
+  collect(same_pen_up_to, end_zone, ends);
   compare_pens(curve);
+  if (ends.distances) compare_end_distances(*ends.distances);
   altered_listed_ = true;
   changes_.vertices.assign(chart_->altered().begin(), chart_->altered().end());
   stale_in_.resize(chart().size());
@@ -54,19 +56,32 @@ void StrokeNodes::add_other_sheets() {
     for (Index slot = chart_->first(vertex); slot != no_index; slot = chart_->next(slot)) add_stale(slot);
 }
 
-/// Collects the nodes that the last event computed, and earlier nodes whose pen may differ nevertheless:
-/// coinciding samples change the pen but not the curve.
-void StrokeNodes::collect(double same_pen_up_to) {
+/// Collects the nodes that the last event computed, and earlier nodes whose values may differ nevertheless:
+/// coinciding samples change the pen but not the curve, and what is added to the curve changes the distances
+/// from its ends.
+void StrokeNodes::collect(double same_pen_up_to, double end_zone, const StrokeEnds& ends) {
   asked_.assign(chart_->computed().begin(), chart_->computed().end());
+  if (ends.distances) collect_ends(end_zone, ends.others_up_to);
   const bool varies = reads_.varying != 0 || dynamics_.any();
   if (!varies || same_pen_up_to >= chart_->computed_from()) return;
-  std::vector<bool> computed(chart().size());
-  for (const Index slot : asked_) computed[slot] = true;
+  std::vector<bool> listed(chart().size());
+  for (const Index slot : asked_) listed[slot] = true;
   for (Index slot = 0; slot < chart().size(); ++slot) {
     const double t = chart().t[slot];
     const bool between = t >= same_pen_up_to && t < chart_->computed_from();
-    if (between && !chart_->vacant(slot) && !computed[slot]) asked_.push_back(slot);
+    if (between && !chart_->vacant(slot) && !listed[slot]) asked_.push_back(slot);
   }
+}
+
+/// Adds the nodes near the ends that the last event did not compute.
+void StrokeNodes::collect_ends(double end_zone, double others_up_to) {
+  const double before_computed = chart_->computed_from();
+  for_each_in_zone(end_zone, before_computed, [this](Index slot) { asked_.push_back(slot); });
+  // No slot is near the begin for long: only as long as the stroke is short.
+  if (others_up_to == -std::numeric_limits<double>::infinity()) return;
+  const double to = std::min(end_zone, before_computed);
+  for (Index slot = 0; slot < chart().size(); ++slot)
+    if (const double t = t_of(slot); t <= others_up_to && t < to) asked_.push_back(slot);
 }
 
 /// Updates pens, half widths and dynamics of the collected nodes, and records which differ.
@@ -93,6 +108,20 @@ void StrokeNodes::compare_pens(const SurfaceCurve& curve) {
   });
 }
 
+/// Updates the distances of the collected nodes from the ends, and records which differ.
+void StrokeNodes::compare_end_distances(const EndDistances& ends) {
+  end_distance_.resize(chart().size());
+  parallel_blocks(asked_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Index slot = asked_[i];
+      const float distance =
+          ends.at(chart().t[slot], chart().d[slot], chart().e1[slot], chart().normal[slot]);
+      differs_[i] |= distance != end_distance_[slot];
+      end_distance_[slot] = distance;
+    }
+  });
+}
+
 void StrokeNodes::add_stale(Index slot) {
   if (stale_in_[slot] == event_) return;
   stale_in_[slot] = event_;
@@ -112,11 +141,16 @@ void StrokeNodes::add_vertex(Index slot) {
 
 /// Adds the nodes of the end zone with t below `up_to`.
 void StrokeNodes::add_zone(double end_zone, double up_to) {
+  for_each_in_zone(end_zone, up_to, [this](Index slot) { add_stale(slot); });
+}
+
+template <class Use>
+void StrokeNodes::for_each_in_zone(double end_zone, double up_to, const Use& use) {
   const auto count = static_cast<Index>(chart().size());
   for (const Index slot :
        zone_.find(end_zone, chart_->computed(), count, [this](Index s) { return t_of(s); })) {
     const double t = t_of(slot);
-    if (t >= end_zone && t < up_to) add_stale(slot);
+    if (t >= end_zone && t < up_to) use(slot);
   }
 }
 

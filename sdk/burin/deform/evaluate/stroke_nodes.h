@@ -2,6 +2,7 @@
 #include <burin/base/rising_threshold.h>
 #include <burin/chart/live_chart.h>
 #include <burin/deform/evaluate/node_dynamics.h>
+#include <burin/stroke/curve/end_distances.h>
 #include <burin/stroke/curve/surface_curve.h>
 
 #include <cstdint>
@@ -37,7 +38,15 @@ struct ReadInputs {
   const ParamDynamics* dynamics = nullptr;  ///< dynamics of strength and parameters; must outlive the nodes
 };
 
-/// The values that differ from node to node while a stroke grows: half width, pen and dynamics.
+/// The distances from a stroke's ends, for a brush that reads them.
+struct StrokeEnds {
+  const EndDistances* distances = nullptr;  ///< null: the brush does not read them
+  /// The t up to which the distances of nodes near the begin may be others than at the last event.
+  double others_up_to = -std::numeric_limits<double>::infinity();
+};
+
+/// The values that differ from node to node while a stroke grows: half width, pen, dynamics and distance from
+/// the ends.
 class StrokeNodes {
  public:
   /// The chart must be empty and outlive the object.
@@ -48,7 +57,8 @@ class StrokeNodes {
   /// its inputs differs, or if its t is at least `end_zone`, where the brush may depend on the stroke's
   /// length. Up to the arc length `same_pen_up_to` the pen is as before.
   StrokeChanges follow(const SurfaceCurve& curve, double end_zone,
-                       double same_pen_up_to = -std::numeric_limits<double>::infinity());
+                       double same_pen_up_to = -std::numeric_limits<double>::infinity(),
+                       const StrokeEnds& ends = {});
 
   /// The nodes of the end zone alone.
   StrokeChanges in_zone(double end_zone);
@@ -62,12 +72,19 @@ class StrokeNodes {
   const std::vector<NodePen>& pen() const { return pen_; }
   const NodeDynamics& dynamics() const { return dynamics_; }
 
+  /// The distance from the stroke's ends, object units, by slot; empty if the brush does not read it.
+  const std::vector<float>& end_distance() const { return end_distance_; }
+
  private:
-  void collect(double same_pen_up_to);
+  void collect(double same_pen_up_to, double end_zone, const StrokeEnds& ends);
+  void collect_ends(double end_zone, double others_up_to);
   void compare_pens(const SurfaceCurve& curve);
+  void compare_end_distances(const EndDistances& ends);
   void add_stale(Index slot);
   void add_vertex(Index slot);
   void add_other_sheets();
+  template <class Use>
+  void for_each_in_zone(double end_zone, double up_to, const Use& use);
   void add_zone(double end_zone, double up_to);
   double t_of(Index slot) const;
   StrokeChanges finished();
@@ -78,12 +95,14 @@ class StrokeNodes {
   std::vector<NodePen> pen_;
   NodeDynamics dynamics_;
 
+  std::vector<float> end_distance_;
+
   RisingThreshold zone_;
   StrokeChanges changes_;
   bool altered_listed_ = false;  ///< changes_ has the vertices that the chart's last event altered
   std::uint32_t event_ = 0;
   std::vector<std::uint32_t> stale_in_, vertex_in_;  ///< [slot], [local index]: event that added it last
-  std::vector<Index> asked_;                         ///< slots whose pen, half width or dynamics may differ
+  std::vector<Index> asked_;                         ///< slots whose values may differ
   std::vector<std::uint8_t> differs_;                ///< [i of asked_]
 };
 

@@ -55,7 +55,8 @@ inline constexpr std::array all_inputs{
     supported(BURIN_INPUT_FOOT, "foot", &burin_batch::foot, &burin_batch::foot_normal),
     supported(BURIN_INPUT_FINE_POSITION, "fine position", &burin_batch::fine_position),
     supported(BURIN_INPUT_FINE_NORMAL, "fine normal", &burin_batch::fine_normal),
-    supported(BURIN_INPUT_FINE_MEAN_CURVATURE, "fine mean curvature", &burin_batch::fine_mean_curvature)};
+    supported(BURIN_INPUT_FINE_MEAN_CURVATURE, "fine mean curvature", &burin_batch::fine_mean_curvature),
+    supported(BURIN_INPUT_END_DISTANCE, "end distance", &burin_batch::end_distance)};
 inline constexpr std::array all_outputs{
     supported(BURIN_OUTPUT_DISPLACEMENT, "displacement", &burin_outputs::along, &burin_outputs::across,
               &burin_outputs::up),

@@ -178,8 +178,7 @@ VertexMoves OpenStroke::draw(const StrokeTools& tools) {
   if (makes_part() || std::ranges::none_of(instances_, &StrokeInstance::has_changes)) return {};
   std::vector<StrokeChanges> changes;
   for (StrokeInstance& instance : instances_)
-    changes.push_back(instance.empty() ? StrokeChanges{}
-                                       : instance.draw(brush_stroke_.plan().end_influence, tools.cost));
+    changes.push_back(instance.empty() ? StrokeChanges{} : instance.draw(tools.cost));
   tools.clock.lap(Stage::chart);
   return evaluate_and_blend(changes, 0, tools);
 }
@@ -191,9 +190,7 @@ VertexMoves OpenStroke::finish(Closure closure, const StrokeTools& tools) {
   const bool news = std::ranges::any_of(instances_, &StrokeInstance::has_changes);
   std::vector<StrokeChanges> changes;
   for (StrokeInstance& instance : instances_)
-    changes.push_back(instance.empty()
-                          ? StrokeChanges{}
-                          : instance.finish(news, brush_stroke_.plan().end_influence, tools.cost));
+    changes.push_back(instance.empty() ? StrokeChanges{} : instance.finish(news, tools.cost));
   tools.clock.lap(Stage::chart);
   if (!makes_part()) return evaluate_and_blend(changes, BURIN_STROKE_FINAL, tools);
   Stopwatch watch;

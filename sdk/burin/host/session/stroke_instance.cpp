@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -55,6 +56,7 @@ StrokeInstance::StrokeInstance(const Surface& surface, const Picker& picker, Cha
       width_(settings.pressure_width, settings.dynamics, driven_stroke(settings, image)),
       dynamics_(brush.descriptor(), brush.params(), settings.dynamics, driven_stroke(settings, image)),
       reads_(read_inputs(settings, brush.descriptor().inputs_read)),
+      end_influence_(brush.plan().end_influence),
       filter_(filter),
       original_(original),
       tracer_(begun(surface, picker, builders, settings, image), settings.radius, width_) {
@@ -108,7 +110,7 @@ void StrokeInstance::trace(const CurveGround::Point& at, double time, const Pen&
   traced_ |= change == PenPath::Change::path || (change == PenPath::Change::pen && pen_matters);
 }
 
-StrokeChanges StrokeInstance::draw(double end_influence, std::uint64_t flags, EventCost& cost) {
+StrokeChanges StrokeInstance::draw(std::uint64_t flags, EventCost& cost) {
   const std::size_t unchanged = drawn_points_;
   const double length_before = drawn_length_;
   if (moved_) move_curve(flags);
@@ -118,9 +120,10 @@ StrokeChanges StrokeInstance::draw(double end_influence, std::uint64_t flags, Ev
   chart(unchanged, cost);
   const double same_up_to = unchanged > 0 ? curve().points[unchanged - 1].t : everywhere;
   // A dab does not depend on the stroke's length.
-  double end_zone = dabs_ ? nowhere : std::min(length_before, drawn_length_) - end_influence;
-  if (reads_foot()) end_zone = std::min(end_zone, other_feet_from(std::min(same_up_to, length_before)));
-  return nodes_->follow(curve(), end_zone, same_up_to);
+  double end_zone = dabs_ ? nowhere : std::min(length_before, drawn_length_) - end_influence_;
+  const double same_curve_up_to = std::min(same_up_to, length_before);
+  if (reads_foot()) end_zone = std::min(end_zone, other_feet_from(same_curve_up_to));
+  return nodes_->follow(curve(), end_zone, same_up_to, ends(same_curve_up_to));
 }
 
 /// The t from which on feet may differ if the curve is unchanged up to another t. All nodes before the start
@@ -130,16 +133,26 @@ double StrokeInstance::other_feet_from(double same_curve_up_to) const {
   return from > 0 ? from : everywhere;
 }
 
-StrokeChanges StrokeInstance::finish(bool news, double end_influence, EventCost& cost) {
+/// The distances from the ends of a curve that is unchanged up to this t. Those near the begin differ as long
+/// as what they look at grows, if it bends.
+StrokeEnds StrokeInstance::ends(double same_curve_up_to) {
+  if (!ends_) return {};
+  const bool bends = ends_->begin_bends(), bent = std::exchange(begin_bent_, bends);
+  const bool grows =
+      bends && same_curve_up_to <= end_influence_ + EndDistances::reach(reads_.radius, end_influence_);
+  return {&*ends_, bends != bent || grows ? end_influence_ : everywhere};
+}
+
+StrokeChanges StrokeInstance::finish(bool news, EventCost& cost) {
   const bool moves_at_last = filter_ && !moved_;
   if (moves_at_last) begin_moving();
   if (closed_curve_ || moves_at_last) {
     if (moved_) move_curve(BURIN_STROKE_FINAL);
     chart(0, cost);
-    return nodes_->follow(curve(), everywhere);
+    return nodes_->follow(curve(), everywhere, everywhere, ends(everywhere));
   }
-  if (news || moved_) return draw(end_influence, BURIN_STROKE_FINAL, cost);
-  return nodes_->in_zone(dabs_ ? nowhere : curve().length() - end_influence);
+  if (news || moved_) return draw(BURIN_STROKE_FINAL, cost);
+  return nodes_->in_zone(dabs_ ? nowhere : curve().length() - end_influence_);
 }
 
 NodeSource StrokeInstance::source(const Paint& paint) const {
@@ -176,9 +189,19 @@ void StrokeInstance::chart(std::size_t unchanged, EventCost& cost) {
     chart_own(image_chart_->own_is_behind() ? 0 : unchanged, cost);
     image_chart_->copy(own_live());
   }
-  if (!reads_foot()) return;
+  if (!reads_foot() && !reads_end_distance()) return;
   const bool reflects = image_chart_ && image_chart_->reflects();
-  foot_.emplace(reflects ? image_chart_->image_of(original_->curve()) : curve(), reads_.radius);
+  look_along(reflects ? image_chart_->image_of(original_->curve()) : curve());
+}
+
+/// Prepares the inputs that depend on more of the curve than a point of it.
+void StrokeInstance::look_along(const SurfaceCurve& curve) {
+  if (reads_foot()) foot_.emplace(curve, reads_.radius);
+  if (!reads_end_distance()) return;
+  if (dabs_)
+    ends_.emplace(end_influence_);
+  else
+    ends_.emplace(curve, reads_.radius, end_influence_);
 }
 
 void StrokeInstance::chart_own(std::size_t unchanged, EventCost& cost) {

@@ -8,6 +8,7 @@
 #include <burin/deform/stroke_passes.h>
 #include <burin/host/event_cost.h>
 #include <burin/host/session/image_chart.h>
+#include <burin/stroke/curve/end_distances.h>
 #include <burin/stroke/curve/foot_line.h>
 #include <burin/stroke/stroke_settings.h>
 #include <burin/stroke/symmetry.h>
@@ -84,13 +85,12 @@ class StrokeInstance {
   /// Whether anything that influences the brush was traced since the last draw().
   bool has_changes() const { return traced_; }
 
-  /// Charts what was traced since the last draw(), and returns the stale nodes. `end_influence` is the
-  /// distance from the stroke's end, object units, within which the brush depends on its length.
-  StrokeChanges draw(double end_influence, EventCost& cost) { return draw(end_influence, 0, cost); }
+  /// Charts what was traced since the last draw(), and returns the stale nodes.
+  StrokeChanges draw(EventCost& cost) { return draw(0, cost); }
 
   /// Draws what remains when the pen is up, after close(): all of the stroke if it closed. `news` tells
   /// whether any image has_changes().
-  StrokeChanges finish(bool news, double end_influence, EventCost& cost);
+  StrokeChanges finish(bool news, EventCost& cost);
 
   /// Decides whether the stroke closes.
   void close(Closure closure) { closed_curve_ = tracer_.closed_curve(closure); }
@@ -102,7 +102,7 @@ class StrokeInstance {
   CurveGround begun(const Surface& surface, const Picker& picker, ChartBuilders& builders,
                     const StrokeSettings& settings, const SymmetryInstance& image);
   ReadInputs read_inputs(const StrokeSettings& settings, std::uint64_t inputs) const;
-  StrokeChanges draw(double end_influence, std::uint64_t flags, EventCost& cost);
+  StrokeChanges draw(std::uint64_t flags, EventCost& cost);
   const SurfaceCurve& drawn() const { return closed_curve_ ? *closed_curve_ : tracer_.curve(); }
   void begin_moving();
   void move_curve(std::uint64_t flags);
@@ -110,15 +110,19 @@ class StrokeInstance {
   std::span<const float> dab_t() const;
   bool runs_like_original() const;
   void chart(std::size_t unchanged, EventCost& cost);
+  void look_along(const SurfaceCurve& curve);
   void chart_own(std::size_t unchanged, EventCost& cost);
   double other_feet_from(double same_curve_up_to) const;
+  StrokeEnds ends(double same_curve_up_to);
   bool reads_foot() const { return reads_.inputs & BURIN_INPUT_FOOT; }
+  bool reads_end_distance() const { return reads_.inputs & BURIN_INPUT_END_DISTANCE; }
 
   const Surface* surface_;
   SymmetryInstance image_;
   StrokeWidth width_;
   ParamDynamics dynamics_;
   ReadInputs reads_;
+  double end_influence_;  ///< distance from the end within which the brush depends on the length
   StrokeChartBuilder* builder_ = nullptr;
   BaseSurface* base_ = nullptr;  ///< the base surface on which the stroke runs; null: the surface itself
   LiveDabs* dabs_ = nullptr;     ///< set instead of the chart builder in strokes of dabs
@@ -130,6 +134,8 @@ class StrokeInstance {
   /// Set where the brush moves curves; if it must know all of a curve for that, only when it is finished.
   std::optional<MovedCurve> moved_;
   std::optional<FootLine> foot_;
+  std::optional<EndDistances> ends_;
+  bool begin_bent_ = false;       ///< EndDistances::begin_bends() at the last event
   std::size_t drawn_points_ = 0;  ///< number of drawn points of the curve that are final
   double drawn_length_ = 0;
   bool traced_ = false;  ///< something was traced and not drawn yet

@@ -61,12 +61,20 @@ static inline float burin_rim_factor(const burin_stroke_context* stroke, float t
   return burin_smooth_step((1 - burin_distance(stroke, t, d) / radius) / rim);
 }
 
+/* How far back from its end a stroke with this taper (radii) depends on its length, object units: what
+ * burin_stroke_plan.end_influence must be at least for burin_taper_factor(). */
+static inline double burin_taper_influence(const burin_stroke_context* stroke, float taper) {
+  return taper > 0 ? (taper < 2 ? 2 : taper) * stroke->radius_max : 0;
+}
+
 /* A factor that fades out towards the ends of an open stroke: 0 at an end and beyond, 1 at least `taper`
- * radii inside. A brush that uses it sets burin_stroke_plan.end_influence to at least taper * radius_max. */
-static inline float burin_end_factor(const burin_stroke_context* stroke, float t, float radius, float taper) {
-  const float after = (float)(stroke->length - t), to_end = after < t ? after : t;
+ * radii inside. A stroke shorter than a radius fades out less, and a tap, whose length is 0, not at all.
+ * `end_distance` is the input of this name. */
+static inline float burin_taper_factor(const burin_stroke_context* stroke, float end_distance, float radius,
+                                       float taper) {
+  const float share = (float)(stroke->length / radius);
   if (!burin_has_ends(stroke) || taper == 0) return 1;
-  return burin_smooth_step(to_end / (taper * radius));
+  return 1 - (share < 1 ? share : 1) * (1 - burin_smooth_step(end_distance / (taper * radius)));
 }
 
 #ifdef __cplusplus
