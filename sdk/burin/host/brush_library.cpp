@@ -32,6 +32,8 @@ struct BrushLibrary::Impl {
   void load(const fs::path& module, std::vector<std::string>& ids);
   void refuse(const Error& error, std::vector<std::string> ids);
   void reload(const fs::path& module);
+  void add(const std::string& name, const burin_brush_factory& factory);
+  void replace(std::shared_ptr<const PluginModule>& old, std::shared_ptr<const PluginModule> plugin);
 
   HostServices services;
   std::vector<std::shared_ptr<const PluginModule>> modules;
@@ -118,11 +120,27 @@ void BrushLibrary::Impl::reload(const fs::path& module) {
   const PluginCall call("plugin", name.c_str());
   const ScratchFile copy(fs::temp_directory_path() / "", module);  // takes the mode of no other file
   copy_module(module, copy.path());
-  auto plugin = std::make_shared<const PluginModule>((*old)->path(), copy.path());
+  replace(*old, std::make_shared<const PluginModule>((*old)->path(), copy.path()));
+}
+
+void BrushLibrary::Impl::add(const std::string& name, const burin_brush_factory& factory) {
+  auto plugin = std::make_shared<const PluginModule>(name, factory);
+  const auto old = std::ranges::find(modules, plugin->path(), &PluginModule::path);
+  if (old != modules.end()) {
+    if (!(*old)->is_of_application()) throw FileError(name, "is a module that was loaded from a file");
+    return replace(*old, std::move(plugin));
+  }
+  brushes = with_brushes_of(*plugin, brushes);
+  modules.push_back(std::move(plugin));
+}
+
+/// Puts a module with its brushes in the place of an old one.
+void BrushLibrary::Impl::replace(std::shared_ptr<const PluginModule>& old,
+                                 std::shared_ptr<const PluginModule> plugin) {
   std::vector<BrushEntry> others = brushes;
   std::erase_if(others, [&](const BrushEntry& entry) { return entry.module == plugin->path(); });
   brushes = with_brushes_of(*plugin, std::move(others));
-  *old = std::move(plugin);
+  old = std::move(plugin);
 }
 
 void BrushLibrary::Impl::refuse(const Error& error, std::vector<std::string> ids) {
@@ -136,6 +154,10 @@ void BrushLibrary::load(const fs::path& module) {
 }
 
 void BrushLibrary::reload(const fs::path& module) { impl_->reload(module); }
+
+void BrushLibrary::add(const std::string& name, const burin_brush_factory& factory) {
+  impl_->add(name, factory);
+}
 
 void BrushLibrary::load_folder(const fs::path& folder) {
   for (const fs::path& file : plugin_files(folder)) {

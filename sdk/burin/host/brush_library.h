@@ -11,6 +11,7 @@
 /// Types of burin/abi/plugin.h.
 struct burin_brush;
 struct burin_brush_descriptor;
+struct burin_brush_factory;
 
 namespace burin {
 
@@ -20,7 +21,7 @@ class PluginModule;
 /// anew and no brush of the old one is left.
 struct BrushEntry {
   const burin_brush_descriptor* descriptor;
-  std::filesystem::path module;
+  std::filesystem::path module;  ///< or the name of the application's brushes, see BrushLibrary::add()
 };
 
 /// Destroys a brush, and keeps its module loaded until then.
@@ -65,6 +66,13 @@ class BrushLibrary {
   /// the state of the old ones (abi/ext/state.h); the old module is unloaded with its last brush. Throws as
   /// load(), and Error if the module was never loaded; then the old one stays.
   void reload(const std::filesystem::path& module);
+
+  /// Adds brushes that the application itself has, without a module. `name` stands in error messages where
+  /// others have the path of their module. If there are brushes of this name the new ones take their place, as
+  /// those of a module that is loaded anew; their descriptors must have other addresses. Factories and
+  /// descriptors must live until the library and all brushes are destroyed. Throws as load() does, and
+  /// FileError for the path of a module; then nothing changes.
+  void add(const std::string& name, const burin_brush_factory& factory);
 
   /// Valid until something is loaded, as are references into it.
   const std::vector<BrushEntry>& brushes() const;

@@ -230,5 +230,63 @@ TEST_F(CBrushes, AreLoadedAnew) {
   EXPECT_EQ(IN_C(burin_library_reload)(library_, "/no/such/file", &error_), BURIN_ERROR);
 }
 
+/// The brushes of a module, as an application has its own: it calls the module itself, which stays loaded.
+const burin_brush_factory& brushes_in(const fs::path& module) {
+  void* const handle = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!handle) throw std::runtime_error(dlerror());
+  const auto* entry = static_cast<const burin_plugin_entry*>(dlsym(handle, BURIN_PLUGIN_SYMBOL));
+  CText error;
+  if (entry->init(module.c_str(), &error) != BURIN_OK) throw std::runtime_error(error.str());
+  return *static_cast<const burin_brush_factory*>(entry->get_factory(BURIN_BRUSH_FACTORY));
+}
+
+TEST_F(CBrushes, OfTheApplicationItselfDrawWhatThoseOfModulesDraw) {
+  const auto add = [&](const burin_brush_factory& factory) {
+    return IN_C(burin_library_add)(library_, "own brushes", &factory, &error_);
+  };
+  ASSERT_EQ(add(brushes_in(test_brushes_folder / "raise_to.burin")), BURIN_OK) << error_.str();
+  EXPECT_EQ(count(), 1u);
+  const TriangleMesh mesh = plane(1, 0.04, 4);
+  const burin_mesh arrays = arrays_of(mesh);
+  burin_session* own = nullptr;
+  ASSERT_EQ(IN_C(burin_session_create)(library_, &arrays, &own, &error_), BURIN_OK) << error_.str();
+  const char* const settings[] = {"brush=org.burin.test.raise-to", "radius=0.15", nullptr};
+  auto stroke = sized<burin_stroke>();
+  stroke.settings = settings;
+  const std::vector<burin_sample> samples = in_c(without_pen(wave()));
+  EXPECT_EQ(IN_C(burin_session_begin)(own, &stroke, &error_), BURIN_OK) << error_.str();
+  EXPECT_EQ(IN_C(burin_session_add)(own, samples.data(), samples.size(), nullptr, &error_), BURIN_OK);
+  EXPECT_EQ(IN_C(burin_session_end)(own, &error_), BURIN_OK) << error_.str();
+  std::uint64_t hash = 0;
+  IN_C(burin_session_hash)(own, &hash, &error_);
+  CSession of_module(mesh);
+  of_module.draw({settings[0], settings[1]}, samples);
+  EXPECT_EQ(hash, of_module.hash());
+
+  // The second time they take the place of the first.
+  EXPECT_EQ(add(brushes_in(fs::path(BURIN_RELOADED_BRUSHES) / "reloaded_1.burin")), BURIN_OK) << error_.str();
+  EXPECT_EQ(count(), 1u);
+  EXPECT_TRUE(has_param("count"));
+  EXPECT_EQ(IN_C(burin_session_begin)(own, &stroke, &error_), BURIN_NOT_FOUND);
+  IN_C(burin_session_destroy)(own);
+}
+
+TEST_F(CBrushes, OfTheApplicationItselfAreRefusedLikeThoseOfModules) {
+  const fs::path bead = brushes_folder / "bead.burin";
+  ASSERT_EQ(load(bead), BURIN_OK);
+  const burin_brush_factory& factory = brushes_in(bead);
+  EXPECT_EQ(IN_C(burin_library_add)(library_, "own", &factory, &error_), BURIN_ERROR);
+  EXPECT_EQ(error_.str(), "own: brush org.burin.bead is already there, from " + bead.string());
+  EXPECT_EQ(IN_C(burin_library_add)(library_, bead.c_str(), &factory, &error_), BURIN_ERROR);
+  EXPECT_EQ(error_.str(), bead.string() + ": is a module that was loaded from a file");
+  burin_brush_factory no_create = factory;
+  no_create.create = nullptr;
+  EXPECT_EQ(IN_C(burin_library_add)(library_, "own", &no_create, &error_), BURIN_ERROR);
+  EXPECT_EQ(error_.str(), "own: its brush factory is incomplete");
+  EXPECT_EQ(IN_C(burin_library_add)(library_, nullptr, &factory, &error_), BURIN_INVALID_ARGUMENT);
+  EXPECT_EQ(IN_C(burin_library_add)(library_, "own", nullptr, &error_), BURIN_INVALID_ARGUMENT);
+  EXPECT_EQ(count(), 1u);
+}
+
 }  // namespace
 }  // namespace burin::test

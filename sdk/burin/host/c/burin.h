@@ -28,8 +28,8 @@
 #ifndef BURIN_HOST_C_BURIN_H
 #define BURIN_HOST_C_BURIN_H
 
-#include <burin/abi/brush.h>
 #include <burin/abi/ext/log.h>
+#include <burin/abi/plugin.h>
 #include <burin/host/recorder.h>
 
 #ifdef __cplusplus
@@ -90,6 +90,16 @@ BURIN_API burin_status BURIN_CALL burin_library_load(burin_library* library, con
  * the first time, but remove it or rename another over it. */
 BURIN_API burin_status BURIN_CALL burin_library_reload(burin_library* library, const char* path,
                                                        burin_text* error);
+
+/* Adds brushes that the application has itself, without a module: for languages that make no modules, and for
+ * brushes that are part of the application. They are called as those of modules are, by the rules of
+ * burin/abi/plugin.h and brush.h: `evaluate` on any thread, on several at once, while a call of the session
+ * waits for them. `name`, UTF-8, stands in error messages where others have the path of their module. If there
+ * are brushes of this name the new ones take their place, as in burin_library_reload; their descriptors must
+ * have other addresses. The factories and descriptors must live until the library and all its sessions are
+ * destroyed. If the call fails nothing changes. */
+BURIN_API burin_status BURIN_CALL burin_library_add(burin_library* library, const char* name,
+                                                    const burin_brush_factory* factory, burin_text* error);
 
 /* The number of brushes. */
 BURIN_API uint64_t BURIN_CALL burin_library_brush_count(const burin_library* library);

@@ -81,6 +81,16 @@ burin_status burin_library_reload(burin_library* library, const char* path, buri
   });
 }
 
+burin_status burin_library_add(burin_library* library, const char* name, const burin_brush_factory* factory,
+                               burin_text* error) {
+  return plugin::guarded(error, [&] {
+    c::require(library, "library");
+    c::require(name, "name");
+    c::require(factory, "factory");
+    library->brushes->add(name, *factory);
+  });
+}
+
 uint64_t burin_library_brush_count(const burin_library* library) {
   return library ? library->brushes->brushes().size() : 0;
 }

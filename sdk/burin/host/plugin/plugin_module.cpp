@@ -6,6 +6,8 @@
 #include <burin/host/plugin/utf8_path.h>
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace burin {
 namespace {
 
@@ -25,9 +27,8 @@ const burin_plugin_entry* checked_entry(const Module& module, const std::filesys
   return entry;
 }
 
-const burin_brush_factory* checked_factory(const burin_plugin_entry& entry,
+const burin_brush_factory* checked_factory(const burin_brush_factory* factory,
                                            const std::filesystem::path& path) {
-  const auto* factory = static_cast<const burin_brush_factory*>(entry.get_factory(BURIN_BRUSH_FACTORY));
   if (!factory) throw FileError(path.string(), "offers no brushes");
   if (!BURIN_HAS(factory, burin_brush_factory, create) || !factory->create ||
       (factory->brush_count > 0 && !factory->brushes))
@@ -54,10 +55,14 @@ PluginModule::Life::Life(const burin_plugin_entry& entry, const std::filesystem:
 }
 
 PluginModule::PluginModule(const std::filesystem::path& path, const std::filesystem::path& file)
-    : path_(path),
-      module_(file, path),
-      entry_(checked_entry(module_, path)),
-      life_(*entry_, path),
-      factory_(checked_factory(*entry_, path)) {}
+    : path_(path), module_(std::in_place, file, path) {
+  const burin_plugin_entry& entry = *checked_entry(*module_, path);
+  life_.emplace(entry, path);
+  factory_ =
+      checked_factory(static_cast<const burin_brush_factory*>(entry.get_factory(BURIN_BRUSH_FACTORY)), path);
+}
+
+PluginModule::PluginModule(const std::filesystem::path& name, const burin_brush_factory& factory)
+    : path_(name), factory_(checked_factory(&factory, name)) {}
 
 }  // namespace burin

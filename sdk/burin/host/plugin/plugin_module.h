@@ -3,19 +3,26 @@
 #include <burin/host/plugin/module.h>
 
 #include <filesystem>
+#include <optional>
 #include <span>
 
 namespace burin {
 
-/// A plugin module that is loaded, initialised and checked. All functions are to be called on the main
-/// thread.
+/// A plugin module that is loaded, initialised and checked, or brushes of the application itself. All functions
+/// are to be called on the main thread.
 class PluginModule {
  public:
   /// Loads, initialises and checks the module at `path`, which its init gets, from `file`: it or a copy.
   /// Throws FileError, which gives the path and the reason.
   PluginModule(const std::filesystem::path& path, const std::filesystem::path& file);
 
+  /// Checks brushes of the application, which has them for as long as the object lives. Throws FileError,
+  /// which gives the name and the reason.
+  PluginModule(const std::filesystem::path& name, const burin_brush_factory& factory);
+
+  /// The module's path, or the name of the application's brushes.
   const std::filesystem::path& path() const { return path_; }
+  bool is_of_application() const { return !module_; }
   const burin_brush_factory& factory() const { return *factory_; }
   std::span<const burin_brush_descriptor* const> brushes() const {
     return {factory_->brushes, factory_->brush_count};
@@ -35,9 +42,8 @@ class PluginModule {
   };
 
   std::filesystem::path path_;
-  Module module_;
-  const burin_plugin_entry* entry_;
-  Life life_;
+  std::optional<Module> module_;  ///< none: the brushes are the application's
+  std::optional<Life> life_;
   const burin_brush_factory* factory_;
 };
 
