@@ -2,6 +2,7 @@
 // or checks it.
 #include <burin/base/file.h>
 #include <burin/chart/stroke_chart_builder.h>
+#include <burin/stroke/curve/stroke_trace.h>
 #include <burin/stroke/move_origin.h>
 #include <burin/stroke/sample_times.h>
 #include <fmt/format.h>
@@ -14,7 +15,6 @@
 #include <tuple>
 
 #include "chart/chart_check.h"
-#include "chart/stroke_trace.h"
 #include "command.h"
 #include "input/mesh_input.h"
 #include "input/name_file.h"

@@ -2,10 +2,9 @@
 // and computes the colours of painted clay for pictures.
 #include "pictures/painted.h"
 
-#include <algorithm>
-#include <cmath>
+#include <burin/deform/paint_bytes.h>
 
-#include <burin/base/srgb.h>
+#include <algorithm>
 
 namespace burin {
 namespace {
@@ -20,15 +19,6 @@ Tint tint_at(const Paint& paint, const SurfacePoint& point) {
     tint += point.weights[i] * tint_of(paint.colour_of(vertex), paint.mask_of(vertex));
   }
   return tint;
-}
-
-Vec4f colour_of(const PaintBytes& bytes) {
-  return {from_srgb(bytes[0]), from_srgb(bytes[1]), from_srgb(bytes[2]), static_cast<float>(bytes[3]) / 255};
-}
-
-PaintBytes bytes_of(const Vec4f& colour) {
-  return {to_srgb(colour.x()), to_srgb(colour.y()), to_srgb(colour.z()),
-          static_cast<std::uint8_t>(std::lround(255 * colour.w()))};
 }
 
 }  // namespace

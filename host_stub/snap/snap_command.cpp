@@ -1,6 +1,7 @@
 // The command `burin snap`: moves recorded strokes to ridges, silhouettes and other features of a surface.
 #include <burin/base/error.h>
 #include <burin/feature/snap.h>
+#include <burin/stroke/curve/stroke_trace.h>
 #include <burin/stroke/move_origin.h>
 #include <burin/stroke/sample_times.h>
 #include <burin/surface/vertex_scalar.h>
@@ -11,7 +12,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "chart/stroke_trace.h"
 #include "command.h"
 #include "input/mesh_input.h"
 #include "input/radius_fit.h"

@@ -40,7 +40,7 @@ const std::map<std::string, Names> may_include = {
      {"abi", "math", "plugin", "base", "surface", "stroke", "chart", "deform", "feature", "refine", "volume",
       "along"}},
     {"services", {"host", "stamp"}},
-    {"c", {"services"}},
+    {"c", {"services", "subdiv", "feature"}},
     {"brushes", {"abi", "math", "plugin"}},
     {"host_probe", {"abi"}},
     {"host_stub", {"services", "level_set", "subdiv", "ink", "feature"}},

@@ -28,8 +28,11 @@ from .brush import (
 from .brushinfo import INPUTS, OUTPUTS, BrushInfo, ParamInfo
 from .errors import Error, InvalidArgument, NotFound, OutOfMemory, Unsupported
 from .library import Library
+from .mesh import Mesh, read_mesh, write_mesh
 from .recorder import Camera, Recorder
-from .session import CHART_NODE, SAMPLE, Chart, Event, Session, SessionInfo, samples
+from .recording import RecordedStroke, Recording, read_recording
+from .samples import SAMPLE, samples
+from .session import CHART_NODE, LINES, Chart, Event, Session, SessionInfo, Snapped
 
 __version__ = version()
 
@@ -52,21 +55,29 @@ __all__ = [
     "INPUTS",
     "IntParam",
     "InvalidArgument",
+    "LINES",
     "Library",
+    "Mesh",
     "NotFound",
     "OUTPUTS",
     "OutOfMemory",
     "Param",
     "ParamInfo",
+    "RecordedStroke",
     "Recorder",
+    "Recording",
     "SAMPLE",
     "Session",
     "SessionInfo",
+    "Snapped",
     "Start",
     "TextParam",
     "Unsupported",
     "library_file",
+    "read_mesh",
+    "read_recording",
     "samples",
     "smooth_step",
     "version",
+    "write_mesh",
 ]

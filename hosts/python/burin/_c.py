@@ -194,6 +194,62 @@ class Chart(Sized):
     ]
 
 
+class Snap(Sized):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("line", c_int32),
+        ("radius", c_double),
+        ("scale", c_double),
+        ("significance", c_double),
+        ("view", c_double * 3),
+        ("view_is_eye", c_uint32),
+        ("fixed_ends", c_uint32),
+        ("values", c_void_p),
+    ]
+
+
+class Snapped(Sized):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("samples", c_void_p),
+        ("sample_count", c_uint64),
+        ("share", c_double),
+        ("significance", c_double),
+        ("mean_move", c_double),
+    ]
+
+
+class RecordingStroke(Sized):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("fields", c_uint32),
+        ("settings", POINTER(c_char_p)),
+        ("seed", c_uint64),
+        ("samples", c_void_p),
+        ("sample_count", c_uint64),
+    ]
+
+
+class MeshFileOptions(Sized):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("levels", c_uint32),
+        ("target_triangles", c_uint64),
+        ("weld", c_double),
+    ]
+
+
+class MeshValues(Sized):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("colours", c_void_p),
+        ("masks", c_void_p),
+        ("origin", c_double * 3),
+    ]
+
+
 class RecorderCamera(Structure):
     _fields_ = [("view", c_double * 16), ("projection", c_double * 16), ("width", c_int32), ("height", c_int32)]
 
@@ -250,6 +306,12 @@ _WITH_STATUS: dict[str, list[Any]] = {
     "burin_session_write": [c_void_p, c_int32, POINTER(Range), POINTER(Array)],
     "burin_session_read": [c_void_p, c_int32, POINTER(Range), POINTER(Array)],
     "burin_session_chart": [c_void_p, POINTER(Chart)],
+    "burin_session_snap": [c_void_p, POINTER(Snap), c_void_p, c_uint64, c_uint32, POINTER(Snapped)],
+    "burin_recording_read": [c_char_p, POINTER(c_void_p)],
+    "burin_recording_get_stroke": [c_void_p, c_uint64, POINTER(RecordingStroke)],
+    "burin_mesh_file_read": [c_char_p, POINTER(MeshFileOptions), POINTER(c_void_p)],
+    "burin_mesh_file_get": [c_void_p, POINTER(MeshArrays), POINTER(MeshValues)],
+    "burin_mesh_write": [c_char_p, POINTER(MeshArrays), POINTER(MeshValues)],
     "burin_recorder_begin": [c_void_p, POINTER(RecordedStroke)],
     "burin_recorder_add": [c_void_p, POINTER(RecordedSample)],
     "burin_recorder_end": [c_void_p],
@@ -264,6 +326,10 @@ _WITHOUT_STATUS: dict[str, tuple[Any, list[Any]]] = {
     "burin_library_refused": (c_char_p, [c_void_p, c_uint64]),
     "burin_session_destroy": (None, [c_void_p]),
     "burin_session_values": (c_void_p, [c_void_p, c_int32]),
+    "burin_recording_destroy": (None, [c_void_p]),
+    "burin_recording_stroke_count": (c_uint64, [c_void_p]),
+    "burin_recording_device": (c_char_p, [c_void_p]),
+    "burin_mesh_file_destroy": (None, [c_void_p]),
     "burin_recorder_open": (c_void_p, [POINTER(RecorderOptions), POINTER(Text)]),
     "burin_recorder_close": (None, [c_void_p]),
 }

@@ -14,7 +14,13 @@ class _Memory:
     __slots__ = ("__array_interface__", "owner")
 
     def __init__(
-        self, address: int, shape: tuple[int, ...], strides: tuple[int, ...] | None, kind: str, writable: bool, owner: object
+        self,
+        address: int,
+        shape: tuple[int, ...],
+        strides: tuple[int, ...] | None,
+        kind: np.dtype[Any],
+        writable: bool,
+        owner: object,
     ) -> None:
         self.owner = owner
         self.__array_interface__ = {
@@ -22,7 +28,8 @@ class _Memory:
             "data": (address, not writable),
             "shape": shape,
             "strides": strides,
-            "typestr": kind,
+            "typestr": kind.str,
+            "descr": kind.descr,
         }
 
 
@@ -30,11 +37,11 @@ def view(
     address: int,
     shape: tuple[int, ...],
     strides: tuple[int, ...] | None = None,
-    kind: str = "<f4",
+    kind: np.typing.DTypeLike = np.float32,
     writable: bool = False,
     owner: object = None,
 ) -> NDArray[Any]:
     """An array at an address. `strides` are in bytes; None: no gaps. `owner` lives as long as the array."""
     if not address:
-        return np.empty(shape, np.dtype(kind))
-    return np.asarray(_Memory(address, shape, strides, kind, writable, owner))
+        return np.empty(shape, kind)
+    return np.asarray(_Memory(address, shape, strides, np.dtype(kind), writable, owner))

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from . import _c
 from ._settings import Setting, dynamics_of, fields_of
 from .errors import Error
-from .session import SAMPLE, samples
+from .samples import SAMPLE, samples
 
 
 class Camera:

@@ -14,69 +14,23 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _c
-from ._memory import view
+from ._arrays import FLOATS, MeshArrays, readable
+from ._memory import view as view_of
 from ._settings import Setting, fields_of, setting_texts
 from .errors import InvalidArgument, raise_status
 from .library import Library
+from .mesh import Mesh, write_mesh
+from .recording import RecordedStroke
+from .samples import SAMPLE, samples
 
 ATTRIBUTES = {"positions": (1, 3), "normals": (2, 3), "colours": (3, 4), "masks": (4, 1)}
 """Attributes of vertices: their numbers in C, and how many floats a vertex has."""
-
-SAMPLE = np.dtype(
-    [
-        ("struct_size", "<u4"),
-        ("pressure", "<f4"),
-        ("time", "<f8"),
-        ("position", "<f8", 3),
-        ("direction", "<f8", 3),
-        ("tilt", "<f4", 2),
-        ("twist", "<f4"),
-        ("reserved", "<u4"),
-    ]
-)
-"""A sample of the pen, the bytes of burin_sample; samples() fills it.
-
-pressure 0..1; time in seconds, not falling; position in object units, near the surface or where the sample's ray starts;
-direction of the ray, zeros: none; tilt in radians from upright, towards +x and +y; twist in radians."""
 
 CHART_NODE = np.dtype([("vertex", "<u4"), ("sheet", "<u4"), ("t", "<f8"), ("d", "<f4")])
 """A node of a chart: the vertex, the number of the visit to it, arc length along the stroke and signed distance to it,
 object units; d is positive on the left."""
 
 Progress = Callable[[str, float], None]
-
-
-def samples(
-    position: ArrayLike,
-    *,
-    direction: ArrayLike | None = None,
-    time: ArrayLike | None = None,
-    pressure: ArrayLike | None = None,
-    tilt: ArrayLike | None = None,
-    twist: ArrayLike | None = None,
-) -> NDArray[np.void]:
-    """Samples of the pen, an array of shape (n,) and type SAMPLE.
-
-    position and direction have the shape (n, 3) or (3,), tilt (n, 2) or (2,), the others (n,) or a number. What the pen does
-    not report is left out, and not named in the `fields` of the stroke.
-
-    >>> samples([[0, 0, 1], [0.1, 0, 1]], pressure=0.5)["pressure"]
-    array([0.5, 0.5], dtype=float32)
-    """
-    places = np.atleast_2d(np.asarray(position, np.float64))
-    made = np.zeros(len(places), SAMPLE)
-    made["struct_size"] = SAMPLE.itemsize
-    made["position"] = places
-    for name, values in (
-        ("direction", direction),
-        ("time", time),
-        ("pressure", pressure),
-        ("tilt", tilt),
-        ("twist", twist),
-    ):
-        if values is not None:
-            made[name] = values
-    return made
 
 
 @dataclass(frozen=True)
@@ -113,57 +67,22 @@ class Chart:
     """Whether t is periodic with `length`."""
 
 
-class _Arrays:
-    """burin_mesh over arrays of numpy, which it keeps; they are copied only if their type or layout is none of C's."""
+LINES = ("ridge", "valley", "silhouette", "border", "high", "low")
+"""What strokes are snapped to."""
 
-    _POSITIONS = {"f4": _c.FLOAT32, "f8": _c.FLOAT64}
-    _CORNERS = {"u4": _c.UINT32, "i4": _c.UINT32, "u8": _c.UINT64, "i8": _c.UINT64}
 
-    def __init__(self, positions: ArrayLike, faces: ArrayLike, face_sizes: ArrayLike | None, order: str) -> None:
-        self.positions = self._array(positions, self._POSITIONS, np.float64)
-        self.corners = self._array(faces, self._CORNERS, np.int64)
-        self.copies = int(self.positions is not positions) + int(self.corners is not faces)
-        if self.positions.ndim != 2 or self.positions.shape[1] != 3:
-            raise InvalidArgument(f"positions: the shape must be (n, 3), not {self.positions.shape}")
-        self.mesh = _c.MeshArrays(
-            self._POSITIONS[self.positions.dtype.str[1:]],
-            self.positions.ctypes.data,
-            len(self.positions),
-            self.positions.strides[0],
-        )
-        self.mesh.corners = self.corners.ctypes.data
-        self.mesh.corner_type = self._CORNERS[self.corners.dtype.str[1:]]
-        if order not in ("caller", "surface"):
-            raise InvalidArgument(f"order: must be 'caller' or 'surface', not {order!r}")
-        self.mesh.order = 1 if order == "caller" else 2
-        if face_sizes is None:
-            self._set_faces_of_one_size()
-        else:
-            self._set_face_sizes(face_sizes)
+@dataclass(frozen=True)
+class Snapped:
+    """A stroke that was moved to a line of the surface."""
 
-    @staticmethod
-    def _array(given: ArrayLike, types: dict[str, int], other: Any) -> NDArray[Any]:
-        """The array itself if C can read it: numbers of one of the types, those of a vertex or face without gaps."""
-        array = np.asarray(given)
-        if array.dtype.str[1:] not in types or not array.dtype.isnative:
-            array = array.astype(other)
-        in_order = array.ndim > 0 and array.strides[-1] == array.itemsize and min(array.strides) > 0
-        return array if in_order else np.ascontiguousarray(array)
-
-    def _set_faces_of_one_size(self) -> None:
-        if self.corners.ndim != 2:
-            raise InvalidArgument(f"faces: the shape must be (m, corners of a face), not {self.corners.shape}")
-        self.mesh.face_count, self.mesh.face_size = self.corners.shape
-        self.mesh.face_stride = self.corners.strides[0]
-
-    def _set_face_sizes(self, face_sizes: ArrayLike) -> None:
-        if self.corners.ndim != 1:
-            raise InvalidArgument(f"faces: with face_sizes they have the shape (corners of all faces,), not {self.corners.shape}")
-        self.sizes = np.ascontiguousarray(face_sizes, self.corners.dtype)
-        if self.sizes.sum() != len(self.corners):
-            raise InvalidArgument(f"face_sizes: their sum is {self.sizes.sum()}, but there are {len(self.corners)} corners")
-        self.mesh.face_count = len(self.sizes)
-        self.mesh.face_sizes = self.sizes.ctypes.data
+    samples: NDArray[np.void]
+    """Of type SAMPLE, on the surface, half an edge apart."""
+    share: float
+    """Of the stroke's length that was snapped; 0: nothing stands out, the stroke stays as it was."""
+    significance: float
+    """Contrast of the line in units of the noise, mean; if nothing was snapped the greatest anywhere."""
+    mean_move: float
+    """Of what was snapped, object units."""
 
 
 class _Handle:
@@ -178,6 +97,12 @@ class _Handle:
 
 def _destroy(pointer: ctypes.c_void_p, _library: Library) -> None:
     _c.lib.burin_session_destroy(pointer)
+
+
+def _as_samples(position: Any, pen: dict[str, ArrayLike]) -> NDArray[np.void]:
+    """Samples one after the other: the array itself if it is of type SAMPLE and has no gaps."""
+    given: NDArray[np.void] = position if getattr(position, "dtype", None) == SAMPLE else samples(position, **pen)
+    return np.atleast_1d(np.ascontiguousarray(given))
 
 
 def _attribute(name: str) -> tuple[int, int]:
@@ -210,11 +135,20 @@ class Session:
         >>> Session(Library(stock=False), plane, [[0, 1, 2, 3]]).info.triangle_count
         2
         """
-        arrays = _Arrays(positions, faces, face_sizes, order)
+        arrays = MeshArrays(positions, faces, face_sizes, order)
         self.library = library
         self._handle: _Handle | None = _Handle(library, arrays.mesh)
         self._progress: Any = None
         self._progress_fault: BaseException | None = None
+
+    @classmethod
+    def of_mesh(cls, library: Library, mesh: Mesh, *, order: str = "caller") -> Session:
+        """Makes a session of a mesh that read_mesh() has read, with its colours and masks."""
+        session = cls(library, mesh.positions, mesh.triangles, order=order)
+        for attribute, values in (("colours", mesh.colours), ("masks", mesh.masks)):
+            if values is not None:
+                session.write(attribute, values if order == "caller" else values[session.map_from_surface()])
+        return session
 
     def close(self) -> None:
         """Lets go of the session. Its memory is freed once no array is a view of it."""
@@ -280,8 +214,7 @@ class Session:
     def add(self, position: Any, **pen: ArrayLike) -> Event:
         """Adds samples to the open stroke: an array of type SAMPLE, which is read where it is, or what samples() takes. All
         samples of a call bring the surface up to date once, so those of a frame belong in one."""
-        given = position if getattr(position, "dtype", None) == SAMPLE else samples(position, **pen)
-        given = np.atleast_1d(np.ascontiguousarray(given))
+        given = _as_samples(position, pen)
         event = _c.Event()
         self._call("burin_session_add", given.ctypes.data, len(given), event)
         return Event(event.drawn, event.outcome == 1)
@@ -308,6 +241,13 @@ class Session:
             self.cancel()
             raise
         self.end()
+
+    def draw(self, stroke: RecordedStroke, **settings: Setting) -> Event:
+        """Draws a recorded stroke at once. Settings hold before the recorded ones."""
+        self.begin(**{"fields": stroke.fields, "seed": stroke.seed, **stroke.settings, **settings})  # type: ignore[arg-type]
+        event = self.add(stroke.samples)
+        self.end()
+        return event
 
     def replay(self, path: str | os.PathLike[str], **settings: Setting) -> None:
         """Draws all strokes of a recording as `burin replay` does. Settings hold before the recording's own."""
@@ -342,6 +282,38 @@ class Session:
         self._call("burin_session_set_progress", function, None)
         self._progress = function
 
+    def snap(
+        self,
+        line: str,
+        position: Any,
+        *,
+        radius: float,
+        scale: float = 0,
+        significance: float = 4,
+        view: tuple[float, float, float] = (0, 0, 0),
+        view_is_eye: bool = False,
+        fixed_ends: bool = False,
+        values: ArrayLike | None = None,
+        fields: str | Iterable[str] = (),
+        **pen: ArrayLike,
+    ) -> Snapped:
+        """Moves a stroke, samples as add() takes them, to a line of the surface within `radius`, object units, without drawing
+        it: "ridge", "valley", "silhouette", seen in the direction `view` or from the eye there, "border", or "high" and
+        "low", crests of `values` of the vertices. scale: half the line's width is best, object units; 0: chosen. See
+        docs/snapping.md. Costs time in proportion to the surface."""
+        if line not in LINES:
+            raise InvalidArgument(f"there is no line {line!r}, but {', '.join(LINES)}")
+        given = _as_samples(position, pen)
+        kept = None if values is None else np.ascontiguousarray(values, np.float32)
+        if kept is not None and kept.shape != (self.info.vertex_count,):
+            raise InvalidArgument(f"values: the shape must be ({self.info.vertex_count},), not {kept.shape}")
+        how = _c.Snap(LINES.index(line) + 1, radius, scale, significance, view, view_is_eye, fixed_ends)
+        how.values = None if kept is None else kept.ctypes.data
+        found = _c.Snapped()
+        self._call("burin_session_snap", how, given.ctypes.data, len(given), fields_of(fields), found)
+        moved = view_of(found.samples, (found.sample_count,), kind=SAMPLE).copy()
+        return Snapped(moved, found.share, found.significance, found.mean_move)
+
     def hash(self) -> int:
         """The number that `burin replay` prints, there with 16 hexadecimal digits: f"{session.hash():016x}"."""
         hash = ctypes.c_uint64()
@@ -368,7 +340,7 @@ class Session:
             self.update(attribute)
         count = self.info.vertex_count
         shape = (count,) if size == 1 else (count, size)
-        return view(_c.lib.burin_session_values(self._pointer, number), shape, owner=self._handle)
+        return view_of(_c.lib.burin_session_values(self._pointer, number), shape, owner=self._handle)
 
     @property
     def triangles(self) -> NDArray[np.uint32]:
@@ -408,7 +380,7 @@ class Session:
         """Takes values of the vertices [begin, begin + n) that other tools changed: positions, or colours or masks, 0..1. It
         is no step of undo. float32 and float64 are read where they are."""
         number, size = _attribute(attribute)
-        array = _Arrays._array(values, _Arrays._POSITIONS, np.float64)
+        array = readable(values, FLOATS, np.float64)
         self._check(array, size, len(array), "values")
         self._call("burin_session_write", number, _c.Range(begin, begin + len(array)), self._array(array))
 
@@ -417,12 +389,12 @@ class Session:
         shape = (count,) if size == 1 else (count, size)
         if array.shape != shape:
             raise InvalidArgument(f"{name}: the shape must be {shape}, not {array.shape}")
-        if array.dtype.str[1:] not in _Arrays._POSITIONS or (size > 1 and array.strides[1] != array.itemsize):
+        if array.dtype.str[1:] not in FLOATS or (size > 1 and array.strides[1] != array.itemsize):
             raise InvalidArgument(f"{name}: must be float32 or float64, without gaps between the values of a vertex")
 
     @staticmethod
     def _array(array: NDArray[Any]) -> _c.Array:
-        return _c.Array(_Arrays._POSITIONS[array.dtype.str[1:]], array.ctypes.data, array.strides[0])
+        return _c.Array(FLOATS[array.dtype.str[1:]], array.ctypes.data, array.strides[0])
 
     def chart(self) -> Chart:
         """The chart of the last piece of the open stroke, or of the last stroke; a copy."""
@@ -431,5 +403,16 @@ class Session:
         nodes = np.empty(chart.count, CHART_NODE)
         for name in ("vertex", "sheet", "t", "d"):
             kind = CHART_NODE[name].str
-            nodes[name] = view(getattr(chart, name), (chart.count,), kind=kind)
+            nodes[name] = view_of(getattr(chart, name), (chart.count,), kind=kind)
         return Chart(nodes, chart.length, bool(chart.closed))
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the surface, with colours and masks where anything is painted: .ply, .glb, .obj or .off."""
+        colours, masks = self.read("colours"), self.read("masks")
+        write_mesh(
+            path,
+            self.read(),
+            self.triangles,
+            colours=colours if colours[:, 3].any() else None,
+            masks=masks if (masks != 1).any() else None,
+        )

@@ -68,8 +68,8 @@ class BrushLibrary {
   void reload(const std::filesystem::path& module);
 
   /// Adds brushes that the application itself has, without a module. `name` stands in error messages where
-  /// others have the path of their module. If there are brushes of this name the new ones take their place, as
-  /// those of a module that is loaded anew; their descriptors must have other addresses. Factories and
+  /// others have the path of their module. If there are brushes of this name the new ones take their place,
+  /// as those of a module that is loaded anew; their descriptors must have other addresses. Factories and
   /// descriptors must live until the library and all brushes are destroyed. Throws as load() does, and
   /// FileError for the path of a module; then nothing changes.
   void add(const std::string& name, const burin_brush_factory& factory);

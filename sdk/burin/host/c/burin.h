@@ -94,10 +94,10 @@ BURIN_API burin_status BURIN_CALL burin_library_reload(burin_library* library, c
 /* Adds brushes that the application has itself, without a module: for languages that make no modules, and for
  * brushes that are part of the application. They are called as those of modules are, by the rules of
  * burin/abi/plugin.h and brush.h: `evaluate` on any thread, on several at once, while a call of the session
- * waits for them. `name`, UTF-8, stands in error messages where others have the path of their module. If there
- * are brushes of this name the new ones take their place, as in burin_library_reload; their descriptors must
- * have other addresses. The factories and descriptors must live until the library and all its sessions are
- * destroyed. If the call fails nothing changes. */
+ * waits for them. `name`, UTF-8, stands in error messages where others have the path of their module. If
+ * there are brushes of this name the new ones take their place, as in burin_library_reload; their descriptors
+ * must have other addresses. The factories and descriptors must live until the library and all its sessions
+ * are destroyed. If the call fails nothing changes. */
 BURIN_API burin_status BURIN_CALL burin_library_add(burin_library* library, const char* name,
                                                     const burin_brush_factory* factory, burin_text* error);
 
@@ -371,6 +371,128 @@ typedef struct burin_chart {
 /* Fills the members that chart->struct_size covers. */
 BURIN_API burin_status BURIN_CALL burin_session_chart(burin_session* session, burin_chart* chart,
                                                       burin_text* error);
+
+/* ---- Snapping ---- */
+
+/* Lines of a surface that strokes are moved to (docs/snapping.md). */
+typedef int32_t burin_line;
+enum {
+  BURIN_LINE_UNKNOWN = 0,
+  BURIN_LINE_RIDGE = 1,      /* where the surface is most convex across the stroke */
+  BURIN_LINE_VALLEY = 2,     /* where it is most concave */
+  BURIN_LINE_SILHOUETTE = 3, /* where it turns away from `view` */
+  BURIN_LINE_BORDER = 4,     /* its open border */
+  BURIN_LINE_HIGH = 5,       /* where `values` are greatest across the stroke */
+  BURIN_LINE_LOW = 6         /* where they are least */
+};
+
+/* How a stroke is snapped. */
+typedef struct burin_snap {
+  uint32_t struct_size;
+  burin_line line;
+  double radius; /* how far from the stroke lines are searched for, object units, > 0 */
+  double scale;  /* how far the surface is smoothed across the stroke, object units: half the line's width is
+                    best; 0: as `burin snap` chooses */
+  double significance;  /* least contrast that counts, in units of the noise; 0: 4 */
+  double view[3];       /* of silhouettes: the direction of sight, not zero, or where the eye is */
+  uint32_t view_is_eye; /* 1: `view` is a place, object units */
+  uint32_t fixed_ends;  /* 1: the ends of the stroke stay */
+  const float* values;  /* of BURIN_LINE_HIGH and _LOW: one for each of the session's vertices, finite */
+} burin_snap;
+
+/* A snapped stroke. Samples belong to the session and are valid until its next call. */
+typedef struct burin_snapped {
+  uint32_t struct_size;
+  uint32_t reserved;
+  const burin_sample* samples; /* positions on the surface, half an edge apart */
+  uint64_t sample_count;
+  double share; /* of the stroke's length that was snapped; 0: nothing stands out, it stays as it was */
+  double significance; /* contrast of the line, mean; if nothing was snapped the greatest anywhere */
+  double mean_move;    /* of what was snapped, object units */
+} burin_snapped;
+
+/* Moves a stroke, whose samples all lie on the surface in one piece, to a line of the surface as it is after
+ * the last stroke. Nothing is drawn: the samples of the result may be. Costs time and memory in proportion to
+ * the surface. Not within a stroke. */
+BURIN_API burin_status BURIN_CALL burin_session_snap(burin_session* session, const burin_snap* how,
+                                                     const burin_sample* samples, uint64_t count,
+                                                     uint32_t fields, burin_snapped* snapped,
+                                                     burin_text* error);
+
+/* ---- Files ---- */
+
+typedef struct burin_recording burin_recording;
+
+/* A stroke of a recording, ready for burin_session_begin and burin_session_add: drawn so it has the bits that
+ * `burin replay` gives it. */
+typedef struct burin_recording_stroke {
+  uint32_t struct_size;
+  uint32_t fields; /* BURIN_PEN_* that the pen reported */
+  const char* const*
+      settings; /* those that were recorded, as of burin_stroke; brush and radius may be missing */
+  uint64_t seed;
+  const burin_sample* samples; /* of a recording on a screen the rays through the camera */
+  uint64_t sample_count;
+} burin_recording_stroke;
+
+/* Reads a recording, docs/stroke_format.md. Fails for one that was cut off. [any thread, concurrent] */
+BURIN_API burin_status BURIN_CALL burin_recording_read(const char* path, burin_recording** recording,
+                                                       burin_text* error);
+
+/* Frees the recording, which may be null. */
+BURIN_API void BURIN_CALL burin_recording_destroy(burin_recording* recording);
+
+/* The number of strokes. */
+BURIN_API uint64_t BURIN_CALL burin_recording_stroke_count(const burin_recording* recording);
+
+/* What was drawn with; "" if the file does not say. Lives as long as the recording. */
+BURIN_API const char* BURIN_CALL burin_recording_device(const burin_recording* recording);
+
+/* Fills the members that stroke->struct_size covers; what they point to lives as long as the recording.
+ * BURIN_NOT_FOUND if there is no such stroke. */
+BURIN_API burin_status BURIN_CALL burin_recording_get_stroke(const burin_recording* recording, uint64_t index,
+                                                             burin_recording_stroke* stroke,
+                                                             burin_text* error);
+
+typedef struct burin_mesh_file burin_mesh_file;
+
+/* How a mesh is read. */
+typedef struct burin_mesh_file_options {
+  uint32_t struct_size;
+  uint32_t levels; /* of refinement, 0..15: by Loop if all faces are triangles, else Catmull-Clark */
+  uint64_t target_triangles; /* instead, if not 0: refine to at least so many */
+  double weld; /* edges that lie on each other no farther apart are joined, object units, > 0; 0: what
+                  rounding has separated */
+} burin_mesh_file_options;
+
+/* What a mesh has besides its arrays. */
+typedef struct burin_mesh_values {
+  uint32_t struct_size;
+  uint32_t reserved;
+  const float* colours; /* as BURIN_COLOURS, of all vertices; null: none */
+  const float* masks;   /* as BURIN_MASKS; null: none */
+  double origin[3];     /* is added to all positions, which are floats near it, object units */
+} burin_mesh_values;
+
+/* Reads and refines a mesh as `burin replay` does: OBJ, PLY, STL, OFF, glTF or GLB, which the extension
+ * selects (docs/files.md). `options` may be null. Refined meshes have neither colours nor masks. [any thread,
+ * concurrent] */
+BURIN_API burin_status BURIN_CALL burin_mesh_file_read(const char* path,
+                                                       const burin_mesh_file_options* options,
+                                                       burin_mesh_file** file, burin_text* error);
+
+/* Frees the mesh, which may be null. */
+BURIN_API void BURIN_CALL burin_mesh_file_destroy(burin_mesh_file* file);
+
+/* Fills the members that the sizes cover: arrays of triangles, for burin_session_create. They belong to the
+ * mesh. `values` may be null. */
+BURIN_API burin_status BURIN_CALL burin_mesh_file_get(const burin_mesh_file* file, burin_mesh* mesh,
+                                                      burin_mesh_values* values, burin_text* error);
+
+/* Writes a mesh of triangles, wholly or not at all: PLY, GLB, OBJ or OFF, which the extension selects. Larger
+ * faces are cut into triangles. `values` may be null. [any thread, concurrent] */
+BURIN_API burin_status BURIN_CALL burin_mesh_write(const char* path, const burin_mesh* mesh,
+                                                   const burin_mesh_values* values, burin_text* error);
 
 #ifdef __cplusplus
 }

@@ -65,6 +65,7 @@ struct burin_session {
   /// [attribute - 1]; made with its first update
   std::array<std::optional<burin::c::ShownValues>, burin::c::attribute_count> shown;
   std::vector<burin::Index> chart_vertices;  ///< of burin_session_chart
+  std::vector<burin_sample> snapped;         ///< of burin_session_snap
 };
 
 namespace burin::c {

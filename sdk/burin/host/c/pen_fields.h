@@ -1,6 +1,6 @@
 #pragma once
 #include <burin/host/recorder.h>
-#include <burin/stroke/pen.h>
+#include <burin/stroke/recording.h>
 
 #include <cstdint>
 
@@ -14,6 +14,16 @@ inline PenFields fields_of(std::uint32_t fields) {
           .twist = (fields & BURIN_PEN_TWIST) != 0};
 }
 
+/// The bits BURIN_PEN_* of what a pen reports.
+inline std::uint32_t bits_of(const PenFields& fields) {
+  std::uint32_t bits = 0;
+  if (fields.time) bits |= BURIN_PEN_TIME;
+  if (fields.pressure) bits |= BURIN_PEN_PRESSURE;
+  if (fields.tilt) bits |= BURIN_PEN_TILT;
+  if (fields.twist) bits |= BURIN_PEN_TWIST;
+  return bits;
+}
+
 /// The time and pen of a sample, a struct of C: those fields alone that the pen reports.
 template <class Given>
 void read_pen(const Given& given, const PenFields& fields, double& time, Pen& pen) {
@@ -24,6 +34,16 @@ void read_pen(const Given& given, const PenFields& fields, double& time, Pen& pe
     pen.tilt_y = given.tilt_y;
   }
   if (fields.twist) pen.twist = given.twist;
+}
+
+/// Gives the time and pen of a sample to a struct of C.
+template <class Given>
+void write_pen(const Sample& from, Given& into) {
+  into.time = from.time;
+  into.pressure = from.pen.pressure;
+  into.tilt_x = from.pen.tilt_x;
+  into.tilt_y = from.pen.tilt_y;
+  into.twist = from.pen.twist;
 }
 
 }  // namespace burin::c

@@ -4,9 +4,9 @@
 #include <burin/host/c/handles.h>
 #include <burin/host/c/pen_fields.h>
 #include <burin/host/c/stroke_texts.h>
+#include <burin/host/c/whole_recording.h>
 #include <burin/host/replay.h>
 #include <burin/host/stroke_pieces.h>
-#include <burin/stroke/stroke_file.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -161,9 +161,7 @@ void take(burin_session* session, bool (Session::*one)(), const char* none) {
 
 void replay_file(burin_session& session, const char* path, const char* const* settings) {
   const GivenSettings overrides = read_texts(settings, *session.brushes);
-  const Recording recording = read_strokes(path);
-  if (recording.cut_off_at)
-    throw FileError(path, std::to_string(*recording.cut_off_at), "the recording is cut off here");
+  const Recording recording = read_whole_recording(path);
   ReplayObserver observer;
   observer.progress = session.progress;
   observer.changed = [&](const Session&) { session.note_changed(); };

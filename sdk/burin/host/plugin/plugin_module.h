@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// A plugin module that is loaded, initialised and checked, or brushes of the application itself. All functions
-/// are to be called on the main thread.
+/// A plugin module that is loaded, initialised and checked, or brushes of the application itself. All
+/// functions are to be called on the main thread.
 class PluginModule {
  public:
   /// Loads, initialises and checks the module at `path`, which its init gets, from `file`: it or a copy.

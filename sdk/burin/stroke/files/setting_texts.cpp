@@ -2,6 +2,7 @@
 #include <burin/base/quoted_word.h>
 #include <burin/base/text/number_text.h>
 #include <burin/stroke/files/setting_texts.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,17 @@ void add_setting(const std::string& text, json& all) {
   }
 }
 
+std::string value_text(const nlohmann::ordered_json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const auto& one : value) {
+    if (!text.empty()) text += ',';
+    text += value_text(one);
+  }
+  return text;
+}
+
 }  // namespace
 
 json setting_json(const SettingRow& row, const std::string& text, const std::string& name) {
@@ -102,6 +114,25 @@ void read_setting_texts(std::span<const std::string> texts, const IsTextParam& i
     const auto [name, value] = sides(text, "params");
     into[&StrokeSettings::params][name] = is_text(name) ? ParamSetting(value) : param_of_text(value);
   }
+}
+
+std::vector<std::string> setting_texts(const GivenSettings& given) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::object();
+  write_settings(given, all);
+  std::vector<std::string> texts;
+  for (const auto& [key, value] : all.items()) {
+    if (key == "params") {
+      for (const auto& [name, one] : value.items())
+        texts.push_back(fmt::format("params={}={}", name, value_text(one)));
+    } else if (key == "dynamics") {
+      for (const auto& one : value)
+        texts.push_back(fmt::format("dynamics={}={}:{}", value_text(one["target"]), value_text(one["source"]),
+                                    value_text(one["curve"])));
+    } else {
+      texts.push_back(fmt::format("{}={}", key, value_text(value)));
+    }
+  }
+  return texts;
 }
 
 }  // namespace burin

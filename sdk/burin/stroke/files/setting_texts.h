@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 // Settings as texts, as people type them on command lines and as applications in C pass them.
 namespace burin {
@@ -25,5 +26,9 @@ using IsTextParam = std::function<bool(const std::string& param)>;
 /// there several times. `is_text` is asked once all others have been taken. Throws FileError that names the
 /// setting: for an unknown key, a second text of it, and values that read_settings() would refuse.
 void read_setting_texts(std::span<const std::string> texts, const IsTextParam& is_text, GivenSettings& into);
+
+/// The recorded settings that are given as such texts, from which read_setting_texts() makes the same
+/// settings.
+std::vector<std::string> setting_texts(const GivenSettings& given);
 
 }  // namespace burin

@@ -1,6 +1,6 @@
 // Traces a recorded stroke on a surface, sample by sample and without a session. A curve ends where the pen
 // leaves the surface or jumps over a gap.
-#include "chart/stroke_trace.h"
+#include <burin/stroke/curve/stroke_trace.h>
 
 #include <burin/base/error.h>
 #include <fmt/format.h>

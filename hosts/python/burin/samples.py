@@ -1,0 +1,56 @@
+"""Samples of the pen."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+SAMPLE = np.dtype(
+    [
+        ("struct_size", "<u4"),
+        ("pressure", "<f4"),
+        ("time", "<f8"),
+        ("position", "<f8", 3),
+        ("direction", "<f8", 3),
+        ("tilt", "<f4", 2),
+        ("twist", "<f4"),
+        ("reserved", "<u4"),
+    ]
+)
+"""A sample of the pen, the bytes of burin_sample; samples() fills it.
+
+pressure 0..1; time in seconds, not falling; position in object units, near the surface or where the sample's ray starts;
+direction of the ray, zeros: none; tilt in radians from upright, towards +x and +y; twist in radians."""
+
+
+def samples(
+    position: ArrayLike,
+    *,
+    direction: ArrayLike | None = None,
+    time: ArrayLike | None = None,
+    pressure: ArrayLike | None = None,
+    tilt: ArrayLike | None = None,
+    twist: ArrayLike | None = None,
+) -> NDArray[np.void]:
+    """Samples of the pen, an array of shape (n,) and type SAMPLE.
+
+    position and direction have the shape (n, 3) or (3,), tilt (n, 2) or (2,), the others (n,) or a number. What the pen does
+    not report is left out, and not named in the `fields` of the stroke.
+
+    >>> samples([[0, 0, 1], [0.1, 0, 1]], pressure=0.5)["pressure"]
+    array([0.5, 0.5], dtype=float32)
+    """
+    places = np.atleast_2d(np.asarray(position, np.float64))
+    made = np.zeros(len(places), SAMPLE)
+    made["struct_size"] = SAMPLE.itemsize
+    made["position"] = places
+    for name, values in (
+        ("direction", direction),
+        ("time", time),
+        ("pressure", pressure),
+        ("tilt", tilt),
+        ("twist", twist),
+    ):
+        if values is not None:
+            made[name] = values
+    return made

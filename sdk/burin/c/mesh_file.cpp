@@ -1,0 +1,121 @@
+// Files of meshes for C: read, joined and refined as the command does, and written.
+#include <burin/deform/paint_bytes.h>
+#include <burin/host/c/call.h>
+#include <burin/host/c/handles.h>
+#include <burin/host/c/mesh_arrays.h>
+#include <burin/subdiv/refine.h>
+#include <burin/surface/mesh_file.h>
+#include <burin/surface/weld_mesh.h>
+
+#include <memory>
+#include <utility>
+
+struct burin_mesh_file {
+  burin::TriangleMesh mesh;
+  std::vector<burin::Vec4f> colours;  ///< [vertex], or empty
+  std::vector<float> masks;           ///< the same
+  burin::Vec3d origin;
+};
+
+namespace burin::c {
+namespace {
+
+constexpr std::uint32_t highest_level = 15;
+
+/// A mesh of a file, without vertices that only stand apart at seams.
+PolygonMesh read_cage(const char* path, const burin_mesh_file_options& options) {
+  PolygonMesh cage = read_mesh(path);
+  const double tolerance = options.weld > 0 ? options.weld : rounding_tolerance(cage);
+  const std::vector<Index> vertex_of = find_welds(cage, tolerance);
+  return vertex_of.empty() ? std::move(cage) : weld(std::move(cage), vertex_of);
+}
+
+int level_of(const PolygonMesh& cage, SubdivisionScheme scheme, const burin_mesh_file_options& options) {
+  if (options.target_triangles == 0) return static_cast<int>(options.levels);
+  return level_for_triangles(cage, scheme, options.target_triangles);
+}
+
+std::unique_ptr<burin_mesh_file> read(const char* path, const burin_mesh_file_options& options) {
+  const PolygonMesh cage = read_cage(path, options);
+  const SubdivisionScheme scheme = natural_scheme(cage);
+  const int level = level_of(cage, scheme, options);
+  auto file = std::make_unique<burin_mesh_file>();
+  file->mesh = refine(cage, scheme, level);
+  file->origin = cage.origin;
+  if (level > 0) return file;
+  for (const PaintBytes& bytes : cage.paint.colours) file->colours.push_back(colour_of(bytes));
+  file->masks = cage.paint.masks;
+  return file;
+}
+
+burin_mesh arrays_of(const TriangleMesh& mesh) {
+  return {.struct_size = 0,
+          .position_type = BURIN_FLOAT32,
+          .positions = mesh.positions.data(),
+          .vertex_count = mesh.positions.size(),
+          .position_stride = 0,
+          .corners = mesh.triangles.data(),
+          .face_count = mesh.triangles.size(),
+          .face_stride = 0,
+          .corner_type = BURIN_UINT32,
+          .face_size = 3,
+          .face_sizes = nullptr,
+          .order = BURIN_ORDER_CALLER,
+          .reserved = 0};
+}
+
+VertexPaint paint_of(const burin_mesh_values& values, std::size_t vertices) {
+  VertexPaint paint;
+  for (std::size_t i = 0; values.colours && i < vertices; ++i)
+    paint.colours.push_back(bytes_of(Eigen::Map<const Vec4f>(&values.colours[4 * i])));
+  if (values.masks) paint.masks.assign(values.masks, values.masks + vertices);
+  return paint;
+}
+
+}  // namespace
+}  // namespace burin::c
+
+using namespace burin;
+
+burin_status burin_mesh_file_read(const char* path, const burin_mesh_file_options* options,
+                                  burin_mesh_file** file, burin_text* error) {
+  return plugin::guarded(error, [&] {
+    c::require(path, "path");
+    c::require(file, "file");
+    burin_mesh_file_options known{};
+    if (options)
+      known = c::known_members(options, BURIN_HAS(options, burin_mesh_file_options, weld), "options");
+    if (known.levels > c::highest_level) c::reject("there are no more than 15 levels");
+    *file = c::read(path, known).release();
+  });
+}
+
+void burin_mesh_file_destroy(burin_mesh_file* file) { delete file; }
+
+burin_status burin_mesh_file_get(const burin_mesh_file* file, burin_mesh* mesh, burin_mesh_values* values,
+                                 burin_text* error) {
+  return plugin::guarded(error, [&] {
+    c::require(file, "file");
+    c::give(c::arrays_of(file->mesh), mesh, mesh && BURIN_HAS(mesh, burin_mesh, reserved), "mesh");
+    if (!values) return;
+    const burin_mesh_values known{.struct_size = 0,
+                                  .reserved = 0,
+                                  .colours = file->colours.empty() ? nullptr : file->colours.front().data(),
+                                  .masks = file->masks.empty() ? nullptr : file->masks.data(),
+                                  .origin = {file->origin.x(), file->origin.y(), file->origin.z()}};
+    c::give(known, values, BURIN_HAS(values, burin_mesh_values, origin), "values");
+  });
+}
+
+burin_status burin_mesh_write(const char* path, const burin_mesh* mesh, const burin_mesh_values* values,
+                              burin_text* error) {
+  return plugin::guarded(error, [&] {
+    c::require(path, "path");
+    const burin_mesh known = c::known_members(mesh, mesh && BURIN_HAS(mesh, burin_mesh, reserved), "mesh");
+    burin_mesh_values with{};
+    if (values) with = c::known_members(values, BURIN_HAS(values, burin_mesh_values, origin), "values");
+    const TriangleMesh triangles = c::read_arrays(known);
+    write_mesh(path, triangles, c::paint_of(with, triangles.positions.size()),
+               Vec3d(with.origin[0], with.origin[1], with.origin[2]));
+  });
+}
