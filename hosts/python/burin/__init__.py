@@ -32,11 +32,12 @@ from .mesh import Mesh, read_mesh, write_mesh
 from .recorder import Camera, Recorder
 from .recording import RecordedStroke, Recording, read_recording
 from .samples import SAMPLE, samples
-from .session import CHART_NODE, LINES, Chart, Event, Session, SessionInfo, Snapped
+from .session import ATTRIBUTES, CHART_NODE, LINES, Chart, Event, Session, SessionInfo, Snapped
 
 __version__ = version()
 
 __all__ = [
+    "ATTRIBUTES",
     "Batch",
     "BoolParam",
     "Brush",

@@ -65,6 +65,8 @@ def setting_texts(settings: Mapping[str, Setting]) -> list[str]:
             lines += [f"dynamics={target}={source}:{text_of(curve)}" for target, (source, curve) in dynamics_of(value)]
         elif isinstance(value, Mapping):
             raise InvalidArgument(f"{key}: takes no names and values, only params and dynamics do")
+        elif key == "closed" and isinstance(value, bool):
+            lines.append("closed=yes" if value else "closed=no")
         else:
             lines.append(f"{key}={text_of(value)}")
     return lines

@@ -56,5 +56,43 @@ TEST(SettingTexts, AreRefusedByTheirNames) {
   EXPECT_EQ(error_of({"radial_axis=x"}), "settings: radial_axis: decides nothing without 'radial'");
 }
 
+TEST(SettingTexts, OfARecordingMakeItsSettingsAgain) {
+  const Texts texts = {"brush=org.burin.groove",
+                       "radius=0.1234567890123",
+                       "strength=-2",
+                       "params=depth=0.5",
+                       "params=name=a=b",
+                       "params=on=true",
+                       "params=tints=0,0.25,1",
+                       "dynamics=strength=pressure:0,0,1,1.5",
+                       "dynamics=radius=t:0,1,2,0.5",
+                       "follow=0.25",
+                       "closed=auto"};
+  GivenSettings given;
+  read_setting_texts(texts, is_text, given);
+  GivenSettings again;
+  read_setting_texts(setting_texts(given), is_text, again);
+  const ReplaySettings expected = given.complete(), settings = again.complete();
+  EXPECT_EQ(settings.brush, expected.brush);
+  EXPECT_EQ(settings.radius, 0.1234567890123);
+  EXPECT_EQ(settings.strength, -2);
+  EXPECT_EQ(settings.params, expected.params);
+  ASSERT_EQ(settings.dynamics.size(), 2u);
+  EXPECT_EQ(settings.dynamics[0].target, "strength");
+  EXPECT_EQ(setting_texts(again), setting_texts(given));
+  EXPECT_EQ(settings.follow, 0.25);
+  EXPECT_EQ(settings.closure, Closure::automatic);
+  EXPECT_EQ(setting_texts({}), Texts());
+}
+
+TEST(SettingTexts, OfEveryClosureMakeItAgain) {
+  for (const char* text : {"closed=yes", "closed=no", "closed=auto"}) {
+    GivenSettings given, again;
+    read_setting_texts(Texts{text}, is_text, given);
+    read_setting_texts(setting_texts(given), is_text, again);
+    EXPECT_EQ(again.complete().closure, given.complete().closure) << text;
+  }
+}
+
 }  // namespace
 }  // namespace burin

@@ -1,0 +1,245 @@
+// Files of recordings and meshes, and snapping, by libburin.so.
+#include <burin/host/replay.h>
+#include <burin/stroke/stroke_file.h>
+#include <burin/subdiv/refine.h>
+#include <burin/surface/mesh_file.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "c_host.h"
+#include "support/shared_data.h"
+
+namespace burin::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path samples_folder = BURIN_SAMPLES;
+const fs::path ewer = samples_folder / "meshes/ewer.obj";
+
+/// A recording that C has read.
+class CRecording {
+ public:
+  explicit CRecording(const fs::path& path) {
+    if (IN_C(burin_recording_read)(path.c_str(), &recording_, &error) != BURIN_OK)
+      throw std::runtime_error(error.str());
+  }
+  CRecording(const CRecording&) = delete;
+  CRecording& operator=(const CRecording&) = delete;
+  ~CRecording() { IN_C(burin_recording_destroy)(recording_); }
+
+  burin_recording_stroke stroke(std::uint64_t index) {
+    auto stroke = sized<burin_recording_stroke>();
+    EXPECT_EQ(IN_C(burin_recording_get_stroke)(recording_, index, &stroke, &error), BURIN_OK) << error.str();
+    return stroke;
+  }
+  operator const burin_recording*() const { return recording_; }
+
+  CText error;
+
+ private:
+  burin_recording* recording_ = nullptr;
+};
+
+/// The camera looks down on the plane.
+Recording seen_on_a_screen() {
+  Recording recording;
+  recording.space = StrokeSpace::screen;
+  recording.device = "Tablet";
+  recording.camera =
+      framing_camera(Vec3d(-1, -1, -0.1), Vec3d(1, 1, 0.1), -Vec3d::UnitZ(), Vec3d::UnitY(), 800, 800, 0.6);
+  for (int number = 0; number < 2; ++number) {
+    RecordedStroke stroke;
+    stroke.settings[&StrokeSettings::brush] = number ? "org.burin.bead" : "org.burin.bark";
+    stroke.settings[&StrokeSettings::radius] = 0.17;
+    stroke.settings[&StrokeSettings::dynamics] = {
+        {"strength", PenSource::pressure, DynamicCurve({{0, 0}, {1, 1.5}})}};
+    stroke.fields = {.time = true, .pressure = true};
+    for (int i = 0; i < 30; ++i) {
+      Sample sample;
+      // Stamps of packets, which are repaired.
+      sample.time = 0.02 * (i / 3);
+      sample.position = Vec3d(200 + 13 * i, 300 + 40 * number + 3 * i, 0);
+      sample.pen.pressure = static_cast<float>(i) / 30;
+      stroke.samples.push_back(sample);
+    }
+    recording.strokes.push_back(stroke);
+  }
+  return recording;
+}
+
+void write(const Recording& recording, const fs::path& path) {
+  StrokeWriter writer(path, recording.space, recording.camera, recording.device);
+  for (const RecordedStroke& stroke : recording.strokes) {
+    writer.begin(stroke);
+    for (const Sample& sample : stroke.samples) writer.add(sample);
+    writer.end();
+  }
+}
+
+TEST(CRecordings, DrawnStrokeByStrokeHaveTheBitsOfAReplay) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "screen.stroke";
+  write(seen_on_a_screen(), path);
+  const TriangleMesh mesh = shuffled(plane(1, 0.04, 4), 5);
+  Session expected(make_surface(mesh), brushes());
+  replay(expected, read_strokes(path));
+
+  CRecording recording(path);
+  EXPECT_EQ(IN_C(burin_recording_stroke_count)(recording), 2u);
+  EXPECT_STREQ(IN_C(burin_recording_device)(recording), "Tablet");
+  CSession session(mesh);
+  for (std::uint64_t i = 0; i < 2; ++i) {
+    const burin_recording_stroke from = recording.stroke(i);
+    EXPECT_EQ(from.fields, static_cast<std::uint32_t>(BURIN_PEN_TIME | BURIN_PEN_PRESSURE));
+    auto stroke = sized<burin_stroke>();
+    stroke.fields = from.fields;
+    stroke.settings = from.settings;
+    stroke.seed = from.seed;
+    session.check(IN_C(burin_session_begin)(session, &stroke, &session.error));
+    session.check(IN_C(burin_session_add)(session, from.samples, from.sample_count, nullptr, &session.error));
+    session.end();
+  }
+  EXPECT_EQ(session.hash(), expected.result_hash());
+  auto none = sized<burin_recording_stroke>();
+  EXPECT_EQ(IN_C(burin_recording_get_stroke)(recording, 2, &none, &recording.error), BURIN_NOT_FOUND);
+}
+
+TEST(CRecordings, ThatAreCutOffAreRefused) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "cut.stroke";
+  std::ofstream(path) << "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{},\"fields\":[\"x\",\"y\","
+                         "\"z\"]}\n[0,0,0]\n";
+  burin_recording* recording = nullptr;
+  CText error;
+  EXPECT_EQ(IN_C(burin_recording_read)(path.c_str(), &recording, &error), BURIN_ERROR);
+  EXPECT_EQ(error.str(), path.string() + ":3: the recording is cut off here");
+  EXPECT_EQ(recording, nullptr);
+  EXPECT_EQ(IN_C(burin_recording_read)(nullptr, &recording, &error), BURIN_INVALID_ARGUMENT);
+}
+
+/// A mesh that C has read.
+class CMeshFile {
+ public:
+  CMeshFile(const fs::path& path, const burin_mesh_file_options& options) {
+    if (IN_C(burin_mesh_file_read)(path.c_str(), &options, &file_, &error) != BURIN_OK)
+      throw std::runtime_error(error.str());
+    EXPECT_EQ(IN_C(burin_mesh_file_get)(file_, &mesh, &values, &error), BURIN_OK) << error.str();
+  }
+  CMeshFile(const CMeshFile&) = delete;
+  CMeshFile& operator=(const CMeshFile&) = delete;
+  ~CMeshFile() { IN_C(burin_mesh_file_destroy)(file_); }
+
+  burin_mesh mesh = sized<burin_mesh>();
+  burin_mesh_values values = sized<burin_mesh_values>();
+  CText error;
+
+ private:
+  burin_mesh_file* file_ = nullptr;
+};
+
+TEST(CMeshFiles, AreRefinedAsTheCommandDoes) {
+  auto options = sized<burin_mesh_file_options>();
+  options.levels = 2;
+  const CMeshFile refined(ewer, options);
+  const PolygonMesh cage = read_mesh(ewer);
+  CSession from_file(refined.mesh), expected(refine(cage, natural_scheme(cage), 2));
+  EXPECT_EQ(from_file.hash(), expected.hash());
+  EXPECT_EQ(refined.values.colours, nullptr);
+  options.levels = 0;
+  options.target_triangles = refined.mesh.face_count - 1;
+  EXPECT_EQ(CMeshFile(ewer, options).mesh.face_count, refined.mesh.face_count);
+}
+
+TEST(CMeshFiles, KeepWhatIsPainted) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "painted.ply";
+  const TriangleMesh mesh = plane(1, 0.25, 4);
+  const std::size_t count = mesh.positions.size();
+  std::vector<float> colours(4 * count, 1), masks(count, 0.25f);
+  for (std::size_t i = 0; i < count; ++i) colours[4 * i] = i % 2 ? 0.f : 1.f;
+  auto values = sized<burin_mesh_values>();
+  values.colours = colours.data();
+  values.masks = masks.data();
+  values.origin[0] = 448256;
+  const burin_mesh arrays = arrays_of(mesh);
+  CText error;
+  ASSERT_EQ(IN_C(burin_mesh_write)(path.c_str(), &arrays, &values, &error), BURIN_OK) << error.str();
+  const CMeshFile read(path, sized<burin_mesh_file_options>());
+  ASSERT_EQ(read.mesh.vertex_count, count);
+  EXPECT_EQ(read.values.origin[0], 448256);
+  EXPECT_TRUE(std::equal(masks.begin(), masks.end(), read.values.masks));
+  EXPECT_TRUE(std::equal(colours.begin(), colours.end(), read.values.colours));
+  EXPECT_EQ(IN_C(burin_mesh_write)("/no/such/folder/a.ply", &arrays, nullptr, &error), BURIN_ERROR);
+  EXPECT_NE(error.str().find("/no/such/folder/a.ply"), std::string::npos);
+  burin_mesh_file* none = nullptr;
+  auto options = sized<burin_mesh_file_options>();
+  options.levels = 16;
+  EXPECT_EQ(IN_C(burin_mesh_file_read)(ewer.c_str(), &options, &none, &error), BURIN_INVALID_ARGUMENT);
+  EXPECT_EQ(IN_C(burin_mesh_file_read)("/no/such.obj", nullptr, &none, &error), BURIN_ERROR);
+}
+
+TEST(CSnapping, MovesSamplesToALineAsTheSnapperDoes) {
+  TriangleMesh mesh = plane(1, 0.02, 4);
+  for (Vec3f& at : mesh.positions) at.z() = 0.1f / (1 + 60 * at.y() * at.y());  // a ridge along y = 0
+  CSession session(shuffled(mesh, 5));
+  std::vector<burin_sample> samples;
+  for (int i = 0; i < 12; ++i) {
+    auto sample = sized<burin_sample>();
+    sample.position[0] = -0.6 + 0.1 * i;
+    sample.position[1] = 0.06;
+    sample.position[2] = 1;
+    sample.direction[2] = -1;
+    samples.push_back(sample);
+  }
+  auto how = sized<burin_snap>();
+  how.line = BURIN_LINE_RIDGE;
+  how.radius = 0.2;
+  auto snapped = sized<burin_snapped>();
+  session.check(
+      IN_C(burin_session_snap)(session, &how, samples.data(), samples.size(), 0, &snapped, &session.error));
+  EXPECT_GT(snapped.share, 0.7);
+  EXPECT_NEAR(snapped.mean_move, 0.06, 0.02);
+  double y = 0;
+  for (std::uint64_t i = snapped.sample_count / 4; i < 3 * snapped.sample_count / 4; ++i)
+    y = std::max(y, std::abs(snapped.samples[i].position[1]));
+  EXPECT_LT(y, 0.005);
+
+  // Values of the vertices, in the caller's order: the crest is where they are, not where the ridge is.
+  const std::vector<float> positions = session.read(BURIN_POSITIONS, 3);
+  std::vector<float> values;
+  for (std::size_t i = 0; i < positions.size(); i += 3)
+    values.push_back(1 / (1 + 200 * (positions[i + 1] - 0.1f) * (positions[i + 1] - 0.1f)));
+  how.line = BURIN_LINE_HIGH;
+  how.values = values.data();
+  session.check(
+      IN_C(burin_session_snap)(session, &how, samples.data(), samples.size(), 0, &snapped, &session.error));
+  EXPECT_NEAR(snapped.samples[snapped.sample_count / 2].position[1], 0.1, 0.01);
+
+  const auto refused = [&](const char* text) {
+    EXPECT_EQ(
+        IN_C(burin_session_snap)(session, &how, samples.data(), samples.size(), 0, &snapped, &session.error),
+        BURIN_INVALID_ARGUMENT);
+    EXPECT_EQ(session.error.str(), text);
+  };
+  how.values = nullptr;
+  refused("values is missing");
+  how.line = BURIN_LINE_SILHOUETTE;
+  refused("silhouettes want a view");
+  how.line = 9;
+  refused("there is no such line");
+  how.line = BURIN_LINE_RIDGE;
+  how.radius = 0;
+  refused("the radius is not above 0");
+  how.radius = 0.2;
+  samples[3].position[0] = 50;
+  EXPECT_EQ(
+      IN_C(burin_session_snap)(session, &how, samples.data(), samples.size(), 0, &snapped, &session.error),
+      BURIN_ERROR);
+  EXPECT_EQ(session.error.str(), "sample 3 misses the surface");
+}
+
+}  // namespace
+}  // namespace burin::test
