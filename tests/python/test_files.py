@@ -92,6 +92,25 @@ class Recordings(unittest.TestCase):
         self.assertFalse(first.samples.flags.writeable)
         self.assertEqual(second.settings["params"], {"text": "1884"})
 
+    def test_with_other_settings_are_drawn_as_the_command_does(self):
+        stroke = burin.RecordedStroke(
+            {"brush": "a", "radius": 1, "params": {"x": "1", "y": "2"}, "dynamics": {"x": ("t", [0]), "radius": ("t", [1])}},
+            (),
+            0,
+            burin.samples([0, 0, 0]),
+        )
+        same = stroke.settings_with({"params": {"x": 3}, "dynamics": {"radius": ("time", [2])}, "radius": 2, "cap": None})
+        self.assertEqual(
+            same,
+            {"brush": "a", "radius": 2, "params": {"x": 3, "y": "2"}, "dynamics": {"x": ("t", [0]), "radius": ("time", [2])}},
+        )
+        other = stroke.settings_with({"brush": "b"})
+        self.assertEqual(other, {"brush": "b", "radius": 1, "params": {}, "dynamics": {"radius": ("t", [1])}})
+        arguments = [MEANDER, "--mesh", EWER, "--subdivide", "1", "--brush", "org.burin.bead"]
+        session = session_of(burin.read_mesh(EWER, levels=1))
+        session.draw(burin.read_recording(MEANDER).strokes[0], brush="org.burin.bead")
+        self.assertEqual(hex_hash(session), replayed(arguments, SAMPLES.parent))
+
     def test_on_a_screen_have_rays(self):
         view = np.eye(4)
         view[2, 3] = -3

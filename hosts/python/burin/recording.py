@@ -29,6 +29,19 @@ class RecordedStroke:
     samples: NDArray[np.void]
     """Of type SAMPLE; of a recording on a screen the rays through the camera. A read-only view."""
 
+    def settings_with(self, given: dict[str, Any]) -> dict[str, Any]:
+        """The recorded settings, of which those that are given take the place: of parameters name by name, of dynamics target
+        by target. What was recorded for another brush is left out."""
+        given = {key: value for key, value in given.items() if value is not None}
+        merged = {**self.settings, **given}
+        same_brush = merged.get("brush") == self.settings.get("brush")
+        recorded = dict(self.settings.get("dynamics", {}))
+        if not same_brush:
+            recorded = {target: one for target, one in recorded.items() if target in ("radius", "strength")}
+        merged["dynamics"] = {**recorded, **given.get("dynamics", {})}
+        merged["params"] = {**(self.settings.get("params", {}) if same_brush else {}), **given.get("params", {})}
+        return merged
+
 
 @dataclass(frozen=True)
 class Recording:

@@ -243,8 +243,8 @@ class Session:
         self.end()
 
     def draw(self, stroke: RecordedStroke, **settings: Setting) -> Event:
-        """Draws a recorded stroke at once. Settings hold before the recorded ones."""
-        self.begin(**{"fields": stroke.fields, "seed": stroke.seed, **stroke.settings, **settings})  # type: ignore[arg-type]
+        """Draws a recorded stroke at once. Settings hold before the recorded ones, as RecordedStroke.settings_with() has it."""
+        self.begin(fields=stroke.fields, seed=stroke.seed, **stroke.settings_with(settings))
         event = self.add(stroke.samples)
         self.end()
         return event
