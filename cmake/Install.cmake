@@ -4,6 +4,7 @@
 #   library  libburin.so.0 and what it looks for beside itself, for programs that load it
 #   c        its header, CMake package and pkg-config file, for those who build such programs
 #   brushes  the stock brushes
+#   python   the Python package over libburin.so.0
 #   command  burin
 include(CMakePackageConfigHelpers)
 include(${CMAKE_CURRENT_LIST_DIR}/PublicHeaders.cmake)
@@ -62,6 +63,16 @@ function(burin_install_c_library)
   burin_install_pkgconfig(burin ${CMAKE_INSTALL_LIBDIR}/pkgconfig c)
 endfunction()
 
+# The Python package, where Debian's Python looks for packages, with what tells pip that it is there.
+function(burin_install_python_package)
+  set(folder lib/python3/dist-packages)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/hosts/python/burin DESTINATION ${folder} COMPONENT python
+    FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE PATTERN .mypy_cache EXCLUDE)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/python/METADATA
+    CONTENT "Metadata-Version: 2.1\nName: burin\nVersion: ${PROJECT_VERSION}\nRequires-Dist: numpy\n")
+  install(FILES ${PROJECT_BINARY_DIR}/python/METADATA DESTINATION ${folder}/burin-${PROJECT_VERSION}.dist-info COMPONENT python)
+endfunction()
+
 function(burin_install_brush target)
   install(TARGETS ${target} LIBRARY DESTINATION ${BURIN_BRUSHES_FOLDER} COMPONENT brushes)
 endfunction()
@@ -69,6 +80,7 @@ endfunction()
 # The command and the CMake package, once all targets are known.
 function(burin_install_package)
   install(TARGETS burin RUNTIME COMPONENT command)
+  burin_install_python_package()
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/BurinConfig.cmake.in ${PROJECT_BINARY_DIR}/BurinConfig.cmake
     INSTALL_DESTINATION ${BURIN_PACKAGE_FOLDER})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/BurinConfigVersion.cmake COMPATIBILITY SameMinorVersion)

@@ -4,6 +4,7 @@
 #   libburin0     libburin.so.0, for programs that load it
 #   libburin-dev  for applications that embed Burin: what programs in C are built with, and for C++ static libraries
 #                 and more headers, beside burin-dev
+#   python3-burin the Python package
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME burin)
 set(CPACK_PACKAGE_VENDOR Burin)
@@ -22,7 +23,7 @@ set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER ${CPACK_PACKAGE_CONTACT})
-set(CPACK_COMPONENTS_ALL command brushes plugin runtime library c)
+set(CPACK_COMPONENTS_ALL command brushes plugin runtime library c python)
 
 # Lintian wants copyright and changelog of each package. They are installed with packages only.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
@@ -76,6 +77,17 @@ burin_deb(libburin-dev libdevel COMPONENTS runtime c
   TEXT "An application gives its mesh and the samples of its pen to a session,"
        "and shows the vertices that the session reports as changed: in C by"
        "libburin.so, in C++ by static libraries.")
+burin_deb(python3-burin python COMPONENTS python
+  DEPENDS "python3 (>= 3.10), python3-numpy, libburin0 (= ${PROJECT_VERSION})"
+  RECOMMENDS "burin (= ${PROJECT_VERSION})"
+  SUMMARY "strokes on surfaces: Burin's brushes for Python"
+  TEXT "A session takes a mesh as arrays of numpy and the samples of a pen,"
+       "draws strokes with Burin's brushes, and shows what has changed as"
+       "views. Brushes may be written in Python.")
+set(CPACK_DEBIAN_PYTHON3-BURIN_PACKAGE_ARCHITECTURE all)
+# They compile the package's files for the interpreters that are there, and remove what they have made.
+set(CPACK_DEBIAN_PYTHON3-BURIN_PACKAGE_CONTROL_EXTRA
+  ${CMAKE_CURRENT_LIST_DIR}/debian/python3-burin/postinst ${CMAKE_CURRENT_LIST_DIR}/debian/python3-burin/prerm)
 foreach(package BURIN LIBBURIN0)
   set(CPACK_DEBIAN_${package}_PACKAGE_SHLIBDEPS ON)
 endforeach()

@@ -137,7 +137,8 @@ TEST(Dev, ProgramsAreInstalledForTheTestsThatNeedThem) {
   const std::string calls = NotingMachine("none").calls_of("programs");
   const auto installed = words_of(line_with("apt-get install", calls));
   for (const char* package :
-       {"blender", "python3-numpy", "python3-openvdb", "meshlab", "xvfb", "xauth", "assimp-utils"})
+       {"blender", "python3-numpy", "python3-openvdb", "meshlab", "xvfb", "xauth", "assimp-utils",
+        "python3-wheel", "mypy", "python3-ipykernel", "python3-matplotlib"})
     EXPECT_TRUE(installed.contains(package)) << package;
   EXPECT_TRUE(line_with("npm ci", calls).starts_with("npm ci --prefix tests/host_stub/programs ")) << calls;
 }

@@ -23,6 +23,11 @@ expect(burin-dev include/burin/plugin/plugin.h include/burin/abi/plugin.h lib/cm
 expect(libburin0 lib/libburin.so.0.1.0)
 expect(libburin-dev include/burin/host/session.h lib/libburin_host.a lib/cmake/Burin/Burin-runtime.cmake
   include/burin/host/c/burin.h lib/cmake/Burin/Burin-c.cmake lib/pkgconfig/burin.pc)
+expect(python3-burin lib/python3/dist-packages/burin/session.py lib/python3/dist-packages/burin/py.typed
+  lib/python3/dist-packages/burin-0.1.0.dist-info/METADATA)
+if(contents_of_python3-burin MATCHES "pycache|\\.so")
+  message(FATAL_ERROR "packages: python3-burin has files of one machine")
+endif()
 if(contents_of_libburin-dev MATCHES "abi/plugin\\.h")
   message(FATAL_ERROR "packages: a file is in burin-dev and in libburin-dev")
 endif()

@@ -5,6 +5,8 @@ import importlib
 import importlib.util
 import os
 import re
+import shutil
+import subprocess
 import unittest
 from pathlib import Path
 
@@ -30,6 +32,24 @@ class Snippets(unittest.TestCase):
                 os.chdir(before)
             self.assertTrue(Path(work, "ewer.ply").exists())
         self.assertGreater(len(names["changed"]), 0)
+
+    def test_of_the_installation_runs(self):
+        if not all(importlib.util.find_spec(name) for name in ("pip", "setuptools", "wheel")):
+            self.skipTest("python3-pip, python3-setuptools or python3-wheel is not installed")
+        (script,) = re.findall(r"```sh\n(.*?)```", DOCUMENT.read_text(), re.DOTALL)
+        with folder() as work:
+            shutil.copytree(ROOT / "hosts/python", Path(work, "hosts/python"))
+            os.symlink(BUILD.parent, Path(work, "build"))
+            done = subprocess.run(
+                ["sh", "-e"],
+                input=script.replace("build/release", f"build/{BUILD.name}"),
+                cwd=work,
+                env={"PATH": f"/usr/bin:{os.environ['PATH']}", "HOME": work},
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+        self.assertRegex(done.stdout.split("\n")[-2], r"^0\.1\.0 \d\d brushes$", done.stderr)
 
     def test_of_docstrings_run(self):
         ran = 0

@@ -54,8 +54,7 @@ Recording seen_on_a_screen() {
     RecordedStroke stroke;
     stroke.settings[&StrokeSettings::brush] = number ? "org.burin.bead" : "org.burin.bark";
     stroke.settings[&StrokeSettings::radius] = 0.17;
-    stroke.settings[&StrokeSettings::dynamics] = {
-        {"strength", PenSource::pressure, DynamicCurve({{0, 0}, {1, 1.5}})}};
+    stroke.settings[&StrokeSettings::dynamics] = {{"strength", PenSource::pressure, {0, 0, 1, 1.5}}};
     stroke.fields = {.time = true, .pressure = true};
     for (int i = 0; i < 30; ++i) {
       Sample sample;

@@ -128,6 +128,9 @@ std::vector<std::string> setting_texts(const GivenSettings& given) {
       for (const auto& one : value)
         texts.push_back(fmt::format("dynamics={}={}:{}", value_text(one["target"]), value_text(one["source"]),
                                     value_text(one["curve"])));
+    } else if (value.is_boolean() && setting_row(key).form != SettingForm::flag) {
+      texts.push_back(
+          fmt::format("{}={}", key, value.get<bool>() ? "yes" : "no"));  // `closed`, a choice of words
     } else {
       texts.push_back(fmt::format("{}={}", key, value_text(value)));
     }
