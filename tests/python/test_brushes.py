@@ -1,5 +1,6 @@
 """Brushes that are written in Python: the same bits as those of modules, and failures that cost the stroke alone."""
 
+import gc
 import threading
 import unittest
 
@@ -220,6 +221,35 @@ class PythonBrushes(unittest.TestCase):
         self.assertGreater(sum(batches), 50000)
         self.assertLessEqual(max(batches), 1024)
         self.assertGreaterEqual(len(threads), 1)
+
+    def test_are_let_go_with_their_sessions_and_libraries(self):
+        from burin import _application_brushes as kept
+
+        before = (len(kept._instances), len(kept._factories))
+        for _ in range(3):
+            library = burin.Library(stock=False)
+            library.add(RaiseTo)
+            session = burin.Session(library, *grid(20))
+            draw(session, RaiseTo.id)
+            self.assertGreater(len(kept._instances), before[0])
+            del library, session
+        gc.collect()
+        self.assertEqual((len(kept._instances), len(kept._factories)), before)
+
+    def test_of_several_sessions_draw_at_once(self):
+        self.library.add(RaiseTo)
+        sessions = [burin.Session(self.library, *grid(150)) for _ in range(3)]
+        for session in sessions:  # the first stroke with a brush belongs on the main thread
+            session.begin(RaiseTo.id, radius=0.15)
+            session.cancel()
+        threads = [threading.Thread(target=lambda one=one: draw(one, RaiseTo.id, radius=0.4)) for one in sessions]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join(60)
+            self.assertFalse(thread.is_alive())
+        draw(self.session, RaiseTo.id)
+        self.assertEqual(len({session.hash() for session in sessions}), 1)
 
     def test_belong_to_sessions_that_outlive_their_library(self):
         self.library.add(RaiseTo)

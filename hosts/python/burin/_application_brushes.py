@@ -181,11 +181,13 @@ class Factory:
         return _Instance(brush(), self, {param.id: index for index, param in enumerate(brush.params())})
 
     def take_fault(self, text: str) -> BaseException | None:
-        """What a brush raised that a text of the library has."""
-        for line in list(self.faults):
-            if line in text:
-                return self.faults.pop(line)
-        return None
+        """What a brush raised that a text of the library has. Forgets what any raised: tracebacks keep what they show."""
+        faults, self.faults = self.faults, {}
+        return next((fault for line, fault in faults.items() if line in text), None)
+
+    def release(self) -> None:
+        """Forgets the factory, once its library is destroyed."""
+        del _factories[self.address]
 
     def _descriptor(self, brush: type[Brush]) -> _c.BrushDescriptor:
         params = [self._param(param) for param in brush.params()]

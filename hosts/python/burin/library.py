@@ -110,12 +110,11 @@ class Library:
 
     def _take_fault(self, text: str) -> BaseException | None:
         """The exception of a brush that a text of the library tells of, if it is that of a brush in Python."""
-        for factory in self._factories:
-            fault = factory.take_fault(text)
-            if fault:
-                return fault
-        return None
+        faults = [factory.take_fault(text) for factory in self._factories]
+        return next((fault for fault in faults if fault), None)
 
 
-def _destroy(handle: ctypes.c_void_p, *_kept: object) -> None:
+def _destroy(handle: ctypes.c_void_p, _log: object, factories: list[Factory]) -> None:
     _c.lib.burin_library_destroy(handle)
+    for factory in factories:
+        factory.release()

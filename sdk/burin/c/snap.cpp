@@ -40,9 +40,7 @@ RecordedStroke stroke_of(const burin_session& session, const burin_sample* sampl
                          const PenFields& fields) {
   RecordedStroke stroke;
   stroke.fields = fields;
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const burin_sample& from = samples[i];
-    if (from.struct_size != sizeof from) reject("a sample has another size");
+  read_samples(samples, count, [&](const burin_sample& from, std::uint64_t i) {
     Sample sample;
     read_pen(from, fields, sample.time, sample.pen);
     sample.position = Eigen::Map<const Vec3d>(from.position);
@@ -55,7 +53,7 @@ RecordedStroke stroke_of(const burin_session& session, const burin_sample* sampl
       sample.position = hit->position.cast<double>();
     }
     stroke.samples.push_back(sample);
-  }
+  });
   return stroke;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-#include <burin/host/recorder.h>
+#include <burin/host/c/burin.h>
+#include <burin/host/c/call.h>
 #include <burin/stroke/recording.h>
 
 #include <cstdint>
@@ -12,6 +13,18 @@ inline PenFields fields_of(std::uint32_t fields) {
           .pressure = (fields & BURIN_PEN_PRESSURE) != 0,
           .tilt = (fields & BURIN_PEN_TILT) != 0,
           .twist = (fields & BURIN_PEN_TWIST) != 0};
+}
+
+/// Passes samples on, completed, and their numbers: they lie one after the other, each of the size that it
+/// tells.
+template <class Take>
+void read_samples(const burin_sample* samples, std::uint64_t count, const Take& take) {
+  const char* at = reinterpret_cast<const char*>(samples);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const auto* next = reinterpret_cast<const burin_sample*>(at);
+    take(known_members(next, BURIN_HAS(next, burin_sample, reserved), "a sample"), i);
+    at += next->struct_size;
+  }
 }
 
 /// The bits BURIN_PEN_* of what a pen reports.

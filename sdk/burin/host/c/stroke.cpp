@@ -87,22 +87,17 @@ void check(const PenSample& given, std::uint64_t number, const OpenStroke& strok
   last_time = given.sample.time;
 }
 
-/// Samples that lie one after the other, each of the size that it tells.
-std::vector<PenSample> read_samples(const burin_sample* given, std::uint64_t count,
-                                    const OpenStroke& stroke) {
+std::vector<PenSample> checked_samples(const burin_sample* given, std::uint64_t count,
+                                       const OpenStroke& stroke) {
   std::vector<PenSample> samples(count);
   double last_time = stroke.last_time;
-  const char* at = reinterpret_cast<const char*>(given);
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const auto* next = reinterpret_cast<const burin_sample*>(at);
-    const burin_sample known = known_members(next, BURIN_HAS(next, burin_sample, reserved), "a sample");
+  read_samples(given, count, [&](const burin_sample& known, std::uint64_t i) {
     samples[i].sample.position = Vec3d(known.position[0], known.position[1], known.position[2]);
     samples[i].direction = Vec3d(known.direction[0], known.direction[1], known.direction[2]);
     read_pen(known, stroke.fields, samples[i].sample.time, samples[i].sample.pen);
     if (i == 0 && !stroke.has_samples) last_time = samples[i].sample.time;
     check(samples[i], i, stroke, last_time);
-    at += next->struct_size;
-  }
+  });
   return samples;
 }
 
@@ -212,7 +207,7 @@ burin_status burin_session_add(burin_session* session, const burin_sample* sampl
     c::require(samples, "samples");
     const bool has_first = !event || BURIN_HAS(event, burin_event, drawn);
     if (!has_first) c::reject("event is too small");
-    const burin_event happened = c::add_all(*session, c::read_samples(samples, count, *session->stroke));
+    const burin_event happened = c::add_all(*session, c::checked_samples(samples, count, *session->stroke));
     if (event) c::give(happened, event, has_first, "event");
   });
 }
