@@ -111,6 +111,23 @@ class PythonBrushes(unittest.TestCase):
         np.testing.assert_allclose(painted[painted[:, 3] == 1][0], [1, 0.5, 0.25, 1], atol=1e-3)
         self.assertAlmostEqual(float(self.session.read("masks").min()), 0.5, 5)
 
+    def test_know_distances_to_the_stroke_and_its_ends(self):
+        seen = []
+
+        def evaluate(self, batch):
+            seen.append((batch.position.copy(), batch.distance(), batch.t.copy(), batch.stroke.final))
+
+        self.library.add(failing(evaluate, "org.example.distance", inputs=("position", "t", "d")))
+        with self.session.stroke("org.example.distance", radius=0.3):
+            self.session.add([[-0.5, 0.1, 0], [0, 0.1, 0], [0.5, 0.1, 0]])
+        beyond = 0
+        for position, distance, t, final in seen:
+            if final:
+                x, y, _ = position.astype(np.float64).T
+                np.testing.assert_allclose(distance, np.hypot(np.maximum(np.abs(x) - 0.5, 0), y - 0.1), atol=1e-5)
+                beyond += (t < 0).sum() + (t > 1).sum()
+        self.assertGreater(beyond, 50)
+
     def test_describe_themselves(self):
         self.library.add(Everything)
         info = self.library[Everything.id]

@@ -123,6 +123,9 @@ class Recordings(unittest.TestCase):
                 recorder.add([[400, 300, 0], [500, 300, 0]])
                 recorder.end()
             samples = burin.read_recording(path).strokes[0].samples
+        on_axis, aside = samples["position"]
+        np.testing.assert_allclose(on_axis[:2], 0, atol=1e-6)
+        self.assertAlmostEqual(aside[0] / (3 - aside[2]), 0.25, 5)  # the eye is 3 above
         np.testing.assert_allclose(samples["direction"][0], [0, 0, -1], atol=1e-6)
         np.testing.assert_allclose(samples["direction"][1], np.array([0.25, 0, -1]) / np.hypot(0.25, 1), atol=1e-6)
 
