@@ -53,7 +53,7 @@ class Snippets(unittest.TestCase):
 
     def test_of_docstrings_run(self):
         ran = 0
-        for name in ("brush", "library", "samples", "session"):
+        for name in ("brush", "library", "mesh", "samples", "session"):
             module = importlib.import_module(f"burin.{name}")
             names = {**vars(importlib.import_module("burin")), "np": importlib.import_module("numpy")}
             result = doctest.testmod(module, globs=names)

@@ -176,6 +176,17 @@ class Meshes(unittest.TestCase):
         coarse, fine = burin.read_mesh(EWER), burin.read_mesh(EWER, target_triangles=5000)
         self.assertGreaterEqual(len(fine.triangles), 5000)
         self.assertLess(len(coarse.triangles), 5000)
+        cage = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], np.float64)
+        quads = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
+        by_arrays = burin.refine_mesh(cage, quads.ravel(), [4] * 6, levels=3)
+        with folder() as work:
+            faces = "".join("f %d %d %d %d\n" % tuple(quad + 1) for quad in quads)
+            Path(work, "cube.obj").write_text("".join("v %g %g %g\n" % tuple(at) for at in cage) + faces)
+            by_file = burin.read_mesh(Path(work, "cube.obj"), levels=3)
+        np.testing.assert_array_equal(by_arrays.positions, by_file.positions)
+        np.testing.assert_array_equal(by_arrays.triangles, by_file.triangles)
+        with self.assertRaisesRegex(burin.Error, "edge"):
+            burin.refine_mesh(cage, [[0, 1, 2], [0, 1, 3], [0, 1, 4]], levels=1)
         with self.assertRaisesRegex(burin.InvalidArgument, "levels: must be 0 to 15, not 16"):
             burin.read_mesh(EWER, levels=16)
         with self.assertRaisesRegex(burin.Error, "/no/such.obj"):

@@ -36,7 +36,7 @@ STRUCTS = {
     _c.Snap: "burin_snap",
     _c.Snapped: "burin_snapped",
     _c.RecordingStroke: "burin_recording_stroke",
-    _c.MeshFileOptions: "burin_mesh_file_options",
+    _c.Refinement: "burin_refinement",
     _c.MeshValues: "burin_mesh_values",
     _c.RecorderCamera: "burin_recorder_camera",
     _c.RecorderOptions: "burin_recorder_options",

@@ -28,7 +28,7 @@ from .brush import (
 from .brushinfo import INPUTS, OUTPUTS, BrushInfo, ParamInfo
 from .errors import Error, InvalidArgument, NotFound, OutOfMemory, Unsupported
 from .library import Library
-from .mesh import Mesh, read_mesh, write_mesh
+from .mesh import Mesh, read_mesh, refine_mesh, write_mesh
 from .recorder import Camera, Recorder
 from .recording import RecordedStroke, Recording, read_recording
 from .samples import SAMPLE, samples
@@ -77,6 +77,7 @@ __all__ = [
     "library_file",
     "read_mesh",
     "read_recording",
+    "refine_mesh",
     "samples",
     "smooth_step",
     "version",

@@ -231,7 +231,7 @@ class RecordingStroke(Sized):
     ]
 
 
-class MeshFileOptions(Sized):
+class Refinement(Sized):
     _fields_ = [
         ("struct_size", c_uint32),
         ("levels", c_uint32),
@@ -309,8 +309,9 @@ _WITH_STATUS: dict[str, list[Any]] = {
     "burin_session_snap": [c_void_p, POINTER(Snap), c_void_p, c_uint64, c_uint32, POINTER(Snapped)],
     "burin_recording_read": [c_char_p, POINTER(c_void_p)],
     "burin_recording_get_stroke": [c_void_p, c_uint64, POINTER(RecordingStroke)],
-    "burin_mesh_file_read": [c_char_p, POINTER(MeshFileOptions), POINTER(c_void_p)],
-    "burin_mesh_file_get": [c_void_p, POINTER(MeshArrays), POINTER(MeshValues)],
+    "burin_triangles_read": [c_char_p, POINTER(Refinement), POINTER(c_void_p)],
+    "burin_triangles_refine": [POINTER(MeshArrays), POINTER(Refinement), POINTER(c_void_p)],
+    "burin_triangles_get": [c_void_p, POINTER(MeshArrays), POINTER(MeshValues)],
     "burin_mesh_write": [c_char_p, POINTER(MeshArrays), POINTER(MeshValues)],
     "burin_recorder_begin": [c_void_p, POINTER(RecordedStroke)],
     "burin_recorder_add": [c_void_p, POINTER(RecordedSample)],
@@ -329,7 +330,7 @@ _WITHOUT_STATUS: dict[str, tuple[Any, list[Any]]] = {
     "burin_recording_destroy": (None, [c_void_p]),
     "burin_recording_stroke_count": (c_uint64, [c_void_p]),
     "burin_recording_device": (c_char_p, [c_void_p]),
-    "burin_mesh_file_destroy": (None, [c_void_p]),
+    "burin_triangles_destroy": (None, [c_void_p]),
     "burin_recorder_open": (c_void_p, [POINTER(RecorderOptions), POINTER(Text)]),
     "burin_recorder_close": (None, [c_void_p]),
 }

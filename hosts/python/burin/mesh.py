@@ -1,4 +1,4 @@
-"""Files of meshes."""
+"""Meshes: read, refined and written."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .errors import InvalidArgument
 
 @dataclass(frozen=True)
 class Mesh:
-    """A mesh of triangles. Arrays are views of the memory that the file was read to, read-only."""
+    """A mesh of triangles. Arrays are views of the library's memory, read-only."""
 
     positions: NDArray[np.float32]
     """Shape (n, 3), object units, relative to `origin`."""
@@ -30,16 +30,38 @@ class Mesh:
     masks: NDArray[np.float32] | None
     """Shape (n,), 0 = protected .. 1 = free; None: all are free."""
     origin: tuple[float, float, float]
-    """Zero unless the file's positions are so far from its own origin that floats would round them."""
+    """Zero unless a file's positions are so far from its own origin that floats would round them."""
 
 
-class _File:
-    """A burin_mesh_file, which lives as long as arrays over its memory."""
+class _Triangles:
+    """A burin_triangles, which lives as long as arrays over its memory."""
 
-    def __init__(self, path: str | os.PathLike[str], options: _c.MeshFileOptions) -> None:
+    def __init__(self, function: str, source: Any, options: _c.Refinement) -> None:
         self.pointer = ctypes.c_void_p()
-        _c.call("burin_mesh_file_read", os.fsencode(path), options, self.pointer)
-        self._finalizer = weakref.finalize(self, _c.lib.burin_mesh_file_destroy, self.pointer)
+        _c.call(function, source, options, self.pointer)
+        self._finalizer = weakref.finalize(self, _c.lib.burin_triangles_destroy, self.pointer)
+
+    def mesh(self) -> Mesh:
+        mesh, values = _c.MeshArrays(), _c.MeshValues()
+        _c.call("burin_triangles_get", self.pointer, mesh, values)
+        count = mesh.vertex_count
+
+        def floats(address: int | None, size: tuple[int, ...]) -> NDArray[np.float32] | None:
+            return view(address, (count, *size), owner=self) if address else None
+
+        return Mesh(
+            view(mesh.positions, (count, 3), owner=self),
+            view(mesh.corners, (mesh.face_count, 3), kind="<u4", owner=self),
+            floats(values.colours, (4,)),
+            floats(values.masks, ()),
+            (values.origin[0], values.origin[1], values.origin[2]),
+        )
+
+
+def _refinement(levels: int, target_triangles: int | None, weld: float | None) -> _c.Refinement:
+    if not 0 <= levels <= 15:
+        raise InvalidArgument(f"levels: must be 0 to 15, not {levels}")
+    return _c.Refinement(levels, target_triangles or 0, weld or 0)
 
 
 def read_mesh(
@@ -56,23 +78,26 @@ def read_mesh(
     rounding has separated. Refined meshes have neither colours nor masks. Raises Error, which names the file and the place
     in it.
     """
-    if not 0 <= levels <= 15:
-        raise InvalidArgument(f"levels: must be 0 to 15, not {levels}")
-    file = _File(path, _c.MeshFileOptions(levels, target_triangles or 0, weld or 0))
-    mesh, values = _c.MeshArrays(), _c.MeshValues()
-    _c.call("burin_mesh_file_get", file.pointer, mesh, values)
-    count = mesh.vertex_count
+    options = _refinement(levels, target_triangles, weld)
+    return _Triangles("burin_triangles_read", os.fsencode(path), options).mesh()
 
-    def floats(address: int | None, size: tuple[int, ...]) -> NDArray[np.float32] | None:
-        return view(address, (count, *size), owner=file) if address else None
 
-    return Mesh(
-        view(mesh.positions, (count, 3), owner=file),
-        view(mesh.corners, (mesh.face_count, 3), kind="<u4", owner=file),
-        floats(values.colours, (4,)),
-        floats(values.masks, ()),
-        (values.origin[0], values.origin[1], values.origin[2]),
-    )
+def refine_mesh(
+    positions: ArrayLike,
+    faces: ArrayLike,
+    face_sizes: ArrayLike | None = None,
+    *,
+    levels: int = 0,
+    target_triangles: int | None = None,
+) -> Mesh:
+    """Refines a cage, arrays as those of Session, as read_mesh() does, without creases. Its faces must be a manifold of one
+    orientation.
+
+    >>> refine_mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2, 3]], levels=3).triangles.shape
+    (128, 3)
+    """
+    arrays = MeshArrays(positions, faces, face_sizes, "caller")
+    return _Triangles("burin_triangles_refine", arrays.mesh, _refinement(levels, target_triangles, None)).mesh()
 
 
 def write_mesh(

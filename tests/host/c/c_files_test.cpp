@@ -122,31 +122,46 @@ TEST(CRecordings, ThatAreCutOffAreRefused) {
 /// A mesh that C has read.
 class CMeshFile {
  public:
-  CMeshFile(const fs::path& path, const burin_mesh_file_options& options) {
-    if (IN_C(burin_mesh_file_read)(path.c_str(), &options, &file_, &error) != BURIN_OK)
+  CMeshFile(const fs::path& path, const burin_refinement& options) {
+    if (IN_C(burin_triangles_read)(path.c_str(), &options, &file_, &error) != BURIN_OK)
       throw std::runtime_error(error.str());
-    EXPECT_EQ(IN_C(burin_mesh_file_get)(file_, &mesh, &values, &error), BURIN_OK) << error.str();
+    EXPECT_EQ(IN_C(burin_triangles_get)(file_, &mesh, &values, &error), BURIN_OK) << error.str();
   }
   CMeshFile(const CMeshFile&) = delete;
   CMeshFile& operator=(const CMeshFile&) = delete;
-  ~CMeshFile() { IN_C(burin_mesh_file_destroy)(file_); }
+  ~CMeshFile() { IN_C(burin_triangles_destroy)(file_); }
 
   burin_mesh mesh = sized<burin_mesh>();
   burin_mesh_values values = sized<burin_mesh_values>();
   CText error;
 
  private:
-  burin_mesh_file* file_ = nullptr;
+  burin_triangles* file_ = nullptr;
 };
 
 TEST(CMeshFiles, AreRefinedAsTheCommandDoes) {
-  auto options = sized<burin_mesh_file_options>();
+  auto options = sized<burin_refinement>();
   options.levels = 2;
   const CMeshFile refined(ewer, options);
   const PolygonMesh cage = read_mesh(ewer);
   CSession from_file(refined.mesh), expected(refine(cage, natural_scheme(cage), 2));
   EXPECT_EQ(from_file.hash(), expected.hash());
   EXPECT_EQ(refined.values.colours, nullptr);
+
+  burin_mesh arrays = arrays_of(cage.positions, cage.face_vertices.data(), cage.face_sizes.size(), 0);
+  arrays.face_sizes = cage.face_sizes.data();
+  burin_triangles* of_arrays = nullptr;
+  CText error;
+  ASSERT_EQ(IN_C(burin_triangles_refine)(&arrays, &options, &of_arrays, &error), BURIN_OK) << error.str();
+  auto mesh = sized<burin_mesh>();
+  ASSERT_EQ(IN_C(burin_triangles_get)(of_arrays, &mesh, nullptr, &error), BURIN_OK) << error.str();
+  PolygonMesh smooth = cage;
+  smooth.creases.clear();
+  CSession without_creases(refine(smooth, natural_scheme(smooth), 2));
+  EXPECT_EQ(CSession(mesh).hash(), without_creases.hash());
+  EXPECT_NE(without_creases.hash(), expected.hash());
+  IN_C(burin_triangles_destroy)(of_arrays);
+  EXPECT_EQ(IN_C(burin_triangles_refine)(nullptr, &options, &of_arrays, &error), BURIN_INVALID_ARGUMENT);
   options.levels = 0;
   options.target_triangles = refined.mesh.face_count - 1;
   EXPECT_EQ(CMeshFile(ewer, options).mesh.face_count, refined.mesh.face_count);
@@ -166,18 +181,18 @@ TEST(CMeshFiles, KeepWhatIsPainted) {
   const burin_mesh arrays = arrays_of(mesh);
   CText error;
   ASSERT_EQ(IN_C(burin_mesh_write)(path.c_str(), &arrays, &values, &error), BURIN_OK) << error.str();
-  const CMeshFile read(path, sized<burin_mesh_file_options>());
+  const CMeshFile read(path, sized<burin_refinement>());
   ASSERT_EQ(read.mesh.vertex_count, count);
   EXPECT_EQ(read.values.origin[0], 448256);
   EXPECT_TRUE(std::equal(masks.begin(), masks.end(), read.values.masks));
   EXPECT_TRUE(std::equal(colours.begin(), colours.end(), read.values.colours));
   EXPECT_EQ(IN_C(burin_mesh_write)("/no/such/folder/a.ply", &arrays, nullptr, &error), BURIN_ERROR);
   EXPECT_NE(error.str().find("/no/such/folder/a.ply"), std::string::npos);
-  burin_mesh_file* none = nullptr;
-  auto options = sized<burin_mesh_file_options>();
+  burin_triangles* none = nullptr;
+  auto options = sized<burin_refinement>();
   options.levels = 16;
-  EXPECT_EQ(IN_C(burin_mesh_file_read)(ewer.c_str(), &options, &none, &error), BURIN_INVALID_ARGUMENT);
-  EXPECT_EQ(IN_C(burin_mesh_file_read)("/no/such.obj", nullptr, &none, &error), BURIN_ERROR);
+  EXPECT_EQ(IN_C(burin_triangles_read)(ewer.c_str(), &options, &none, &error), BURIN_INVALID_ARGUMENT);
+  EXPECT_EQ(IN_C(burin_triangles_read)("/no/such.obj", nullptr, &none, &error), BURIN_ERROR);
 }
 
 TEST(CSnapping, MovesSamplesToALineAsTheSnapperDoes) {

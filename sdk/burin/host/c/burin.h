@@ -454,16 +454,17 @@ BURIN_API burin_status BURIN_CALL burin_recording_get_stroke(const burin_recordi
                                                              burin_recording_stroke* stroke,
                                                              burin_text* error);
 
-typedef struct burin_mesh_file burin_mesh_file;
+/* A mesh of triangles that the library has read or refined. */
+typedef struct burin_triangles burin_triangles;
 
-/* How a mesh is read. */
-typedef struct burin_mesh_file_options {
+/* How a mesh is read and refined. */
+typedef struct burin_refinement {
   uint32_t struct_size;
   uint32_t levels; /* of refinement, 0..15: by Loop if all faces are triangles, else Catmull-Clark */
   uint64_t target_triangles; /* instead, if not 0: refine to at least so many */
-  double weld; /* edges that lie on each other no farther apart are joined, object units, > 0; 0: what
-                  rounding has separated */
-} burin_mesh_file_options;
+  double weld; /* of files: edges that lie on each other no farther apart are joined, object units, > 0; 0:
+                  what rounding has separated */
+} burin_refinement;
 
 /* What a mesh has besides its arrays. */
 typedef struct burin_mesh_values {
@@ -477,16 +478,21 @@ typedef struct burin_mesh_values {
 /* Reads and refines a mesh as `burin replay` does: OBJ, PLY, STL, OFF, glTF or GLB, which the extension
  * selects (docs/files.md). `options` may be null. Refined meshes have neither colours nor masks. [any thread,
  * concurrent] */
-BURIN_API burin_status BURIN_CALL burin_mesh_file_read(const char* path,
-                                                       const burin_mesh_file_options* options,
-                                                       burin_mesh_file** file, burin_text* error);
+BURIN_API burin_status BURIN_CALL burin_triangles_read(const char* path, const burin_refinement* options,
+                                                       burin_triangles** triangles, burin_text* error);
+
+/* Refines a mesh in arrays of the caller's, without creases, whose faces must be a manifold of one
+ * orientation; without levels it is cut into triangles. `options` may be null. [any thread, concurrent] */
+BURIN_API burin_status BURIN_CALL burin_triangles_refine(const burin_mesh* mesh,
+                                                         const burin_refinement* options,
+                                                         burin_triangles** triangles, burin_text* error);
 
 /* Frees the mesh, which may be null. */
-BURIN_API void BURIN_CALL burin_mesh_file_destroy(burin_mesh_file* file);
+BURIN_API void BURIN_CALL burin_triangles_destroy(burin_triangles* triangles);
 
 /* Fills the members that the sizes cover: arrays of triangles, for burin_session_create. They belong to the
  * mesh. `values` may be null. */
-BURIN_API burin_status BURIN_CALL burin_mesh_file_get(const burin_mesh_file* file, burin_mesh* mesh,
+BURIN_API burin_status BURIN_CALL burin_triangles_get(const burin_triangles* triangles, burin_mesh* mesh,
                                                       burin_mesh_values* values, burin_text* error);
 
 /* Writes a mesh of triangles, wholly or not at all: PLY, GLB, OBJ or OFF, which the extension selects. Larger

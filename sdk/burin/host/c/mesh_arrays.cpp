@@ -74,12 +74,14 @@ std::vector<Index> read_face_sizes(const burin_mesh& given, std::uint64_t& corne
 }
 
 template <class Number>
-TriangleMesh with_faces(const burin_mesh& given, std::vector<Vec3f> positions) {
-  if (given.face_size == 3) {
-    TriangleMesh mesh{std::move(positions), std::vector<Triangle>(given.face_count)};
-    if (given.face_count > 0) read_corners<Number>(given, 3, given.face_count, mesh.triangles.front().data());
-    return mesh;
-  }
+TriangleMesh with_triangles(const burin_mesh& given, std::vector<Vec3f> positions) {
+  TriangleMesh mesh{std::move(positions), std::vector<Triangle>(given.face_count)};
+  if (given.face_count > 0) read_corners<Number>(given, 3, given.face_count, mesh.triangles.front().data());
+  return mesh;
+}
+
+template <class Number>
+PolygonMesh with_faces(const burin_mesh& given, std::vector<Vec3f> positions) {
   PolygonMesh mesh;
   mesh.positions = std::move(positions);
   std::uint64_t corners = given.face_count * given.face_size;
@@ -92,7 +94,7 @@ TriangleMesh with_faces(const burin_mesh& given, std::vector<Vec3f> positions) {
     read_corners<Number>(given, given.face_size, given.face_count, mesh.face_vertices.data());
   else
     read_corners<Number>(given, 1, corners, mesh.face_vertices.data());
-  return triangulate(mesh);
+  return mesh;
 }
 
 void check(const burin_mesh& given) {
@@ -112,12 +114,22 @@ void check(const burin_mesh& given) {
     reject("there is no such order");
 }
 
+std::vector<Vec3f> checked_positions(const burin_mesh& given) {
+  check(given);
+  return given.position_type == BURIN_FLOAT32 ? read_positions<float>(given) : read_positions<double>(given);
+}
+
 }  // namespace
 
 TriangleMesh read_arrays(const burin_mesh& given) {
-  check(given);
-  std::vector<Vec3f> positions =
-      given.position_type == BURIN_FLOAT32 ? read_positions<float>(given) : read_positions<double>(given);
+  if (given.face_size != 3) return triangulate(read_polygons(given));
+  std::vector<Vec3f> positions = checked_positions(given);
+  return given.corner_type == BURIN_UINT32 ? with_triangles<std::uint32_t>(given, std::move(positions))
+                                           : with_triangles<std::uint64_t>(given, std::move(positions));
+}
+
+PolygonMesh read_polygons(const burin_mesh& given) {
+  std::vector<Vec3f> positions = checked_positions(given);
   return given.corner_type == BURIN_UINT32 ? with_faces<std::uint32_t>(given, std::move(positions))
                                            : with_faces<std::uint64_t>(given, std::move(positions));
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/host/c/burin.h>
+#include <burin/surface/polygon_mesh.h>
 #include <burin/surface/triangle_mesh.h>
 
 namespace burin::c {
@@ -8,5 +9,8 @@ namespace burin::c {
 /// vertex or face, from 0, for what burin_mesh does not allow; also for corners that name no vertex and
 /// coordinates that are not finite as floats.
 TriangleMesh read_arrays(const burin_mesh& given);
+
+/// The same with the faces as they are.
+PolygonMesh read_polygons(const burin_mesh& given);
 
 }  // namespace burin::c

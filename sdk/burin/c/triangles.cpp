@@ -1,4 +1,4 @@
-// Files of meshes for C: read, joined and refined as the command does, and written.
+// Meshes for C: read, joined and refined as the command does, refined from arrays, and written.
 #include <burin/deform/paint_bytes.h>
 #include <burin/host/c/call.h>
 #include <burin/host/c/handles.h>
@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-struct burin_mesh_file {
+struct burin_triangles {
   burin::TriangleMesh mesh;
   std::vector<burin::Vec4f> colours;  ///< [vertex], or empty
   std::vector<float> masks;           ///< the same
@@ -23,29 +23,35 @@ namespace {
 constexpr std::uint32_t highest_level = 15;
 
 /// A mesh of a file, without vertices that only stand apart at seams.
-PolygonMesh read_cage(const char* path, const burin_mesh_file_options& options) {
+PolygonMesh read_cage(const char* path, const burin_refinement& options) {
   PolygonMesh cage = read_mesh(path);
   const double tolerance = options.weld > 0 ? options.weld : rounding_tolerance(cage);
   const std::vector<Index> vertex_of = find_welds(cage, tolerance);
   return vertex_of.empty() ? std::move(cage) : weld(std::move(cage), vertex_of);
 }
 
-int level_of(const PolygonMesh& cage, SubdivisionScheme scheme, const burin_mesh_file_options& options) {
+int level_of(const PolygonMesh& cage, SubdivisionScheme scheme, const burin_refinement& options) {
   if (options.target_triangles == 0) return static_cast<int>(options.levels);
   return level_for_triangles(cage, scheme, options.target_triangles);
 }
 
-std::unique_ptr<burin_mesh_file> read(const char* path, const burin_mesh_file_options& options) {
-  const PolygonMesh cage = read_cage(path, options);
+std::unique_ptr<burin_triangles> refined(const PolygonMesh& cage, const burin_refinement& options) {
   const SubdivisionScheme scheme = natural_scheme(cage);
   const int level = level_of(cage, scheme, options);
-  auto file = std::make_unique<burin_mesh_file>();
-  file->mesh = refine(cage, scheme, level);
-  file->origin = cage.origin;
-  if (level > 0) return file;
-  for (const PaintBytes& bytes : cage.paint.colours) file->colours.push_back(colour_of(bytes));
-  file->masks = cage.paint.masks;
-  return file;
+  auto made = std::make_unique<burin_triangles>();
+  made->mesh = refine(cage, scheme, level);
+  made->origin = cage.origin;
+  if (level > 0) return made;
+  for (const PaintBytes& bytes : cage.paint.colours) made->colours.push_back(colour_of(bytes));
+  made->masks = cage.paint.masks;
+  return made;
+}
+
+burin_refinement known_options(const burin_refinement* given) {
+  burin_refinement known{};
+  if (given) known = known_members(given, BURIN_HAS(given, burin_refinement, weld), "options");
+  if (known.levels > highest_level) reject("there are no more than 15 levels");
+  return known;
 }
 
 burin_mesh arrays_of(const TriangleMesh& mesh) {
@@ -77,32 +83,39 @@ VertexPaint paint_of(const burin_mesh_values& values, std::size_t vertices) {
 
 using namespace burin;
 
-burin_status burin_mesh_file_read(const char* path, const burin_mesh_file_options* options,
-                                  burin_mesh_file** file, burin_text* error) {
+burin_status burin_triangles_read(const char* path, const burin_refinement* options,
+                                  burin_triangles** triangles, burin_text* error) {
   return plugin::guarded(error, [&] {
     c::require(path, "path");
-    c::require(file, "file");
-    burin_mesh_file_options known{};
-    if (options)
-      known = c::known_members(options, BURIN_HAS(options, burin_mesh_file_options, weld), "options");
-    if (known.levels > c::highest_level) c::reject("there are no more than 15 levels");
-    *file = c::read(path, known).release();
+    c::require(triangles, "triangles");
+    const burin_refinement known = c::known_options(options);
+    *triangles = c::refined(c::read_cage(path, known), known).release();
   });
 }
 
-void burin_mesh_file_destroy(burin_mesh_file* file) { delete file; }
-
-burin_status burin_mesh_file_get(const burin_mesh_file* file, burin_mesh* mesh, burin_mesh_values* values,
-                                 burin_text* error) {
+burin_status burin_triangles_refine(const burin_mesh* mesh, const burin_refinement* options,
+                                    burin_triangles** triangles, burin_text* error) {
   return plugin::guarded(error, [&] {
-    c::require(file, "file");
-    c::give(c::arrays_of(file->mesh), mesh, mesh && BURIN_HAS(mesh, burin_mesh, reserved), "mesh");
+    c::require(triangles, "triangles");
+    const burin_mesh known = c::known_members(mesh, mesh && BURIN_HAS(mesh, burin_mesh, reserved), "mesh");
+    *triangles = c::refined(c::read_polygons(known), c::known_options(options)).release();
+  });
+}
+
+void burin_triangles_destroy(burin_triangles* triangles) { delete triangles; }
+
+burin_status burin_triangles_get(const burin_triangles* triangles, burin_mesh* mesh,
+                                 burin_mesh_values* values, burin_text* error) {
+  return plugin::guarded(error, [&] {
+    c::require(triangles, "triangles");
+    c::give(c::arrays_of(triangles->mesh), mesh, mesh && BURIN_HAS(mesh, burin_mesh, reserved), "mesh");
     if (!values) return;
-    const burin_mesh_values known{.struct_size = 0,
-                                  .reserved = 0,
-                                  .colours = file->colours.empty() ? nullptr : file->colours.front().data(),
-                                  .masks = file->masks.empty() ? nullptr : file->masks.data(),
-                                  .origin = {file->origin.x(), file->origin.y(), file->origin.z()}};
+    const burin_mesh_values known{
+        .struct_size = 0,
+        .reserved = 0,
+        .colours = triangles->colours.empty() ? nullptr : triangles->colours.front().data(),
+        .masks = triangles->masks.empty() ? nullptr : triangles->masks.data(),
+        .origin = {triangles->origin.x(), triangles->origin.y(), triangles->origin.z()}};
     c::give(known, values, BURIN_HAS(values, burin_mesh_values, origin), "values");
   });
 }
@@ -114,8 +127,8 @@ burin_status burin_mesh_write(const char* path, const burin_mesh* mesh, const bu
     const burin_mesh known = c::known_members(mesh, mesh && BURIN_HAS(mesh, burin_mesh, reserved), "mesh");
     burin_mesh_values with{};
     if (values) with = c::known_members(values, BURIN_HAS(values, burin_mesh_values, origin), "values");
-    const TriangleMesh triangles = c::read_arrays(known);
-    write_mesh(path, triangles, c::paint_of(with, triangles.positions.size()),
+    const TriangleMesh read = c::read_arrays(known);
+    write_mesh(path, read, c::paint_of(with, read.positions.size()),
                Vec3d(with.origin[0], with.origin[1], with.origin[2]));
   });
 }
