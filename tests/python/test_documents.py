@@ -18,7 +18,7 @@ NOTEBOOKS = ROOT / "samples/python"
 
 class Snippets(unittest.TestCase):
     def test_of_the_document_run(self):
-        blocks = re.findall(r"```python\n(.*?)```", DOCUMENT.read_text(), re.DOTALL)
+        blocks = re.findall(r"```python3\n(.*?)```", DOCUMENT.read_text(), re.DOTALL)
         self.assertGreaterEqual(len(blocks), 3)
         names = {}
         with folder() as work:
