@@ -150,9 +150,9 @@ class PythonBrushes(unittest.TestCase):
 
     def test_that_read_what_they_do_not_declare_are_told(self):
         error = self.failure(failing(lambda self, batch: batch.normal))
-        self.assertIn("AttributeError: the brush does not declare normal", str(error))
+        self.assertIn("AttributeError: the brush does not declare normal among its inputs", str(error))
         error = self.failure(failing(lambda self, batch: setattr(batch, "mask", 1)))
-        self.assertIn("the brush does not declare mask", str(error))
+        self.assertIn("the brush does not declare mask among its outputs", str(error))
 
     def test_cannot_write_inputs(self):
         def evaluate(self, batch):

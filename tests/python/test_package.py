@@ -13,7 +13,7 @@ import zipfile
 from pathlib import Path
 
 import burin
-from burin import _application_brushes, _c, _evaluation
+from burin import _application_brushes, _c, _stroke_abi
 from support import BUILD, ROOT, folder
 
 PACKAGE = ROOT / "hosts/python"
@@ -44,15 +44,15 @@ STRUCTS = {
     _c.RecordedSample: "burin_recorded_sample",
     _application_brushes._BrushStruct: "burin_brush",
     _application_brushes._FactoryStruct: "burin_brush_factory",
-    _evaluation.FloatArray: "burin_floats",
-    _evaluation.Vectors: "burin_vectors",
-    _evaluation.Colours: "burin_colours",
-    _evaluation.ParamValue: "burin_param_value",
-    _evaluation.Params: "burin_params",
-    _evaluation.ContextStruct: "burin_stroke_context",
-    _evaluation.PlanStruct: "burin_stroke_plan",
-    _evaluation.BatchStruct: "burin_batch",
-    _evaluation.OutputsStruct: "burin_outputs",
+    _stroke_abi.FloatArray: "burin_floats",
+    _stroke_abi.Vectors: "burin_vectors",
+    _stroke_abi.Colours: "burin_colours",
+    _stroke_abi.ParamValue: "burin_param_value",
+    _stroke_abi.Params: "burin_params",
+    _stroke_abi.ContextStruct: "burin_stroke_context",
+    _stroke_abi.PlanStruct: "burin_stroke_plan",
+    _stroke_abi.BatchStruct: "burin_batch",
+    _stroke_abi.OutputsStruct: "burin_outputs",
 }
 
 

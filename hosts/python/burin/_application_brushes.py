@@ -14,7 +14,8 @@ from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_float, c
 from typing import TYPE_CHECKING, Any
 
 from . import _c
-from ._evaluation import Batch, BatchStruct, ContextStruct, OutputsStruct, Params, PlanStruct, Start
+from ._evaluation import Batch, Start
+from ._stroke_abi import BatchStruct, ContextStruct, OutputsStruct, Params, PlanStruct
 from .brushinfo import INPUTS, OUTPUTS, OVERLAPS, UNITS
 from .errors import InvalidArgument
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from ctypes import POINTER, Structure, c_char_p, c_double, c_float, c_uint32, c_uint64, c_void_p
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ._memory import view
 
@@ -14,104 +13,9 @@ if TYPE_CHECKING:
     from .brush import Param
 
 Floats = NDArray[np.float32]
+Indices = NDArray[np.uint32]
+A = TypeVar("A")
 V = TypeVar("V")
-
-
-class FloatArray(Structure):
-    """burin_floats, and burin_indices and burin_floats_out, which are laid out alike."""
-
-    _fields_ = [("data", c_void_p), ("stride", c_uint32), ("reserved", c_uint32)]
-
-
-class Vectors(Structure):
-    _fields_ = [("x", FloatArray), ("y", FloatArray), ("z", FloatArray)]
-
-
-class Colours(Structure):
-    _fields_ = [("r", FloatArray), ("g", FloatArray), ("b", FloatArray), ("a", FloatArray)]
-
-
-class ParamValue(Structure):
-    _fields_ = [
-        ("number", FloatArray),
-        ("colour", FloatArray * 4),
-        ("text", c_char_p),
-        ("knots", c_void_p),
-        ("knot_count", c_uint32),
-        ("reserved", c_uint32),
-    ]
-
-
-class Params(Structure):
-    _fields_ = [("struct_size", c_uint32), ("count", c_uint32), ("values", POINTER(ParamValue))]
-
-
-class ContextStruct(Structure):
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("pass_", c_uint32),
-        ("flags", c_uint64),
-        ("pen_present", c_uint64),
-        ("seed", c_uint64),
-        ("length", c_double),
-        ("radius_min", c_double),
-        ("radius_max", c_double),
-        ("object_scale", c_double),
-        ("dab_t", c_double),
-    ]
-
-
-class PlanStruct(Structure):
-    _fields_ = [("struct_size", c_uint32), ("passes", c_uint32), ("end_influence", c_double)]
-
-
-class BatchStruct(Structure):
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("count", c_uint32),
-        ("params", POINTER(Params)),
-        ("t", FloatArray),
-        ("d", FloatArray),
-        ("radius", FloatArray),
-        ("stretch", FloatArray),
-        ("footprint_t", FloatArray),
-        ("footprint_d", FloatArray),
-        ("position", Vectors),
-        ("normal", Vectors),
-        ("e1", Vectors),
-        ("mean_curvature", FloatArray),
-        ("laplacian", Vectors),
-        ("displacement", Vectors),
-        ("mask", FloatArray),
-        ("colour", Colours),
-        ("sheet", FloatArray),
-        ("visit_count", FloatArray),
-        ("node_id", FloatArray),
-        ("symmetry", FloatArray),
-        ("pressure", FloatArray),
-        ("tilt_x", FloatArray),
-        ("tilt_y", FloatArray),
-        ("twist", FloatArray),
-        ("speed", FloatArray),
-        ("time", FloatArray),
-        ("foot", Vectors),
-        ("foot_normal", Vectors),
-        ("fine_position", Vectors),
-        ("fine_normal", Vectors),
-        ("fine_mean_curvature", FloatArray),
-    ]
-
-
-class OutputsStruct(Structure):
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("count", c_uint32),
-        ("along", FloatArray),
-        ("across", FloatArray),
-        ("up", FloatArray),
-        ("mask", FloatArray),
-        ("colour", FloatArray * 4),
-    ]
 
 
 class Context:
@@ -203,10 +107,75 @@ class Start:
         return found
 
 
+def _declared(columns: list[Any], name: str, what: str) -> list[Any]:
+    if not columns[0].data:
+        raise AttributeError(f"the brush does not declare {name} among its {what}")
+    return columns
+
+
+class Input(Generic[A]):
+    """An input of a batch: a read-only view of the library's memory."""
+
+    def __init__(self, text: str, *, member: str = "", components: str = "", kind: str = "<f4") -> None:
+        self.__doc__ = text
+        self._member, self._components, self._kind = member, components, kind
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._member = self._member or name
+
+    @overload
+    def __get__(self, batch: None, owner: type) -> Input[A]:
+        ...
+
+    @overload
+    def __get__(self, batch: Batch, owner: type) -> A:
+        ...
+
+    def __get__(self, batch: Batch | None, owner: type) -> Input[A] | Any:
+        if batch is None:
+            return self
+        member = getattr(batch._batch, self._member)
+        columns = [getattr(member, one) for one in self._components] or [member]
+        _declared(columns, self._member, "inputs")
+        return _columns(columns, batch.size) if self._components else _column(member, batch.size, self._kind)
+
+
+class Output:
+    """An output of a batch: a writable view of the library's memory, to which any values may be assigned."""
+
+    def __init__(self, text: str) -> None:
+        self.__doc__ = text
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    @overload
+    def __get__(self, batch: None, owner: type) -> Output:
+        ...
+
+    @overload
+    def __get__(self, batch: Batch, owner: type) -> Floats:
+        ...
+
+    def __get__(self, batch: Batch | None, owner: type) -> Output | Floats:
+        if batch is None:
+            return self
+        member = getattr(batch._outputs, self._name)
+        is_colour = self._name == "colour"
+        columns = _declared(list(member) if is_colour else [member], self._name, "outputs")
+        if is_colour:
+            return _columns(columns, batch.size, writable=True)
+        return _column(member, batch.size, writable=True)
+
+    def __set__(self, batch: Batch, values: ArrayLike) -> None:
+        self.__get__(batch, type(batch))[...] = values
+
+
 class Batch:
     """Nodes of the chart. Arrays have the shape (n,), vectors (n, 3) and colours (n, 4); they are float32 views of the
     library's memory, to be read during the call only. burin/abi/stroke.h has their meanings. An input that the brush does
-    not declare raises AttributeError."""
+    not declare raises AttributeError. `mask` and `colour` are outputs, `mask_before` and `colour_before` the inputs of these
+    names."""
 
     __slots__ = ("_batch", "_outputs", "_context", "_order", "_params", "size", "state")
 
@@ -243,215 +212,43 @@ class Batch:
         across = d.astype(np.float64)
         return np.where(beyond == 0, np.abs(d), np.sqrt(beyond * beyond + across * across).astype(np.float32))
 
-    def _input(self, name: str, kind: str = "<f4") -> NDArray[Any]:
-        array = getattr(self._batch, name)
-        if not array.data:
-            self._refuse(name)
-        return _column(array, self.size, kind)
-
-    def _vectors(self, name: str, members: str = "xyz") -> Floats:
-        vectors = getattr(self._batch, name)
-        if not getattr(vectors, members[0]).data:
-            self._refuse(name)
-        return _columns([getattr(vectors, member) for member in members], self.size)
-
-    def _refuse(self, name: str) -> None:
-        raise AttributeError(f"the brush does not declare {name} among its inputs or outputs")
-
-    def _output(self, name: str) -> Floats:
-        array = getattr(self._outputs, name)
-        if not array.data:
-            self._refuse(name)
-        return _column(array, self.size, writable=True)
-
-    @property
-    def t(self) -> Floats:
-        """Arc length along the stroke, object units; below 0 and above the length in round caps."""
-        return self._input("t")
-
-    @property
-    def d(self) -> Floats:
-        """Signed geodesic distance to the stroke, object units; positive on its left."""
-        return self._input("d")
-
-    @property
-    def radius(self) -> Floats:
-        """Half the width of the stroke at t, object units, above 0."""
-        return self._input("radius")
-
-    @property
-    def stretch(self) -> Floats:
-        """|dP/dt| at constant d; 1 on the stroke."""
-        return self._input("stretch")
-
-    @property
-    def footprint_t(self) -> Floats:
-        """Size of the node's cell along the stroke, object units; of the input "footprint"."""
-        return self._input("footprint_t")
-
-    @property
-    def footprint_d(self) -> Floats:
-        """Size of the node's cell across the stroke, object units; of the input "footprint"."""
-        return self._input("footprint_d")
-
-    @property
-    def mean_curvature(self) -> Floats:
-        """Of the base surface, 1 / object units, positive where convex."""
-        return self._input("mean_curvature")
-
-    @property
-    def pressure(self) -> Floats:
-        """At t: 0..1; 1 where the pen reports none."""
-        return self._input("pressure")
-
-    @property
-    def tilt_x(self) -> Floats:
-        """At t: radians from upright, towards +x; of the input "tilt"."""
-        return self._input("tilt_x")
-
-    @property
-    def tilt_y(self) -> Floats:
-        """At t: radians from upright, towards +y; of the input "tilt"."""
-        return self._input("tilt_y")
-
-    @property
-    def twist(self) -> Floats:
-        """At t: radians, 0..2 pi."""
-        return self._input("twist")
-
-    @property
-    def speed(self) -> Floats:
-        """At t: object units per second."""
-        return self._input("speed")
-
-    @property
-    def time(self) -> Floats:
-        """At t: seconds since the stroke began."""
-        return self._input("time")
-
-    @property
-    def fine_mean_curvature(self) -> Floats:
-        """Of the fine surface, 1 / object units, positive where convex."""
-        return self._input("fine_mean_curvature")
-
-    @property
-    def position(self) -> Floats:
-        """Base surface, object units; from the second pass on displaced by the passes before."""
-        return self._vectors("position")
-
-    @property
-    def normal(self) -> Floats:
-        """Base surface, unit, outward."""
-        return self._vectors("normal")
-
-    @property
-    def e1(self) -> Floats:
-        """Along the stroke, unit, tangent to the base surface."""
-        return self._vectors("e1")
-
-    @property
-    def laplacian(self) -> Floats:
-        """Mean of the neighbours minus the vertex, fine surface."""
-        return self._vectors("laplacian")
-
-    @property
-    def displacement(self) -> Floats:
-        """Of the pass before: along, across and up."""
-        return self._vectors("displacement")
-
-    @property
-    def foot(self) -> Floats:
-        """At t: mean position of the curve within one radius before and after."""
-        return self._vectors("foot")
-
-    @property
-    def foot_normal(self) -> Floats:
-        """At t: mean normal over the same part, unit; of the input "foot"."""
-        return self._vectors("foot_normal")
-
-    @property
-    def fine_position(self) -> Floats:
-        """Fine surface, object units; from the second pass on displaced by the passes before."""
-        return self._vectors("fine_position")
-
-    @property
-    def fine_normal(self) -> Floats:
-        """Fine surface, unit, outward."""
-        return self._vectors("fine_normal")
-
-    @property
-    def sheet(self) -> NDArray[np.uint32]:
-        """Number of the visit to the vertex, from 0."""
-        return self._input("sheet", "<u4")
-
-    @property
-    def visit_count(self) -> NDArray[np.uint32]:
-        """How often the stroke visits the vertex."""
-        return self._input("visit_count", "<u4")
-
-    @property
-    def node_id(self) -> NDArray[np.uint32]:
-        """Stable number of the vertex: counter of random numbers."""
-        return self._input("node_id", "<u4")
-
-    @property
-    def symmetry(self) -> NDArray[np.uint32]:
-        """Symmetric image, 0 = the stroke as drawn."""
-        return self._input("symmetry", "<u4")
-
-    @property
-    def mask_before(self) -> Floats:
-        """The input "mask": of the vertex before the stroke, 0 = protected .. 1 = free."""
-        return self._input("mask")
-
-    @property
-    def colour_before(self) -> Floats:
-        """The input "colour": of the vertex before the stroke, linear red, green, blue and coverage, 0..1."""
-        return self._vectors("colour", "rgba")
-
-    @property
-    def along(self) -> Floats:
-        """Displacement along e1, object units: an output."""
-        return self._output("along")
-
-    @along.setter
-    def along(self, values: Any) -> None:
-        self._output("along")[:] = values
-
-    @property
-    def across(self) -> Floats:
-        """Displacement along e2, object units: an output."""
-        return self._output("across")
-
-    @across.setter
-    def across(self, values: Any) -> None:
-        self._output("across")[:] = values
-
-    @property
-    def up(self) -> Floats:
-        """Displacement along the normal, object units: an output."""
-        return self._output("up")
-
-    @up.setter
-    def up(self, values: Any) -> None:
-        self._output("up")[:] = values
-
-    @property
-    def mask(self) -> Floats:
-        """The mask to be, 0..1: an output."""
-        return self._output("mask")
-
-    @mask.setter
-    def mask(self, values: Any) -> None:
-        self._output("mask")[:] = values
-
-    @property
-    def colour(self) -> Floats:
-        """The colour to be, linear red, green, blue and coverage, 0..1: an output."""
-        if not self._outputs.colour[0].data:
-            self._refuse("colour")
-        return _columns(list(self._outputs.colour), self.size, writable=True)
-
-    @colour.setter
-    def colour(self, values: Any) -> None:
-        self.colour[:] = values
+    t = Input[Floats]("Arc length along the stroke, object units; below 0 and above the length in round caps.")
+    d = Input[Floats]("Signed geodesic distance to the stroke, object units; positive on its left.")
+    radius = Input[Floats]("Half the width of the stroke at t, object units, above 0.")
+    stretch = Input[Floats]("|dP/dt| at constant d; 1 on the stroke.")
+    footprint_t = Input[Floats]('Size of the node’s cell along the stroke, object units; of the input "footprint".')
+    footprint_d = Input[Floats]('Size of the node’s cell across the stroke, object units; of the input "footprint".')
+    mean_curvature = Input[Floats]("Of the base surface, 1 / object units, positive where convex.")
+    pressure = Input[Floats]("At t: 0..1; 1 where the pen reports none.")
+    tilt_x = Input[Floats]('At t: radians from upright, towards +x; of the input "tilt".')
+    tilt_y = Input[Floats]('At t: radians from upright, towards +y; of the input "tilt".')
+    twist = Input[Floats]("At t: radians, 0..2 pi.")
+    speed = Input[Floats]("At t: object units per second.")
+    time = Input[Floats]("At t: seconds since the stroke began.")
+    fine_mean_curvature = Input[Floats]("Of the fine surface, 1 / object units, positive where convex.")
+    position = Input[Floats](
+        "Base surface, object units; from the second pass on displaced by the passes before.", components="xyz"
+    )
+    normal = Input[Floats]("Base surface, unit, outward.", components="xyz")
+    e1 = Input[Floats]("Along the stroke, unit, tangent to the base surface.", components="xyz")
+    laplacian = Input[Floats]("Mean of the neighbours minus the vertex, fine surface.", components="xyz")
+    displacement = Input[Floats]("Of the pass before: along, across and up.", components="xyz")
+    foot = Input[Floats]("At t: mean position of the curve within one radius before and after.", components="xyz")
+    foot_normal = Input[Floats]('At t: mean normal over the same part, unit; of the input "foot".', components="xyz")
+    fine_position = Input[Floats](
+        "Fine surface, object units; from the second pass on displaced by the passes before.", components="xyz"
+    )
+    fine_normal = Input[Floats]("Fine surface, unit, outward.", components="xyz")
+    sheet = Input[Indices]("Number of the visit to the vertex, from 0.", kind="<u4")
+    visit_count = Input[Indices]("How often the stroke visits the vertex.", kind="<u4")
+    node_id = Input[Indices]("Stable number of the vertex: counter of random numbers.", kind="<u4")
+    symmetry = Input[Indices]("Symmetric image, 0 = the stroke as drawn.", kind="<u4")
+    mask_before = Input[Floats]('The input "mask": of the vertex before the stroke, 0 = protected .. 1 = free.', member="mask")
+    colour_before = Input[Floats](
+        'The input "colour": of the vertex before the stroke, linear red, green, blue and coverage, 0..1.', member="colour", components="rgba"
+    )
+    along = Output("Displacement along e1, object units: an output.")
+    across = Output("Displacement along e2, object units: an output.")
+    up = Output("Displacement along the normal, object units: an output.")
+    mask = Output("The mask to be, 0..1: an output.")
+    colour = Output("The colour to be, linear red, green, blue and coverage, 0..1: an output.")
