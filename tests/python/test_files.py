@@ -58,6 +58,35 @@ class Hashes(unittest.TestCase):
         self.assertEqual(hex_hash(session), expected)
 
 
+class Errors(unittest.TestCase):
+    def test_have_the_texts_of_the_command(self):
+        """But for where the command was told: the file and the number of the stroke."""
+        session = session_of(burin.read_mesh(EWER))
+        with folder() as work:
+            broken = Path(work, "broken.stroke")
+            broken.write_text('{"burin_stroke": 1, "space": "object"}\n[1, 2\n')
+            for call, arguments in (
+                (lambda: burin.read_recording(broken), [broken, "--mesh", EWER]),
+                (lambda: session.replay(broken), [broken, "--mesh", EWER]),
+                (lambda: burin.read_mesh("/no/such.obj"), [MEANDER, "--mesh", "/no/such.obj"]),
+                (lambda: session.begin("none", radius=1), [MEANDER, "--mesh", EWER, "--brush", "none"]),
+                (
+                    lambda: session.begin("org.burin.bead", radius=1, params={"depth": 1}),
+                    [MEANDER, "--mesh", EWER, "--brush", "org.burin.bead", "--param", "depth=1"],
+                ),
+                (
+                    lambda: session.begin("org.burin.scales", radius=1),
+                    [MEANDER, "--mesh", EWER, "--brush", "org.burin.scales"],
+                ),
+            ):
+                with self.assertRaises(burin.Error) as raised:
+                    call()
+                with self.assertRaises(AssertionError) as told:
+                    replayed(arguments, work)
+                line = str(told.exception).rstrip("\n")
+                self.assertTrue(line.endswith(f": {raised.exception}"), f"{line}\n{raised.exception}")
+
+
 class Recordings(unittest.TestCase):
     def test_tell_their_strokes(self):
         with folder() as work:

@@ -58,7 +58,7 @@ class MeshArrays:
 
     def _set_face_sizes(self, face_sizes: ArrayLike) -> None:
         if self.corners.ndim != 1:
-            raise InvalidArgument(f"faces: with face_sizes they have the shape (corners of all faces,), not {self.corners.shape}")
+            raise InvalidArgument(f"faces: with face_sizes the shape must be (corners of all faces,), not {self.corners.shape}")
         self.sizes = np.ascontiguousarray(face_sizes, self.corners.dtype)
         if self.sizes.sum() != len(self.corners):
             raise InvalidArgument(f"face_sizes: their sum is {self.sizes.sum()}, but there are {len(self.corners)} corners")
