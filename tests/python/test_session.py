@@ -135,6 +135,15 @@ class Views(unittest.TestCase):
         np.testing.assert_array_equal(self.session.read()[1800:1820], wide[:, 2:5].astype(np.float32))
         self.session.write("masks", np.zeros(5), begin=3)
         self.assertEqual(self.session.read("masks").sum(), 3595)
+        shown = self.session.values()
+        for out in (shown[:5], wide[4::-1, 2:5], wide[:5, :6:2], np.broadcast_to(np.zeros(3), (5, 3)), np.zeros((5, 3), ">f4")):
+            with self.assertRaisesRegex(burin.InvalidArgument, "out: must be float32 or float64, writable"):
+                self.session.read("positions", 0, 5, out=out)
+        with self.assertRaisesRegex(burin.InvalidArgument, r"out: the shape must be \(5, 3\), not \(4, 3\)"):
+            self.session.read("positions", 0, 5, out=np.zeros((4, 3)))
+        self.session.write("colours", np.broadcast_to([0.5, 0, 0, 1], (7, 4)))
+        self.session.write("colours", self.session.read("colours", 0, 3)[::-1], begin=7)
+        self.assertTrue((self.session.read("colours", 0, 10) == [0.5, 0, 0, 1]).all())
         with self.assertRaisesRegex(burin.InvalidArgument, r"values: the shape must be \(2, 3\), not \(2, 4\)"):
             self.session.write("positions", np.zeros((2, 4)))
         with self.assertRaisesRegex(burin.InvalidArgument, "a value is not from 0 to 1"):

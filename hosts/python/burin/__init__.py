@@ -32,7 +32,8 @@ from .mesh import Mesh, read_mesh, refine_mesh, write_mesh
 from .recorder import Camera, Recorder
 from .recording import RecordedStroke, Recording, read_recording
 from .samples import SAMPLE, samples
-from .session import ATTRIBUTES, CHART_NODE, LINES, Chart, Event, Session, SessionInfo, Snapped
+from .session import CHART_NODE, LINES, Chart, Event, Session, Snapped
+from .shown_surface import ATTRIBUTES, SessionInfo, ShownSurface
 
 __version__ = version()
 
@@ -70,6 +71,7 @@ __all__ = [
     "SAMPLE",
     "Session",
     "SessionInfo",
+    "ShownSurface",
     "Snapped",
     "Start",
     "TextParam",

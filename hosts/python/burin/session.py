@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import os
-import weakref
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -14,17 +13,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _c
-from ._arrays import FLOATS, MeshArrays, readable
+from ._arrays import MeshArrays
 from ._memory import view as view_of
 from ._settings import Setting, fields_of, setting_texts
-from .errors import InvalidArgument, raise_status
+from .errors import InvalidArgument
 from .library import Library
-from .mesh import Mesh, write_mesh
+from .mesh import Mesh
 from .recording import RecordedStroke
 from .samples import SAMPLE, samples
-
-ATTRIBUTES = {"positions": (1, 3), "normals": (2, 3), "colours": (3, 4), "masks": (4, 1)}
-"""Attributes of vertices: their numbers in C, and how many floats a vertex has."""
+from .shown_surface import ShownSurface
 
 CHART_NODE = np.dtype([("vertex", "<u4"), ("sheet", "<u4"), ("t", "<f8"), ("d", "<f4")])
 """A node of a chart: the vertex, the number of the visit to it, arc length along the stroke and signed distance to it,
@@ -41,18 +38,6 @@ class Event:
     """How many were drawn."""
     on_surface: bool
     """Whether the last was: else its ray misses, or no surface is near, and the next one begins another piece."""
-
-
-@dataclass(frozen=True)
-class SessionInfo:
-    """What a session holds."""
-
-    stroke_open: bool
-    vertex_count: int
-    triangle_count: int
-    undo_count: int
-    redo_count: int
-    undo_bytes: int
 
 
 @dataclass(frozen=True)
@@ -85,33 +70,13 @@ class Snapped:
     """Of what was snapped, object units."""
 
 
-class _Handle:
-    """A burin_session, which lives as long as something refers to it: a session, or arrays over its memory."""
-
-    def __init__(self, library: Library, mesh: _c.MeshArrays) -> None:
-        pointer = ctypes.c_void_p()
-        _c.call("burin_session_create", library._handle, mesh, pointer)
-        self.pointer = pointer
-        self._finalizer = weakref.finalize(self, _destroy, pointer, library)
-
-
-def _destroy(pointer: ctypes.c_void_p, _library: Library) -> None:
-    _c.lib.burin_session_destroy(pointer)
-
-
 def _as_samples(position: Any, pen: dict[str, ArrayLike]) -> NDArray[np.void]:
     """Samples one after the other: the array itself if it is of type SAMPLE and has no gaps."""
     given: NDArray[np.void] = position if getattr(position, "dtype", None) == SAMPLE else samples(position, **pen)
     return np.atleast_1d(np.ascontiguousarray(given))
 
 
-def _attribute(name: str) -> tuple[int, int]:
-    if name not in ATTRIBUTES:
-        raise InvalidArgument(f"there is no attribute {name!r}, but {', '.join(ATTRIBUTES)}")
-    return ATTRIBUTES[name]
-
-
-class Session:
+class Session(ShownSurface):
     """A surface that is sculpted by strokes. A session belongs to one thread at a time; inside it uses all of the machine's,
     without the interpreter's lock. Vertices have the numbers of the arrays that it was made of."""
 
@@ -135,11 +100,14 @@ class Session:
         >>> Session(Library(stock=False), plane, [[0, 1, 2, 3]]).info.triangle_count
         2
         """
-        arrays = MeshArrays(positions, faces, face_sizes, order)
-        self.library = library
-        self._handle: _Handle | None = _Handle(library, arrays.mesh)
+        super().__init__(library, MeshArrays(positions, faces, face_sizes, order))
         self._progress: Any = None
-        self._progress_fault: BaseException | None = None
+
+    def __enter__(self) -> Session:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        self.close()
 
     @classmethod
     def of_mesh(cls, library: Library, mesh: Mesh, *, order: str = "caller") -> Session:
@@ -149,47 +117,6 @@ class Session:
             if values is not None:
                 session.write(attribute, values if order == "caller" else values[session.map_from_surface()])
         return session
-
-    def close(self) -> None:
-        """Lets go of the session. Its memory is freed once no array is a view of it."""
-        self._handle = None
-
-    def __enter__(self) -> Session:
-        return self
-
-    def __exit__(self, *_exception: object) -> None:
-        self.close()
-
-    @property
-    def _pointer(self) -> ctypes.c_void_p:
-        if self._handle is None:
-            raise InvalidArgument("the session is closed")
-        return self._handle.pointer
-
-    def _call(self, name: str, *args: Any) -> None:
-        """Calls a function of the session. An exception of Python that made it fail is the error's cause."""
-        self._progress_fault = None
-        error = _c.ErrorText()
-        status = getattr(_c.lib, name)(self._pointer, *args, error.text)
-        if status != _c.OK:
-            text = str(error)
-            raise_status(status, text, self._progress_fault or self.library._take_fault(text))
-
-    @property
-    def info(self) -> SessionInfo:
-        """What the session holds."""
-        info = _c.SessionInfo()
-        self._call("burin_session_get_info", info)
-        return SessionInfo(
-            bool(info.stroke_open),
-            info.vertex_count,
-            info.triangle_count,
-            info.undo_count,
-            info.redo_count,
-            info.undo_bytes,
-        )
-
-    # Strokes.
 
     def begin(
         self,
@@ -320,82 +247,6 @@ class Session:
         self._call("burin_session_hash", hash)
         return hash.value
 
-    # What to show.
-
-    def update(self, attribute: str = "positions", *, gap: int = 64, most: int = 32) -> NDArray[np.uint64]:
-        """Brings values(attribute) up to date, and returns what changed since the update before: ranges [begin, end) of
-        vertices, shape (k, 2), ascending. They are more than `gap` vertices apart and at most `most`. The first update is of
-        all vertices. Attributes are "positions", "normals", "colours" and "masks". Costs what changed."""
-        ranges = np.empty((most, 2), np.uint64)
-        count = ctypes.c_uint64()
-        self._call("burin_session_update", _attribute(attribute)[0], gap, ranges.ctypes.data, most, count)
-        return ranges[: count.value]
-
-    def values(self, attribute: str = "positions") -> NDArray[np.float32]:
-        """The values of all vertices as of the last update: a view, not a copy, which is read-only and changes with every
-        update. Shape (n, 3) for positions and unit normals; (n, 4) for colours, linear red, green, blue and coverage, 0..1;
-        (n,) for masks, 0 = protected .. 1 = free. It keeps the session alive."""
-        number, size = _attribute(attribute)
-        if not _c.lib.burin_session_values(self._pointer, number):
-            self.update(attribute)
-        count = self.info.vertex_count
-        shape = (count,) if size == 1 else (count, size)
-        return view_of(_c.lib.burin_session_values(self._pointer, number), shape, owner=self._handle)
-
-    @property
-    def triangles(self) -> NDArray[np.uint32]:
-        """The triangles, shape (m, 3), in the order of the surface."""
-        triangles = np.empty((self.info.triangle_count, 3), np.uint32)
-        self._call("burin_session_read_triangles", triangles.ctypes.data, len(triangles))
-        return triangles
-
-    def map_to_surface(self) -> NDArray[np.uint32]:
-        """Element i is the number in Burin's order of vertex i of the arrays that the session was made of."""
-        return self._map(1)
-
-    def map_from_surface(self) -> NDArray[np.uint32]:
-        """The inverse of map_to_surface()."""
-        return self._map(2)
-
-    def _map(self, kind: int) -> NDArray[np.uint32]:
-        numbers = np.empty(self.info.vertex_count, np.uint32)
-        self._call("burin_session_read_map", kind, numbers.ctypes.data, len(numbers))
-        return numbers
-
-    def read(
-        self, attribute: str = "positions", begin: int = 0, end: int | None = None, out: NDArray[Any] | None = None
-    ) -> NDArray[Any]:
-        """The current values of the vertices [begin, end), whether or not there was an update: a new array of float32, or
-        `out`, float32 or float64, whose first axis may have any stride."""
-        number, size = _attribute(attribute)
-        end = self.info.vertex_count if end is None else end
-        if out is None:
-            count = max(end - begin, 0)
-            out = np.empty((count,) if size == 1 else (count, size), np.float32)
-        self._check(out, size, end - begin, "out")
-        self._call("burin_session_read", number, _c.Range(begin, end), self._array(out))
-        return out
-
-    def write(self, attribute: str, values: ArrayLike, begin: int = 0) -> None:
-        """Takes values of the vertices [begin, begin + n) that other tools changed: positions, or colours or masks, 0..1. It
-        is no step of undo. float32 and float64 are read where they are."""
-        number, size = _attribute(attribute)
-        array = readable(values, FLOATS, np.float64)
-        self._check(array, size, len(array), "values")
-        self._call("burin_session_write", number, _c.Range(begin, begin + len(array)), self._array(array))
-
-    @staticmethod
-    def _check(array: NDArray[Any], size: int, count: int, name: str) -> None:
-        shape = (count,) if size == 1 else (count, size)
-        if array.shape != shape:
-            raise InvalidArgument(f"{name}: the shape must be {shape}, not {array.shape}")
-        if array.dtype.str[1:] not in FLOATS or (size > 1 and array.strides[1] != array.itemsize):
-            raise InvalidArgument(f"{name}: must be float32 or float64, without gaps between the values of a vertex")
-
-    @staticmethod
-    def _array(array: NDArray[Any]) -> _c.Array:
-        return _c.Array(FLOATS[array.dtype.str[1:]], array.ctypes.data, array.strides[0])
-
     def chart(self) -> Chart:
         """The chart of the last piece of the open stroke, or of the last stroke; a copy."""
         chart = _c.Chart()
@@ -405,14 +256,3 @@ class Session:
             kind = CHART_NODE[name].str
             nodes[name] = view_of(getattr(chart, name), (chart.count,), kind=kind)
         return Chart(nodes, chart.length, bool(chart.closed))
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the surface, with colours and masks where anything is painted: .ply, .glb, .obj or .off."""
-        colours, masks = self.read("colours"), self.read("masks")
-        write_mesh(
-            path,
-            self.read(),
-            self.triangles,
-            colours=colours if colours[:, 3].any() else None,
-            masks=masks if (masks != 1).any() else None,
-        )
