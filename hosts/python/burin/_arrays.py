@@ -27,7 +27,8 @@ def readable(given: ArrayLike, types: dict[str, int], other: Any) -> NDArray[Any
 
 
 class MeshArrays:
-    """burin_mesh over arrays of numpy, which must outlive its use: they belong to this object; they are copied only if their type or layout is none of C's."""
+    """burin_mesh over arrays of numpy, which belong to this object. They are copied only if their type or layout is none of
+    C's."""
 
     def __init__(self, positions: ArrayLike, faces: ArrayLike, face_sizes: ArrayLike | None, order: str) -> None:
         self.positions = readable(positions, FLOATS, np.float64)
