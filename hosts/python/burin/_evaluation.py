@@ -226,6 +226,9 @@ class Batch:
     speed = Input[Floats]("At t: object units per second.")
     time = Input[Floats]("At t: seconds since the stroke began.")
     fine_mean_curvature = Input[Floats]("Of the fine surface, 1 / object units, positive where convex.")
+    end_distance = Input[Floats](
+        "From the stroke's nearer end along it, at most the end influence, object units; for tapered ends."
+    )
     position = Input[Floats](
         "Base surface, object units; from the second pass on displaced by the passes before.", components="xyz"
     )

@@ -87,6 +87,7 @@ class BatchStruct(Structure):
         ("fine_position", Vectors),
         ("fine_normal", Vectors),
         ("fine_mean_curvature", FloatArray),
+        ("end_distance", FloatArray),
     ]
 
 

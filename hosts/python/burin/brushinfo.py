@@ -15,7 +15,8 @@ OVERLAPS = ("unknown", "strongest", "latest", "max", "min", "add", "average")
 
 INPUTS = (
     "t d radius stretch footprint position normal e1 mean_curvature laplacian displacement mask colour sheet visit_count "
-    "node_id symmetry pressure tilt twist speed time foot fine_position fine_normal fine_mean_curvature"
+    "node_id symmetry pressure tilt twist speed time foot fine_position fine_normal "
+    "fine_mean_curvature end_distance"
 ).split()
 """Inputs that brushes may read, in the order of the bits BURIN_INPUT_*."""
 
