@@ -2,7 +2,6 @@
 #include <burin/abi/plugin.h>
 #include <burin/deform/overlap.h>
 #include <burin/host/brush_library.h>
-#include <burin/services/stamp_services.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -153,10 +152,14 @@ void print_brush(const BrushEntry& entry) {
   }
 }
 
-void run(bool json) {
-  BrushLibrary library(log_on_console, stamp_services());
+struct ListOptions {
+  bool isolate = false, json = false;
+};
+
+void run(const ListOptions& options) {
+  BrushLibrary library = brush_library(options.isolate);
   load_brushes(library);
-  if (!json) {
+  if (!options.json) {
     for (const BrushEntry& entry : library.brushes()) print_brush(entry);
     return;
   }
@@ -168,10 +171,12 @@ void run(bool json) {
 }  // namespace
 
 void add_list(CLI::App& app) {
-  const auto json = std::make_shared<bool>(false);
+  const auto options = std::make_shared<ListOptions>();
   CLI::App& command = *app.add_subcommand("list", "list the brushes and their parameters");
-  command.add_flag("--json", *json, "write JSON to the standard output");
-  command.callback([json] { run(*json); });
+  command.add_flag("--isolate", options->isolate,
+                   "load modules in a process of their own: one that crashes or hangs is passed over");
+  command.add_flag("--json", options->json, "write JSON to the standard output");
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace burin::command

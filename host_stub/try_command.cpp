@@ -6,7 +6,6 @@
 #include <burin/host/replay.h>
 #include <burin/level_set/solid_mesh.h>
 #include <burin/math/elementary.h>
-#include <burin/services/stamp_services.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -30,6 +29,7 @@ struct TryOptions {
   std::string brush, png = "try.png";
   std::vector<std::string> params;
   double radius = 0.15;
+  bool isolate = false;
 };
 
 constexpr double half_width = 1, half_height = 0.6;  ///< of the sheet, object units
@@ -85,7 +85,7 @@ Camera view_of(const Session& session, const StrokeExtent& extent) {
 
 void run(const TryOptions& options) {
   check_output_path(options.png);
-  BrushLibrary library(log_on_console, stamp_services(read_vdb));
+  BrushLibrary library = brush_library(options.isolate);
   const std::string brush = load_brush(library, options.brush);
   const ParamSettings params = parse_param_settings(
       options.params, [&](const std::string& name) { return takes_text(library, &brush, name); });
@@ -116,6 +116,7 @@ void add_try(CLI::App& app) {
   command.add_option("--param", options->params, "parameter of the brush; may be given repeatedly")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
+  command.add_flag("--isolate", options->isolate, isolate_help);
   command.callback([options] { run(*options); });
 }
 

@@ -3,6 +3,9 @@
 
 #include <burin/base/program_file.h>
 #include <burin/deform/evaluate/plugin_call.h>
+#include <burin/host/isolation.h>
+#include <burin/level_set/solid_mesh.h>
+#include <burin/services/stamp_services.h>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -25,6 +28,11 @@ void report_exit_in_plugin() {
 }  // namespace
 
 std::filesystem::path own_brush_folder() { return beside_own_file("brushes"); }
+
+BrushLibrary brush_library(bool isolated) {
+  return isolated ? BrushLibrary(log_on_console, Isolation())
+                  : BrushLibrary(log_on_console, stamp_services(read_vdb));
+}
 
 namespace {
 

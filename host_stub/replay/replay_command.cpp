@@ -4,7 +4,6 @@
 #include <burin/host/plugin/brush_params.h>
 #include <burin/host/replay.h>
 #include <burin/level_set/solid_mesh.h>
-#include <burin/services/stamp_services.h>
 #include <burin/stroke/move_origin.h>
 #include <burin/surface/mesh_file.h>
 #include <fmt/format.h>
@@ -49,7 +48,7 @@ struct ReplayOptions {
   ViewOptions view;
   std::string save_mesh, save_vdb, png, report;
   std::optional<int> watch;  ///< changes of the module to watch for; 0: without end
-  bool json = false;
+  bool isolate = false, json = false;
 };
 
 std::vector<Recording> read_recordings(const ReplayOptions& options) {
@@ -213,7 +212,7 @@ bool is_bundle(const ReplayOptions& options) {
 }
 
 void run(ReplayOptions& options) {
-  BrushLibrary library(log_on_console, stamp_services(read_vdb));
+  BrushLibrary library = brush_library(options.isolate);
   load_brushes(library);
   check_options(options, library);
   options.settings[&StrokeSettings::params] = read_params(options, library);
@@ -288,6 +287,7 @@ void add_replay(CLI::App& app) {
               "or with --watch=N for N changes; with --report, watch.html in the folder shows it before "
               "and after")
           ->check(CLI::NonNegativeNumber);
+  command.add_flag("--isolate", options->isolate, isolate_help);
   command.add_flag("--json", options->json, "write JSON to the standard output")->excludes(watch);
   command.callback([options, watch] {
     // CLI11 gives a flag its default where it is absent, too.

@@ -8,6 +8,7 @@
 #include <burin/deform/evaluate/plugin_call.h>
 #include <burin/deform/evaluate/supported_inputs.h>
 #include <burin/host/brush_library.h>
+#include <burin/host/isolate/isolated_modules.h>
 #include <burin/host/plugin/plugin_module.h>
 #include <burin/host/plugin/search_path.h>
 #include <burin/host/plugin/services.h>
@@ -29,14 +30,18 @@ struct BrushLibrary::Impl {
   Impl(Log log, std::unique_ptr<HostExtensions> extensions)
       : services(std::move(log), std::move(extensions)) {}
 
+  using ModulePtr = std::shared_ptr<const BrushModule>;
+  ModulePtr open(const fs::path& module);
+  ModulePtr open_anew(const fs::path& module, const fs::path& known);
   void load(const fs::path& module, std::vector<std::string>& ids);
   void refuse(const Error& error, std::vector<std::string> ids);
   void reload(const fs::path& module);
   void add(const std::string& name, const burin_brush_factory& factory);
-  void replace(std::shared_ptr<const PluginModule>& old, std::shared_ptr<const PluginModule> plugin);
+  void replace(ModulePtr& old, ModulePtr plugin);
 
   HostServices services;
-  std::vector<std::shared_ptr<const PluginModule>> modules;
+  std::unique_ptr<isolate::IsolatedModules> isolated;  ///< null: modules are loaded into this process
+  std::vector<ModulePtr> modules;
   std::vector<BrushEntry> brushes;
   std::vector<RefusedModule> refused;
 };
@@ -60,7 +65,7 @@ void check_supported(const BrushEntry& entry) {
 }
 
 /// The brushes that are there with those of a module. Throws FileError if there is another with one's id.
-std::vector<BrushEntry> with_brushes_of(const PluginModule& module, std::vector<BrushEntry> brushes) {
+std::vector<BrushEntry> with_brushes_of(const BrushModule& module, std::vector<BrushEntry> brushes) {
   for (const burin_brush_descriptor* descriptor : module.brushes()) {
     if (const BrushEntry* other = find_entry(brushes, descriptor->id))
       throw FileError(module.path().string(), fmt::format("brush {} is already there, from {}",
@@ -85,6 +90,14 @@ void copy_module(const fs::path& module, const fs::path& copy) {
   if (error) throw FileError(module.string(), error.message());
 }
 
+/// Ends what is only needed while modules are loaded.
+struct EndOfLoading {
+  const std::unique_ptr<isolate::IsolatedModules>& isolated;
+  ~EndOfLoading() {
+    if (isolated) isolated->rest();
+  }
+};
+
 bool is_whole(const burin_brush& brush) {
   return BURIN_HAS(&brush, burin_brush, end) && brush.destroy && brush.get_extension && brush.begin &&
          brush.evaluate && brush.end;
@@ -99,7 +112,26 @@ void BrushDeleter::operator()(const burin_brush* brush) const {
 
 BrushLibrary::BrushLibrary(Log log, std::unique_ptr<HostExtensions> extensions)
     : impl_(std::make_unique<Impl>(std::move(log), std::move(extensions))) {}
+BrushLibrary::BrushLibrary(Log log, const Isolation& isolation) : BrushLibrary(std::move(log)) {
+  impl_->isolated = isolate::isolated_modules(
+      isolation, [&services = impl_->services](int severity, std::string_view line) {
+        services.write_log(severity, line);
+      });
+}
 BrushLibrary::~BrushLibrary() = default;
+
+BrushLibrary::Impl::ModulePtr BrushLibrary::Impl::open(const fs::path& module) {
+  if (isolated) return isolated->open(module);
+  return std::make_shared<const PluginModule>(module, module);
+}
+
+/// Opens a module that is loaded by the path `known`, from its file as it is now.
+BrushLibrary::Impl::ModulePtr BrushLibrary::Impl::open_anew(const fs::path& module, const fs::path& known) {
+  if (isolated) return isolated->open(known);
+  const ScratchFile copy(fs::temp_directory_path() / "", module);  // takes the mode of no other file
+  copy_module(module, copy.path());
+  return std::make_shared<const PluginModule>(known, copy.path());
+}
 
 /// Loads a module. `ids` receives the ids of its brushes, also if the module is refused because of one of
 /// them.
@@ -107,7 +139,7 @@ void BrushLibrary::Impl::load(const fs::path& module, std::vector<std::string>& 
   if (std::ranges::any_of(modules, is_file_of(module))) return;
   const std::string name = module.string();
   const PluginCall call("plugin", name.c_str());
-  const auto plugin = std::make_shared<const PluginModule>(module, module);
+  const ModulePtr plugin = open(module);
   for (const burin_brush_descriptor* descriptor : plugin->brushes()) ids.emplace_back(descriptor->id);
   brushes = with_brushes_of(*plugin, brushes);
   modules.push_back(plugin);
@@ -118,14 +150,12 @@ void BrushLibrary::Impl::reload(const fs::path& module) {
   if (old == modules.end()) throw FileError(module.string(), "is no module that was loaded");
   const std::string name = module.string();
   const PluginCall call("plugin", name.c_str());
-  const ScratchFile copy(fs::temp_directory_path() / "", module);  // takes the mode of no other file
-  copy_module(module, copy.path());
-  replace(*old, std::make_shared<const PluginModule>((*old)->path(), copy.path()));
+  replace(*old, open_anew(module, (*old)->path()));
 }
 
 void BrushLibrary::Impl::add(const std::string& name, const burin_brush_factory& factory) {
-  auto plugin = std::make_shared<const PluginModule>(name, factory);
-  const auto old = std::ranges::find(modules, plugin->path(), &PluginModule::path);
+  ModulePtr plugin = std::make_shared<const PluginModule>(name, factory);
+  const auto old = std::ranges::find(modules, plugin->path(), &BrushModule::path);
   if (old != modules.end()) {
     if (!(*old)->is_of_application()) throw FileError(name, "is a module that was loaded from a file");
     return replace(*old, std::move(plugin));
@@ -135,8 +165,7 @@ void BrushLibrary::Impl::add(const std::string& name, const burin_brush_factory&
 }
 
 /// Puts a module with its brushes in the place of an old one.
-void BrushLibrary::Impl::replace(std::shared_ptr<const PluginModule>& old,
-                                 std::shared_ptr<const PluginModule> plugin) {
+void BrushLibrary::Impl::replace(ModulePtr& old, ModulePtr plugin) {
   std::vector<BrushEntry> others = brushes;
   std::erase_if(others, [&](const BrushEntry& entry) { return entry.module == plugin->path(); });
   brushes = with_brushes_of(*plugin, std::move(others));
@@ -149,17 +178,22 @@ void BrushLibrary::Impl::refuse(const Error& error, std::vector<std::string> ids
 }
 
 void BrushLibrary::load(const fs::path& module) {
+  const EndOfLoading end{impl_->isolated};
   std::vector<std::string> ids;
   impl_->load(module, ids);
 }
 
-void BrushLibrary::reload(const fs::path& module) { impl_->reload(module); }
+void BrushLibrary::reload(const fs::path& module) {
+  const EndOfLoading end{impl_->isolated};
+  impl_->reload(module);
+}
 
 void BrushLibrary::add(const std::string& name, const burin_brush_factory& factory) {
   impl_->add(name, factory);
 }
 
 void BrushLibrary::load_folder(const fs::path& folder) {
+  const EndOfLoading end{impl_->isolated};
   for (const fs::path& file : plugin_files(folder)) {
     std::vector<std::string> ids;
     try {
@@ -202,11 +236,9 @@ BrushPtr BrushLibrary::create(const BrushEntry& entry) const {
   check_supported(entry);
   const auto plugin = std::find_if(impl_->modules.begin(), impl_->modules.end(),
                                    [&](const auto& module) { return module->path() == entry.module; });
-  const burin_brush_factory& factory = (*plugin)->factory();
   const PluginCall call("brush", entry.descriptor->id);
   ErrorText error;
-  const burin_brush* brush =
-      factory.create(&factory, impl_->services.abi(), entry.descriptor->id, error.abi());
+  const burin_brush* brush = (*plugin)->create(impl_->services.abi(), entry.descriptor->id, error.abi());
   if (!brush)
     throw Error(fmt::format("{}: brush {} cannot be created: {}", entry.module.string(), entry.descriptor->id,
                             error.line(BURIN_ERROR)));

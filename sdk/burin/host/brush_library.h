@@ -15,7 +15,8 @@ struct burin_brush_factory;
 
 namespace burin {
 
-class PluginModule;
+class BrushModule;
+struct Isolation;
 
 /// A brush of a loaded module. The descriptor is valid as long as the library, or until its module is loaded
 /// anew and no brush of the old one is left.
@@ -27,7 +28,7 @@ struct BrushEntry {
 /// Destroys a brush, and keeps its module loaded until then.
 struct BrushDeleter {
   const char* id = nullptr;
-  std::shared_ptr<const PluginModule> module;
+  std::shared_ptr<const BrushModule> module;
   void operator()(const burin_brush* brush) const;  ///< destroys the brush
 };
 using BrushPtr = std::unique_ptr<const burin_brush, BrushDeleter>;
@@ -42,6 +43,13 @@ class BrushLibrary {
   /// Starts empty. Plugins are given the log, which is discarded if `log` is empty, and these extensions, if
   /// any.
   explicit BrushLibrary(Log log = nullptr, std::unique_ptr<HostExtensions> extensions = nullptr);
+
+  /// Starts empty. No code of plugins ever runs in this process: each brush that is created has a process of
+  /// its own, which has Burin's own services (stamps, lettering and, where Burin is built with OpenVDB, grids)
+  /// and results of the same bits. A brush that crashes, hangs or takes too much memory makes its stroke fail
+  /// as one that reports an error does, with a line that tells where; the next stroke starts another process.
+  /// Throws Error on other systems than Linux.
+  BrushLibrary(Log log, const Isolation& isolation);
   ~BrushLibrary();
   BrushLibrary(const BrushLibrary&) = delete;
   BrushLibrary& operator=(const BrushLibrary&) = delete;
@@ -64,7 +72,8 @@ class BrushLibrary {
   /// Loads a module that is there anew, from its file as it is now; a copy of it, so that the file may be
   /// overwritten from then on. Sessions draw their next stroke with the new module's brushes, and take over
   /// the state of the old ones (abi/ext/state.h); the old module is unloaded with its last brush. Throws as
-  /// load(), and Error if the module was never loaded; then the old one stays.
+  /// load(), and Error if the module was never loaded; then the old one stays. With brushes in processes of
+  /// their own there is no copy: a file that is overwritten in place may crash the brush.
   void reload(const std::filesystem::path& module);
 
   /// Adds brushes that the application itself has, without a module. `name` stands in error messages where
@@ -85,7 +94,8 @@ class BrushLibrary {
   const BrushEntry& find(std::string_view id) const;
 
   /// Creates an instance of a brush, which must be destroyed before the library. Throws Error if creation
-  /// fails, or if the brush reads an input or writes an output that this host does not support.
+  /// fails, or if the brush reads an input or writes an output that this host does not support. With brushes
+  /// in processes of their own this starts the process.
   BrushPtr create(const BrushEntry& entry) const;
 
  private:

@@ -1,16 +1,13 @@
 #pragma once
-#include <burin/abi/plugin.h>
+#include <burin/host/plugin/brush_module.h>
 #include <burin/host/plugin/module.h>
 
-#include <filesystem>
 #include <optional>
-#include <span>
 
 namespace burin {
 
-/// A plugin module that is loaded, initialised and checked, or brushes of the application itself. All
-/// functions are to be called on the main thread.
-class PluginModule {
+/// A plugin module that is loaded into this process, initialised and checked, or brushes of the application itself.
+class PluginModule : public BrushModule {
  public:
   /// Loads, initialises and checks the module at `path`, which its init gets, from `file`: it or a copy.
   /// Throws FileError, which gives the path and the reason.
@@ -20,12 +17,13 @@ class PluginModule {
   /// which gives the name and the reason.
   PluginModule(const std::filesystem::path& name, const burin_brush_factory& factory);
 
-  /// The module's path, or the name of the application's brushes.
-  const std::filesystem::path& path() const { return path_; }
-  bool is_of_application() const { return !module_; }
-  const burin_brush_factory& factory() const { return *factory_; }
-  std::span<const burin_brush_descriptor* const> brushes() const {
+  const std::filesystem::path& path() const override { return path_; }
+  bool is_of_application() const override { return !module_; }
+  std::span<const burin_brush_descriptor* const> brushes() const override {
     return {factory_->brushes, factory_->brush_count};
+  }
+  const burin_brush* create(const burin_host* host, const char* brush_id, burin_text* error) const override {
+    return factory_->create(factory_, host, brush_id, error);
   }
 
  private:
