@@ -9,6 +9,7 @@
 #include <burin/host/plugin/services.h>
 #include <burin/plugin/detail/error.h>
 #include <fcntl.h>
+#include <malloc.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -65,16 +66,17 @@ std::uint64_t address_space() {
   return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Bounds what the brush may take, beyond what the process has and what stacks and heaps of its threads reserve.
-/// Where the machine has no memory left, the system ends this process rather than the host. A crash leaves no
+/// Bounds what the brush may take, beyond what the process has and what stacks and heaps of threads reserve. Where the machine has no memory left, the system ends this process rather than the host. A crash leaves no
 /// file.
 void bound_resources(const SharedHeader& header) {
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
   std::ofstream("/proc/self/oom_score_adj") << 1000;
   if (header.memory == 0) return;
-  constexpr std::uint64_t of_thread = std::uint64_t{80} << 20;
-  const std::uint64_t bytes = address_space() + header.lanes * of_thread + header.memory;
+  constexpr int heaps = 8;
+  mallopt(M_ARENA_MAX, heaps);
+  constexpr std::uint64_t mega = 1 << 20, of_heaps = heaps * 64 * mega, of_stack = 9 * mega;
+  const std::uint64_t bytes = address_space() + of_heaps + header.lanes * of_stack + header.memory;
   const rlimit limit{bytes, bytes};
   setrlimit(RLIMIT_AS, &limit);
 }

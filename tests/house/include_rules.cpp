@@ -42,6 +42,7 @@ const std::map<std::string, Names> may_include = {
     {"services", {"host", "stamp"}},
     {"c", {"services", "subdiv", "feature"}},
     {"brushes", {"abi", "math", "plugin"}},
+    {"brush_process", {"services", "level_set"}},
     {"host_probe", {"abi"}},
     {"host_stub", {"services", "level_set", "subdiv", "ink", "feature"}},
 };

@@ -32,7 +32,7 @@ void read_includes(const fs::path& repository, const fs::path& file, std::vector
 
 std::vector<Include> all_includes(const fs::path& repository) {
   std::vector<Include> includes;
-  for (const char* root : {"sdk/burin", "brushes", "host_probe", "host_stub"}) {
+  for (const char* root : {"sdk/burin", "brushes", "brush_process", "host_probe", "host_stub"}) {
     if (!fs::exists(repository / root)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(repository / root)) {
       if (is_source(entry.path()))

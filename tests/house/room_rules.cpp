@@ -49,6 +49,7 @@ const std::map<std::string, Names> room_may_include = {
     {"deform/bake", {}},
     {"deform/solid", {"deform/evaluate"}},
     {"host/plugin", {}},
+    {"host/isolate", {"host/plugin"}},
     {"host/session", {"host/plugin"}},
     {"host/c", {"host/plugin"}},
     {"level_set/grid", {}},

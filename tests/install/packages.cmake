@@ -17,7 +17,8 @@ function(expect package)
   set(contents_of_${package} "${contents}" PARENT_SCOPE)
 endfunction()
 
-expect(burin bin/burin share/man/man1/burin.1.gz lib/burin/brushes/groove.burin)
+expect(burin bin/burin share/man/man1/burin.1.gz lib/burin/brushes/groove.burin
+  lib/burin/burin-brush-process)
 expect(burin-dev include/burin/plugin/plugin.h include/burin/abi/plugin.h lib/cmake/Burin/BurinAddBrush.cmake
   share/pkgconfig/burin-plugin.pc)
 expect(libburin0 lib/libburin.so.0.1.0)

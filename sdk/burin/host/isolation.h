@@ -11,7 +11,7 @@ namespace burin {
 struct Isolation {
   /// The program that runs a brush, burin-brush-process. Empty: the one beside the file that Burin's code is
   /// in, be it a program or a shared library, else in lib/burin beside its folder, where it is installed.
-  std::filesystem::path program;
+  std::filesystem::path program = {};
 
   /// What starting the program, loading a module and creating a brush may take.
   double load_seconds = 20;

@@ -128,6 +128,32 @@ struct Log {
   std::vector<std::string> lines;
 };
 
+/// What burin_library_create answers to options.
+struct Created {
+  burin_status status;
+  std::string text;
+};
+
+TEST(CIsolation, TakesOnlyOptionsThatMakeSense) {
+  const auto create = [](double seconds, std::uint32_t isolate) {
+    auto options = sized<burin_library_options>();
+    options.isolate = isolate;
+    options.batch_seconds = seconds;
+    burin_library* library = nullptr;
+    CText error;
+    const burin_status status = IN_C(burin_library_create)(&options, &library, &error);
+    IN_C(burin_library_destroy)(library);
+    return Created{status, status == BURIN_OK ? "" : error.str()};
+  };
+  EXPECT_EQ(create(0, 1).status, BURIN_OK);
+  EXPECT_EQ(create(INFINITY, 1).status, BURIN_OK);
+  for (const double seconds : {-1.0, static_cast<double>(NAN)}) {
+    EXPECT_EQ(create(seconds, 1).status, BURIN_INVALID_ARGUMENT);
+    EXPECT_EQ(create(seconds, 1).text, "batch_seconds is not above 0");
+  }
+  EXPECT_EQ(create(0, 2).text, "isolate is neither 0 nor 1");
+}
+
 class CBrushes : public ::testing::Test {
  protected:
   CBrushes() {
@@ -185,6 +211,34 @@ TEST_F(CBrushes, ComeWithTheLibraryAndDescribeTheirPanels) {
   EXPECT_EQ(IN_C(burin_library_brush)(library_, count()), nullptr);
   EXPECT_TRUE(ids.contains("org.burin.groove"));
   EXPECT_EQ(ids.size(), count());
+}
+
+TEST(CIsolation, CostsABrushThatCrashesItsStroke) {
+  auto options = sized<burin_library_options>();
+  options.isolate = 1;
+  options.batch_seconds = 10;
+  burin_library* library = nullptr;
+  burin_session* session = nullptr;
+  CText error;
+  ASSERT_EQ(IN_C(burin_library_create)(&options, &library, &error), BURIN_OK) << error.str();
+  const std::string module = BURIN_FAILING_BRUSHES "/failing.burin";
+  ASSERT_EQ(IN_C(burin_library_load)(library, module.c_str(), &error), BURIN_OK) << error.str();
+  const TriangleMesh mesh = plane(1, 0.04, 4);
+  const burin_mesh arrays = arrays_of(mesh);
+  ASSERT_EQ(IN_C(burin_session_create)(library, &arrays, &session, &error), BURIN_OK) << error.str();
+  const std::vector<burin_sample> samples = in_c(without_pen(wave(5)));
+  for (const auto& [fault, status] : {std::pair("params=text=evaluate:crash", BURIN_ERROR),
+                                      std::pair("params=text=none", BURIN_OK)}) {
+    const char* const settings[] = {"brush=org.burin.test.failing", "radius=0.15", fault, nullptr};
+    auto stroke = sized<burin_stroke>();
+    stroke.settings = settings;
+    ASSERT_EQ(IN_C(burin_session_begin)(session, &stroke, &error), BURIN_OK) << error.str();
+    EXPECT_EQ(IN_C(burin_session_add)(session, samples.data(), samples.size(), nullptr, &error), status);
+    if (status != BURIN_OK) EXPECT_NE(error.str().find("in crash_here, failing.burin+0x"), std::string::npos);
+  }
+  EXPECT_EQ(IN_C(burin_session_end)(session, &error), BURIN_OK) << error.str();
+  IN_C(burin_session_destroy)(session);
+  IN_C(burin_library_destroy)(library);
 }
 
 TEST_F(CBrushes, SampleStampsAndSetLettersBesideTheirLibrary) {

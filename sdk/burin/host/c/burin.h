@@ -39,7 +39,7 @@ extern "C" {
 /* Functions and structs are added with a new minor version, never changed: a program that was built with this
  * header runs with every later library of the same major version, which is that of libburin.so.0. */
 #define BURIN_C_MAJOR 0u
-#define BURIN_C_MINOR 1u
+#define BURIN_C_MINOR 2u
 
 /* What a library is. */
 typedef struct burin_version_info {
@@ -61,12 +61,22 @@ typedef struct burin_library burin_library;
  * several at once. `line` is valid during the call. */
 typedef void(BURIN_CALL* burin_log_function)(void* user, burin_log_severity severity, const char* line);
 
-/* How a library is made. */
+/* How a library is made. With `isolate` no code of plugins runs in the caller's process: every brush has a
+ * process of its own, with results of the same bits. One that crashes, hangs or takes too much memory makes its
+ * stroke fail with BURIN_ERROR and a text that tells where; the next stroke starts another process. Linux
+ * only; elsewhere burin_library_create fails. */
 typedef struct burin_library_options {
   uint32_t struct_size;
-  uint32_t reserved;
+  uint32_t isolate;       /* since 0.2: 1: brushes run in processes of their own; 0: in the caller's */
   burin_log_function log; /* null: lines are discarded */
   void* user;             /* is given to log */
+  /* Since 0.2, with `isolate`. Seconds are of wall-clock time; infinity waits for ever. */
+  const char* brush_process; /* the program that brushes run in, UTF-8; null: burin-brush-process beside
+                                libburin.so, or in lib/burin beside its folder, where it is installed */
+  double load_seconds;       /* for starting it, loading a module and creating a brush; 0: 20 */
+  double call_seconds;       /* for begin and end of a stroke and other calls but batches; 0: 20 */
+  double batch_seconds;      /* for the evaluation of one batch, at most 1024 nodes; 0: 5 */
+  uint64_t memory;           /* bytes of address space that a brush may take; 0: 4 GiB; UINT64_MAX: no bound */
 } burin_library_options;
 
 /* Makes a library without brushes. `options` may be null. */

@@ -2,6 +2,8 @@
 #include <burin/base/program_file.h>
 #include <burin/host/c/call.h>
 #include <burin/host/c/handles.h>
+#include <burin/host/isolation.h>
+#include <burin/host/plugin/utf8_path.h>
 #include <burin/version.h>
 
 #include <cstddef>
@@ -21,6 +23,30 @@ BrushLibrary::Log log_of(const burin_library_options& options) {
   };
 }
 
+/// What 0 stands for is the default.
+double seconds_of(double given, double otherwise, const char* name) {
+  if (given == 0) return otherwise;
+  if (!(given > 0)) reject(std::string(name) + " is not above 0");
+  return given;
+}
+
+Isolation isolation_of(const burin_library_options& options) {
+  Isolation isolation;
+  if (options.brush_process) isolation.program = path_from_utf8(options.brush_process);
+  isolation.load_seconds = seconds_of(options.load_seconds, isolation.load_seconds, "load_seconds");
+  isolation.call_seconds = seconds_of(options.call_seconds, isolation.call_seconds, "call_seconds");
+  isolation.batch_seconds = seconds_of(options.batch_seconds, isolation.batch_seconds, "batch_seconds");
+  if (options.memory != 0) isolation.memory = options.memory == UINT64_MAX ? 0 : options.memory;
+  return isolation;
+}
+
+std::shared_ptr<BrushLibrary> brushes_of(const burin_library_options& options,
+                                         std::unique_ptr<HostExtensions> extensions) {
+  if (options.isolate > 1) reject("isolate is neither 0 nor 1");
+  if (options.isolate == 1) return std::make_shared<BrushLibrary>(log_of(options), isolation_of(options));
+  return std::make_shared<BrushLibrary>(log_of(options), std::move(extensions));
+}
+
 void load(burin_library& library, const char* path) {
   if (!path)
     library.brushes->load_search_path(beside_own_file("brushes"));
@@ -37,7 +63,7 @@ void create_library(const burin_library_options* options, std::unique_ptr<HostEx
   require(library, "library");
   burin_library_options known{};
   if (options) known = known_members(options, BURIN_HAS(options, burin_library_options, user), "options");
-  *library = new burin_library{std::make_shared<BrushLibrary>(log_of(known), std::move(extensions)), {}};
+  *library = new burin_library{brushes_of(known, std::move(extensions)), {}};
 }
 
 }  // namespace burin::c

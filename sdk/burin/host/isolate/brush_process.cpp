@@ -11,8 +11,10 @@
 //
 // Order of messages: describe; or create, then begin, batches, end and so on as burin/abi/brush.h allows, then
 // quit. Each request through the socket has one answer. A batch goes through a lane: the host fills it, passes
-// the turn, and waits for the turn to come back, for a few microseconds awake and then asleep on a futex. As
-// many threads as there are lanes do so at once; others wait for a lane.
+// the turn, and sleeps on a futex until the turn comes back. As many threads as there are lanes do so at once;
+// others wait for a lane. The threads of lanes stay on one processor each, two on each; a host's thread takes a
+// lane of the processor it runs on, whose thread takes its place while it sleeps. To wake a thread elsewhere, or
+// to wait awake, takes several times as long.
 //
 // Failures. The process crashes or calls exit(): its handlers note where in the header, it ends, and the host
 // sees its end within 5 ms. It hangs: at the deadline the host interrupts the thread, which notes where it is,
@@ -30,6 +32,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -38,7 +41,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <thread>
 
 namespace burin::isolate {
 namespace {
@@ -77,6 +79,18 @@ Ends pipe_ends() {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) fail_to("be reached");
   return {Descriptor(ends[1]), Descriptor(ends[0])};
+}
+
+/// The processors that this process may run on, at least one.
+std::vector<int> own_processors() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  std::vector<int> processors;
+  if (sched_getaffinity(getpid(), sizeof set, &set) == 0)
+    for (int i = 0; i < CPU_SETSIZE; ++i)
+      if (CPU_ISSET(static_cast<std::size_t>(i), &set)) processors.push_back(i);
+  if (processors.empty()) processors.push_back(0);
+  return processors;
 }
 
 std::string signal_name(int signal) {
@@ -136,7 +150,8 @@ Answer::Answer(Bytes bytes) : bytes_(std::move(bytes)) {
 BrushProcess::BrushProcess(const Isolation& isolation, Log log)
     : isolation_(isolation),
       log_(std::move(log)),
-      lanes_(std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most_lanes)) {
+      processors_(own_processors()),
+      lanes_(std::min(2 * processors_.size(), most_lanes)) {
   const std::filesystem::path program =
       isolation.program.empty() ? beside_own_file("burin-brush-process") : isolation.program;
   const Descriptor file(memfd_create("burin-brush", MFD_CLOEXEC | MFD_ALLOW_SEALING));
@@ -144,7 +159,10 @@ BrushProcess::BrushProcess(const Isolation& isolation, Log log)
   memory_ = map_memory(file, shared_bytes(lanes_));
   header().lanes = static_cast<std::uint32_t>(lanes_);
   header().memory = isolation.memory;
-  for (std::size_t i = 0; i < lanes_; ++i) free_lanes_.push_back(i);
+  for (std::size_t i = 0; i < lanes_; ++i) {
+    free_lanes_.push_back(i);
+    header().processors[i] = processor_of(i);
+  }
   try {
     process_.emplace(program, BURIN_VERSION,
                      std::array{socket.process.number(), file.number(), life.process.number(),
@@ -194,7 +212,11 @@ Answer BrushProcess::request(Request what, const MessageWriter& content, double 
       receive_message(socket_.number(), answer, [&] { return wait_for(POLLIN, deadline); });
   drain_log();
   if (!answered) fail(Clock::now() >= deadline ? std::optional(seconds) : std::nullopt, 0);
-  return Answer(std::move(answer));
+  try {
+    return Answer(std::move(answer));
+  } catch (const Error&) {
+    fail({}, 0);
+  }
 }
 
 /// Takes a lane that no other thread uses, waits for one if need be, and gives it back.
@@ -203,8 +225,13 @@ class BrushProcess::LaneHold {
   explicit LaneHold(BrushProcess& process) : process_(process) {
     std::unique_lock lock(process.lane_mutex_);
     process.lane_freed_.wait(lock, [&] { return !process.free_lanes_.empty(); });
-    index_ = process.free_lanes_.back();
-    process.free_lanes_.pop_back();
+    std::vector<std::size_t>& free = process.free_lanes_;
+    const int here = sched_getcpu();
+    const auto near =
+        std::ranges::find(free, here, [&](std::size_t lane) { return process.processor_of(lane); });
+    const auto chosen = near == free.end() ? free.end() - 1 : near;
+    index_ = *chosen;
+    free.erase(chosen);
   }
   LaneHold(const LaneHold&) = delete;
   LaneHold& operator=(const LaneHold&) = delete;
@@ -229,27 +256,23 @@ void BrushProcess::run(const BatchCall& call, std::size_t first, std::size_t cou
   std::byte* memory = lane(hold.index());
   auto& shared = *reinterpret_cast<LaneCall*>(memory);
   const PackedOutputs packed = pack(call, first, count, memory);
-  pass_turn(shared.turn, Turn::asked, shared.process_sleeps);
-  if (!spin_for(shared.turn, Turn::answered)) {
-    const pid_t thread = hold.index() < lane_threads_.size() ? lane_threads_[hold.index()] : 0;
-    const Clock::time_point deadline = deadline_in(isolation_.batch_seconds);
-    wait_for_turn(shared, deadline, thread);
-  }
+  pass_turn(shared.turn, Turn::asked);
+  wait_for_turn(shared, hold.index());
   drain_log();
   const burin_status status = shared.status;
   if (status != BURIN_OK) throw plugin::Error(text_of(shared.text), status);
   unpack(packed, memory, call, first, count);
 }
 
-void BrushProcess::wait_for_turn(LaneCall& lane, Clock::time_point deadline, pid_t thread) {
-  lane.host_sleeps = 1;
+void BrushProcess::wait_for_turn(LaneCall& lane, std::size_t index) {
+  const Clock::time_point deadline = deadline_in(isolation_.batch_seconds);
   while (lane.turn.load() != Turn::answered) {
     wait_on(lane.turn, Turn::asked, look);
-    if (lane.turn.load() == Turn::answered) break;
+    if (lane.turn.load() == Turn::answered) return;
     if (failed_ || !process_->running() || header().crash.told.load() != 0) fail({}, 0);
-    if (Clock::now() >= deadline) fail(isolation_.batch_seconds, thread);
+    if (Clock::now() >= deadline)
+      fail(isolation_.batch_seconds, index < lane_threads_.size() ? lane_threads_[index] : 0);
   }
-  lane.host_sleeps = 0;
 }
 
 void BrushProcess::fail(std::optional<double> late_after, pid_t thread) {
@@ -270,10 +293,12 @@ std::string BrushProcess::reason(std::optional<double> late_after, pid_t thread)
   const Clock::time_point deadline = deadline_in(time_to_tell);
   while (process_->running() && record.told.load() < 2 && Clock::now() < deadline)
     process_->wait(Clock::now() + std::chrono::milliseconds(1));
+  const bool running = process_->running();
   const std::string ending = process_->end();
   const bool told = record.told.load() != 0;
   if (late_after) return fmt::format("took more than {:g} s{}", *late_after, told ? where(record) : "");
   if (told) return crash_text(record);
+  if (running) return "its process gave an answer that is none";
   if (ending == fmt::format("exited with status {}", wrong_version))
     return "its process belongs to another version of Burin than " BURIN_VERSION;
   return "its process " + ending;

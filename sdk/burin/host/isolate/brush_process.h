@@ -65,16 +65,18 @@ class BrushProcess {
   class LaneHold;
 
   bool wait_for(short events, Clock::time_point deadline);
-  void wait_for_turn(LaneCall& lane, Clock::time_point deadline, pid_t thread);
+  void wait_for_turn(LaneCall& lane, std::size_t index);
   [[noreturn]] void fail(std::optional<double> late_after, pid_t thread);
   std::string reason(std::optional<double> late_after, pid_t thread);
   void drain_log();
 
+  int processor_of(std::size_t lane) const { return processors_[lane % processors_.size()]; }
   SharedHeader& header() const { return *reinterpret_cast<SharedHeader*>(memory_); }
   std::byte* lane(std::size_t index) const { return memory_ + header_bytes + index * lane_bytes; }
 
   Isolation isolation_;
   Log log_;
+  std::vector<int> processors_;  ///< that this process may run on
   std::size_t lanes_;
   std::byte* memory_ = nullptr;
   Descriptor socket_, life_, log_socket_;

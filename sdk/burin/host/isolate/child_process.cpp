@@ -26,6 +26,8 @@ class SpawnActions {
     posix_spawn_file_actions_init(&files_);
     posix_spawnattr_init(&attributes_);
     posix_spawn_file_actions_addopen(&files_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    if (fcntl(STDERR_FILENO, F_GETFD) < 0)
+      posix_spawn_file_actions_addopen(&files_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&files_, STDERR_FILENO, STDOUT_FILENO);
     // Copies above all targets, so that none is overwritten before it is copied.
     constexpr int first = 3;

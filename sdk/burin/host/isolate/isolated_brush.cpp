@@ -154,8 +154,21 @@ void IsolatedBrush::start() {
   std::vector<pid_t> numbers(std::min(threads.size() / sizeof(pid_t), process->lane_count()));
   std::memcpy(numbers.data(), threads.data(), numbers.size() * sizeof(pid_t));
   process->set_lane_threads(std::move(numbers));
-  if (state_) ask(*process, Request::load_state, MessageWriter().value(state_version_).block(*state_));
+  restore_state(*process);
+  if (process->has_failed()) return start();
   process_ = std::move(process);
+}
+
+/// Gives a new process the state. One that it does not take is dropped, so that it fails once only.
+void IsolatedBrush::restore_state(BrushProcess& process) {
+  if (!state_) return;
+  try {
+    ask(process, Request::load_state, MessageWriter().value(state_version_).block(*state_));
+  } catch (const std::exception& error) {
+    state_.reset();
+    if (origin_.log)
+      origin_.log(BURIN_LOG_WARNING, fmt::format("{}: its state is lost: {}", origin_.brush, error.what()));
+  }
 }
 
 /// The process, a new one if the last has failed or the brush has taken all memory it may.

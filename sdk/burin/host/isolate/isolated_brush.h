@@ -52,6 +52,7 @@ class IsolatedBrush {
   };
 
   void start();
+  void restore_state(BrushProcess& process);
   BrushProcess& running();
   Answer ask(BrushProcess& process, Request what, const MessageWriter& content);
   void keep_state(MessageReader& from);
@@ -62,7 +63,8 @@ class IsolatedBrush {
   /// Of calls that are not for batches, and of all members below.
   std::mutex mutex_;
   std::shared_ptr<BrushProcess> process_;
-  std::uint32_t offers_ = 0, strokes_ = 0, state_version_ = 0;
+  std::atomic<std::uint32_t> offers_ = 0;
+  std::uint32_t strokes_ = 0, state_version_ = 0;
   std::optional<Bytes> state_;  ///< after the last whole stroke, of `state_version_`
   std::atomic<bool> out_of_memory_ = false;
 };

@@ -22,20 +22,9 @@ void wait_on(std::atomic<Turn>& turn, Turn while_it_is, std::uint64_t nanosecond
   futex(turn, FUTEX_WAIT, static_cast<std::uint32_t>(while_it_is), &time);
 }
 
-void wake(std::atomic<Turn>& turn) { futex(turn, FUTEX_WAKE, 1, nullptr); }
-
-void pass_turn(std::atomic<Turn>& turn, Turn next, const std::atomic<std::uint32_t>& other_sleeps) {
+void pass_turn(std::atomic<Turn>& turn, Turn next) {
   turn.store(next);
-  if (other_sleeps.load() != 0) wake(turn);
-}
-
-bool spin_for(const std::atomic<Turn>& turn, Turn wanted) {
-  constexpr int rounds = 100;
-  for (int i = 0; i < rounds; ++i) {
-    if (turn.load(std::memory_order_acquire) == wanted) return true;
-    __builtin_ia32_pause();
-  }
-  return false;
+  futex(turn, FUTEX_WAKE, 1, nullptr);
 }
 
 }  // namespace burin::isolate

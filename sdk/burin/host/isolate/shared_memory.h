@@ -11,7 +11,7 @@
 namespace burin::isolate {
 
 inline constexpr std::size_t lane_bytes = std::size_t{1} << 20;
-inline constexpr std::size_t most_lanes = 64;
+inline constexpr std::size_t most_lanes = 256;
 inline constexpr std::size_t text_bytes = 512;
 
 /// The descriptors that the process finds open at its start, besides the standard streams.
@@ -48,7 +48,6 @@ inline constexpr std::size_t param_arrays = 5;
 /// A call of a lane, at its start; its columns follow: those of the parameters, then what they refer to.
 struct LaneCall {
   std::atomic<Turn> turn;
-  std::atomic<std::uint32_t> host_sleeps, process_sleeps;  ///< whether it must be woken
   Batch what;
   std::uint32_t stroke, count, param_count;
   burin_status status;  ///< the answer
@@ -75,9 +74,10 @@ struct CrashRecord {
 
 /// The start of the memory.
 struct SharedHeader {
-  std::uint32_t lanes;            ///< set by the host
-  std::atomic<std::uint32_t> logged;  ///< lines that were written to the log
-  std::uint64_t memory;           ///< Isolation::memory, set by the host
+  std::uint32_t lanes;                             ///< set by the host
+  std::atomic<std::uint32_t> logged;               ///< lines that were written to the log
+  std::uint64_t memory;                            ///< Isolation::memory, set by the host
+  std::array<std::int32_t, most_lanes> processors;  ///< where the threads of lanes run, set by the host
   CrashRecord crash;
 };
 
@@ -89,13 +89,7 @@ constexpr std::size_t shared_bytes(std::size_t lanes) { return header_bytes + la
 /// Waits while the turn is `while_it_is`, at most this time; may return earlier.
 void wait_on(std::atomic<Turn>& turn, Turn while_it_is, std::uint64_t nanoseconds);
 
-/// Wakes who waits on it.
-void wake(std::atomic<Turn>& turn);
-
-/// Sets the turn to `next` and wakes the other side if it sleeps.
-void pass_turn(std::atomic<Turn>& turn, Turn next, const std::atomic<std::uint32_t>& other_sleeps);
-
-/// Whether the turn has become `wanted` within a few microseconds: as long as sleeping and waking takes.
-bool spin_for(const std::atomic<Turn>& turn, Turn wanted);
+/// Sets the turn and wakes the other side.
+void pass_turn(std::atomic<Turn>& turn, Turn next);
 
 }  // namespace burin::isolate
