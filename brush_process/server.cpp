@@ -73,7 +73,7 @@ void bound_resources(const SharedHeader& header) {
   setrlimit(RLIMIT_CORE, &none);
   std::ofstream("/proc/self/oom_score_adj") << 1000;
   if (header.memory == 0) return;
-  constexpr int heaps = 8;
+  constexpr int heaps = 2;
   mallopt(M_ARENA_MAX, heaps);
   constexpr std::uint64_t mega = 1 << 20, of_heaps = heaps * 64 * mega, of_stack = 9 * mega;
   const std::uint64_t bytes = address_space() + of_heaps + header.lanes * of_stack + header.memory;

@@ -57,6 +57,9 @@ class BrushProcess {
 
   bool has_failed() const { return failed_; }
 
+  /// Whether the process is there, as far as the system knows: it may have ended between two calls.
+  bool is_running() const { return !failed_ && process_->running(); }
+
   /// Why it has failed; one line.
   std::string failure() const;
   std::size_t lane_count() const { return lanes_; }

@@ -171,9 +171,9 @@ void IsolatedBrush::restore_state(BrushProcess& process) {
   }
 }
 
-/// The process, a new one if the last has failed or the brush has taken all memory it may.
+/// The process, a new one if the last has ended or the brush has taken all memory it may.
 BrushProcess& IsolatedBrush::running() {
-  if (!process_ || process_->has_failed() || out_of_memory_) start();
+  if (!process_ || !process_->is_running() || out_of_memory_) start();
   return *process_;
 }
 
