@@ -1,6 +1,6 @@
-// Tells where a brush crashed: of the calls on the stack the innermost in the brush's module, by its place in the
-// file and its function. The handler first writes what needs neither memory nor locks, then tries to make the
-// function's name readable, which may crash or wait for ever; the host waits for that a moment only.
+// Tells where a brush crashed: of the calls on the stack the innermost in the brush's module, by its place in
+// the file and its function. The handler first writes what needs neither memory nor locks, then tries to make
+// the function's name readable, which may crash or wait for ever; the host waits for that a moment only.
 #include "crash_handler.h"
 
 #include <cxxabi.h>

@@ -70,7 +70,8 @@ burin_outputs outputs_of(std::byte* lane, const LaneCall& call) {
   std::array<burin_floats_out, isolate::output_arrays> arrays;
   for (std::size_t i = 0; i < arrays.size(); ++i)
     arrays[i] = array_at<burin_floats_out>(lane, call.outputs[i]);
-  std::memcpy(reinterpret_cast<std::byte*>(&outputs) + offsetof(burin_outputs, along), &arrays, sizeof arrays);
+  std::memcpy(reinterpret_cast<std::byte*>(&outputs) + offsetof(burin_outputs, along), &arrays,
+              sizeof arrays);
   return outputs;
 }
 
@@ -187,9 +188,8 @@ Reply ServedBrush::filter(MessageReader& from) {
   const isolate::ReceivedPoints points(from);
   std::vector<float> along(points.abi().count), across(points.abi().count);
   ErrorText error;
-  const burin_status status =
-      filter_->filter(brush_, at.handle, &context, &at.params.abi(), &points.abi(), {along.data(), 1, 0},
-                      {across.data(), 1, 0}, error.abi());
+  const burin_status status = filter_->filter(brush_, at.handle, &context, &at.params.abi(), &points.abi(),
+                                              {along.data(), 1, 0}, {across.data(), 1, 0}, error.abi());
   Reply reply = reply_of(status, error);
   reply.content.block(std::as_bytes(std::span(along))).block(std::as_bytes(std::span(across)));
   return reply;

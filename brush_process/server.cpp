@@ -66,7 +66,8 @@ std::uint64_t address_space() {
   return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Bounds what the brush may take, beyond what the process has and what stacks and heaps of threads reserve. Where the machine has no memory left, the system ends this process rather than the host. A crash leaves no
+/// Bounds what the brush may take, beyond what the process has and what stacks and heaps of threads reserve.
+/// Where the machine has no memory left, the system ends this process rather than the host. A crash leaves no
 /// file.
 void bound_resources(const SharedHeader& header) {
   const rlimit none{0, 0};

@@ -18,7 +18,6 @@ set(burin_public_headers
   host/brush_library.h
   host/event_cost.h
   host/host_extensions.h
-  host/isolation.h
   host/recorder.h
   host/replay.h
   host/session.h

@@ -3,7 +3,6 @@
 
 #include <burin/base/program_file.h>
 #include <burin/deform/evaluate/plugin_call.h>
-#include <burin/host/isolation.h>
 #include <burin/level_set/solid_mesh.h>
 #include <burin/services/stamp_services.h>
 #include <fmt/format.h>

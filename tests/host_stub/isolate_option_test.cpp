@@ -10,7 +10,8 @@ namespace {
 class IsolateOption : public ::testing::Test {
  protected:
   std::vector<std::string> command(const std::string& brush, std::vector<std::string> options = {}) const {
-    std::vector<std::string> words = {BURIN_COMMAND, "replay", stroke_, "--mesh", mesh_, "--brush", brush, "--json"};
+    std::vector<std::string> words = {BURIN_COMMAND, "replay",  stroke_, "--mesh",
+                                      mesh_,         "--brush", brush,   "--json"};
     words.insert(words.end(), options.begin(), options.end());
     return words;
   }
@@ -32,14 +33,17 @@ TEST_F(IsolateOption, ChangesNoBit) {
 }
 
 TEST_F(IsolateOption, MakesAnErrorOfACrash) {
-  const ProcessResult result = replay("org.burin.test.crashing", {"--isolate", "--save-mesh", folder_.path("out.ply")});
+  const ProcessResult result =
+      replay("org.burin.test.crashing", {"--isolate", "--save-mesh", folder_.path("out.ply")});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.out, "");
   const std::string line =
-      "burin: " + stroke_ + ": stroke 1: org.burin.test.crashing: crashed: segmentation fault at address 0x0 in ";
+      "burin: " + stroke_ +
+      ": stroke 1: org.burin.test.crashing: crashed: segmentation fault at address 0x0 in ";
   const std::size_t place = result.err.find(line);
   ASSERT_NE(place, std::string::npos) << result.err;
-  EXPECT_NE(result.err.find("CrashingBrush>::evaluate, crashing_brush.burin+0x", place), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("CrashingBrush>::evaluate, crashing_brush.burin+0x", place), std::string::npos)
+      << result.err;
   EXPECT_FALSE(std::filesystem::exists(folder_.path("out.ply")));
 }
 
@@ -53,15 +57,18 @@ TEST_F(IsolateOption, LeavesWhatABrushPrintsToTheStandardError) {
 
 TEST_F(IsolateOption, LeavesNoProcessWhenTheCommandIsKilled) {
   std::string words;
-  for (const std::string& word : command("org.burin.test.failing", {"--isolate", "--param", "text=evaluate:hang"}))
+  for (const std::string& word :
+       command("org.burin.test.failing", {"--isolate", "--param", "text=evaluate:hang"}))
     words += "'" + word + "' ";
   // The process of the brush hangs when the command is killed. It is gone, or somebody's zombie, in a moment.
-  const ProcessResult result = run_process(
-      {"sh", "-c",
-       words + "& host=$!; sleep 1; brush=$(cat /proc/$host/task/*/children); kill -9 $host; test -n \"$brush\" || exit 3; "
-               "for i in 1 2 3 4 5 6 7 8 9; do grep -q 'State:.[^Z]' /proc/${brush% }/status 2>/dev/null || exit 0; "
-               "sleep 0.1; done; exit 4"},
-      {std::string("BURIN_PLUGIN_PATH=") + BURIN_FAILING_BRUSHES});
+  const ProcessResult result =
+      run_process({"sh", "-c",
+                   words + "& host=$!; sleep 1; brush=$(cat /proc/$host/task/*/children); kill -9 $host; "
+                           "test -n \"$brush\" || exit 3; "
+                           "for i in 1 2 3 4 5 6 7 8 9; do grep -q 'State:.[^Z]' /proc/${brush% }/status "
+                           "2>/dev/null || exit 0; "
+                           "sleep 0.1; done; exit 4"},
+                  {std::string("BURIN_PLUGIN_PATH=") + BURIN_FAILING_BRUSHES});
   EXPECT_EQ(result.exit_code, 0) << result.err;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/host/host_extensions.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -16,7 +17,6 @@ struct burin_brush_factory;
 namespace burin {
 
 class BrushModule;
-struct Isolation;
 
 /// A brush of a loaded module. The descriptor is valid as long as the library, or until its module is loaded
 /// anew and no brush of the old one is left.
@@ -33,6 +33,29 @@ struct BrushDeleter {
 };
 using BrushPtr = std::unique_ptr<const burin_brush, BrushDeleter>;
 
+/// How a BrushLibrary runs brushes in processes of their own, so that one that crashes, hangs or allocates
+/// without end costs a stroke and nothing else. Linux only. docs/isolation.md describes what follows.
+///
+/// Seconds are of wall-clock time, above 0; infinity waits for ever, as for a debugger.
+struct Isolation {
+  /// The program that runs a brush, burin-brush-process. Empty: the one beside the file that Burin's code is
+  /// in, be it a program or a shared library, else in lib/burin beside its folder, where it is installed.
+  std::filesystem::path program = {};
+
+  /// What starting the program, loading a module and creating a brush may take.
+  double load_seconds = 20;
+
+  /// What any other call may take that is not made for a batch: begin and end of a stroke, state, curves.
+  double call_seconds = 20;
+
+  /// What the evaluation of one batch of at most 1024 nodes may take.
+  double batch_seconds = 5;
+
+  /// Address space that a brush may take beyond what its process needs without it, bytes; 0: no bound.
+  /// Contents of stamps and fonts count.
+  std::uint64_t memory = std::uint64_t{4} << 30;
+};
+
 /// The plugin modules of a process and their brushes. All functions are to be called on the main thread.
 class BrushLibrary {
  public:
@@ -45,10 +68,11 @@ class BrushLibrary {
   explicit BrushLibrary(Log log = nullptr, std::unique_ptr<HostExtensions> extensions = nullptr);
 
   /// Starts empty. No code of plugins ever runs in this process: each brush that is created has a process of
-  /// its own, which has Burin's own services (stamps, lettering and, where Burin is built with OpenVDB, grids)
-  /// and results of the same bits. A brush that crashes, hangs or takes too much memory makes its stroke fail
-  /// as one that reports an error does, with a line that tells where; the next stroke starts another process.
-  /// Throws Error on other systems than Linux.
+  /// its own, which has Burin's own services (stamps, lettering and, where Burin is built with OpenVDB,
+  /// grids) and results of the same bits. A brush that crashes, hangs or takes too much memory makes its
+  /// stroke fail as one that reports an error does, with a line that tells where; the next stroke starts
+  /// another process. Throws Error on other systems than Linux, and ContractError where a time is not above
+  /// 0.
   BrushLibrary(Log log, const Isolation& isolation);
   ~BrushLibrary();
   BrushLibrary(const BrushLibrary&) = delete;

@@ -227,8 +227,8 @@ TEST(CIsolation, CostsABrushThatCrashesItsStroke) {
   const burin_mesh arrays = arrays_of(mesh);
   ASSERT_EQ(IN_C(burin_session_create)(library, &arrays, &session, &error), BURIN_OK) << error.str();
   const std::vector<burin_sample> samples = in_c(without_pen(wave(5)));
-  for (const auto& [fault, status] : {std::pair("params=text=evaluate:crash", BURIN_ERROR),
-                                      std::pair("params=text=none", BURIN_OK)}) {
+  for (const auto& [fault, status] :
+       {std::pair("params=text=evaluate:crash", BURIN_ERROR), std::pair("params=text=none", BURIN_OK)}) {
     const char* const settings[] = {"brush=org.burin.test.failing", "radius=0.15", fault, nullptr};
     auto stroke = sized<burin_stroke>();
     stroke.settings = settings;

@@ -1,7 +1,6 @@
 // Brushes in processes of their own: the same bits, and what a brush that goes wrong costs. The brush
 // modules/failing.c really crashes, hangs, exits and lies.
 #include <burin/abi/brush.h>
-#include <burin/host/isolation.h>
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -55,7 +54,8 @@ class IsolatedStockBrushes : public testing::TestWithParam<BrushUse> {};
 std::vector<BrushUse> all_uses() {
   std::vector<BrushUse> uses = test::stock_brush_uses;
   uses.insert(uses.end(), test::solid_brush_uses.begin(), test::solid_brush_uses.end());
-  for (const char* id : {"org.burin.test.every-input", "org.burin.test.smoothed-curve", "org.burin.test.arch"})
+  for (const char* id :
+       {"org.burin.test.every-input", "org.burin.test.smoothed-curve", "org.burin.test.arch"})
     uses.push_back({id, {}});
   return uses;
 }
@@ -69,9 +69,8 @@ std::string name_of(const testing::TestParamInfo<BrushUse>& use) {
 INSTANTIATE_TEST_SUITE_P(All, IsolatedStockBrushes, testing::ValuesIn(all_uses()), name_of);
 
 TEST_P(IsolatedStockBrushes, GiveTheSameBits) {
-  const bool makes_solids = std::ranges::any_of(test::solid_brush_uses, [](const BrushUse& use) {
-    return std::string_view(use.id) == GetParam().id;
-  });
+  const bool makes_solids = std::ranges::any_of(
+      test::solid_brush_uses, [](const BrushUse& use) { return std::string_view(use.id) == GetParam().id; });
   const auto here = result(test::brushes(), GetParam(), !makes_solids);
   EXPECT_EQ(here.size() > 1, makes_solids);
   EXPECT_EQ(result(isolated_brushes(), GetParam(), !makes_solids), here);
@@ -81,7 +80,8 @@ TEST(IsolatedLibrary, HasTheDescriptorsOfTheModules) {
   const auto &here = test::brushes().brushes(), &there = isolated_brushes().brushes();
   ASSERT_GE(there.size(), 25u);
   for (const BrushEntry& brush : there) {
-    const burin_brush_descriptor &told = *brush.descriptor, &known = *test::brushes().find(told.id).descriptor;
+    const burin_brush_descriptor &told = *brush.descriptor,
+                                 &known = *test::brushes().find(told.id).descriptor;
     EXPECT_NE(&told, &known);
     EXPECT_STREQ(told.help, known.help);
     EXPECT_EQ(told.inputs_read, known.inputs_read);
@@ -138,10 +138,13 @@ class FailingBrush : public testing::Test {
     EXPECT_EQ(children(), children_) << "no process is left, nor a zombie";
   }
 
-  void load(const Isolation& isolation = {.load_seconds = 20, .call_seconds = 0.4, .batch_seconds = 0.4,
+  void load(const Isolation& isolation = {.load_seconds = 20,
+                                          .call_seconds = 0.4,
+                                          .batch_seconds = 0.4,
                                           .memory = std::uint64_t{300} << 20}) {
-    library_.emplace([this](int severity, std::string_view line) { log_.push_back(fmt::format("{} {}", severity, line)); },
-                     isolation);
+    library_.emplace(
+        [this](int severity, std::string_view line) { log_.push_back(fmt::format("{} {}", severity, line)); },
+        isolation);
     library_->load(module_);
     session_.emplace(make_surface(test::plane(1, 0.02, 4)), *library_);
   }
@@ -209,7 +212,8 @@ TEST_F(FailingBrush, MayTakeSoMuchMemoryOnly) {
   GTEST_SKIP() << "the sanitizer has memory of its own";
 #endif
   load({.batch_seconds = 20, .memory = std::uint64_t{100} << 20});
-  expect_failure(failure("evaluate:allocate"), "crashed: segmentation fault at address 0x0 in allocate_here, ");
+  expect_failure(failure("evaluate:allocate"),
+                 "crashed: segmentation fault at address 0x0 in allocate_here, ");
 }
 
 TEST_F(FailingBrush, ReportsItsErrorsAsInThisProcess) {
@@ -280,14 +284,18 @@ TEST_F(FailingBrush, IsALineWhenItCannotBeCreated) {
   setenv("BURIN_TEST_FAULT", "create:abort", 1);
   load();
   const std::string error = error_of([&] { session_->begin_stroke(with("")); });
-  EXPECT_NE(error.find("failing.burin: brush org.burin.test.failing cannot be created: crashed: abort in abort_here"),
-            std::string::npos)
+  EXPECT_NE(
+      error.find(
+          "failing.burin: brush org.burin.test.failing cannot be created: crashed: abort in abort_here"),
+      std::string::npos)
       << error;
   unsetenv("BURIN_TEST_FAULT");
   draw_well();
 }
 
-TEST_F(FailingBrush, NeedsItsProgram) {
+TEST_F(FailingBrush, NeedsItsProgramAndTime) {
+  EXPECT_EQ(error_of([] { BrushLibrary(nullptr, Isolation{.batch_seconds = 0}); }),
+            "the time of a brush's batch must be above 0, not 0");
   const std::string error = error_of([&] { load({.program = "/nowhere/burin-brush-process"}); });
   EXPECT_EQ(error, "/nowhere/burin-brush-process: cannot be started: No such file or directory");
 }
@@ -323,8 +331,8 @@ std::size_t resident() {
   return pages * 4096;
 }
 
-/// 40 times, or as often as BURIN_TEST_KILLS says, for a long test by hand. Moments are spread over the start of a
-/// process, its stroke and what follows.
+/// 40 times, or as often as BURIN_TEST_KILLS says, for a long test by hand. Moments are spread over the start
+/// of a process, its stroke and what follows.
 TEST_F(FailingBrush, LeavesTheSurfaceAsItWasWheneverItIsKilled) {
   const char* wanted = std::getenv("BURIN_TEST_KILLS");
   const int kills = wanted ? std::atoi(wanted) : 40;
@@ -355,8 +363,8 @@ TEST_F(FailingBrush, LeavesTheSurfaceAsItWasWheneverItIsKilled) {
       EXPECT_NE(error.find("its process was killed by signal 9"), std::string::npos) << error;
     ASSERT_TRUE(test::Snapshot(*session_) == before) << "seed " << seed << ", kill " << i;
   }
-  std::cout << fmt::format("seed {}: {} strokes of {:.3g} ms failed, {} were whole, {} kB more in memory\n", seed, failed,
-                           static_cast<double>(whole_time.count()) / 1000, whole,
+  std::cout << fmt::format("seed {}: {} strokes of {:.3g} ms failed, {} were whole, {} kB more in memory\n",
+                           seed, failed, static_cast<double>(whole_time.count()) / 1000, whole,
                            (static_cast<long>(resident()) - static_cast<long>(resident_before)) / 1024);
   EXPECT_GT(failed, kills / 4) << "representative";
   EXPECT_LT(resident(), resident_before + (std::size_t{20} << 20));

@@ -1,6 +1,6 @@
-/* org.burin.test.failing: goes wrong where and as its parameter `text` says, "evaluate:crash", or at the start,
- * when there is no parameter yet, the environment variable BURIN_TEST_FAULT. Otherwise it is good; it is as
- * high as its state says, which counts strokes. */
+/* org.burin.test.failing: goes wrong where and as its parameter `text` says, "evaluate:crash", or at the
+ * start, when there is no parameter yet, the environment variable BURIN_TEST_FAULT. Otherwise it is good; it
+ * is as high as its state says, which counts strokes. */
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
@@ -85,15 +85,15 @@ __attribute__((constructor)) static void at_load(void) { go_wrong(getenv("BURIN_
 #define ID "org.burin.test.failing"
 #define IN_INIT go_wrong(getenv("BURIN_TEST_FAULT"), "init")
 #define IN_CREATE go_wrong(getenv("BURIN_TEST_FAULT"), "create")
-#define IN_BEGIN                                               \
-  memset(*stroke, 0, 64);                                      \
-  strncpy(*stroke, values->values[4].text, 63);                \
-  go_wrong(*stroke, "begin");                                  \
+#define IN_BEGIN                                \
+  memset(*stroke, 0, 64);                       \
+  strncpy(*stroke, values->values[4].text, 63); \
+  go_wrong(*stroke, "begin");                   \
   if (strcmp(*stroke, "begin:passes") == 0) plan->passes = ~0U
 #define AT_NODE AT(outputs->up, i) *= (float)((good_brush*)brush->self)->state / 7
-#define IN_EVALUATE                                                    \
-  go_wrong(stroke, "evaluate");                                        \
-  if (strcmp(stroke, "evaluate:nan") == 0) AT(outputs->up, 0) = NAN;   \
+#define IN_EVALUATE                                                  \
+  go_wrong(stroke, "evaluate");                                      \
+  if (strcmp(stroke, "evaluate:nan") == 0) AT(outputs->up, 0) = NAN; \
   if (strcmp(stroke, "evaluate:say") == 0) return say(error, "says no\n"), BURIN_ERROR
 #define IN_DISTANCE go_wrong(stroke, "distance")
 #define AT_POINT go_wrong(stroke, "filter")

@@ -62,8 +62,8 @@ typedef struct burin_library burin_library;
 typedef void(BURIN_CALL* burin_log_function)(void* user, burin_log_severity severity, const char* line);
 
 /* How a library is made. With `isolate` no code of plugins runs in the caller's process: every brush has a
- * process of its own, with results of the same bits. One that crashes, hangs or takes too much memory makes its
- * stroke fail with BURIN_ERROR and a text that tells where; the next stroke starts another process. Linux
+ * process of its own, with results of the same bits. One that crashes, hangs or takes too much memory makes
+ * its stroke fail with BURIN_ERROR and a text that tells where; the next stroke starts another process. Linux
  * only; elsewhere burin_library_create fails. */
 typedef struct burin_library_options {
   uint32_t struct_size;
@@ -76,7 +76,7 @@ typedef struct burin_library_options {
   double load_seconds;       /* for starting it, loading a module and creating a brush; 0: 20 */
   double call_seconds;       /* for begin and end of a stroke and other calls but batches; 0: 20 */
   double batch_seconds;      /* for the evaluation of one batch, at most 1024 nodes; 0: 5 */
-  uint64_t memory;           /* bytes of address space that a brush may take; 0: 4 GiB; UINT64_MAX: no bound */
+  uint64_t memory; /* bytes of address space that a brush may take; 0: 4 GiB; UINT64_MAX: no bound */
 } burin_library_options;
 
 /* Makes a library without brushes. `options` may be null. */

@@ -2,7 +2,6 @@
 #include <burin/base/program_file.h>
 #include <burin/host/c/call.h>
 #include <burin/host/c/handles.h>
-#include <burin/host/isolation.h>
 #include <burin/host/plugin/utf8_path.h>
 #include <burin/version.h>
 

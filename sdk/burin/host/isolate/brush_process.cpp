@@ -9,20 +9,20 @@
 // written to, and a datagram socket for lines of the log. By the process: the module, the brush, its strokes,
 // and services of its own that read the same files.
 //
-// Order of messages: describe; or create, then begin, batches, end and so on as burin/abi/brush.h allows, then
-// quit. Each request through the socket has one answer. A batch goes through a lane: the host fills it, passes
-// the turn, and sleeps on a futex until the turn comes back. As many threads as there are lanes do so at once;
-// others wait for a lane. The threads of lanes stay on one processor each, two on each; a host's thread takes a
-// lane of the processor it runs on, whose thread takes its place while it sleeps. To wake a thread elsewhere, or
-// to wait awake, takes several times as long.
+// Order of messages: describe; or create, then begin, batches, end and so on as burin/abi/brush.h allows,
+// then quit. Each request through the socket has one answer. A batch goes through a lane: the host fills it,
+// passes the turn, and sleeps on a futex until the turn comes back. As many threads as there are lanes do so
+// at once; others wait for a lane. The threads of lanes stay on one processor each, two on each; a host's
+// thread takes a lane of the processor it runs on, whose thread takes its place while it sleeps. To wake a
+// thread elsewhere, or to wait awake, takes several times as long.
 //
 // Failures. The process crashes or calls exit(): its handlers note where in the header, it ends, and the host
-// sees its end within 5 ms. It hangs: at the deadline the host interrupts the thread, which notes where it is,
-// and kills it. It takes too much memory: allocations fail beyond RLIMIT_AS, which the brush reports or crashes
-// by. In all cases the host keeps one line with the reason, every waiting thread throws it, and nothing is
-// left: the process is waited for, the memory has no name. The stroke fails as any stroke whose brush reports
-// an error, and IsolatedBrush starts another process for the next. The host dies: the kernel kills the process,
-// since the pipe has no writer any more.
+// sees its end within 5 ms. It hangs: at the deadline the host interrupts the thread, which notes where it
+// is, and kills it. It takes too much memory: allocations fail beyond RLIMIT_AS, which the brush reports or
+// crashes by. In all cases the host keeps one line with the reason, every waiting thread throws it, and
+// nothing is left: the process is waited for, the memory has no name. The stroke fails as any stroke whose
+// brush reports an error, and IsolatedBrush starts another process for the next. The host dies: the kernel
+// kills the process, since the pipe has no writer any more.
 #if defined(__linux__)
 #include <burin/abi/ext/log.h>
 #include <burin/base/program_file.h>
@@ -58,7 +58,8 @@ constexpr double time_to_tell = 0.3;
 std::byte* map_memory(const Descriptor& file, std::size_t bytes) {
   if (file.number() < 0 || ftruncate(file.number(), static_cast<off_t>(bytes)) != 0) fail_to("share memory");
   // Else a process that shrinks it would crash the host.
-  if (fcntl(file.number(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) fail_to("share memory");
+  if (fcntl(file.number(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0)
+    fail_to("share memory");
   void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file.number(), 0);
   if (memory == MAP_FAILED) fail_to("share memory");
   return static_cast<std::byte*>(memory);
@@ -115,8 +116,8 @@ template <std::size_t size>
 std::string text_of(const char (&shared)[size]) {
   char copy[size];
   std::memcpy(copy, shared, size);
-  return shown_text(std::string_view(copy, static_cast<std::size_t>(std::find(copy, copy + size, '\0') - copy)),
-                    200);
+  return shown_text(
+      std::string_view(copy, static_cast<std::size_t>(std::find(copy, copy + size, '\0') - copy)), 200);
 }
 
 /// " in FUNCTION, PLACE"; empty if neither is known.

@@ -1,11 +1,10 @@
 #pragma once
+#include <burin/host/brush_library.h>
 #include <burin/host/isolate/child_process.h>
 #include <burin/host/isolate/lane_batch.h>
-#include <burin/host/isolation.h>
 
 #include <atomic>
 #include <condition_variable>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -13,8 +12,7 @@
 
 namespace burin::isolate {
 
-/// Receives lines that brushes log; of burin/abi/ext/log.h.
-using Log = std::function<void(int severity, std::string_view line)>;
+using Log = BrushLibrary::Log;
 
 /// What a process answers.
 class Answer {
@@ -48,8 +46,8 @@ class BrushProcess {
   /// Sends a request and waits for the answer. One thread at a time. `seconds`: what it may take.
   Answer request(Request what, const MessageWriter& content, double seconds);
 
-  /// Asks for elements [first, first + count) of a call, which fit a lane. Throws Error if the brush refuses or
-  /// the process fails. Any thread, also several at once.
+  /// Asks for elements [first, first + count) of a call, which fit a lane. Throws Error if the brush refuses
+  /// or the process fails. Any thread, also several at once.
   void run(const BatchCall& call, std::size_t first, std::size_t count);
 
   /// The threads of the lanes, as the process told them once it had created its brush.

@@ -1,5 +1,6 @@
-// Starts programs by posix_spawn(), which is safe in a process with many threads: nothing of this process runs
-// in the child before the program does. A pidfd names the process even after its number has gone to another.
+// Starts programs by posix_spawn(), which is safe in a process with many threads: nothing of this process
+// runs in the child before the program does. A pidfd names the process even after its number has gone to
+// another.
 #if defined(__linux__)
 #include <burin/host/isolate/child_process.h>
 #include <fcntl.h>

@@ -60,9 +60,8 @@ burin_status BURIN_CALL curve_filter(const burin_brush* brush, void* stroke,
                                      const burin_stroke_context* context, const burin_params*,
                                      const burin_curve_points* points, burin_floats_out along,
                                      burin_floats_out across, burin_text* error) {
-  return guarded(error, [&] {
-    IsolatedBrush::of(brush).filter(stroke, complete(*context), *points, along, across);
-  });
+  return guarded(
+      error, [&] { IsolatedBrush::of(brush).filter(stroke, complete(*context), *points, along, across); });
 }
 
 burin_status BURIN_CALL solid_plan(const burin_brush* brush, void* stroke,
@@ -103,7 +102,8 @@ burin_status BURIN_CALL save_state(const burin_brush* brush, void* data, std::ui
 burin_status BURIN_CALL load_state(const burin_brush* brush, std::uint32_t version, const void* data,
                                    std::uint64_t size, burin_text* error) {
   return guarded(error, [&] {
-    IsolatedBrush::of(brush).load(version, {static_cast<const std::byte*>(data), static_cast<std::size_t>(size)});
+    IsolatedBrush::of(brush).load(version,
+                                  {static_cast<const std::byte*>(data), static_cast<std::size_t>(size)});
   });
 }
 
@@ -112,7 +112,8 @@ constexpr burin_volume volume_table{sizeof(burin_volume), 0, solid_plan, solid_d
 
 /// Copies floats that came as bytes to an array of `count`.
 void take_floats(std::span<const std::byte> bytes, burin_floats_out to, std::uint32_t count) {
-  if (bytes.size() != count * sizeof(float)) throw Error("its process answered with another number of offsets");
+  if (bytes.size() != count * sizeof(float))
+    throw Error("its process answered with another number of offsets");
   for (std::size_t i = 0; i < count; ++i)
     std::memcpy(to.data + i * to.stride, bytes.data() + i * sizeof(float), sizeof(float));
 }
@@ -120,7 +121,7 @@ void take_floats(std::span<const std::byte> bytes, burin_floats_out to, std::uin
 }  // namespace
 
 IsolatedBrush::IsolatedBrush(BrushOrigin origin)
-    : brush_{sizeof(burin_brush), 0,     this, destroy, isolate::get_extension, isolate::begin,
+    : brush_{sizeof(burin_brush), 0,           this, destroy, isolate::get_extension, isolate::begin,
              isolate::evaluate,   isolate::end},
       state_table_{sizeof(burin_state), 0, save_state, load_state},
       origin_(std::move(origin)) {
@@ -228,7 +229,8 @@ void IsolatedBrush::end(void* stroke) {
   });
   if (!at->process->has_failed()) return;
   // Nobody waits for an error of this call.
-  if (origin_.log) origin_.log(BURIN_LOG_WARNING, fmt::format("{}: {}", origin_.brush, at->process->failure()));
+  if (origin_.log)
+    origin_.log(BURIN_LOG_WARNING, fmt::format("{}: {}", origin_.brush, at->process->failure()));
 }
 
 /// Keeps the state that came with an answer, if one did.

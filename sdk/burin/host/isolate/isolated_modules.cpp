@@ -6,6 +6,7 @@
 
 #if defined(__linux__)
 #include <burin/host/isolate/isolated_module.h>
+#include <fmt/format.h>
 
 namespace burin::isolate {
 namespace {
@@ -26,9 +27,16 @@ class LinuxModules : public IsolatedModules {
   std::optional<DescriptorReader> reader_;
 };
 
+void check(double seconds, const char* name) {
+  if (!(seconds > 0)) throw ContractError(fmt::format("{} must be above 0, not {}", name, seconds));
+}
+
 }  // namespace
 
 std::unique_ptr<IsolatedModules> isolated_modules(const Isolation& isolation, Log log) {
+  check(isolation.load_seconds, "the time to load a brush");
+  check(isolation.call_seconds, "the time of a brush's call");
+  check(isolation.batch_seconds, "the time of a brush's batch");
   return std::make_unique<LinuxModules>(isolation, std::move(log));
 }
 
@@ -36,8 +44,7 @@ std::unique_ptr<IsolatedModules> isolated_modules(const Isolation& isolation, Lo
 #else
 namespace burin::isolate {
 
-std::unique_ptr<IsolatedModules> isolated_modules(const Isolation&,
-                                                  std::function<void(int, std::string_view)>) {
+std::unique_ptr<IsolatedModules> isolated_modules(const Isolation&, BrushLibrary::Log) {
   throw Error("brushes in processes of their own need Linux");
 }
 

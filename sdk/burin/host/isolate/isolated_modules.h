@@ -1,10 +1,8 @@
 #pragma once
-#include <burin/host/isolation.h>
+#include <burin/host/brush_library.h>
 #include <burin/host/plugin/brush_module.h>
 
-#include <functional>
 #include <memory>
-#include <string_view>
 
 namespace burin::isolate {
 
@@ -22,7 +20,6 @@ class IsolatedModules {
 
 /// Makes them. `log` receives what brushes log, and must outlive the modules' brushes. Throws Error on other
 /// systems than Linux.
-std::unique_ptr<IsolatedModules> isolated_modules(const Isolation& isolation,
-                                                  std::function<void(int, std::string_view)> log);
+std::unique_ptr<IsolatedModules> isolated_modules(const Isolation& isolation, BrushLibrary::Log log);
 
 }  // namespace burin::isolate

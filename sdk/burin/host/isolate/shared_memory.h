@@ -74,9 +74,9 @@ struct CrashRecord {
 
 /// The start of the memory.
 struct SharedHeader {
-  std::uint32_t lanes;                             ///< set by the host
-  std::atomic<std::uint32_t> logged;               ///< lines that were written to the log
-  std::uint64_t memory;                            ///< Isolation::memory, set by the host
+  std::uint32_t lanes;                              ///< set by the host
+  std::atomic<std::uint32_t> logged;                ///< lines that were written to the log
+  std::uint64_t memory;                             ///< Isolation::memory, set by the host
   std::array<std::int32_t, most_lanes> processors;  ///< where the threads of lanes run, set by the host
   CrashRecord crash;
 };

@@ -24,7 +24,8 @@ class BrushModule {
 
   /// Creates one of its brushes, as burin_brush_factory.create. In a process of its own the brush has that
   /// process's services instead of the host's.
-  virtual const burin_brush* create(const burin_host* host, const char* brush_id, burin_text* error) const = 0;
+  virtual const burin_brush* create(const burin_host* host, const char* brush_id,
+                                    burin_text* error) const = 0;
 };
 
 }  // namespace burin
