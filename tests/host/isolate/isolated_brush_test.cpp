@@ -212,6 +212,7 @@ TEST_F(FailingBrush, MayTakeSoMuchMemoryOnly) {
   load({.batch_seconds = 20, .memory = std::uint64_t{100} << 20});
   expect_failure(failure("evaluate:allocate"),
                  "crashed: segmentation fault at address 0x0 in allocate_here, ");
+  expect_failure(failure("evaluate:leak"), "has no memory at t = ");
 }
 
 TEST_F(FailingBrush, ReportsItsErrorsAsInThisProcess) {

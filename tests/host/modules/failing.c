@@ -39,6 +39,12 @@ APART static void allocate_here(void) {
     for (size_t i = 0; i < 1 << 24; i += 4096) ((volatile char*)block)[i] = 1;
   }
 }
+APART static void leak_here(void) {
+  static void* volatile kept;
+  for (size_t size = 1 << 24; size >= 16; size /= 2) do
+      kept = malloc(size);
+    while (kept);
+}
 /* All that is shared becomes bytes that follow from a seed. */
 APART static void scribble_here(void) {
   const off_t size = lseek(shared_memory, 0, SEEK_END);
@@ -91,9 +97,10 @@ __attribute__((constructor)) static void at_load(void) { go_wrong(getenv("BURIN_
   go_wrong(*stroke, "begin");                   \
   if (strcmp(*stroke, "begin:passes") == 0) plan->passes = ~0U
 #define AT_NODE AT(outputs->up, i) *= (float)((good_brush*)brush->self)->state / 7
-#define IN_EVALUATE                                                  \
-  go_wrong(stroke, "evaluate");                                      \
-  if (strcmp(stroke, "evaluate:nan") == 0) AT(outputs->up, 0) = NAN; \
+#define IN_EVALUATE                                                                                       \
+  go_wrong(stroke, "evaluate");                                                                           \
+  if (strcmp(stroke, "evaluate:nan") == 0) AT(outputs->up, 0) = NAN;                                      \
+  if (strcmp(stroke, "evaluate:leak") == 0) return leak_here(), say(error, "has no memory"), BURIN_ERROR; \
   if (strcmp(stroke, "evaluate:say") == 0) return say(error, "says no\n"), BURIN_ERROR
 #define IN_DISTANCE go_wrong(stroke, "distance")
 #define AT_POINT go_wrong(stroke, "filter")

@@ -134,14 +134,14 @@ Answer IsolatedBrush::ask(BrushProcess& process, Request what, const MessageWrit
   const Isolation& isolation = origin_.isolation;
   const double seconds = what == Request::create ? isolation.load_seconds : isolation.call_seconds;
   Answer answer = process.request(what, content, seconds);
-  if (answer.status() == BURIN_OUT_OF_MEMORY) out_of_memory_ = true;
-  if (answer.status() != BURIN_OK) throw plugin::Error(answer.text(), answer.status());
-  return answer;
+  if (answer.status() == BURIN_OK) return answer;
+  doubtful_ = true;
+  throw plugin::Error(answer.text(), answer.status());
 }
 
 void IsolatedBrush::start() {
   process_.reset();
-  out_of_memory_ = false;
+  doubtful_ = false;
   auto process = std::make_shared<BrushProcess>(origin_.isolation, origin_.log);
   MessageWriter content;
   content.text(origin_.module.string()).text(origin_.brush);
@@ -172,9 +172,10 @@ void IsolatedBrush::restore_state(BrushProcess& process) {
   }
 }
 
-/// The process, a new one if the last has ended or the brush has taken all memory it may.
+/// The process, a new one if the last has ended or its brush has failed, which may have taken all memory it
+/// may.
 BrushProcess& IsolatedBrush::running() {
-  if (!process_ || !process_->is_running() || out_of_memory_) start();
+  if (!process_ || !process_->is_running() || doubtful_) start();
   return *process_;
 }
 
@@ -211,8 +212,8 @@ void IsolatedBrush::run(void* stroke, BatchCall& call) {
   try {
     for (std::size_t first = 0; first < count; first += most)
       at.process->run(call, first, std::min(most, count - first));
-  } catch (const plugin::Error& error) {
-    if (error.status() == BURIN_OUT_OF_MEMORY) out_of_memory_ = true;
+  } catch (const plugin::Error&) {
+    doubtful_ = true;
     throw;
   }
 }

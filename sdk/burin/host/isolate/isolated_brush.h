@@ -65,8 +65,8 @@ class IsolatedBrush {
   std::shared_ptr<BrushProcess> process_;
   std::atomic<std::uint32_t> offers_ = 0;
   std::uint32_t strokes_ = 0, state_version_ = 0;
-  std::optional<Bytes> state_;  ///< after the last whole stroke, of `state_version_`
-  std::atomic<bool> out_of_memory_ = false;
+  std::optional<Bytes> state_;          ///< after the last whole stroke, of `state_version_`
+  std::atomic<bool> doubtful_ = false;  ///< a call of the brush has failed
 };
 
 }  // namespace burin::isolate
