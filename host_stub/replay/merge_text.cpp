@@ -1,4 +1,4 @@
-// Writes the reports of merges as JSON and as lines for people.
+// Writes the reports of merges and refinements as JSON and as lines for people.
 #include "replay/merge_text.h"
 
 #include <fmt/format.h>
@@ -40,6 +40,27 @@ std::string merges_text(std::span<const MergeReport> merges) {
         "merged          {} triangles in place of {}, in voxels of {:.3g}; Euler characteristic {}, before "
         "{}\n",
         merge.triangles_added, merge.triangles_removed, merge.voxel, merge.euler_after, merge.euler_before);
+  return text;
+}
+
+Json refinements_json(std::span<const RefineReport> refinements) {
+  Json all = Json::array();
+  for (const RefineReport& refined : refinements)
+    all.push_back({{"edge", refined.edge},
+                   {"triangles_removed", refined.triangles_removed},
+                   {"triangles_added", refined.triangles_added},
+                   {"vertices_added", refined.vertices_added},
+                   {"seconds", {{"split", refined.split_seconds}, {"rebuild", refined.rebuild_seconds}}}});
+  return all;
+}
+
+std::string refinements_text(std::span<const RefineReport> refinements) {
+  std::string text;
+  for (const RefineReport& refined : refinements)
+    text += fmt::format(
+        "refined         {} triangles in place of {}, with edges of about {:.3g}, in {:.3f} s\n",
+        refined.triangles_added, refined.triangles_removed, refined.edge,
+        refined.split_seconds + refined.rebuild_seconds);
   return text;
 }
 

@@ -12,4 +12,8 @@ namespace burin {
 Json merges_json(std::span<const MergeReport> merges);
 std::string merges_text(std::span<const MergeReport> merges);
 
+/// What strokes refined, by the names of RefineReport.
+Json refinements_json(std::span<const RefineReport> refinements);
+std::string refinements_text(std::span<const RefineReport> refinements);
+
 }  // namespace burin

@@ -118,8 +118,10 @@ void warn_of_lost_paint(const Session& session, const ReplayMesh& mesh) {
 void check_replaced(const Session& session, const ReplayMesh& mesh, const ReplayOptions& options) {
   if (session.generation() == 0) return;
   if (mesh.has_levels())
-    throw Error("solids can be merged with the surface on the finest level only, see --sculpt-level");
-  if (options.bake.asked()) throw Error("a surface that solids were merged with cannot be baked");
+    throw Error("solids can be merged with the surface on the finest level only, see --sculpt-level; and it can "
+                "be refined there only");
+  if (options.bake.asked())
+    throw Error("a surface that solids were merged with, or that was refined, cannot be baked");
 }
 
 void check_mesh_path(const std::string& path) {
@@ -237,6 +239,7 @@ void run(ReplayOptions& options) {
   const SolidParts parts(session);
   if (!parts.empty()) json["parts"] = parts.json();
   if (!session.merges().empty()) json["merges"] = merges_json(session.merges());
+  if (!session.refinements().empty()) json["refined"] = refinements_json(session.refinements());
   save_mesh(options, session, mesh, parts);
   if (!options.save_vdb.empty()) write_vdb(options.save_vdb, session.parts());
   if (options.bake.asked()) {
@@ -249,7 +252,8 @@ void run(ReplayOptions& options) {
   }
   write_result(options.json ? json_text(json)
                             : mesh.text() + "\n" + summary_text(summary) + parts.text() +
-                                  merges_text(session.merges()) + "\n");
+                                  merges_text(session.merges()) +
+                                  refinements_text(session.refinements()) + "\n");
   if (options.watch) watch_last(options, session, library, recordings, camera);
 }
 

@@ -12,6 +12,7 @@ struct ChartOptions {
   /// 0..1: how much of the surface's relief the chart follows. At 1 it follows all of it; below 1, relief
   /// wider than about a third of (1 - follow) radii, if that spans several edges; see BaseSurface.
   double follow = 1;
+  bool fine = false;  ///< triangles near the stroke are small, whatever those elsewhere are
 };
 
 }  // namespace burin

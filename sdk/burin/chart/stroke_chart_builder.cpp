@@ -20,7 +20,7 @@ struct StrokeChartBuilder::Stroke {
   }
 
   void begin(const ChartOptions& with);
-  BaseSurface* base_for(double radius, double follow);
+  BaseSurface* base_for(double radius, double follow, bool fine);
   void prepare(const SurfaceCurve& curve, std::size_t unchanged);
   const LiveChart& draw(const SurfaceCurve& curve, std::size_t unchanged);
   bool on_base() const { return transferred.has_value(); }
@@ -54,7 +54,7 @@ void StrokeChartBuilder::Stroke::begin(const ChartOptions& with) {
   if (!std::isfinite(radius) || radius <= 0)
     throw ContractError("a stroke's radius must be a finite number above 0");
   options = with;
-  if (!base_for(with.radius, with.follow)) return own().begin(with);
+  if (!base_for(with.radius, with.follow, with.fine)) return own().begin(with);
   if (of_base_nodes != base->node_count()) of_base.emplace(ChartGround(*base));
   of_base_nodes = base->node_count();
   transferred = {with.radius, with.radius + transfer_margin * base->spacing(), with.cap};
@@ -66,12 +66,12 @@ void StrokeChartBuilder::Stroke::begin(const ChartOptions& with) {
   prepared = {Vec3f::Zero(), -1, no_index};
 }
 
-BaseSurface* StrokeChartBuilder::Stroke::base_for(double radius, double follow) {
+BaseSurface* StrokeChartBuilder::Stroke::base_for(double radius, double follow, bool fine) {
   transferred.reset();
   transfer.reset();
   leg_transfer.reset();
   const double scale = radius * (1 - follow);
-  return base && scale > 0 && base->set_radius(scale) ? &*base : nullptr;
+  return base && scale > 0 && base->set_radius(scale, fine) ? &*base : nullptr;
 }
 
 /// Computes on all threads the base nodes that the front will read one by one, and some beyond, so that most
@@ -151,8 +151,8 @@ const LiveChart& StrokeChartBuilder::draw(const SurfaceCurve& curve, std::size_t
 }
 
 BaseSurface* StrokeChartBuilder::base() { return stroke_->on_base() ? &*stroke_->base : nullptr; }
-BaseSurface* StrokeChartBuilder::base_for(double radius, double follow) {
-  return stroke_->base_for(radius, follow);
+BaseSurface* StrokeChartBuilder::base_for(double radius, double follow, bool fine) {
+  return stroke_->base_for(radius, follow, fine);
 }
 void StrokeChartBuilder::moved(std::span<const Index> vertices, double distance) {
   if (stroke_->base) stroke_->base->forget(vertices, distance);

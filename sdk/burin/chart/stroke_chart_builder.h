@@ -43,8 +43,8 @@ class StrokeChartBuilder {
   BaseSurface* base();
 
   /// The base surface for another purpose than a stroke chart, with this radius and `follow`; null for the
-  /// surface itself. Ends the current stroke.
-  BaseSurface* base_for(double radius, double follow);
+  /// surface itself. `fine`: as ChartOptions::fine. Ends the current stroke.
+  BaseSurface* base_for(double radius, double follow, bool fine);
 
   /// Updates the base surface after these vertices moved, between strokes, by at most `distance`, object
   /// units.

@@ -52,7 +52,11 @@ class Replayer {
   ReplayResult finish();
 
  private:
+  std::vector<Vec3d> places_of(const RecordedStroke& stroke) const;
   Outcome add(const Sample& sample);
+  Ray ray_of(const Sample& sample) const {
+    return pixel_ray(*recording_.camera, sample.position.x(), sample.position.y());
+  }
   StrokeEvent add_to_session(const Sample& sample, Show show);
   void add_cost(double seconds);
   void record_event(std::vector<double>& latencies, std::vector<EventCost>& costs);
@@ -82,7 +86,8 @@ void Replayer::draw(const RecordedStroke& stroke, const ReplaySettings& settings
   const std::size_t pieces_before = result_.pieces;
   const Closure of_a_piece = closure_of_piece(closure);
   const auto end_piece = [&] { end([&] { return session_.end_piece(of_a_piece); }); };
-  session_.begin_stroke(settings);
+  session_.begin_stroke(settings, settings.refining.kind == Refining::Kind::off ? std::vector<Vec3d>{}
+                                                                               : places_of(stroke));
   for (const Sample& sample : stroke.samples) {
     const Outcome outcome = add_in_pieces(
         drawn_in_piece_ > 0, [&] { return add(sample); }, end_piece);
@@ -93,6 +98,18 @@ void Replayer::draw(const RecordedStroke& stroke, const ReplaySettings& settings
   end([&] { return session_.end_stroke(whole ? closure : of_a_piece); });
   const bool drawn = result_.pieces > pieces_before;
   if (closure == Closure::closed && drawn && !(whole && session_.curve().closed)) ++result_.left_open;
+}
+
+/// The places of the surface at which a stroke's samples point.
+std::vector<Vec3d> Replayer::places_of(const RecordedStroke& stroke) const {
+  std::vector<Vec3d> places;
+  for (const Sample& sample : stroke.samples) {
+    if (recording_.space == StrokeSpace::object)
+      places.push_back(sample.position);
+    else if (const auto at = session_.picker().pick(ray_of(sample)))
+      places.push_back(at->position.cast<double>());
+  }
+  return places;
 }
 
 /// What a call of the session returns, once the observer was told of it.
@@ -139,8 +156,7 @@ void Replayer::record_event(std::vector<double>& latencies, std::vector<EventCos
 StrokeEvent Replayer::add_to_session(const Sample& sample, Show show) {
   if (recording_.space == StrokeSpace::object)
     return session_.add_sample(sample.position, sample.time, sample.pen, show);
-  const Ray ray = pixel_ray(*recording_.camera, sample.position.x(), sample.position.y());
-  return session_.add_sample(ray, sample.time, sample.pen, show);
+  return session_.add_sample(ray_of(sample), sample.time, sample.pen, show);
 }
 
 /// A piece, and perhaps the stroke with it.

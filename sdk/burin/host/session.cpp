@@ -6,16 +6,20 @@
 #include <burin/deform/evaluate/plugin_call.h>
 #include <burin/host/session.h>
 #include <burin/host/session/carry_state.h>
+#include <burin/host/session/given_samples.h>
 #include <burin/host/session/merged_surface.h>
 #include <burin/host/session/no_brush.h>
 #include <burin/host/session/open_stroke.h>
+#include <burin/host/session/refine_path.h>
 #include <burin/host/session/sculpted_surface.h>
+#include <burin/surface/patch_uv.h>
 
 #include <map>
 #include <memory>
 #include <optional>
 #include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace burin {
@@ -48,16 +52,24 @@ struct Session::Impl {
 
   const burin_brush& brush(const BrushEntry& entry);
   OpenStroke& open_stroke();
-  StrokeEvent draw(const std::optional<CurveGround::Point>& at, double time, const Pen& pen, Show show,
+  StrokeEvent add(const GivenSample& given, Show show);
+  StrokeEvent draw(const std::optional<CurveGround::Point>& at, const GivenSample& given, Show show,
                    StageClock& clock);
+  std::optional<CurveGround::Point> locate(const GivenSample& given);
   OpenStroke& stroke_for_sample();
+  std::span<const Index> end_piece(Closure closure);
   std::span<const Index> finish_piece(Closure closure);
   std::span<const Index> finish(Closure closure);
   std::span<const Index> apply(const VertexMoves& moves);
   MadePart add_part();
   void merge_solid(const SolidMerge& merge);
+  void keep_refinement();
   void end_redoing();
   void drop();
+  void open(const BrushEntry* entry, const StrokeSettings& settings);
+  bool refine(const std::optional<SurfacePatch>& patch);
+  bool refine_at(const SurfacePoint& at);
+  void draw_again();
   bool take(Turn turn);
   bool take_unless_open(Turn turn);
 
@@ -80,6 +92,8 @@ struct Session::Impl {
   std::map<std::string, CreatedBrush, std::less<>> created;  ///< by id
   Evaluator evaluator;
   std::optional<OpenStroke> stroke;
+  std::optional<GivenSamples> given_samples;  ///< of the open stroke, if it refines the surface
+  CoarseEdges coarse_edges;
   std::optional<Chart> sorted_chart;     ///< sorted copy of last_live, made on request
   const LiveChart* last_live = nullptr;  ///< chart of the open stroke, or of the last one
   SurfaceCurve last_curve;
@@ -87,6 +101,8 @@ struct Session::Impl {
   SolidMerger merger;
   Progress progress;
   Made<MergeReport> merges;
+  Made<RefineReport> refinements;
+  std::optional<RefineReport> refined;  ///< for the stroke that is not finished
   std::vector<std::string> warnings;  ///< of finished strokes
   Made<TriangleMesh> bent_meshes;
   EventCost cost;
@@ -118,12 +134,33 @@ OpenStroke& Session::Impl::stroke_for_sample() {
   return *stroke;
 }
 
-StrokeEvent Session::Impl::draw(const std::optional<CurveGround::Point>& at, double time, const Pen& pen,
+/// The point of the ground at which a sample points.
+std::optional<CurveGround::Point> Session::Impl::locate(const GivenSample& given) {
+  const OpenStroke& to = stroke_for_sample();
+  if (const Ray* ray = std::get_if<Ray>(&given.at)) return to.ground().pick(*ray);
+  const Vec3f position = std::get<Vec3d>(given.at).cast<float>();
+  return to.ground().closest(position, static_cast<float>(to.radius()));
+}
+
+StrokeEvent Session::Impl::add(const GivenSample& given, Show show) {
+  stroke_for_sample();
+  StageClock clock(cost);
+  std::optional<CurveGround::Point> at = locate(given);
+  const bool is_other = at && given_samples && refine_at(at->on_surface);
+  if (is_other) at = locate(given);
+  StrokeEvent event = draw(at, given, is_other ? Show::now : show, clock);
+  if (given_samples && event.outcome == StrokeEvent::Outcome::drawn)
+    given_samples->add(given, at->on_surface.position.cast<double>());
+  if (is_other) event.changed = surface.note_all_changed();
+  return event;
+}
+
+StrokeEvent Session::Impl::draw(const std::optional<CurveGround::Point>& at, const GivenSample& given,
                                 Show show, StageClock& clock) {
   clock.lap(Stage::pick);
   if (!at) return {StrokeEvent::Outcome::off_surface, {}};
   if (!stroke->connects(*at)) return {StrokeEvent::Outcome::disconnected, {}};
-  stroke->trace(*at, time, pen);
+  stroke->trace(*at, given.time, given.pen);
   clock.lap(Stage::curve);
   if (show == Show::later) return {StrokeEvent::Outcome::drawn, {}};
   const std::span<const Index> seen =
@@ -150,8 +187,8 @@ std::span<const Index> Session::Impl::finish_piece(Closure closure) {
 
 std::span<const Index> Session::Impl::finish(Closure closure) {
   if (open_stroke().empty()) {
-    stroke.reset();
-    return {};
+    drop();
+    return surface.changed();
   }
   finish_piece(closure);
   warnings.insert(warnings.end(), stroke->warnings().begin(), stroke->warnings().end());
@@ -159,11 +196,13 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
   if (std::optional<SolidMerge> merge = stroke->merge()) {
     merge->progress = progress;
     merge_solid(*merge);
+    keep_refinement();
     end_redoing();
     clock.lap(Stage::record);
     return surface.changed();
   }
   surface.keep(add_part());
+  keep_refinement();
   end_redoing();
   stroke.reset();
   clock.lap(Stage::record);
@@ -182,8 +221,14 @@ MadePart Session::Impl::add_part() {
   return MadePart::solid;
 }
 
+void Session::Impl::keep_refinement() {
+  if (refined) refinements.there.push_back(*refined);
+  refined.reset();
+}
+
 /// What was undone is gone once another stroke is finished.
 void Session::Impl::end_redoing() {
+  refinements.undone.clear();
   parts.undone.clear();
   merges.undone.clear();
   bent_meshes.undone.clear();
@@ -192,10 +237,11 @@ void Session::Impl::end_redoing() {
 /// Merges what the stroke made with the surface. The stroke is gone then.
 void Session::Impl::merge_solid(const SolidMerge& merge) {
   if (!merger) throw Error("this application cannot merge solids with the surface");
-  const MergedSolid merged = merger(merge);
+  MergedSolid merged = merger(merge);
   // The last time: from here on the surface is replaced.
   report(progress, "rebuilding the surface", 0);
   Stopwatch watch;
+  merged.patch.triangle_uv = carried_uv(surface.base(), surface.picker(), merged.patch);
   PaintedSurface made = with_patch(surface.base(), surface.picker(), surface.paint().base(), merged.patch);
   MergeReport report = report_of(merged, surface.base(), made.surface);
   report.solid_seconds = stroke->solid_seconds();
@@ -207,9 +253,62 @@ void Session::Impl::merge_solid(const SolidMerge& merge) {
 }
 
 void Session::Impl::drop() {
-  if (!stroke) return;
-  surface.drop();
+  if (!stroke && !surface.is_refined()) return;
   stroke.reset();
+  refined.reset();
+  // Its charts are gone with the refined surface.
+  if (surface.is_refined()) last_live = nullptr;
+  surface.drop();
+}
+
+void Session::Impl::open(const BrushEntry* entry, const StrokeSettings& settings) {
+  const burin_brush_descriptor& descriptor = entry ? *entry->descriptor : no_brush_descriptor();
+  stroke.emplace(surface.base(), surface.picker(), surface.builders(), entry ? brush(*entry) : no_brush(),
+                 descriptor, settings);
+  last_live = &stroke->live();
+  surface.prepare_paint(descriptor.outputs_written);
+}
+
+/// Puts a patch into the surface for the open stroke, which is closed then; returns whether there is one.
+bool Session::Impl::refine(const std::optional<SurfacePatch>& patch) {
+  if (!patch) return false;
+  Stopwatch watch;
+  PaintedSurface made = with_patch(surface.base(), surface.picker(), surface.paint().base(), *patch);
+  stroke.reset();
+  last_live = nullptr;
+  surface.refine(std::move(made));
+  if (!refined) refined.emplace();
+  refined->triangles_removed += patch->removed.size();
+  refined->triangles_added += patch->triangles.size();
+  refined->vertices_added += patch->positions.size();
+  refined->rebuild_seconds += watch.lap();
+  return true;
+}
+
+/// Refines the surface where the pen comes to, if it must, and draws the stroke so far again.
+bool Session::Impl::refine_at(const SurfacePoint& at) {
+  GivenSamples& given = *given_samples;
+  Stopwatch watch;
+  const auto patch = refined_at(surface.base(), surface.picker(), given.settings,
+                                given.step_to(at.position.cast<double>()), coarse_edges);
+  const double seconds = watch.lap();
+  if (!refine(patch)) return false;
+  refined->edge = refined_edge(given.settings);
+  refined->split_seconds += seconds;
+  draw_again();
+  return true;
+}
+
+/// Opens the stroke anew, with the samples that it had.
+void Session::Impl::draw_again() {
+  const GivenSamples& given = *given_samples;
+  open(given.entry, given.settings);
+  for (const GivenSamples::Piece& piece : given.pieces) {
+    for (const GivenSample& sample : piece.samples)
+      if (const auto at = locate(sample); at && stroke->connects(*at))
+        stroke->trace(*at, sample.time, sample.pen);
+    if (piece.ended) end_piece(*piece.ended);
+  }
 }
 
 /// Undoes the last step, or makes the last undone one again; returns false if there is none.
@@ -219,14 +318,15 @@ bool Session::Impl::take(Turn turn) {
   StageClock clock(cost);
   if (step->surface) {
     last_live = nullptr;
-    merges.take(turn);
   } else {
     surface.show(*step);
     cost.moved = step->vertices.size();
     clock.lap(Stage::move);
-    if (step->made == MadePart::solid) parts.take(turn);
-    if (step->made == MadePart::mesh) bent_meshes.take(turn);
   }
+  if (step->refined) refinements.take(turn);
+  if (step->merged) merges.take(turn);
+  if (step->made == MadePart::solid) parts.take(turn);
+  if (step->made == MadePart::mesh) bent_meshes.take(turn);
   surface.restore(std::move(*step), turn);
   clock.lap(Stage::record);
   return true;
@@ -249,6 +349,7 @@ void Session::set_progress(Progress progress) { impl_->progress = std::move(prog
 
 std::span<const StrokeSolid> Session::parts() const { return impl_->parts.there; }
 std::span<const MergeReport> Session::merges() const { return impl_->merges.there; }
+std::span<const RefineReport> Session::refinements() const { return impl_->refinements.there; }
 std::span<const std::string> Session::warnings() const { return impl_->warnings; }
 std::span<const TriangleMesh> Session::bent_meshes() const { return impl_->bent_meshes.there; }
 const Paint& Session::paint() const { return impl_->surface.paint().shown(); }
@@ -267,41 +368,45 @@ void Session::move_vertices(std::span<const Index> vertices, std::span<const Vec
   });
 }
 
-void Session::begin_stroke(const StrokeSettings& settings) {
+void Session::begin_stroke(const StrokeSettings& settings, std::span<const Vec3d> path) {
   impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open already");
     const BrushEntry* entry = settings.along.given() ? nullptr : &impl_->brushes->find(settings.brush);
-    const burin_brush_descriptor& descriptor = entry ? *entry->descriptor : no_brush_descriptor();
-    SculptedSurface& surface = impl_->surface;
-    impl_->stroke.emplace(surface.base(), surface.picker(), surface.builders(),
-                          entry ? impl_->brush(*entry) : no_brush(), descriptor, settings);
-    impl_->last_live = &impl_->stroke->live();
-    surface.prepare_paint(descriptor.outputs_written);
+    impl_->open(entry, settings);
+    impl_->given_samples.reset();
+    if (settings.refining.kind == Refining::Kind::off) return;
+    impl_->given_samples.emplace(entry, settings);
+    Stopwatch watch;
+    const auto patch =
+        refined_along(impl_->surface.base(), impl_->surface.picker(), settings, path);
+    const double seconds = watch.lap();
+    if (!impl_->refine(patch)) return;
+    impl_->refined->edge = refined_edge(settings);
+    impl_->refined->split_seconds = seconds;
+    impl_->open(entry, settings);
   });
 }
 
 StrokeEvent Session::add_sample(const Ray& ray, double time, const Pen& pen, Show show) {
-  return impl_->guarded([&] {
-    const CurveGround& ground = impl_->stroke_for_sample().ground();
-    StageClock clock(impl_->cost);
-    return impl_->draw(ground.pick(ray), time, pen, show, clock);
-  });
+  return impl_->guarded([&] { return impl_->add({ray, time, pen}, show); });
 }
 
 StrokeEvent Session::add_sample(const Vec3d& position, double time, const Pen& pen, Show show) {
-  return impl_->guarded([&] {
-    const OpenStroke& stroke = impl_->stroke_for_sample();
-    StageClock clock(impl_->cost);
-    const auto reach = static_cast<float>(stroke.radius());
-    return impl_->draw(stroke.ground().closest(position.cast<float>(), reach), time, pen, show, clock);
-  });
+  return impl_->guarded([&] { return impl_->add({position, time, pen}, show); });
+}
+
+/// Finishes the current piece and keeps it.
+std::span<const Index> Session::Impl::end_piece(Closure closure) {
+  OpenStroke& of = open_stroke();
+  const std::span<const Index> seen = finish_piece(closure);
+  if (!of.piece_empty() && !of.piece_kept()) of.keep_piece();
+  return seen;
 }
 
 std::span<const Index> Session::end_piece(Closure closure) {
   return impl_->guarded([&] {
-    OpenStroke& stroke = impl_->open_stroke();
-    const std::span<const Index> seen = impl_->finish_piece(closure);
-    if (!stroke.piece_empty() && !stroke.piece_kept()) stroke.keep_piece();
+    const std::span<const Index> seen = impl_->end_piece(closure);
+    if (impl_->given_samples) impl_->given_samples->end_piece(closure);
     return seen;
   });
 }

@@ -51,6 +51,13 @@ struct MergeReport {
   double solid_seconds = 0, rebuild_seconds = 0;  ///< making the solid, and all that depends on the surface
 };
 
+/// What refining the surface for a stroke did.
+struct RefineReport {
+  double edge = 0;  ///< about the length of the new edges, object units
+  std::size_t triangles_removed = 0, triangles_added = 0, vertices_added = 0;
+  double split_seconds = 0, rebuild_seconds = 0;  ///< splitting, and all that depends on the surface
+};
+
 /// A surface that is being sculpted: the main class for embedding applications. One stroke at a time is
 /// drawn, sample by sample; it displaces the surface as it was when the stroke began. Vertex indices are
 /// those of surface(). A session belongs to one thread at a time; inside it uses all threads of oneTBB. If a
@@ -68,8 +75,9 @@ class Session {
   /// The surface after the last finished stroke. Its arrays stay in place until generation() changes.
   const Surface& surface() const;
 
-  /// Changes whenever the surface is replaced by one of other vertices and triangles: when a stroke ends that
-  /// merged a solid with it, and when that is undone. All indices of vertices are new then.
+  /// Changes whenever the surface is replaced by one of other vertices and triangles: where a stroke refines
+  /// it, when a stroke ends that merged a solid with it, and when either is undone or dropped. All indices of
+  /// vertices are new then.
   std::uint64_t generation() const;
   const Picker& picker() const;  ///< of that surface
 
@@ -103,6 +111,9 @@ class Session {
   /// What the strokes did that merged a solid with the surface, in their order.
   std::span<const MergeReport> merges() const;
 
+  /// What strokes refined, in their order.
+  std::span<const RefineReport> refinements() const;
+
   /// What authors should know of what their brushes did in the strokes so far: lines "ID: ...".
   std::span<const std::string> warnings() const;
 
@@ -114,7 +125,10 @@ class Session {
   /// Opens a stroke. Throws Error for an unknown brush or parameter, a value out of range, a file that cannot
   /// be read, a mesh that cannot be bent, a brush with inputs that this host does not provide, or dynamics of
   /// something that cannot vary; ContractError if a stroke is open already.
-  void begin_stroke(const StrokeSettings& settings);
+  /// `path`: places of the surface where the stroke will go, in order, object units; there and at the images
+  /// of symmetry the surface is refined at once, as StrokeSettings::refining says, with the stroke as one
+  /// step of undo. Throws Error where that would take more than 10 million triangles.
+  void begin_stroke(const StrokeSettings& settings, std::span<const Vec3d> path = {});
 
   /// Adds a sample at the first intersection of a ray with the surface, or at the surface point closest to a
   /// position, at most one radius away; object units. `time` is in seconds and must not decrease; several

@@ -45,6 +45,18 @@ struct AlongSettings {
   bool given() const { return middle.given(); }  ///< whether there is a mesh to repeat
 };
 
+/// Whether triangles too large for a stroke are split before it is drawn, and how far.
+struct Refining {
+  enum class Kind {
+    off,
+    automatic,  ///< into edges of radius / fine, where there are edges longer than radius / coarse
+    edge,       ///< into edges of about this length
+  };
+  static constexpr double coarse = 2, fine = 16;
+  Kind kind = Kind::off;
+  double edge = 0;  ///< above 0, object units; of Kind::edge alone
+};
+
 /// What a stroke is drawn with. stroke/files/setting_table.h has the keys and texts of what people set.
 struct StrokeSettings {
   std::string brush;    ///< id, "org.burin.groove"
@@ -72,6 +84,7 @@ struct StrokeSettings {
   double voxel = 0;  ///< edge of the solid's voxels, object units; 0: as fine as the brush's solid needs
   double blend = 0;  ///< radius of the fillet where a merged solid meets the surface, object units; 0: none
   AlongSettings along;  ///< if given, brush and params decide nothing
+  Refining refining;    ///< of the surface, which gets other vertices and triangles
 };
 
 /// What a recorded stroke is drawn with: besides, how its samples become a stroke.

@@ -36,13 +36,6 @@ void UndoJournal::record(std::span<const Index> vertices, std::span<const Vec3f>
   record(std::move(step));
 }
 
-void UndoJournal::record(Surface surface, Paint paint) {
-  UndoStep step;
-  step.surface = std::move(surface);
-  step.surface_paint = std::move(paint);
-  record(std::move(step));
-}
-
 void UndoJournal::record(UndoStep step) {
   bytes_ += bytes_of(step);
   steps_.push_back(std::move(step));

@@ -21,8 +21,9 @@ struct UndoStep {
   std::vector<Vec3f> positions;  ///< [i] of vertices[i]
   PaintStep paint;
   MadePart made = MadePart::none;
-  std::optional<Surface> surface;  ///< instead of all else but surface_paint: what the stroke replaced
+  std::optional<Surface> surface;  ///< instead of vertices and their paint: what the stroke replaced
   Paint surface_paint;             ///< of that
+  bool refined = false, merged = false;  ///< what replaced it
 };
 
 /// The undo steps of the finished strokes of a session, newest last, or the redo steps of those that were
@@ -34,9 +35,6 @@ class UndoJournal {
   /// nothing is a step too.
   void record(std::span<const Index> vertices, std::span<const Vec3f> positions_of_surface,
               PaintStep paint = {}, MadePart made = MadePart::none);
-
-  /// Stores a surface and its paint that a stroke replaced.
-  void record(Surface surface, Paint paint);
 
   void record(UndoStep step);
 

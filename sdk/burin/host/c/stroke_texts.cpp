@@ -20,6 +20,10 @@ GivenSettings read_texts(const char* const* texts, const BrushLibrary& brushes) 
   } catch (const Error& fault) {
     reject(fault.what());
   }
+  // Callers number vertices, of which a refined surface has others.
+  const Refining* refining = settings.find(&StrokeSettings::refining);
+  if (refining && refining->kind != Refining::Kind::off)
+    reject("refine: must be off, since surfaces of this library keep their vertices");
   return settings;
 }
 

@@ -3,7 +3,6 @@
 #include <burin/base/parallel.h>
 #include <burin/host/session/merged_surface.h>
 #include <burin/math/elementary.h>
-#include <burin/surface/patch_uv.h>
 #include <burin/surface/surface_patch.h>
 #include <burin/surface/topology/euler.h>
 
@@ -46,8 +45,7 @@ double least_angle(const Surface& surface, const SurfacePatch& patch) {
 }  // namespace
 
 PaintedSurface with_patch(const Surface& surface, const Picker& picker, const Paint& paint,
-                          SurfacePatch patch) {
-  patch.triangle_uv = carried_uv(surface, picker, patch);
+                          const SurfacePatch& patch) {
   PatchedSurface made = patched(surface, patch);
   PaintedSurface painted{std::move(made.surface), {}};
   const std::size_t count = made.came_from.size();

@@ -13,9 +13,9 @@ struct PaintedSurface {
 };
 
 /// Puts a patch into a painted surface. New vertices take the paint of the closest place of the surface, to
-/// which the picker belongs, and new triangles its texture coordinates.
+/// which the picker belongs.
 PaintedSurface with_patch(const Surface& surface, const Picker& picker, const Paint& paint,
-                          SurfacePatch patch);
+                          const SurfacePatch& patch);
 
 /// What a merge did to a surface, of which `after` came.
 MergeReport report_of(const MergedSolid& merged, const Surface& before, const Surface& after);

@@ -49,6 +49,11 @@ void SculptedSurface::show(const VertexMoves& moves) {
 }
 
 void SculptedSurface::drop() {
+  if (unrefined_) {
+    exchange(std::move(unrefined_->painted), std::move(unrefined_->builders));
+    unrefined_.reset();
+    return;
+  }
   const std::vector<Index> displaced = shown_.take_displaced(surface_);
   std::vector<Vec3f> bases;
   bases.reserve(displaced.size());
@@ -59,20 +64,44 @@ void SculptedSurface::drop() {
 
 void SculptedSurface::keep(MadePart made) {
   const std::vector<Index> displaced = shown_.take_displaced(surface_);
-  journal_.record(displaced, surface_.positions, paint_.commit(), made);
+  PaintStep painted = paint_.commit();
+  if (unrefined_) {
+    UndoStep step = step_to(std::move(*unrefined_));
+    unrefined_.reset();
+    step.made = made;
+    step.refined = true;
+    journal_.record(std::move(step));
+  } else {
+    journal_.record(displaced, surface_.positions, std::move(painted), made);
+  }
   end_redoing();
   commit(displaced);
 }
 
 void SculptedSurface::replace(PaintedSurface made) {
-  Paint before = paint_.base();
-  Surface replaced = std::move(surface_);
-  builders_->free_strokes();
-  replaced_builders_.push_back(std::move(builders_));
-  exchange(std::move(made));
-  builders_ = std::make_unique<ChartBuilders>(surface_, picker_);
-  journal_.record(std::move(replaced), std::move(before));
+  Replaced replaced = exchange(std::move(made), nullptr);
+  const bool refined = is_refined();
+  UndoStep step = step_to(std::move(refined ? *unrefined_ : replaced));
+  unrefined_.reset();
+  step.refined = refined;
+  step.merged = true;
+  journal_.record(std::move(step));
   end_redoing();
+}
+
+void SculptedSurface::refine(PaintedSurface made) {
+  Replaced replaced = exchange(std::move(made), nullptr);
+  if (!unrefined_) unrefined_ = std::move(replaced);
+}
+
+/// The step that brings a surface back; its chart builders are kept for that.
+UndoStep SculptedSurface::step_to(Replaced replaced) {
+  replaced.builders->free_strokes();
+  replaced_builders_.push_back(std::move(replaced.builders));
+  UndoStep step;
+  step.surface = std::move(replaced.painted.surface);
+  step.surface_paint = std::move(replaced.painted.paint);
+  return step;
 }
 
 void SculptedSurface::end_redoing() {
@@ -102,15 +131,15 @@ void SculptedSurface::restore(UndoStep step, Turn turn) {
 }
 
 UndoStep SculptedSurface::restore_surface(UndoStep step, Turn turn) {
-  UndoStep replaced;
-  replaced.surface_paint = paint_.base();
-  replaced.surface = std::move(surface_);
-  builders_->free_strokes();
-  builders_of(turn == Turn::undo ? Turn::redo : Turn::undo).push_back(std::move(builders_));
-  exchange({std::move(*step.surface), std::move(step.surface_paint)});
-  builders_ = std::move(builders_of(turn).back());
-  builders_of(turn).pop_back();
-  return replaced;
+  Builders& back = builders_of(turn);
+  Replaced replaced =
+      exchange({std::move(*step.surface), std::move(step.surface_paint)}, std::move(back.back()));
+  back.pop_back();
+  replaced.builders->free_strokes();
+  builders_of(turn == Turn::undo ? Turn::redo : Turn::undo).push_back(std::move(replaced.builders));
+  step.surface = std::move(replaced.painted.surface);
+  step.surface_paint = std::move(replaced.painted.paint);
+  return step;
 }
 
 UndoStep SculptedSurface::restore_vertices(UndoStep step) {
@@ -137,16 +166,25 @@ void SculptedSurface::commit(std::span<const Index> displaced) {
   builders_->moved(displaced, std::sqrt(static_cast<double>(farthest)));
 }
 
-/// Makes all that depends on the surface anew, but for the chart builders.
-void SculptedSurface::exchange(PaintedSurface made) {
+std::span<const Index> SculptedSurface::note_all_changed() {
+  changed_.resize(surface_.vertex_count());
+  std::iota(changed_.begin(), changed_.end(), Index{0});
+  return changed_;
+}
+
+/// Makes all that depends on the surface anew, but for chart builders that are given. Returns what was there.
+SculptedSurface::Replaced SculptedSurface::exchange(PaintedSurface made,
+                                                    std::unique_ptr<ChartBuilders> builders) {
+  Replaced replaced{{std::move(surface_), paint_.base()}, std::move(builders_)};
   surface_ = std::move(made.surface);
   picker_ = Picker(surface_);
   shown_ = ShownSurface(surface_);
   paint_ = ShownPaint(surface_.vertex_count());
   paint_.assign(std::move(made.paint));
+  builders_ = builders ? std::move(builders) : std::make_unique<ChartBuilders>(surface_, picker_);
   ++generation_;
-  changed_.resize(surface_.vertex_count());
-  std::iota(changed_.begin(), changed_.end(), Index{0});
+  note_all_changed();
+  return replaced;
 }
 
 }  // namespace burin

@@ -37,6 +37,7 @@ class SculptedSurface {
   /// The vertices that the last call changed.
   std::span<const Index> changed() const { return changed_; }
   void clear_changed() { changed_.clear(); }
+  std::span<const Index> note_all_changed();
 
   /// Sets the paint. Throws ContractError unless there are none or one value per vertex, from 0 to 1.
   void set_paint(Paint paint);
@@ -58,6 +59,11 @@ class SculptedSurface {
   /// Replaces a part of the surface, with an undo step. No stroke may refer to the surface any more.
   void replace(PaintedSurface made);
 
+  /// Refines the surface for a stroke that is to be drawn on it: both become one step of undo, and drop()
+  /// takes both back. No stroke may refer to the surface. Chart builders are new ones.
+  void refine(PaintedSurface made);
+  bool is_refined() const { return unrefined_.has_value(); }  ///< for a stroke that is not finished
+
   /// Undoing and redoing take two calls: show() moves the vertices of the step, and restore() makes that the
   /// surface. For a step that holds a surface restore() does both. What restore() replaces is a step for the
   /// other way. A stroke that is kept ends redoing.
@@ -73,6 +79,12 @@ class SculptedSurface {
  private:
   using Builders = std::vector<std::unique_ptr<ChartBuilders>>;
 
+  /// A surface that was replaced, with what belongs to it.
+  struct Replaced {
+    PaintedSurface painted;
+    std::unique_ptr<ChartBuilders> builders;
+  };
+
   UndoJournal& steps(Turn turn) { return turn == Turn::undo ? journal_ : undone_; }
   Builders& builders_of(Turn turn) { return turn == Turn::undo ? replaced_builders_ : undone_builders_; }
   void end_redoing();
@@ -81,7 +93,8 @@ class SculptedSurface {
   UndoStep restore_vertices(UndoStep step);
   void note_changed(std::span<const Index> moved, std::span<const Index> painted);
   void commit(std::span<const Index> displaced);
-  void exchange(PaintedSurface made);
+  Replaced exchange(PaintedSurface made, std::unique_ptr<ChartBuilders> builders);
+  UndoStep step_to(Replaced replaced);
 
   Surface surface_;
   Picker picker_;
@@ -89,6 +102,7 @@ class SculptedSurface {
   /// Of the surfaces that were replaced, and of those whose replacing was undone: made anew they would have
   /// other clusters.
   Builders replaced_builders_, undone_builders_;
+  std::optional<Replaced> unrefined_;  ///< while a stroke on a refined surface is not finished
   ShownSurface shown_;
   ShownPaint paint_;
   UndoJournal journal_, undone_;

@@ -78,15 +78,19 @@ void StrokeInstance::move_curve(std::uint64_t flags) {
 /// Starts the stroke's chart; returns the ground on which its curve must run.
 CurveGround StrokeInstance::begun(const Surface& surface, const Picker& picker, ChartBuilders& builders,
                                   const StrokeSettings& settings, const SymmetryInstance& image) {
+  const bool fine = settings.refining.kind != Refining::Kind::off;
   if (settings.dab_spacing > 0) {
     dabs_ = &builders.dabs(image.index);
-    base_ = builders[image.index].stroke.base_for(settings.radius, settings.follow);
+    base_ = builders[image.index].stroke.base_for(settings.radius, settings.follow, fine);
     dabs_->begin(settings.radius, settings.dab_spacing * settings.radius, base_);
     return {surface, picker, base_};
   }
   builder_ = &builders[image.index].stroke;
-  ChartOptions options{
-      .radius = settings.radius, .cap = settings.cap, .join = settings.join, .follow = settings.follow};
+  ChartOptions options{.radius = settings.radius,
+                       .cap = settings.cap,
+                       .join = settings.join,
+                       .follow = settings.follow,
+                       .fine = fine};
   if (settings.along.given()) {
     // Wider, on the same base surface, whose relief is as fine as radius * (1 - follow).
     options.radius *= AlongParts::chart_radii;

@@ -163,6 +163,18 @@ std::vector<SettingRow> shape_rows() {
                  })};
 }
 
+std::vector<SettingRow> surface_rows() {
+  return {member_row({.key = "refine",
+                      .help = fmt::format("split triangles that are too large for the stroke, into edges of "
+                                          "this length; auto: of radius / {:g}, where edges are longer than "
+                                          "radius / {:g}",
+                                          Refining::fine, Refining::coarse),
+                      .values = "`auto`, `off` or `edge:LENGTH`",
+                      .typed = "auto|off|edge:LENGTH",
+                      .initial = "off"},
+                     &S::refining, read_refining)};
+}
+
 std::vector<SettingRow> solid_rows() {
   return {choice_row({.key = "solid",
                       .help = "what becomes of the solid that the brush makes along the stroke",
@@ -304,7 +316,7 @@ std::vector<SettingRow> sample_rows() {
 
 std::vector<SettingRow> all_rows() {
   std::vector<SettingRow> rows;
-  for (auto some : {basic_rows, shape_rows, solid_rows, along_rows, symmetry_rows, sample_rows})
+  for (auto some : {basic_rows, shape_rows, surface_rows, solid_rows, along_rows, symmetry_rows, sample_rows})
     std::ranges::move(some(), std::back_inserter(rows));
   for (SettingRow& row : rows) {
     if (!row.option.empty()) continue;

@@ -91,6 +91,20 @@ Stabilising read_stabilising(const JsonValue& value) {
   return {kind == "string" ? Stabilising::Kind::string : Stabilising::Kind::exponential, amount};
 }
 
+Refining read_refining(const JsonValue& value) {
+  const std::string text = value.is_text() ? value.text() : "";
+  if (text == "off") return {};
+  if (text == "auto") return {.kind = Refining::Kind::automatic};
+  constexpr std::string_view prefix = "edge:";
+  double edge = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + std::min(prefix.size(), text.size()), end, edge);
+  const bool is_sound = text.starts_with(prefix) && error == std::errc() && stop == end && edge > 0 &&
+                        std::isfinite(static_cast<float>(edge)) && static_cast<float>(edge) > 0;
+  if (!is_sound) value.reject_type("auto, off or edge:LENGTH, above 0");
+  return {.kind = Refining::Kind::edge, .edge = edge};
+}
+
 namespace {
 
 /// "x", "-y" ...; none for anything else.

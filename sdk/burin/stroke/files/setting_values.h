@@ -32,6 +32,8 @@ std::vector<Dynamic> read_dynamics(const JsonValue& value);
 Closure read_closure(const JsonValue& value);
 /// "string:LENGTH" or "exponential:SECONDS".
 Stabilising read_stabilising(const JsonValue& value);
+/// "auto", "off" or "edge:LENGTH".
+Refining read_refining(const JsonValue& value);
 /// "-z,y": the axes that run along the stroke and up.
 void read_axes(const JsonValue& value, AlongSettings& into);
 /// "x", "yz" ...: sets these mirrors.

@@ -47,9 +47,9 @@ double squared_distance(const Vec3f& a, const Vec3f& b) { return static_cast<dou
 
 }  // namespace
 
-bool BaseSurface::set_radius(double radius) {
+bool BaseSurface::set_radius(double radius, bool fine) {
   // As in models of CAD with dense rims: vertices do not represent what lies between them.
-  if (levels_->longest_edge() > 2 * radius) return false;
+  if (!fine && levels_->longest_edge() > 2 * radius) return false;
   const auto coarsest = [&](double edges) {
     std::size_t level = levels_->size() - 1;
     while (level > 0 && !(levels_->spacing(level) * edges <= radius)) --level;

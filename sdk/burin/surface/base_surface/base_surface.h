@@ -35,8 +35,9 @@ class BaseSurface {
   /// Selects brushes of this radius, object units, and the coarsest level that has enough edges per radius.
   /// Nodes computed for the same radius are kept. Returns false when even the surface itself is too coarse,
   /// or half of its area lies in triangles longer than two radii, as in models of CAD with dense rims;
-  /// then the object must not be used.
-  bool set_radius(double radius);
+  /// then the object must not be used. `fine`: triangles are small where the object will be used, whatever
+  /// those elsewhere are.
+  bool set_radius(double radius, bool fine = false);
 
   /// Discards the nodes that depend on vertices which moved, by at most `distance`, object units. The levels
   /// must be updated first.

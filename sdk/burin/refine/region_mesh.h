@@ -1,0 +1,95 @@
+#pragma once
+#include <burin/surface/surface.h>
+#include <burin/surface/topology/vertex_star.h>
+
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace burin {
+
+/// A side of a face: 3 * face + i runs from its corner i to the next.
+using Side = Index;
+
+/// The triangles of a surface that are being changed, as faces. Faces are taken in when they are first needed,
+/// so that all costs depend on what is changed. Any number of faces may meet at an edge: the sides of an edge
+/// form a ring, on a border of one side.
+class RegionMesh {
+ public:
+  /// The surface must outlive the object.
+  explicit RegionMesh(const Surface& surface) : surface_(&surface) {}
+
+  struct Face {
+    Triangle corners;              ///< vertices of the mesh
+    std::array<Side, 3> next;      ///< [side] the next of the ring; no_index where it is not known yet
+    std::array<bool, 3> sharp{};   ///< [side] once the ring is known: see is_sharp()
+    TriangleUv uv{};               ///< if the surface has them
+    Index origin = no_index;       ///< a triangle of the surface that it came of, or is near to
+    bool changed = false;          ///< it is not that triangle any more
+  };
+
+  struct Vertex {
+    Vec3d at;                      ///< object units, as a float has it
+    Index source = no_index;       ///< its number in the surface
+    bool is_crowded = false;       ///< its faces may form several fans, or more than two meet at its edges
+  };
+
+  const std::vector<Face>& faces() const { return faces_; }
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+
+  /// The face of a triangle of the surface.
+  Index take_in(Index triangle);
+
+  /// Makes all rings of a face known.
+  void connect(Index face);
+
+  Index from(Side side) const { return faces_[side / 3].corners[side % 3]; }
+  Index to(Side side) const { return from(after(side)); }
+  Index apex(Side side) const { return from(before(side)); }
+  static Side after(Side side) { return side % 3 == 2 ? side - 2 : side + 1; }
+  static Side before(Side side) { return side % 3 == 0 ? side + 2 : side - 1; }
+  Side next(Side side) const { return faces_[side / 3].next[side % 3]; }
+  bool is_sharp_side(Side side) const { return faces_[side / 3].sharp[side % 3]; }
+  double squared_length(Side side) const { return (position(to(side)) - position(from(side))).squaredNorm(); }
+  const Vec3d& position(Index vertex) const { return vertices_[vertex].at; }
+
+  /// The other side of an edge of two; no_index for other edges.
+  Side twin(Side side) const {
+    const Side other = next(side);
+    return other != side && next(other) == side ? other : no_index;
+  }
+
+  /// The triangles of the surface that are not faces any more, ascending.
+  std::vector<Index> changed_triangles() const;
+
+  /// Splits an edge at a new vertex, the last one; `opposite` gets the sides of the faces
+  /// around it that do not touch it. All faces at the edge must be connected.
+  void split(Side side, const Vec3d& at, std::vector<Side>& opposite);
+
+  /// Turns the edge between two faces, so that it joins their apexes; `outer` gets the four sides around. The
+  /// faces must be connected and agree on outside, and the apexes may not be joined already.
+  void flip(Side side, std::array<Side, 4>& outer);
+
+  /// Whether an edge joins the vertex at which a side begins, which is not crowded, with another one.
+  bool are_joined(Side side, Index other);
+
+ private:
+  void connect_side(Side side);
+  Index vertex_of(Index source);
+  bool is_crowded(Index source);
+  void link(Side side, Side next) { faces_[side / 3].next[side % 3] = next; }
+  Side previous(Side side) const;
+  bool is_beside(Side side, Index other, bool forwards, bool& whole);
+  void close_ring(const std::vector<Side>& ring);
+
+  const Surface* surface_;
+  std::vector<Face> faces_;
+  std::vector<Vertex> vertices_;
+  std::unordered_map<Index, Index> face_of_, vertex_of_;  ///< by number in the surface
+  VertexStar star_;
+  std::vector<Index> beside_;
+  std::vector<Side> ring_, first_half_, second_half_;
+};
+
+}  // namespace burin

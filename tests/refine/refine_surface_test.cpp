@@ -1,0 +1,192 @@
+#include <burin/base/error.h>
+#include <burin/surface/topology/euler.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <set>
+
+#include "refined.h"
+#include "support/error_of.h"
+#include "support/shapes.h"
+
+namespace burin::test {
+namespace {
+
+/// How many triangles have each edge, by how often that is.
+std::map<int, int> edge_uses(const Surface& surface) {
+  std::map<std::pair<Index, Index>, int> uses;
+  for (const Triangle& t : surface.triangles)
+    for (std::size_t i = 0; i < 3; ++i) ++uses[std::minmax(t[i], t[(i + 1) % 3])];
+  std::map<int, int> counts;
+  for (const auto& [edge, count] : uses) ++counts[count];
+  return counts;
+}
+
+/// Six times the volume; of an open surface the cone over it.
+double volume(const Surface& surface) {
+  double sum = 0;
+  for (const Triangle& t : surface.triangles)
+    sum += surface.positions[t[0]].cast<double>().dot(
+        surface.positions[t[1]].cast<double>().cross(surface.positions[t[2]].cast<double>()));
+  return sum;
+}
+
+double area(const Surface& surface) {
+  double sum = 0;
+  for (const Triangle& t : surface.triangles) {
+    const Vec3d a = surface.positions[t[0]].cast<double>();
+    sum += (surface.positions[t[1]].cast<double>() - a).cross(surface.positions[t[2]].cast<double>() - a).norm();
+  }
+  return sum;
+}
+
+std::vector<Vec3d> on_sphere(double turn) {
+  std::vector<Vec3d> line;
+  for (int i = 0; i <= 60; ++i)
+    line.push_back(Vec3d(std::cos(turn * i / 60), std::sin(turn * i / 60), 0.3).normalized());
+  return line;
+}
+
+void expect_good_shapes(const Refinable& refinable, const char* what) {
+  SCOPED_TRACE(what);
+  const Surface after = patched(refinable.surface, refinable.refine()).surface;
+  const Shapes before(refinable.surface, refinable.lengths, true), whole(after, refinable.lengths, true),
+      within(after, refinable.lengths, false);
+  ASSERT_GT(within.edges.size(), 1000u);
+  EXPECT_GE(within.edges.front(), 0.4 * refinable.lengths.edge());
+  EXPECT_LE(within.edges.back(), 1.4 * refinable.lengths.edge());
+  EXPECT_GE(whole.angles.front(), 0.5 * before.angles.front());
+  EXPECT_GE(within.angles.front(), 20);
+  EXPECT_GE(within.first_percent(), 30);
+}
+
+TEST(RefineSurface, GivesEdgesTheirLengthAndGoodAngles) {
+  expect_good_shapes({box({2, 1, 1}), straight({0.2, 0.5, 1}, {1.8, 0.6, 1}), 0.15, 0.01}, "box");
+  expect_good_shapes({slivers(), straight({0.1, 0.3, 0}, {0.4, 0.7, 0}), 0.1, 0.01}, "slivers");
+  expect_good_shapes({sphere(2, 0.15, 1), on_sphere(1.5), 0.15, 0.01}, "sphere");
+}
+
+TEST(RefineSurface, LeavesABoxABox) {
+  const Vec3f size(2, 1, 1);
+  std::vector<Vec3d> line = straight({1.5, 0.5, 1}, {2, 0.9, 1});
+  for (const Vec3d& place : straight({2, 0.9, 1}, {2, 0.8, 0.3})) line.push_back(place);
+  const Refinable refinable(box(size), line, 0.15, 0.01);
+  const SurfacePatch refined = refinable.refine();
+  for (const Vec3f& p : refined.positions) {
+    const bool on_face = (p.array() == 0).any() || (p.array() == size.array()).any();
+    ASSERT_TRUE(on_face) << p.transpose();
+  }
+  const Surface after = patched(refinable.surface, refined).surface;
+  EXPECT_EQ(euler_characteristic(after), 2);
+  EXPECT_EQ(edge_uses(after).size(), 1u);
+  EXPECT_NEAR(volume(after), volume(refinable.surface), 1e-6);
+  EXPECT_NEAR(area(after), area(refinable.surface), 1e-6);
+}
+
+TEST(RefineSurface, ChangesNothingTheSecondTime) {
+  const Refinable refinable(sphere(1, 0.15, 2), on_sphere(1.5), 0.15, 0.02);
+  const Surface after = patched(refinable.surface, refinable.refine()).surface;
+  const std::vector<Index> seeds = refinable.seeds(after);
+  EXPECT_TRUE(has_longer_edges(refinable.surface, refinable.lengths, refinable.seeds(refinable.surface)));
+  EXPECT_FALSE(has_longer_edges(after, refinable.lengths, seeds));
+  const SurfacePatch again = refine_surface(after, refinable.lengths, seeds, 1'000'000);
+  EXPECT_TRUE(again.triangles.empty());
+  EXPECT_TRUE(again.removed.empty());
+}
+
+/// The greatest distance of new vertices from the unit sphere.
+double sphere_error(int levels) {
+  const Refinable refinable(sphere(levels, 0, 1), on_sphere(1.5), 0.3, 0.02);
+  double most = 0;
+  for (const Vec3f& p : refinable.refine().positions)
+    most = std::max(most, std::abs(p.cast<double>().norm() - 1));
+  return most;
+}
+
+TEST(RefineSurface, PutsVerticesOnTheSphereThatACoarseMeshStandsFor) {
+  // Edges are 0.62, 0.33 and 0.16 long; the middles of triangles are 0.06, 0.017 and 0.0042 off.
+  const double coarse = sphere_error(1), finer = sphere_error(2), finest = sphere_error(3);
+  EXPECT_LT(coarse, 0.007);
+  EXPECT_LT(finer, coarse / 8);
+  EXPECT_LT(finest, finer / 8);
+}
+
+TEST(RefineSurface, MovesAndChangesNothingElsewhere) {
+  const Refinable refinable(sphere(4, 0.15, 3), on_sphere(0.5), 0.1, 0.01);
+  const SurfacePatch refined = refinable.refine();
+  ASSERT_GT(refined.removed.size(), 20u);
+  for (const Index triangle : refined.removed) {
+    double nearest = 1e9;
+    for (const Index corner : refinable.surface.triangles[triangle])
+      nearest = std::min(nearest, refinable.lengths.at(refinable.surface.positions[corner].cast<double>()));
+    // Edges are at most 0.12 long, which is long enough 0.2 from the radius.
+    EXPECT_LT(nearest, 0.01 + EdgeLength::growth * 0.2);
+  }
+  EXPECT_EQ(euler_characteristic(patched(refinable.surface, refined).surface), 2);
+}
+
+TEST(RefineSurface, HalvesTextureCoordinatesWithTheEdges) {
+  TriangleMesh mesh = box({2, 1, 1});
+  // Every face has an island of its own.
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3f a = mesh.positions[t[0]], b = mesh.positions[t[1]] - a, c = mesh.positions[t[2]] - a;
+    Eigen::Index axis = 0;
+    b.cross(c).cwiseAbs().maxCoeff(&axis);
+    TriangleUv uv;
+    for (std::size_t i = 0; i < 3; ++i)
+      uv[i] = {mesh.positions[t[i]][(axis + 1) % 3], mesh.positions[t[i]][(axis + 2) % 3]};
+    mesh.triangle_uv.push_back(uv);
+  }
+  const Refinable refinable(std::move(mesh), straight({1.5, 0.5, 1}, {1.9, 0.9, 1}), 0.2, 0.02);
+  const Surface after = patched(refinable.surface, refinable.refine()).surface;
+  ASSERT_EQ(after.triangle_uv.size(), after.triangles.size());
+  for (std::size_t t = 0; t < after.triangles.size(); ++t) {
+    const auto at = [&](std::size_t i) { return after.positions[after.triangles[t][i]]; };
+    Eigen::Index axis = 0;
+    (at(1) - at(0)).cross(at(2) - at(0)).cwiseAbs().maxCoeff(&axis);
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_LT((after.triangle_uv[t][i] - Vec2f(at(i)[(axis + 1) % 3], at(i)[(axis + 2) % 3])).norm(), 1e-5F);
+  }
+}
+
+TEST(RefineSurface, RefusesMoreTrianglesThanAllowed) {
+  const Refinable refinable(box({2, 1, 1}), straight({0.2, 0.5, 1}, {1.8, 0.6, 1}), 0.15, 0.01);
+  EXPECT_EQ(error_of([&] { refinable.refine(5000); }), "refining the surface would take more than 5000 triangles");
+}
+
+/// Triangles of random corners: edges with any number of triangles, in any direction, and some without area.
+TriangleMesh random_soup(std::mt19937& random) {
+  std::uniform_real_distribution<float> place(-1, 1);
+  TriangleMesh mesh;
+  for (int i = 0; i < 12; ++i) mesh.positions.emplace_back(place(random), place(random), place(random));
+  mesh.positions[5] = (mesh.positions[3] + mesh.positions[4]) / 2;
+  mesh.triangles.push_back({3, 4, 5});
+  std::uniform_int_distribution<Index> corner(0, 11);
+  for (int i = 0; i < 20; ++i) mesh.triangles.push_back({corner(random), corner(random), corner(random)});
+  // Where two have the same corners their halves have an edge in common that counts once.
+  std::set<std::set<Index>> known;
+  std::erase_if(mesh.triangles, [&](const Triangle& t) { return !known.emplace(t.begin(), t.end()).second; });
+  return mesh;
+}
+
+TEST(RefineSurface, KeepsTheAreaOfAnySoup) {
+  const unsigned seed = std::random_device()();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  int crowded = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Refinable refinable(random_soup(random), straight({-0.3, 0.1, 0}, {0.4, 0.2, 0.1}, 10), 0.3, 0.05);
+    const SurfacePatch refined = refinable.refine();
+    const Surface after = patched(refinable.surface, refined).surface;
+    crowded += edge_uses(refinable.surface).rbegin()->first > 2;
+    // Edges that were of one triangle are where there is a border still: no triangle was torn off another.
+    EXPECT_EQ(euler_characteristic(after), euler_characteristic(refinable.surface));
+    EXPECT_EQ(refined.triangles, refinable.refine().triangles);
+    EXPECT_FALSE(has_longer_edges(after, refinable.lengths, refinable.seeds(after)));
+  }
+  EXPECT_GT(crowded, 10);
+}
+
+}  // namespace
+}  // namespace burin::test
