@@ -77,6 +77,12 @@ std::vector<double> radii(const ReplayOptions& options, const std::vector<Record
   return radii;
 }
 
+/// Whether strokes get as many vertices as they need.
+bool refines(const ReplayOptions& options) {
+  const Refining* refining = options.settings.find(&StrokeSettings::refining);
+  return refining && refining->kind != Refining::Kind::off;
+}
+
 bool draws(const ReplayOptions& options) { return !options.png.empty() || !options.report.empty(); }
 
 ReplaySummary replay_all(Session& session, const ReplayOptions& options,
@@ -226,7 +232,8 @@ void run(ReplayOptions& options) {
   options.settings[&StrokeSettings::symmetry].centre -= mesh.origin();
   Session session(mesh.take_surface(), library, merge_solid);
   session.set_paint(mesh.take_paint());
-  warn_of_radii(options.mesh.mesh.path, session.surface(), radii(options, recordings));
+  if (!refines(options))
+    warn_of_radii(options.mesh.mesh.path, session.surface(), radii(options, recordings));
   StrokeRecorder recorder;
   ReplaySummary summary = replay_all(session, options, recordings, recorder);
   with_file_context(options.mesh.mesh.path, [&] { check_replaced(session, mesh, options); });

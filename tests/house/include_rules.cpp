@@ -31,7 +31,7 @@ const std::map<std::string, Names> may_include = {
     {"image_module", {"image_codec"}},
     {"deform", {"abi", "chart", "volume"}},
     {"feature", {"chart"}},
-    {"refine", {"chart"}},
+    {"refine", {"surface"}},
     {"volume", {"chart"}},
     {"along", {"volume"}},
     {"remesh", {"base"}},

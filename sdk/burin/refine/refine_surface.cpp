@@ -63,6 +63,34 @@ class LongEdges {
   std::unordered_map<Index, double> allowed_;  ///< [vertex] length
 };
 
+/// Two faces at an edge from a to b, with the apexes c to the left and d to the right.
+struct Quad {
+  const Vec3d &a, &b, &c, &d;
+
+  /// Whether the angles opposite to the edge sum up to at most two right angles.
+  bool is_delaunay() const {
+    const Vec3d ca = a - c, cb = b - c, da = a - d, db = b - d;
+    const double sine = ca.cross(cb).norm() * da.dot(db) + da.cross(db).norm() * ca.dot(cb);
+    constexpr double enough = -1e-6;  // of the sine of the sum; `sine` is that times four lengths
+    return !(sine <
+             enough * std::sqrt(ca.squaredNorm() * cb.squaredNorm() * da.squaredNorm() * db.squaredNorm()));
+  }
+
+  double longest_diagonal() const { return std::sqrt(std::max((b - a).squaredNorm(), (d - c).squaredNorm())); }
+
+  /// Whether the edge from c to d is at most so far from that from a to b, and both new faces look where the
+  /// old ones do.
+  bool can_flip(double most_apart) const {
+    const Vec3d across = (b - a).cross(d - c);
+    if (!(std::abs((c - a).dot(across)) <= most_apart * across.norm())) return false;
+    const Vec3d up = (a - c).cross(b - c) + (b - d).cross(a - d);
+    const Vec3d first = (a - c).cross(d - c), second = (b - d).cross(c - d);
+    constexpr double agrees = 0.7;
+    const double least = agrees * up.norm();
+    return least > 0 && first.dot(up) > least * first.norm() && second.dot(up) > least * second.norm();
+  }
+};
+
 class Refinement {
  public:
   Refinement(const Surface& surface, const EdgeLength& lengths, std::size_t most)
@@ -290,35 +318,17 @@ bool Refinement::should_flip(Side side, bool only_in_plane) {
   if (mesh_.is_sharp_side(side)) return false;
   const Side other = mesh_.twin(side);
   if (other == no_index || mesh_.from(other) != mesh_.to(side)) return false;
-  mesh_.connect(other / 3);
   const Index a = mesh_.from(side), b = mesh_.to(side), c = mesh_.apex(side), d = mesh_.apex(other);
-  const Vec3d &pa = mesh_.position(a), &pb = mesh_.position(b), &pc = mesh_.position(c), &pd = mesh_.position(d);
   // Where faces around a vertex are not one fan, the new edge might be there already.
   if (mesh_.vertices()[c].is_crowded || mesh_.vertices()[d].is_crowded) return false;
-  // Delaunay: the angles opposite to the edge sum up to at most two right angles.
-  const Vec3d ca = pa - pc, cb = pb - pc, da = pa - pd, db = pb - pd;
-  const Vec3d one = ca.cross(cb), two = db.cross(da);
-  constexpr double enough = -1e-6;
-  const double sine = one.norm() * da.dot(db) + two.norm() * ca.dot(cb);  // of the sum, times all lengths
-  if (!(sine < enough * std::sqrt(ca.squaredNorm() * cb.squaredNorm() * da.squaredNorm() * db.squaredNorm())))
-    return false;
-  // How far the edges are apart: by so much the surface changes.
-  const Vec3d across = (pb - pa).cross(pd - pc);
-  const double size = across.norm();
-  if (!(size > 0)) return false;
-  const double apart = std::abs((pc - pa).dot(across)) / size;
+  const Quad quad{mesh_.position(a), mesh_.position(b), mesh_.position(c), mesh_.position(d)};
+  if (quad.is_delaunay()) return false;
   constexpr double in_plane = 2e-6, nearly = 0.01;
-  const double longest = std::max((pb - pa).norm(), (pd - pc).norm());
-  double most = in_plane * longest;
+  double most = in_plane * quad.longest_diagonal();
   if (!only_in_plane) most = std::max(most, nearly * std::min({allowed(a), allowed(b), allowed(c), allowed(d)}));
-  if (apart > most) return false;
-  // Both new faces look where the old ones did.
-  const Vec3d up = one + two;
-  const Vec3d first = (pa - pc).cross(pd - pc), second = (pb - pd).cross(pc - pd);
-  constexpr double agrees = 0.7;
-  const double least = agrees * up.norm();
-  if (!(first.dot(up) > least * first.norm() && second.dot(up) > least * second.norm())) return false;
-  return first.norm() > 0 && second.norm() > 0 && !mesh_.are_joined(RegionMesh::before(side), d);
+  if (!quad.can_flip(most)) return false;
+  mesh_.connect(other / 3);
+  return !mesh_.are_joined(RegionMesh::before(side), d);
 }
 
 SurfacePatch Refinement::patch() const {

@@ -3,6 +3,7 @@
 // spheres; but where triangles of very different size meet they are weighted by area, since large ones are
 // facets that fillets meet without a bend.
 #include <burin/refine/smooth_facets.h>
+#include <burin/surface/geometry/triangle_shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,15 +23,13 @@ Vec3d area_vector(const Surface& surface, Index triangle) {
   return (position(surface, t[1]) - a).cross(position(surface, t[2]) - a);
 }
 
-std::size_t corner_at(const Triangle& t, Index vertex) {
-  return vertex == t[0] ? 0 : vertex == t[1] ? 1 : vertex == t[2] ? 2 : 3;
-}
+bool has_vertex(const Triangle& t, Index vertex) { return std::ranges::find(t, vertex) != t.end(); }
 
 /// Whether the texture goes on from one triangle to the other across the side from a to b.
 bool has_seam(const Surface& surface, Index t, Index other, Index a, Index b) {
   if (surface.triangle_uv.empty()) return false;
   const auto uv = [&](Index triangle, Index vertex) {
-    return surface.triangle_uv[triangle][corner_at(surface.triangles[triangle], vertex)];
+    return surface.triangle_uv[triangle][corner_of(surface.triangles[triangle], vertex)];
   };
   return uv(t, a) != uv(other, a) || uv(t, b) != uv(other, b);
 }
@@ -49,7 +48,7 @@ void triangles_beside(const Surface& surface, Index triangle, std::size_t side, 
   beside.clear();
   const bool fewer = surface.incident[a].size() <= surface.incident[b].size();
   for (const Index other : surface.incident[fewer ? a : b])
-    if (other != triangle && corner_at(surface.triangles[other], fewer ? b : a) < 3) beside.push_back(other);
+    if (other != triangle && has_vertex(surface.triangles[other], fewer ? b : a)) beside.push_back(other);
 }
 
 bool is_sharp(const Surface& surface, Index triangle, std::size_t side) {
@@ -58,14 +57,15 @@ bool is_sharp(const Surface& surface, Index triangle, std::size_t side) {
   if (beside.size() != 1) return true;
   const Triangle &t = surface.triangles[triangle], &other = surface.triangles[beside[0]];
   const Index a = t[side], b = t[(side + 1) % 3];
-  if (other[(corner_at(other, a) + 2) % 3] != b) return true;
+  if (other[(corner_of(other, a) + 2) % 3] != b) return true;
   if (has_seam(surface, triangle, beside[0], a, b)) return true;
   const Vec3d n = area_vector(surface, triangle), m = area_vector(surface, beside[0]);
   return !(n.dot(m) >= sharp_cosine * std::sqrt(n.squaredNorm() * m.squaredNorm()));
 }
 
-/// The fans of the triangles around a vertex between sharp edges have one normal each.
-void SmoothFacets::compute_normals(Index vertex) {
+/// [i] the first of the triangles around a vertex with which its i-th one hangs together across edges that are
+/// not sharp.
+std::vector<std::size_t> SmoothFacets::fans_around(Index vertex) {
   const std::span<const Index> around = surface_->incident[vertex];
   std::vector<std::size_t> fan(around.size());
   std::iota(fan.begin(), fan.end(), std::size_t{0});
@@ -74,8 +74,7 @@ void SmoothFacets::compute_normals(Index vertex) {
     return i;
   };
   for (std::size_t i = 0; i < around.size(); ++i) {
-    const Triangle& t = surface_->triangles[around[i]];
-    const std::size_t corner = corner_at(t, vertex);
+    const std::size_t corner = corner_of(surface_->triangles[around[i]], vertex);
     for (const std::size_t side : {corner, (corner + 2) % 3}) {
       if (is_sharp(*surface_, around[i], side)) continue;
       triangles_beside(*surface_, around[i], side, beside_);
@@ -84,24 +83,36 @@ void SmoothFacets::compute_normals(Index vertex) {
       fan[std::max(one, two)] = std::min(one, two);
     }
   }
-  std::vector<Vec3d> sums(around.size(), Vec3d::Zero()), by_area = sums;
-  std::vector<double> least(around.size(), std::numeric_limits<double>::infinity()), most(around.size(), 0);
+  for (std::size_t i = 0; i < fan.size(); ++i) fan[i] = find(i);
+  return fan;
+}
+
+/// The fans of the triangles around a vertex between sharp edges have one normal each.
+void SmoothFacets::compute_normals(Index vertex) {
+  const std::span<const Index> around = surface_->incident[vertex];
+  const std::vector<std::size_t> fan = fans_around(vertex);
+  struct Sum {
+    Vec3d by_shape = Vec3d::Zero(), by_area = Vec3d::Zero();
+    double least = std::numeric_limits<double>::infinity(), most = 0;  ///< areas
+  };
+  std::vector<Sum> sums(around.size());
   for (std::size_t i = 0; i < around.size(); ++i) {
     const Triangle& t = surface_->triangles[around[i]];
-    const std::size_t corner = corner_at(t, vertex), root = find(i);
+    const std::size_t corner = corner_of(t, vertex);
     const Vec3d at = position(*surface_, vertex), area = area_vector(*surface_, around[i]);
     const double b = (position(*surface_, t[(corner + 1) % 3]) - at).squaredNorm(),
                  c = (position(*surface_, t[(corner + 2) % 3]) - at).squaredNorm();
-    if (b > 0 && c > 0) sums[root] += area / (b * c);
-    by_area[root] += area;
-    least[root] = std::min(least[root], area.norm());
-    most[root] = std::max(most[root], area.norm());
+    Sum& sum = sums[fan[i]];
+    if (b > 0 && c > 0) sum.by_shape += area / (b * c);
+    sum.by_area += area;
+    sum.least = std::min(sum.least, area.norm());
+    sum.most = std::max(sum.most, area.norm());
   }
   constexpr double facets_differ = 8;
   std::vector<Vec3d>& normals = normals_[vertex];
   for (std::size_t i = 0; i < around.size(); ++i) {
-    const std::size_t root = find(i);
-    normals.push_back((most[root] > facets_differ * least[root] ? by_area : sums)[root].stableNormalized());
+    const Sum& sum = sums[fan[i]];
+    normals.push_back((sum.most > facets_differ * sum.least ? sum.by_area : sum.by_shape).stableNormalized());
   }
 }
 

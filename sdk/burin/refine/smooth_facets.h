@@ -54,6 +54,7 @@ class SmoothFacets {
   void bend(Index triangle, Facet& facet);
   FacetPlace nearest_on(Index triangle, const Vec3d& point);
   Vec3d normal(Index triangle, std::size_t corner);
+  std::vector<std::size_t> fans_around(Index vertex);
   void compute_normals(Index vertex);
 
   const Surface* surface_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "../../refine/refined.h"
 #include "../sessions.h"
@@ -181,6 +182,189 @@ TEST(Refining, RefusesMoreThanTenMillionTriangles) {
             "refining the surface to edges of 1e-05 would take about 1.4e+10 triangles, more than 10000000");
   EXPECT_EQ(Everything(session), before);
   EXPECT_EQ(session.generation(), 0u);
+}
+
+/// A plate with round corners of slivers, whose long sides are 200 times as long as the short ones.
+TriangleMesh sliver_plate() {
+  constexpr int steps = 60;  // of each corner
+  const auto corner = [](double x, double y, double begin, std::vector<Vec3d>& outline) {
+    for (int i = 0; i <= steps; ++i) {
+      const double angle = (begin + static_cast<double>(i) / steps) * std::numbers::pi / 2;
+      outline.emplace_back(x + 0.2 * std::cos(angle), y + 0.2 * std::sin(angle), 0);
+    }
+  };
+  std::vector<Vec3d> outline;
+  corner(1.8, 0.2, -1, outline);
+  corner(1.8, 0.8, 0, outline);
+  corner(0.2, 0.8, 1, outline);
+  corner(0.2, 0.2, 2, outline);
+  TriangleMesh mesh;
+  for (const Vec3d& p : outline)
+    for (const double z : {0., 1.})
+      mesh.positions.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(z));
+  const auto count = static_cast<Index>(outline.size());
+  for (Index i = 0; i < count; ++i) {
+    const Index a = 2 * i, b = 2 * ((i + 1) % count);
+    mesh.triangles.push_back({a, b, a + 1});
+    mesh.triangles.push_back({b, b + 1, a + 1});
+    if (i == 0 || i + 1 == count) continue;
+    mesh.triangles.push_back({0, b, a});
+    mesh.triangles.push_back({1, a + 1, b + 1});
+  }
+  return mesh;
+}
+
+/// The mesh with edges of about this length all over.
+TriangleMesh remeshed(const TriangleMesh& mesh, double edge) {
+  const Surface surface = make_surface(mesh);
+  std::vector<Index> all(surface.triangles.size());
+  for (Index t = 0; t < all.size(); ++t) all[t] = t;
+  const EdgeLength lengths({{Vec3d::Zero()}}, 100, edge);
+  const Surface after = patched(surface, refine_surface(surface, lengths, all, 10'000'000)).surface;
+  TriangleMesh result{after.positions, after.triangles};
+  return result;
+}
+
+struct Difference {
+  double rms = 0, most = 0;  ///< object units
+  std::size_t count = 0;
+};
+
+/// How far the vertices that a stroke moved are from another surface.
+Difference difference(const Session& one, const Session& other, double near) {
+  const Surface& from = one.surface();
+  Difference found;
+  const SurfaceCurve& curve = one.curve();
+  for (const Vec3f& p : from.positions) {
+    const bool is_near = std::ranges::any_of(curve.points, [&](const CurvePoint& point) {
+      return (point.at.position - p).squaredNorm() < static_cast<float>(near * near);
+    });
+    if (!is_near) continue;
+    const double apart = static_cast<double>(
+        (other.picker().closest(p, std::numeric_limits<float>::max())->position - p).norm());
+    found.rms += apart * apart;
+    found.most = std::max(found.most, apart);
+    ++found.count;
+  }
+  found.rms = std::sqrt(found.rms / static_cast<double>(found.count));
+  return found;
+}
+
+/// Draws a stroke on a mesh that it refines, and on the same with such edges everywhere.
+void expect_groove_of_uniform_mesh(const TriangleMesh& mesh, const std::vector<Vec3d>& path, const char* what) {
+  SCOPED_TRACE(what);
+  constexpr double edge = radius / 16, depth = 0.25 * radius;
+  Session local(make_surface(mesh), brushes()), uniform(make_surface(remeshed(mesh, edge)), brushes());
+  draw_along(local, refining(edge), path);
+  draw_along(uniform, settings("org.burin.groove", radius), path);
+  const Difference found = difference(local, uniform, radius);
+  EXPECT_GT(found.count, 2000u);
+  std::printf("%s rms %.4f most %.4f of depth, %zu of %zu triangles\n", what, found.rms / depth,
+              found.most / depth, local.surface().triangles.size(), uniform.surface().triangles.size());
+  EXPECT_LT(found.rms, 0.02 * depth);
+  EXPECT_LT(local.surface().triangles.size(), uniform.surface().triangles.size());
+}
+
+TEST(Refining, GivesTheGrooveOfAUniformMesh) {
+  std::vector<Vec3d> over_the_corner = straight({1.5, 0.7, 1}, {2, 0.95, 1});
+  for (const Vec3d& place : straight({2, 0.95, 1}, {2, 0.6, 0.6})) over_the_corner.push_back(place);
+  over_the_corner.erase(over_the_corner.begin() + 41);
+  std::vector<Vec3d> around;
+  for (int i = 0; i <= 60; ++i) {
+    const double angle = (-1 + i / 60.) * std::numbers::pi / 2;
+    around.emplace_back(1.8 + 0.2 * std::cos(angle), 0.2 + 0.2 * std::sin(angle), 0.5 + 0.3 * i / 60.);
+  }
+  expect_groove_of_uniform_mesh(box({2, 1, 1}), over_the_edge(), "box, over an edge");
+  expect_groove_of_uniform_mesh(box({2, 1, 1}), over_the_corner, "box, over a corner");
+  expect_groove_of_uniform_mesh(sliver_plate(), around, "slivers");
+}
+
+TEST(Refining, GivesExactDistancesOverTheEdgeOfABox) {
+  Session session = box_session();
+  StrokeSettings exact = refining_if_coarse();
+  exact.follow = 1;
+  exact.strength = 0;
+  draw_along(session, exact, over_the_edge());
+  // Unfolded, the path is straight on each of both faces and bends at the edge x = 2.
+  const auto unfolded = [](const Vec3f& p) {
+    const bool on_top = p.z() == 1;
+    return Vec2d(on_top ? static_cast<double>(p.x()) : 3 - static_cast<double>(p.z()), static_cast<double>(p.y()));
+  };
+  const std::array<Vec2d, 3> line{Vec2d(1.2, 0.4), Vec2d(2, 0.5), Vec2d(2.7, 0.6)};
+  const Chart& chart = session.chart();
+  double sum = 0;
+  for (std::size_t i = 0; i < chart.size(); ++i) {
+    const Vec2d at = unfolded(session.surface().positions[chart.vertex[i]]);
+    double nearest = 1e9;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vec2d along = line[k + 1] - line[k], way = at - line[k];
+      const double share = std::clamp(way.dot(along) / along.squaredNorm(), 0., 1.);
+      nearest = std::min(nearest, (way - share * along).norm());
+    }
+    const double t = chart.t[i], d = static_cast<double>(chart.d[i]);
+    const double beyond = std::max({-t, t - chart.length, 0.});
+    sum += std::abs(std::sqrt(d * d + beyond * beyond) - nearest);
+  }
+  ASSERT_GT(chart.size(), 5000u);
+  std::printf("mean error of d %.5f r\n", sum / static_cast<double>(chart.size()) / radius);
+  EXPECT_LT(sum / static_cast<double>(chart.size()), 0.003 * radius);
+}
+
+/// The difference, as a share of the amplitude, between what a brush draws on a sphere of few triangles that
+/// it refines, and on one of many.
+void expect_same_as_on_fine_sphere(StrokeSettings with, double edge, double amplitude) {
+  SCOPED_TRACE(with.brush);
+  std::vector<Vec3d> path;
+  for (int i = 0; i <= 80; ++i)
+    path.push_back(Vec3d(std::cos(0.015 * i), std::sin(0.015 * i), 0.2 * std::sin(0.05 * i)).normalized());
+  Session fine(make_surface(sphere(8, 0.1, 1)), brushes()), coarse(make_surface(sphere(4, 0.1, 2)), brushes());
+  draw_along(fine, with, path);
+  with.refining = {.kind = Refining::Kind::edge, .edge = edge};
+  draw_along(coarse, with, path);
+  const Difference found = difference(coarse, fine, 0.9 * with.radius);
+  std::printf("%s rms %.4f most %.4f of amplitude, %zu of %zu triangles\n", with.brush.c_str(), found.rms / amplitude,
+              found.most / amplitude, coarse.surface().triangles.size(), fine.surface().triangles.size());
+  EXPECT_LT(found.rms, 0.01 * amplitude);
+  EXPECT_LT(coarse.surface().triangles.size(), fine.surface().triangles.size() / 10);
+}
+
+TEST(Refining, GivesWhatAFineMeshGivesWithATenthOfItsTriangles) {
+  expect_same_as_on_fine_sphere(settings("org.burin.groove", 0.1), 0.1 / 24, 0.025);
+  StrokeSettings text = settings("org.burin.text", 0.1);
+  text.params["text"] = std::string("BURIN");
+  expect_same_as_on_fine_sphere(text, 0.1 / 32, 0.02);
+}
+
+TEST(Refining, GoesOnAsThePenComes) {
+  // Told nothing of the path, and drawn on what came out of that from the start.
+  Session live = box_session();
+  const StrokeSettings with = refining(0.02);
+  live.begin_stroke(with);
+  double time = 0;
+  std::size_t replaced = 0;
+  for (const Vec3d& place : over_the_edge()) {
+    const std::uint64_t generation = live.generation();
+    const StrokeEvent event = live.add_sample(place, time += 0.01, {});
+    ASSERT_EQ(event.outcome, StrokeEvent::Outcome::drawn);
+    if (live.generation() == generation) continue;
+    ++replaced;
+    EXPECT_EQ(event.changed.size(), live.surface().vertex_count());
+  }
+  EXPECT_GE(replaced, 2u);
+  EXPECT_LE(replaced, 8u);
+  TriangleMesh mesh;
+  mesh.positions.resize(live.surface().vertex_count());
+  const std::vector<Index>& source = live.surface().source_vertex;
+  for (Index v = 0; v < source.size(); ++v) mesh.positions[source[v]] = live.surface().positions[v];
+  for (const auto& [a, b, c] : live.surface().triangles) mesh.triangles.push_back({source[a], source[b], source[c]});
+  live.end_stroke();
+  ASSERT_EQ(live.refinements().size(), 1u);
+  Session told(make_surface(mesh), brushes());
+  draw_along(told, with, over_the_edge());
+  EXPECT_EQ(told.generation(), 0u);
+  EXPECT_EQ(told.result_hash(), live.result_hash());
+  EXPECT_TRUE(live.undo());
+  EXPECT_EQ(live.surface().triangles.size(), 12u);
 }
 
 }  // namespace

@@ -64,6 +64,7 @@ const std::map<std::string, Example>& examples() {
       {"accumulate", {"current", {"current"}}},
       {"clamp", {true, {}, {{"strength", 9}}, {"--strength", "9"}}},
       {"dabs", {0.5, {"0.5"}}},
+      {"refine", {"edge:0.05", {"edge:0.05"}}},
       {"solid", {"none", {"none"}, {{"brush", "org.burin.tube"}}, {"--brush", "org.burin.tube"}}},
       {"voxel", {0.02, {"0.02"}, {{"brush", "org.burin.tube"}}, {"--brush", "org.burin.tube"}}},
       {"blend",

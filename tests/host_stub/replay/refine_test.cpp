@@ -1,0 +1,99 @@
+// `burin replay --refine`: what it draws on a box of 12 triangles, says and refuses.
+#include <burin/surface/mesh_file.h>
+#include <burin/surface/triangulate.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "../run_command.h"
+#include "support/point_shapes.h"
+
+namespace burin::test {
+namespace {
+
+/// A box of 2 x 1 x 1 as an STL file of 12 triangles, and a stroke over its top.
+struct Box {
+  CommandFolder folder;
+  std::string mesh = folder.write("box.stl", stl_text());
+  std::string stroke = folder.write("a.stroke", stroke_text());
+  std::string saved = folder.path("out.ply");
+
+  static std::string stl_text() {
+    const int faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                              {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    std::string text = "solid box\n";
+    for (const auto& face : faces) {
+      text += "facet normal 0 0 0\nouter loop\n";
+      for (const int i : face) text += fmt::format("vertex {} {} {}\n", i & 1 ? 2 : 0, i >> 1 & 1, i >> 2 & 1);
+      text += "endloop\nendfacet\n";
+    }
+    return text + "endsolid box\n";
+  }
+  static std::string stroke_text() {
+    std::string text =
+        "{\"burin_stroke\":1,\"space\":\"object\"}\n"
+        "{\"begin\":{\"brush\":\"org.burin.groove\",\"radius\":0.12},\"fields\":[\"x\",\"y\",\"z\"]}\n";
+    for (int i = 0; i <= 40; ++i) text += fmt::format("[{},0.5,1]\n", 0.4 + 0.03 * i);
+    return text + "{\"end\":true}\n";
+  }
+  std::vector<std::string> command(const std::vector<std::string>& options) const {
+    std::vector<std::string> all = {"replay", stroke, "--mesh", mesh, "--save-mesh", saved};
+    all.insert(all.end(), options.begin(), options.end());
+    return all;
+  }
+  /// The line with which the command refuses the options.
+  std::string refusal(const std::vector<std::string>& options) const {
+    const ProcessResult result = burin(command(options));
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(saved));
+    return result.err;
+  }
+};
+
+TEST(Refine, DrawsAGrooveOnABoxAndSaysWhatItAdded) {
+  const Box box;
+  const nlohmann::json result = burin_json(box.command({"--refine", "auto"}));
+  const TriangleMesh mesh = triangulate(read_mesh(box.saved));
+  ASSERT_EQ(result["refined"].size(), 1u);
+  EXPECT_EQ(result["refined"][0]["triangles_added"], mesh.triangles.size());
+  EXPECT_EQ(result["refined"][0]["triangles_removed"], 12);
+  EXPECT_GE(result["refined"][0]["seconds"]["split"], 0.0);
+  float deepest = 1;
+  for (const Vec3f& p : mesh.positions)
+    if (p.x() > 0.8F && p.x() < 1.2F && p.y() > 0.4F && p.y() < 0.6F && p.z() > 0.8F)
+      deepest = std::min(deepest, p.z());
+  EXPECT_NEAR(deepest, 1 - 0.25F * 0.12F, 1e-4F);
+  const std::string text = burin_output(box.command({"--refine", "auto"}));
+  EXPECT_NE(text.find(fmt::format("\nrefined         {} triangles in place of 12, with edges of about 0.0075, in",
+                                  mesh.triangles.size())),
+            std::string::npos)
+      << text;
+}
+
+TEST(Refine, IsOffUnlessAskedFor) {
+  const Box box;
+  EXPECT_FALSE(nlohmann::json::parse(burin(box.command({"--json"})).out).contains("refined"));
+  EXPECT_EQ(read_mesh(box.saved).face_sizes.size(), 12u);
+}
+
+TEST(Refine, RefusesInOneLine) {
+  const Box box;
+  for (const char* length : {"edge:0", "edge:-1", "edge:nan", "edge:inf", "edge:", "edge:1x", "edge", "0.01", "1e-60"})
+    EXPECT_NE(box.refusal({"--refine", length}).find("--refine: must be auto, off or edge:LENGTH, above 0"),
+              std::string::npos)
+        << length;
+  EXPECT_NE(box.refusal({"--refine", "edge:1e-6"})
+                .find("stroke 1: refining the surface to edges of 1e-06 would take about 1e+12 triangles, more than "
+                      "10000000"),
+            std::string::npos);
+  EXPECT_NE(box.refusal({"--refine", "auto", "--bake", box.folder.path("a.exr")}).find("burin: "), std::string::npos);
+  Box points;
+  points.mesh = points.folder.write("points.ply", ply_text(plane_points(1, 0.1, 1)));
+  EXPECT_NE(points.refusal({"--refine", "auto"}).find("points.ply: "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace burin::test
