@@ -57,10 +57,10 @@ Json refinements_json(std::span<const RefineReport> refinements) {
 std::string refinements_text(std::span<const RefineReport> refinements) {
   std::string text;
   for (const RefineReport& refined : refinements)
-    text += fmt::format(
-        "refined         {} triangles in place of {}, with edges of about {:.3g}, in {:.3f} s\n",
-        refined.triangles_added, refined.triangles_removed, refined.edge,
-        refined.split_seconds + refined.rebuild_seconds);
+    text +=
+        fmt::format("refined         {} triangles in place of {}, with edges of about {:.3g}, in {:.3f} s\n",
+                    refined.triangles_added, refined.triangles_removed, refined.edge,
+                    refined.split_seconds + refined.rebuild_seconds);
   return text;
 }
 

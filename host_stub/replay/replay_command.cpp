@@ -124,8 +124,9 @@ void warn_of_lost_paint(const Session& session, const ReplayMesh& mesh) {
 void check_replaced(const Session& session, const ReplayMesh& mesh, const ReplayOptions& options) {
   if (session.generation() == 0) return;
   if (mesh.has_levels())
-    throw Error("solids can be merged with the surface on the finest level only, see --sculpt-level; and it can "
-                "be refined there only");
+    throw Error(
+        "solids can be merged with the surface on the finest level only, see --sculpt-level; and it can "
+        "be refined there only");
   if (options.bake.asked())
     throw Error("a surface that solids were merged with, or that was refined, cannot be baked");
 }
@@ -232,8 +233,7 @@ void run(ReplayOptions& options) {
   options.settings[&StrokeSettings::symmetry].centre -= mesh.origin();
   Session session(mesh.take_surface(), library, merge_solid);
   session.set_paint(mesh.take_paint());
-  if (!refines(options))
-    warn_of_radii(options.mesh.mesh.path, session.surface(), radii(options, recordings));
+  if (!refines(options)) warn_of_radii(options.mesh.mesh.path, session.surface(), radii(options, recordings));
   StrokeRecorder recorder;
   ReplaySummary summary = replay_all(session, options, recordings, recorder);
   with_file_context(options.mesh.mesh.path, [&] { check_replaced(session, mesh, options); });
@@ -257,10 +257,10 @@ void run(ReplayOptions& options) {
     camera = replay_view(session.surface(), recorder.extent(), recordings, options.view);
     write_pictures(options, session, mesh, parts, recorder, *camera, summary, json);
   }
-  write_result(options.json ? json_text(json)
-                            : mesh.text() + "\n" + summary_text(summary) + parts.text() +
-                                  merges_text(session.merges()) +
-                                  refinements_text(session.refinements()) + "\n");
+  write_result(options.json
+                   ? json_text(json)
+                   : mesh.text() + "\n" + summary_text(summary) + parts.text() +
+                         merges_text(session.merges()) + refinements_text(session.refinements()) + "\n");
   if (options.watch) watch_last(options, session, library, recordings, camera);
 }
 

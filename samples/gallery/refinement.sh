@@ -26,17 +26,17 @@ awk 'BEGIN {
 
 # stroke BRUSH RADIUS X,Y,Z...: straight from place to place.
 stroke() {
-  printf '{"burin_stroke":1,"space":"object"}\n{"begin":{"brush":"org.burin.%s","radius":%s},"fields":["x","y","z"]}\n' "$1" "$2"
+  printf '{"burin_stroke":1,"space":"object"}\n{"begin":{"brush":"org.burin.%s","radius":0%s},"fields":["x","y","z"]}\n' "$1" "$2"
   shift 2
   printf '%s\n' "$@" | awk -F, 'NR > 1 { for (i = 0; i < 40; ++i) { s = i / 40
     printf "[%.6f,%.6f,%.6f]\n", x + s * ($1 - x), y + s * ($2 - y), z + s * ($3 - z) } }
-    { x = $1; y = $2; z = $3 } END { printf "[%s,%s,%s]\n{\"end\":true}\n", x, y, z }'
+    { x = $1; y = $2; z = $3 } END { printf "[%.6f,%.6f,%.6f]\n{\"end\":true}\n", x, y, z }'
 }
-stroke groove .12 1,.3,1 1.6,.3,1 2,.55,1 2,.75,.6 2,1,.5 1.3,1,.4 >"$work/groove.stroke"
-stroke text .15 .35,.5,.4 1.7,.5,.4 >"$work/text.stroke"
+stroke groove .15 1,.3,1 1.6,.3,1 2,.55,1 2,.75,.6 2,1,.5 1.3,1,.4 >"$work/groove.stroke"
+stroke text .22 .3,.5,.4 1.7,.5,.4 >"$work/text.stroke"
 
 size=(--width 640 --height 480)
-"$burin" replay "$work/groove.stroke" --mesh "$work/box.obj" --refine auto --view=-1,-.9,-.8 "${size[@]}" --png "$work/1.png"
-"$burin" replay "$work/text.stroke" --mesh "$work/plate.obj" --refine edge:.004 --param text=Burin --param size=1.4 \
+"$burin" replay "$work/groove.stroke" --mesh "$work/box.obj" --refine auto --param depth=.3 --view=-1,-.7,-.8 "${size[@]}" --png "$work/1.png"
+"$burin" replay "$work/text.stroke" --mesh "$work/plate.obj" --refine edge:.004 --param text=Burin --param size=1.5 \
   --view=.1,.3,-1 "${size[@]}" --png "$work/2.png"
 oiiotool "$work/1.png" "$work/2.png" --mosaic 2x1 -o samples/gallery/refinement.png

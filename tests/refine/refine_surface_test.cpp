@@ -36,7 +36,8 @@ double area(const Surface& surface) {
   double sum = 0;
   for (const Triangle& t : surface.triangles) {
     const Vec3d a = surface.positions[t[0]].cast<double>();
-    sum += (surface.positions[t[1]].cast<double>() - a).cross(surface.positions[t[2]].cast<double>() - a).norm();
+    sum +=
+        (surface.positions[t[1]].cast<double>() - a).cross(surface.positions[t[2]].cast<double>() - a).norm();
   }
   return sum;
 }
@@ -146,13 +147,15 @@ TEST(RefineSurface, HalvesTextureCoordinatesWithTheEdges) {
     Eigen::Index axis = 0;
     (at(1) - at(0)).cross(at(2) - at(0)).cwiseAbs().maxCoeff(&axis);
     for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_LT((after.triangle_uv[t][i] - Vec2f(at(i)[(axis + 1) % 3], at(i)[(axis + 2) % 3])).norm(), 1e-5F);
+      EXPECT_LT((after.triangle_uv[t][i] - Vec2f(at(i)[(axis + 1) % 3], at(i)[(axis + 2) % 3])).norm(),
+                1e-5F);
   }
 }
 
 TEST(RefineSurface, RefusesMoreTrianglesThanAllowed) {
   const Refinable refinable(box({2, 1, 1}), straight({0.2, 0.5, 1}, {1.8, 0.6, 1}), 0.15, 0.01);
-  EXPECT_EQ(error_of([&] { refinable.refine(5000); }), "refining the surface would take more than 5000 triangles");
+  EXPECT_EQ(error_of([&] { refinable.refine(5000); }),
+            "refining the surface would take more than 5000 triangles");
 }
 
 /// Triangles of random corners: edges with any number of triangles, in any direction, and some without area.

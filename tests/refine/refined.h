@@ -72,7 +72,8 @@ struct Shapes {
     for (const Triangle& t : surface.triangles) {
       std::array<Vec3d, 3> p;
       for (std::size_t i = 0; i < 3; ++i) p[i] = surface.positions[t[i]].cast<double>();
-      const bool within = std::ranges::all_of(p, [&](const Vec3d& at) { return lengths.at(at) <= lengths.edge(); });
+      const bool within =
+          std::ranges::all_of(p, [&](const Vec3d& at) { return lengths.at(at) <= lengths.edge(); });
       if (!within && !all) continue;
       for (std::size_t i = 0; i < 3; ++i) {
         const Vec3d b = p[(i + 1) % 3] - p[i], c = p[(i + 2) % 3] - p[i];

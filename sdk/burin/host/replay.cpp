@@ -86,8 +86,8 @@ void Replayer::draw(const RecordedStroke& stroke, const ReplaySettings& settings
   const std::size_t pieces_before = result_.pieces;
   const Closure of_a_piece = closure_of_piece(closure);
   const auto end_piece = [&] { end([&] { return session_.end_piece(of_a_piece); }); };
-  session_.begin_stroke(settings, settings.refining.kind == Refining::Kind::off ? std::vector<Vec3d>{}
-                                                                               : places_of(stroke));
+  session_.begin_stroke(
+      settings, settings.refining.kind == Refining::Kind::off ? std::vector<Vec3d>{} : places_of(stroke));
   for (const Sample& sample : stroke.samples) {
     const Outcome outcome = add_in_pieces(
         drawn_in_piece_ > 0, [&] { return add(sample); }, end_piece);

@@ -103,7 +103,7 @@ struct Session::Impl {
   Made<MergeReport> merges;
   Made<RefineReport> refinements;
   std::optional<RefineReport> refined;  ///< for the stroke that is not finished
-  std::vector<std::string> warnings;  ///< of finished strokes
+  std::vector<std::string> warnings;    ///< of finished strokes
   Made<TriangleMesh> bent_meshes;
   EventCost cost;
 };
@@ -377,8 +377,7 @@ void Session::begin_stroke(const StrokeSettings& settings, std::span<const Vec3d
     if (settings.refining.kind == Refining::Kind::off) return;
     impl_->given_samples.emplace(entry, settings);
     Stopwatch watch;
-    const auto patch =
-        refined_along(impl_->surface.base(), impl_->surface.picker(), settings, path);
+    const auto patch = refined_along(impl_->surface.base(), impl_->surface.picker(), settings, path);
     const double seconds = watch.lap();
     if (!impl_->refine(patch)) return;
     impl_->refined->edge = refined_edge(settings);

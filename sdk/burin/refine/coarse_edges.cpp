@@ -23,7 +23,8 @@ bool CoarseEdges::are_near(const Surface& surface, Index triangle, const Vec3d& 
   const Vec3d along = to - from;
   const double squared_length = along.squaredNorm();
   const auto is_within = [&](const Vec3d& place) {
-    const double share = squared_length > 0 ? std::clamp((place - from).dot(along) / squared_length, 0., 1.) : 0;
+    const double share =
+        squared_length > 0 ? std::clamp((place - from).dot(along) / squared_length, 0., 1.) : 0;
     return (place - from - share * along).squaredNorm() <= reach * reach;
   };
   const auto place_of = [&](Index vertex) -> Vec3d { return surface.positions[vertex].cast<double>(); };

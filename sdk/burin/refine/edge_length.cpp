@@ -70,7 +70,8 @@ void EdgeLength::nearest_below(std::size_t level, std::size_t node, const Vec3d&
     if (apart[i - first] < apart[nearest - first]) nearest = i;
   }
   const auto visit = [&](std::size_t i) {
-    if (squared > radius_ * radius_ && apart[i - first] < squared) nearest_below(level - 1, i, place, squared);
+    if (squared > radius_ * radius_ && apart[i - first] < squared)
+      nearest_below(level - 1, i, place, squared);
   };
   visit(nearest);
   for (std::size_t i = first; i < end; ++i)

@@ -1,8 +1,8 @@
-// Bisection of longest edges [M.-C. Rivara, Algorithms for refining triangular grids suitable for adaptive and
-// multigrid techniques, 1984] with flips towards Delaunay after each split [Rivara, New longest-edge algorithms
-// for the refinement and/or improvement of unstructured triangulations, 1997]. Bisection alone keeps the least
-// angle above half of what it was; flips mend it on facets and where the surface is nearly flat at the scale of
-// the edges. O(n log n) for n new triangles.
+// Bisection of longest edges [M.-C. Rivara, Algorithms for refining triangular grids suitable for adaptive
+// and multigrid techniques, 1984] with flips towards Delaunay after each split [Rivara, New longest-edge
+// algorithms for the refinement and/or improvement of unstructured triangulations, 1997]. Bisection alone
+// keeps the least angle above half of what it was; flips mend it on facets and where the surface is nearly
+// flat at the scale of the edges. O(n log n) for n new triangles.
 #include <burin/base/error.h>
 #include <burin/refine/refine_surface.h>
 #include <burin/refine/region_mesh.h>
@@ -20,8 +20,8 @@
 namespace burin {
 namespace {
 
-/// Goes over the triangles of a surface within the radius, and over those beyond that have edges which are too
-/// long. Calls found(triangle) for the latter, which returns whether to go on.
+/// Goes over the triangles of a surface within the radius, and over those beyond that have edges which are
+/// too long. Calls found(triangle) for the latter, which returns whether to go on.
 class LongEdges {
  public:
   LongEdges(const Surface& surface, const EdgeLength& lengths) : surface_(surface), lengths_(lengths) {}
@@ -76,7 +76,9 @@ struct Quad {
              enough * std::sqrt(ca.squaredNorm() * cb.squaredNorm() * da.squaredNorm() * db.squaredNorm()));
   }
 
-  double longest_diagonal() const { return std::sqrt(std::max((b - a).squaredNorm(), (d - c).squaredNorm())); }
+  double longest_diagonal() const {
+    return std::sqrt(std::max((b - a).squaredNorm(), (d - c).squaredNorm()));
+  }
 
   /// Whether the edge from c to d is at most so far from that from a to b, and both new faces look where the
   /// old ones do.
@@ -141,10 +143,10 @@ class Refinement {
   std::size_t most_;
   RegionMesh mesh_;
   SmoothFacets facets_;
-  std::vector<double> allowed_;    ///< [vertex] length of edges there; 0 where it was not asked for
-  std::vector<FacetPlace> places_; ///< [new vertex]
-  std::vector<Index> new_of_;      ///< [vertex] number among the new ones
-  std::vector<double> pending_;    ///< [face] squared length of its longest edge that is too long, or 0
+  std::vector<double> allowed_;     ///< [vertex] length of edges there; 0 where it was not asked for
+  std::vector<FacetPlace> places_;  ///< [new vertex]
+  std::vector<Index> new_of_;       ///< [vertex] number among the new ones
+  std::vector<double> pending_;     ///< [face] squared length of its longest edge that is too long, or 0
   std::priority_queue<Long> queue_;
   std::vector<Side> to_flip_, opposite_;
   std::vector<Index> touched_;
@@ -160,8 +162,8 @@ bool Refinement::is_long(Side side) {
   const double squared = mesh_.squared_length(side), least = longest_edge_factor * lengths_.edge();
   if (squared <= least * least) return false;
   const Index a = mesh_.from(side), b = mesh_.to(side);
-  return lengths_.is_exceeded(mesh_.position(a), allowed(a), mesh_.position(b), allowed(b), std::sqrt(squared),
-                              longest_edge_factor);
+  return lengths_.is_exceeded(mesh_.position(a), allowed(a), mesh_.position(b), allowed(b),
+                              std::sqrt(squared), longest_edge_factor);
 }
 
 /// no_index where none is too long.
@@ -325,7 +327,8 @@ bool Refinement::should_flip(Side side, bool only_in_plane) {
   if (quad.is_delaunay()) return false;
   constexpr double in_plane = 2e-6, nearly = 0.01;
   double most = in_plane * quad.longest_diagonal();
-  if (!only_in_plane) most = std::max(most, nearly * std::min({allowed(a), allowed(b), allowed(c), allowed(d)}));
+  if (!only_in_plane)
+    most = std::max(most, nearly * std::min({allowed(a), allowed(b), allowed(c), allowed(d)}));
   if (!quad.can_flip(most)) return false;
   mesh_.connect(other / 3);
   return !mesh_.are_joined(RegionMesh::before(side), d);

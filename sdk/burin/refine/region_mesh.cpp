@@ -87,7 +87,8 @@ void RegionMesh::split(Side side, const Vec3d& at, std::vector<Side>& opposite) 
     kept.corners[j] = added.corners[i] = middle;
     kept.uv[j] = added.uv[i] = (kept.uv[i] + kept.uv[j]) / 2;
     const auto fixed = static_cast<Side>(3 * (member / 3)), fresh = static_cast<Side>(3 * made);
-    // The side from the middle on to the apex was that from the end to the apex, which the new face takes over.
+    // The side from the middle on to the apex was that from the end to the apex, which the new face takes
+    // over.
     const Side moved = static_cast<Side>(fixed + j), moved_to = static_cast<Side>(fresh + j);
     const Side before_it = previous(moved), after_it = next(moved);
     link(moved_to, after_it == moved ? moved_to : after_it);

@@ -12,27 +12,27 @@ namespace burin {
 /// A side of a face: 3 * face + i runs from its corner i to the next.
 using Side = Index;
 
-/// The triangles of a surface that are being changed, as faces. Faces are taken in when they are first needed,
-/// so that all costs depend on what is changed. Any number of faces may meet at an edge: the sides of an edge
-/// form a ring, on a border of one side.
+/// The triangles of a surface that are being changed, as faces. Faces are taken in when they are first
+/// needed, so that all costs depend on what is changed. Any number of faces may meet at an edge: the sides of
+/// an edge form a ring, on a border of one side.
 class RegionMesh {
  public:
   /// The surface must outlive the object.
   explicit RegionMesh(const Surface& surface) : surface_(&surface) {}
 
   struct Face {
-    Triangle corners;              ///< vertices of the mesh
-    std::array<Side, 3> next;      ///< [side] the next of the ring; no_index where it is not known yet
-    std::array<bool, 3> sharp{};   ///< [side] once the ring is known: see is_sharp()
-    TriangleUv uv{};               ///< if the surface has them
-    Index origin = no_index;       ///< a triangle of the surface that it came of, or is near to
-    bool changed = false;          ///< it is not that triangle any more
+    Triangle corners;             ///< vertices of the mesh
+    std::array<Side, 3> next;     ///< [side] the next of the ring; no_index where it is not known yet
+    std::array<bool, 3> sharp{};  ///< [side] once the ring is known: see is_sharp()
+    TriangleUv uv{};              ///< if the surface has them
+    Index origin = no_index;      ///< a triangle of the surface that it came of, or is near to
+    bool changed = false;         ///< it is not that triangle any more
   };
 
   struct Vertex {
-    Vec3d at;                      ///< object units, as a float has it
-    Index source = no_index;       ///< its number in the surface
-    bool is_crowded = false;       ///< its faces may form several fans, or more than two meet at its edges
+    Vec3d at;                 ///< object units, as a float has it
+    Index source = no_index;  ///< its number in the surface
+    bool is_crowded = false;  ///< its faces may form several fans, or more than two meet at its edges
   };
 
   const std::vector<Face>& faces() const { return faces_; }

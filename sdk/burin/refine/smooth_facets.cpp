@@ -1,6 +1,6 @@
 // The curved surface over triangles. Normals are the means over the triangles around a vertex up to sharp
-// edges, weighted as N. Max (Weights for Computing Vertex Normals from Facet Normals, 1999), which is exact on
-// spheres; but where triangles of very different size meet they are weighted by area, since large ones are
+// edges, weighted as N. Max (Weights for Computing Vertex Normals from Facet Normals, 1999), which is exact
+// on spheres; but where triangles of very different size meet they are weighted by area, since large ones are
 // facets that fillets meet without a bend.
 #include <burin/refine/smooth_facets.h>
 #include <burin/surface/geometry/triangle_shape.h>
@@ -63,8 +63,8 @@ bool is_sharp(const Surface& surface, Index triangle, std::size_t side) {
   return !(n.dot(m) >= sharp_cosine * std::sqrt(n.squaredNorm() * m.squaredNorm()));
 }
 
-/// [i] the first of the triangles around a vertex with which its i-th one hangs together across edges that are
-/// not sharp.
+/// [i] the first of the triangles around a vertex with which its i-th one hangs together across edges that
+/// are not sharp.
 std::vector<std::size_t> SmoothFacets::fans_around(Index vertex) {
   const std::span<const Index> around = surface_->incident[vertex];
   std::vector<std::size_t> fan(around.size());
@@ -129,8 +129,7 @@ SmoothFacets::Facet& SmoothFacets::facet(Index triangle) {
   Facet made;
   const Triangle& t = surface_->triangles[triangle];
   for (std::size_t i = 0; i < 3; ++i) made.corners[i] = position(*surface_, t[i]);
-  const Vec3d b = made.corners[1] - made.corners[0], c = made.corners[2] - made.corners[0],
-              area = b.cross(c);
+  const Vec3d b = made.corners[1] - made.corners[0], c = made.corners[2] - made.corners[0], area = b.cross(c);
   const double squared = area.squaredNorm();
   made.has_area = squared > 0;
   if (made.has_area) {
@@ -234,8 +233,9 @@ Vec3d SmoothFacets::smooth(const FacetPlace& place) {
   Vec3d sum = 6 * w[0] * w[1] * w[2] * f.middle;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3, last = (i + 2) % 3;
-    sum += w[i] * w[i] * (w[i] * f.corners[i] + 3 * w[next] * f.edge_points[2 * i] +
-                          3 * w[last] * f.edge_points[2 * i + 1]);
+    sum +=
+        w[i] * w[i] *
+        (w[i] * f.corners[i] + 3 * w[next] * f.edge_points[2 * i] + 3 * w[last] * f.edge_points[2 * i + 1]);
   }
   return sum;
 }

@@ -43,11 +43,11 @@ class SmoothFacets {
  private:
   struct Facet {
     std::array<Vec3d, 3> corners;
-    Vec3d along_b, along_c;             ///< gradients of the weights of the second and third corner
+    Vec3d along_b, along_c;  ///< gradients of the weights of the second and third corner
     bool has_area = false;
-    bool curved = false;                ///< the rest is set
-    std::array<Vec3d, 6> edge_points;   ///< control points beside the corners: after and before each
-    Vec3d middle = Vec3d::Zero();       ///< control point
+    bool curved = false;                         ///< the rest is set
+    std::array<Vec3d, 6> edge_points;            ///< control points beside the corners: after and before each
+    Vec3d middle = Vec3d::Zero();                ///< control point
     std::array<std::array<Index, 2>, 3> beside;  ///< across each side; no_index for none
   };
   Facet& facet(Index triangle);
@@ -59,8 +59,8 @@ class SmoothFacets {
 
   const Surface* surface_;
   std::vector<Facet> facets_;
-  std::unordered_map<Index, Index> facet_of_;               ///< triangle: number in facets_
-  std::unordered_map<Index, std::vector<Vec3d>> normals_;   ///< vertex: [i] in its i-th triangle
+  std::unordered_map<Index, Index> facet_of_;              ///< triangle: number in facets_
+  std::unordered_map<Index, std::vector<Vec3d>> normals_;  ///< vertex: [i] in its i-th triangle
   std::vector<Index> beside_;
 };
 

@@ -26,7 +26,8 @@ struct Box {
     std::string text = "solid box\n";
     for (const auto& face : faces) {
       text += "facet normal 0 0 0\nouter loop\n";
-      for (const int i : face) text += fmt::format("vertex {} {} {}\n", i & 1 ? 2 : 0, i >> 1 & 1, i >> 2 & 1);
+      for (const int i : face)
+        text += fmt::format("vertex {} {} {}\n", i & 1 ? 2 : 0, i >> 1 & 1, i >> 2 & 1);
       text += "endloop\nendfacet\n";
     }
     return text + "endsolid box\n";
@@ -67,9 +68,10 @@ TEST(Refine, DrawsAGrooveOnABoxAndSaysWhatItAdded) {
       deepest = std::min(deepest, p.z());
   EXPECT_NEAR(deepest, 1 - 0.25F * 0.12F, 1e-4F);
   const std::string text = burin_output(box.command({"--refine", "auto"}));
-  EXPECT_NE(text.find(fmt::format("\nrefined         {} triangles in place of 12, with edges of about 0.0075, in",
-                                  mesh.triangles.size())),
-            std::string::npos)
+  EXPECT_NE(
+      text.find(fmt::format("\nrefined         {} triangles in place of 12, with edges of about 0.0075, in",
+                            mesh.triangles.size())),
+      std::string::npos)
       << text;
 }
 
@@ -81,15 +83,19 @@ TEST(Refine, IsOffUnlessAskedFor) {
 
 TEST(Refine, RefusesInOneLine) {
   const Box box;
-  for (const char* length : {"edge:0", "edge:-1", "edge:nan", "edge:inf", "edge:", "edge:1x", "edge", "0.01", "1e-60"})
+  for (const char* length :
+       {"edge:0", "edge:-1", "edge:nan", "edge:inf", "edge:", "edge:1x", "edge", "0.01", "1e-60"})
     EXPECT_NE(box.refusal({"--refine", length}).find("--refine: must be auto, off or edge:LENGTH, above 0"),
               std::string::npos)
         << length;
-  EXPECT_NE(box.refusal({"--refine", "edge:1e-6"})
-                .find("stroke 1: refining the surface to edges of 1e-06 would take about 1e+12 triangles, more than "
-                      "10000000"),
+  EXPECT_NE(
+      box.refusal({"--refine", "edge:1e-6"})
+          .find(
+              "stroke 1: refining the surface to edges of 1e-06 would take about 1e+12 triangles, more than "
+              "10000000"),
+      std::string::npos);
+  EXPECT_NE(box.refusal({"--refine", "auto", "--bake", box.folder.path("a.exr")}).find("burin: "),
             std::string::npos);
-  EXPECT_NE(box.refusal({"--refine", "auto", "--bake", box.folder.path("a.exr")}).find("burin: "), std::string::npos);
   Box points;
   points.mesh = points.folder.write("points.ply", ply_text(plane_points(1, 0.1, 1)));
   EXPECT_NE(points.refusal({"--refine", "auto"}).find("points.ply: "), std::string::npos);

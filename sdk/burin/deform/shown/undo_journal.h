@@ -21,8 +21,8 @@ struct UndoStep {
   std::vector<Vec3f> positions;  ///< [i] of vertices[i]
   PaintStep paint;
   MadePart made = MadePart::none;
-  std::optional<Surface> surface;  ///< instead of vertices and their paint: what the stroke replaced
-  Paint surface_paint;             ///< of that
+  std::optional<Surface> surface;        ///< instead of vertices and their paint: what the stroke replaced
+  Paint surface_paint;                   ///< of that
   bool refined = false, merged = false;  ///< what replaced it
 };
 

@@ -67,9 +67,10 @@ void check_size(const EdgeLength& lengths) {
   constexpr double triangles_per_square = 3.5;
   const double triangles = triangles_per_square * lengths.area() / (lengths.edge() * lengths.edge());
   if (!(triangles <= static_cast<double>(most_triangles)))
-    throw Error(fmt::format("refining the surface to edges of {:g} would take about {:.2g} triangles, more "
-                            "than {}",
-                            lengths.edge(), triangles, most_triangles));
+    throw Error(
+        fmt::format("refining the surface to edges of {:g} would take about {:.2g} triangles, more "
+                    "than {}",
+                    lengths.edge(), triangles, most_triangles));
 }
 
 /// How far from the curve triangles matter, object units.
@@ -85,8 +86,8 @@ double longest_left(const StrokeSettings& settings) {
 }
 
 std::optional<SurfacePatch> refined(const Surface& surface, const StrokeSettings& settings,
-                                    const Lines& lines) {
-  const EdgeLength lengths(lines.points, reach_of(settings), refined_edge(settings));
+                                    const Lines& lines, double reach) {
+  const EdgeLength lengths(lines.points, reach, refined_edge(settings));
   check_size(lengths);
   SurfacePatch made = refine_surface(surface, lengths, lines.triangles, most_triangles);
   if (made.triangles.empty()) return {};
@@ -104,13 +105,14 @@ std::optional<SurfacePatch> refined_along(const Surface& surface, const Picker& 
     const EdgeLength enough(lines.points, reach_of(settings), longest_left(settings) / longest_edge_factor);
     if (!has_longer_edges(surface, enough, lines.triangles)) return {};
   }
-  return refined(surface, settings, lines);
+  return refined(surface, settings, lines, reach_of(settings));
 }
 
 std::optional<SurfacePatch> refined_at(const Surface& surface, const Picker& picker,
                                        const StrokeSettings& settings, const PenStep& step,
                                        CoarseEdges& coarse) {
-  constexpr double least_ahead = 4;  // radii
+  // Ahead of the pen in radii; and how much wider than the stroke, so that it may bend.
+  constexpr double least_ahead = 4, leeway = 1.75;
   const double length = step.length(), ahead = std::max(least_ahead * settings.radius, step.drawn / 2);
   Lines lines;
   for (const SymmetryInstance& image : symmetry_instances(settings.symmetry)) {
@@ -123,7 +125,7 @@ std::optional<SurfacePatch> refined_at(const Surface& surface, const Picker& pic
     lines.triangles.push_back(at->triangle);
   }
   if (lines.points.empty()) return {};
-  return refined(surface, settings, lines);
+  return refined(surface, settings, lines, leeway * reach_of(settings));
 }
 
 }  // namespace burin
