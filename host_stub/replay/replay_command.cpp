@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -165,6 +166,8 @@ void watch_last(const ReplayOptions& options, Session& session, BrushLibrary& li
 
 /// Completes the finest level of a mesh with levels; the summary then describes that level.
 void finish(ReplayMesh& mesh, const Session& session, ReplaySummary& summary) {
+  summary.surface_vertices =
+      std::max<std::size_t>(summary.surface_vertices, session.surface().vertex_count());
   if (!mesh.has_levels()) return;
   mesh.finish(session);
   summary.result.hash = mesh.result_hash();
@@ -252,15 +255,15 @@ void run(ReplayOptions& options) {
   if (options.bake.asked()) {
     json["bake"] = write_map(options.bake, mesh.before(), mesh.result(session).positions);
   }
+  // Pictures undo the strokes.
+  const std::string changes = merges_text(session.merges()) + refinements_text(session.refinements());
   std::optional<Camera> camera;
   if (draws(options)) {
     camera = replay_view(session.surface(), recorder.extent(), recordings, options.view);
     write_pictures(options, session, mesh, parts, recorder, *camera, summary, json);
   }
-  write_result(options.json
-                   ? json_text(json)
-                   : mesh.text() + "\n" + summary_text(summary) + parts.text() +
-                         merges_text(session.merges()) + refinements_text(session.refinements()) + "\n");
+  write_result(options.json ? json_text(json)
+                            : mesh.text() + "\n" + summary_text(summary) + parts.text() + changes + "\n");
   if (options.watch) watch_last(options, session, library, recordings, camera);
 }
 

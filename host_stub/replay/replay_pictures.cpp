@@ -26,9 +26,13 @@ void StrokeExtent::piece_ended(const Session& session) {
 }
 
 void StrokeRecorder::piece_ended(const Session& session) {
-  if (!checkerboard_) checkerboard_.emplace(session.surface());
   const double widest = widest_in(session.chart());
-  if (widest > 0) checkerboard_->add(session.chart(), widest);
+  if (widest > 0) {
+    // Vertices have other numbers than those of charts on the surface before.
+    if (!checkerboard_ || generation_ != session.generation()) checkerboard_.emplace(session.surface());
+    generation_ = session.generation();
+    checkerboard_->add(session.chart(), widest);
+  }
   extent_.piece_ended(session);
 }
 
@@ -44,11 +48,17 @@ Camera replay_view(const Surface& surface, const StrokeExtent& extent,
 ReplayPictures draw_replay(Session& session, const StrokeRecorder& recorder, const Camera& camera,
                            const Progress& progress) {
   ReplayPictures pictures;
+  const Albedo checkers = [&](const SurfacePoint& point) { return recorder.colour(point); };
+  const auto draw_chart = [&](const Albedo& albedo) {
+    pictures.chart = render(session.surface(), session.picker(), camera, albedo, progress);
+  };
+  const bool refined = recorder.generation() != 0, is_there = recorder.generation() == session.generation();
+  if (refined && is_there) draw_chart(checkers);
   while (session.undo()) {
   }
   pictures.before = render(session.surface(), session.picker(), camera, painted(session.paint()), progress);
-  const Albedo checkers = [&](const SurfacePoint& point) { return recorder.colour(point); };
-  pictures.chart = render(session.surface(), session.picker(), camera, checkers, progress);
+  if (!refined) draw_chart(checkers);
+  if (refined && !is_there) draw_chart(clay);
   // Later strokes run on the surface that earlier ones moved, which may lie below the surface in the picture.
   for (const SurfaceCurve& curve : recorder.extent().curves()) {
     draw_curve(pictures.chart, camera, session.picker(), curve, recorder.extent().widest());

@@ -4,6 +4,7 @@
 #include <burin/stamp/files/picture.h>
 #include <burin/stroke/recording.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -34,17 +35,23 @@ class StrokeRecorder {
 
   const StrokeExtent& extent() const { return extent_; }
 
-  /// The colour at a point of the surface, linear RGB; clay if nothing was drawn.
+  /// The generation of the surface (Session::generation()) on which the charts run that are shown: the last.
+  std::uint64_t generation() const { return generation_; }
+
+  /// The colour at a point of that surface, linear RGB; clay if nothing was drawn.
   Vec3f colour(const SurfacePoint& point) const;
 
  private:
   StrokeExtent extent_;
   std::optional<Checkerboard> checkerboard_;
+  std::uint64_t generation_ = 0;
 };
 
 struct ReplayPictures {
   Picture before, after;
-  Picture chart;  ///< coordinates (t, d) and curves of the strokes on the surface before
+  /// Coordinates (t, d) and curves of the strokes on the surface before; where strokes refined it, on that
+  /// after them, with the charts since then.
+  Picture chart;
 };
 
 /// The camera for pictures of a replay: that of the first recording in screen space, unless the options give

@@ -75,6 +75,17 @@ TEST(Refine, DrawsAGrooveOnABoxAndSaysWhatItAdded) {
       << text;
 }
 
+TEST(Refine, WritesAReportOfSeveralStrokes) {
+  const Box box;
+  const std::string report = box.folder.path("report");
+  std::vector<std::string> command = box.command({"--refine", "auto", "--report", report});
+  command.insert(command.begin() + 1, box.stroke);
+  const ProcessResult result = burin(command);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("\nrefined "), std::string::npos) << result.out;
+  EXPECT_TRUE(std::filesystem::exists(report + "/chart.png"));
+}
+
 TEST(Refine, IsOffUnlessAskedFor) {
   const Box box;
   EXPECT_FALSE(nlohmann::json::parse(burin(box.command({"--json"})).out).contains("refined"));
@@ -88,12 +99,11 @@ TEST(Refine, RefusesInOneLine) {
     EXPECT_NE(box.refusal({"--refine", length}).find("--refine: must be auto, off or edge:LENGTH, above 0"),
               std::string::npos)
         << length;
-  EXPECT_NE(
-      box.refusal({"--refine", "edge:1e-6"})
-          .find(
-              "stroke 1: refining the surface to edges of 1e-06 would take about 1e+12 triangles, more than "
-              "10000000"),
-      std::string::npos);
+  EXPECT_NE(box.refusal({"--refine", "edge:1e-6"})
+                .find("stroke 1: refining the surface to edges of 1e-06 would take about 1.2e+12 triangles, "
+                      "more than "
+                      "10000000"),
+            std::string::npos);
   EXPECT_NE(box.refusal({"--refine", "auto", "--bake", box.folder.path("a.exr")}).find("burin: "),
             std::string::npos);
   Box points;
