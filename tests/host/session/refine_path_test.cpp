@@ -64,7 +64,7 @@ struct Everything {
   std::uint64_t hash;
 };
 
-TEST(Refining, DrawsAGrooveOnABoxOfTwelveTriangles) {
+TEST(RefinePath, DrawsAGrooveOnABoxOfTwelveTriangles) {
   Session session = box_session();
   const std::uint64_t generation = session.generation();
   draw_along(session, refining_if_coarse(), over_the_edge());
@@ -86,7 +86,7 @@ TEST(Refining, DrawsAGrooveOnABoxOfTwelveTriangles) {
   EXPECT_NEAR(deepest, right, 0.02 * right);
 }
 
-TEST(Refining, IsUndoneAndMadeAgainWithItsStroke) {
+TEST(RefinePath, IsUndoneAndMadeAgainWithItsStroke) {
   Session session = box_session();
   session.set_paint({std::vector<Vec4f>(8, Vec4f(0.1F, 0.2F, 0.3F, 1)), {}});
   const Everything before(session);
@@ -111,7 +111,7 @@ TEST(Refining, IsUndoneAndMadeAgainWithItsStroke) {
   EXPECT_EQ(Everything(session), after);
 }
 
-TEST(Refining, IsDroppedWithItsStroke) {
+TEST(RefinePath, IsDroppedWithItsStroke) {
   Session session = box_session();
   const Everything before(session);
   session.begin_stroke(refining(0.02), over_the_edge());
@@ -130,7 +130,7 @@ TEST(Refining, IsDroppedWithItsStroke) {
   EXPECT_EQ(Everything(session), before);
 }
 
-TEST(Refining, LeavesAMeshWithEnoughEdgesAlone) {
+TEST(RefinePath, LeavesAMeshWithEnoughEdgesAlone) {
   Session refined = plane_session(), plain = plane_session();
   const std::vector<Vec3d> path = straight({-0.5, 0, 0}, {0.5, 0.2, 0});
   draw_along(refined, refining_if_coarse(), path);
@@ -140,7 +140,7 @@ TEST(Refining, LeavesAMeshWithEnoughEdgesAlone) {
   EXPECT_EQ(refined.result_hash(), plain.result_hash());
 }
 
-TEST(Refining, ChangesNoTrianglesTheSecondTime) {
+TEST(RefinePath, ChangesNoTrianglesTheSecondTime) {
   Session session = box_session();
   StrokeSettings flat = refining(0.02);
   flat.strength = 0;
@@ -151,7 +151,7 @@ TEST(Refining, ChangesNoTrianglesTheSecondTime) {
   EXPECT_EQ(session.refinements().size(), 1u);
 }
 
-TEST(Refining, RefinesWhereImagesOfTheStrokeAre) {
+TEST(RefinePath, RefinesWhereImagesOfTheStrokeAre) {
   Session session = box_session();
   StrokeSettings mirrored = refining(0.02);
   mirrored.symmetry.mirror_x = true;
@@ -163,7 +163,7 @@ TEST(Refining, RefinesWhereImagesOfTheStrokeAre) {
   EXPECT_GT(deep, 10u);
 }
 
-TEST(Refining, InterpolatesColours) {
+TEST(RefinePath, InterpolatesColours) {
   Session session = box_session();
   std::vector<Vec4f> colours;
   for (const Vec3f& p : session.surface().positions) colours.emplace_back(p.x() / 2, p.y(), p.z(), 1.F);
@@ -177,7 +177,7 @@ TEST(Refining, InterpolatesColours) {
   }
 }
 
-TEST(Refining, RefusesMoreThanTenMillionTriangles) {
+TEST(RefinePath, RefusesMoreThanTenMillionTriangles) {
   Session session = box_session();
   const Everything before(session);
   EXPECT_EQ(error_of([&] { session.begin_stroke(refining(1e-5), over_the_edge()); }),
@@ -267,7 +267,7 @@ void expect_groove_of_uniform_mesh(const TriangleMesh& mesh, const std::vector<V
   EXPECT_LT(local.surface().triangles.size(), uniform.surface().triangles.size());
 }
 
-TEST(Refining, GivesTheGrooveOfAUniformMesh) {
+TEST(RefinePath, GivesTheGrooveOfAUniformMesh) {
   std::vector<Vec3d> over_the_corner = straight({1.5, 0.7, 1}, {2, 0.95, 1});
   for (const Vec3d& place : straight({2, 0.95, 1}, {2, 0.6, 0.6})) over_the_corner.push_back(place);
   over_the_corner.erase(over_the_corner.begin() + 41);
@@ -281,7 +281,7 @@ TEST(Refining, GivesTheGrooveOfAUniformMesh) {
   expect_groove_of_uniform_mesh(sliver_plate(), around, "slivers");
 }
 
-TEST(Refining, GivesExactDistancesOverTheEdgeOfABox) {
+TEST(RefinePath, GivesExactDistancesOverTheEdgeOfABox) {
   Session session = box_session();
   StrokeSettings exact = refining_if_coarse();
   exact.follow = 1;
@@ -312,7 +312,7 @@ TEST(Refining, GivesExactDistancesOverTheEdgeOfABox) {
   EXPECT_LT(sum / static_cast<double>(chart.size()), 0.003 * radius);
 }
 
-TEST(Refining, GivesWhatAFineMeshGivesWithATenthOfItsTriangles) {
+TEST(RefinePath, GivesWhatAFineMeshGivesWithATenthOfItsTriangles) {
   std::vector<Vec3d> path;
   for (int i = 0; i <= 40; ++i)
     path.push_back(Vec3d(std::cos(0.02 * i), std::sin(0.02 * i), 0.2 * std::sin(0.1 * i)).normalized());
@@ -327,7 +327,7 @@ TEST(Refining, GivesWhatAFineMeshGivesWithATenthOfItsTriangles) {
   EXPECT_LT(coarse.surface().triangles.size(), fine.surface().triangles.size() / 10);
 }
 
-TEST(Refining, GoesOnAsThePenComes) {
+TEST(RefinePath, GoesOnAsThePenComes) {
   // Told nothing of the path, and drawn on what came out of that from the start.
   Session live = box_session();
   const StrokeSettings with = refining(0.02);
