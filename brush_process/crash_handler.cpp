@@ -87,12 +87,12 @@ bool write_address(CrashRecord& record, const void* address, bool anywhere) {
 /// Writes the innermost call in the module, else where the instruction is.
 void write_where(CrashRecord& record, const void* instruction) {
   if (instruction && write_address(record, instruction, false)) return;
-  std::array<void*, 64> frames;
+  std::array<void*, 64> frames{};
   const int count = backtrace(frames.data(), static_cast<int>(frames.size()));
   for (int i = 0; i < count; ++i) {
     // Frames are return addresses, which may be those of the function behind.
-    const auto call = reinterpret_cast<std::uintptr_t>(frames[static_cast<std::size_t>(i)]) - 1;
-    if (write_address(record, reinterpret_cast<const void*>(call), false)) return;
+    const char* call = static_cast<const char*>(frames[static_cast<std::size_t>(i)]) - 1;
+    if (write_address(record, call, false)) return;
   }
   if (instruction) write_address(record, instruction, true);
 }
@@ -130,6 +130,7 @@ void tell(int signal, int code, const void* address, const void* instruction) {
 
 const void* instruction_of(void* context) {
 #if defined(__x86_64__)
+  // NOLINTNEXTLINE(performance-no-int-to-ptr)
   return reinterpret_cast<const void*>(static_cast<ucontext_t*>(context)->uc_mcontext.gregs[REG_RIP]);
 #else
   (void)context;
@@ -178,7 +179,7 @@ void tell_crashes(CrashRecord& record) {
   told().record = &record;
   use_handler_stack();
   // Its first call loads a library.
-  std::array<void*, 1> frames;
+  std::array<void*, 1> frames{};
   backtrace(frames.data(), 1);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP})
     handle(signal, handle_crash);

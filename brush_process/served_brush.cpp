@@ -57,7 +57,7 @@ burin_batch batch_of(std::byte* lane, const LaneCall& call) {
   burin_batch batch{};
   batch.struct_size = sizeof batch;
   batch.count = call.count;
-  std::array<burin_floats, isolate::batch_arrays> arrays;
+  std::array<burin_floats, isolate::batch_arrays> arrays{};
   for (std::size_t i = 0; i < arrays.size(); ++i) arrays[i] = array_at<burin_floats>(lane, call.inputs[i]);
   std::memcpy(reinterpret_cast<std::byte*>(&batch) + offsetof(burin_batch, t), &arrays, sizeof arrays);
   return batch;
@@ -67,7 +67,7 @@ burin_outputs outputs_of(std::byte* lane, const LaneCall& call) {
   burin_outputs outputs{};
   outputs.struct_size = sizeof outputs;
   outputs.count = call.count;
-  std::array<burin_floats_out, isolate::output_arrays> arrays;
+  std::array<burin_floats_out, isolate::output_arrays> arrays{};
   for (std::size_t i = 0; i < arrays.size(); ++i)
     arrays[i] = array_at<burin_floats_out>(lane, call.outputs[i]);
   std::memcpy(reinterpret_cast<std::byte*>(&outputs) + offsetof(burin_outputs, along), &arrays,

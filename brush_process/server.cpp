@@ -97,7 +97,7 @@ bool wait_for(short events) {
 /// Sends lines of the log to the host; those that it has no room for are lost.
 HostServices::Log log_to_host(SharedHeader& header) {
   return [&header](int severity, std::string_view line) {
-    std::array<char, 4000> message;
+    std::array<char, 4000> message{};
     const std::int32_t number = severity;
     std::memcpy(message.data(), &number, sizeof number);
     const std::size_t size = std::min(line.size(), message.size() - sizeof number);

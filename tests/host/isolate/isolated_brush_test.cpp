@@ -156,7 +156,7 @@ class FailingBrush : public testing::Test {
   /// Draws a stroke that must fail, and returns why. The surface must be as before, and drawing go on.
   std::string failure(const std::string& fault) {
     const test::Snapshot before(*session_);
-    const std::string error = error_of([&] { test::draw(*session_, with(fault), test::wave(6)); });
+    std::string error = error_of([&] { test::draw(*session_, with(fault), test::wave(6)); });
     EXPECT_TRUE(test::Snapshot(*session_) == before) << fault;
     draw_well();
     return error;

@@ -318,7 +318,7 @@ void BrushProcess::drain_log() {
   lines_logged_ = logged;
   // A bound, lest a brush that does nothing but log keeps the host.
   for (int i = 0; i < 1000; ++i) {
-    std::array<std::byte, 4096> line;
+    std::array<std::byte, 4096> line{};
     const ssize_t size = recv(log_socket_.number(), line.data(), line.size(), MSG_DONTWAIT);
     if (size < static_cast<ssize_t>(sizeof(std::int32_t))) return;
     std::int32_t severity = 0;

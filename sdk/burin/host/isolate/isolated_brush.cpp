@@ -190,7 +190,7 @@ void* IsolatedBrush::begin(const burin_stroke_context& context, const burin_para
                            burin_stroke_plan& plan) {
   const std::lock_guard lock(mutex_);
   BrushProcess& process = running();
-  auto stroke = std::make_unique<Stroke>(process_, ++strokes_);
+  std::unique_ptr<Stroke> stroke(new Stroke{process_, ++strokes_});
   MessageWriter content;
   std::error_code no_folder;
   content.text(std::filesystem::current_path(no_folder).string()).value(stroke->number).value(context);

@@ -14,13 +14,13 @@ constexpr std::size_t alignment = 64;
 constexpr std::size_t aligned(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
 
 std::array<burin_floats, batch_arrays> inputs_of(const burin_batch& batch) {
-  std::array<burin_floats, batch_arrays> arrays;
+  std::array<burin_floats, batch_arrays> arrays{};
   std::memcpy(&arrays, reinterpret_cast<const std::byte*>(&batch) + offsetof(burin_batch, t), sizeof arrays);
   return arrays;
 }
 
 std::array<burin_floats_out, output_arrays> outputs_of(const burin_outputs& outputs) {
-  std::array<burin_floats_out, output_arrays> arrays;
+  std::array<burin_floats_out, output_arrays> arrays{};
   std::memcpy(&arrays, reinterpret_cast<const std::byte*>(&outputs) + offsetof(burin_outputs, along),
               sizeof arrays);
   return arrays;

@@ -52,7 +52,7 @@ class MessageReader {
   template <class Value>
   Value value() {
     static_assert(std::is_trivially_copyable_v<Value>);
-    Value value;
+    Value value{};
     std::memcpy(&value, take(sizeof value).data(), sizeof value);
     return value;
   }
