@@ -60,8 +60,8 @@ TEST_F(IsolateOption, LeavesNoProcessWhenTheCommandIsKilled) {
   for (const std::string& word :
        command("org.burin.test.failing", {"--isolate", "--param", "text=begin:hang"}))
     words += "'" + word + "' ";
-  // The process of the brush hangs where it would see that the command is gone. It is gone itself in a moment, or
-  // somebody's zombie.
+  // The process of the brush hangs where it would see that the command is gone. It is gone itself in a
+  // moment, or somebody's zombie.
   const ProcessResult result =
       run_process({"sh", "-c",
                    words + "& host=$!; sleep 1; brush=$(cat /proc/$host/task/*/children); kill -9 $host; "
