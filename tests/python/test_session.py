@@ -19,6 +19,14 @@ def groove(session, positions=None):
     return session
 
 
+class Isolation(unittest.TestCase):
+    def test_draws_the_same(self):
+        library = burin.Library(isolate=True)
+        self.assertEqual(
+            hex_hash(groove(burin.Session(library, *grid()))), hex_hash(groove(burin.Session(LIBRARY, *grid())))
+        )
+
+
 class Arrays(unittest.TestCase):
     def test_of_every_type_and_stride_give_the_same_surface(self):
         positions, quads = grid()

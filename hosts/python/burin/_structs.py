@@ -45,7 +45,17 @@ ProgressFunction = CFUNCTYPE(c_int32, c_void_p, c_char_p, c_double)
 
 
 class LibraryOptions(Sized):
-    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("log", LogFunction), ("user", c_void_p)]
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("isolate", c_uint32),
+        ("log", LogFunction),
+        ("user", c_void_p),
+        ("brush_process", c_char_p),
+        ("load_seconds", c_double),
+        ("call_seconds", c_double),
+        ("batch_seconds", c_double),
+        ("memory", c_uint64),
+    ]
 
 
 class ParamInfo(Sized):

@@ -44,16 +44,24 @@ class Library:
     'Groove'
     """
 
-    def __init__(self, path: str | os.PathLike[str] | None = None, *, stock: bool = True, log: Log | None = None) -> None:
+    def __init__(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        stock: bool = True,
+        log: Log | None = None,
+        isolate: bool = False,
+    ) -> None:
         """Loads brushes from `path` as load() does; without a path the stock brushes, unless `stock` is False.
 
         `log` receives the level of the module logging and a line, on any thread, also on several at once; it must not
-        call this module. Without it lines go to the logger "burin".
+        call this module. Without it lines go to the logger "burin". With `isolate` the brushes of modules run in processes
+        of their own, so that one that crashes or hangs costs its stroke only; those written in Python do not.
         """
         _c.version()
         self._log = _c.LogFunction(_log_function(log))
         handle = ctypes.c_void_p()
-        _c.call("burin_library_create", _c.LibraryOptions(0, self._log, None), handle)
+        _c.call("burin_library_create", _c.LibraryOptions(isolate, self._log, None), handle)
         self._handle = handle
         self._factories: list[Factory] = []
         # The brushes and the log are called until the last session is destroyed, which keeps the library.
