@@ -1,0 +1,25 @@
+"""The library of brushes, which the add-on has one of."""
+
+from __future__ import annotations
+
+import burin
+
+_library: burin.Library | None = None
+
+
+def library() -> burin.Library:
+    """The stock brushes, those of BURIN_PLUGIN_PATH, and what scripts add: library().add(MyBrush)."""
+    global _library
+    if _library is None:
+        _library = burin.Library()
+    return _library
+
+
+def moves_only(brush: burin.BrushInfo) -> bool:
+    """Whether a brush moves vertices and does nothing else. Blender gets no colours and masks yet."""
+    return brush.outputs == ("displacement",)
+
+
+def unregister() -> None:
+    global _library
+    _library = None

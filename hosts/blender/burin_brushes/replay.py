@@ -1,0 +1,87 @@
+"""The operator that draws a recording."""
+
+from __future__ import annotations
+
+import shlex
+from typing import Any
+
+import bpy
+import burin
+
+from . import brushes, object_session
+
+
+def parse_settings(text: str) -> dict[str, Any]:
+    """Settings KEY=VALUE between spaces, as keyword arguments of a session; those of params are params=NAME=VALUE."""
+    settings: dict[str, Any] = {"params": {}}
+    for setting in shlex.split(text):
+        key, equals, value = setting.partition("=")
+        if not equals:
+            raise object_session.Refused(f"settings: {setting!r}: must be KEY=VALUE")
+        if key == "params":
+            name, _, value = value.partition("=")
+            settings["params"][name] = value
+        else:
+            settings[key] = value
+    return settings
+
+
+def _check_brushes(path: str, brush: str | None) -> None:
+    for stroke in burin.read_recording(path).strokes:
+        name = brush or stroke.settings.get("brush")
+        if name in brushes.library() and not brushes.moves_only(brushes.library()[name]):
+            raise object_session.Refused(f"brush {name} paints colours or masks, which the add-on does not show yet")
+
+
+class BURIN_OT_replay(bpy.types.Operator):
+    """Draw the strokes of a recording on the active object"""
+
+    bl_idname = "burin.replay"
+    bl_label = "Replay Burin Strokes"
+    bl_options = {"REGISTER", "UNDO"}
+
+    filepath: bpy.props.StringProperty(name="Recording", description="A .stroke file", subtype="FILE_PATH")
+    filter_glob: bpy.props.StringProperty(default="*.stroke", options={"HIDDEN"})
+    brush: bpy.props.StringProperty(name="Brush", description="Id of a brush instead of the recorded one")
+    settings: bpy.props.StringProperty(
+        name="Settings", description="KEY=VALUE between spaces: radius=0.1 strength=0.5 params=depth=0.2"
+    )
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        return context.mode == "OBJECT" and context.object is not None and context.object.type == "MESH"
+
+    def invoke(self, context: Any, _event: Any) -> set[str]:
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def execute(self, context: Any) -> set[str]:
+        object = context.object
+        try:
+            self._draw(object)
+        except (burin.Error, object_session.Refused, ValueError) as fault:
+            self.report({"ERROR"}, str(fault))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+    def _draw(self, object: Any) -> None:
+        path = bpy.path.abspath(self.filepath)
+        given = {"brush": self.brush or None, **parse_settings(self.settings)}
+        _check_brushes(path, given["brush"])
+        kept = object_session.session_of(brushes.library(), object)
+        try:
+            kept.session.replay(path, **given)
+        except burin.Error:
+            object_session.forget(object)
+            raise
+        shown = kept.local.copy()
+        kept.drawn(shown)
+        kept.keep(object, shown)
+
+
+def register() -> None:
+    bpy.utils.register_class(BURIN_OT_replay)
+
+
+def unregister() -> None:
+    bpy.utils.unregister_class(BURIN_OT_replay)

@@ -1,0 +1,55 @@
+"""Runs the tests of one file, test_NAME.py, in Blender; ends with 77 where what they need is not installed."""
+
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+FOLDER = Path(__file__).parent
+ROOT = FOLDER.parents[1]
+SKIPPED = 77
+WINDOW = ("draw",)
+"""Parts that want a window."""
+
+
+def skip(what):
+    print(f"skipped: {what}")
+    sys.exit(SKIPPED)
+
+
+def command(part):
+    blender = ["blender", "--factory-startup", "--python-exit-code", "1"]
+    script = ["--python", str(FOLDER / "inside.py"), "--", part]
+    if part not in WINDOW:
+        return [*blender, "--background", *script]
+    if not shutil.which("xvfb-run"):
+        skip("Xvfb is not installed (xvfb, xauth)")
+    screen = ["xvfb-run", "--auto-servernum", "--server-args=-screen 0 1280x800x24"]
+    return [*screen, *blender, "--enable-event-simulate", "--window-geometry", "0", "0", "1280", "800", *script]
+
+
+def main(part):
+    if not shutil.which("blender"):
+        skip("Blender is not installed (blender)")
+    if not importlib.util.find_spec("numpy"):
+        skip("numpy is not installed (python3-numpy)")
+    with tempfile.TemporaryDirectory(prefix="burin-blender-") as work:
+        addons = Path(work, "scripts/addons")
+        addons.mkdir(parents=True)
+        shutil.copytree(ROOT / "hosts/blender/burin_brushes", addons / "burin_brushes")
+        environment = {
+            **os.environ,
+            "BLENDER_USER_SCRIPTS": str(addons.parent),
+            "BLENDER_USER_CONFIG": work,
+            "PYTHONPATH": str(ROOT / "hosts/python"),
+            "HOME": work,
+            "LIBGL_ALWAYS_SOFTWARE": "1",
+        }
+        done = subprocess.run(command(part), env=environment, cwd=work, check=False)
+        return done.returncode
+
+
+sys.exit(main(sys.argv[1]))

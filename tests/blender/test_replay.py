@@ -1,0 +1,211 @@
+"""The operator that draws recordings: the bits of `burin replay`, Blender's undo, and meshes that stay as they were."""
+
+import sys
+import unittest
+from pathlib import Path
+
+import addon_utils
+import bpy
+import numpy as np
+
+import burin
+from support import ADDON, activate, folder, hilly_grid, make_object, positions_of, replayed, write_stroke
+
+
+class OfOneMesh(unittest.TestCase):
+    def setUp(self):
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        addon_utils.enable(ADDON)
+        self.positions, self.faces = hilly_grid()
+        self.object = make_object("Grid", self.positions, self.faces)
+        work = folder()
+        self.addCleanup(work.cleanup)
+        self.work = Path(work.name)
+        self.stroke = write_stroke(self.work / "one.stroke")
+        bpy.ops.ed.undo_push(message="Start")
+
+    def replay(self, stroke=None, **settings):
+        return bpy.ops.burin.replay("EXEC_DEFAULT", True, filepath=str(stroke or self.stroke), **settings)  # with its undo step
+
+    def now(self):
+        return positions_of(bpy.data.objects["Grid"])
+
+
+class Replays(OfOneMesh):
+    def test_equal_the_command(self):
+        for settings, options in (
+            ("", []),
+            ("radius=0.2 params=depth=0.1 strength=-1", ["--radius", "0.2", "--param", "depth=0.1", "--strength", "-1"]),
+        ):
+            with self.subTest(settings):
+                self.setUp()
+                expected, _ = replayed(self.work, self.stroke, self.positions, self.faces, *options)
+                self.assertEqual(self.replay(settings=settings), {"FINISHED"})
+                np.testing.assert_array_equal(self.now(), expected)
+                self.assertGreater((expected != self.positions).any(axis=1).sum(), 100)
+
+    def test_follow_each_other(self):
+        second = write_stroke(self.work / "two.stroke", brush="org.burin.rope", shift=0.2, params={})
+        both = self.work / "both.stroke"
+        both.write_text(self.stroke.read_text() + "".join(second.read_text().splitlines(True)[1:]))
+        expected, _ = replayed(self.work, both, self.positions, self.faces)
+        self.replay()
+        self.replay(second)
+        np.testing.assert_array_equal(self.now(), expected)
+        self.object.data.vertices.foreach_set("co", self.positions.ravel())
+        self.replay(both)
+        np.testing.assert_array_equal(self.now(), expected)
+
+    def test_are_undone_and_redone(self):
+        second = write_stroke(self.work / "two.stroke", shift=0.2)
+        self.replay()
+        one = self.now()
+        self.replay(second)
+        two = self.now()
+        bpy.ops.ed.undo()
+        np.testing.assert_array_equal(self.now(), one)
+        bpy.ops.ed.undo()
+        np.testing.assert_array_equal(self.now(), self.positions)
+        bpy.ops.ed.redo()
+        np.testing.assert_array_equal(self.now(), one)
+        self.replay(second)
+        np.testing.assert_array_equal(self.now(), two)
+
+    def test_are_saved(self):
+        self.replay()
+        drawn = self.now()
+        file = str(self.work / "drawn.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=file)
+        bpy.ops.wm.open_mainfile(filepath=file)
+        np.testing.assert_array_equal(self.now(), drawn)
+        activate(bpy.data.objects["Grid"])
+        self.assertEqual(self.replay(write_stroke(self.work / "two.stroke", shift=0.2)), {"FINISHED"})
+        self.assertFalse(np.array_equal(self.now(), drawn))
+
+    def test_of_two_objects_are_their_own(self):
+        other_positions = (self.positions * [1, 1, 2]).astype(np.float32)
+        other = make_object("Other", other_positions, self.faces)
+        expected, _ = replayed(self.work, self.stroke, self.positions, self.faces)
+        expected_other, _ = replayed(self.work, self.stroke, other_positions, self.faces)
+        self.replay()
+        np.testing.assert_array_equal(self.now(), self.positions)
+        activate(self.object)
+        self.replay()
+        np.testing.assert_array_equal(self.now(), expected)
+        np.testing.assert_array_equal(positions_of(other), expected_other)
+
+    def test_see_what_other_tools_did(self):
+        self.replay()
+        moved = self.now()
+        moved[1000:2000, 2] += np.float32(0.05)
+        self.object.data.vertices.foreach_set("co", moved.ravel())
+        self.replay()
+        oracle = burin.Session(burin.Library(), self.positions, sum(self.faces, []), [len(face) for face in self.faces])
+        oracle.replay(self.stroke)
+        oracle.write("positions", moved)
+        oracle.replay(self.stroke)
+        np.testing.assert_array_equal(self.now(), oracle.read())
+        bpy.ops.object.mode_set(mode="EDIT")
+        bpy.ops.mesh.select_all(action="SELECT")
+        bpy.ops.mesh.flip_normals()
+        bpy.ops.object.mode_set(mode="OBJECT")
+        flipped = [list(face.vertices) for face in self.object.data.polygons]  # each begins at some corner
+        self.object.data.vertices.foreach_set("co", self.positions.ravel())
+        self.replay()
+        inside_out, _ = replayed(self.work, self.stroke, self.positions, flipped)
+        np.testing.assert_array_equal(self.now(), inside_out)
+        outside_out, _ = replayed(self.work, self.stroke, self.positions, self.faces)
+        self.assertFalse(np.array_equal(inside_out, outside_out))
+
+    def test_on_scaled_objects_are_round_in_the_world(self):
+        for scale in ((1, 3, 1), (1, -3, 1)):
+            with self.subTest(scale):
+                self.setUp()
+                local = (self.positions / [1, scale[1], 1]).astype(np.float32)
+                self.object.data.vertices.foreach_set("co", local.ravel())
+                self.object.scale = scale
+                bpy.context.view_layer.update()
+                world = (local * np.array(scale)).astype(np.float32)
+                faces = self.faces if scale[1] > 0 else [face[::-1] for face in self.faces]
+                expected, _ = replayed(self.work, self.stroke, world, faces)
+                self.assertEqual(self.replay(), {"FINISHED"})
+                np.testing.assert_allclose(self.now() * np.array(scale), expected, atol=1e-6)
+                still = (expected == world).all(axis=1)
+                self.assertGreater((~still).sum(), 100)
+                np.testing.assert_array_equal(self.now()[still], local[still])
+
+
+class Failures(OfOneMesh):
+    def test_leave_the_mesh_as_it_was(self):
+        class Faulty(burin.Brush):
+            id = "org.example.faulty"
+
+            def evaluate(self, batch):
+                if batch.t.max() > 0.7:
+                    raise ZeroDivisionError("the pen went too far")
+                batch.up = 0.1
+
+        sys.modules["burin_brushes.brushes"].library().add(Faulty)
+        both = self.work / "both.stroke"
+        both.write_text(
+            self.stroke.read_text()
+            + "".join(write_stroke(self.work / "f.stroke", brush=Faulty.id, params={}).read_text().splitlines(True)[1:])
+        )
+        expected, _ = replayed(self.work, self.stroke, self.positions, self.faces)
+        with self.assertRaisesRegex(RuntimeError, "the pen went too far"):
+            self.replay(both)
+        np.testing.assert_array_equal(self.now(), self.positions)
+        self.replay()
+        np.testing.assert_array_equal(self.now(), expected)
+
+    def test_tell_one_line(self):
+        cut = self.work / "cut.stroke"
+        cut.write_text(self.stroke.read_text()[:-20])
+        for arguments, text in (
+            ({"stroke": "missing.stroke"}, "missing.stroke"),
+            ({"stroke": cut}, "cut.stroke:.*cut off"),
+            ({"brush": "org.example.none"}, "org.example.none"),
+            ({"settings": "radius=-1"}, "radius"),
+            ({"settings": "radius"}, "must be KEY=VALUE"),
+            ({"settings": "no=1"}, "no"),
+            ({"settings": "params=none=1"}, "none"),
+        ):
+            with self.subTest(text):
+                with self.assertRaisesRegex(RuntimeError, text) as caught:
+                    self.replay(**arguments)
+                self.assertEqual(str(caught.exception).strip().count("\n"), 0)
+                np.testing.assert_array_equal(self.now(), self.positions)
+
+    def test_of_objects_that_cannot_be_drawn_on_say_why(self):
+        self.object.modifiers.new("Waves", "WAVE")
+        with self.assertRaisesRegex(RuntimeError, "modifiers change its shape .Waves."):
+            self.replay()
+        self.object.modifiers["Waves"].show_viewport = False
+        self.assertEqual(self.replay(), {"FINISHED"})
+        self.object.scale = (1, 0, 1)
+        bpy.context.view_layer.update()
+        with self.assertRaisesRegex(RuntimeError, "scaled to nothing"):
+            self.replay()
+        self.object.scale = (1, 1, 1)
+        self.object.shape_key_add()
+        with self.assertRaisesRegex(RuntimeError, "shape keys"):
+            self.replay()
+        make_object("Empty", np.zeros((3, 3), np.float32), [])
+        with self.assertRaisesRegex(RuntimeError, "no face"):
+            self.replay()
+
+
+class Registration(OfOneMesh):
+    def test_can_be_repeated(self):
+        self.replay()
+        drawn = self.now()
+        for _ in range(3):
+            addon_utils.disable(ADDON)
+            self.assertFalse(hasattr(bpy.types, "BURIN_OT_replay"))
+            self.assertEqual([name for name in sys.modules if name.startswith("burin_brushes.")], [])
+            handlers = [bpy.app.handlers.undo_post, bpy.app.handlers.depsgraph_update_post, bpy.app.handlers.load_pre]
+            self.assertEqual([one for some in handlers for one in some if "burin" in one.__module__], [])
+            addon_utils.enable(ADDON)
+            self.object.data.vertices.foreach_set("co", self.positions.ravel())
+            self.replay()
+            np.testing.assert_array_equal(self.now(), drawn)
