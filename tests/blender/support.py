@@ -42,6 +42,7 @@ def make_object(name, positions, faces):
 
 
 def activate(object):
+    bpy.context.view_layer.update()
     for other in bpy.context.view_layer.objects:
         other.select_set(other == object)
     bpy.context.view_layer.objects.active = object

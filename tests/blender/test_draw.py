@@ -1,0 +1,141 @@
+"""Strokes of the mouse, simulated by Blender: the bits of the same strokes replayed, undo, and strokes that are taken back."""
+
+import os
+import sys
+
+import addon_utils
+import bpy
+import mathutils
+import numpy as np
+
+import burin
+from support import ADDON, hilly_grid, make_object, positions_of, replayed
+from windowed import in_view, send, view
+
+PATH = [(0.35 + 0.3 * s, 0.5 + 0.1 * np.sin(6 * s)) for s in np.linspace(0, 1, 25)]
+
+
+def prepared(work, scale=(1, 1, 1)):
+    """An object in the middle of the view, the tool of the add-on, and what is drawn with."""
+    addon_utils.enable(ADDON)
+    for other in list(bpy.data.objects):
+        bpy.data.objects.remove(other)
+    positions, faces = hilly_grid(80)
+    made = make_object("Grid", positions, faces)
+    made.scale = scale
+    bpy.context.view_layer.update()
+    region_3d = view()[0].spaces.active.region_3d
+    region_3d.view_rotation = mathutils.Euler((0.5, 0.2, 0.3)).to_quaternion()
+    region_3d.view_location, region_3d.view_distance = (0, 0, 0), 4
+    chosen = bpy.context.scene.burin
+    chosen.brush, chosen.radius, chosen.record = "org.burin.groove", 0.15, str(work)
+    with in_view():
+        view()[0].spaces.active.show_region_ui = True
+        bpy.ops.wm.tool_set_by_id(name="burin.draw_tool")
+        bpy.ops.ed.undo_push(message="Start")
+    return positions, faces
+
+
+def now():
+    return positions_of(bpy.data.objects["Grid"])
+
+
+def moves(path):
+    for place in path:
+        send("MOUSEMOVE", "NOTHING", place)
+        yield
+
+
+def stroke(path=PATH, last=("LEFTMOUSE", "RELEASE")):
+    send("MOUSEMOVE", "NOTHING", path[0])
+    yield
+    send("LEFTMOUSE", "PRESS", path[0])
+    yield from moves(path)
+    send(*last, path[-1])
+    yield
+    yield
+
+
+def test_a_stroke_has_the_bits_of_its_recording(work):
+    positions, faces = prepared(work)
+    yield
+    yield from stroke()
+    drawn = now()
+    recording = work / "0001.stroke"
+    assert len(burin.read_recording(recording).strokes[0].samples) == len(PATH) + 1
+    expected, _ = replayed(work, recording, positions, faces)
+    np.testing.assert_array_equal(drawn, expected)
+    assert (drawn != positions).any(axis=1).sum() > 100
+    picture = os.environ.get("BURIN_SCREENSHOT")
+    if picture:
+        with in_view():
+            bpy.ops.screen.screenshot(filepath=picture)
+
+    yield from stroke([(x, y + 0.12) for x, y in PATH])
+    two = now()
+    assert (two != drawn).any() and (work / "0002.stroke").exists()
+    with in_view():
+        bpy.ops.ed.undo()
+        np.testing.assert_array_equal(now(), drawn)
+        bpy.ops.ed.undo()
+        np.testing.assert_array_equal(now(), positions)
+        bpy.ops.ed.redo()
+        np.testing.assert_array_equal(now(), drawn)
+        bpy.ops.burin.replay(filepath=str(work / "0002.stroke"))
+    np.testing.assert_array_equal(now(), two)
+
+
+def test_a_stroke_on_a_scaled_object_has_the_bits_of_its_recording(work):
+    positions, _ = prepared(work, (1, 1.5, 0.5))
+    yield
+    yield from stroke()
+    drawn = now()
+    assert (drawn != positions).any(axis=1).sum() > 100
+    bpy.data.objects["Grid"].data.vertices.foreach_set("co", positions.ravel())
+    with in_view():
+        bpy.ops.burin.replay(filepath=str(work / "0001.stroke"))
+    np.testing.assert_array_equal(now(), drawn)
+
+
+def test_escape_and_the_right_button_take_strokes_back(work):
+    positions, _ = prepared(work)
+    yield
+    for last in (("ESC", "PRESS"), ("RIGHTMOUSE", "PRESS")):
+        send("MOUSEMOVE", "NOTHING", PATH[0])
+        yield
+        send("LEFTMOUSE", "PRESS", PATH[0])
+        yield from moves(PATH)
+        assert (now() != positions).any(), "nothing was shown while the pen was down"
+        send(*last, PATH[-1])
+        yield
+        yield
+        np.testing.assert_array_equal(now(), positions)
+        assert not list(work.glob("*.stroke"))
+        send("LEFTMOUSE", "RELEASE", PATH[-1])
+        send(last[0], "RELEASE", PATH[-1])
+        yield
+    yield from stroke()
+    assert (now() != positions).any()
+
+
+def test_a_brush_that_fails_costs_its_stroke(work):
+    class Faulty(burin.Brush):
+        id = "org.example.faulty"
+
+        def evaluate(self, batch):
+            if batch.t.max() > 0.5:
+                raise ZeroDivisionError("the pen went too far")
+            batch.up = 0.1
+
+    positions, _ = prepared(work)
+    sys.modules["burin_brushes.brushes"].library().add(Faulty)
+    sys.modules["burin_brushes.settings"].rebuild()
+    chosen = bpy.context.scene.burin
+    chosen.brush, chosen.radius, chosen.record = Faulty.id, 0.15, str(work)
+    yield
+    yield from stroke()
+    np.testing.assert_array_equal(now(), positions)
+    assert not list(work.glob("*.stroke"))
+    chosen.brush = "org.burin.groove"
+    yield from stroke()
+    assert (now() != positions).any()
