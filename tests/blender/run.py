@@ -13,6 +13,8 @@ ROOT = FOLDER.parents[1]
 SKIPPED = 77
 PASSED = "passed"
 """A file that tests leave which passed: what a timer raises does not end Blender."""
+SIZE = os.environ.get("BURIN_WINDOW", "640x480").split("x")
+"""Of the window, pixels: what is drawn is drawn by the processor."""
 WINDOW = ("draw",)
 """Parts that want a window."""
 
@@ -29,8 +31,8 @@ def command(part):
         return [*blender, "--background", *script]
     if not shutil.which("xvfb-run"):
         skip("Xvfb is not installed (xvfb, xauth)")
-    screen = ["xvfb-run", "--auto-servernum", "--server-args=-screen 0 1280x800x24"]
-    return [*screen, *blender, "--enable-event-simulate", "--window-geometry", "0", "0", "1280", "800", *script]
+    screen = ["xvfb-run", "--auto-servernum", f"--server-args=-screen 0 {SIZE[0]}x{SIZE[1]}x24"]
+    return [*screen, *blender, "--enable-event-simulate", "--window-geometry", "0", "0", *SIZE, *script]
 
 
 def main(part):

@@ -63,4 +63,5 @@ def start(name):
         return None
 
     bpy.context.preferences.view.show_splash = False
+    bpy.context.preferences.system.viewport_aa = "OFF"
     bpy.app.timers.register(step, first_interval=0.5)
