@@ -40,6 +40,17 @@ class Arrays(unittest.TestCase):
         np.testing.assert_array_equal(mesh_io.read_positions(evaluated), moved)
 
 
+class Changes(unittest.TestCase):
+    def test_are_found_from_the_first_to_the_last(self):
+        before, _ = hilly_grid(20)
+        self.assertIsNone(mesh_io.changed_range(before, before.copy()))
+        for changed, expected in (([0], (0, 1)), ([7, 30], (7, 31)), ([399], (399, 400))):
+            for axis in range(3):
+                after = before.copy()
+                after[changed, axis] += 1
+                self.assertEqual(mesh_io.changed_range(before, after), expected)
+
+
 class Placements(unittest.TestCase):
     def test_of_nothing_keep_the_bits(self):
         positions, _ = hilly_grid(20)

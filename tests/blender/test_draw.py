@@ -14,6 +14,8 @@ from windowed import in_view, send, view
 
 PICTURE = os.environ.get("BURIN_SCREENSHOT")
 """A file for a picture of the window, if one is wanted."""
+PANEL = (0.988, 0.7)
+"""The place of the tab of the panel, in a window of 1280 x 800 pixels."""
 PATH = [(0.35 + 0.3 * s, 0.5 + 0.1 * np.sin(6 * s)) for s in np.linspace(0, 1, 25)]
 
 
@@ -58,6 +60,18 @@ def stroke(path=PATH, last=("LEFTMOUSE", "RELEASE")):
     yield
 
 
+def take_picture():
+    """Of the window with the panel, which a click on its tab shows."""
+    for value in ("PRESS", "RELEASE"):
+        send("LEFTMOUSE", value, PANEL)
+        yield
+    send("MOUSEMOVE", "NOTHING", (0.1, 0.1))
+    for _ in range(20):
+        yield
+    with in_view():
+        bpy.ops.screen.screenshot(filepath=PICTURE)
+
+
 def test_a_stroke_has_the_bits_of_its_recording(work):
     positions, faces = prepared(work)
     yield
@@ -69,8 +83,7 @@ def test_a_stroke_has_the_bits_of_its_recording(work):
     np.testing.assert_array_equal(drawn, expected)
     assert (drawn != positions).any(axis=1).sum() > 100
     if PICTURE:
-        with in_view():
-            bpy.ops.screen.screenshot(filepath=PICTURE)
+        yield from take_picture()
 
     yield from stroke([(x, y + 0.12) for x, y in PATH])
     two = now()

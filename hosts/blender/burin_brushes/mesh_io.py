@@ -47,6 +47,14 @@ def write_positions(mesh: Any, positions: Floats) -> None:
     mesh.update()
 
 
+def changed_range(before: Floats, after: Floats) -> tuple[int, int] | None:
+    """The vertices begin .. end - 1 of which the first and the last differ; None: all are the same."""
+    differ = before.ravel() != after.ravel()
+    if not differ.any():
+        return None
+    return int(differ.argmax()) // 3, (len(differ) - int(differ[::-1].argmax()) + 2) // 3
+
+
 def read_faces(mesh: Any) -> Faces:
     """The faces that are not hidden."""
     corners = np.empty(len(mesh.loops), np.uint32)
@@ -65,7 +73,7 @@ class Placement:
 
     def __init__(self, matrix: Any) -> None:
         self.matrix = np.array(matrix, np.float64)
-        self._trivial = np.array_equal(self.matrix, np.eye(4))
+        self.keeps_bits = bool(np.array_equal(self.matrix, np.eye(4)))
         determinant = np.linalg.det(self.matrix[:3, :3])
         if determinant == 0 or not np.isfinite(self.matrix).all():
             raise ValueError("the object is scaled to nothing along an axis")
@@ -76,7 +84,7 @@ class Placement:
         return np.array_equal(self.matrix, other.matrix)
 
     def to_world(self, local: Floats) -> Floats:
-        """Positions in the world. Without rotation, scale and translation they have the same bits."""
+        """Positions in the world. Without rotation, scale and translation they are the local ones: `keeps_bits`."""
         return self._apply(self.matrix, local)
 
     def to_local(self, world: Floats) -> Floats:
@@ -88,7 +96,7 @@ class Placement:
         return Faces(faces.corners[::-1], faces.sizes[::-1]) if self.mirrors else faces
 
     def _apply(self, matrix: NDArray[np.float64], positions: Floats) -> Floats:
-        if self._trivial:
+        if self.keeps_bits:
             return positions
         # One axis after the other instead of a product of matrices, whose bits depend on the machine.
         columns = positions.astype(np.float64).T

@@ -50,12 +50,14 @@ class ObjectSession:
     def take_moved(self, object: Any) -> None:
         """Takes the positions of vertices that others moved, at a cost in proportion to them."""
         local = mesh_io.read_positions(object.data)
-        moved = np.flatnonzero((local != self.local).any(axis=1))
-        if len(moved):
-            begin, end = int(moved[0]), int(moved[-1]) + 1
-            self.session.write("positions", self.placement.to_world(local[begin:end]), begin)
-            self.session.update("positions")
+        moved = mesh_io.changed_range(self.local, local)
+        if moved:
+            self._take(local, *moved)
             self.local = local
+
+    def _take(self, local: mesh_io.Floats, begin: int, end: int) -> None:
+        self.session.write("positions", self.placement.to_world(local[begin:end]), begin)
+        self.session.update("positions")
 
     def drawn(self, shown: mesh_io.Floats) -> bool:
         """Writes what changed since the last call to the local positions `shown`, and tells whether anything did."""
@@ -67,13 +69,12 @@ class ObjectSession:
 
     def keep(self, object: Any, shown: mesh_io.Floats) -> None:
         """Ends a stroke: the mesh and the session get the local positions that are shown."""
-        moved = np.flatnonzero((shown != self.local).any(axis=1))
         mesh_io.write_positions(object.data, shown)
+        if not self.placement.keeps_bits:
+            moved = mesh_io.changed_range(self.local, shown)
+            if moved:
+                self._take(shown, *moved)
         self.local = shown
-        if len(moved):
-            begin, end = int(moved[0]), int(moved[-1]) + 1
-            self.session.write("positions", self.placement.to_world(shown[begin:end]), begin)
-            self.session.update("positions")
 
 
 _sessions: dict[str, ObjectSession] = {}
