@@ -32,7 +32,8 @@ def prepared(work, scale=(1, 1, 1)):
     region_3d.view_rotation = mathutils.Euler((0.5, 0.2, 0.3)).to_quaternion()
     region_3d.view_location, region_3d.view_distance = (0, 0, 0), 4
     chosen = bpy.context.scene.burin
-    chosen.brush, chosen.radius, chosen.record = "org.burin.groove", 0.15, str(work)
+    chosen.brush, chosen.radius, chosen.record = "org.burin.groove", 0.15, "//strokes"
+    bpy.ops.wm.save_as_mainfile(filepath=str(work / "scene.blend"))
     with in_view():
         view()[0].spaces.active.show_region_ui = bool(PICTURE)
         bpy.ops.wm.tool_set_by_id(name="burin.draw_tool")
@@ -77,7 +78,7 @@ def test_a_stroke_has_the_bits_of_its_recording(work):
     yield
     yield from stroke()
     drawn = now()
-    recording = work / "0001.stroke"
+    recording = work / "strokes/0001.stroke"
     assert len(burin.read_recording(recording).strokes[0].samples) == len(PATH) + 1
     expected, _ = replayed(work, recording, positions, faces)
     np.testing.assert_array_equal(drawn, expected)
@@ -87,7 +88,7 @@ def test_a_stroke_has_the_bits_of_its_recording(work):
 
     yield from stroke([(x, y + 0.12) for x, y in PATH])
     two = now()
-    assert (two != drawn).any() and (work / "0002.stroke").exists()
+    assert (two != drawn).any() and (work / "strokes/0002.stroke").exists()
     with in_view():
         bpy.ops.ed.undo()
         np.testing.assert_array_equal(now(), drawn)
@@ -95,7 +96,7 @@ def test_a_stroke_has_the_bits_of_its_recording(work):
         np.testing.assert_array_equal(now(), positions)
         bpy.ops.ed.redo()
         np.testing.assert_array_equal(now(), drawn)
-        bpy.ops.burin.replay(filepath=str(work / "0002.stroke"))
+        bpy.ops.burin.replay(filepath=str(work / "strokes/0002.stroke"))
     np.testing.assert_array_equal(now(), two)
 
 
@@ -107,7 +108,7 @@ def test_a_stroke_on_a_scaled_object_has_the_bits_of_its_recording(work):
     assert (drawn != positions).any(axis=1).sum() > 100
     bpy.data.objects["Grid"].data.vertices.foreach_set("co", positions.ravel())
     with in_view():
-        bpy.ops.burin.replay(filepath=str(work / "0001.stroke"))
+        bpy.ops.burin.replay(filepath=str(work / "strokes/0001.stroke"))
     np.testing.assert_array_equal(now(), drawn)
 
 
@@ -123,7 +124,7 @@ def test_escape_and_the_right_button_take_strokes_back(work):
         send(*last, PATH[-1])
         yield
         np.testing.assert_array_equal(now(), positions)
-        assert not list(work.glob("*.stroke"))
+        assert not list(work.glob("strokes/*.stroke"))
         send("LEFTMOUSE", "RELEASE", PATH[-1])
         send(last[0], "RELEASE", PATH[-1])
         yield
@@ -144,11 +145,11 @@ def test_a_brush_that_fails_costs_its_stroke(work):
     sys.modules["burin_brushes.brushes"].library().add(Faulty)
     sys.modules["burin_brushes.settings"].rebuild()
     chosen = bpy.context.scene.burin
-    chosen.brush, chosen.radius, chosen.record = Faulty.id, 0.15, str(work)
+    chosen.brush, chosen.radius, chosen.record = Faulty.id, 0.15, "//strokes"
     yield
     yield from stroke()
     np.testing.assert_array_equal(now(), positions)
-    assert not list(work.glob("*.stroke"))
+    assert not list(work.glob("strokes/*.stroke"))
     chosen.brush = "org.burin.groove"
     yield from stroke()
     assert (now() != positions).any()

@@ -21,9 +21,15 @@ class BURIN_PT_brush(bpy.types.Panel):
         chosen = context.scene.burin
         layout = self.layout
         layout.use_property_split = True
-        for name in ("brush", "radius", "strength", "follow", "pressure_strength", "pressure_radius"):
+        layout.use_property_decorate = False
+        for name in ("brush", "radius", "strength", "follow"):
             layout.prop(chosen, name)
-        layout.row(align=True).prop(chosen, "mirror", toggle=True)
+        pressure = layout.column(heading="Pressure")
+        pressure.prop(chosen, "pressure_strength", text="Strength")
+        pressure.prop(chosen, "pressure_radius", text="Radius")
+        mirror = layout.row(heading="Mirror", align=True)
+        for index, axis in enumerate("XYZ"):
+            mirror.prop(chosen, "mirror", index=index, text=axis, toggle=True)
         layout.separator()
         brush = settings.chosen(chosen)
         group = getattr(chosen, settings.group_of(brush.id))

@@ -81,13 +81,14 @@ class PenStroke:
             mesh_io.write_positions(self.object.data, self._shown)
 
     def end(self) -> None:
-        """Ends the stroke."""
+        """Ends the stroke. The mesh is last: a recording that cannot be written fails the stroke."""
+        if self._recorder:
+            self._recorder.end()
         self._draw()
         self._kept.session.end()
         self._kept.drawn(self._shown)
         self._kept.keep(self.object, self._shown)
         if self._recorder:
-            self._recorder.end()
             self._recorder.close()
 
     def cancel(self) -> None:
