@@ -135,6 +135,18 @@ class Replays(OfOneMesh):
                 np.testing.assert_array_equal(self.now()[still], local[still])
 
 
+    def test_leave_hidden_faces_out(self):
+        hidden = range(1500, 1540)
+        for face in hidden:
+            self.object.data.polygons[face].hide = True
+        shown = [face for number, face in enumerate(self.faces) if number not in hidden]
+        expected, _ = replayed(self.work, self.stroke, self.positions, shown)
+        whole, _ = replayed(self.work, self.stroke, self.positions, self.faces)
+        self.replay()
+        np.testing.assert_array_equal(self.now(), expected)
+        self.assertFalse(np.array_equal(expected, whole))
+
+
 class Failures(OfOneMesh):
     def test_leave_the_mesh_as_it_was(self):
         class Faulty(burin.Brush):
