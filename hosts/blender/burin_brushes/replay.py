@@ -1,6 +1,4 @@
-"""The operator that draws a recording."""
-
-from __future__ import annotations
+"""The operator that draws a recording. Its properties are annotations, which must not be texts."""
 
 import shlex
 from typing import Any
