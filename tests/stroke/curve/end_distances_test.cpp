@@ -67,13 +67,14 @@ TEST(EndDistances, AreZeroBehindTheEnds) {
   }
 }
 
-// The minimum of t and 1 - t, less (1 - |2 t - 1|)^2 / 4.
+// The minimum of t and 1 - t, less (1/2 - |2 t - 1|)^2 / 2 where these differ by less than 1/2.
 TEST(EndDistances, AreRoundedInTheMiddleOfShortStrokes) {
   const EndDistances ends(curve_of(1, along_x), radius, most);
   EXPECT_FLOAT_EQ(at(ends, 0, 0.3), 0);
-  EXPECT_FLOAT_EQ(at(ends, 0.25, 0.3), 0.1875f);
-  EXPECT_FLOAT_EQ(at(ends, 0.5, 0), 0.25f);
-  EXPECT_FLOAT_EQ(at(ends, 0.75, 0.3), 0.1875f);
+  EXPECT_FLOAT_EQ(at(ends, 0.25, 0.3), 0.25f);
+  EXPECT_FLOAT_EQ(at(ends, 0.375, 0.3), 0.34375f);
+  EXPECT_FLOAT_EQ(at(ends, 0.5, 0), 0.375f);
+  EXPECT_FLOAT_EQ(at(ends, 0.75, 0.3), 0.25f);
   const EndDistances longer(curve_of(4, along_x), radius, most);
   EXPECT_FLOAT_EQ(at(longer, 1.9, 0.3), 1.9f) << "nothing depends on the length farther back than `most`";
 }

@@ -6,7 +6,8 @@
 
 namespace burin {
 
-/// A plugin module that is loaded into this process, initialised and checked, or brushes of the application itself.
+/// A plugin module that is loaded into this process, initialised and checked, or brushes of the application
+/// itself.
 class PluginModule : public BrushModule {
  public:
   /// Loads, initialises and checks the module at `path`, which its init gets, from `file`: it or a copy.

@@ -84,7 +84,7 @@ EndDistances::EndDistances(const SurfaceCurve& curve, double radius, double most
   has_ends_ = true;
   length_ = curve.length();
   radius_ = radius;
-  rounding_ = std::clamp(2 * most_ - length_, 0., std::min(radius, length_));
+  rounding_ = std::clamp(2 * most_ - length_, 0., std::min(radius / 2, length_));
   const double copied = std::min(length_, most_ + reach(radius_, most_));
   begin_ = end_of(curve.points, copied);
   end_ = end_of(reversed(curve, copied), copied);

@@ -20,7 +20,7 @@ class EndDistances {
   /// The distance for the coordinates (t, d) of the stroke's chart with the unit directions e1 and normal
   /// there, object units: at most `most`, at least the smaller one of `most` and the distance of t from the
   /// nearer end, and 0 at the least, apart from the middle of strokes shorter than twice `most`, where it is
-  /// up to a quarter of the radius less so that it has no corner. A stroke without ends has the finite value
+  /// up to an eighth of the radius less so that it has no corner. A stroke without ends has the finite value
   /// nearest to `most` everywhere.
   float at(double t, double d, const Vec3f& e1, const Vec3f& normal) const;
 
