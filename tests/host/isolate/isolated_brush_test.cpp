@@ -368,6 +368,8 @@ TEST_F(FailingBrush, LeavesTheSurfaceAsItWasWheneverItIsKilled) {
                            (static_cast<long>(resident()) - static_cast<long>(resident_before)) / 1024);
   EXPECT_GT(failed, kills / 4) << "representative";
   EXPECT_LT(resident(), resident_before + (std::size_t{64} << 20));
+  // The last process may have been killed after its stroke, and still be ending when the next one begins.
+  if (error_of(draw) == "none") EXPECT_TRUE(session_->undo());
   draw_well();
 }
 
