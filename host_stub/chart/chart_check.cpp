@@ -3,6 +3,7 @@
 // distance to every segment of the curve is known; with n vertices and m segments that part costs O(n m).
 #include "chart/chart_check.h"
 
+#include <burin/base/segment.h>
 #include <burin/chart/path/closed_length.h>
 #include <burin/math/elementary.h>
 
@@ -75,10 +76,7 @@ struct Shape {
 
  private:
   static double on_plane(const Vec3d& x, const Vec3d& a, const Vec3d& b) {
-    const Vec3d way = b - a;
-    const double squared = way.squaredNorm();
-    const double s = squared > 0 ? std::clamp((x - a).dot(way) / squared, 0., 1.) : 0;
-    return (x - a - s * way).norm();
+    return (x - a - share_on_segment(a, b, x) * (b - a)).norm();
   }
   double on_sphere(const Vec3d& x, const Vec3d& a, const Vec3d& b) const {
     const auto angle = [](const Vec3d& u, const Vec3d& v) {

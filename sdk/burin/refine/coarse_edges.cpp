@@ -1,8 +1,7 @@
 // A search over the vertices near a line. A number per vertex tells those that were seen, so that nothing is
 // cleared between searches; the array is made anew for a surface of another size.
+#include <burin/base/segment.h>
 #include <burin/refine/coarse_edges.h>
-
-#include <algorithm>
 
 namespace burin {
 
@@ -20,12 +19,8 @@ bool CoarseEdges::are_near(const Surface& surface, Index triangle, const Vec3d& 
   }
   ++search_;
   open_.clear();
-  const Vec3d along = to - from;
-  const double squared_length = along.squaredNorm();
   const auto is_within = [&](const Vec3d& place) {
-    const double share =
-        squared_length > 0 ? std::clamp((place - from).dot(along) / squared_length, 0., 1.) : 0;
-    return (place - from - share * along).squaredNorm() <= reach * reach;
+    return (place - from - share_on_segment(from, to, place) * (to - from)).squaredNorm() <= reach * reach;
   };
   const auto place_of = [&](Index vertex) -> Vec3d { return surface.positions[vertex].cast<double>(); };
   const Triangle& start = surface.triangles[triangle];

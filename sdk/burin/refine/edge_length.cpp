@@ -1,5 +1,6 @@
 // Lengths by the distance to lines, which a tree of boxes over consecutive segments finds. Beside the lines a
 // search ends with the first segment that is near enough, and far from them in O(log segments).
+#include <burin/base/segment.h>
 #include <burin/refine/edge_length.h>
 
 #include <algorithm>
@@ -15,10 +16,7 @@ namespace {
 constexpr std::size_t fan = 8;
 
 double squared_distance(const Vec3d& from, const Vec3d& to, const Vec3d& place) {
-  const Vec3d along = to - from, way = place - from;
-  const double squared = along.squaredNorm();
-  const double share = squared > 0 ? std::clamp(way.dot(along) / squared, 0., 1.) : 0;
-  return (way - share * along).squaredNorm();
+  return (place - from - share_on_segment(from, to, place) * (to - from)).squaredNorm();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // edges, weighted as N. Max (Weights for Computing Vertex Normals from Facet Normals, 1999), which is exact
 // on spheres; but where triangles of very different size meet they are weighted by area, since large ones are
 // facets that fillets meet without a bend.
+#include <burin/base/segment.h>
 #include <burin/refine/smooth_facets.h>
 #include <burin/surface/geometry/triangle_shape.h>
 
@@ -32,12 +33,6 @@ bool has_seam(const Surface& surface, Index t, Index other, Index a, Index b) {
     return surface.triangle_uv[triangle][corner_of(surface.triangles[triangle], vertex)];
   };
   return uv(t, a) != uv(other, a) || uv(t, b) != uv(other, b);
-}
-
-/// The point of a segment nearest to another, as the share of its second end.
-double share_on(const Vec3d& from, const Vec3d& to, const Vec3d& point) {
-  const double squared = (to - from).squaredNorm();
-  return squared > 0 ? std::clamp((point - from).dot(to - from) / squared, 0., 1.) : 0;
 }
 
 }  // namespace
@@ -185,7 +180,7 @@ FacetPlace SmoothFacets::nearest_on(Index triangle, const Vec3d& point) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
-    const double share = share_on(f.corners[i], f.corners[next], point);
+    const double share = share_on_segment(f.corners[i], f.corners[next], point);
     const Vec3d there = (1 - share) * f.corners[i] + share * f.corners[next];
     const double squared = (there - point).squaredNorm();
     if (!(squared < least)) continue;

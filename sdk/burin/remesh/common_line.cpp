@@ -1,5 +1,6 @@
 // Whether two closed polygons run along the same line, and the order of their vertices along it. Each vertex
 // of the second is found on the first, going on from the one before.
+#include <burin/base/segment.h>
 #include <burin/remesh/common_line.h>
 
 #include <algorithm>
@@ -28,9 +29,8 @@ struct Polygon {
 
   Foot foot_on(std::size_t side, const Vec3d& p) const {
     const Vec3d &from = at(side), way = at(side + 1) - from;
-    const double squared = way.squaredNorm();
-    const double share = squared > 0 ? std::clamp((p - from).dot(way) / squared, 0., 1.) : 0;
-    return {side, starts[side] + share * std::sqrt(squared), (p - from - share * way).norm()};
+    const double share = share_on_segment(from, at(side + 1), p);
+    return {side, starts[side] + share * way.norm(), (p - from - share * way).norm()};
   }
 
   Foot closest(const Vec3d& p) const {

@@ -1,6 +1,7 @@
 // Computes the foot of a vertex on the stroke, and from it the vertex's Fermi coordinates to second order in
 // the distance. The nearest segment is found by walking along the polyline; then Newton's method finds the
 // foot on a cubic arc through the segment's ends, in at most four steps.
+#include <burin/base/segment.h>
 #include <burin/chart/frames/float_rounding.h>
 #include <burin/chart/frames/foot.h>
 #include <burin/chart/frames/frame_step.h>
@@ -93,11 +94,9 @@ class Arc {
 }  // namespace
 
 Foot foot_on(const SurfaceCurve& curve, std::size_t segment, const Vec3f& x) {
-  const Vec3f& from = curve.points[segment].at.position;
-  const Vec3f chord = curve.points[curve.next(segment)].at.position - from;
-  const float squared = chord.squaredNorm();
-  const float s = squared > 0 ? std::clamp((x - from).dot(chord) / squared, 0.F, 1.F) : 0;
-  const Vec3f position = from + s * chord;
+  const Vec3f &from = curve.points[segment].at.position, &to = curve.points[curve.next(segment)].at.position;
+  const float s = share_on_segment(from, to, x);
+  const Vec3f position = from + s * (to - from);
   return {segment, s, position, (x - position).norm()};
 }
 
