@@ -3,6 +3,7 @@
 
 #include <burin/base/error.h>
 #include <burin/deform/evaluate/error_text.h>
+#include <burin/host/session/carry_state.h>
 #include <burin/plugin/detail/error.h>
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 namespace burin::process {
 namespace {
 
-using isolate::Bytes;
 using isolate::Column;
 using isolate::LaneCall;
 using isolate::MessageReader;
@@ -33,9 +33,7 @@ const burin_brush* create(const PluginModule& module, const std::string& id, con
   ErrorText error;
   const burin_brush* brush = module.create(&host, id.c_str(), error.abi());
   if (!brush) throw Error(error.line(BURIN_ERROR));
-  if (!BURIN_HAS(brush, burin_brush, end) || !brush->destroy || !brush->get_extension || !brush->begin ||
-      !brush->evaluate || !brush->end)
-    throw Error("its brush is incomplete");
+  if (!is_whole(*brush)) throw Error("its brush is incomplete");
   return brush;
 }
 
@@ -53,12 +51,18 @@ Array array_at(std::byte* lane, const Column& column) {
   return array;
 }
 
+template <class Array, std::size_t count>
+std::array<Array, count> arrays_at(std::byte* lane, const std::array<Column, count>& columns) {
+  std::array<Array, count> arrays{};
+  for (std::size_t i = 0; i < count; ++i) arrays[i] = array_at<Array>(lane, columns[i]);
+  return arrays;
+}
+
 burin_batch batch_of(std::byte* lane, const LaneCall& call) {
   burin_batch batch{};
   batch.struct_size = sizeof batch;
   batch.count = call.count;
-  std::array<burin_floats, isolate::batch_arrays> arrays{};
-  for (std::size_t i = 0; i < arrays.size(); ++i) arrays[i] = array_at<burin_floats>(lane, call.inputs[i]);
+  const auto arrays = arrays_at<burin_floats>(lane, call.inputs);
   std::memcpy(reinterpret_cast<std::byte*>(&batch) + offsetof(burin_batch, t), &arrays, sizeof arrays);
   return batch;
 }
@@ -67,9 +71,7 @@ burin_outputs outputs_of(std::byte* lane, const LaneCall& call) {
   burin_outputs outputs{};
   outputs.struct_size = sizeof outputs;
   outputs.count = call.count;
-  std::array<burin_floats_out, isolate::output_arrays> arrays{};
-  for (std::size_t i = 0; i < arrays.size(); ++i)
-    arrays[i] = array_at<burin_floats_out>(lane, call.outputs[i]);
+  const auto arrays = arrays_at<burin_floats_out>(lane, call.outputs);
   std::memcpy(reinterpret_cast<std::byte*>(&outputs) + offsetof(burin_outputs, along), &arrays,
               sizeof arrays);
   return outputs;
@@ -90,7 +92,7 @@ std::vector<burin_param_value> values_of(std::byte* lane, const LaneCall& call, 
 
 ServedBrush::ServedBrush(const std::filesystem::path& module, const std::string& id, const burin_host& host)
     : module_(module, module), brush_(create(module_, id, host)) {
-  state_ = ability(*brush_, BURIN_EXT_STATE, &burin_state::load);
+  state_ = state_of(*brush_);
   filter_ = ability(*brush_, BURIN_EXT_CURVE_FILTER, &burin_curve_filter::filter);
   volume_ = ability(*brush_, BURIN_EXT_VOLUME, &burin_volume::distance);
 }
@@ -208,20 +210,12 @@ Reply ServedBrush::plan(MessageReader& from) {
 }
 
 Reply ServedBrush::save() {
-  ErrorText error;
-  std::uint64_t size = 0;
-  state_->save(brush_, nullptr, 0, &size, error.abi());
-  constexpr std::uint64_t most = std::uint64_t{1} << 30;
-  if (size > most) throw Error("its state has more than 1 GiB");
-  Bytes bytes(static_cast<std::size_t>(size) + 1);  // never null, which would ask for the size alone
-  const std::uint64_t capacity = size;
-  Reply reply = reply_of(state_->save(brush_, bytes.data(), capacity, &size, error.abi()), error);
-  if (reply.status != BURIN_OK) return reply;
-  if (size > capacity) throw Error("its state grew while it was saved");
-  bytes.resize(static_cast<std::size_t>(size));
-  if (state_told_ && bytes == told_state_) return reply;
-  reply.content.value(state_->version).block(bytes);
-  told_state_ = std::move(bytes);
+  SavedState saved = save_state(*brush_, *state_);
+  Reply reply{saved.status, std::move(saved.problem), {}};
+  if (reply.status != BURIN_OK) reply.text = "its state cannot be saved: " + reply.text;
+  if (reply.status != BURIN_OK || (state_told_ && saved.bytes == told_state_)) return reply;
+  reply.content.value(state_->version).block(saved.bytes);
+  told_state_ = std::move(saved.bytes);
   state_told_ = true;
   return reply;
 }

@@ -98,11 +98,6 @@ struct EndOfLoading {
   }
 };
 
-bool is_whole(const burin_brush& brush) {
-  return BURIN_HAS(&brush, burin_brush, end) && brush.destroy && brush.get_extension && brush.begin &&
-         brush.evaluate && brush.end;
-}
-
 }  // namespace
 
 void BrushDeleter::operator()(const burin_brush* brush) const {

@@ -6,6 +6,12 @@
 
 namespace burin {
 
+/// Whether all functions of a brush are there.
+inline bool is_whole(const burin_brush& brush) {
+  return BURIN_HAS(&brush, burin_brush, end) && brush.destroy && brush.get_extension && brush.begin &&
+         brush.evaluate && brush.end;
+}
+
 /// A module whose brushes can be created. All functions are to be called on the main thread.
 class BrushModule {
  public:
