@@ -94,8 +94,7 @@ TEST(EndDistances, AreTheGreatestWithoutEnds) {
   EXPECT_TRUE(std::isfinite(at(EndDistances(std::numeric_limits<double>::infinity()), 0, 0.3)));
 }
 
-/// The greatest steps of the distances between points of a grid, whose nearest points are exact, and of t.
-/// Points with a coarser spacing than the grid's differ by more than what steps there are.
+/// The greatest steps of the distances and of t between points of a grid, whose nearest points are exact.
 struct Steps {
   double distance = 0, t = 0;
 };

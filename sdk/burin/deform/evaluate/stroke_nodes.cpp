@@ -37,7 +37,8 @@ StrokeChanges StrokeNodes::follow(const SurfaceCurve& curve, double end_zone, do
   stale_in_.resize(chart().size());
   for (std::size_t i = 0; i < asked_.size(); ++i)
     if (chart_->changed(asked_[i]) || differs_[i] || chart().t[asked_[i]] >= end_zone) add_stale(asked_[i]);
-  add_zone(end_zone, chart_->computed_from());
+  // Otherwise the zone was collected.
+  if (!ends.distances) add_zone(end_zone, chart_->computed_from());
   if (reads_.inputs & (BURIN_INPUT_SHEET | BURIN_INPUT_VISIT_COUNT)) add_other_sheets();
   return finished();
 }

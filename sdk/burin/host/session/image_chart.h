@@ -35,6 +35,9 @@ class ImageChart {
   /// The image of the original's curve: positions, normals and tangents.
   SurfaceCurve image_of(const SurfaceCurve& original) const;
 
+  /// The image of a position.
+  Vec3f moved(const Vec3f& position) const { return image_(position.cast<double>()).cast<float>(); }
+
   /// Whether the last event did not follow the image's own chart, so that this chart must be drawn from its
   /// start.
   bool own_is_behind() const { return followed_ != Followed::own; }
@@ -44,7 +47,6 @@ class ImageChart {
 
  private:
   enum class Followed { none, original, own };
-  Vec3f moved(const Vec3f& position) const { return image_(position.cast<double>()).cast<float>(); }
   Vec3f turned(const Vec3f& direction) const {
     return (image_.linear * direction.cast<double>()).cast<float>();
   }

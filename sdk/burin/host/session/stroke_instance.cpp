@@ -193,19 +193,22 @@ void StrokeInstance::chart(std::size_t unchanged, EventCost& cost) {
     chart_own(image_chart_->own_is_behind() ? 0 : unchanged, cost);
     image_chart_->copy(own_live());
   }
-  if (!reads_foot() && !reads_end_distance()) return;
-  const bool reflects = image_chart_ && image_chart_->reflects();
-  look_along(reflects ? image_chart_->image_of(original_->curve()) : curve());
+  look_along();
 }
 
 /// Prepares the inputs that depend on more of the curve than a point of it.
-void StrokeInstance::look_along(const SurfaceCurve& curve) {
-  if (reads_foot()) foot_.emplace(curve, reads_.radius);
+void StrokeInstance::look_along() {
+  const bool reflects = image_chart_ && image_chart_->reflects();
+  if (reads_foot())
+    foot_.emplace(reflects ? image_chart_->image_of(original_->curve()) : curve(), reads_.radius);
   if (!reads_end_distance()) return;
   if (dabs_)
     ends_.emplace(end_influence_);
+  else if (reflects)
+    ends_.emplace(original_->curve(), reads_.radius, end_influence_,
+                  [this](const Vec3f& position) { return image_chart_->moved(position); });
   else
-    ends_.emplace(curve, reads_.radius, end_influence_);
+    ends_.emplace(curve(), reads_.radius, end_influence_);
 }
 
 void StrokeInstance::chart_own(std::size_t unchanged, EventCost& cost) {

@@ -110,7 +110,7 @@ class StrokeInstance {
   std::span<const float> dab_t() const;
   bool runs_like_original() const;
   void chart(std::size_t unchanged, EventCost& cost);
-  void look_along(const SurfaceCurve& curve);
+  void look_along();
   void chart_own(std::size_t unchanged, EventCost& cost);
   double other_feet_from(double same_curve_up_to) const;
   StrokeEnds ends(double same_curve_up_to);

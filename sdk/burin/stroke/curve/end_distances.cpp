@@ -19,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -34,28 +35,36 @@ constexpr double spacing_over_radius = 1. / 8, turn_over_radius = 1. / 8;
 /// radii, so that what comes later is another visit.
 constexpr double least_way_round = 3;
 
-/// The positions of a polyline at multiples of `spacing` of the arc length, up to `most`.
-std::vector<Vec3f> resampled(const std::vector<CurvePoint>& points, double spacing, double most) {
+/// A point of the curve that is `away` from one of its ends along it.
+struct Place {
+  double away;
+  Vec3f position;
+};
+
+/// The places of the curve from one end on, up to the first that is farther than `most` away.
+std::vector<Place> places_from(const SurfaceCurve& curve, bool end, double most,
+                               const EndDistances::Image& image) {
+  std::vector<Place> places;
+  const std::size_t count = curve.points.size();
+  for (std::size_t i = 0; i < count && (places.empty() || places.back().away <= most); ++i) {
+    const CurvePoint& point = curve.points[end ? count - 1 - i : i];
+    const Vec3f& position = point.at.position;
+    places.push_back({end ? curve.length() - point.t : point.t, image ? image(position) : position});
+  }
+  return places;
+}
+
+/// The positions at multiples of `spacing` of the arc length, up to `most`.
+std::vector<Vec3f> resampled(const std::vector<Place>& places, double spacing, double most) {
   std::vector<Vec3f> positions;
   std::size_t segment = 0;
   for (double t = 0; t <= most; t = spacing * static_cast<double>(positions.size())) {
-    while (segment + 2 < points.size() && points[segment + 1].t <= t) ++segment;
-    const CurvePoint &from = points[segment], &to = points[std::min(segment + 1, points.size() - 1)];
-    const double share = to.t > from.t ? std::min((t - from.t) / (to.t - from.t), 1.) : 0;
-    positions.push_back(from.at.position + static_cast<float>(share) * (to.at.position - from.at.position));
+    while (segment + 2 < places.size() && places[segment + 1].away <= t) ++segment;
+    const Place &from = places[segment], &to = places[std::min(segment + 1, places.size() - 1)];
+    const double share = to.away > from.away ? std::min((t - from.away) / (to.away - from.away), 1.) : 0;
+    positions.push_back(from.position + static_cast<float>(share) * (to.position - from.position));
   }
   return positions;
-}
-
-/// The same curve from its end, as far as `most` from there.
-std::vector<CurvePoint> reversed(const SurfaceCurve& curve, double most) {
-  std::vector<CurvePoint> points;
-  for (std::size_t i = curve.points.size(); i-- > 0;) {
-    points.push_back(curve.points[i]);
-    points.back().t = curve.length() - curve.points[i].t;
-    if (points.back().t > most) break;
-  }
-  return points;
 }
 
 /// P: how much more a point of a line counts than the nearest one if it is `along` farther from the end.
@@ -79,23 +88,24 @@ bool bends_sharply(std::span<const Vec3f> points) {
 
 EndDistances::EndDistances(double most) : most_(std::min<double>(most, std::numeric_limits<float>::max())) {}
 
-EndDistances::EndDistances(const SurfaceCurve& curve, double radius, double most) : EndDistances(most) {
-  if (curve.closed) return;
+EndDistances::EndDistances(const SurfaceCurve& curve, double radius, double most, const Image& image)
+    : EndDistances(most) {
+  if (curve.closed || !(most_ > 0)) return;
   has_ends_ = true;
   length_ = curve.length();
   radius_ = radius;
   rounding_ = std::clamp(2 * most_ - length_, 0., std::min(radius / 2, length_));
   const double copied = std::min(length_, most_ + reach(radius_, most_));
-  begin_ = end_of(curve.points, copied);
-  end_ = end_of(reversed(curve, copied), copied);
+  begin_ = end_of(resampled(places_from(curve, false, copied, image), spacing(), copied));
+  end_ = end_of(resampled(places_from(curve, true, copied, image), spacing(), copied));
   // Where the ends meet they are told the same way.
   if (length_ <= 2 * most_) begin_.bends = end_.bends = begin_.bends || end_.bends;
 }
 
 double EndDistances::spacing() const { return spacing_over_radius * radius_; }
 
-EndDistances::End EndDistances::end_of(const std::vector<CurvePoint>& points, double most) const {
-  End end{resampled(points, spacing(), most)};
+EndDistances::End EndDistances::end_of(std::vector<Vec3f> points) const {
+  End end{std::move(points)};
   const double seen = std::min(most_ + least_way_round * radius_, length_);
   const std::size_t count = std::min(end.points.size(), static_cast<std::size_t>(seen / spacing()) + 1);
   end.bends = bends_sharply(std::span(end.points).first(count));

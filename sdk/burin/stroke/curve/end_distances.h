@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/stroke/curve/surface_curve.h>
 
+#include <functional>
 #include <vector>
 
 namespace burin {
@@ -10,9 +11,13 @@ namespace burin {
 /// to another part of the bend. Any thread.
 class EndDistances {
  public:
+  /// Where a position of a curve is in an image of it, of the same size.
+  using Image = std::function<Vec3f(const Vec3f&)>;
+
   /// `curve`: at least one point; `radius`: of the stroke, object units; `most`: the greatest distance that
-  /// is told apart, >= 0. Copies what lies near the ends, in O(points that are copied).
-  EndDistances(const SurfaceCurve& curve, double radius, double most);
+  /// is told apart, >= 0; `image`: of the curve that is meant, or empty. Copies what lies near the ends, in
+  /// O(points that are copied).
+  EndDistances(const SurfaceCurve& curve, double radius, double most, const Image& image = {});
 
   /// Of a dab, which has no ends.
   explicit EndDistances(double most);
@@ -37,7 +42,7 @@ class EndDistances {
     bool bends = false;
   };
   double spacing() const;
-  End end_of(const std::vector<CurvePoint>& points, double most) const;
+  End end_of(std::vector<Vec3f> points) const;
   double along(double s) const;
   float supremum(const End& end, double t, const Vec3f& from_foot) const;
 
