@@ -31,6 +31,20 @@ def hilly_grid(count=60):
     return positions, faces
 
 
+def brush_that_fails(after):
+    """A brush that raises beyond this arc length, object units."""
+
+    class Faulty(burin.Brush):
+        id = "org.example.faulty"
+
+        def evaluate(self, batch):
+            if batch.t.max() > after:
+                raise ZeroDivisionError("the pen went too far")
+            batch.up = 0.1
+
+    return Faulty
+
+
 def make_object(name, positions, faces):
     """A mesh object, which becomes the active one."""
     mesh = bpy.data.meshes.new(name)

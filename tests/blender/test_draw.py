@@ -9,7 +9,7 @@ import mathutils
 import numpy as np
 
 import burin
-from support import ADDON, hilly_grid, make_object, positions_of, replayed
+from support import ADDON, brush_that_fails, hilly_grid, make_object, positions_of, replayed
 from windowed import in_view, send, view
 
 PICTURE = os.environ.get("BURIN_SCREENSHOT")
@@ -133,13 +133,7 @@ def test_escape_and_the_right_button_take_strokes_back(work):
 
 
 def test_a_brush_that_fails_costs_its_stroke(work):
-    class Faulty(burin.Brush):
-        id = "org.example.faulty"
-
-        def evaluate(self, batch):
-            if batch.t.max() > 0.5:
-                raise ZeroDivisionError("the pen went too far")
-            batch.up = 0.1
+    Faulty = brush_that_fails(after=0.5)
 
     positions, _ = prepared(work)
     sys.modules["burin_brushes.brushes"].library().add(Faulty)

@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 
 import burin
-from support import ADDON, activate, folder, hilly_grid, make_object, positions_of, replayed, write_stroke
+from support import ADDON, activate, brush_that_fails, folder, hilly_grid, make_object, positions_of, replayed, write_stroke
 
 
 class OfOneMesh(unittest.TestCase):
@@ -149,13 +149,7 @@ class Replays(OfOneMesh):
 
 class Failures(OfOneMesh):
     def test_leave_the_mesh_as_it_was(self):
-        class Faulty(burin.Brush):
-            id = "org.example.faulty"
-
-            def evaluate(self, batch):
-                if batch.t.max() > 0.7:
-                    raise ZeroDivisionError("the pen went too far")
-                batch.up = 0.1
+        Faulty = brush_that_fails(after=0.7)
 
         sys.modules["burin_brushes.brushes"].library().add(Faulty)
         both = self.work / "both.stroke"

@@ -9,23 +9,16 @@ import bpy
 import numpy as np
 
 import burin
+from every_param import EveryParam
 from support import ADDON, folder, hilly_grid
 
 addon_utils.enable(ADDON)
 from burin_brushes import brushes, pen_stroke, settings, view_rays  # noqa: E402
 
 
-class Everything(burin.Brush):
+class Everything(EveryParam):
     id = "org.example.everything"
     help = "Declares all there is."
-    height = burin.FloatParam(0.1, hard=(0, 1), soft=(0, 0.5), unit="radius", help="How high.")
-    count = burin.IntParam(3, hard=(1, 9))
-    on = burin.BoolParam(True)
-    form = burin.ChoiceParam(("round", "flat"), "flat")
-    tint = burin.ColourParam((1, 0.5, 0.25, 1))
-    file = burin.FileParam("")
-    profile = burin.CurveParam([(0, 1), (1, 0)])
-    word = burin.TextParam("Größe")
     seen = {}
 
     def begin(self, start):

@@ -7,6 +7,7 @@ import unittest
 import numpy as np
 
 import burin
+from every_param import EveryParam
 from support import TEST_BRUSHES, grid, hex_hash, wave
 
 
@@ -20,21 +21,13 @@ class RaiseTo(burin.Brush):
         batch.up = (np.float32(0.1) - batch.position[:, 2]) / batch.normal[:, 2]
 
 
-class Everything(burin.Brush):
+class Everything(EveryParam):
     id = "org.example.everything"
     help = "Declares all there is."
     inputs = burin.INPUTS
     outputs = burin.OUTPUTS
     overlap = "latest"
     features = ("procedural",)
-    height = burin.FloatParam(0.1, hard=(0, 1), soft=(0, 0.5), unit="radius", dynamic=True, help="How high.")
-    count = burin.IntParam(3, hard=(1, 9))
-    on = burin.BoolParam(True)
-    form = burin.ChoiceParam(("round", "flat"), "flat")
-    tint = burin.ColourParam((1, 0.5, 0.25, 1))
-    file = burin.FileParam("")
-    profile = burin.CurveParam([(0, 1), (1, 0)])
-    word = burin.TextParam("Größe")
     seen = []
 
     def begin(self, start):
