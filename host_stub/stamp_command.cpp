@@ -1,6 +1,6 @@
 // The command `burin stamp`: describes an image as brushes read it, measures whether it tiles, and draws a
 // preview.
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/stamp/files/stamp_file.h>
 #include <burin/stamp/seam.h>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "bench/against.h"
 
 #include <burin/base/program_file.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Compares the hashes and counters of a result with those of a baseline, name by name.
 #include "bench/baseline.h"
 
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <fmt/format.h>
 
 #include <algorithm>

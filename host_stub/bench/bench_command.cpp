@@ -2,7 +2,7 @@
 // with a baseline, or compares this build with another one.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/level_set/solid_mesh.h>
 #include <burin/services/stamp_services.h>
 #include <fmt/format.h>

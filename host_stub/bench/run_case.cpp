@@ -3,8 +3,8 @@
 #include "bench/run_case.h"
 
 #include <burin/base/hash.h>
-#include <burin/base/quoted_word.h>
 #include <burin/base/stopwatch.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/host/replay.h>
 #include <burin/level_set/solid_mesh.h>
 #include <burin/stroke/move_origin.h>

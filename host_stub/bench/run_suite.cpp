@@ -4,7 +4,7 @@
 
 #include <burin/base/error.h>
 #include <burin/base/program_file.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <fmt/format.h>
 
 #include <cstdio>

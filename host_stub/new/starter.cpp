@@ -3,7 +3,7 @@
 #include "new/starter.h"
 
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <fmt/format.h>
 
 #include <algorithm>

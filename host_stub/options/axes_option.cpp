@@ -2,8 +2,8 @@
 #include "options/axes_option.h"
 
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
 #include <burin/base/text/lower_case.h>
+#include <burin/base/text/quoted_word.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>

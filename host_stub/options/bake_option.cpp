@@ -2,7 +2,7 @@
 #include "options/bake_option.h"
 
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/stamp/float_image.h>
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Parses what the options of several commands have in common: numbers, vectors, and parameters NAME=VALUE.
 #include "options/options.h"
 
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/stroke/files/setting_texts.h>
 
 #include <CLI/CLI.hpp>

@@ -3,7 +3,7 @@
 #include "system/console.h"
 
 #include <burin/abi/ext/log.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <fmt/format.h>
 
 #include <algorithm>

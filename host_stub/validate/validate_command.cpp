@@ -1,6 +1,6 @@
 // The command `burin validate`: tests whether a plugin keeps to the ABI.
 #include <burin/base/file.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 // Composes the messages of errors.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <fmt/format.h>
 
 namespace burin {

@@ -2,8 +2,8 @@
 // temporary file, which a rename then puts in place.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/base/quoted_word.h>
 #include <burin/base/scratch_file.h>
+#include <burin/base/text/quoted_word.h>
 
 #include <array>
 #include <cerrno>

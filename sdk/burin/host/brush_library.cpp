@@ -2,8 +2,8 @@
 // request for one of its brushes fails with the reason.
 #include <burin/abi/ext/log.h>
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
 #include <burin/base/scratch_file.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/deform/evaluate/error_text.h>
 #include <burin/deform/evaluate/plugin_call.h>
 #include <burin/deform/evaluate/supported_inputs.h>

@@ -2,7 +2,7 @@
 #include <OpenImageIO/imageio.h>
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/image_codec/exr_header.h>
 #include <burin/image_codec/image_reader.h>
 #include <burin/image_codec/jpeg_size.h>

@@ -1,8 +1,8 @@
 // Chooses the reader or writer of a mesh file by its extension, and checks what all formats have in common:
 // finite positions, sizes of faces and numbers of vertices.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
 #include <burin/base/text/lower_case.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/mesh_file.h>
 #include <burin/surface/weld_mesh.h>

@@ -1,7 +1,7 @@
 // Reads a property of the vertices of a PLY file, past all that comes before it.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
 #include <burin/base/text/lower_case.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/formats/ply_header.h>
 #include <burin/surface/formats/ply_values.h>

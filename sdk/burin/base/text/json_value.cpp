@@ -1,8 +1,8 @@
 // Wraps values of nlohmann::json with their paths, so that errors name the place. The line and column of a
 // syntax error are counted from the byte at which parsing stopped.
 #include <burin/base/file.h>
-#include <burin/base/quoted_word.h>
 #include <burin/base/text/json_value.h>
+#include <burin/base/text/quoted_word.h>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Computes strength and parameters at a point of the curve. Dynamics multiply the value, or are added to an
 // angle; the result is clamped to the parameter's hard range.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/deform/evaluate/param_dynamics.h>
 #include <burin/stroke/files/recording_faults.h>
 #include <fmt/format.h>

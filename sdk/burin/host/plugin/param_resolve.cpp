@@ -1,7 +1,7 @@
 // Converts the setting of a parameter to a value of the declared type and checks its range, or takes the
 // default.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/host/plugin/descriptor_check.h>
 #include <burin/host/plugin/param_snapshot.h>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // Resolves the settings of all parameters of a brush, and lays the values out as the ABI's structs.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/host/plugin/param_snapshot.h>
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Collects the formats of traces in an InkML file: those of traceFormat elements, and through them those of
 // the contexts and sources around them.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/ink/decode/inkml_format.h>
 #include <burin/ink/parse/scan.h>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // prefixes "!" (absolute), "'" (difference) and '"' (difference of differences) hold for the channel until
 // the next one; "*" goes on as before, "?" is unknown, "#" begins a hexadecimal number.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/ink/decode/inkml_trace.h>
 #include <burin/ink/parse/scan.h>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // Follows the data of SVG paths ("Scalable Vector Graphics 2", section 9.3).
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/ink/decode/svg_path.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/math/elementary.h>

@@ -4,8 +4,8 @@
 // cell is absent. Lines that begin with '#' are comments; the first line may begin so too, as NumPy writes
 // it.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
 #include <burin/base/text/lower_case.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/ink/decode/csv_columns.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>

@@ -2,7 +2,7 @@
 // around them. Each subpath is a stroke. A picture has no times, pressure or tilt; curves give chords, see
 // svg_path.h.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/ink/decode/svg_path.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>

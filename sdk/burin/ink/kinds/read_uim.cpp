@@ -2,7 +2,7 @@
 // what the sensors measured, never the splines that the program made of it. In 3.0 one chunk DATA holds the
 // model, whose field 1 is the input data; in 3.1 that is the chunk INPT.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/ink/decode/uim_sensors.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/protobuf.h>

@@ -2,7 +2,7 @@
 // their page. A stroke has one width, or one and then that of each segment, made from the pen's pressure: it
 // tells pressure relative to the stroke only, and so stays a width.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/xml.h>

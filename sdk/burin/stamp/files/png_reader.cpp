@@ -1,7 +1,7 @@
 // Reads PNG files with libpng directly, so that no colour conversion is applied.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/stamp/files/image_limits.h>
 #include <burin/stamp/files/png_reader.h>
 #include <burin/stamp/orientation.h>

@@ -1,7 +1,7 @@
 // Chooses the channels of a stamp by their names.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
 #include <burin/base/text/lower_case.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/stamp/files/stamp_channels.h>
 #include <fmt/format.h>
 

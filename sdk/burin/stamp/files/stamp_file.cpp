@@ -1,7 +1,7 @@
 // Reads a stamp: the stored image, then no-data values, orientation, wrap, values that are not finite, and
 // zero.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/stamp/clean.h>
 #include <burin/stamp/files/stamp_file.h>
 #include <burin/stamp/files/stored_image.h>

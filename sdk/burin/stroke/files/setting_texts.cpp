@@ -1,6 +1,6 @@
 // Converts texts of settings to the JSON values of files, so that the same functions read and check both.
-#include <burin/base/quoted_word.h>
 #include <burin/base/text/number_text.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/stroke/files/setting_texts.h>
 #include <fmt/format.h>
 

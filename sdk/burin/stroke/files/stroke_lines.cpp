@@ -1,5 +1,5 @@
 // Parses the lines of a `.stroke` file.
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/stroke/files/recording_faults.h>
 #include <burin/stroke/files/setting_table.h>
 #include <burin/stroke/files/stroke_lines.h>

@@ -1,5 +1,5 @@
 // Parses three numbers, which must fit into floats.
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/surface/files/position_line.h>
 #include <burin/surface/files/text_lines.h>
 

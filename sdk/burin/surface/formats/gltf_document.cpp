@@ -2,8 +2,8 @@
 // and decodes accessors to doubles. Every offset and count is checked before it is used.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
-#include <burin/base/quoted_word.h>
 #include <burin/base/text/base64.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/surface/files/little_endian.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/formats/gltf_document.h>

@@ -1,7 +1,7 @@
 // Reads OBJ files. This is our own reader, since tinyobjloader 2.0 reads words that are not numbers as 0,
 // counts the corners of a face in a byte and loses the tags after a group.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/surface/files/file_colours.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/files/position_line.h>

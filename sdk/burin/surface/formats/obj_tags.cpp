@@ -1,6 +1,6 @@
 // Parses the subdivision tags of an OBJ file. They are stored in the mesh when it is complete, since a tag
 // may stand before the vertices and faces that it names.
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/surface/formats/obj_tags.h>
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 // it is what follows the corners up to the end of it, in any number. So what is left of a line behind a face
 // is taken for the start of another one only if the lines that follow are too few for all others.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/surface/files/file_colours.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/files/position_line.h>

@@ -1,6 +1,6 @@
 // Parses the header of a PLY file [Turk 1994] line by line.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/surface/files/text_lines.h>
 #include <burin/surface/formats/ply_header.h>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Reads the numbers of a PLY file, as text or as bytes in either order. The result does not depend on the
 // processor's byte order.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/surface/files/text_lines.h>
 #include <burin/surface/formats/ply_values.h>
 #include <fmt/format.h>

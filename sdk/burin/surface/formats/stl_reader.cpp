@@ -1,7 +1,7 @@
 // Reads STL files, binary and text, as a triangle soup. read_mesh() joins the vertices.
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
 #include <burin/base/text/lower_case.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/surface/files/little_endian.h>
 #include <burin/surface/files/mesh_formats.h>
 #include <burin/surface/files/position_line.h>

@@ -1,5 +1,5 @@
 // Makes text from files printable for messages.
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/base/text/utf8.h>
 #include <fmt/format.h>
 

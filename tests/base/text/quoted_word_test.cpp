@@ -1,5 +1,5 @@
 #include <burin/base/error.h>
-#include <burin/base/quoted_word.h>
+#include <burin/base/text/quoted_word.h>
 #include <gtest/gtest.h>
 
 namespace burin {
