@@ -21,6 +21,8 @@ class Flatten : public Brush {
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_FINE_POSITION |
                 BURIN_INPUT_NORMAL | BURIN_INPUT_E1 | BURIN_INPUT_FOOT,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
+      // Visits of one place have planes of their own, and together they level it to one between them.
+      .overlap = BURIN_OVERLAP_AVERAGE,
   };
   static constexpr FloatParam amount = common::amount("Share of the way to the plane.", {0, 1}, 1);
   enum Part { both, peaks, valleys };

@@ -256,6 +256,7 @@ Answer StrokeDriver::evaluate(const Nodes& nodes) {
   if (read & BURIN_INPUT_D) batch.d = {nodes.d.data(), 1, 0};
   if (read & BURIN_INPUT_RADIUS) batch.radius = uniform(nodes.radius);
   if (!nodes.radii.empty()) batch.radius = {nodes.radii.data(), 1, 0};
+  if (read & BURIN_INPUT_STRETCH) batch.stretch = uniform(nodes.stretch);
   if (read & BURIN_INPUT_FOOTPRINT) batch.footprint_t = uniform(nodes.footprint_t);
   if (read & BURIN_INPUT_FOOTPRINT) batch.footprint_d = uniform(nodes.footprint_d);
   if (read & BURIN_INPUT_POSITION) batch.position = vectors(nodes.position);

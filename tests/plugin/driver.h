@@ -103,7 +103,7 @@ struct Nodes {
   std::vector<float> t, d;
   float radius = 1;  ///< of all nodes, unless `radii` has one for each
   std::vector<float> radii{};
-  float footprint_t = 0.01f, footprint_d = 0.01f;
+  float footprint_t = 0.01f, footprint_d = 0.01f, stretch = 1;
   std::vector<Vector> position{}, normal{}, e1{}, laplacian{}, displacement{}, foot{}, foot_normal{},
       fine_position{};
 };

@@ -241,5 +241,26 @@ TEST(SelfOverlap, HasASheetForEveryVisit) {
   }
 }
 
+// Every visit has a plane of its own. If the highest rise and the deepest cut of all were taken, hollows
+// would be raised to the highest plane and bumps sunk to the lowest.
+TEST(Flatten, LevelsWhatItScrubs) {
+  TriangleMesh mesh = test::plane(1, 0.02, 4);
+  for (Vec3f& p : mesh.positions) p.z() = 0.02F * std::sin(32 * p.x() + 3) * std::sin(32 * p.y() + 1);
+  Session session(make_surface(mesh), test::brushes());
+  const std::vector<Vec3f> relief = session.surface().positions;
+  session.begin_stroke(test::settings("org.burin.flatten", 0.2));
+  for (int i = 0; i < 400; ++i)
+    session.add_sample({-0.6 + 0.003 * i, 0.35 * std::sin(0.25 * i), 0}, 0.01 * i, {}, Show::later);
+  session.end_stroke();
+  double before = 0, after = 0;
+  for (Index v = 0; v < session.surface().vertex_count(); ++v) {
+    if (std::abs(relief[v].x()) > 0.4F || std::abs(relief[v].y()) > 0.3F) continue;
+    before += relief[v].z() * relief[v].z();
+    after += session.positions()[v].z() * session.positions()[v].z();
+  }
+  std::cout << "RMS height left: " << std::sqrt(after / before) << '\n';
+  EXPECT_LT(std::sqrt(after / before), 0.1);
+}
+
 }  // namespace
 }  // namespace burin
