@@ -22,9 +22,9 @@ if(BURIN_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# Headers of others that many sources have, parsed once for all libraries and once for all tests. Not with a
-# compiler launcher: a cache as ccache could not keep what is compiled with them, and such builds show which
-# sources do not name all headers that they use.
+# Headers of others that many sources have, parsed once for all libraries, all tests, and so on. Not with a compiler
+# launcher: a cache as ccache could not keep what is compiled with them, and such builds show which sources do not name
+# all headers that they use.
 # burin_precompile(NAME HEADER...): what targets of the same options take with burin_use_precompiled(TARGET NAME).
 function(burin_precompile name)
   if(CMAKE_CXX_COMPILER_LAUNCHER OR CMAKE_DISABLE_PRECOMPILE_HEADERS)
@@ -36,6 +36,16 @@ function(burin_precompile name)
   target_link_libraries(${name} PRIVATE
     Eigen3::Eigen TBB::tbb fmt::fmt nlohmann_json::nlohmann_json burin_build_flags)
   target_precompile_headers(${name} PRIVATE ${ARGN})
+endfunction()
+# burin_precompile_for_tests(NAME HEADER...): the same for programs of tests.
+function(burin_precompile_for_tests name)
+  burin_precompile(${name} ${ARGN} <gtest/gtest.h> <iostream> <random> <set>)
+  if(TARGET ${name})
+    target_link_libraries(${name} PRIVATE GTest::gtest burin_test_flags)
+    # As the sources of programs, not of libraries.
+    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+    target_compile_options(${name} PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIE})
+  endif()
 endfunction()
 function(burin_use_precompiled target name)
   if(TARGET ${name})
@@ -49,22 +59,20 @@ function(burin_use_precompiled target name)
 endfunction()
 set(burin_common_headers
   <Eigen/Core> <Eigen/Geometry> <oneapi/tbb/parallel_for.h> <oneapi/tbb/parallel_sort.h> <fmt/format.h>
-  <nlohmann/json.hpp> <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional> <span>
-  <string> <vector>)
+  <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional> <span> <string> <vector>)
 burin_precompile(burin_library_headers ${burin_common_headers})
+# GCC instantiates much of nlohmann/json in each source whose precompiled headers have it, used or not, which takes twice
+# as long as all the rest of a small source. Only where most sources use it is that less than to parse it.
+set(burin_command_headers_list ${burin_common_headers} <nlohmann/json.hpp>)
+burin_precompile(burin_command_headers ${burin_command_headers_list})
 
 # It takes longer to compile a test than to run what is in it, so tests are optimised little. What they test and what
 # they share (tests/support) is optimised in full.
 add_library(burin_test_flags INTERFACE)
 target_compile_options(burin_test_flags INTERFACE $<$<CONFIG:Release>:-O1>)
 if(BURIN_TESTS)
-  burin_precompile(burin_test_headers ${burin_common_headers} <gtest/gtest.h> <iostream> <random> <set>)
-  if(TARGET burin_test_headers)
-    target_link_libraries(burin_test_headers PRIVATE GTest::gtest burin_test_flags)
-    # As the sources of programs, not of libraries.
-    set_target_properties(burin_test_headers PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-    target_compile_options(burin_test_headers PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIE})
-  endif()
+  burin_precompile_for_tests(burin_test_headers ${burin_common_headers})
+  burin_precompile_for_tests(burin_command_test_headers ${burin_command_headers_list})
 endif()
 
 # burin_use_openvdb(TARGET): for sources that include it. OpenVDB's templates hold data that the library and its
@@ -112,19 +120,22 @@ function(burin_brush_plugin name)
   burin_install_brush(burin_brush_${name})
 endfunction()
 
-# burin_test(NAME LINK ... [LABELS ...] [COST n]): the *_test.cpp of the folder and its rooms as one GoogleTest
-# program NAME_test, one CTest entry a test. CTest starts tests of higher cost (0 unless given) first: long ones
-# belong there, so that none is left to run alone.
+# burin_test(NAME LINK ... [LABELS ...] [COST n] [PRECOMPILED name]): the *_test.cpp of the folder and its rooms as one
+# GoogleTest program NAME_test, one CTest entry a test. CTest starts tests of higher cost (0 unless given) first: long
+# ones belong there, so that none is left to run alone. The precompiled headers are burin_test_headers unless given.
 function(burin_test folder)
-  cmake_parse_arguments(ARG "" "COST" "LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "COST;PRECOMPILED" "LINK;LABELS" ${ARGN})
   if(NOT ARG_COST)
     set(ARG_COST 0)
+  endif()
+  if(NOT ARG_PRECOMPILED)
+    set(ARG_PRECOMPILED burin_test_headers)
   endif()
   set(name ${folder}_test)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *_test.cpp)
   add_executable(${name} ${sources})
-  burin_use_precompiled(${name} burin_test_headers)
-  if(TARGET burin_test_headers)
+  burin_use_precompiled(${name} ${ARG_PRECOMPILED})
+  if(TARGET ${ARG_PRECOMPILED})
     # GCC forgets that GoogleTest's macros are a system's when they come from precompiled headers, and warns of
     # an `if` before them.
     target_compile_options(${name} PRIVATE -Wno-dangling-else)

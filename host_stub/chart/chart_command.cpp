@@ -179,7 +179,8 @@ void run(const ChartCommandOptions& options) {
   }
   if (loaded.surface.is_point_set() && options.check)
     throw FileError(options.mesh.path, "holds points without faces, which --check cannot measure");
-  warn_of_radii(options.mesh.path, loaded.surface, {radius});
+  warn_of_small_radii(options.mesh.path, loaded.surface, {radius});
+  warn_of_great_radii(options.mesh.path, loaded.surface, {radius});
   const Picker picker(loaded.surface);
   const ChartOptions how{.radius = radius,
                          .cap = settings.cap,

@@ -21,15 +21,19 @@ double mean_edge_length(const Surface& surface) {
   return sum / static_cast<double>(count);
 }
 
-void warn_of_radii(const std::string& path, const Surface& surface, const std::vector<double>& radii) {
+void warn_of_small_radii(const std::string& path, const Surface& surface, const std::vector<double>& radii) {
   if (radii.empty()) return;
-  const auto [least, greatest] = std::ranges::minmax(radii);
-  const double edge = mean_edge_length(surface);
+  const double least = std::ranges::min(radii), edge = mean_edge_length(surface);
   if (least < edge / 2)
     warn(fmt::format(
         "{}: a radius of {:.3g} is small against the mean edge, {:.3g}: little of the stroke meets "
         "a vertex",
         path, least, edge));
+}
+
+void warn_of_great_radii(const std::string& path, const Surface& surface, const std::vector<double>& radii) {
+  if (radii.empty()) return;
+  const double greatest = std::ranges::max(radii);
   if (greatest > surface.scale)
     warn(
         fmt::format("{}: a radius of {:.3g} is greater than the whole surface, {:.3g}: strokes on it are too "

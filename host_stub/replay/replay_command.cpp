@@ -78,10 +78,21 @@ std::vector<double> radii(const ReplayOptions& options, const std::vector<Record
   return radii;
 }
 
-/// Whether strokes get as many vertices as they need.
+/// Unless it is said how, strokes split triangles that are too large for them, where nothing that follows
+/// depends on the triangles of the mesh's file.
+void refine_where_coarse(ReplayOptions& options, const ReplayMesh& mesh) {
+  if (options.settings.find(&StrokeSettings::refining) || options.bake.asked() || mesh.has_levels()) return;
+  options.settings[&StrokeSettings::refining] = {.kind = Refining::Kind::automatic};
+}
+
 bool refines(const ReplayOptions& options) {
   const Refining* refining = options.settings.find(&StrokeSettings::refining);
   return refining && refining->kind != Refining::Kind::off;
+}
+
+void warn_of_strokes(const ReplayOptions& options, const Surface& surface, const std::vector<double>& radii) {
+  if (!refines(options)) warn_of_small_radii(options.mesh.mesh.path, surface, radii);
+  warn_of_great_radii(options.mesh.mesh.path, surface, radii);
 }
 
 bool draws(const ReplayOptions& options) { return !options.png.empty() || !options.report.empty(); }
@@ -236,7 +247,8 @@ void run(ReplayOptions& options) {
   options.settings[&StrokeSettings::symmetry].centre -= mesh.origin();
   Session session(mesh.take_surface(), library, merge_solid);
   session.set_paint(mesh.take_paint());
-  if (!refines(options)) warn_of_radii(options.mesh.mesh.path, session.surface(), radii(options, recordings));
+  refine_where_coarse(options, mesh);
+  warn_of_strokes(options, session.surface(), radii(options, recordings));
   StrokeRecorder recorder;
   ReplaySummary summary = replay_all(session, options, recordings, recorder);
   with_file_context(options.mesh.mesh.path, [&] { check_replaced(session, mesh, options); });

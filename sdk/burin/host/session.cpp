@@ -13,6 +13,7 @@
 #include <burin/host/session/refine_path.h>
 #include <burin/host/session/sculpted_surface.h>
 #include <burin/surface/patch_uv.h>
+#include <fmt/format.h>
 
 #include <map>
 #include <memory>
@@ -68,6 +69,7 @@ struct Session::Impl {
   void drop();
   void open(const BrushEntry* entry, const StrokeSettings& settings);
   bool refine(const std::optional<SurfacePatch>& patch);
+  bool declines(const PathRefinement& refinement, const StrokeSettings& settings);
   bool refine_at(const SurfacePoint& at);
   void draw_again();
   bool take(Turn turn);
@@ -285,14 +287,26 @@ bool Session::Impl::refine(const std::optional<SurfacePatch>& patch) {
   return true;
 }
 
+/// Draws the open stroke on the surface as it is, if it is said that it would take too many triangles.
+bool Session::Impl::declines(const PathRefinement& refinement, const StrokeSettings& settings) {
+  if (refinement.declined == 0) return false;
+  warnings.push_back(
+      fmt::format("a stroke of radius {:.3g} is drawn on the triangles that are there: to refine them would "
+                  "take about {:.2g}, more than {:.0f}",
+                  settings.radius, refinement.declined, most_automatic));
+  given_samples.reset();
+  return true;
+}
+
 /// Refines the surface where the pen comes to, if it must, and draws the stroke so far again.
 bool Session::Impl::refine_at(const SurfacePoint& at) {
   GivenSamples& given = *given_samples;
   Stopwatch watch;
-  const auto patch = refined_at(surface.base(), surface.picker(), given.settings,
-                                given.step_to(at.position.cast<double>()), coarse_edges);
+  const PathRefinement made =
+      refined_at(surface.base(), surface.picker(), given.settings, given.step_to(at.position.cast<double>()),
+                 refined ? refined->triangles_added : 0, coarse_edges);
   const double seconds = watch.lap();
-  if (!refine(patch)) return false;
+  if (declines(made, given.settings) || !refine(made.patch)) return false;
   refined->edge = refined_edge(given.settings);
   refined->split_seconds += seconds;
   draw_again();
@@ -377,9 +391,14 @@ void Session::begin_stroke(const StrokeSettings& settings, std::span<const Vec3d
     if (settings.refining.kind == Refining::Kind::off) return;
     impl_->given_samples.emplace(entry, settings);
     Stopwatch watch;
-    const auto patch = refined_along(impl_->surface.base(), impl_->surface.picker(), settings, path);
+    const PathRefinement made = refined_along(impl_->surface.base(), impl_->surface.picker(), settings, path);
     const double seconds = watch.lap();
-    if (!impl_->refine(patch)) return;
+    if (impl_->declines(made, settings)) {
+      StrokeSettings unrefined = settings;
+      unrefined.refining = {};
+      return impl_->open(entry, unrefined);
+    }
+    if (!impl_->refine(made.patch)) return;
     impl_->refined->edge = refined_edge(settings);
     impl_->refined->split_seconds = seconds;
     impl_->open(entry, settings);

@@ -56,7 +56,7 @@ struct Box {
 
 TEST(Refine, DrawsAGrooveOnABoxAndSaysWhatItAdded) {
   const Box box;
-  const nlohmann::json result = burin_json(box.command({"--refine", "auto"}));
+  const nlohmann::json result = burin_json(box.command({}));
   const TriangleMesh mesh = triangulate(read_mesh(box.saved));
   ASSERT_EQ(result["refined"].size(), 1u);
   EXPECT_EQ(result["refined"][0]["triangles_added"], mesh.triangles.size());
@@ -67,7 +67,7 @@ TEST(Refine, DrawsAGrooveOnABoxAndSaysWhatItAdded) {
     if (p.x() > 0.8F && p.x() < 1.2F && p.y() > 0.4F && p.y() < 0.6F && p.z() > 0.8F)
       deepest = std::min(deepest, p.z());
   EXPECT_NEAR(deepest, 1 - 0.25F * 0.12F, 1e-4F);
-  const std::string text = burin_output(box.command({"--refine", "auto"}));
+  const std::string text = burin_output(box.command({}));
   EXPECT_NE(
       text.find(fmt::format("\nrefined         {} triangles in place of 12, with edges of about 0.0075, in",
                             mesh.triangles.size())),
@@ -78,7 +78,7 @@ TEST(Refine, DrawsAGrooveOnABoxAndSaysWhatItAdded) {
 TEST(Refine, WritesAReportOfSeveralStrokes) {
   const Box box;
   const std::string report = box.folder.path("report");
-  std::vector<std::string> command = box.command({"--refine", "auto", "--report", report});
+  std::vector<std::string> command = box.command({"--report", report});
   command.insert(command.begin() + 1, box.stroke);
   const ProcessResult result = burin(command);
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -86,10 +86,33 @@ TEST(Refine, WritesAReportOfSeveralStrokes) {
   EXPECT_TRUE(std::filesystem::exists(report + "/chart.png"));
 }
 
-TEST(Refine, IsOffUnlessAskedFor) {
+TEST(Refine, IsOffWhereTheCommandSaysSo) {
   const Box box;
-  EXPECT_FALSE(nlohmann::json::parse(burin(box.command({"--json"})).out).contains("refined"));
+  EXPECT_FALSE(
+      nlohmann::json::parse(burin(box.command({"--json", "--refine", "off"})).out).contains("refined"));
   EXPECT_EQ(read_mesh(box.saved).face_sizes.size(), 12u);
+}
+
+// A stroke that would take more than a million triangles was hardly meant.
+TEST(Refine, DeclinesWhatTakesTooManyTriangles) {
+  const Box box;
+  const ProcessResult result = burin(box.command({"--radius", "0.0005"}));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(
+      result.err,
+      "burin: warning: a stroke of radius 0.0005 is drawn on the triangles that are there: to refine them "
+      "would take about 4.6e+06, more than 1000000\n");
+  EXPECT_EQ(read_mesh(box.saved).face_sizes.size(), 12u);
+}
+
+// A stroke whose triangles suit it has the bits that it has without refinement.
+TEST(Refine, ChangesNothingOnFineMeshes) {
+  const std::string samples = BURIN_SAMPLES;
+  const auto hash_of = [&](const std::string& refine) {
+    return burin_json({"replay", samples + "/strokes/meander.stroke", "--mesh", samples + "/meshes/ewer.obj",
+                       "--subdivide", "3", "--refine", refine})["result_hash"];
+  };
+  EXPECT_EQ(hash_of("auto"), hash_of("off"));
 }
 
 TEST(Refine, RefusesInOneLine) {

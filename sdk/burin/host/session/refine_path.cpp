@@ -62,15 +62,11 @@ Lines lines_through(std::span<const Vec3d> path, const Surface& surface, const P
   return lines;
 }
 
-void check_size(const EdgeLength& lengths) {
+/// About how many triangles the region gets.
+double expected_triangles(const EdgeLength& lengths) {
   // Measured: about 3.5 in the area of the square of an edge, with those of the transition.
   constexpr double triangles_per_square = 3.5;
-  const double triangles = triangles_per_square * lengths.area() / (lengths.edge() * lengths.edge());
-  if (!(triangles <= static_cast<double>(most_triangles)))
-    throw Error(
-        fmt::format("refining the surface to edges of {:g} would take about {:.2g} triangles, more "
-                    "than {}",
-                    lengths.edge(), triangles, most_triangles));
+  return triangles_per_square * lengths.area() / (lengths.edge() * lengths.edge());
 }
 
 /// How far from the curve triangles matter, object units.
@@ -85,19 +81,27 @@ double longest_left(const StrokeSettings& settings) {
                                                         : settings.radius / Refining::coarse;
 }
 
-std::optional<SurfacePatch> refined(const Surface& surface, const StrokeSettings& settings,
-                                    const Lines& lines, double reach) {
+PathRefinement refined(const Surface& surface, const StrokeSettings& settings, const Lines& lines,
+                       double reach, std::size_t added) {
   const EdgeLength lengths(lines.points, reach, refined_edge(settings));
-  check_size(lengths);
+  const double expected = static_cast<double>(added) + expected_triangles(lengths);
+  if (settings.refining.kind == Refining::Kind::automatic) {
+    if (!(expected <= most_automatic)) return {{}, expected};
+  } else if (!(expected <= static_cast<double>(most_triangles))) {
+    throw Error(
+        fmt::format("refining the surface to edges of {:g} would take about {:.2g} triangles, more "
+                    "than {}",
+                    lengths.edge(), expected, most_triangles));
+  }
   SurfacePatch made = refine_surface(surface, lengths, lines.triangles, most_triangles);
   if (made.triangles.empty()) return {};
-  return made;
+  return {std::move(made)};
 }
 
 }  // namespace
 
-std::optional<SurfacePatch> refined_along(const Surface& surface, const Picker& picker,
-                                          const StrokeSettings& settings, std::span<const Vec3d> path) {
+PathRefinement refined_along(const Surface& surface, const Picker& picker, const StrokeSettings& settings,
+                             std::span<const Vec3d> path) {
   if (settings.refining.kind == Refining::Kind::off || path.empty()) return {};
   const Lines lines = lines_through(path, surface, picker, settings);
   if (lines.points.empty()) return {};
@@ -105,12 +109,11 @@ std::optional<SurfacePatch> refined_along(const Surface& surface, const Picker& 
     const EdgeLength enough(lines.points, reach_of(settings), longest_left(settings) / longest_edge_factor);
     if (!has_longer_edges(surface, enough, lines.triangles)) return {};
   }
-  return refined(surface, settings, lines, reach_of(settings));
+  return refined(surface, settings, lines, reach_of(settings), 0);
 }
 
-std::optional<SurfacePatch> refined_at(const Surface& surface, const Picker& picker,
-                                       const StrokeSettings& settings, const PenStep& step,
-                                       CoarseEdges& coarse) {
+PathRefinement refined_at(const Surface& surface, const Picker& picker, const StrokeSettings& settings,
+                          const PenStep& step, std::size_t added, CoarseEdges& coarse) {
   // Ahead of the pen in radii; and how much wider than the stroke, so that it may bend.
   constexpr double least_ahead = 4, leeway = 1.75;
   const double length = step.length(), ahead = std::max(least_ahead * settings.radius, step.drawn / 2);
@@ -125,7 +128,7 @@ std::optional<SurfacePatch> refined_at(const Surface& surface, const Picker& pic
     lines.triangles.push_back(at->triangle);
   }
   if (lines.points.empty()) return {};
-  return refined(surface, settings, lines, leeway * reach_of(settings));
+  return refined(surface, settings, lines, leeway * reach_of(settings), added);
 }
 
 }  // namespace burin

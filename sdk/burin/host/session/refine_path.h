@@ -12,11 +12,20 @@ namespace burin {
 /// About the length of the edges into which a stroke refines a surface, object units.
 double refined_edge(const StrokeSettings& settings);
 
-/// The patch that refines a surface for a stroke through these places near it, and its images, as
-/// StrokeSettings::refining says; nothing where there is nothing to do. Throws Error where that would take
-/// more than 10 million triangles, if possible before it starts.
-std::optional<SurfacePatch> refined_along(const Surface& surface, const Picker& picker,
-                                          const StrokeSettings& settings, std::span<const Vec3d> path);
+/// What a stroke needs of its surface.
+struct PathRefinement {
+  std::optional<SurfacePatch> patch;  ///< none where there is nothing to do
+  double declined = 0;  ///< about how many triangles it would add, more than an automatic refinement may
+};
+
+/// The most triangles that automatic refinements add for a stroke. What needs more was hardly meant.
+inline constexpr double most_automatic = 1e6;
+
+/// What refines a surface for a stroke through these places near it, and its images, as
+/// StrokeSettings::refining says. Throws Error where `edge` would take more than 10 million triangles, if
+/// possible before it starts.
+PathRefinement refined_along(const Surface& surface, const Picker& picker, const StrokeSettings& settings,
+                             std::span<const Vec3d> path);
 
 /// Where a pen comes to.
 struct PenStep {
@@ -28,9 +37,9 @@ struct PenStep {
 
 /// The same for one step of the pen. If there is anything to do, what lies ahead is refined too: half as much
 /// as was drawn, and at least some radii, so that a stroke is interrupted the less often the longer it is.
-/// Costs O(vertices within the radius) if there is not.
-std::optional<SurfacePatch> refined_at(const Surface& surface, const Picker& picker,
-                                       const StrokeSettings& settings, const PenStep& step,
-                                       CoarseEdges& coarse);
+/// Costs O(vertices within the radius) if there is not. `added`: triangles that were added for the stroke
+/// before.
+PathRefinement refined_at(const Surface& surface, const Picker& picker, const StrokeSettings& settings,
+                          const PenStep& step, std::size_t added, CoarseEdges& coarse);
 
 }  // namespace burin
