@@ -125,7 +125,6 @@ LoadedSurface make_loaded(TriangleMesh mesh, int level, const VertexPaint& paint
                           const Progress& progress) {
   LoadedSurface loaded;
   loaded.from = std::move(from);
-  mesh.triangle_uv = {};
   if (level == 0) {
     const MeshDefects defects = find_defects(mesh);
     if (defects.any()) loaded.defects = defects.text();

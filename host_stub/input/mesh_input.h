@@ -59,9 +59,8 @@ struct Cage {
 /// set.
 Cage read_cage(const MeshOptions& options);
 
-/// Makes a surface of a mesh, which is the refined level `level` of a cage; texture coordinates are dropped.
-/// `paint` has the colours and masks of the mesh's vertices and may be empty. Defects are counted on level 0
-/// only.
+/// Makes a surface of a mesh, which is the refined level `level` of a cage. `paint` has the colours and masks
+/// of the mesh's vertices and may be empty. Defects are counted on level 0 only.
 LoadedSurface make_loaded(TriangleMesh mesh, int level, const VertexPaint& paint, FromFile from,
                           const Progress& progress);
 

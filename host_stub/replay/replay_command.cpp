@@ -78,20 +78,21 @@ std::vector<double> radii(const ReplayOptions& options, const std::vector<Record
   return radii;
 }
 
-/// Unless it is said how, strokes split triangles that are too large for them, where nothing that follows
-/// depends on the triangles of the mesh's file.
+/// Whether strokes split triangles that are too large for them: unless it is said how, where nothing that
+/// follows depends on the triangles of the mesh's file.
+bool may_refine(const ReplayOptions& options) {
+  const Refining* refining = options.settings.find(&StrokeSettings::refining);
+  return refining ? refining->kind != Refining::Kind::off : !options.bake.asked();
+}
+
 void refine_where_coarse(ReplayOptions& options, const ReplayMesh& mesh) {
-  if (options.settings.find(&StrokeSettings::refining) || options.bake.asked() || mesh.has_levels()) return;
+  if (options.settings.find(&StrokeSettings::refining) || !may_refine(options) || mesh.has_levels()) return;
   options.settings[&StrokeSettings::refining] = {.kind = Refining::Kind::automatic};
 }
 
-bool refines(const ReplayOptions& options) {
-  const Refining* refining = options.settings.find(&StrokeSettings::refining);
-  return refining && refining->kind != Refining::Kind::off;
-}
-
 void warn_of_strokes(const ReplayOptions& options, const Surface& surface, const std::vector<double>& radii) {
-  if (!refines(options)) warn_of_small_radii(options.mesh.mesh.path, surface, radii);
+  if (options.settings.complete().refining.kind == Refining::Kind::off)
+    warn_of_small_radii(options.mesh.mesh.path, surface, radii);
   warn_of_great_radii(options.mesh.mesh.path, surface, radii);
 }
 
@@ -242,7 +243,9 @@ void run(ReplayOptions& options) {
   std::vector<Recording> recordings = read_recordings(options);
   // From a copy, so that the file may be overwritten before the watch begins.
   if (options.watch) library.reload(module_of_last(library, recordings.back(), options.settings));
-  ReplayMesh mesh(options.mesh, {.baked = options.bake.asked(), .saved = !options.save_mesh.empty()});
+  ReplayMesh mesh(
+      options.mesh,
+      {.baked = options.bake.asked(), .saved = !options.save_mesh.empty(), .refined = may_refine(options)});
   for (Recording& recording : recordings) move_origin(recording, mesh.origin());
   options.settings[&StrokeSettings::symmetry].centre -= mesh.origin();
   Session session(mesh.take_surface(), library, merge_solid);

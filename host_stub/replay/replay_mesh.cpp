@@ -45,7 +45,7 @@ ReplayMesh::ReplayMesh(const ReplayMeshOptions& options, const Uses& uses) {
     drawn_level_ = options.sculpt_level.value_or(cage.level);
     check_level(drawn_level_, cage.level);
     if (uses.baked) check_bakeable(cage.polygons);
-    if (!uses.baked && !uses.saved) cage.polygons.corner_uv = {};
+    if (!uses.baked && !uses.saved && !uses.refined) cage.polygons.corner_uv = {};
     drop_unless_finite(cage.polygons.corner_uv);
     drawn_level_ < cage.level ? load_levels(cage, bar.progress())
                               : load(std::move(cage), uses, bar.progress());
@@ -58,6 +58,7 @@ void ReplayMesh::load(Cage cage, const Uses& uses, const Progress& progress) {
   VertexPaint paint = std::move(cage.polygons.paint);
   cage.polygons = {};
   if (uses.baked || uses.saved) before_ = mesh;
+  if (!uses.saved && !uses.refined) mesh.triangle_uv = {};
   drawn_ = make_loaded(std::move(mesh), cage.level, paint, std::move(cage.from), progress);
   if (!uses.saved || !cage.apart) return;
   apart_ = std::move(cage.apart);

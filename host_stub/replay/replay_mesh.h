@@ -27,8 +27,9 @@ class ReplayMesh {
  public:
   /// The uses of the result.
   struct Uses {
-    bool baked = false;  ///< its displacement is baked to a map
-    bool saved = false;  ///< it is saved to a file
+    bool baked = false;    ///< its displacement is baked to a map
+    bool saved = false;    ///< it is saved to a file
+    bool refined = false;  ///< strokes may refine the surface, which keep seams of texture coordinates
   };
 
   /// Reads and refines the mesh, with a progress bar and a warning that counts defects. Throws FileError as
