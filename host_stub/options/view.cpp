@@ -27,15 +27,6 @@ Camera frame(const Eigen::AlignedBox3d& box, const Vec3d& direction, const ViewO
                         options.height, options.field_of_view * std::numbers::pi / 180);
 }
 
-/// The camera with a viewport of at most `longest` pixels on its longer side.
-Camera fit_into(Camera camera, int longest) {
-  const double scale = static_cast<double>(longest) / std::max(camera.width, camera.height);
-  if (scale >= 1) return camera;
-  camera.width = std::max(1, static_cast<int>(std::lround(camera.width * scale)));
-  camera.height = std::max(1, static_cast<int>(std::lround(camera.height * scale)));
-  return camera;
-}
-
 }  // namespace
 
 void add_view_options(CLI::App& command, ViewOptions& options) {
@@ -74,6 +65,14 @@ Camera stroke_view(const Surface& surface, std::span<const SurfaceCurve> curves,
   const bool one_sided = normals.norm() > 0.2 * static_cast<double>(count);
   return frame({box.min() - margin, box.max() + margin},
                options.direction.value_or(one_sided ? Vec3d(-normals) : front_from_above), options);
+}
+
+Camera fit_into(Camera camera, int longest) {
+  const double scale = static_cast<double>(longest) / std::max(camera.width, camera.height);
+  if (scale >= 1) return camera;
+  camera.width = std::max(1, static_cast<int>(std::lround(camera.width * scale)));
+  camera.height = std::max(1, static_cast<int>(std::lround(camera.height * scale)));
+  return camera;
 }
 
 Camera recorded_view(std::span<const Recording> recordings, const Surface& surface,

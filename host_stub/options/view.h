@@ -32,6 +32,9 @@ Camera whole_view(const Surface& surface, const ViewOptions& options);
 Camera stroke_view(const Surface& surface, std::span<const SurfaceCurve> curves, double radius,
                    const ViewOptions& options);
 
+/// The camera with a viewport of at most `longest` pixels on its longer side.
+Camera fit_into(Camera camera, int longest);
+
 /// The camera of the first recording of a screen, with a viewport of at most options.width pixels on its
 /// longer side, if there is one and the options ask for no direction; else stroke_view().
 Camera recorded_view(std::span<const Recording> recordings, const Surface& surface,

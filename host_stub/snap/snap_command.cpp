@@ -22,13 +22,14 @@
 #include "options/view.h"
 #include "recordings/written_strokes.h"
 #include "snap/snap_picture.h"
+#include "snap/snap_view.h"
 #include "system/output_file.h"
 
 namespace burin::command {
 namespace {
 
 struct SnapCommandOptions {
-  std::string strokes, out, png, feature, ends = "free";
+  std::string strokes, out, png, feature, camera, ends = "free";
   GivenSettings settings;
   SnapOptions snap;
   std::optional<double> scale;
@@ -74,18 +75,18 @@ std::vector<float> values_of(const SnapCommandOptions& options, const LoadedSurf
   return values;
 }
 
-/// Where a recording's camera sees a surface from.
-Viewpoint viewpoint_of(const Camera& camera) {
-  const Eigen::Matrix3d rotation = camera.view.topLeftCorner<3, 3>();
-  const bool is_eye = camera.projection(3, 3) == 0;
-  if (is_eye) return {true, -rotation.inverse() * camera.view.topRightCorner<3, 1>()};
-  return {false, -rotation.row(2).transpose()};
+/// The camera that features are seen by, if one is given or the strokes were drawn before one.
+std::optional<Camera> chosen_camera(const SnapCommandOptions& options, const Recording& recording,
+                                    const Vec3d& origin) {
+  if (options.view.direction) return std::nullopt;
+  if (options.camera.empty()) return recording.camera;
+  return read_camera(options.camera, turn_of_strokes(options.axes, options.mesh.path), origin);
 }
 
-Viewpoint chosen_view(const SnapCommandOptions& options, const Recording& recording) {
+Viewpoint chosen_view(const SnapCommandOptions& options, const std::optional<Camera>& camera) {
   if (options.view.direction) return {false, *options.view.direction};
-  if (recording.camera) return viewpoint_of(*recording.camera);
-  throw FileError(options.strokes, "was recorded without a camera: give --view for silhouettes");
+  if (camera) return viewpoint_of(*camera);
+  throw FileError(options.strokes, "was recorded without a camera: give --view or --camera for silhouettes");
 }
 
 /// Snaps all strokes; the result has one for each piece of a stroke that leaves the surface on the way.
@@ -189,12 +190,12 @@ void print_result(const SnapCommandOptions& options, const LoadedSurface& loaded
   write_result(options.json ? json_text(json) : text);
 }
 
-void write_picture(const SnapCommandOptions& options, const Recording& recording, const LoadedSurface& loaded,
-                   const Picker& picker, const SnappedRecording& snapped) {
+void write_picture(const SnapCommandOptions& options, const std::optional<Camera>& seen_by,
+                   const LoadedSurface& loaded, const Picker& picker, const SnappedRecording& snapped) {
   std::vector<SurfaceCurve> curves;
   for (const SnappedStroke& stroke : snapped.strokes()) curves.push_back(stroke.stroke);
-  const Camera camera =
-      recorded_view({&recording, 1}, loaded.surface, curves, snapped.radius(), options.view);
+  const Camera camera = seen_by ? fit_into(*seen_by, options.view.width)
+                                : stroke_view(loaded.surface, curves, snapped.radius(), options.view);
   constexpr double share_of_radius = 0.1;  // lines on silhouettes are half hidden
   write_png(options.png, snap_picture(loaded.surface, picker, camera, snapped.strokes(),
                                       share_of_radius * snapped.radius()));
@@ -215,13 +216,14 @@ void run(const SnapCommandOptions& options) {
   std::vector<float> values;
   if (!named.values.empty()) values = values_of(options, loaded, named.values);
   feature.values = values;
-  if (named.kind == FeatureKind::silhouette) feature.view = chosen_view(options, recording);
+  const std::optional<Camera> camera = chosen_camera(options, recording, loaded.from.origin);
+  if (named.kind == FeatureKind::silhouette) feature.view = chosen_view(options, camera);
   const Picker picker(loaded.surface);
   SnappedRecording snapped(options, loaded, picker, feature);
   for (std::size_t i = 0; i < recording.strokes.size(); ++i)
     if (!recording.strokes[i].samples.empty()) snapped.add(recording, i);
   write_stroke_file(options.out, snapped.recording());
-  if (!options.png.empty()) write_picture(options, recording, loaded, picker, snapped);
+  if (!options.png.empty()) write_picture(options, camera, loaded, picker, snapped);
   print_result(options, loaded, snapped);
 }
 
@@ -269,6 +271,11 @@ void add_snap(CLI::App& app) {
   add_mesh_options(command, options->mesh);
   add_drawing_axes_options(command, options->axes);
   add_view_options(command, options->view);
+  command
+      .add_option("--camera", options->camera,
+                  "recording whose camera silhouettes are seen by; default: that of the strokes, if any")
+      ->type_name("FILE.stroke")
+      ->excludes("--view");
   constexpr std::string_view keys[] = {"radius", "closed"};
   add_setting_options(command, options->settings, keys);
   add_snap_options(command, *options);

@@ -123,5 +123,32 @@ TEST(SnapCommand, FindsSilhouettesOfTheViewOrTheRecordedCamera) {
   EXPECT_NE(result.err.find("--view"), std::string::npos) << result.err;
 }
 
+/// A `.stroke` file of nothing but a camera that looks from (0, 10, 0) along -y.
+std::string camera_file(const std::string& projection) {
+  return "{\"burin_stroke\":1,\"space\":\"object\",\"camera\":{\"view\":[1,0,0,0, 0,0,1,0, 0,-1,0,0, "
+         "0,0,-10,1],"
+         "\"projection\":[" +
+         projection + "],\"viewport\":[800,600]}}\n";
+}
+
+TEST(SnapCommand, FindsSilhouettesByTheLinesOfSightOfACamera) {
+  CommandFolder folder;
+  const std::string mesh = folder.write("sphere.obj", obj_text(shuffled(sphere(5, 0.2, 7), 8)));
+  const std::string stroke = folder.write("a.stroke", equator_stroke(-0.6, 0.6, 61, "\"radius\":0.3"));
+  const std::string out = folder.path("out.stroke");
+  const auto expect_seen_by = [&](const std::string& projection, const Vec3d& towards, double cosine) {
+    const std::string camera = folder.write("camera.stroke", camera_file(projection));
+    burin_output(
+        {"snap", stroke, "--mesh", mesh, "--feature", "silhouette", "--camera", camera, "--out", out});
+    for (const Sample& sample : read_strokes(out).strokes[0].samples)
+      EXPECT_NEAR(sample.position.normalized().dot(towards), cosine, 1e-3) << projection;
+  };
+  // The middle of the picture is not where the camera looks, which does not move its eye.
+  expect_seen_by("1,0,0,0, 0,1,0,0, 0.3,-0.2,-1.02,-1, 0,0,-0.2,0", Vec3d::UnitY(), 0.1);
+  expect_seen_by("0.5,0,0,0, 0,0.5,0,0, 0,0,-0.1,0, 0,0,0,1", Vec3d::UnitY(), 0);
+  // Parallel lines of sight that are not at right angles to the picture.
+  expect_seen_by("0.5,0,0,0, 0,0.5,0,0, 0,0.05,-0.1,0, 0,0,0,1", Vec3d(0, 1, 0.1).normalized(), 0);
+}
+
 }  // namespace
 }  // namespace burin::test
