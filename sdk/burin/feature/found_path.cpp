@@ -93,9 +93,9 @@ class PathFinder {
     return result;
   }
 
-  /// Whether there is a placed column within three deviations of each.
+  /// Whether there is a placed column near each.
   std::vector<bool> near_fits(const std::vector<WeightedValue>& wanted) const {
-    const auto reach = static_cast<std::size_t>(std::ceil(3 * search_.smoothing.rows));
+    const auto reach = static_cast<std::size_t>(std::ceil(search_.bridged * search_.smoothing.rows));
     std::vector<bool> near(wanted.size());
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       if (!(wanted[i].weight > 0)) continue;

@@ -77,10 +77,12 @@ class Snapping {
     // A stroke shorter than a tenth of its width has no direction.
     constexpr double shortest_share = 0.1;
     if (stroke_.length() > shortest_share * options_.radius)
-      for (int i = 0; i < options_.iterations; ++i) iterate(i > 0, i + 1 == options_.iterations);
+      for (int i = 0; i < options_.iterations; ++i)
+        iterate(options_.is_near || i > 0, i + 1 == options_.iterations);
     result_.curve = std::move(current_.curve);
     result_.stroke_t = std::move(current_.stroke_t);
     result_.scale = scale_;
+    result_.edge = edge_;
     result_.iterations = static_cast<int>(result_.images.size());
     measure();
     return std::move(result_);
@@ -91,12 +93,14 @@ class Snapping {
     // The path across a stroke that weaves stands out less; whether it does is decided in the last iteration.
     constexpr double share_before_last = 1. / 3;
     least_significance_ = (is_last ? 1 : share_before_last) * options_.significance;
-    const double radius = is_aligned ? aligned_radius() : options_.radius;
-    const Chart chart = builder_.chart(current_.curve, {.radius = radius});
+    // Before the first chart the scale is not known, nor how far an aligned chart must reach.
+    const double chart_radius = is_aligned && scale_ > 0 ? aligned_radius() : options_.radius;
+    const Chart chart = builder_.chart(current_.curve, {.radius = chart_radius});
     if (scale_ == 0) {
       edge_ = typical_edge(surface_, chart);
       scale_ = chosen_scale();
     }
+    const double radius = is_aligned ? aligned_radius() : options_.radius;
     // Once the stroke runs along the feature, smoothing along it removes noise and moves nothing.
     const double along = (is_aligned ? 2 : 1) * scale_;
     const ChartGrid grid = make_grid(radius, along);
@@ -115,6 +119,7 @@ class Snapping {
                                               .window = window_in_radii * options_.radius / grid.step_t,
                                               .fits = is_aligned ? 2 : 1,
                                               .one_side_is_enough = !is_last,
+                                              .bridged = options_.is_near ? 1. : 3.,
                                               .stiff = stiff / grid.step_t,
                                               .bends = bends});
     if (stroke_.closed) path = {path.begin() + grid.margin, path.end() - grid.margin};

@@ -20,6 +20,10 @@ struct SnapOptions {
   int iterations = 2;       ///< charts: the first around the stroke, each other one around the result before
   double significance = 4;  ///< least contrast that counts, in units of the noise; see significance()
   bool fixed_ends = false;  ///< the ends of the stroke stay where they are
+  /// The stroke lies along the feature already, less than about two scales away, as that of the step before
+  /// does in a sequence. Only four scales to either side are searched, and gaps of the feature longer than
+  /// two scales are not bridged; else up to six are.
+  bool is_near = false;
 };
 
 /// Least default scale, mean edges.
@@ -49,6 +53,7 @@ struct SnapResult {
   double mean_move =
       0;  ///< of the points in the ranges from the corresponding points of the stroke, object units
   double scale = 0;               ///< that was used, object units
+  double edge = 0;                ///< typical length of edges in reach, object units
   int iterations = 0;             ///< that were made
   std::vector<SnapImage> images;  ///< [iteration]
 };
