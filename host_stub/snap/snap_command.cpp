@@ -1,20 +1,17 @@
 // The command `burin snap`: moves recorded strokes to ridges, silhouettes and other features of a surface.
 #include <burin/base/error.h>
-#include <burin/feature/snap.h>
-#include <burin/stroke/curve/stroke_trace.h>
+#include <burin/feature/feature.h>
 #include <burin/stroke/move_origin.h>
 #include <burin/stroke/sample_times.h>
 #include <burin/surface/vertex_scalar.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "command.h"
 #include "input/mesh_input.h"
-#include "input/radius_fit.h"
 #include "input/stroke_input.h"
 #include "options/axes_option.h"
 #include "options/options.h"
@@ -23,16 +20,15 @@
 #include "recordings/written_strokes.h"
 #include "snap/snap_picture.h"
 #include "snap/snap_view.h"
+#include "snap/snapped_recording.h"
 #include "system/output_file.h"
 
 namespace burin::command {
 namespace {
 
 struct SnapCommandOptions {
-  std::string strokes, out, png, feature, camera, ends = "free";
-  GivenSettings settings;
-  SnapOptions snap;
-  std::optional<double> scale;
+  std::string out, png, feature, camera, ends = "free";
+  SnapJob job;
   MeshOptions mesh;
   AxesOptions axes;
   ViewOptions view;
@@ -86,108 +82,17 @@ std::optional<Camera> chosen_camera(const SnapCommandOptions& options, const Rec
 Viewpoint chosen_view(const SnapCommandOptions& options, const std::optional<Camera>& camera) {
   if (options.view.direction) return {false, *options.view.direction};
   if (camera) return viewpoint_of(*camera);
-  throw FileError(options.strokes, "was recorded without a camera: give --view or --camera for silhouettes");
-}
-
-/// Snaps all strokes; the result has one for each piece of a stroke that leaves the surface on the way.
-class SnappedRecording {
- public:
-  SnappedRecording(const SnapCommandOptions& options, const LoadedSurface& loaded, const Picker& picker,
-                   const Feature& feature)
-      : options_(options),
-        loaded_(loaded),
-        picker_(picker),
-        snapper_(loaded.surface, picker),
-        feature_(feature) {}
-
-  void add(const Recording& recording, std::size_t number) {
-    const RecordedStroke& stroke = recording.strokes[number];
-    const ReplaySettings settings = settings_to_trace(options_.strokes, stroke, number, options_.settings);
-    const CurveGround ground(loaded_.surface, picker_);
-    const auto pieces =
-        trace_stroke(ground, recording, stroke, trace_options(settings, stroke.fields, number));
-    if (pieces.empty())
-      throw FileError(options_.strokes, fmt::format("stroke {} does not meet the surface", number + 1));
-    radius_ = std::max(radius_, settings.radius);
-    SnapOptions how = options_.snap;
-    how.radius = settings.radius;
-    how.scale = options_.scale.value_or(0);
-    how.fixed_ends = options_.ends == "fixed";
-    for (const SurfaceCurve& piece : pieces) {
-      snapped_.push_back({piece, snapper_.snap(piece, feature_, how)});
-      numbers_.push_back(number + 1);
-      add_to_recording(stroke, snapped_.back().result.curve);
-    }
-  }
-
-  const std::vector<SnappedStroke>& strokes() const { return snapped_; }
-  const Recording& recording() const { return recording_; }
-  std::size_t number(std::size_t i) const { return numbers_[i]; }
-  double radius() const { return radius_; }  ///< greatest of the strokes
-
- private:
-  void add_to_recording(const RecordedStroke& stroke, const SurfaceCurve& curve) {
-    RecordedStroke result{stroke.settings, stroke.fields, {}};
-    for (const CurvePoint& point : curve.points) {
-      const Vec3d position = point.at.position.cast<double>() + loaded_.from.origin;
-      result.samples.push_back({point.time, position, point.pen});
-    }
-    recording_.strokes.push_back(std::move(result));
-  }
-
-  const SnapCommandOptions& options_;
-  const LoadedSurface& loaded_;
-  const Picker& picker_;
-  StrokeSnapper snapper_;
-  const Feature& feature_;
-  std::vector<SnappedStroke> snapped_;
-  std::vector<std::size_t> numbers_;  ///< [snapped stroke] number in the file, from 1
-  Recording recording_;
-  double radius_ = 0;
-};
-
-Json stroke_json(std::size_t number, const SnappedStroke& snapped) {
-  const SnapResult& result = snapped.result;
-  Json ranges = Json::array();
-  for (const SnapRange& range : result.ranges)
-    ranges.push_back({{"from", range.from}, {"to", range.to}, {"significance", range.significance}});
-  return {{"stroke", number},
-          {"length", snapped.stroke.length()},
-          {"points", result.curve.points.size()},
-          {"significance", result.significance},
-          {"snapped_share", result.snapped_share},
-          {"snapped", ranges},
-          {"mean_move", result.mean_move},
-          {"scale", result.scale},
-          {"iterations", result.iterations}};
-}
-
-std::string stroke_text(std::size_t number, const SnappedStroke& snapped) {
-  const SnapResult& result = snapped.result;
-  if (result.ranges.empty())
-    return fmt::format("stroke {}: stays, nothing stands out (significance {:.3g})\n", number,
-                       result.significance);
-  std::string parts;
-  for (const SnapRange& range : result.ranges)
-    parts += fmt::format("{}{:.4g} to {:.4g}", parts.empty() ? "" : ", ", range.from, range.to);
-  return fmt::format(
-      "stroke {}: snapped from {} of {:.4g}, moved by {:.3g} in the mean, significance {:.3g}\n", number,
-      parts, snapped.stroke.length(), result.mean_move, result.significance);
+  throw FileError(options.job.strokes,
+                  "was recorded without a camera: give --view or --camera for silhouettes");
 }
 
 void print_result(const SnapCommandOptions& options, const LoadedSurface& loaded,
                   const SnappedRecording& snapped) {
-  Json strokes = Json::array();
-  std::string text = mesh_text(options.mesh, loaded) + '\n';
-  for (std::size_t i = 0; i < snapped.strokes().size(); ++i) {
-    strokes.push_back(stroke_json(snapped.number(i), snapped.strokes()[i]));
-    text += stroke_text(snapped.number(i), snapped.strokes()[i]);
-  }
   const Json json = {{"mesh", mesh_json(options.mesh, loaded)},
                      {"feature", options.feature},
                      {"out", options.out},
-                     {"strokes", strokes}};
-  write_result(options.json ? json_text(json) : text);
+                     {"strokes", snapped.json()}};
+  write_result(options.json ? json_text(json) : mesh_text(options.mesh, loaded) + '\n' + snapped.text());
 }
 
 void write_picture(const SnapCommandOptions& options, const std::optional<Camera>& seen_by,
@@ -201,11 +106,12 @@ void write_picture(const SnapCommandOptions& options, const std::optional<Camera
                                       share_of_radius * snapped.radius()));
 }
 
-void run(const SnapCommandOptions& options) {
+void run(SnapCommandOptions& options) {
+  options.job.snap.fixed_ends = options.ends == "fixed";
   const NamedFeature named = *feature_named(options.feature);
   check_output_path(options.out);
   check_output_path(options.png);
-  Recording recording = read_whole_strokes(options.strokes);
+  Recording recording = read_whole_strokes(options.job.strokes);
   turn(recording, turn_of_strokes(options.axes, options.mesh.path));
   repair_times(recording);
   if (!named.values.empty() && (options.mesh.subdivide || options.mesh.target_triangles))
@@ -219,7 +125,7 @@ void run(const SnapCommandOptions& options) {
   const std::optional<Camera> camera = chosen_camera(options, recording, loaded.from.origin);
   if (named.kind == FeatureKind::silhouette) feature.view = chosen_view(options, camera);
   const Picker picker(loaded.surface);
-  SnappedRecording snapped(options, loaded, picker, feature);
+  SnappedRecording snapped(options.job, loaded, picker, feature);
   for (std::size_t i = 0; i < recording.strokes.size(); ++i)
     if (!recording.strokes[i].samples.empty()) snapped.add(recording, i);
   write_stroke_file(options.out, snapped.recording());
@@ -242,21 +148,28 @@ void add_snap_options(CLI::App& command, SnapCommandOptions& options) {
       });
   command
       .add_option(
-          "--scale", options.scale,
+          "--scale", options.job.snap.scale,
           "standard deviation of the Gaussian that smooths the surface, object units; half the feature's "
           "width is best; default: a sixth of the radius, but for silhouettes and borders 1.25 edges")
       ->check(positive_number());
-  command.add_option("--iterations", options.snap.iterations, "charts, each around the result before")
+  command.add_option("--iterations", options.job.snap.iterations, "charts, each around the result before")
       ->check(CLI::Range(1, 20))
       ->capture_default_str();
   command
-      .add_option("--significance", options.snap.significance,
+      .add_option("--significance", options.job.snap.significance,
                   "least contrast of a feature, in units of the noise; the stroke stays where it is less")
       ->check(CLI::NonNegativeNumber & finite_number())
       ->capture_default_str();
   command.add_option("--ends", options.ends, "ends of strokes are moved too, or stay")
       ->check(CLI::IsMember({"free", "fixed"}))
       ->capture_default_str();
+  command
+      .add_option("--track", options.job.most_edges,
+                  "strokes are lines that were snapped before the camera moved or the mesh changed: follow "
+                  "them, without parts that would move by more edges than this, 2 for instance")
+      ->type_name("EDGES")
+      ->check(CLI::Range(0.01, 4.))
+      ->excludes("--ends");
 }
 
 }  // namespace
@@ -265,7 +178,7 @@ void add_snap(CLI::App& app) {
   const auto options = std::make_shared<SnapCommandOptions>();
   CLI::App& command =
       *app.add_subcommand("snap", "move recorded strokes to ridges, silhouettes and other features");
-  command.add_option("stroke_file", options->strokes, "recorded strokes")
+  command.add_option("stroke_file", options->job.strokes, "recorded strokes")
       ->required()
       ->type_name("FILE.stroke");
   add_mesh_options(command, options->mesh);
@@ -277,7 +190,7 @@ void add_snap(CLI::App& app) {
       ->type_name("FILE.stroke")
       ->excludes("--view");
   constexpr std::string_view keys[] = {"radius", "closed"};
-  add_setting_options(command, options->settings, keys);
+  add_setting_options(command, options->job.settings, keys);
   add_snap_options(command, *options);
   command.add_option("--out", options->out, "file to write the moved strokes to, in the axes of the mesh")
       ->required()

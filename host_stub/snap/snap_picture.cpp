@@ -98,9 +98,11 @@ Picture snap_picture(const Surface& surface, const Picker& picker, const Camera&
   Picture picture = render(surface, picker, camera, clay, bar.progress());
   for (const SnappedStroke& snapped : strokes) {
     draw_curve(picture, camera, picker, snapped.stroke, depth);
-    draw_curve(picture, camera, picker, snapped.result.curve, depth, red_ink);
+    for (const SurfaceCurve& curve : snapped.moved)
+      draw_curve(picture, camera, picker, curve, depth, red_ink);
   }
-  const std::vector<SnapImage>& images = strokes[0].result.images;
+  const std::vector<SnapImage>& images = strokes[0].images;
+  if (images.empty()) return picture;
   const int below = draw_image(picture, images.front(), 0);
   if (images.size() > 1) draw_image(picture, images.back(), below);
   return picture;

@@ -6,13 +6,15 @@
 #include <burin/surface/surface.h>
 
 #include <span>
+#include <vector>
 
 namespace burin::command {
 
 /// A stroke before and after it was snapped.
 struct SnappedStroke {
   SurfaceCurve stroke;
-  SnapResult result;
+  std::vector<SurfaceCurve> moved;  ///< one curve, or those parts of a line that are followed
+  std::vector<SnapImage> images;    ///< [iteration]
 };
 
 /// The surface with the strokes before (black) and after (red). The images of the feature's function over

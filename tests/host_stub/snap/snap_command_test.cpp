@@ -150,5 +150,47 @@ TEST(SnapCommand, FindsSilhouettesByTheLinesOfSightOfACamera) {
   expect_seen_by("0.5,0,0,0, 0,0.5,0,0, 0,0.05,-0.1,0, 0,0,0,1", Vec3d(0, 1, 0.1).normalized(), 0);
 }
 
+TEST(SnapCommand, FollowsLinesToANewView) {
+  CommandFolder folder;
+  const std::string mesh = folder.write("sphere.obj", obj_text(shuffled(sphere(5, 0.2, 7), 8)));
+  const std::string stroke = folder.write("a.stroke", equator_stroke(-0.6, 0.6, 61, "\"radius\":0.3"));
+  const std::string line = folder.path("line.stroke"), out = folder.path("out.stroke");
+  const std::vector<std::string> rest = {"--mesh", mesh, "--feature", "silhouette"};
+  const auto arguments = [&](std::vector<std::string> words) {
+    words.insert(words.end(), rest.begin(), rest.end());
+    return words;
+  };
+  burin_output(arguments({"snap", stroke, "--view", "0,-1,-0.1", "--out", line}));
+  const std::string picture = folder.path("a.png");
+  const auto report = burin_json(arguments({"snap", line, "--track", "2", "--view", "0,-1,-0.12", "--out",
+                                            out, "--png", picture, "--width", "200", "--height", "150"}));
+  ASSERT_EQ(report["strokes"][0]["followed"].size(), 1u) << report.dump();
+  EXPECT_TRUE(report["strokes"][0]["lost"].empty()) << report.dump();
+  EXPECT_NEAR(report["strokes"][0]["most_moved"], 0.02, 0.004);
+  const auto samples = read_strokes(out).strokes[0].samples;
+  for (const Sample& sample : samples) {
+    EXPECT_NEAR(sample.position.normalized().dot(Vec3d(0, -1, -0.12).normalized()), 0, 1e-3);
+    // The line turned about the x axis, so that points keep their x.
+    EXPECT_NEAR(sample.position.x(), std::sin(-0.6 + 0.02 * sample.time / 0.01), 0.01) << "identity by time";
+  }
+  EXPECT_GT(samples.size(), 50u);
+  const std::string text =
+      burin_output(arguments({"snap", line, "--track", "0.5", "--view", "0,-1,-0.2", "--out", out}));
+  EXPECT_NE(text.find("stroke 1: not followed; jumped from 0 to"), std::string::npos) << text;
+  EXPECT_TRUE(read_strokes(out).strokes.empty());
+}
+
+TEST(SnapCommand, DrawsStrokesThatAreTooShortToSnap) {
+  const RidgeFile ridge;
+  const std::string stroke = ridge.folder.write(
+      "dot.stroke",
+      "{\"burin_stroke\":1,\"space\":\"object\"}\n"
+      "{\"begin\":{\"radius\":12},\"fields\":[\"x\",\"y\",\"z\"]}\n[0,0,2]\n{\"end\":true}\n");
+  const std::string text = burin_output({"snap", stroke, "--mesh", ridge.mesh, "--feature", "ridge", "--out",
+                                         ridge.folder.path("out.stroke"), "--png", ridge.folder.path("a.png"),
+                                         "--width", "64", "--height", "48"});
+  EXPECT_NE(text.find("stroke 1: stays"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace burin::test
