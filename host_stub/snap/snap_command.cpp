@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -35,25 +36,39 @@ struct SnapCommandOptions {
   bool json = false;
 };
 
-constexpr std::string_view scalar_prefix = "scalar:";
+constexpr std::string_view scalar_prefix = "scalar:", crease_prefix = "crease:";
 
-/// A kind of feature, and the name of the values of vertices that it is a crest of, if any.
+/// A feature, and the name of the values of vertices that it is a crest of, if any.
 struct NamedFeature {
-  FeatureKind kind;
+  Feature feature;
   std::string values;
 };
 
-std::optional<NamedFeature> feature_named(std::string_view name) {
-  if (name == "ridge") return NamedFeature{FeatureKind::ridge, {}};
-  if (name == "valley") return NamedFeature{FeatureKind::valley, {}};
-  if (name == "silhouette") return NamedFeature{FeatureKind::silhouette, {}};
-  if (name == "border") return NamedFeature{FeatureKind::border, {}};
-  if (!name.starts_with(scalar_prefix)) return std::nullopt;
-  name.remove_prefix(scalar_prefix.size());
+std::optional<NamedFeature> scalar_named(std::string_view name) {
   const bool is_low = name.starts_with('-');
   if (is_low) name.remove_prefix(1);
   if (name.empty()) return std::nullopt;
-  return NamedFeature{is_low ? FeatureKind::low : FeatureKind::high, std::string(name)};
+  return NamedFeature{{.kind = is_low ? FeatureKind::low : FeatureKind::high}, std::string(name)};
+}
+
+std::optional<NamedFeature> crease_of(std::string_view degrees) {
+  NamedFeature crease{{.kind = FeatureKind::crease}, {}};
+  double& angle = crease.feature.least_angle;
+  const char* const end = degrees.data() + degrees.size();
+  const auto [stop, error] = std::from_chars(degrees.data(), end, angle);
+  if (error != std::errc() || stop != end || !(angle > 0 && angle < 180)) return std::nullopt;
+  return crease;
+}
+
+std::optional<NamedFeature> feature_named(std::string_view name) {
+  if (name == "ridge") return NamedFeature{{.kind = FeatureKind::ridge}, {}};
+  if (name == "valley") return NamedFeature{{.kind = FeatureKind::valley}, {}};
+  if (name == "silhouette") return NamedFeature{{.kind = FeatureKind::silhouette}, {}};
+  if (name == "border") return NamedFeature{{.kind = FeatureKind::border}, {}};
+  if (name == "crease") return NamedFeature{{.kind = FeatureKind::crease}, {}};
+  if (name.starts_with(crease_prefix)) return crease_of(name.substr(crease_prefix.size()));
+  if (name.starts_with(scalar_prefix)) return scalar_named(name.substr(scalar_prefix.size()));
+  return std::nullopt;
 }
 
 /// The values of the surface's vertices.
@@ -118,12 +133,12 @@ void run(SnapCommandOptions& options) {
     throw CLI::ValidationError("--feature", "values of vertices are lost if --mesh is refined");
   const LoadedSurface loaded = load_surface_on_console(options.mesh);
   move_origin(recording, loaded.from.origin);
-  Feature feature{.kind = named.kind};
+  Feature feature = named.feature;
   std::vector<float> values;
   if (!named.values.empty()) values = values_of(options, loaded, named.values);
   feature.values = values;
   const std::optional<Camera> camera = chosen_camera(options, recording, loaded.from.origin);
-  if (named.kind == FeatureKind::silhouette) feature.view = chosen_view(options, camera);
+  if (feature.kind == FeatureKind::silhouette) feature.view = chosen_view(options, camera);
   const Picker picker(loaded.surface);
   SnappedRecording snapped(options.job, loaded, picker, feature);
   for (std::size_t i = 0; i < recording.strokes.size(); ++i)
@@ -138,11 +153,11 @@ void add_snap_options(CLI::App& command, SnapCommandOptions& options) {
       .add_option(
           "--feature", options.feature,
           "what strokes are moved to: crests of the greatest (ridge) or least (valley) curvature, where the "
-          "surface turns away from --view (silhouette), its open border, or crests of a value of a PLY "
-          "file's "
-          "vertices (scalar:NAME), scalar:-NAME for its lowest places")
+          "surface turns away from --view (silhouette), its open border, edges of at least 30 degrees "
+          "(crease; crease:DEGREES), or crests of a value of a PLY file's vertices (scalar:NAME), "
+          "scalar:-NAME for its lowest places")
       ->required()
-      ->type_name("ridge|valley|silhouette|border|scalar:NAME")
+      ->type_name("ridge|valley|silhouette|border|crease|scalar:NAME")
       ->check([](const std::string& name) {
         return feature_named(name) ? std::string() : fmt::format("'{}' is no feature", name);
       });
@@ -150,7 +165,8 @@ void add_snap_options(CLI::App& command, SnapCommandOptions& options) {
       .add_option(
           "--scale", options.job.snap.scale,
           "standard deviation of the Gaussian that smooths the surface, object units; half the feature's "
-          "width is best; default: a sixth of the radius, but for silhouettes and borders 1.25 edges")
+          "width is best; default: a sixth of the radius, but for silhouettes, borders and creases 1.25 "
+          "edges")
       ->check(positive_number());
   command.add_option("--iterations", options.job.snap.iterations, "charts, each around the result before")
       ->check(CLI::Range(1, 20))

@@ -13,6 +13,7 @@ enum class FeatureKind {
   border,      ///< the surface's open border
   high,        ///< where a value of the vertices is greatest across the stroke
   low,         ///< where it is least
+  crease,      ///< edges at which two triangles meet at an angle
 };
 
 /// Where a surface is seen from.
@@ -26,6 +27,12 @@ struct Feature {
   FeatureKind kind = FeatureKind::ridge;
   Viewpoint view = {};                 ///< of silhouettes
   std::span<const float> values = {};  ///< [vertex of the surface], of high and low; must outlive the object
+  double least_angle = 30;             ///< of creases, between the normals of the triangles, degrees
 };
+
+/// Whether features of this kind consist of edges of the surface.
+inline bool consists_of_edges(FeatureKind kind) {
+  return kind == FeatureKind::border || kind == FeatureKind::crease;
+}
 
 }  // namespace burin

@@ -47,11 +47,11 @@ class PathFinder {
  private:
   /// Columns from one that is placed to the next.
   std::size_t fit_stride() const {
-    if (sampled_.kind() == FeatureKind::border) return 1;
+    if (consists_of_edges(sampled_.kind())) return 1;
     return std::max<std::size_t>(1, static_cast<std::size_t>(search_.smoothing.rows));
   }
 
-  /// Places every few columns by a fit, those of borders all.
+  /// Places every few columns by a fit, those of edges all.
   std::vector<WeightedValue> fitted(const std::vector<int>& rows) const {
     constexpr double rounding = 0.02;  // rows; fits are not more precise than that
     const std::size_t stride = fit_stride();
@@ -68,10 +68,10 @@ class PathFinder {
   std::vector<double> significances(std::span<const double> path,
                                     const std::vector<WeightedValue>& found) const {
     if (sampled_.kind() == FeatureKind::silhouette) return exactness(found);
-    if (sampled_.kind() == FeatureKind::border) {
-      constexpr double of_whole_border = 6;
+    if (consists_of_edges(sampled_.kind())) {
+      constexpr double of_whole_line = 6;
       std::vector<double> result = levels_on(sampled_.level(), path, columns_.first);
-      for (double& value : result) value *= of_whole_border;
+      for (double& value : result) value *= of_whole_line;
       return result;
     }
     const ContrastWindow window{.beside = 1.75 * search_.smoothing.rows,

@@ -26,7 +26,7 @@ struct PathSearch {
   int fits = 2;                     ///< of each place; the second is centred on the first one's result
   bool one_side_is_enough = false;  ///< see ContrastWindow
   double bridged = 3;  ///< farthest that columns count as found from one that was placed, deviations
-  double stiff = 1;                 ///< waves of the path shorter than 2 pi times this are flattened, columns
+  double stiff = 1;    ///< waves of the path shorter than 2 pi times this are flattened, columns
   /// Second differences of the stroke's positions at the columns, to the left, rows; see smooth_offsets().
   std::span<const double> bends;
 };

@@ -32,8 +32,8 @@ SmoothedImage smoothed(const ChartSamples& samples, const Feature& feature, cons
 SampledFeature::SampledFeature(const Surface& surface, const Chart& chart, const ChartSamples& samples,
                                const Feature& feature, const Smoothing& smoothing)
     : surface_(surface), samples_(samples), feature_(feature), smoothing_(smoothing) {
-  if (feature.kind == FeatureKind::border)
-    edges_ = border_edges(surface, chart, samples.grid());
+  if (consists_of_edges(feature.kind))
+    edges_ = line_edges(surface, chart, samples.grid(), feature);
   else
     smoothed_ = smoothed(samples, feature, smoothing);
   level_ = make_level();
@@ -43,7 +43,8 @@ LevelImage SampledFeature::make_level() {
   const float sign = is_negative(feature_.kind) ? -1 : 1;
   switch (feature_.kind) {
     case FeatureKind::border:
-      return border_image(edges_, samples_.grid(), smoothing_.rows);
+    case FeatureKind::crease:
+      return nearness_image(edges_, samples_.grid(), smoothing_.rows);
     case FeatureKind::silhouette:
       return facing_image(smoothed_, samples_.origin(), feature_.view);
     case FeatureKind::high:
@@ -61,8 +62,8 @@ LevelImage SampledFeature::score() const {
 }
 
 std::optional<SampledFeature::ExactRow> SampledFeature::refine(int column, double row, int fits) const {
-  if (feature_.kind == FeatureKind::border) {
-    const auto point = near_border(column, row);
+  if (consists_of_edges(feature_.kind)) {
+    const auto point = near_line(column, row);
     return point ? std::optional(ExactRow{point->row - row, 0}) : std::nullopt;
   }
   std::optional<ExactRow> found;
@@ -76,14 +77,14 @@ std::optional<SampledFeature::ExactRow> SampledFeature::refine(int column, doubl
 }
 
 std::optional<SurfacePoint> SampledFeature::point_at(double column, double row) const {
-  if (feature_.kind != FeatureKind::border) return std::nullopt;
-  const auto point = near_border(column, row);
+  if (!consists_of_edges(feature_.kind)) return std::nullopt;
+  const auto point = near_line(column, row);
   return point ? std::optional(point->at) : std::nullopt;
 }
 
-std::optional<BorderPoint> SampledFeature::near_border(double column, double row) const {
+std::optional<LinePoint> SampledFeature::near_line(double column, double row) const {
   constexpr double deviations = 3;
-  auto point = border_at(surface_, edges_, column, row);
+  auto point = crossing_at(surface_, edges_, column, row);
   if (point && std::abs(point->row - row) > deviations * smoothing_.rows) point.reset();
   return point;
 }

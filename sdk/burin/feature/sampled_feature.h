@@ -1,6 +1,6 @@
 #pragma once
-#include <burin/feature/border_lines.h>
 #include <burin/feature/chart_samples.h>
+#include <burin/feature/edge_lines.h>
 #include <burin/feature/feature.h>
 #include <burin/feature/level_image.h>
 #include <burin/feature/local_fit.h>
@@ -25,6 +25,9 @@ class SampledFeature {
 
   FeatureKind kind() const { return feature_.kind; }
 
+  /// Those of a feature that consists of edges, else none.
+  const std::vector<LineEdge>& edges() const { return edges_; }
+
   /// A row of a column.
   struct ExactRow {
     double offset = 0;    ///< from the row that it is near, pixels
@@ -35,12 +38,12 @@ class SampledFeature {
   std::optional<ExactRow> refine(int column, double row, int fits) const;
 
   /// The point of the surface that belongs to a place (column, row) of the feature, if the feature knows it
-  /// better than the chart does: that of a border.
+  /// better than the chart does: that of a line of edges.
   std::optional<SurfacePoint> point_at(double column, double row) const;
 
  private:
   LevelImage make_level();
-  std::optional<BorderPoint> near_border(double column, double row) const;
+  std::optional<LinePoint> near_line(double column, double row) const;
   std::optional<ExactRow> fit(int column, double row) const;
   std::optional<LocalFit> fit_values(const FitWindow& window) const;
   std::optional<LocalFit> fit_profile(const FitWindow& window) const;
@@ -49,8 +52,8 @@ class SampledFeature {
   const ChartSamples& samples_;
   const Feature& feature_;
   Smoothing smoothing_;
-  SmoothedImage smoothed_;         ///< geometry or values; empty for borders
-  std::vector<BorderEdge> edges_;  ///< of borders
+  SmoothedImage smoothed_;       ///< geometry or values; empty for lines of edges
+  std::vector<LineEdge> edges_;  ///< of these
   LevelImage level_;
 };
 

@@ -4,6 +4,7 @@
 #include <burin/chart/path/closed_length.h>
 #include <burin/chart/path/curve_parts.h>
 #include <burin/feature/chart_samples.h>
+#include <burin/feature/edge_walk.h>
 #include <burin/feature/found_path.h>
 #include <burin/feature/path_on_surface.h>
 #include <burin/feature/sampled_feature.h>
@@ -18,7 +19,7 @@
 namespace burin {
 namespace {
 
-bool is_line(FeatureKind kind) { return kind == FeatureKind::silhouette || kind == FeatureKind::border; }
+bool is_line(FeatureKind kind) { return kind == FeatureKind::silhouette || consists_of_edges(kind); }
 
 /// The median, over some nodes of a chart, of the mean length of the edges at their vertices.
 double typical_edge(const Surface& surface, const Chart& chart) {
@@ -174,7 +175,7 @@ class Snapping {
       const SnappedPoint point{stroke_t_of(i, places.size(), t), *places[i]};
       if (!is_held(point)) points[i] = point;
     }
-    make_current(fine.points, points, fine.step);
+    make_current(fine.points, points, fine.step, sampled.edges());
   }
 
   /// The arc length on the stroke that belongs to one of `count` points of a path at t. Those at the ends of
@@ -192,7 +193,8 @@ class Snapping {
   }
 
   void make_current(const std::vector<PathColumn>& path,
-                    const std::vector<std::optional<SnappedPoint>>& points, double step) {
+                    const std::vector<std::optional<SnappedPoint>>& points, double step,
+                    const std::vector<LineEdge>& edges) {
     runs_.clear();
     result_.ranges.clear();
     const bool whole = stroke_.closed && std::ranges::all_of(path, [&](const PathColumn& column) {
@@ -203,6 +205,11 @@ class Snapping {
       current_ = unmoved(stroke_);
     } else {
       constexpr double least_share = 0.1;
+      if (!edges.empty()) {
+        const EdgeWalk walk(surface_, edges);
+        const WalkLimits limits{least_share * step, 2 * options_.radius};
+        for (SnappedRun& run : runs_) run = walk.with_vertices(run, whole ? period() : 0, limits);
+      }
       current_ = snapped_curve(surface_, picker_, stroke_, runs_, whole, least_share * step);
     }
   }
