@@ -64,6 +64,7 @@ std::optional<NamedFeature> feature_named(std::string_view name) {
   if (name == "ridge") return NamedFeature{{.kind = FeatureKind::ridge}, {}};
   if (name == "valley") return NamedFeature{{.kind = FeatureKind::valley}, {}};
   if (name == "silhouette") return NamedFeature{{.kind = FeatureKind::silhouette}, {}};
+  if (name == "suggestive") return NamedFeature{{.kind = FeatureKind::suggestive}, {}};
   if (name == "border") return NamedFeature{{.kind = FeatureKind::border}, {}};
   if (name == "crease") return NamedFeature{{.kind = FeatureKind::crease}, {}};
   if (name.starts_with(crease_prefix)) return crease_of(name.substr(crease_prefix.size()));
@@ -98,7 +99,7 @@ Viewpoint chosen_view(const SnapCommandOptions& options, const std::optional<Cam
   if (options.view.direction) return {false, *options.view.direction};
   if (camera) return viewpoint_of(*camera);
   throw FileError(options.job.strokes,
-                  "was recorded without a camera: give --view or --camera for silhouettes");
+                  "was recorded without a camera: give --view or --camera for what is seen");
 }
 
 void print_result(const SnapCommandOptions& options, const LoadedSurface& loaded,
@@ -138,7 +139,7 @@ void run(SnapCommandOptions& options) {
   if (!named.values.empty()) values = values_of(options, loaded, named.values);
   feature.values = values;
   const std::optional<Camera> camera = chosen_camera(options, recording, loaded.from.origin);
-  if (feature.kind == FeatureKind::silhouette) feature.view = chosen_view(options, camera);
+  if (is_seen(feature.kind)) feature.view = chosen_view(options, camera);
   const Picker picker(loaded.surface);
   SnappedRecording snapped(options.job, loaded, picker, feature);
   for (std::size_t i = 0; i < recording.strokes.size(); ++i)
@@ -153,11 +154,12 @@ void add_snap_options(CLI::App& command, SnapCommandOptions& options) {
       .add_option(
           "--feature", options.feature,
           "what strokes are moved to: crests of the greatest (ridge) or least (valley) curvature, where the "
-          "surface turns away from --view (silhouette), its open border, edges of at least 30 degrees "
+          "surface turns away from --view (silhouette) or nearly does so (suggestive contours), its open "
+          "border, edges of at least 30 degrees "
           "(crease; crease:DEGREES), or crests of a value of a PLY file's vertices (scalar:NAME), "
           "scalar:-NAME for its lowest places")
       ->required()
-      ->type_name("ridge|valley|silhouette|border|crease|scalar:NAME")
+      ->type_name("ridge|valley|silhouette|suggestive|border|crease|scalar:NAME")
       ->check([](const std::string& name) {
         return feature_named(name) ? std::string() : fmt::format("'{}' is no feature", name);
       });
@@ -202,7 +204,8 @@ void add_snap(CLI::App& app) {
   add_view_options(command, options->view);
   command
       .add_option("--camera", options->camera,
-                  "recording whose camera silhouettes are seen by; default: that of the strokes, if any")
+                  "recording whose camera silhouettes and suggestive contours are seen by; default: that of "
+                  "the strokes, if any")
       ->type_name("FILE.stroke")
       ->excludes("--view");
   constexpr std::string_view keys[] = {"radius", "closed"};

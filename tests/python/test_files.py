@@ -281,7 +281,7 @@ class Snapping(unittest.TestCase):
     def test_is_refused_by_name(self):
         with self.assertRaisesRegex(burin.InvalidArgument, "there is no line 'rim', but ridge"):
             self.session.snap("rim", self.stroke, radius=0.2)
-        with self.assertRaisesRegex(burin.InvalidArgument, "silhouettes want a view"):
+        with self.assertRaisesRegex(burin.InvalidArgument, "the line wants a view"):
             self.session.snap("silhouette", self.stroke, radius=0.2)
         with self.assertRaisesRegex(burin.InvalidArgument, r"values: the shape must be \(14400,\), not \(3,\)"):
             self.session.snap("low", self.stroke, radius=0.2, values=[1, 2, 3])

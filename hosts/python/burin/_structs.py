@@ -198,6 +198,7 @@ class Snap(Sized):
         ("view_is_eye", c_uint32),
         ("fixed_ends", c_uint32),
         ("values", c_void_p),
+        ("least_angle", c_double),
     ]
 
 

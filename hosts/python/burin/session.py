@@ -52,7 +52,7 @@ class Chart:
     """Whether t is periodic with `length`."""
 
 
-LINES = ("ridge", "valley", "silhouette", "border", "high", "low")
+LINES = ("ridge", "valley", "silhouette", "border", "high", "low", "crease", "suggestive")
 """What strokes are snapped to."""
 
 
@@ -221,12 +221,13 @@ class Session(ShownSurface):
         view_is_eye: bool = False,
         fixed_ends: bool = False,
         values: ArrayLike | None = None,
+        least_angle: float = 30,
         fields: str | Iterable[str] = (),
         **pen: ArrayLike,
     ) -> Snapped:
         """Moves a stroke, samples as add() takes them, to a line of the surface within `radius`, object units, without drawing
-        it: "ridge", "valley", "silhouette", seen in the direction `view` or from the eye there, "border", or "high" and
-        "low", crests of `values` of the vertices. scale: half the line's width is best, object units; 0: chosen. See
+        it: "ridge", "valley", "silhouette" and "suggestive", seen in the direction `view` or from the eye there, "border",
+        "crease", edges of at least `least_angle` degrees, or "high" and "low", crests of `values` of the vertices. scale: half the line's width is best, object units; 0: chosen. See
         docs/snapping.md. Costs time in proportion to the surface."""
         if line not in LINES:
             raise InvalidArgument(f"there is no line {line!r}, but {', '.join(LINES)}")
@@ -235,6 +236,7 @@ class Session(ShownSurface):
         if kept is not None and kept.shape != (self.info.vertex_count,):
             raise InvalidArgument(f"values: the shape must be ({self.info.vertex_count},), not {kept.shape}")
         how = _c.Snap(LINES.index(line) + 1, radius, scale, significance, view, view_is_eye, fixed_ends)
+        how.least_angle = least_angle
         how.values = None if kept is None else kept.ctypes.data
         found = _c.Snapped()
         self._call("burin_session_snap", how, given.ctypes.data, len(given), fields_of(fields), found)

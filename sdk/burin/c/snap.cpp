@@ -11,16 +11,18 @@
 namespace burin::c {
 namespace {
 
+FeatureKind kind_of(const burin_snap& how) { return static_cast<FeatureKind>(how.line - BURIN_LINE_RIDGE); }
+
 void check(const burin_snap& how) {
-  if (how.line < BURIN_LINE_RIDGE || how.line > BURIN_LINE_LOW) reject("there is no such line");
+  if (how.line < BURIN_LINE_RIDGE || how.line > BURIN_LINE_SUGGESTIVE) reject("there is no such line");
   if (!(how.radius > 0) || !std::isfinite(how.radius)) reject("the radius is not above 0");
   if (!(how.scale >= 0) || !std::isfinite(how.scale)) reject("the scale is below 0");
   if (!(how.significance >= 0)) reject("the significance is below 0");
   const Vec3d view(how.view[0], how.view[1], how.view[2]);
   if (!view.allFinite()) reject("the view is not finite");
-  if (how.line == BURIN_LINE_SILHOUETTE && !how.view_is_eye && view.isZero(0))
-    reject("silhouettes want a view");
-  if (how.line >= BURIN_LINE_HIGH) require(how.values, "values");
+  if (is_seen(kind_of(how)) && !how.view_is_eye && view.isZero(0)) reject("the line wants a view");
+  if (has_values(kind_of(how))) require(how.values, "values");
+  if (!(how.least_angle >= 0 && how.least_angle < 180)) reject("the least angle is not below 180");
 }
 
 /// The values of the surface's vertices.
@@ -80,10 +82,11 @@ std::vector<burin_sample> samples_of(const SurfaceCurve& curve) {
 }
 
 SnapResult snap(const burin_session& session, const burin_snap& how, const RecordedStroke& stroke) {
-  Feature feature{.kind = static_cast<FeatureKind>(how.line - BURIN_LINE_RIDGE)};
+  Feature feature{.kind = kind_of(how)};
+  if (how.least_angle > 0) feature.least_angle = how.least_angle;
   feature.view = {how.view_is_eye != 0, Vec3d(how.view[0], how.view[1], how.view[2])};
   std::vector<float> values;
-  if (how.line >= BURIN_LINE_HIGH) values = values_of(session, how.values);
+  if (has_values(feature.kind)) values = values_of(session, how.values);
   feature.values = values;
   SnapOptions options{.radius = how.radius, .scale = how.scale, .fixed_ends = how.fixed_ends != 0};
   if (how.significance > 0) options.significance = how.significance;

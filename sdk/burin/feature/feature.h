@@ -14,6 +14,7 @@ enum class FeatureKind {
   high,        ///< where a value of the vertices is greatest across the stroke
   low,         ///< where it is least
   crease,      ///< edges at which two triangles meet at an angle
+  suggestive,  ///< where it would turn away from a viewer who moved a little [DeCarlo et al. 2003]
 };
 
 /// Where a surface is seen from.
@@ -25,7 +26,7 @@ struct Viewpoint {
 /// A kind of line on a surface.
 struct Feature {
   FeatureKind kind = FeatureKind::ridge;
-  Viewpoint view = {};                 ///< of silhouettes
+  Viewpoint view = {};                 ///< of silhouettes and suggestive contours
   std::span<const float> values = {};  ///< [vertex of the surface], of high and low; must outlive the object
   double least_angle = 30;             ///< of creases, between the normals of the triangles, degrees
 };
@@ -33,6 +34,14 @@ struct Feature {
 /// Whether features of this kind consist of edges of the surface.
 inline bool consists_of_edges(FeatureKind kind) {
   return kind == FeatureKind::border || kind == FeatureKind::crease;
+}
+
+/// Whether features of this kind are crests of values of the vertices.
+inline bool has_values(FeatureKind kind) { return kind == FeatureKind::high || kind == FeatureKind::low; }
+
+/// Whether features of this kind depend on the view.
+inline bool is_seen(FeatureKind kind) {
+  return kind == FeatureKind::silhouette || kind == FeatureKind::suggestive;
 }
 
 }  // namespace burin

@@ -67,7 +67,7 @@ class PathFinder {
   /// The significance of each column by itself.
   std::vector<double> significances(std::span<const double> path,
                                     const std::vector<WeightedValue>& found) const {
-    if (sampled_.kind() == FeatureKind::silhouette) return exactness(found);
+    if (is_seen(sampled_.kind())) return exactness(found);
     if (consists_of_edges(sampled_.kind())) {
       constexpr double of_whole_line = 6;
       std::vector<double> result = levels_on(sampled_.level(), path, columns_.first);

@@ -9,6 +9,9 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
+/// Where the chart folds or is compressed more than this, derivatives mean nothing.
+constexpr float least_share_of_area = 0.01F;
+
 Vec3f vector_at(const SmoothedImage& image, std::size_t channel, int column, int row) {
   return {image.at(channel, column, row), image.at(channel + 1, column, row),
           image.at(channel + 2, column, row)};
@@ -37,14 +40,23 @@ float greatest_curvature(const Slopes& position, const Slopes& normal, float sig
   const float e = position.along_t.squaredNorm(), g = position.along_d.squaredNorm(),
               f = position.along_t.dot(position.along_d);
   const float area = e * g - f * f;
-  // Where the chart folds or is compressed, derivatives mean nothing.
-  constexpr float least_share = 0.01F;
-  if (!(area > least_share * g * g)) return unknown;
+  if (!(area > least_share_of_area * g * g)) return unknown;
   const float l = sign * normal.along_t.dot(position.along_t),
               n = sign * normal.along_d.dot(position.along_d);
   const float m = sign * (normal.along_t.dot(position.along_d) + normal.along_d.dot(position.along_t)) / 2;
   const float mean = (e * n - 2 * f * m + g * l) / (2 * area), gauss = (l * n - m * m) / area;
   return mean + std::sqrt(std::max(mean * mean - gauss, 0.F));
+}
+
+/// The components along t and d, per pixel, of the projection of a direction onto the tangent plane; nothing
+/// where the chart folds.
+std::optional<Vec2f> projected(const Slopes& position, const Vec3f& direction) {
+  const float e = position.along_t.squaredNorm(), g = position.along_d.squaredNorm(),
+              f = position.along_t.dot(position.along_d);
+  const float area = e * g - f * f;
+  if (!(area > least_share_of_area * g * g)) return std::nullopt;
+  const float t = direction.dot(position.along_t), d = direction.dot(position.along_d);
+  return Vec2f((g * t - f * d) / area, (e * d - f * t) / area);
 }
 
 template <class Value>
@@ -85,6 +97,35 @@ LevelImage facing_image(const SmoothedImage& geometry, const Vec3f& origin, cons
   });
 }
 
+std::optional<Vec2f> radial_direction(const SmoothedImage& geometry, const Vec3f& origin,
+                                      const Viewpoint& view, int column, int row) {
+  if (!is_known_around(geometry, column, row)) return std::nullopt;
+  const Vec3f direction = to_viewer(view, vector_at(geometry, 0, column, row) + origin);
+  return projected(slopes_at(geometry, 0, column, row), direction);
+}
+
+LevelImage radial_image(const SmoothedImage& geometry, const Vec3f& origin, const Viewpoint& view) {
+  const auto direction_at = [&](int column, int row) {
+    return radial_direction(geometry, origin, view, column, row);
+  };
+  const LevelImage all = level_image(geometry, [&](int column, int row) {
+    const auto w = direction_at(column, row);
+    if (!w) return unknown;
+    const Slopes position = slopes_at(geometry, 0, column, row), normal = slopes_at(geometry, 3, column, row);
+    const Vec3f step = w->x() * position.along_t + w->y() * position.along_d;
+    const Vec3f turned = w->x() * normal.along_t + w->y() * normal.along_d;
+    const float length = step.squaredNorm();
+    return length > 0 ? turned.dot(step) / length : unknown;
+  });
+  return level_image(geometry, [&](int column, int row) {
+    const auto w = direction_at(column, row);
+    if (!w) return unknown;
+    const float rise = w->x() * (all.at(column + 1, row) - all.at(column - 1, row)) +
+                       w->y() * (all.at(column, row + 1) - all.at(column, row - 1));
+    return rise > 0 ? all.at(column, row) : unknown;
+  });
+}
+
 LevelImage channel_image(const SmoothedImage& image, float sign) {
   return level_image(image, [&](int column, int row) {
     return image.known[image.grid.pixel(column, row)] ? sign * image.at(0, column, row) : unknown;
@@ -92,8 +133,11 @@ LevelImage channel_image(const SmoothedImage& image, float sign) {
 }
 
 Vec3f to_viewer(const Viewpoint& view, const Vec3f& position) {
-  const Vec3d direction = view.is_eye ? Vec3d(view.at - position.cast<double>()) : Vec3d(-view.at);
-  return direction.normalized().cast<float>();
+  return way_to_viewer(view, position).normalized().cast<float>();
+}
+
+Vec3d way_to_viewer(const Viewpoint& view, const Vec3f& position) {
+  return view.is_eye ? Vec3d(view.at - position.cast<double>()) : Vec3d(-view.at.normalized());
 }
 
 }  // namespace burin

@@ -3,6 +3,7 @@
 #include <burin/feature/feature.h>
 #include <burin/feature/smoothed_image.h>
 
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -32,8 +33,20 @@ LevelImage curvature_image(const SmoothedImage& geometry, float sign);
 /// The cosine of the angle between the smoothed normal and the direction to the viewer.
 LevelImage facing_image(const SmoothedImage& geometry, const Vec3f& origin, const Viewpoint& view);
 
+/// The radial curvature of the smoothed surface, 1 / length, convex positive: its normal curvature in the
+/// direction w of the view's projection onto the tangent plane [DeCarlo et al. 2003, Suggestive Contours for
+/// Conveying Shape]. Only near suggestive contours, where it rises towards the viewer; else it is NaN.
+LevelImage radial_image(const SmoothedImage& geometry, const Vec3f& origin, const Viewpoint& view);
+
+/// The direction w in the image at a pixel, columns and rows per object unit; nothing where it is not known.
+std::optional<Vec2f> radial_direction(const SmoothedImage& geometry, const Vec3f& origin,
+                                      const Viewpoint& view, int column, int row);
+
 /// The first channel times `sign`.
 LevelImage channel_image(const SmoothedImage& image, float sign);
+
+/// The vector from a position to an eye, or a unit vector against a direction of sight.
+Vec3d way_to_viewer(const Viewpoint& view, const Vec3f& position);
 
 /// The unit vector from a position to the viewer.
 Vec3f to_viewer(const Viewpoint& view, const Vec3f& position);

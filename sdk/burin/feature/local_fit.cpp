@@ -78,6 +78,13 @@ Vec2d LocalFit::derivative(int order, double v) const {
   return sum;
 }
 
+Vec2d LocalFit::slope_along(double v) const {
+  constexpr int first = 5;  // of the terms u, uv, uv^2, uv^3
+  Vec2d sum = Vec2d::Zero();
+  for (int power = 3; power >= 0; --power) sum = sum * v + terms_.row(first + power).transpose();
+  return sum;
+}
+
 double LocalFit::variance(int order) const {
   double factor = 1;
   for (int k = 2; k <= order; ++k) factor *= k;

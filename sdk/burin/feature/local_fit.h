@@ -30,6 +30,9 @@ class LocalFit {
   /// The derivatives of this order by v, at v.
   Vec2d derivative(int order, double v) const;
 
+  /// The first derivatives by the share u along the stroke at the column of the window's middle, at v.
+  Vec2d slope_along(double v) const;
+
   /// The variance of the second function's derivative of this order at v = 0, from the residuals of the fit.
   double variance(int order) const;
 

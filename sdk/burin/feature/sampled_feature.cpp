@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace burin {
 namespace {
-
-bool has_values(FeatureKind kind) { return kind == FeatureKind::high || kind == FeatureKind::low; }
 
 bool is_negative(FeatureKind kind) { return kind == FeatureKind::valley || kind == FeatureKind::low; }
 
@@ -47,6 +46,8 @@ LevelImage SampledFeature::make_level() {
       return nearness_image(edges_, samples_.grid(), smoothing_.rows);
     case FeatureKind::silhouette:
       return facing_image(smoothed_, samples_.origin(), feature_.view);
+    case FeatureKind::suggestive:
+      return radial_image(smoothed_, samples_.origin(), feature_.view);
     case FeatureKind::high:
     case FeatureKind::low:
       return channel_image(smoothed_, sign);
@@ -57,7 +58,7 @@ LevelImage SampledFeature::make_level() {
 
 LevelImage SampledFeature::score() const {
   constexpr double deviations = 3;
-  if (feature_.kind == FeatureKind::silhouette) return crossing_score(level_, deviations * smoothing_.rows);
+  if (is_seen(feature_.kind)) return crossing_score(level_, deviations * smoothing_.rows);
   return crest_score(level_);
 }
 
@@ -109,6 +110,7 @@ std::optional<SampledFeature::ExactRow> SampledFeature::fit(int column, double r
     return Vec2d(p1[0] * p3[1] - p1[1] * p3[0],
                  p2[0] * p3[1] + p1[0] * p4[1] - p2[1] * p3[0] - p1[1] * p4[0]);
   };
+  if (feature_.kind == FeatureKind::suggestive) return radial_row(*fit, window);
   const int order = is_profile ? 3 : has_values(feature_.kind) ? 1 : 0;
   const auto function = [&](double v) {
     if (is_profile) return slope_of_curvature(v);
@@ -129,9 +131,42 @@ std::optional<SampledFeature::ExactRow> SampledFeature::fit(int column, double r
 std::optional<LocalFit> SampledFeature::fit_values(const FitWindow& window) const {
   return LocalFit::make(samples_, window, [&](const ChartSample& sample) {
     if (has_values(feature_.kind)) return Vec2d(0, static_cast<double>(feature_.values[sample.vertex]));
-    const Vec3f direction = to_viewer(feature_.view, sample.position + samples_.origin());
-    return Vec2d(0, static_cast<double>(sample.normal.dot(direction)));
+    // The ways to an eye are not shortened to unit vectors, whose lengths would add slopes of their own.
+    const Vec3d way = way_to_viewer(feature_.view, sample.position + samples_.origin());
+    return Vec2d(0, sample.normal.cast<double>().dot(way));
   });
+}
+
+/// Where n . v is least in the direction w of the view's projection, which is interpolated between rows.
+std::optional<SampledFeature::ExactRow> SampledFeature::radial_row(const LocalFit& fit,
+                                                                   const FitWindow& window) const {
+  const int column = static_cast<int>(window.middle.x());
+  const auto direction_at = [&](double v) -> std::optional<Vec2d> {
+    const double row = window.middle.y() + v * window.reach.y(), below = std::floor(row);
+    const int at = static_cast<int>(below);
+    const auto low = radial_direction(smoothed_, samples_.origin(), feature_.view, column, at);
+    const auto high = radial_direction(smoothed_, samples_.origin(), feature_.view, column, at + 1);
+    if (!low || !high) return std::nullopt;
+    const double share = row - below;
+    const Vec2d w = (1 - share) * low->cast<double>() + share * high->cast<double>();
+    return Vec2d(w.cwiseQuotient(window.reach));
+  };
+  const auto slope_at = [&](double v) {
+    const auto w = direction_at(v);
+    return w ? w->x() * fit.slope_along(v)[1] + w->y() * fit.derivative(1, v)[1]
+             : std::numeric_limits<double>::quiet_NaN();
+  };
+  constexpr double step = 0.05, farthest = 0.6;
+  const auto with_slope = [&](double v) {
+    return Vec2d(slope_at(v), (slope_at(v + step) - slope_at(v - step)) / (2 * step));
+  };
+  const auto v = root_near_0(with_slope, farthest);
+  const auto w = v ? direction_at(*v) : std::nullopt;
+  if (!w) return std::nullopt;
+  const double rise = with_slope(*v)[1], reach = window.reach.y();
+  // The minimum has to lie across the stroke: along it the fit would not place it.
+  if (!(rise * w->y() > 0)) return std::nullopt;
+  return ExactRow{*v * reach, w->squaredNorm() * fit.variance(1) / (rise * rise) * reach * reach};
 }
 
 /// The profile of the surface across the stroke, along the direction of d and along the normal; object units.

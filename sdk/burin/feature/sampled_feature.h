@@ -45,6 +45,7 @@ class SampledFeature {
   LevelImage make_level();
   std::optional<LinePoint> near_line(double column, double row) const;
   std::optional<ExactRow> fit(int column, double row) const;
+  std::optional<ExactRow> radial_row(const LocalFit& fit, const FitWindow& window) const;
   std::optional<LocalFit> fit_values(const FitWindow& window) const;
   std::optional<LocalFit> fit_profile(const FitWindow& window) const;
 

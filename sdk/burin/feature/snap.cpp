@@ -314,8 +314,7 @@ SnapResult StrokeSnapper::snap(const SurfaceCurve& stroke, const Feature& featur
   if (!is_positive(options.radius) || !(options.scale == 0 || is_positive(options.scale)))
     throw ContractError("radius and scale of snapping must be finite and positive");
   if (options.iterations < 1) throw ContractError("snapping needs at least one iteration");
-  const bool has_values = feature.kind == FeatureKind::high || feature.kind == FeatureKind::low;
-  if (has_values && feature.values.size() != surface_.vertex_count())
+  if (has_values(feature.kind) && feature.values.size() != surface_.vertex_count())
     throw ContractError("a value per vertex is needed to snap to");
   return Snapping(surface_, picker_, builder_, stroke, feature, options).run();
 }

@@ -232,6 +232,16 @@ TEST(CSnapping, MovesSamplesToALineAsTheSnapperDoes) {
       IN_C(burin_session_snap)(session, &how, samples.data(), samples.size(), 0, &snapped, &session.error));
   EXPECT_NEAR(snapped.samples[snapped.sample_count / 2].position[1], 0.1, 0.01);
 
+  // Seen from +y, the ridge's far inflection is a suggestive contour: that of 1 / (1 + 60 y^2).
+  how.line = BURIN_LINE_SUGGESTIVE;
+  how.view[1] = -1;
+  how.view[2] = -1;
+  session.check(
+      IN_C(burin_session_snap)(session, &how, samples.data(), samples.size(), 0, &snapped, &session.error));
+  EXPECT_NEAR(snapped.samples[snapped.sample_count / 2].position[1], -1 / std::sqrt(180.), 0.01);
+  how.view[1] = how.view[2] = 0;
+  how.line = BURIN_LINE_HIGH;
+
   const auto refused = [&](const char* text) {
     EXPECT_EQ(
         IN_C(burin_session_snap)(session, &how, samples.data(), samples.size(), 0, &snapped, &session.error),
@@ -241,7 +251,13 @@ TEST(CSnapping, MovesSamplesToALineAsTheSnapperDoes) {
   how.values = nullptr;
   refused("values is missing");
   how.line = BURIN_LINE_SILHOUETTE;
-  refused("silhouettes want a view");
+  refused("the line wants a view");
+  how.line = BURIN_LINE_SUGGESTIVE;
+  refused("the line wants a view");
+  how.line = BURIN_LINE_CREASE;
+  how.least_angle = 180;
+  refused("the least angle is not below 180");
+  how.least_angle = 0;
   how.line = 9;
   refused("there is no such line");
   how.line = BURIN_LINE_RIDGE;

@@ -393,7 +393,9 @@ enum {
   BURIN_LINE_SILHOUETTE = 3, /* where it turns away from `view` */
   BURIN_LINE_BORDER = 4,     /* its open border */
   BURIN_LINE_HIGH = 5,       /* where `values` are greatest across the stroke */
-  BURIN_LINE_LOW = 6         /* where they are least */
+  BURIN_LINE_LOW = 6,        /* where they are least */
+  BURIN_LINE_CREASE = 7,     /* edges at which triangles meet at `least_angle` or more */
+  BURIN_LINE_SUGGESTIVE = 8  /* where it would turn away from a `view` that moved a little */
 };
 
 /* How a stroke is snapped. */
@@ -403,11 +405,12 @@ typedef struct burin_snap {
   double radius; /* how far from the stroke lines are searched for, object units, > 0 */
   double scale;  /* how far the surface is smoothed across the stroke, object units: half the line's width is
                     best; 0: as `burin snap` chooses */
-  double significance;  /* least contrast that counts, in units of the noise; 0: 4 */
-  double view[3];       /* of silhouettes: the direction of sight, not zero, or where the eye is */
+  double significance; /* least contrast that counts, in units of the noise; 0: 4 */
+  double view[3]; /* of silhouettes and suggestive contours: the direction of sight, not zero, or the eye */
   uint32_t view_is_eye; /* 1: `view` is a place, object units */
   uint32_t fixed_ends;  /* 1: the ends of the stroke stay */
   const float* values;  /* of BURIN_LINE_HIGH and _LOW: one for each of the session's vertices, finite */
+  double least_angle;   /* of creases, between the normals of triangles, degrees below 180; 0: 30 */
 } burin_snap;
 
 /* A snapped stroke. Samples belong to the session and are valid until its next call. */
