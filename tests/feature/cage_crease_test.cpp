@@ -88,7 +88,8 @@ RefinedCrease refined(PolygonMesh cage, float sharpness, int level) {
 double distance_from(const std::vector<Vec3d>& ring, const Vec3d& x) {
   double least = 1e9;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec3d from = ring[i], way = ring[(i + 1) % ring.size()] - from;
+    const Vec3d& from = ring[i];
+    const Vec3d way = ring[(i + 1) % ring.size()] - from;
     const double share = std::clamp((x - from).dot(way) / way.squaredNorm(), 0., 1.);
     least = std::min(least, (x - from - share * way).norm());
   }

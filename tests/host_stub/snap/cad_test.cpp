@@ -53,7 +53,7 @@ CurveMesh read_curve_mesh(const std::string& path) {
       words >> id >> type >> tags;
       std::vector<int> rest;
       for (int word = 0; words >> word;) rest.push_back(word);
-      const auto node = [&](int k) { return index_of.at(rest[static_cast<std::size_t>(tags + k)]); };
+      const auto node = [&](std::size_t k) { return index_of.at(rest[static_cast<std::size_t>(tags) + k]); };
       if (type == 1) result.curve_edges.push_back({node(0), node(1)});
       if (type == 2) result.mesh.triangles.push_back({node(0), node(1), node(2)});
     }
@@ -101,7 +101,8 @@ std::vector<Vec3d> chain(const CurveMesh& cad, const CadModel& model) {
 double distance_from(const std::vector<Vec3d>& polyline, const Vec3d& x) {
   double least = 1e9;
   for (std::size_t i = 1; i < polyline.size(); ++i) {
-    const Vec3d from = polyline[i - 1], way = polyline[i] - from;
+    const Vec3d& from = polyline[i - 1];
+    const Vec3d way = polyline[i] - from;
     const double share = std::clamp((x - from).dot(way) / way.squaredNorm(), 0., 1.);
     least = std::min(least, (x - from - share * way).norm());
   }
