@@ -1,9 +1,11 @@
 #include <burin/surface/picker.h>
+#include <burin/surface/picking/closest_point.h>
 #include <burin/surface/picking/ray_triangle.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <ctime>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -264,7 +266,54 @@ void expect_follows(Surface surface) {
   EXPECT_GT(on_moved, 30);
 }
 
-TEST(Picker, FollowsMovedVertices) { expect_follows(make_surface(test::torus(160, 80))); }
+TEST(Picker, FollowsMovedVertices) {
+  expect_follows(make_surface(test::torus(160, 80)));
+  expect_follows(make_surface(test::fan(3000)));
+}
+
+/// A fan whose rim rises and falls, so that no two of its triangles have a plane in common.
+Surface wavy_fan(Index spokes) {
+  TriangleMesh mesh = test::fan(spokes);
+  for (Vec3f& position : mesh.positions) position.z() = position.x() * position.y() / 4;
+  return make_surface(mesh);
+}
+
+// The boxes of long thin triangles hold much more than they do, so slabs rule triangles out, too.
+TEST(Picker, FindsTheClosestOfLongThinTriangles) {
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const Surface surface = wavy_fan(5000);
+  const Picker picker(surface);
+  Random random;
+  const auto expect_lowest = [&](const Vec3f& query) {
+    const auto squared_distance = [&](Index triangle) {
+      return closest_point(surface, triangle, query.cast<double>()).squared_distance;
+    };
+    const double expected = least(surface, squared_distance);
+    Index lowest = 0;
+    while (squared_distance(lowest) > expected) ++lowest;
+    EXPECT_EQ(picker.closest(query, unlimited)->triangle, lowest) << query.transpose();
+  };
+  for (int i = 0; i < 200; ++i) {
+    const Vec3f place = random.point(1);
+    expect_lowest(place);
+    expect_lowest({place.x() / 2, place.y() / 2, place.x() * place.y() / 16});
+    expect_lowest(surface.positions[static_cast<Index>(i) * 25]);
+  }
+}
+
+// Of 100,000 spokes the boxes of some 12,000 hold a position: 5000 searches of them took 4 s.
+TEST(Picker, SearchesAFanOfManySpokesInNoTime) {
+  const Surface surface = make_surface(test::fan(100000));
+  const Picker picker(surface);
+  Random random;
+  const std::clock_t before = std::clock();
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3f place = random.point(0.7F);
+    const Vec3f flat(place.x(), place.y(), 0);
+    ASSERT_LT((picker.closest(flat, 1)->position - flat).norm(), 1e-6F);
+  }
+  EXPECT_LT(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC, 1);
+}
 
 }  // namespace
 }  // namespace burin

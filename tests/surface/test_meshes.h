@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/surface/triangle_mesh.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace burin::test {
@@ -21,6 +22,18 @@ inline TriangleMesh torus(Index rows, Index columns) {
       mesh.triangles.push_back({a, b, c});
       mesh.triangles.push_back({a, c, d});
     }
+  return mesh;
+}
+
+/// A disc of radius 1 in the plane z = 0 around a hub, vertex 0, with this many spokes.
+inline TriangleMesh fan(Index spokes) {
+  TriangleMesh mesh;
+  mesh.positions.push_back(Vec3f::Zero());
+  for (Index i = 0; i < spokes; ++i) {
+    const double angle = 2 * std::numbers::pi * i / spokes;
+    mesh.positions.push_back(Vec3d(std::cos(angle), std::sin(angle), 0).cast<float>());
+    mesh.triangles.push_back({0, i + 1, (i + 1) % spokes + 1});
+  }
   return mesh;
 }
 

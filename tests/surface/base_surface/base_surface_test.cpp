@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/shapes.h"
+#include "surface/test_meshes.h"
 
 namespace burin {
 namespace {
@@ -143,21 +144,9 @@ TEST(BaseSurface, KeepsTheSidesOfAPlateApart) {
   }
 }
 
-/// A disc of radius 1 around a hub with this many spokes.
-TriangleMesh fan(Index spokes) {
-  TriangleMesh mesh;
-  mesh.positions.push_back(Vec3f::Zero());
-  for (Index i = 0; i < spokes; ++i) {
-    const double angle = 2 * std::numbers::pi * i / spokes;
-    mesh.positions.push_back(Vec3d(std::cos(angle), std::sin(angle), 0).cast<float>());
-    mesh.triangles.push_back({0, i + 1, (i + 1) % spokes + 1});
-  }
-  return mesh;
-}
-
 // Without stand-ins every vertex of the rim would fit thousands of others: half a minute of processor time.
 TEST(BaseSurface, CostsAFanInProportionToItsSpokes) {
-  Based on(fan(80000), 0.55);
+  Based on(test::fan(80000), 0.55);
   const std::clock_t before = std::clock();
   on.base.prepare(std::array{BaseSurface::Ball{Vec3f::UnitX(), 3, 1}});
   const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
@@ -170,7 +159,7 @@ TEST(BaseSurface, CostsAFanInProportionToItsSpokes) {
 }
 
 TEST(BaseSurface, IsNotForBrushesThatAreNarrowerThanMostTriangles) {
-  const Surface surface = make_surface(fan(300));
+  const Surface surface = make_surface(test::fan(300));
   const SurfaceLevels levels(surface);
   BaseSurface base(surface, levels);
   EXPECT_FALSE(base.set_radius(0.45));

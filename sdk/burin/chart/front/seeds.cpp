@@ -9,6 +9,7 @@ namespace burin {
 
 void Seeds::restart(VertexRange own) {
   own_ = own;
+  neighbours_.restart();
   entries_.clear();
   offers_.clear();
   first_offer_.clear();
@@ -70,18 +71,34 @@ void Seeds::offer_segment(const FrontStroke& on, std::size_t segment, ChartNodes
   around_.clear();
   gathered_.clear();
   const SurfacePoint &from = on.curve.points[segment].at, &to = on.curve.points[on.curve.next(segment)].at;
-  gather_around(from);
-  if (to.corners != from.corners) gather_around(to);
+  const Ball discs = discs_along(on, segment);
+  gather_around(from, discs);
+  if (to.corners != from.corners) gather_around(to, discs);
   for (const Index vertex : around_) offer(on, segment, vertex, nodes);
 }
 
-void Seeds::gather_around(const SurfacePoint& at) {
+/// A ball around the discs of all samples that feet on the segment may have.
+Seeds::Ball Seeds::discs_along(const FrontStroke& on, std::size_t segment) {
+  constexpr double rounding = 1.001;
+  const Vec3f middle =
+      (on.curve.points[segment].at.position + on.curve.points[on.curve.next(segment)].at.position) / 2;
+  const Index first = on.samples.at(on.curve.points[segment].t);
+  const Index steps = on.samples.steps(first, on.samples.at(on.curve.segment_end(segment)));
+  float radius = 0;
+  for (Index i = 0; i <= steps; ++i) {
+    const Index sample = (first + i) % on.samples.size();
+    radius = std::max(radius, on.samples.chord(sample, middle) + on.samples.disc(sample));
+  }
+  return {middle.cast<double>(), rounding * static_cast<double>(radius)};
+}
+
+void Seeds::gather_around(const SurfacePoint& at, const Ball& discs) {
   for (const Index corner : at.corners) {
     const auto gather = [&](Index vertex) {
       if (own_.holds(vertex) && !is_around(vertex)) around_.push_back(vertex);
     };
     gather(corner);
-    for (const Index vertex : ground_->neighbours(corner)) gather(vertex);
+    for (const Index vertex : neighbours_.around(corner, discs.middle, discs.radius)) gather(vertex);
     gathered_.push_back(corner);
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/chart/frames/foot.h>
 #include <burin/chart/front/chart_nodes.h>
+#include <burin/chart/front/near_neighbours.h>
 #include <burin/chart/path/front_stroke.h>
 
 #include <cstddef>
@@ -18,10 +19,10 @@ struct Seed {
 };
 
 /// The seeds of one part of a front: for every visit of the corners of the curve's points, and of their
-/// one-ring, the nearest foot on the segments nearby. The surface must outlive the object.
+/// one-ring, the nearest foot on the segments nearby. The ground must outlive the object.
 class Seeds {
  public:
-  explicit Seeds(const ChartGround& ground) : ground_(&ground) {}
+  explicit Seeds(const ChartGround& ground) : ground_(&ground), neighbours_(ground) {}
 
   /// Forgets everything. Seeds vertices of `own` only.
   void restart(VertexRange own);
@@ -44,6 +45,10 @@ class Seeds {
     Index before = no_index;  ///< the offer that the entry had before this one
     Foot foot;
   };
+  struct Ball {
+    Vec3d middle;
+    double radius;  ///< object units
+  };
   struct Entry {
     Index node = no_index;
     Index last_offer = no_index;
@@ -57,13 +62,15 @@ class Seeds {
   void make_stale(Index entry);
   void depend(Index entry, std::size_t segment);
   void depend_no_more(Entry& entry);
+  static Ball discs_along(const FrontStroke& on, std::size_t segment);
   void offer_segment(const FrontStroke& on, std::size_t segment, ChartNodes& nodes);
-  void gather_around(const SurfacePoint& at);
+  void gather_around(const SurfacePoint& at, const Ball& discs);
   bool is_around(Index vertex) const;
   void offer(const FrontStroke& on, std::size_t segment, Index vertex, ChartNodes& nodes);
   void renew(const FrontStroke& on, Index entry, ChartNodes& nodes);
 
   const ChartGround* ground_;
+  NearNeighbours neighbours_;
   VertexRange own_;
   std::vector<Entry> entries_;
   std::vector<Offer> offers_;       ///< by segment

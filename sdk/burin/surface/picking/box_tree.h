@@ -25,6 +25,9 @@ class BoxTree {
  public:
   using Box = Eigen::AlignedBox3f;
 
+  /// The number of items in a run, and of nodes in a node.
+  static constexpr std::size_t fan = 8;
+
   explicit BoxTree(Items items);
 
   /// Updates the boxes of these items, given in any order, also several times.
@@ -42,7 +45,6 @@ class BoxTree {
   void search(Query& query) const;
 
  private:
-  static constexpr std::size_t fan = 8;
   /// Boxes per parallel block: so many that the boxes of one brush event are one block, which takes less time
   /// than waking another thread.
   static constexpr std::size_t boxes_per_block = 4096;

@@ -5,6 +5,7 @@
 #include <burin/surface/picking/closest_point.h>
 #include <burin/surface/picking/pick_scene.h>
 #include <burin/surface/picking/ray_triangle.h>
+#include <burin/surface/picking/sliver_slabs.h>
 
 #include <limits>
 #include <vector>
@@ -70,8 +71,11 @@ class NearestHit {
 /// The query for the closest point; among equally close triangles the one with the lowest index wins.
 class ClosestPoint {
  public:
-  ClosestPoint(const Surface& surface, const Vec3f& query, double max_distance)
-      : surface_(surface), query_(query.cast<double>()), squared_distance_(max_distance * max_distance) {}
+  ClosestPoint(const Surface& surface, const SliverSlabs& slabs, const Vec3f& query, double max_distance)
+      : surface_(surface),
+        slabs_(slabs),
+        query_(query.cast<double>()),
+        squared_distance_(max_distance * max_distance) {}
 
   /// The squared distance of a box.
   double nearest(const Box& box) const {
@@ -88,6 +92,7 @@ class ClosestPoint {
   bool reaches(double squared_distance) const { return squared_distance <= squared_distance_ * (1 + 1e-9); }
 
   void meet(Index begin, Index end) {
+    if (!reaches(slabs_.nearest(begin, query_))) return;
     for (Index triangle = begin; triangle < end; ++triangle) {
       // Rules out most triangles at a quarter of the cost.
       if (!reaches(nearest(box_of(triangle)))) continue;
@@ -115,6 +120,7 @@ class ClosestPoint {
   }
 
   const Surface& surface_;
+  const SliverSlabs& slabs_;
   Vec3d query_;
   double squared_distance_;
   Index triangle_ = no_index;
@@ -123,19 +129,21 @@ class ClosestPoint {
 
 class TriangleScene : public PickScene {
  public:
-  explicit TriangleScene(const Surface& surface) : surface_(surface), tree_(Triangles{surface}) {}
+  explicit TriangleScene(const Surface& surface)
+      : surface_(surface), tree_(Triangles{surface}), slabs_(surface, TriangleTree::fan) {}
 
   std::optional<SurfacePoint> pick(const Ray& ray) const override {
     return found(NearestHit(surface_, tree_.box(), ray));
   }
   std::optional<SurfacePoint> closest(const Vec3f& position, float max_distance) const override {
-    return found(ClosestPoint(surface_, position, max_distance));
+    return found(ClosestPoint(surface_, slabs_, position, max_distance));
   }
   void update(std::span<const Index> moved_vertices) override {
     moved_.clear();
     for (const Index vertex : moved_vertices)
       for (const Index triangle : surface_.incident[vertex]) moved_.push_back(triangle);
     tree_.update(moved_);
+    for (const Index triangle : moved_) slabs_.update(triangle);
   }
 
  private:
@@ -147,6 +155,7 @@ class TriangleScene : public PickScene {
 
   const Surface& surface_;
   TriangleTree tree_;
+  SliverSlabs slabs_;
   std::vector<Index> moved_;  ///< triangles of an update
 };
 
