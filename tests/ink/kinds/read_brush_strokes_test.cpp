@@ -24,11 +24,28 @@ bpy.ops.sculpt.brush_stroke(stroke=[{'location':(0.1, 0.2, 0.3), "time": 0, "x_t
   EXPECT_FALSE(file.strokes[2].fields.pressure);
 }
 
+// Lists are read without a tree of values where they are as Blender writes them, else with one.
+TEST(ReadBrushStrokes, ReadsListsWithSomeElementsOfAnotherKind) {
+  const PenFile file = PenFileFolder().read(
+      R"(f(stroke=[{"mouse":(10, 20), "location":(1, 2, 3), "time":1}, {"location":(4, 5, 6, 7), "time":2}])
+f(stroke=[{"mouse":(1, 2, 3), "time":1, "other":{"is_start":[True, None]}}, {"mouse":(4, 5), "is_start":True}])
+f(stroke=[]))");
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_TRUE(file.strokes[0].has_z) << "not every element has a place of the mouse";
+  EXPECT_EQ(file.strokes[0].samples[0].position, Vec3d(1, 2, 3));
+  EXPECT_EQ(file.strokes[0].samples[1].position, Vec3d(4, 5, 6));
+  EXPECT_TRUE(file.strokes[0].fields.time);
+  EXPECT_EQ(places(file.strokes[1]) + "; " + places(file.strokes[2]), "1 -2; 4 -5");
+  EXPECT_FALSE(file.strokes[1].fields.time) << "one element has none";
+}
+
 TEST(ReadBrushStrokes, NamesThePlaceOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2), 'time': 'late'}])"),
             " [0].time: must be a number, not 'late'");
   EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, )}])"), " [0].mouse: has 1 numbers, a place needs 2");
+  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2)}, {'time': 3}])"), " [0]: lacks 'location'");
+  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2)}, 3])"), " [1]: must be an object, not 3");
   EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2}])").substr(0, 17), "2: malformed JSON");
 }
 

@@ -99,6 +99,44 @@ TEST(ReadLibinput, HasTheFramesOfATablet) {
   EXPECT_DOUBLE_EQ(file.strokes[0].samples[1].time, 1.01);
 }
 
+// The lines of events are no YAML that is parsed, and still count.
+TEST(ReadLibinput, NamesTheLineOfAFaultBelowEvents) {
+  const std::string frame = "  - evdev:\n    - [0, 0, 0, 0, 0]\n    - [0, 0, 0, 0, 0]\n";
+  const PenFileFolder folder;
+  EXPECT_EQ(folder.complaint(head + frame + frame + "  - evdev:\n    - [0, 0, 3, 0]\n" + frame).substr(0, 3),
+            "32:");
+  EXPECT_EQ(folder.complaint(head + frame + "  - libinput:\n    - x: [\n").substr(0, 22),
+            "30: malformed YAML: en");
+}
+
+// An item of another kind, or of another depth, ends a run of frames.
+TEST(ReadLibinput, TakesFramesOfOneListOnlyTogether) {
+  const std::string pen = R"(  - evdev:
+    - [0, 0, 3, 0, 2000]
+    - [0, 0, 3, 1, 400]
+    - [0, 0, 1, 330, 1]
+    - [0, 0, 0, 0, 0]
+  - evdev:
+    - [1, 0, 3, 0, 2200]
+    - [1, 0, 0, 0, 0]
+)";
+  const std::string others = R"(  - evdev:
+  - evdev:
+    - [2, 0, 3, 0, 2400]
+    - [2, 0, 0, 0, 0]
+  - other:
+    - evdev:
+      - [3, 0, 3, 0, 9999]
+      - [3, 0, 0, 0, 0]
+  - evdev:
+    - [4, 0, 3, 0, 2600]
+    - [4, 0, 0, 0, 0]
+)";
+  const PenFile file = PenFileFolder().read(head + pen + others);
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "10 2, 11 2, 12 2, 13 2");
+}
+
 TEST(ReadLibinput, NamesTheLineOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(head + "  - evdev:\n    - [0, 0, 3, 0]\n"),

@@ -10,6 +10,7 @@
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <sstream>
@@ -196,15 +197,17 @@ bool is_libinput(std::string_view text) {
 PenFile read_libinput(const PenFileText& file) {
   check_brackets(file);
   Recorded recorded(file.text);
+  const auto line_of = [&](int line) {
+    return std::to_string(line_without_runs(file.text, static_cast<std::size_t>(std::max(line, 0))) + 1);
+  };
   try {
     std::istringstream stream(with_runs_of_events(file.text));
     YAML::Parser parser(stream);
     parser.HandleNextDocument(recorded);
   } catch (const YamlFault& fault) {
-    throw FileError(file.path.string(), std::to_string(fault.line + 1), fault.what());
+    throw FileError(file.path.string(), line_of(fault.line), fault.what());
   } catch (const YAML::Exception& exception) {
-    throw FileError(file.path.string(), std::to_string(exception.mark.line + 1),
-                    "malformed YAML: " + exception.msg);
+    throw FileError(file.path.string(), line_of(exception.mark.line), "malformed YAML: " + exception.msg);
   }
   return recorded.finish();
 }

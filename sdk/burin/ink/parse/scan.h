@@ -12,9 +12,13 @@ namespace burin {
 
 inline constexpr std::string_view blanks = " \t\r\n\f\v";
 
+inline bool is_blank(char c) { return c == ' ' || ('\t' <= c && c <= '\r'); }
+
 /// Removes blanks from the front of a text.
 inline void skip_blanks(std::string_view& text) {
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  std::size_t count = 0;
+  while (count < text.size() && is_blank(text[count])) ++count;
+  text.remove_prefix(count);
 }
 
 /// Removes blanks and then this character from the front of a text. Returns false, and leaves what follows
