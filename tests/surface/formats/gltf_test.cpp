@@ -84,19 +84,39 @@ const std::vector<Vec3f> corner_places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 TEST(ReadGltf, ReadsPrimitivesOfEveryKindOfTriangles) {
   Document document;
   const std::vector<float> square = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
-  const std::size_t places = document.values(square, floating, "VEC3", 4);
-  document.primitive({{"POSITION", places}})["indices"] =
+  const auto places = [&] { return document.values(square, floating, "VEC3", 4); };
+  document.primitive({{"POSITION", places()}})["indices"] =
       document.values(std::vector<std::uint16_t>{0, 1, 2, 1, 3, 2}, ushort, "SCALAR", 6);
-  document.primitive({{"POSITION", places}})["mode"] = 5;
-  Json& fan = document.primitive({{"POSITION", places}});
+  document.primitive({{"POSITION", places()}})["mode"] = 5;
+  Json& fan = document.primitive({{"POSITION", places()}});
   fan["mode"] = 6;
   fan["indices"] = document.values(std::vector<std::uint8_t>{0, 1, 3, 2}, ubyte, "SCALAR", 4);
-  document.primitive({{"POSITION", places}})["mode"] = 1;
+  document.primitive({{"POSITION", places()}})["mode"] = 1;
   const PolygonMesh mesh = document.read();
   EXPECT_EQ(mesh.positions.size(), 12u);
   EXPECT_EQ(mesh.face_vertices,
             (std::vector<Index>{0, 1, 2, 1, 3, 2, 4, 5, 6, 5, 7, 6, 8, 9, 11, 8, 11, 10}));
   EXPECT_EQ(mesh.not_used, "1 primitive of points or lines");
+}
+
+// Programs write a primitive for each material, with indices of its own into the same vertices.
+TEST(ReadGltf, ReadsVerticesThatPrimitivesShareOnce) {
+  Document document;
+  const std::vector<float> square = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+  const std::size_t places = document.values(square, floating, "VEC3", 4);
+  const std::size_t masks = document.values(std::vector<float>{0, 1, 1, 1}, floating, "SCALAR", 4);
+  const auto add = [&](const Json& attributes, const std::vector<std::uint8_t>& indices) {
+    document.primitive(attributes)["indices"] = document.values(indices, ubyte, "SCALAR", 3);
+  };
+  add({{"POSITION", places}}, {0, 1, 2});
+  add({{"POSITION", places}}, {1, 3, 2});
+  add({{"POSITION", places}, {"_MASK", masks}}, {0, 1, 2});
+  document.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {0, 0, 1}}}};
+  const PolygonMesh mesh = document.read();
+  EXPECT_EQ(mesh.positions.size(), 16u) << "other attributes and other nodes have vertices of their own";
+  EXPECT_EQ(mesh.face_vertices,
+            (std::vector<Index>{0, 1, 2, 1, 3, 2, 4, 5, 6, 8, 9, 10, 9, 11, 10, 12, 13, 14}));
+  EXPECT_EQ(mesh.paint.masks[4], 0);
 }
 
 TEST(ReadGltf, ReadsQuantisedInterleavedAndSparseNumbers) {
@@ -234,7 +254,7 @@ TEST(ReadGltf, IsNotLedToAskForMuchMemoryByASmallFile) {
     const auto triangle_corners =
         document.accessor({{"componentType", ubyte}, {"type", "SCALAR"}, {"count", indices}});
     for (int i = 0; i < primitives; ++i)
-      document.primitive({{"POSITION", vertex_places}})["indices"] = triangle_corners;
+      document.primitive({{"POSITION", vertex_places}, {"_ANOTHER", i}})["indices"] = triangle_corners;
     return document.message();
   };
   EXPECT_NE(message(100000, 3).find("vertices that a file of this size may"), std::string::npos);

@@ -12,6 +12,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 namespace burin {
 namespace {
@@ -120,19 +122,44 @@ class GltfReader {
       document_.fail("meshes", "are compressed by Draco (KHR_draco_mesh_compression), which is not read");
   }
 
+  /// Vertices of the file.
+  struct Vertices {
+    std::size_t first, count;
+  };
+
+  /// Reads the primitives of a mesh. Those with the same attributes share their vertices, as where each
+  /// material has a primitive of its own.
   void read_mesh(const Json& mesh, const Eigen::Affine3d& placed) {
-    for (const Json& primitive : mesh.value("primitives", Json::array())) read_primitive(primitive, placed);
+    std::map<std::string, Vertices> shared;
+    for (const Json& primitive : mesh.value("primitives", Json::array()))
+      read_primitive(primitive, placed, shared);
   }
 
-  void read_primitive(const Json& primitive, const Eigen::Affine3d& placed) {
+  void read_primitive(const Json& primitive, const Eigen::Affine3d& placed,
+                      std::map<std::string, Vertices>& shared) {
     const Json attributes = primitive.value("attributes", Json::object());
     const auto mode = primitive.value("mode", 4U);
     if (mode > 6) document_.fail("meshes", fmt::format("have a primitive of the unknown mode {}", mode));
     if (mode < 4) return unused_.add("primitive of points or lines", "primitives of points or lines");
     if (!attributes.contains("POSITION"))
       return unused_.add("primitive without positions", "primitives without positions");
-    const std::size_t first = file_.places.size();
     expect_plain_data(primitive, attributes["POSITION"]);
+    const auto [known, is_new] = shared.try_emplace(attributes.dump());
+    if (is_new) known->second = read_vertices(attributes, placed);
+    const auto [first, count] = known->second;
+    const std::vector<std::size_t> corners = corners_of(primitive, count);
+    const std::size_t most = most_corners_per_vertex * most_vertices(document_.size());
+    if (file_.mesh.face_vertices.size() + 3 * corners.size() > most)
+      document_.fail("meshes",
+                     fmt::format("hold more than the {} corners that a file of this size may", most));
+    add_triangles(corners, mode, first, placed.linear().determinant() < 0);
+    if (primitive.contains("targets"))
+      unused_.add("morph target", "morph targets", primitive["targets"].size());
+  }
+
+  /// Reads the positions, which there must be, and what else is used of the attributes.
+  Vertices read_vertices(const Json& attributes, const Eigen::Affine3d& placed) {
+    const std::size_t first = file_.places.size();
     const Values places = document_.values(attributes["POSITION"]);
     if (places.components != 3) document_.fail("POSITION", "has not three coordinates");
     const std::size_t most = most_vertices(document_.size());
@@ -141,16 +168,9 @@ class GltfReader {
                      fmt::format("hold more than the {} vertices that a file of this size may", most));
     for (std::size_t i = 0; i < places.size(); ++i)
       file_.places.push_back(placed * Eigen::Map<const Vec3d>(places.numbers.data() + 3 * i));
-    const std::vector<std::size_t> corners = corners_of(primitive, places.size());
-    if (file_.mesh.face_vertices.size() + 3 * corners.size() > most_corners_per_vertex * most)
-      document_.fail("meshes", fmt::format("hold more than the {} corners that a file of this size may",
-                                           most_corners_per_vertex * most));
-    add_triangles(corners, mode, first, placed.linear().determinant() < 0);
     read_attributes(attributes, first);
-    for (const auto& attribute : attributes.items())
-      if (attribute.key() == "NORMAL") unused_.add("normal", "normals", places.size());
-    if (primitive.contains("targets"))
-      unused_.add("morph target", "morph targets", primitive["targets"].size());
+    if (attributes.contains("NORMAL")) unused_.add("normal", "normals", places.size());
+    return {first, places.size()};
   }
 
   std::vector<std::size_t> corners_of(const Json& primitive, std::size_t vertices) {
