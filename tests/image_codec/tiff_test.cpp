@@ -145,6 +145,52 @@ TEST_F(TiffFiles, ReadsWholeNumbersOf32BitsAndWithASign) {
   EXPECT_FLOAT_EQ(read_stamp(file, {.clean = true}).texels[1], 200 / 32767.0f);
 }
 
+void hold_doubles(TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP); }
+
+TEST_F(TiffFiles, ReadsNumbersOf64BitsAsFloats) {
+  const fs::path file = write_tiff(2, 2, 64, bytes_of<double>({-3, 1e-3, 1234.56789, 0.1}), hold_doubles);
+  EXPECT_EQ(read_stamp(file).texels, (std::vector<float>{-3, 1e-3F, 1234.56789F, 0.1F}));
+  const double lowest = std::numeric_limits<double>::lowest();
+  const fs::path lacking = write_tiff(3, 2, 64, bytes_of<double>({2, lowest, 4, 2, 3, 4}), hold_doubles);
+  EXPECT_NE(complaint(lacking), "accepted");
+  EXPECT_EQ(read_stamp(lacking, {.clean = true}).texels, (std::vector<float>{2, 3, 4, 2, 3, 4}));
+}
+
+TEST_F(TiffFiles, RefusesBytesWithASign) {
+  EXPECT_EQ(
+      complaint(write_tiff(1, 1, 8, "a",
+                           [](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_INT); })),
+      ": channel 'Y' holds texels of type int8, which no stamp is made of");
+}
+
+// OpenImageIO 2.4 gives other numbers for them without a word.
+TEST_F(TiffFiles, RefusesWhatTheLibraryMisreads) {
+  EXPECT_EQ(complaint(write_tiff(4, 1, 24, std::string(12, '\x3f'), hold_doubles)),
+            ": holds numbers of 24 bits, which is not read");
+  EXPECT_EQ(complaint(write_tiff(4, 1, 24, std::string(12, '\x3f'))),
+            ": holds numbers of 24 bits, which is not read");
+  const std::string row = ": holds numbers of 64 bits in tiles, planes or a single row, which is not read";
+  EXPECT_EQ(complaint(write_tiff(2, 1, 64, bytes_of<double>({1, 2}), hold_doubles)), row);
+  EXPECT_EQ(complaint(write_tiff(16, 16, 64, bytes_of<double>(std::vector<double>(256, 0.5)),
+                                 [](TIFF* tiff) {
+                                   hold_doubles(tiff);
+                                   TIFFSetField(tiff, TIFFTAG_TILEWIDTH, 16);
+                                   TIFFSetField(tiff, TIFFTAG_TILELENGTH, 16);
+                                 })),
+            row);
+  const auto of_palette = [this](int step) {
+    return complaint(write_tiff(4, 1, 8, "abcd", [step](TIFF* tiff) {
+      std::vector<std::uint16_t> ramp(256);
+      for (std::size_t i = 0; i < 256; ++i) ramp[i] = static_cast<std::uint16_t>(step * static_cast<int>(i));
+      TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_PALETTE);
+      TIFFSetField(tiff, TIFFTAG_COLORMAP, ramp.data(), ramp.data(), ramp.data());
+    }));
+  };
+  EXPECT_EQ(of_palette(1), ": holds a palette of 8-bit instead of 16-bit colours, which is not read");
+  EXPECT_EQ(of_palette(257), "accepted");
+  EXPECT_EQ(of_palette(0), "accepted") << "all black";
+}
+
 TEST_F(TiffFiles, LeavesOutMasksAndSmallerCopiesOfATiff) {
   const fs::path file = path("overviews.tif");
   const auto kind = [](std::uint32_t number) {

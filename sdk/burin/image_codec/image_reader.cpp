@@ -101,10 +101,10 @@ void expect_texels(const std::string& path, const OIIO::ImageSpec& spec, const s
   if (spec.deep) throw FileError(path, "holds deep texels; a stamp has one value a texel and channel");
   if (spec.full_depth > 1 || spec.depth > 1) throw FileError(path, "holds a volume, not an image");
   using Type = OIIO::TypeDesc;
-  const std::vector<unsigned char> known =
-      format == "openexr" ? std::vector<unsigned char>{Type::HALF, Type::FLOAT}
-                          : std::vector<unsigned char>{Type::HALF,  Type::FLOAT,  Type::UINT8, Type::UINT16,
-                                                       Type::INT16, Type::UINT32, Type::INT32};
+  std::vector<unsigned char> known = {Type::HALF, Type::FLOAT};
+  if (format != "openexr")
+    known.insert(known.end(),
+                 {Type::UINT8, Type::UINT16, Type::INT16, Type::UINT32, Type::INT32, Type::DOUBLE});
   for (const int c : channels)
     if (const Type type = spec.channelformat(c); !std::ranges::count(known, type.basetype))
       throw FileError(path, fmt::format("channel {} holds texels of type {}, which no stamp is made of",
@@ -196,6 +196,7 @@ StoredImage read_tiff(const ImageFileFormat& file, const StampOptions& options) 
   if (facts.more_images) throw FileError(path, "holds several images; a stamp is one");
   if (!facts.numbers)
     throw FileError(path, "holds colours other than grey and RGB; a stamp is made of numbers");
+  if (!facts.misread.empty()) throw FileError(path, "holds " + facts.misread + ", which is not read");
   ImageFile opened(file);
   StoredImage image = read_chosen(opened, options);
   expect_texels_that_decode(file.path);

@@ -57,6 +57,36 @@ bool is_cut_off(TIFF* tiff, std::uintmax_t file_bytes) {
   return false;
 }
 
+template <class Value>
+Value field(TIFF* tiff, std::uint32_t tag, Value value) {
+  TIFFGetFieldDefaulted(tiff, tag, &value);
+  return value;
+}
+
+/// Whether the colours of the palette are bytes by mistake, and would all become black.
+bool has_palette_of_bytes(TIFF* tiff, std::uint16_t bits) {
+  std::uint16_t *red = nullptr, *green = nullptr, *blue = nullptr;
+  if (bits > 8 || !TIFFGetField(tiff, TIFFTAG_COLORMAP, &red, &green, &blue)) return false;
+  std::uint16_t greatest = 0;
+  for (const std::uint16_t* channel : {red, green, blue})
+    greatest = std::max(greatest, *std::max_element(channel, channel + (std::size_t{1} << bits)));
+  return greatest > 0 && greatest < 256;
+}
+
+/// What OpenImageIO would give wrong numbers for without a word: 24 bits, whatever they mean, and 64 bits
+/// unless they lie in strips of several rows, all channels of a texel together. Empty for other texels.
+std::string misread_texels(TIFF* tiff, std::uint16_t meaning) {
+  const auto bits = field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE, 1);
+  if (bits == 24) return "numbers of 24 bits";
+  const bool planes = field<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG) !=
+                      std::uint16_t{PLANARCONFIG_CONTIG};
+  if (bits == 64 && (TIFFIsTiled(tiff) || planes || field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH, 1) < 2))
+    return "numbers of 64 bits in tiles, planes or a single row";
+  if (meaning == PHOTOMETRIC_PALETTE && has_palette_of_bytes(tiff, bits))
+    return "a palette of 8-bit instead of 16-bit colours";
+  return {};
+}
+
 bool is_part_of_first(TIFF* tiff) {
   std::uint32_t kind = 0;
   TIFFGetField(tiff, TIFFTAG_SUBFILETYPE, &kind);
@@ -90,6 +120,7 @@ TiffInfo read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_
   std::uint16_t meaning = PHOTOMETRIC_MINISBLACK;
   TIFFGetField(tiff.get(), TIFFTAG_PHOTOMETRIC, &meaning);
   facts.white_is_zero = meaning == PHOTOMETRIC_MINISWHITE;
+  facts.misread = misread_texels(tiff.get(), meaning);
   facts.numbers = meaning <= PHOTOMETRIC_PALETTE || meaning == PHOTOMETRIC_YCBCR;
   facts.no_data = no_data_value(tiff.get());
   facts.cut_off = is_cut_off(tiff.get(), file_bytes);

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace burin {
 
@@ -9,6 +10,7 @@ namespace burin {
 struct TiffInfo {
   bool white_is_zero = false;     ///< 0 means white: PhotometricInterpretation 0
   bool numbers = true;            ///< grey or RGB, not another colour space (CIE Lab, CMYK)
+  std::string misread;            ///< texels that OpenImageIO misreads, in words; empty if it reads them
   std::optional<double> no_data;  ///< the value that marks texels without data (GDAL's tag)
   bool cut_off = false;           ///< texels of the first image lie beyond the end of the file
   bool more_images = false;       ///< the file has images besides the first, its masks and its smaller copies
