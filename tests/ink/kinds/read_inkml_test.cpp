@@ -73,6 +73,18 @@ TEST(ReadInkml, TurnsReversedChannelsAndTakesDefaults) {
   EXPECT_EQ(file.strokes[0].samples[1].pen.pressure, 0.25F);
 }
 
+TEST(ReadInkml, InventsNoPressureThatPointsLack) {
+  const PenFile file = PenFileFolder().read(ink(R"(<traceFormat><channel name="X"/><channel name="Y"/>
+    <channel name="T" units="s"/><channel name="F" max="10"/></traceFormat>
+    <trace>1 2 0 ?, 3 4 1 ?</trace><trace>1 2 ? 4, 3 4 ? ?, 5 6 ? 8</trace>)"));
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true})) << "no point has a pressure";
+  EXPECT_EQ(file.strokes[0].samples[1].pen.pressure, 1);
+  EXPECT_EQ(file.strokes[1].fields, (PenFields{.pressure = true}));
+  EXPECT_FLOAT_EQ(file.strokes[1].samples[1].pen.pressure, 0.4F) << "that of the point before";
+  EXPECT_FLOAT_EQ(file.strokes[1].samples[2].pen.pressure, 0.8F);
+}
+
 TEST(ReadInkml, PartsStrokesWhereTheTipIsUp) {
   const PenFile file = PenFileFolder().read(ink(R"(<traceFormat><channel name="X"/><channel name="Y"/>
     <channel name="S" type="boolean"/></traceFormat><trace>0 0 F, 1 2 T, 3 4*, 5 6 F, 7 8 T</trace>)"));

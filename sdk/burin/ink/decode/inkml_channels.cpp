@@ -88,6 +88,30 @@ PenStroke InkmlChannels::empty_stroke() const {
   return stroke;
 }
 
+void InkmlChannels::hold(InkmlValues& values, InkmlValues& held) const {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i])
+      held[i] = values[i];
+    else if (i != x_ && i != y_ && i != tip_ && !channel(i).otherwise)
+      values[i] = held[i];
+  }
+}
+
+void InkmlChannels::drop_unknown(PenStroke& stroke, const InkmlValues& held) const {
+  PenFields& fields = stroke.fields;
+  fields.time &= known(time_, held);
+  fields.pressure &= known(force_, held);
+  fields.tilt &=
+      (known(tilt_x_, held) && known(tilt_y_, held)) || (known(azimuth_, held) && known(elevation_, held));
+  fields.twist &= known(rotation_, held);
+  for (Sample& sample : stroke.samples) {
+    if (!fields.time) sample.time = 0;
+    if (!fields.pressure) sample.pen.pressure = Pen{}.pressure;
+    if (!fields.tilt) sample.pen.tilt_x = sample.pen.tilt_y = 0;
+    if (!fields.twist) sample.pen.twist = 0;
+  }
+}
+
 /// The value of a channel in the direction that its name tells; its default, or 0, if the point lacks it.
 double InkmlChannels::value(At at, const InkmlValues& values) const {
   const InkmlChannel& of = channel(at);

@@ -23,6 +23,11 @@ class InkmlChannels {
   bool has_elevation() const { return azimuth_ && elevation_; }
   bool has_position() const { return x_ && y_; }
   PenStroke empty_stroke() const;
+  /// Gives a point the values that it lacks, but position and contact, of the point before where they have no
+  /// default. `held`: the last value of each channel so far.
+  void hold(InkmlValues& values, InkmlValues& held) const;
+  /// Takes the fields from a stroke of which no point has a value.
+  void drop_unknown(PenStroke& stroke, const InkmlValues& held) const;
   /// Whether the pen touches; unless a switch of its tip tells otherwise.
   bool touches(const InkmlValues& values) const { return !tip_ || values[*tip_].value_or(1) != 0; }
   Sample sample(const InkmlValues& values, double begin) const;
@@ -32,6 +37,7 @@ class InkmlChannels {
  private:
   using At = std::optional<std::size_t>;
   At find(std::string_view name) const;
+  bool known(At at, const InkmlValues& held) const { return at && (held[*at] || channel(at).otherwise); }
   double value(At at, const InkmlValues& values) const;
   double angle(At at, const InkmlValues& values) const;
   float pressure(double force) const;

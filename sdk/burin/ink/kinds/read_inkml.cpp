@@ -116,17 +116,22 @@ void InkmlReader::read_points(const pugi::xml_node& trace, const InkmlChannels& 
   std::string joined;
   InkmlTrace points(text_of(trace, joined), channels.format().channels.size(), channels.format().regular);
   PenStroke stroke = channels.empty_stroke();
-  InkmlValues values;
+  InkmlValues values, held(channels.format().channels.size());
+  const auto finish_stroke = [&] {
+    channels.drop_unknown(stroke, held);
+    add_points(trace, std::exchange(stroke, channels.empty_stroke()));
+  };
   while (points.next(values)) {
+    channels.hold(values, held);
     if (lifted || !channels.touches(values)) {
       ++content_.hovering;
-      add_points(trace, std::exchange(stroke, channels.empty_stroke()));
+      finish_stroke();
       continue;
     }
     stroke.samples.push_back(channels.sample(values, offset / 1000));
     tilted_ |= channels.tilted(values);
   }
-  add_points(trace, std::move(stroke));
+  finish_stroke();
 }
 
 /// Adds a stroke, or goes on with that of the trace before of which this one is a continuation.
