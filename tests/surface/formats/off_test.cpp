@@ -17,8 +17,8 @@ std::string message(const std::string& content) { return test::MeshFile("a.off",
 
 TEST(ReadOff, ReadsWhatProgramsWrite) {
   const std::string body = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 1 2 255 0 0\n";
-  for (const std::string head :
-       {"OFF\n4 2 0\n", "OFF 4 2 0\n", "off\n4 2 0\n", "4 2 5\n", "# by hand\nOFF # kind\n\n4 2\n\n"}) {
+  for (const std::string head : {"OFF\n4 2 0\n", "OFF 4 2 0\n", "off\n4 2 0\n", "nOFF\n3\n4 2 0\n",
+                                 "nOFF 3 4 2 0\n", "4 2 5\n", "# by hand\nOFF # kind\n\n4 2\n\n"}) {
     const PolygonMesh mesh = read(head + body);
     EXPECT_EQ(mesh.positions.size(), 4u) << head;
     EXPECT_EQ(mesh.face_sizes, (std::vector<Index>{4, 3})) << head;

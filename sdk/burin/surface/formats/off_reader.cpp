@@ -79,6 +79,7 @@ class OffReader {
     kind_.texture = take("ST");
     kind_.colours = take("C");
     kind_.normals = take("N");
+    if (word == "nOFF" && ahead.next() == "3") word = "OFF";  // the number of dimensions comes next
     if (word == "4OFF" || word == "nOFF" || word == "4nOFF")
       fail("holds points of more than three dimensions");
     const bool known = take("OFF") || (word == whole && take("off"));
