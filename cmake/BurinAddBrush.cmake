@@ -4,8 +4,8 @@
 #     The module NAME.burin. After the build `burin validate` tests it up to LEVEL, 2 unless given, if the program is
 #     there (BURIN_PROGRAM). `cmake --install` puts it into lib/burin/brushes: hosts of the same prefix find it there,
 #     others if BURIN_PLUGIN_PATH names the folder.
-#   burin_test_brush(NAME)
-#     Two tests for CTest: `burin validate` and one stroke by `burin try`.
+#   burin_test_brush(NAME [PARAMS ID=VALUE...])
+#     Two tests for CTest: `burin validate` and one stroke by `burin try`, with these parameters.
 
 # burin_brush_module(NAME SOURCE...): the module alone, as the stock brushes are built.
 function(burin_brush_module name)
@@ -42,10 +42,12 @@ function(burin_add_brush name)
 endfunction()
 
 function(burin_test_brush name)
+  cmake_parse_arguments(ARG "" "" "PARAMS" ${ARGN})
+  list(TRANSFORM ARG_PARAMS PREPEND --param=)
   if(NOT BURIN_PROGRAM)
     message(STATUS "Burin: without the program burin, ${name} is not tested")
     return()
   endif()
-  add_test(NAME ${name}.validate COMMAND ${BURIN_PROGRAM} validate $<TARGET_FILE:${name}>)
-  add_test(NAME ${name}.try COMMAND ${BURIN_PROGRAM} try $<TARGET_FILE:${name}> --png ${name}.png)
+  add_test(NAME ${name}.validate COMMAND ${BURIN_PROGRAM} validate $<TARGET_FILE:${name}> --quiet)
+  add_test(NAME ${name}.try COMMAND ${BURIN_PROGRAM} try $<TARGET_FILE:${name}> --png ${name}.png ${ARG_PARAMS})
 endfunction()

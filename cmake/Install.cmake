@@ -1,11 +1,11 @@
 # What `cmake --install` lays out, in components that stand alone:
-#   plugin   headers and CMake package for brush authors; needs no third-party package
+#   plugin   headers, CMake package and guide for brush authors; needs no third-party package
 #   runtime  headers, static libraries and CMake package for applications that embed Burin
 #   library  libburin.so.0 and what it looks for beside itself, for programs that load it
 #   c        its header, CMake package and pkg-config file, for those who build such programs
 #   brushes  the stock brushes
 #   python   the Python package over libburin.so.0
-#   command  burin
+#   command  burin, and recorded strokes, meshes and stamps to try it with
 include(CMakePackageConfigHelpers)
 include(${CMAKE_CURRENT_LIST_DIR}/PublicHeaders.cmake)
 set(BURIN_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/Burin)
@@ -80,6 +80,7 @@ endfunction()
 # The command and the CMake package, once all targets are known.
 function(burin_install_package)
   install(TARGETS burin RUNTIME COMPONENT command)
+  burin_install_guide()
   burin_install_python_package()
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/BurinConfig.cmake.in ${PROJECT_BINARY_DIR}/BurinConfig.cmake
     INSTALL_DESTINATION ${BURIN_PACKAGE_FOLDER})
@@ -108,6 +109,19 @@ function(burin_install_package)
     burin_install_export(${export_set} runtime)
   endforeach()
   burin_install_export(c c)
+endfunction()
+
+# The guide, and what its commands draw.
+function(burin_install_guide)
+  install(CODE "
+    set(SOURCE \"${PROJECT_SOURCE_DIR}/docs\")
+    set(WORK \"${PROJECT_BINARY_DIR}/guide\")
+    set(FOLDER ${CMAKE_INSTALL_DATADIR}/doc/burin-dev/guide)
+    include(\"${PROJECT_SOURCE_DIR}/cmake/InstalledGuide.cmake\")"
+    COMPONENT plugin)
+  foreach(kind strokes meshes stamps)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples/${kind} DESTINATION ${CMAKE_INSTALL_DATADIR}/burin/samples COMPONENT command)
+  endforeach()
 endfunction()
 
 # burin_install_pkgconfig(NAME FOLDER COMPONENT): for those who build without CMake.

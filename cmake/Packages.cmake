@@ -1,6 +1,6 @@
 # What `cpack -G DEB` makes, see ./dev package:
-#   burin         the command and the stock brushes
-#   burin-dev     for authors of brushes: headers and CMake package
+#   burin         the command, the stock brushes, samples of strokes, meshes and stamps
+#   burin-dev     for authors of brushes: headers, CMake package and guide
 #   libburin0     libburin.so.0, for programs that load it
 #   libburin-dev  for applications that embed Burin: what programs in C are built with, and for C++ static libraries
 #                 and more headers, beside burin-dev
@@ -59,11 +59,12 @@ burin_deb(burin graphics COMPONENTS command brushes
        "brushes or with others, writes meshes, pictures and reports, and"
        "validates plugins of brushes.")
 burin_deb(burin-dev devel COMPONENTS plugin
-  RECOMMENDS "burin (= ${PROJECT_VERSION}), cmake, g++"
-  SUMMARY "headers and CMake package for authors of Burin brushes"
+  RECOMMENDS "burin (= ${PROJECT_VERSION}), cmake, g++, ninja-build"
+  SUMMARY "headers, CMake package and guide for authors of Burin brushes"
   TEXT "A brush is a pointwise function over the chart of a stroke, built as a"
        "module that hosts load. The headers are the C ABI between brushes and"
-       "hosts, and a C++ layer over it.")
+       "hosts, and a C++ layer over it. The guide begins with"
+       "/usr/share/doc/burin-dev/guide/guide.md.")
 burin_deb(libburin0 libs COMPONENTS library
   RECOMMENDS "burin (= ${PROJECT_VERSION})"
   SUMMARY "shared library of Burin, for programs that draw with its brushes"

@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string>
 
 #include "command.h"
 #include "input/brush_folder.h"
@@ -153,18 +154,25 @@ void print_brush(const BrushEntry& entry) {
 }
 
 struct ListOptions {
+  std::string brush;  ///< empty: all
   bool isolate = false, json = false;
 };
 
+std::span<const BrushEntry> load_listed(BrushLibrary& library, const std::string& brush) {
+  if (!brush.empty()) return load_named_brushes(library, brush);
+  load_brushes(library);
+  return library.brushes();
+}
+
 void run(const ListOptions& options) {
   BrushLibrary library = brush_library(options.isolate);
-  load_brushes(library);
+  const std::span<const BrushEntry> listed = load_listed(library, options.brush);
   if (!options.json) {
-    for (const BrushEntry& entry : library.brushes()) print_brush(entry);
+    for (const BrushEntry& entry : listed) print_brush(entry);
     return;
   }
   Json brushes = Json::array();
-  for (const BrushEntry& entry : library.brushes()) brushes.push_back(brush_json(entry));
+  for (const BrushEntry& entry : listed) brushes.push_back(brush_json(entry));
   write_result(json_text({{"brushes", brushes}}));
 }
 
@@ -173,6 +181,8 @@ void run(const ListOptions& options) {
 void add_list(CLI::App& app) {
   const auto options = std::make_shared<ListOptions>();
   CLI::App& command = *app.add_subcommand("list", "list the brushes and their parameters");
+  command.add_option("brush", options->brush, std::string(named_brushes_help) + "; all unless given")
+      ->type_name("BRUSH");
   command.add_flag("--isolate", options->isolate,
                    "load modules in a process of their own: one that crashes or hangs is passed over");
   command.add_flag("--json", options->json, "write JSON to the standard output");

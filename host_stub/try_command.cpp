@@ -11,6 +11,8 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "command.h"
 #include "input/brush_folder.h"
@@ -21,6 +23,8 @@
 #include "replay/replay_pictures.h"
 #include "system/console.h"
 #include "system/output_file.h"
+#include "validate/work_folder.h"
+#include "watch/watch.h"
 
 namespace burin::command {
 namespace {
@@ -29,6 +33,7 @@ struct TryOptions {
   std::string brush, png = "try.png";
   std::vector<std::string> params;
   double radius = 0.15;
+  std::optional<int> watch;
   bool isolate = false;
 };
 
@@ -64,15 +69,15 @@ Recording make_recording(const std::string& brush, const TryOptions& options, co
   return recording;
 }
 
-/// Loads what the user names, a module or the id of a brush of the search path; returns the id.
-std::string load_brush(BrushLibrary& library, const std::string& name) {
-  if (!std::filesystem::is_regular_file(name)) {
-    load_brushes(library);
-    return library.find(name).descriptor->id;
+/// Sets files that the user must choose and did not to an image of soft hills, in the folder.
+void choose_files(const burin_brush_descriptor& brush, std::optional<validate::WorkFolder>& folder,
+                  ParamSettings& params) {
+  for (const burin_param_info* info : std::span(brush.params, brush.param_count)) {
+    if (info->type != BURIN_PARAM_FILE || info->default_file || params.contains(info->id)) continue;
+    if (!folder) folder.emplace();
+    params[info->id] = folder->stamp().string();
+    warn(fmt::format("no --param {}=FILE was given: it is an image of soft hills", info->id));
   }
-  load_module(library, name);
-  if (library.brushes().empty()) throw FileError(name, "has no brushes");
-  return library.brushes().front().descriptor->id;
 }
 
 Camera view_of(const Session& session, const StrokeExtent& extent) {
@@ -83,21 +88,42 @@ Camera view_of(const Session& session, const StrokeExtent& extent) {
   return replay_view(session.surface(), extent, {}, view);
 }
 
+/// Goes on with the stroke as the last one.
+void watch_stroke(const TryOptions& options, Session& session, BrushLibrary& library,
+                  const Recording& recording, const Camera& camera) {
+  flush_results();
+  watch({session,
+         library,
+         recording,
+         {},
+         camera,
+         [&](const WatchedStroke&, const WatchedStroke& after) { write_png(options.png, after.picture); },
+         *options.watch});
+}
+
 void run(const TryOptions& options) {
   check_output_path(options.png);
   BrushLibrary library = brush_library(options.isolate);
-  const std::string brush = load_brush(library, options.brush);
-  const ParamSettings params = parse_param_settings(
+  const BrushEntry& entry = load_named_brushes(library, options.brush).front();
+  const std::string brush = entry.descriptor->id;
+  ParamSettings params = parse_param_settings(
       options.params, [&](const std::string& name) { return takes_text(library, &brush, name); });
+  std::optional<validate::WorkFolder> folder;
+  choose_files(*entry.descriptor, folder, params);
+  // From a copy, so that the file may be overwritten before the watch begins.
+  if (options.watch) library.reload(std::filesystem::path(entry.module));
   Session session(make_surface(make_sheet()), library, merge_solid);
   StrokeExtent extent;
   ReplayObserver observer;
   observer.piece_ended = [&](const Session& done) { extent.piece_ended(done); };
-  const ReplayResult result = replay(session, make_recording(brush, options, params), {}, observer);
+  const Recording recording = make_recording(brush, options, params);
+  const ReplayResult result = replay(session, recording, {}, observer);
   for (const std::string& line : session.warnings()) warn(line);
-  write_png(options.png, draw_result(session, part_meshes(session), view_of(session, extent)));
+  const Camera camera = view_of(session, extent);
+  write_png(options.png, draw_result(session, part_meshes(session), camera));
   write_result(fmt::format("{}: {} events, {:.2f} ms at the median\n{}\n", brush, result.samples_drawn,
                            1000 * percentiles(result.latencies).p50, options.png));
+  if (options.watch) watch_stroke(options, session, library, recording, camera);
 }
 
 }  // namespace
@@ -105,8 +131,7 @@ void run(const TryOptions& options) {
 void add_try(CLI::App& app) {
   const auto options = std::make_shared<TryOptions>();
   CLI::App& command = *app.add_subcommand("try", "draw one stroke on a small surface, and a picture of it");
-  command
-      .add_option("brush", options->brush, "module, NAME.burin, whose first brush is drawn, or id of a brush")
+  command.add_option("brush", options->brush, std::string(named_brushes_help) + "; of a module the first")
       ->required()
       ->type_name("BRUSH");
   command.add_option("--png", options->png, "picture to write")->type_name("FILE")->capture_default_str();
@@ -116,8 +141,17 @@ void add_try(CLI::App& app) {
   command.add_option("--param", options->params, "parameter of the brush; may be given repeatedly")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
+  CLI::Option* watch = command
+                           .add_flag("--watch{0}", options->watch,
+                                     "draw the stroke and the picture again whenever the module changes, "
+                                     "until interrupted, or with --watch=N for N changes")
+                           ->check(CLI::NonNegativeNumber);
   command.add_flag("--isolate", options->isolate, isolate_help);
-  command.callback([options] { run(*options); });
+  command.callback([options, watch] {
+    // CLI11 gives a flag its default where it is absent, too.
+    if (watch->count() == 0) options->watch.reset();
+    run(*options);
+  });
 }
 
 }  // namespace burin::command

@@ -13,6 +13,7 @@
 #include "fuzz/fuzz_case.h"
 #include "report/report_folder.h"
 #include "system/console.h"
+#include "system/time_limit.h"
 
 namespace burin {
 namespace fs = std::filesystem;
@@ -53,6 +54,7 @@ void write_bundle(const fs::path& folder, const Bundle& bundle, const fs::path& 
   const Json json = {{"burin_bundle", 1},
                      {"failure", bundle.failure},
                      {"module", bundle.module.string()},
+                     {"time_limit", bundle.time_limit},
                      {"settings", bundle.trial.settings}};
   // The failure may hold bytes of the plugin that are no UTF-8.
   write_text(folder / description, json_text(json));
@@ -65,6 +67,7 @@ Bundle read_bundle(const fs::path& folder) {
   if (const auto version = json.find("burin_bundle"); !version || version->number() != 1)
     throw FileError(path.string(), "is no bundle that this version reads");
   Bundle bundle{json.member("module").text(), json.member("failure").text(), {}};
+  if (const auto limit = json.find("time_limit")) bundle.time_limit = limit->number();
   json.member("settings").member("brush").text();
   bundle.trial.settings = Json::parse(text)["settings"];
   const Recording recording = read_strokes(folder / stroke_file);
@@ -79,8 +82,11 @@ void replay_bundle(const fs::path& folder) {
   const Bundle bundle = read_bundle(folder);
   if (!fs::is_regular_file(bundle.module))
     throw FileError(bundle.module.string(), "is not there; bundle.json names the module");
-  write_result(fmt::format("{}\nfailed: {}\n", bundle.module.string(), bundle.failure));
+  write_result(fmt::format("{}\nfailed: {}\ntime limit: {} seconds, none in a debugger\n",
+                           bundle.module.string(), bundle.failure, bundle.time_limit));
   flush_results();
+  const TimeLimit limit(bundle.time_limit,
+                        fmt::format("fails again: did not end within {} seconds", bundle.time_limit));
   const TrialResult result = run_trial(bundle.module, folder, bundle.trial);
   if (result.outcome == Outcome::broke) throw std::runtime_error("fails again: " + result.text);
   write_result(result.outcome == Outcome::kept ? "does not fail any more\n"

@@ -12,6 +12,7 @@ struct Bundle {
   std::filesystem::path module;  ///< absolute
   std::string failure;           ///< what it failed with
   Trial trial;
+  double time_limit = 30;  ///< seconds after which the trial hangs
 };
 
 /// Throws FileError. `stamp`: the image that the trial may name as fuzz_stamp.
@@ -22,7 +23,8 @@ void write_bundle(const std::filesystem::path& folder, const Bundle& bundle,
 Bundle read_bundle(const std::filesystem::path& folder);
 
 /// Runs the trial of a bundle in this process, so that a debugger or a sanitizer sees its failure, and tells
-/// what comes of it. Throws FileError for what is no bundle, std::runtime_error where it fails.
+/// what comes of it. A trial that hangs ends the process at the time limit with exit code 1, unless a
+/// debugger watches it. Throws FileError for what is no bundle, std::runtime_error where the trial fails.
 void replay_bundle(const std::filesystem::path& folder);
 
 }  // namespace burin

@@ -8,6 +8,7 @@
 #include <burin/services/stamp_services.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <string_view>
 
@@ -23,11 +24,12 @@ namespace {
 
 using End = ChildResult::End;
 
-/// Seconds after which a trial hangs: most take less than one, on a busy machine some. While one that hangs
-/// is shrunk less must do, since every step takes that long.
-constexpr double time_limit = 30, time_limit_shrinking = 8;
 /// Trials for shrinking.
-constexpr int tries = 400, tries_hanging = 12;
+constexpr int tries = 400;
+/// While a trial that hangs is shrunk, every step that hangs takes as long as it may: so many times what the
+/// longest trial took that did not hang, seconds; and there may be so many such steps.
+constexpr double longer_than_others = 10, least_limit = 0.5;
+constexpr int steps_that_hang = 60;
 
 FuzzCase case_of(const validate::Subject& subject, std::size_t number) {
   const validate::Plugin plugin(subject);
@@ -81,7 +83,7 @@ class Fuzzer {
  private:
   /// In a process of its own, since this one loads the module too when a trial has failed.
   void expect_module_that_loads() const {
-    const ChildResult loaded = run_in_children(1, 1, time_limit, [&](std::size_t) {
+    const ChildResult loaded = run_in_children(1, 1, options_.time_limit, [&](std::size_t) {
       try {
         BrushLibrary library(nullptr, stamp_services(read_vdb));
         load_module(library, subject_.module);
@@ -95,7 +97,7 @@ class Fuzzer {
 
   void run_some() {
     const std::size_t first = result_.trials, count = 4 * static_cast<std::size_t>(options_.jobs);
-    const auto children = run_in_children(count, options_.jobs, time_limit, [&](std::size_t index) {
+    const auto children = run_in_children(count, options_.jobs, options_.time_limit, [&](std::size_t index) {
       FuzzCase made;
       return sent(subject_, [&]() -> const Trial& {
         made = case_of(subject_, first + index);
@@ -105,6 +107,7 @@ class Fuzzer {
     for (const ChildResult& child : children) {
       if (child.end == End::whole && child.text[0] == unloadable) throw Error(child.text.substr(1));
       if (failed(child)) return report(child);
+      longest_ = std::max(longest_, child.seconds);
       result_.refused += child.text[0] == '0' + static_cast<int>(Outcome::refused);
       ++result_.trials;
     }
@@ -117,18 +120,31 @@ class Fuzzer {
 
   /// The least case that fails as the child did, and with what.
   FuzzCase least_of(const FuzzCase& failing, const ChildResult& child, std::string& failure) {
-    const bool hangs = child.end == End::late;
+    if (child.end == End::late) return least_that_hangs(failing);
     const auto fails = [&](const FuzzCase& some) {
-      const ChildResult again = run_alone(some.trial, hangs ? time_limit_shrinking : time_limit);
-      if (!failed(again) || again.end != child.end || (!hangs && kind_of(again) != kind_of(child)))
-        return false;
-      if (!hangs) failure = failure_text(again);
+      const ChildResult again = run_alone(some.trial, options_.time_limit);
+      if (!failed(again) || again.end != child.end || kind_of(again) != kind_of(child)) return false;
+      failure = failure_text(again);
       return true;
     };
-    FuzzCase least = shrunk(failing, fails, hangs ? tries_hanging : tries);
-    // What takes long need not hang.
-    if (hangs && run_alone(least.trial, time_limit).end != End::late) return failing;
-    return least;
+    return shrunk(failing, fails, tries);
+  }
+
+  /// What takes longer than others need not hang, so the result is tried with the whole time. If it ends by
+  /// then, the case is shrunk again with four times the limit.
+  FuzzCase least_that_hangs(const FuzzCase& failing) {
+    const auto hangs_for = [&](const FuzzCase& some, double limit) {
+      return run_alone(some.trial, limit).end == End::late;
+    };
+    for (double limit = std::max(longer_than_others * longest_, least_limit); limit < options_.time_limit;
+         limit *= 4) {
+      int left = steps_that_hang;
+      const FuzzCase least = shrunk(
+          failing, [&](const FuzzCase& some) { return left > 0 && hangs_for(some, limit) && left-- > 0; },
+          tries);
+      if (hangs_for(least, options_.time_limit)) return least;
+    }
+    return failing;
   }
 
   /// Of the trial that was the next one.
@@ -136,7 +152,8 @@ class Fuzzer {
     const std::size_t number = result_.trials++;
     std::string failure = failure_text(child);
     const FuzzCase least = least_of(case_of(subject_, number), child, failure);
-    write_bundle(options_.bundle, {subject_.module, failure, least.trial}, subject_.stamp);
+    write_bundle(options_.bundle, {subject_.module, failure, least.trial, options_.time_limit},
+                 subject_.stamp);
     result_.failure = fmt::format("trial {}: {}\n        {} samples, {} vertices, {}", number, failure,
                                   least.trial.stroke.samples.size(), least.trial.mesh.positions.size(),
                                   least.trial.settings.dump());
@@ -145,6 +162,7 @@ class Fuzzer {
   const validate::Subject& subject_;
   const FuzzOptions& options_;
   FuzzResult result_;
+  double longest_ = 0;  ///< of the trials that did not fail, seconds
 };
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace burin {
 struct FuzzOptions {
   double minutes = 0;
   int jobs = 2;                  ///< trials at a time, each in a process of its own
+  double time_limit = 30;        ///< seconds after which a trial hangs
   std::filesystem::path bundle;  ///< folder for a trial that fails
 };
 

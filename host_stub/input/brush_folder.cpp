@@ -1,6 +1,7 @@
 // Loads the brushes of a command. At the end of the process a function checks that no plugin called exit().
 #include "input/brush_folder.h"
 
+#include <burin/base/error.h>
 #include <burin/base/program_file.h>
 #include <burin/deform/evaluate/plugin_call.h>
 #include <burin/level_set/solid_mesh.h>
@@ -55,6 +56,16 @@ void load_brushes(BrushLibrary& library) {
 
 void load_module(BrushLibrary& library, const std::filesystem::path& module) {
   load_guarded([&] { library.load(module); });
+}
+
+std::span<const BrushEntry> load_named_brushes(BrushLibrary& library, const std::string& name) {
+  if (!std::filesystem::is_regular_file(name)) {
+    load_brushes(library);
+    return {&library.find(name), 1};
+  }
+  load_module(library, name);
+  if (library.brushes().empty()) throw FileError(name, "has no brushes");
+  return library.brushes();
 }
 
 }  // namespace burin

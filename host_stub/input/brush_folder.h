@@ -2,6 +2,8 @@
 #include <burin/host/brush_library.h>
 
 #include <filesystem>
+#include <span>
+#include <string>
 
 namespace burin {
 
@@ -23,5 +25,12 @@ void load_brushes(BrushLibrary& library);
 
 /// The same with the brushes of one module alone.
 void load_module(BrushLibrary& library, const std::filesystem::path& module);
+
+/// Loads what a user names: a module, or the search path for the brush with an id. Returns the brushes of the
+/// module, or this one. Throws Error if there is none.
+std::span<const BrushEntry> load_named_brushes(BrushLibrary& library, const std::string& name);
+
+/// What load_named_brushes() takes, for the help.
+inline constexpr const char* named_brushes_help = "module, NAME.burin, or id of a brush";
 
 }  // namespace burin

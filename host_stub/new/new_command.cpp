@@ -1,6 +1,7 @@
 // The command `burin new`: writes the project of a new brush, into a folder that does not exist yet.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
+#include <burin/base/program_file.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -54,6 +55,8 @@ void run(const NewOptions& options) {
       "{0}: a brush in {1}. Next:\n  cd {0}\n  cmake --preset release\n  cmake --build --preset release\n"
       "  burin try build/{2}.burin\n",
       folder.string(), options.c ? "C" : "C++", starter.name));
+  const fs::path guide = program_file().parent_path().parent_path() / "share/doc/burin-dev/guide/guide.md";
+  if (fs::exists(guide)) write_result(fmt::format("Guide: {}\n", guide.string()));
 }
 
 }  // namespace

@@ -172,8 +172,11 @@ void watch_last(const ReplayOptions& options, Session& session, BrushLibrary& li
   while (session.undo()) {
   }
   for (const Recording& recording : recordings) replay(session, recording, options.settings);
+  const auto show = [&](const WatchedStroke& before, const WatchedStroke& after) {
+    write_watch_page(options.report, before, after);
+  };
   watch({session, library, recordings.back(), options.settings,
-         options.report.empty() ? std::nullopt : camera, options.report, *options.watch});
+         options.report.empty() ? std::nullopt : camera, show, *options.watch});
 }
 
 /// Completes the finest level of a mesh with levels; the summary then describes that level.

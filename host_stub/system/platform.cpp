@@ -20,11 +20,11 @@
 namespace burin {
 namespace {
 
-/// The value, in bytes, of a line "NAME: 123 kB" in /proc/self/status.
+/// The number in a line "NAME: 123" or "NAME: 123 kB" in /proc/self/status.
 std::size_t process_status(std::string_view name) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
-    if (line.rfind(name, 0) == 0) return std::stoull(line.substr(name.size() + 1)) * 1024;
+    if (line.rfind(name, 0) == 0) return std::stoull(line.substr(name.size() + 1));
   }
   return 0;
 }
@@ -39,13 +39,13 @@ double seconds_of(clockid_t clock) {
 
 // getrusage() is not used, since its maximum survives exec() and may be that of the program that started this
 // one.
-std::size_t peak_memory() { return process_status("VmHWM"); }
+std::size_t peak_memory() { return 1024 * process_status("VmHWM"); }
 
 std::size_t resident_memory() {
 #if defined(__GLIBC__)
   malloc_trim(0);
 #endif
-  return process_status("VmRSS");
+  return 1024 * process_status("VmRSS");
 }
 
 std::size_t memory_limit() {
@@ -75,6 +75,8 @@ double seconds_since_process_start() {
 }
 
 double thread_seconds() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
+
+bool is_debugged() { return process_status("TracerPid") != 0; }
 
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})

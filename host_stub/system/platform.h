@@ -22,6 +22,9 @@ double seconds_since_process_start();
 /// The processor time that this thread has used.
 double thread_seconds();
 
+/// Whether a debugger is attached to the process.
+bool is_debugged();
+
 bool stderr_is_terminal();
 
 /// Opens the standard streams that are closed at the start of the process, so that no other file gets their

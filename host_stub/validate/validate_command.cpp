@@ -28,6 +28,7 @@ struct ValidateOptions {
   std::uint64_t seed = 1;
   RunOptions run;
   double fuzz_minutes = 0;  ///< 0: checks instead
+  double fuzz_time_limit = FuzzOptions().time_limit;
   std::string bundle;
   bool json = false, list = false, quiet = false;
 };
@@ -87,8 +88,8 @@ void fuzz_module(const ValidateOptions& options) {
   const std::filesystem::path bundle = bundle_of(options);
   check_report_folder(bundle.string());
   const WorkFolder folder;
-  const FuzzResult result =
-      fuzz(folder.subject(options.module, options.seed), {options.fuzz_minutes, options.run.jobs, bundle});
+  const FuzzResult result = fuzz(folder.subject(options.module, options.seed),
+                                 {options.fuzz_minutes, options.run.jobs, options.fuzz_time_limit, bundle});
   if (!result.failure.empty()) {
     write_result(
         fmt::format("FAIL    {}\n        burin replay {}\n", result.failure, shell_word(bundle.string())));
@@ -154,6 +155,12 @@ void add_validate(CLI::App& app) {
                   "folder for the stroke, surface and parameters that failed, for `burin replay`; "
                   "NAME.failure unless given")
       ->type_name("FOLDER")
+      ->needs(fuzz);
+  command
+      .add_option("--time-limit", options->fuzz_time_limit,
+                  "seconds after which a random stroke hangs, 30 unless given")
+      ->type_name("SECONDS")
+      ->check(positive_number())
       ->needs(fuzz);
   command.add_flag("--list", options->list, "list the checks");
   command.add_option("--explain", options->explain, "tell what a check does, and which clause it tests")

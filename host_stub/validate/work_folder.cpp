@@ -26,7 +26,7 @@ WorkFolder::WorkFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "burin-validate-XXXXXX").string();
   if (!mkdtemp(name.data())) throw FileError(name, "the folder cannot be made");
   path_ = name;
-  write_stamp(path_ / "stamp.png");
+  write_stamp(stamp());
 }
 
 WorkFolder::~WorkFolder() {
@@ -35,7 +35,7 @@ WorkFolder::~WorkFolder() {
 }
 
 Subject WorkFolder::subject(const std::filesystem::path& module, std::uint64_t seed) const {
-  return {std::filesystem::absolute(module), path_, path_ / "stamp.png", seed};
+  return {std::filesystem::absolute(module), path_, stamp(), seed};
 }
 
 }  // namespace burin::validate

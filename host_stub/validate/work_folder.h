@@ -15,6 +15,8 @@ class WorkFolder {
   WorkFolder& operator=(const WorkFolder&) = delete;
   ~WorkFolder();
 
+  std::filesystem::path stamp() const { return path_ / "stamp.png"; }
+
   /// A module with this folder and its image.
   Subject subject(const std::filesystem::path& module, std::uint64_t seed) const;
 

@@ -14,7 +14,6 @@
 #include "pictures/result_picture.h"
 #include "system/console.h"
 #include "watch/module_watch.h"
-#include "watch/watch_page.h"
 
 namespace burin {
 namespace {
@@ -50,8 +49,6 @@ class LastStroke {
  public:
   explicit LastStroke(Watched watched)
       : watched_(std::move(watched)), number_(watched_.recording.strokes.size() - 1) {}
-
-  const std::string& brush() const { return brush_; }
 
   /// Undoes the stroke, if it is there, loads the module anew and draws the stroke again.
   WatchedStroke draw_again(const std::filesystem::path& module) {
@@ -99,6 +96,7 @@ WatchedStroke LastStroke::measured(const ReplayResult& result) const {
     stroke.seconds = std::accumulate(seconds->begin(), seconds->end(), stroke.seconds);
   const auto evaluated = static_cast<double>(std::max<std::uint64_t>(cost.evaluated, 1));
   stroke.nanoseconds_per_node = 1e9 * cost.seconds[static_cast<std::size_t>(Stage::evaluate)] / evaluated;
+  stroke.brush = brush_;
   stroke.hash = result.hash;
   const Session& session = watched_.session;
   if (watched_.camera) stroke.picture = draw_result(session, part_meshes(session), *watched_.camera);
@@ -126,7 +124,7 @@ void watch(Watched given) {
     try {
       WatchedStroke after = stroke.draw_again(module);
       write_result(fmt::format("before  {}\nafter   {}\n", stroke_text(before), stroke_text(after)));
-      if (watched.camera) write_watch_page(watched.folder, stroke.brush(), before, after);
+      if (watched.camera) watched.show(before, after);
       before = std::move(after);
     } catch (const Error& error) {
       warn(error.what());

@@ -5,8 +5,10 @@
 #include <burin/stroke/recording.h>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
-#include <string>
+
+#include "watch/watch_page.h"
 
 namespace burin {
 
@@ -14,15 +16,16 @@ namespace burin {
 std::filesystem::path module_of_last(const BrushLibrary& brushes, const Recording& recording,
                                      const GivenSettings& settings);
 
-/// What `burin replay --watch` goes on with when all strokes are drawn.
+/// What `burin replay --watch` and `burin try --watch` go on with when all strokes are drawn.
 struct Watched {
   Session& session;
   BrushLibrary& brushes;
   Recording recording;           ///< the one drawn last, whose last stroke is drawn again and again
   GivenSettings settings;        ///< instead of the recorded ones
   std::optional<Camera> camera;  ///< of the pictures; none without it
-  std::string folder;            ///< for the page, if there is a camera
-  int changes = 0;               ///< after so many changes of the module it is over; 0: it goes on
+  std::function<void(const WatchedStroke& before, const WatchedStroke& after)>
+      show;         ///< called after each change, if there is a camera
+  int changes = 0;  ///< after so many changes of the module it is over; 0: it goes on
 };
 
 /// Loads the module of the last stroke's brush anew whenever it changes, draws the stroke again, and tells

@@ -26,8 +26,7 @@ std::string stroke_text(const WatchedStroke& stroke) {
                      hash_text(stroke.hash));
 }
 
-void write_watch_page(const std::string& folder, const std::string& brush, const WatchedStroke& before,
-                      const WatchedStroke& after) {
+void write_watch_page(const std::string& folder, const WatchedStroke& before, const WatchedStroke& after) {
   const std::filesystem::path root = folder;
   write_png(root / "watch_before.png", before.picture);
   write_png(root / "watch_after.png", after.picture);
@@ -36,7 +35,7 @@ void write_watch_page(const std::string& folder, const std::string& brush, const
                          "content='1'><title>{0}</title>\n<style>body{{font:15px sans-serif;margin:1em}}"
                          "figure{{display:inline-block;width:48%;margin:0}}img{{width:100%}}</style>\n"
                          "<h1>{0}</h1>\n{1}{2}</html>\n",
-                         escaped(brush), figure("before", before), figure("after", after)));
+                         escaped(after.brush), figure("before", before), figure("after", after)));
 }
 
 }  // namespace burin

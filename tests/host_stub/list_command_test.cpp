@@ -63,6 +63,14 @@ TEST(ListCommand, NamesEveryParameterInItsText) {
   }
 }
 
+TEST(ListCommand, ListsWhatIsNamed) {
+  const json all = burin_json({"list"})["brushes"], one = burin_json({"list", "org.burin.wave"})["brushes"];
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0], find(all, "org.burin.wave"));
+  EXPECT_EQ(burin_json({"list", one[0]["module"]})["brushes"], one);
+  EXPECT_EQ(burin({"list", "org.burin.nobody"}).exit_code, 2);
+}
+
 TEST(ListCommand, WarnsOfAModuleThatIsNone) {
   const CommandFolder folder;
   const std::string module =

@@ -25,6 +25,13 @@ TEST(TryCommand, ShowsWhatParametersChange) {
   EXPECT_NE(read_file(plain), read_file(deep));
 }
 
+TEST(TryCommand, DrawsSoftHillsWhereTheUserChoseNoFile) {
+  const CommandFolder folder;
+  const ProcessResult result = burin({"try", "org.burin.scales", "--png", folder.path("a.png")});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "burin: warning: no --param stamp=FILE was given: it is an image of soft hills\n");
+}
+
 TEST(TryCommand, NamesWhatIsNoBrush) {
   const CommandFolder folder;
   const std::string module =

@@ -18,9 +18,10 @@ function(expect package)
 endfunction()
 
 expect(burin bin/burin share/man/man1/burin.1.gz lib/burin/brushes/groove.burin
-  lib/burin/burin-brush-process)
+  lib/burin/burin-brush-process share/burin/samples/strokes/wave.stroke share/burin/samples/meshes/ewer.obj
+  share/burin/samples/stamps/scales.exr)
 expect(burin-dev include/burin/plugin/plugin.h include/burin/abi/plugin.h lib/cmake/Burin/BurinAddBrush.cmake
-  share/pkgconfig/burin-plugin.pc)
+  share/pkgconfig/burin-plugin.pc share/doc/burin-dev/guide/guide.md share/doc/burin-dev/guide/chart.png)
 expect(libburin0 lib/libburin.so.0.1.0)
 expect(libburin-dev include/burin/host/session.h lib/libburin_host.a lib/cmake/Burin/Burin-runtime.cmake
   include/burin/host/c/burin.h lib/cmake/Burin/Burin-c.cmake lib/pkgconfig/burin.pc)
@@ -35,6 +36,29 @@ endif()
 
 if(contents_of_libburin0 MATCHES "burin-images")
   message(FATAL_ERROR "packages: a file is in burin and in libburin0")
+endif()
+
+# Links of the guide lead to what the packages hold.
+foreach(package burin burin-dev libburin-dev)
+  file(GLOB deb ${WORK}/${package}_*.deb)
+  execute_process(COMMAND dpkg-deb -x ${deb} ${WORK}/unpacked COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+set(guide ${WORK}/unpacked/usr/share/doc/burin-dev/guide)
+file(GLOB pages ${guide}/*.md)
+set(links 0)
+foreach(page ${pages})
+  file(READ ${page} text)
+  string(REGEX MATCHALL "\\]\\([^)# ]+\\.(md|png|h)" found "${text}")
+  foreach(link ${found})
+    string(SUBSTRING "${link}" 2 -1 link)
+    if(NOT EXISTS ${guide}/${link})
+      message(FATAL_ERROR "packages: ${page} has a link to ${link}, which no package holds")
+    endif()
+    math(EXPR links "${links} + 1")
+  endforeach()
+endforeach()
+if(links LESS 100)
+  message(FATAL_ERROR "packages: ${links} links in the guide")
 endif()
 
 file(GLOB debs ${WORK}/*.deb)

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <iterator>
+#include <map>
 #include <regex>
 #include <set>
 #include <string>
@@ -123,31 +123,34 @@ TEST(Guide, RunsAsItSaysWithWhatIsInstalled) {
   for (const char* page : guide_pages)
     for (const std::string& block : fenced_blocks(page_text(page), "sh"))
       if (!block.starts_with("gdb ") || has_program("gdb")) script += block;
-  ASSERT_EQ(checkout.run(script), 0);
-  for (const char* picture : {"wavy_line.png", "rising.png", "sanitized.png"})
+  ASSERT_EQ(checkout.run(std::regex_replace(script, std::regex("/usr/share"), prefix.string() + "/share")),
+            0);
+  for (const char* picture : {"wavy_line.png", "ewer.png", "rising.png", "sanitized.png"})
     EXPECT_TRUE(fs::exists(project / picture)) << picture;
   EXPECT_TRUE(fs::exists(project / "installed/lib/burin/brushes/wavy_line.burin"));
 }
 
 TEST(Guide, ShowsBrushesThatKeepToTheAbi) {
   const Checkout checkout;
-  std::vector<std::string> recipes;
-  for (const char* page : {"brush_recipes", "parameters", "debugging"})
-    std::ranges::copy(fenced_blocks(page_text(page), "cpp"), std::back_inserter(recipes));
-  EXPECT_EQ(recipes.size(), 6u);
   std::string lists =
-      "cmake_minimum_required(VERSION 3.25)\nproject(recipes LANGUAGES CXX)\n"
+      "cmake_minimum_required(VERSION 3.25)\nproject(recipes LANGUAGES C CXX)\n"
       "find_package(Burin REQUIRED COMPONENTS plugin)\n";
-  for (std::size_t i = 0; i < recipes.size(); ++i) {
-    write_file_whole(checkout.path() / fmt::format("{}.cpp", i),
-                     [&](std::ostream& out) { out << recipes[i]; });
-    lists += fmt::format("burin_add_brush(recipe_{0} {0}.cpp VALIDATE 4)\n", i);
-  }
+  std::map<std::string, int> recipes;  // by language
+  for (const char* language : {"cpp", "c"})
+    for (const char* page : {"brush_recipes", "parameters", "debugging"})
+      for (const std::string& block : fenced_blocks(page_text(page), language)) {
+        const std::string name = fmt::format("{}_{}", language, ++recipes[language]);
+        write_file_whole(checkout.path() / fmt::format("{}.{}", name, language),
+                         [&](std::ostream& out) { out << block; });
+        lists += fmt::format("burin_add_brush({0} {0}.{1} VALIDATE 4)\n", name, language);
+      }
+  EXPECT_EQ(recipes, (std::map<std::string, int>{{"c", 1}, {"cpp", 7}}));
   write_file_whole(checkout.path() / "CMakeLists.txt", [&](std::ostream& out) { out << lists; });
   EXPECT_EQ(
       checkout.run("cmake --install build/release --component plugin --prefix prefix\n"
                    "cmake -G Ninja -B recipes -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=\"$PWD/prefix\" "
                    "-DCMAKE_CXX_FLAGS='-Wall -Wextra -Wpedantic -Werror' "
+                   "-DCMAKE_C_FLAGS='-Wall -Wextra -Wpedantic -Werror' "
                    "-DBURIN_PROGRAM=\"$PWD/build/release/bin/burin\"\ncmake --build recipes\n"),
       0);
 }

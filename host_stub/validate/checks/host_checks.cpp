@@ -1,7 +1,12 @@
 // Checks how a plugin deals with other hosts: older, newer, with fewer services.
+#include <burin/abi/ext/lettering.h>
+#include <burin/abi/ext/log.h>
+#include <burin/abi/ext/stamps.h>
+#include <burin/abi/ext/vdb_stamps.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <set>
@@ -75,10 +80,13 @@ void draw_without(const Plugin& plugin, const Brush& descriptor, const Subject& 
 
 void check_services(const Subject& subject) {
   each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
-    const std::set<std::string> all = {"burin.log/1", "burin.stamps/1", "burin.lettering/1",
-                                       "burin.vdb-stamps/1"};
-    for (const std::string& id : all) draw_without(plugin, descriptor, subject, {id});
-    draw_without(plugin, descriptor, subject, all);
+    const std::array services = {BURIN_EXT_LOG, BURIN_EXT_STAMPS, BURIN_EXT_LETTERING, BURIN_EXT_VDB_STAMPS};
+    for (unsigned subset = 1; subset < 1u << services.size(); ++subset) {
+      std::set<std::string> withheld;
+      for (std::size_t i = 0; i < services.size(); ++i)
+        if (subset >> i & 1) withheld.insert(services[i]);
+      draw_without(plugin, descriptor, subject, withheld);
+    }
   });
 }
 
@@ -122,26 +130,39 @@ std::vector<Row> draw_as(const HostSizes& sizes, ProbeBrush& brush, const Subjec
   return rows;
 }
 
-void compare_as(const HostSizes& sizes, const Subject& subject) {
-  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
-    ProbeBrush brush(plugin, descriptor, subject);
-    const auto now = ProbeStroke(brush).evaluate(random_nodes(300, subject.seed));
-    const std::string other = difference(now, draw_as(sizes, brush, subject));
-    require(other.empty(), "another host gets another result: " + other);
-  });
+void compare_as(const HostSizes& sizes, const Plugin& plugin, const Brush& descriptor,
+                const Subject& subject) {
+  ProbeBrush brush(plugin, descriptor, subject);
+  const auto now = ProbeStroke(brush).evaluate(random_nodes(300, subject.seed));
+  const std::string other = difference(now, draw_as(sizes, brush, subject));
+  require(other.empty(), "another host gets another result: " + other);
 }
 
 void check_newer_host(const Subject& subject) {
-  compare_as({sizeof(burin_stroke_context) + 40, sizeof(burin_batch) + 160, sizeof(burin_outputs) + 64,
-              sizeof(burin_stroke_plan) + 24},
-             subject);
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    compare_as({sizeof(burin_stroke_context) + 40, sizeof(burin_batch) + 160, sizeof(burin_outputs) + 64,
+                sizeof(burin_stroke_plan) + 24},
+               plugin, descriptor, subject);
+  });
 }
 
 void check_older_host(const Subject& subject) {
-  // A context without dab_t, which is 0 here; all inputs are declared, so the batch must hold them.
-  compare_as({offsetof(burin_stroke_context, dab_t), sizeof(burin_batch), sizeof(burin_outputs),
-              sizeof(burin_stroke_plan)},
-             subject);
+  // A context without dab_t, which is 0 here.
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    compare_as({offsetof(burin_stroke_context, dab_t), sizeof(burin_batch), sizeof(burin_outputs),
+                sizeof(burin_stroke_plan)},
+               plugin, descriptor, subject);
+  });
+}
+
+void check_older_batch(const Subject& subject) {
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    // Hosts without the input do not create such a brush.
+    if (descriptor.inputs_read & BURIN_INPUT_END_DISTANCE) throw Skipped("it reads end_distance");
+    compare_as({sizeof(burin_stroke_context), offsetof(burin_batch, end_distance), sizeof(burin_outputs),
+                sizeof(burin_stroke_plan)},
+               plugin, descriptor, subject);
+  });
 }
 
 constexpr Check checks[] = {
@@ -153,11 +174,13 @@ constexpr Check checks[] = {
      "base.h: the callee writes at most `capacity` bytes including the terminating zero",
      "Lets create fail, with texts of 0, 1, 16 and 200 bytes.", check_text_capacity},
     {"host.missing-services", 3, "host.h: get_extension returns null when the host does not have a service",
-     "Draws with hosts that lack one service, or all.", check_services},
+     "Draws with hosts that lack some services, in each way.", check_services},
     {"host.newer", 2, "base.h: structs may grow at their end", "Draws with a host whose structs are larger.",
      check_newer_host},
     {"host.older", 2, "base.h: a reader reads a member only if struct_size covers it",
      "Draws with a host whose context ends before dab_t.", check_older_host},
+    {"host.older-batch", 2, "base.h: a reader reads a member only if struct_size covers it",
+     "Draws with a host whose batch ends before end_distance.", check_older_batch},
 };
 
 }  // namespace

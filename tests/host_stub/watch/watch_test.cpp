@@ -1,4 +1,4 @@
-// `burin replay --watch`, with a module that the test writes anew.
+// `burin replay --watch` and `burin try --watch`, with a module that the test writes anew.
 #include <burin/base/file.h>
 #include <gtest/gtest.h>
 
@@ -42,10 +42,13 @@ class Watch : public ::testing::Test {
   void start(int changes, const std::string& options = "") {
     const std::string stroke = folder_.write("a.stroke", strokes_);
     const std::string mesh = folder_.write("cube.obj", cube_obj());
-    const std::string command = std::string("exec ") + BURIN_COMMAND + " replay " + stroke + " --mesh " +
-                                mesh + " --target-triangles 20000" + brush_ +
-                                " --watch=" + std::to_string(changes) + " " + options + " >" + out_ + " 2>" +
-                                err_;
+    start_command("replay " + stroke + " --mesh " + mesh + " --target-triangles 20000" + brush_ +
+                  " --watch=" + std::to_string(changes) + " " + options);
+  }
+
+  void start_command(const std::string& arguments) {
+    const std::string command =
+        std::string("exec ") + BURIN_COMMAND + " " + arguments + " >" + out_ + " 2>" + err_;
     running_ = std::thread([this, command] {
       exit_code_ =
           run_process({"/bin/sh", "-c", command}, {"BURIN_PLUGIN_PATH=" + module_.parent_path().string()})
@@ -144,6 +147,17 @@ TEST_F(Watch, SaysWhichStateIsLost) {
   finish();
   EXPECT_EQ(read_file(err_),
             "burin: warning: org.burin.test.reloaded: its state is lost: written by another version\n");
+}
+
+TEST_F(Watch, DrawsThePictureOfATryAgain) {
+  const std::string picture = folder_.path("try.png");
+  start_command("try " + module_.string() + " --png " + picture + " --watch=1");
+  const std::string before = read_file(picture);
+  write(version(2));
+  finish();
+  EXPECT_EQ(read_file(err_), "");
+  EXPECT_EQ(count_of("\nafter   ", read_file(out_)), 1u);
+  EXPECT_NE(read_file(picture), before);
 }
 
 TEST_F(Watch, IsNotBegunUnlessAskedFor) {
