@@ -35,22 +35,23 @@ void write_stroke(const fs::path& path, const Trial& trial) {
   writer.end();
 }
 
-/// Whether the trial names the image.
-bool uses_stamp(const Trial& trial) {
+/// Whether the trial names the file.
+bool uses(const Trial& trial, const char* file) {
   const Json flat = trial.settings.flatten();
   for (const auto& [place, value] : flat.items())
-    if (value == fuzz_stamp) return true;
+    if (value == file) return true;
   return false;
 }
 
 }  // namespace
 
-void write_bundle(const fs::path& folder, const Bundle& bundle, const fs::path& stamp) {
+void write_bundle(const fs::path& folder, const Bundle& bundle, const fs::path& files) {
   make_report_folder(folder.string());
   write_stroke(folder / stroke_file, bundle.trial);
   write_mesh(folder / surface_file, bundle.trial.mesh);
-  if (uses_stamp(bundle.trial))
-    fs::copy_file(stamp, folder / fuzz_stamp, fs::copy_options::overwrite_existing);
+  for (const char* file : fuzz_files)
+    if (uses(bundle.trial, file))
+      fs::copy_file(files / file, folder / file, fs::copy_options::overwrite_existing);
   const Json json = {{"burin_bundle", 1},
                      {"failure", bundle.failure},
                      {"module", bundle.module.string()},

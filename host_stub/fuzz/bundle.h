@@ -15,9 +15,9 @@ struct Bundle {
   double time_limit = 30;  ///< seconds after which the trial hangs
 };
 
-/// Throws FileError. `stamp`: the image that the trial may name as fuzz_stamp.
+/// Throws FileError. `files`: the folder of fuzz_files, which the trial may name.
 void write_bundle(const std::filesystem::path& folder, const Bundle& bundle,
-                  const std::filesystem::path& stamp);
+                  const std::filesystem::path& files);
 
 /// Throws FileError for what is no bundle.
 Bundle read_bundle(const std::filesystem::path& folder);

@@ -153,7 +153,7 @@ class Fuzzer {
     std::string failure = failure_text(child);
     const FuzzCase least = least_of(case_of(subject_, number), child, failure);
     write_bundle(options_.bundle, {subject_.module, failure, least.trial, options_.time_limit},
-                 subject_.stamp);
+                 subject_.folder);
     result_.failure = fmt::format("trial {}: {}\n        {} samples, {} vertices, {}", number, failure,
                                   least.trial.stroke.samples.size(), least.trial.mesh.positions.size(),
                                   least.trial.settings.dump());

@@ -54,7 +54,7 @@ Json random_value(const burin_param_info& info, Draws& draws) {
       return draws.one_of<std::string>(
           {"", "A", "two words", "\u00df \u6f22\u5b57 \u05d0", std::string(200, 'W')});
     default:
-      return fuzz_stamp;
+      return fuzz_files[draws.below(fuzz_files.size())];
   }
 }
 

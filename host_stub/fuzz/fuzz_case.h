@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/abi/brush.h>
 
+#include <array>
 #include <cstdint>
 
 #include "fuzz/fuzz_surface.h"
@@ -14,8 +15,8 @@ struct FuzzCase {
   FuzzSurface surface;
 };
 
-/// The name of the image that random cases name in the trial's folder.
-inline constexpr const char* fuzz_stamp = "stamp.png";
+/// The names of the files that random cases name in the trial's folder: those of validate::WorkFolder.
+inline constexpr std::array fuzz_files = {"stamp.png", "solid.vdb"};
 
 /// Random parameters, settings, stroke and surface for a brush; the same for the same seed.
 FuzzCase random_case(const burin_brush_descriptor& brush, std::uint64_t seed);

@@ -60,6 +60,7 @@ void validate_module(const ValidateOptions& options) {
     if (!file.empty()) check_output(file);
   if (!std::filesystem::is_regular_file(options.module)) throw FileError(options.module, "is no file");
   const WorkFolder folder;
+  folder.add_solid();
   const Subject subject = folder.subject(options.module, options.seed);
   keep_plugins_off_standard_output();
   const std::vector<Result> results = run_checks(subject, chosen_checks(options), options.run);
@@ -88,6 +89,7 @@ void fuzz_module(const ValidateOptions& options) {
   const std::filesystem::path bundle = bundle_of(options);
   check_report_folder(bundle.string());
   const WorkFolder folder;
+  folder.add_solid();
   const FuzzResult result = fuzz(folder.subject(options.module, options.seed),
                                  {options.fuzz_minutes, options.run.jobs, options.fuzz_time_limit, bundle});
   if (!result.failure.empty()) {

@@ -13,7 +13,8 @@ namespace burin::validate {
 struct Subject {
   std::filesystem::path module;  ///< absolute
   std::filesystem::path folder;  ///< a folder for files of this check, which exists
-  std::filesystem::path stamp;   ///< an image for parameters that must name one
+  std::filesystem::path stamp;   ///< an image for parameters that must name a file
+  std::filesystem::path solid;   ///< an OpenVDB file for those that do not take an image
   std::uint64_t seed = 1;        ///< of all that is random
 };
 

@@ -27,15 +27,21 @@ ProbeBrush::~ProbeBrush() { brush_->destroy(brush_); }
 
 ProbeStroke::ProbeStroke(ProbeBrush& brush, const burin_stroke_context& drawn)
     : context(drawn), brush_(brush), params_(&brush.values.abi()) {
+  const std::string error = begin();
+  if (error.empty() || (brush.values.choose_solids() && begin().empty())) return;
+  if (brush.values.needs_file()) throw Skipped("it needs a file of its user: " + error);
+  throw Failed(error);
+}
+
+std::string ProbeStroke::begin() {
   ErrorText error;
   burin_stroke_context empty = context;
   empty.length = 0;
   plan = {sizeof plan, 1, 0};
-  const burin_status status = brush.abi().begin(&brush.abi(), &empty, params_, &plan, &stroke_, error.abi());
-  if (status == BURIN_OK) return;
-  const std::string reason = "begin fails: " + error.line(status);
-  if (brush.values.needs_file()) throw Skipped("it needs a file of its user: " + reason);
-  throw Failed(reason);
+  params_ = &brush_.values.abi();
+  const burin_status status =
+      brush_.abi().begin(&brush_.abi(), &empty, params_, &plan, &stroke_, error.abi());
+  return status == BURIN_OK ? std::string() : "begin fails: " + error.line(status);
 }
 
 ProbeStroke::~ProbeStroke() { brush_.abi().end(&brush_.abi(), stroke_); }

@@ -63,6 +63,9 @@ class ProbeStroke {
   burin_status call(const burin_batch& batch, const burin_outputs& outputs, burin_text* text = nullptr) const;
 
  private:
+  /// Returns why it failed, or nothing.
+  std::string begin();
+
   ProbeBrush& brush_;
   const burin_params* params_;  ///< those of the time when the stroke began
   void* stroke_ = nullptr;

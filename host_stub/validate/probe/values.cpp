@@ -21,7 +21,11 @@ float greatest_of(const burin_param_info& info) {
 }
 
 Values::Values(const burin_brush_descriptor& brush, const Subject& subject)
-    : brush_(brush), numbers_(brush.param_count), texts_(brush.param_count), values_(brush.param_count) {
+    : brush_(brush),
+      subject_(subject),
+      numbers_(brush.param_count),
+      texts_(brush.param_count),
+      values_(brush.param_count) {
   for (std::uint32_t i = 0; i < brush.param_count; ++i) {
     const burin_param_info& info = *brush.params[i];
     numbers_[i] = {info.default_number};
@@ -72,6 +76,18 @@ bool Values::scale_lengths(float factor) {
 }
 
 void Values::set_text(std::uint32_t index, std::string text) { texts_[index] = std::move(text); }
+
+bool Values::choose_solids() {
+  bool changes = false;
+  const std::string solid = subject_.solid.string();
+  for (std::uint32_t i = 0; i < brush_.param_count; ++i) {
+    const burin_param_info& info = *brush_.params[i];
+    if (info.type != BURIN_PARAM_FILE || info.default_file || texts_[i] == solid) continue;
+    texts_[i] = solid;
+    changes = true;
+  }
+  return changes;
+}
 
 const burin_params& Values::abi() {
   for (std::uint32_t i = 0; i < brush_.param_count; ++i) {

@@ -14,7 +14,7 @@ namespace burin::validate {
 /// A value for each parameter of a brush.
 class Values {
  public:
-  /// The defaults. Files that the user must choose are the stamp of the subject.
+  /// The defaults. Files that the user must choose are the stamp of the subject, which outlives the object.
   Values(const burin_brush_descriptor& brush, const Subject& subject);
   Values(const Values&) = delete;
   Values& operator=(const Values&) = delete;
@@ -32,6 +32,9 @@ class Values {
   /// Sets the text of a text or file parameter.
   void set_text(std::uint32_t index, std::string text);
 
+  /// Makes the files that the user must choose the solid of the subject. Returns whether anything changes.
+  bool choose_solids();
+
   /// Whether the brush has a file parameter without a default.
   bool needs_file() const { return needs_file_; }
 
@@ -41,6 +44,7 @@ class Values {
   void set_numbers(const std::function<float(const burin_param_info&)>& number);
 
   const burin_brush_descriptor& brush_;
+  const Subject& subject_;
   std::vector<std::array<float, 4>> numbers_;
   std::vector<std::string> texts_;
   std::vector<burin_param_value> values_;

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "../run_command.h"
+#include "validate/report.h"
 
 namespace burin::test {
 namespace {
@@ -115,6 +116,22 @@ TEST(ValidateCommand, ShowsTheFirstFailuresOnlyWhereItIsToBeQuiet) {
   EXPECT_EQ(
       burin_output({"validate", bad_plugin("good"), "--level", "1", "--quiet"}).find(" passed, 0 failed"),
       2u);
+}
+
+TEST(ValidateReport, TellsOfMemoryBeforeWhatComesOfIt) {
+  using namespace validate;
+  const std::vector<Result> results = {{find_check("life.two-brushes"), Verdict::crash, {}},
+                                       {find_check("memory.writes-within"), Verdict::crash, {}}};
+  Subject subject;
+  subject.module = "a.burin";
+  const std::string text = short_report(subject, results);
+  EXPECT_TRUE(text.starts_with("CRASH   memory.writes-within\n")) << text;
+  EXPECT_NE(text.find("CRASH   life.two-brushes\n"), std::string::npos) << text;
+}
+
+TEST(ValidateCommand, DrawsWithBrushesThatTakeNoImage) {
+  const auto module = fs::path(BURIN_COMMAND).parent_path() / "brushes/vdb_trail.burin";
+  EXPECT_GT(report(module, "4")["passed"], 60);
 }
 
 TEST(ValidateCommand, TellsWhereAModuleAllocates) {
