@@ -70,7 +70,8 @@ class Stroke {
   double whole_period(double period) const { return burin_whole_period(&context_, period); }
 
   /// The offset along t from the nearest of marks that are `period` apart (object units, > 0). The first mark
-  /// of an open stroke is at its start, the last one at or before its end.
+  /// of an open stroke is at its start, the last one at or before its end, so StrokeStart::end_influence must
+  /// be half a period at least.
   float from_mark(float t, double period) const { return burin_from_mark(&context_, t, period); }
 
  private:

@@ -40,7 +40,8 @@ static inline double burin_whole_period(const burin_stroke_context* stroke, doub
 }
 
 /* The offset along t from the nearest of marks that are `period` apart (object units, > 0). The first mark of
- * an open stroke is at its start, the last one at or before its end. */
+ * an open stroke is at its start, the last one at or before its end, so the end influence is half a period.
+ */
 static inline float burin_from_mark(const burin_stroke_context* stroke, float t, double period) {
   const double last = floor(stroke->length / period);
   double mark = round(t / period);
