@@ -1,4 +1,4 @@
-// Divides a patch along a line of zeros of a field: finds the zeros on its edges by bisection, splits the
+// Divides a patch along a line of zeros of a field: finds the zeros on its edges by regula falsi, splits the
 // edges there, and chooses the triangles on the positive side.
 #include <burin/remesh/divide.h>
 #include <burin/remesh/edge_mesh.h>
@@ -10,18 +10,31 @@
 namespace burin {
 namespace {
 
-/// Where the field is 0 between two points of different signs, as a share of the way.
-double crossing(const PointField& field, const Vec3d& from, const Vec3d& to, double at_from) {
-  double low = 0, high = 1;
-  constexpr int halvings = 40;
-  for (int i = 0; i < halvings; ++i) {
-    const double share = (low + high) / 2, value = field(from + share * (to - from));
-    if ((value > 0) == (at_from > 0))
+/// Where the field is 0 between two points of different signs, as a share of the way: regula falsi in the
+/// Illinois variant [M. Dowell and P. Jarratt, A modified regula falsi method, 1971].
+double crossing(const PointField& field, const Vec3d& from, const Vec3d& to, double at_from, double at_to) {
+  double low = 0, high = 1, at_low = at_from, at_high = at_to;
+  constexpr int most = 40;
+  constexpr double close = 1e-10;
+  int moved = 0;  // which end the last step moved: -1 the lower, 1 the higher one
+  double share = 0, last = 1;
+  for (int i = 0; i < most && std::abs(share - last) > close; ++i) {
+    last = std::exchange(share, (low * at_high - high * at_low) / (at_high - at_low));
+    const double value = field(from + share * (to - from));
+    if (value == 0) break;
+    if ((value > 0) == (at_from > 0)) {
       low = share;
-    else
+      at_low = value;
+      if (moved == -1) at_high /= 2;
+      moved = -1;
+    } else {
       high = share;
+      at_high = value;
+      if (moved == 1) at_low /= 2;
+      moved = 1;
+    }
   }
-  return (low + high) / 2;
+  return share;
 }
 
 /// Splits the edges on which the field changes its sign. Returns the field at the vertices.
@@ -39,7 +52,7 @@ std::vector<double> split_edges(EdgeMesh& mesh, const PointField& field, const B
     const auto from = mesh.from_vertex_handle(half), to = mesh.to_vertex_handle(half);
     if (!(at(from) > 0 && at(to) < 0) && !(at(from) < 0 && at(to) > 0)) continue;
     const Vec3d start = mesh.data(from).position, way = mesh.data(to).position - start;
-    const double share = crossing(field, start, start + way, at(from));
+    const double share = crossing(field, start, start + way, at(from), at(to));
     mesh.split(edge, add_vertex(mesh, bring(start + share * way)));
     value.push_back(0);
   }

@@ -1,18 +1,19 @@
 // Finds triangles that go through each other: one has a side that crosses the other one, which the signs of
-// the volumes of tetrahedra tell. Candidates come from a tree of boxes.
+// the volumes of tetrahedra tell. Candidates come from a tree of boxes, over the triangles along a curve that
+// fills space: O(n log n) for triangles that cross few boxes of others.
+#include <burin/base/box_tree.h>
 #include <burin/base/parallel.h>
 #include <burin/remesh/intersection.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <unsupported/Eigen/BVH>
+#include <atomic>
+#include <utility>
 
 namespace burin {
 namespace {
 
-using Box = Eigen::AlignedBox3d;
-using Boxes = Eigen::KdBVH<double, 3, std::size_t>;
+using Box = Eigen::AlignedBox3f;
 
 /// Six times the volume of a tetrahedron, positive where d is below the triangle abc.
 double volume(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
@@ -29,9 +30,10 @@ class Crossings {
     return shared < 2 && (crosses(t, u) || crosses(u, t));
   }
 
+  /// Rounded to floats, boxes that overlap still do.
   Box box(std::size_t triangle) const {
     Box box;
-    for (const Index v : patch_->triangles[triangle]) box.extend(patch_->positions[v]);
+    for (const Index v : patch_->triangles[triangle]) box.extend(patch_->positions[v].cast<float>());
     return box;
   }
 
@@ -64,47 +66,86 @@ class Crossings {
   const PatchMesh* patch_;
 };
 
-/// Looks through the tree for a triangle that meets one.
-struct Search {
-  const Crossings& crossings;
-  std::size_t one;
-  Box box;
+/// Triangles along Morton's curve through the middles of their boxes, with which a tree has small boxes.
+std::vector<Index> along_curve(const std::vector<Box>& boxes) {
+  Box whole;
+  for (const Box& box : boxes) whole.extend(box.center());
+  constexpr std::uint32_t cells = 1024;
+  const Vec3f scale = static_cast<float>(cells - 1) * whole.sizes().cwiseMax(1e-30F).cwiseInverse();
+  std::vector<std::pair<std::uint32_t, Index>> codes(boxes.size());
+  parallel_blocks(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3f cell = (boxes[i].center() - whole.min()).cwiseProduct(scale);
+      std::uint32_t code = 0;
+      for (std::uint32_t bit = 0; bit < 10; ++bit)
+        for (const int axis : {0, 1, 2})
+          code |= (static_cast<std::uint32_t>(cell[axis]) >> bit & 1)
+                  << (3 * bit + 2 - static_cast<std::uint32_t>(axis));
+      codes[i] = {code, static_cast<Index>(i)};
+    }
+  });
+  parallel_sort(codes.begin(), codes.end());
+  std::vector<Index> order;
+  for (const auto& [code, triangle] : codes) order.push_back(triangle);
+  return order;
+}
 
-  bool found = false;
+/// What the tree asks of the triangles along the curve.
+struct Boxes {
+  const std::vector<Box>& boxes;
+  const std::vector<Index>& order;
 
-  // Eigen calls them by these names.
-  // NOLINTBEGIN(readability-identifier-naming)
-  bool intersectVolume(const Box& other) const { return box.intersects(other); }
-  bool intersectObject(std::size_t other) {
-    found = other != one && crossings.meet(one, other);
-    return found;
+  std::size_t size() const { return order.size(); }
+  void extend(Box& box, Index at) const { box.extend(boxes[order[at]]); }
+};
+
+/// The query for the triangles later along the curve that a triangle meets; marks both.
+class Meeting {
+ public:
+  Meeting(const Crossings& crossings, const Boxes& items, Index at, std::vector<std::atomic<char>>& marks)
+      : crossings_(crossings), items_(items), at_(at), own_(items.boxes[items.order[at]]), marks_(marks) {}
+
+  double nearest(const Box& box) const { return box.intersects(own_) ? 0 : 1; }
+  bool reaches(double distance) const { return distance == 0; }
+
+  void meet(Index begin, Index end) {
+    const Index own = items_.order[at_];
+    for (Index i = std::max(begin, at_ + 1); i < end; ++i) {
+      const Index other = items_.order[i];
+      if (!items_.boxes[other].intersects(own_) || !crossings_.meet(own, other)) continue;
+      marks_[own] = 1;
+      marks_[other] = 1;
+    }
   }
-  // NOLINTEND(readability-identifier-naming)
+
+ private:
+  const Crossings& crossings_;
+  const Boxes& items_;
+  Index at_;
+  Box own_;
+  std::vector<std::atomic<char>>& marks_;
 };
 
 }  // namespace
 
 std::vector<Index> crossing_triangles(const PatchMesh& patch) {
   const Crossings crossings(patch);
-  const std::size_t count = patch.triangles.size();
-  std::vector<std::size_t> triangles;
-  std::vector<Box> boxes;
-  for (std::size_t t = 0; t < count; ++t) {
-    triangles.push_back(t);
-    boxes.push_back(crossings.box(t));
-  }
-  const Boxes tree(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
-  std::vector<char> crossing(count, 0);
-  parallel_blocks(count, 512, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      Search search{crossings, t, boxes[t]};
-      Eigen::BVIntersect(tree, search);
-      crossing[t] = search.found;
+  std::vector<Box> boxes(patch.triangles.size());
+  if (boxes.empty()) return {};
+  for (std::size_t t = 0; t < boxes.size(); ++t) boxes[t] = crossings.box(t);
+  const std::vector<Index> order = along_curve(boxes);
+  const Boxes items{boxes, order};
+  const BoxTree<Boxes> tree(items);
+  std::vector<std::atomic<char>> marks(boxes.size());
+  parallel_blocks(boxes.size(), 512, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t at = begin; at < end; ++at) {
+      Meeting meeting(crossings, items, static_cast<Index>(at), marks);
+      tree.search(meeting);
     }
   });
   std::vector<Index> found;
-  for (Index t = 0; t < count; ++t)
-    if (crossing[t]) found.push_back(t);
+  for (Index t = 0; t < marks.size(); ++t)
+    if (marks[t]) found.push_back(t);
   return found;
 }
 

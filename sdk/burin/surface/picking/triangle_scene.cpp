@@ -1,7 +1,7 @@
 // Picking on meshes: searches a tree of triangles for the first hit of a ray or for the point closest to a
 // position.
+#include <burin/base/box_tree.h>
 #include <burin/surface/picking/box_ray.h>
-#include <burin/surface/picking/box_tree.h>
 #include <burin/surface/picking/closest_point.h>
 #include <burin/surface/picking/pick_scene.h>
 #include <burin/surface/picking/ray_triangle.h>
