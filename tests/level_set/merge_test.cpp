@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "level_set/ground.h"
+#include "support/mesh_fault.h"
 #include "support/rods.h"
 #include "support/shapes.h"
 
@@ -220,6 +221,39 @@ TEST(Merge, RefusesASurfaceThatIsOpenThere) {
     FAIL() << "an open surface was taken";
   } catch (const Error& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("the surface is open at (1, ")) << error.what();
+  }
+}
+
+/// Strands that wind around each other, touch their neighbours, and rest on the surface.
+DistanceToSolid strands(double radius, double lay) {
+  constexpr int count = 6;
+  const double ring_radius = 2 * radius;
+  return [=](std::span<const ShellPoint> points, std::span<float> distances) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double y = static_cast<double>(points[i].d), z = static_cast<double>(points[i].h) - 3 * radius;
+      double least = 1;
+      for (int k = 0; k < count; ++k) {
+        const double angle = 2 * pi * (points[i].t / lay + static_cast<double>(k) / count);
+        least =
+            std::min(least, std::hypot(y - ring_radius * std::cos(angle), z - ring_radius * std::sin(angle)));
+      }
+      const double beyond = std::max(0.02 - points[i].t, points[i].t - 0.38);
+      distances[i] = static_cast<float>(std::max(least - radius, beyond));
+    }
+  };
+}
+
+// Between strands and surface there are gaps of any width, which close somewhere.
+TEST(Merge, FillsWhatIsTooThinForVoxels) {
+  constexpr double strand = 0.022;
+  std::vector<Vec3d> arc;
+  for (int i = 0; i <= 40; ++i) arc.emplace_back(std::cos(0.01 * i), std::sin(0.01 * i), 0);
+  Ground ground(test::sphere(5, 0.2, 4), arc, false);
+  ground.lay(strands(strand, 0.25), 0, 6 * strand, strand / 3);
+  for (const double blend : {0., 0.3 * strand}) {
+    const SurfacePatch patch = ground.merged(SolidOperation::unite, blend);
+    EXPECT_EQ(test::mesh_fault(ground.after(patch)), "");
+    EXPECT_GE(test::angles_of(ground.fresh(patch))[0], 5);
   }
 }
 

@@ -169,6 +169,54 @@ TEST_P(SolidMesh, IsClosedAndOrientedAndOfGoodTriangles) {
   EXPECT_GE(angles[0], 1);
 }
 
+/// The distance to two rods along x that touch each other; object units.
+double to_touching_rods(const Vec3d& p) {
+  const double beyond = p.x() - std::clamp(p.x(), 0., 0.3);
+  const auto to_rod = [&](double y) { return Vec3d(beyond, p.y() - y, p.z()).norm() - rod_radius; };
+  return std::min(to_rod(-rod_radius), to_rod(rod_radius));
+}
+
+StrokeSolid solid_in_box(const std::function<double(const Vec3d&)>& distance, double voxel, int blocks) {
+  constexpr int side = VoxelBlock::side;
+  const double most = VoxelBlock::half_width * voxel;
+  std::vector<VoxelBlock> all;
+  for (int i = -blocks; i < 3 * blocks; ++i)
+    for (int j = -blocks; j < blocks; ++j)
+      for (int k = -blocks; k < blocks; ++k) {
+        VoxelBlock& block = all.emplace_back();
+        block.origin = side * Eigen::Vector3i(i, j, k);
+        for (int v = 0; v < VoxelBlock::voxels; ++v) {
+          const Eigen::Vector3i at = block.origin + Eigen::Vector3i(v / 64, v / 8 % 8, v % 8);
+          block.values[static_cast<std::size_t>(v)] =
+              static_cast<float>(std::clamp(distance(voxel * at.cast<double>()), -most, most));
+        }
+      }
+  return {voxel, std::move(all)};
+}
+
+// The valley where two rods touch is a cusp. It is filled as far as a ball of a voxel does not reach into it.
+TEST(CuspsOfSolids, AreFilledAndAllElseStays) {
+  const double voxel = rod_radius / 5.3;
+  const StrokeSolid solid = solid_in_box(to_touching_rods, voxel, 2);
+  const TriangleMesh mesh = mesh_of(solid);
+  EXPECT_GE(test::angles_of(mesh)[0], 5);
+  std::size_t filled = 0;
+  for (const Vec3f& at : mesh.positions) {
+    const Vec3d p = at.cast<double>();
+    const double off = std::abs(to_touching_rods(p));
+    // A ball of radius r between two rods of radius R comes to sqrt(2 R r + r^2) from the plane of their
+    // middles.
+    const double reached = std::sqrt(2 * rod_radius * voxel + voxel * voxel);
+    const bool in_valley =
+        std::abs(p.y()) < voxel && std::hypot(p.x() - std::clamp(p.x(), 0., 0.3), p.z()) < reached;
+    filled += in_valley;
+    EXPECT_LE(off, in_valley ? 1.5 * voxel : 0.2 * voxel) << p.transpose();
+  }
+  EXPECT_GT(filled, 20u);
+  const ThreadLimit one(1);
+  EXPECT_TRUE(mesh_of(solid).positions == mesh.positions);
+}
+
 TEST(SolidMeshBits, DoNotDependOnThreads) {
   const Rod rod = ring_on_plane();
   const TriangleMesh all = make(rod, rod_radius / 5).mesh;

@@ -168,12 +168,13 @@ float solid_sign(SolidOperation operation) {
 }
 
 /// The value of the solid farthest from it at which the result differs from the surface, near that.
-double farthest_contact(const Combined& combined, const Grid& base, float sign, double voxel) {
+double farthest_contact(const Combined& combined, float sign) {
+  const double voxel = combined.result->voxelSize().x();
   const auto near = static_cast<float>(voxel), differs = static_cast<float>(0.02 * voxel);
   std::atomic<float> farthest = 0;
   Grid& result = *combined.result;
   for_each_leaf(result, [&](Leaf& leaf) {
-    const Leaf &surface = *base.tree().probeConstLeaf(leaf.origin()),
+    const Leaf &surface = *combined.base->tree().probeConstLeaf(leaf.origin()),
                &solid = *combined.solid->tree().probeConstLeaf(leaf.origin());
     float most = 0;
     for (openvdb::Index i = 0; i < Leaf::SIZE; ++i)
@@ -199,10 +200,10 @@ Combined combine(const Operands& operands) {
       filled(leaves_near(operands.voxels, reach / voxel), operands.solid, grid_of(operands.voxels).get(),
              voxel, of_solid > 0 ? beyond : Band{reach, reach}, operands.progress);
   drop_far_leaves(*combined.solid);
-  const Grid::Ptr base = filled(origins_of(*combined.solid), operands.base, nullptr, voxel,
-                                of_base > 0 ? beyond : within, operands.progress);
+  combined.base = filled(origins_of(*combined.solid), operands.base, nullptr, voxel,
+                         of_base > 0 ? beyond : within, operands.progress);
 
-  const Grid::Ptr first = base->deepCopy(), second = combined.solid->deepCopy();
+  const Grid::Ptr first = combined.base->deepCopy(), second = combined.solid->deepCopy();
   change_values(*first, [&](float value) { return of_base * value; });
   change_values(*second, [&](float value) { return of_solid * value; });
   combined.result = first->deepCopy();
@@ -210,10 +211,29 @@ Combined combine(const Operands& operands) {
       *combined.result, [](float a, float b) { return std::min(a, b); }, *second);
   add_fillet(*combined.result, *first, *second, operands.blend);
   change_values(*combined.result, [&](float value) { return of_base * value; });
-  combined.bytes = base->memUsage() + first->memUsage() + second->memUsage() + combined.solid->memUsage() +
-                   combined.result->memUsage();
-  combined.contact = farthest_contact(combined, *base, of_solid, voxel);
+  combined.bytes = combined.base->memUsage() + first->memUsage() + second->memUsage() +
+                   combined.solid->memUsage() + combined.result->memUsage();
+  combined.contact = farthest_contact(combined, of_solid);
   return combined;
+}
+
+void fill_balls(Combined& combined, SolidOperation operation, std::span<const Vec3d> middles, double radius) {
+  const double voxel = combined.result->voxelSize().x();
+  const float of_base = base_sign(operation);
+  const int reach = static_cast<int>(std::ceil(radius / voxel)) + 2;
+  auto result = combined.result->getAccessor();
+  for (const Vec3d& middle : middles) {
+    const Vec3d at = middle / voxel;
+    const openvdb::Coord nearest = openvdb::Coord::round(openvdb::Vec3d(at.x(), at.y(), at.z()));
+    const openvdb::CoordBBox box(nearest.offsetBy(-reach), nearest.offsetBy(reach));
+    for (const openvdb::Coord& place : box) {
+      if (!result.isValueOn(place)) continue;
+      const double far = (voxel * Vec3d(place.x(), place.y(), place.z()) - middle).norm() - radius;
+      const float value = of_base * result.getValue(place);
+      result.setValue(place, of_base * std::min(value, static_cast<float>(far)));
+    }
+  }
+  combined.contact = farthest_contact(combined, solid_sign(operation));
 }
 
 }  // namespace burin

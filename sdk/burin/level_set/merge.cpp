@@ -23,6 +23,7 @@
 #include <openvdb/tools/Interpolation.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -47,6 +48,19 @@ constexpr double join_within = 0.5, shallow = 0.5;
 /// How far vertices may be from a crease to find it, to be brought to it, and to count as on it; voxels.
 constexpr double crease_width = 1, snap = 0.3, on_crease_within = 1e-3;
 
+/// Radius of the balls that fill what is too thin, voxels, and how often that is tried.
+constexpr double ball_radius = 1.5;
+constexpr int most_fillings = 4;
+
+/// The cosine of an angle that is small: 5 degrees.
+constexpr double sliver = 0.9962;
+
+Vec3d middle_of(const PatchMesh& patch, Index triangle) {
+  Vec3d sum = Vec3d::Zero();
+  for (const Index vertex : patch.triangles[triangle]) sum += patch.positions[vertex];
+  return sum / 3;
+}
+
 /// The surface of a solid, for distances to it.
 struct SolidSurface {
   explicit SolidSurface(const StrokeSolid& solid) : surface(make_surface(mesh_of(solid))), picker(surface) {}
@@ -66,30 +80,49 @@ class Merger {
         solid_(solid_surface_.surface, solid_surface_.picker),
         combined_(combine({solid, solid_, base_, merge.operation, merge.blend, merge.progress})),
         surface_of_(*combined_.result),
-        side_(merge.operation == SolidOperation::intersection ? -1 : 1) {}
+        side_(merge.operation == SolidOperation::intersection ? -1 : 1),
+        candidates_(find_candidates()) {}
 
   MergedSolid run() {
     seconds_.distances = watch_.lap();
     std::optional<SurfacePatch> patch;
-    report(merge_->progress, "contouring", 0);
-    const TriangleMesh relaxed = relaxed_mesh(surface_of_);
+    TriangleMesh relaxed = contour();
     // A crease that goes through itself is left as round as the voxels make it.
     if (!(merge_->blend > 0)) patch = result(relaxed, true);
-    if (!patch) patch = result(relaxed, false);
+    if (!patch || !slivers_.empty()) better(patch, result(relaxed, false));
+    for (int filling = 0; filling < most_fillings && (!patch || !slivers_.empty()); ++filling) {
+      crossings_.insert(crossings_.end(), slivers_.begin(), slivers_.end());
+      if (crossings_.empty()) break;
+      fill_balls(combined_, merge_->operation, crossings_, ball_radius * voxel_);
+      relaxed = contour();
+      better(patch, result(relaxed, false));
+    }
     if (patch)
       return {std::move(*patch), seconds_, voxel_, combined_.result->tree().leafCount() * VoxelBlock::voxels,
               combined_.bytes};
-    if (!crossing_) throw Error("the solid's surface and the rest cannot be joined here: try another voxel");
+    if (crossings_.empty())
+      throw Error("the solid's surface and the rest cannot be joined here: try another voxel");
+    const Vec3d& at = crossings_.front();
     throw Error(
         fmt::format("at ({:.6g}, {:.6g}, {:.6g}) something is thinner than the voxels: try another voxel",
-                    crossing_->x(), crossing_->y(), crossing_->z()));
+                    at.x(), at.y(), at.z()));
   }
 
  private:
+  /// Takes another result, unless there is none.
+  static void better(std::optional<SurfacePatch>& patch, std::optional<SurfacePatch> other) {
+    if (other) patch = std::move(other);
+  }
+
+  TriangleMesh contour() const {
+    report(merge_->progress, "contouring", 0);
+    return relaxed_mesh(surface_of_);
+  }
+
   /// The result with a sharp line where surface and solid meet, or without; nothing where it cannot be made.
   std::optional<SurfacePatch> result(const TriangleMesh& relaxed, bool sharp) {
     sharp_ = sharp;
-    crossing_.reset();
+    crossings_.clear();
     const PatchMesh contour = contoured(relaxed);
     seconds_.contour += watch_.lap();
     // Where the line that they are cut along nearly touches itself, the two may differ; elsewhere they do
@@ -100,7 +133,7 @@ class Merger {
       report(merge_->progress, "joining", static_cast<double>(i) / tries);
       cut_ = combined_.contact + (cut_beyond + i * step) * voxel_;
       if (std::optional<SurfacePatch> patch = attempt(contour)) return patch;
-      if (sharp && crossing_) break;
+      if (!crossings_.empty()) break;
     }
     return {};
   }
@@ -205,21 +238,44 @@ class Merger {
                       .crease = [this](const Vec3d& p) { return is_on_crease(p); },
                       .smooth = [this](const Vec3d& p) { return is_seam(p); }});
     const std::vector<Index> crossing = crossing_triangles(*joined);
+    for (const Index t : crossing) crossings_.push_back(middle_of(*joined, t));
+    slivers_ = slivers(*joined);
     seconds_.remesh += watch_.lap();
-    if (!crossing.empty()) {
-      crossing_ = joined->positions[joined->triangles[crossing.front()][0]];
-      return {};
-    }
+    if (!crossing.empty()) return {};
     return as_patch(*joined, std::move(removed));
   }
 
-  Replacement replacement() const {
+  /// The middles of triangles with small angles that are not parts of the surface.
+  std::vector<Vec3d> slivers(const PatchMesh& patch) const {
+    std::vector<Vec3d> middles;
+    for (Index t = 0; t < patch.triangles.size(); ++t) {
+      const auto& [a, b, c] = patch.triangles[t];
+      if (worst_cosine(patch.positions[a], patch.positions[b], patch.positions[c]) < sliver) continue;
+      if (const Vec3d middle = middle_of(patch, t); !is_base(middle)) middles.push_back(middle);
+    }
+    return middles;
+  }
+
+  /// Where `beyond` is told.
+  Eigen::AlignedBox3d box() const {
     const openvdb::CoordBBox voxels = combined_.solid->evalActiveVoxelBoundingBox();
     const openvdb::Coord low = voxels.min(), high = voxels.max();
+    return {voxel_ * Vec3d(low.x(), low.y(), low.z()), voxel_ * Vec3d(high.x(), high.y(), high.z())};
+  }
+
+  /// Triangles that may be replaced: of an intersection also all that are far outside.
+  std::vector<Index> find_candidates() const {
+    constexpr double all = std::numeric_limits<double>::infinity();
+    const Vec3d far = Vec3d::Constant(all);
+    return triangles_within(*surface_, side_ > 0 ? box() : Eigen::AlignedBox3d(-far, far));
+  }
+
+  Replacement replacement() const {
     return {.surface = *surface_,
+            .candidates = candidates_,
             .beyond = [this](const Vec3d& p) { return beyond(p); },
             .known = known(),
-            .box = {voxel_ * Vec3d(low.x(), low.y(), low.z()), voxel_ * Vec3d(high.x(), high.y(), high.z())},
+            .box = box(),
             .near = cut_ + replaced_beyond * voxel_,
             .voxel = voxel_,
             .size = [this](const Vec3d& p) { return size(p); }};
@@ -259,9 +315,11 @@ class Merger {
   Combined combined_;
   GridSurface surface_of_;  ///< of the result
   double side_;
+  std::vector<Index> candidates_;  ///< triangles that may be replaced, ascending
   double cut_ = 0;      ///< distance from the solid along which surface and contour are cut, object units
   bool sharp_ = false;  ///< whether there is a sharp line where surface and solid meet
-  std::optional<Vec3d> crossing_;  ///< where the result went through itself
+  std::vector<Vec3d> slivers_;    ///< middles of triangles of the result with small angles
+  std::vector<Vec3d> crossings_;  ///< middles of triangles of the result that went through others
   MergeSeconds seconds_;
 };
 

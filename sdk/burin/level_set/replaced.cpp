@@ -1,6 +1,7 @@
 // Finds the part of a surface around a solid that is cut out, before it is cut along the exact line: whole
-// triangles. A triangle is near if the distance at its middle says so, or that of a quarter of it, and so on
-// down to a voxel.
+// triangles. One pass over all triangles finds those in the solid's box; the rest costs what is there. A
+// triangle is near if the distance at its middle says so, or that of a quarter of it, and so on down to a
+// voxel.
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/level_set/replaced.h>
@@ -9,9 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace burin {
 namespace {
+
+constexpr std::size_t triangles_a_block = 4096;
 
 Vec3d corner_of(const Surface& surface, const Triangle& triangle, std::size_t i) {
   return surface.positions[triangle[i]].cast<double>();
@@ -34,19 +38,28 @@ bool is_near(const Replacement& in, const Vec3d& a, const Vec3d& b, const Vec3d&
          is_near(in, ab, bc, ca);
 }
 
-std::vector<Index> near_triangles(const Replacement& in) {
-  std::vector<char> near(in.surface.triangles.size(), 0);
-  parallel_blocks(near.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const Triangle& triangle = in.surface.triangles[t];
-      near[t] = is_near(in, corner_of(in.surface, triangle, 0), corner_of(in.surface, triangle, 1),
-                        corner_of(in.surface, triangle, 2));
-    }
+/// What `triangle(i)` returns for all i below `count`, but no_index. It is called on all threads.
+template <class TriangleOf>
+std::vector<Index> chosen(std::size_t count, const TriangleOf& triangle) {
+  std::vector<std::vector<Index>> of_block(count / triangles_a_block + 1);
+  parallel_blocks(count, triangles_a_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (const Index t = triangle(static_cast<Index>(i)); t != no_index)
+        of_block[begin / triangles_a_block].push_back(t);
   });
-  std::vector<Index> list;
-  for (Index t = 0; t < near.size(); ++t)
-    if (near[t]) list.push_back(t);
-  return list;
+  std::vector<Index> all;
+  for (const std::vector<Index>& some : of_block) all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+std::vector<Index> near_triangles(const Replacement& in) {
+  return chosen(in.candidates.size(), [&](Index i) {
+    const Index t = in.candidates[i];
+    const Triangle& triangle = in.surface.triangles[t];
+    const bool near = is_near(in, corner_of(in.surface, triangle, 0), corner_of(in.surface, triangle, 1),
+                              corner_of(in.surface, triangle, 2));
+    return near ? t : no_index;
+  });
 }
 
 /// The triangles with a side from one vertex to the other, in this direction.
@@ -94,6 +107,14 @@ void check_sides(const Surface& surface, const Triangle& triangle) {
 
 }  // namespace
 
+std::vector<Index> triangles_within(const Surface& surface, const Eigen::AlignedBox3d& box) {
+  return chosen(surface.triangles.size(), [&](Index t) {
+    Eigen::AlignedBox3f own;
+    for (const Index vertex : surface.triangles[t]) own.extend(surface.positions[vertex]);
+    return own.cast<double>().intersects(box) ? t : no_index;
+  });
+}
+
 std::vector<Index> replaced_triangles(const Replacement& replacement) {
   std::vector<Index> triangles = near_triangles(replacement);
   grow(replacement, triangles);
@@ -102,11 +123,10 @@ std::vector<Index> replaced_triangles(const Replacement& replacement) {
 
 PatchMesh piece_of(const Surface& surface, const std::vector<Index>& triangles,
                    const std::function<bool(const Vec3d&)>& keep) {
-  std::vector<Index> number(surface.vertex_count(), no_index);
+  std::unordered_map<Index, Index> number;
   PatchMesh piece;
   const auto is_chosen = [&](Index t) { return std::ranges::binary_search(triangles, t); };
   const auto add = [&](Index vertex) {
-    number[vertex] = piece.vertex_count();
     piece.positions.push_back(surface.positions[vertex].cast<double>());
     const bool inside = std::ranges::all_of(surface.incident[vertex], is_chosen);
     piece.kept.push_back(!inside || keep(piece.positions.back()) ? vertex : no_index);
@@ -116,8 +136,9 @@ PatchMesh piece_of(const Surface& surface, const std::vector<Index>& triangles,
     Triangle own{};
     for (std::size_t i = 0; i < 3; ++i) {
       const Index vertex = surface.triangles[t][i];
-      if (number[vertex] == no_index) add(vertex);
-      own[i] = number[vertex];
+      const auto [place, is_new] = number.try_emplace(vertex, piece.vertex_count());
+      if (is_new) add(vertex);
+      own[i] = place->second;
     }
     piece.triangles.push_back(own);
   }

@@ -1,15 +1,36 @@
 // Turns the surface of a voxel solid into a triangle mesh, by contouring its level set and relaxing the
-// vertices, and solids written as OpenVDB files.
+// vertices; and writes solids as OpenVDB files.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
+#include <burin/level_set/grid/closed.h>
 #include <burin/level_set/relaxed_mesh.h>
 #include <burin/level_set/solid_mesh.h>
+#include <burin/remesh/patch_mesh.h>
 #include <openvdb/io/File.h>
+
+#include <algorithm>
 
 namespace burin {
 
+namespace {
+
+bool has_slivers(const TriangleMesh& mesh) {
+  constexpr double narrow = 0.9962;  // cosine of 5 degrees
+  return std::ranges::any_of(mesh.triangles, [&](const Triangle& t) {
+    const auto at = [&](std::size_t i) { return mesh.positions[t[i]].cast<double>().eval(); };
+    return worst_cosine(at(0), at(1), at(2)) > narrow;
+  });
+}
+
+}  // namespace
+
 TriangleMesh mesh_of(const StrokeSolid& solid) {
+  constexpr double ball = 1;  // voxels
   const Grid::Ptr grid = grid_of(solid);
+  TriangleMesh mesh = relaxed_mesh(GridSurface(*grid));
+  // Voxels cannot hold valleys that end in a cusp.
+  if (!has_slivers(mesh)) return mesh;
+  close(*grid, ball);
   return relaxed_mesh(GridSurface(*grid));
 }
 

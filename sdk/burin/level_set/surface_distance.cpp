@@ -67,22 +67,34 @@ Side side_of(const Surface& surface, Index triangle, const Vec3d& p) {
 
 }  // namespace
 
-/// A distance that the closest point has at most: that of the triangle, or of the vertex that is reached from
-/// it by going on to the nearest neighbour.
-double SurfaceDistance::bound(const Vec3d& p, Index triangle) const {
+/// From one triangle to the nearest neighbours of its vertices again and again: the triangle that is nearest
+/// then, of those around the last vertex and the first one.
+Index SurfaceDistance::descend(const Vec3d& p, Index triangle) const {
   const auto from = [&](Index v) { return (surface_->positions[v].cast<double>() - p).squaredNorm(); };
   Index vertex = *std::ranges::min_element(surface_->triangles[triangle], {}, from);
   double nearest = from(vertex);
   for (Index at = no_index; at != vertex;) {
     at = vertex;
-    for (const Index next : surface_->incident[at])
-      for (const Index corner : surface_->triangles[next])
-        if (const double to = from(corner); to < nearest) {
-          nearest = to;
-          vertex = corner;
-        }
+    for (const Index next : surface_->neighbours[at])
+      if (const double to = from(next); to < nearest) {
+        nearest = to;
+        vertex = next;
+      }
   }
-  return std::sqrt(std::min(nearest, closest_point(*surface_, triangle, p).squared_distance));
+  const auto to = [&](Index t) { return closest_point(*surface_, t, p).squared_distance; };
+  double least = to(triangle);
+  for (const Index other : surface_->incident[vertex])
+    if (const double squared = to(other); squared < least) {
+      least = squared;
+      triangle = other;
+    }
+  return triangle;
+}
+
+double SurfaceDistance::signed_distance(const Vec3d& p, Index triangle) const {
+  const Side side = side_of(*surface_, triangle, p);
+  const double distance = (p - side.foot).norm();
+  return side.normal.dot(p - side.foot) < 0 ? -distance : distance;
 }
 
 double SurfaceDistance::operator()(const Vec3d& p) const {
@@ -97,11 +109,12 @@ double SurfaceDistance::operator()(const Vec3d& p, Index& triangle) const {
     const std::optional<SurfacePoint> place = picker_->closest(p.cast<float>(), static_cast<float>(reach));
     return place ? place->triangle : no_index;
   };
-  triangle = triangle == no_index ? no_index : within(more * bound(p, triangle));
+  if (triangle != no_index) {
+    const double squared = closest_point(*surface_, descend(p, triangle), p).squared_distance;
+    triangle = within(more * std::sqrt(squared));
+  }
   if (triangle == no_index) triangle = within(all);
-  const Side side = side_of(*surface_, triangle, p);
-  const double distance = (p - side.foot).norm();
-  return side.normal.dot(p - side.foot) < 0 ? -distance : distance;
+  return signed_distance(p, triangle);
 }
 
 std::optional<SurfaceDistance::Linear> SurfaceDistance::near(const Vec3d& p, double reach) const {

@@ -29,7 +29,8 @@ class SurfaceDistance {
   std::optional<Vec3d> closest(const Vec3d& p, double reach) const;
 
  private:
-  double bound(const Vec3d& p, Index triangle) const;
+  Index descend(const Vec3d& p, Index triangle) const;
+  double signed_distance(const Vec3d& p, Index triangle) const;
 
   const Surface* surface_;
   const Picker* picker_;

@@ -43,12 +43,4 @@ PatchMesh to_patch(EdgeMesh& mesh) {
   return patch;
 }
 
-double worst_cosine(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const Vec3d ab = b - a, bc = c - b, ca = a - c;
-  const double lengths[] = {ab.norm(), bc.norm(), ca.norm()};
-  if (!(std::min({lengths[0], lengths[1], lengths[2]}) > 0)) return 1;
-  return std::max({-ab.dot(ca) / (lengths[0] * lengths[2]), -ab.dot(bc) / (lengths[0] * lengths[1]),
-                   -bc.dot(ca) / (lengths[1] * lengths[2])});
-}
-
 }  // namespace burin

@@ -48,7 +48,4 @@ inline Vec3d middle(const EdgeMesh& mesh, EdgeMesh::EdgeHandle edge) {
          2;
 }
 
-/// The cosine of the least angle of a triangle, the greater the worse; 1 for one without area.
-double worst_cosine(const Vec3d& a, const Vec3d& b, const Vec3d& c);
-
 }  // namespace burin
