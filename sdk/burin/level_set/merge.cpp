@@ -48,9 +48,10 @@ constexpr double join_within = 0.5, shallow = 0.5;
 /// How far vertices may be from a crease to find it, to be brought to it, and to count as on it; voxels.
 constexpr double crease_width = 1, snap = 0.3, on_crease_within = 1e-3;
 
-/// Radius of the balls that fill what is too thin, voxels, and how often that is tried.
+/// Radius of the balls that fill what is too thin, voxels, and how often a bad result is mended: in the first
+/// half of the times by leaving the crease round there only.
 constexpr double ball_radius = 1.5;
-constexpr int most_fillings = 4;
+constexpr int most_mendings = 6;
 
 /// The cosine of an angle that is small: 5 degrees.
 constexpr double sliver = 0.9962;
@@ -85,27 +86,23 @@ class Merger {
 
   MergedSolid run() {
     seconds_.distances = watch_.lap();
-    std::optional<SurfacePatch> patch;
-    TriangleMesh relaxed = contour();
-    // A crease that goes through itself is left as round as the voxels make it.
-    if (!(merge_->blend > 0)) patch = result(relaxed, true);
-    if (!patch || !slivers_.empty()) better(patch, result(relaxed, false));
-    for (int filling = 0; filling < most_fillings && (!patch || !slivers_.empty()); ++filling) {
-      crossings_.insert(crossings_.end(), slivers_.begin(), slivers_.end());
-      if (crossings_.empty()) break;
-      fill_balls(combined_, merge_->operation, crossings_, ball_radius * voxel_);
-      relaxed = contour();
-      better(patch, result(relaxed, false));
+    relaxed_ = contour();
+    sharp_ = !(merge_->blend > 0);
+    std::optional<SurfacePatch> patch = result();
+    for (int mending = 0; mending < most_mendings && (!patch || !bad_.empty()); ++mending) {
+      if (bad_.empty()) break;
+      mend(mending >= most_mendings / 2 || !sharp_);
+      better(patch, result());
     }
+    // A crease that cannot be is left as round as the voxels make it.
+    if (!patch && std::exchange(sharp_, false)) patch = result();
     if (patch)
       return {std::move(*patch), seconds_, voxel_, combined_.result->tree().leafCount() * VoxelBlock::voxels,
               combined_.bytes};
-    if (crossings_.empty())
-      throw Error("the solid's surface and the rest cannot be joined here: try another voxel");
-    const Vec3d& at = crossings_.front();
+    if (!crossing_) throw Error("the solid's surface and the rest cannot be joined here: try another voxel");
     throw Error(
         fmt::format("at ({:.6g}, {:.6g}, {:.6g}) something is thinner than the voxels: try another voxel",
-                    at.x(), at.y(), at.z()));
+                    crossing_->x(), crossing_->y(), crossing_->z()));
   }
 
  private:
@@ -114,16 +111,36 @@ class Merger {
     if (other) patch = std::move(other);
   }
 
+  /// Lets the crease be round where the result is bad, and fills what is too thin there.
+  void mend(bool fill) {
+    blunt(bad_);
+    if (!fill) return;
+    fill_balls(combined_, merge_->operation, bad_, ball_radius * voxel_);
+    relaxed_ = contour();
+  }
+
+  void blunt(const std::vector<Vec3d>& places) {
+    constexpr int reach = 3;  // voxels
+    for (const Vec3d& p : places) {
+      const openvdb::Coord at = voxel_at(p);
+      blunt_.fill(openvdb::CoordBBox(at.offsetBy(-reach), at.offsetBy(reach)), true);
+    }
+  }
+
+  openvdb::Coord voxel_at(const Vec3d& p) const {
+    return openvdb::Coord::round(openvdb::Vec3d(p.x(), p.y(), p.z()) / voxel_);
+  }
+
   TriangleMesh contour() const {
     report(merge_->progress, "contouring", 0);
     return relaxed_mesh(surface_of_);
   }
 
-  /// The result with a sharp line where surface and solid meet, or without; nothing where it cannot be made.
-  std::optional<SurfacePatch> result(const TriangleMesh& relaxed, bool sharp) {
-    sharp_ = sharp;
-    crossings_.clear();
-    const PatchMesh contour = contoured(relaxed);
+  /// The result; nothing where it cannot be made. Sets where it is bad.
+  std::optional<SurfacePatch> result() {
+    bad_.clear();
+    crossing_.reset();
+    const PatchMesh contour = contoured(relaxed_);
     seconds_.contour += watch_.lap();
     // Where the line that they are cut along nearly touches itself, the two may differ; elsewhere they do
     // not.
@@ -133,7 +150,7 @@ class Merger {
       report(merge_->progress, "joining", static_cast<double>(i) / tries);
       cut_ = combined_.contact + (cut_beyond + i * step) * voxel_;
       if (std::optional<SurfacePatch> patch = attempt(contour)) return patch;
-      if (!crossings_.empty()) break;
+      if (crossing_) break;
     }
     return {};
   }
@@ -195,7 +212,7 @@ class Merger {
     constexpr double parallel = 0.99;
     const double sign = merge_->operation == SolidOperation::difference ? -1 : 1;
     const double near = crease_width * voxel_;
-    if (!sharp_) return {};
+    if (!sharp_ || blunt_.isValueOn(voxel_at(p))) return {};
     const Vec3d start = p;
     for (int step = 0; step < steps; ++step) {
       const auto a = base_.near(p, 2 * near), b = solid_.near(p, 2 * near);
@@ -238,10 +255,13 @@ class Merger {
                       .crease = [this](const Vec3d& p) { return is_on_crease(p); },
                       .smooth = [this](const Vec3d& p) { return is_seam(p); }});
     const std::vector<Index> crossing = crossing_triangles(*joined);
-    for (const Index t : crossing) crossings_.push_back(middle_of(*joined, t));
-    slivers_ = slivers(*joined);
     seconds_.remesh += watch_.lap();
-    if (!crossing.empty()) return {};
+    bad_ = slivers(*joined);
+    for (const Index t : crossing) bad_.push_back(middle_of(*joined, t));
+    if (!crossing.empty()) {
+      crossing_ = bad_.back();
+      return {};
+    }
     return as_patch(*joined, std::move(removed));
   }
 
@@ -318,8 +338,10 @@ class Merger {
   std::vector<Index> candidates_;  ///< triangles that may be replaced, ascending
   double cut_ = 0;      ///< distance from the solid along which surface and contour are cut, object units
   bool sharp_ = false;  ///< whether there is a sharp line where surface and solid meet
-  std::vector<Vec3d> slivers_;    ///< middles of triangles of the result with small angles
-  std::vector<Vec3d> crossings_;  ///< middles of triangles of the result that went through others
+  openvdb::BoolTree blunt_;        ///< voxels in which it is not
+  TriangleMesh relaxed_;           ///< the contour
+  std::vector<Vec3d> bad_;         ///< middles of bad triangles of the result
+  std::optional<Vec3d> crossing_;  ///< where the result went through itself
   MergeSeconds seconds_;
 };
 
