@@ -48,10 +48,10 @@ constexpr double join_within = 0.5, shallow = 0.5;
 /// How far vertices may be from a crease to find it, to be brought to it, and to count as on it; voxels.
 constexpr double crease_width = 1, snap = 0.3, on_crease_within = 1e-3;
 
-/// Radius of the balls that fill what is too thin, voxels, and how often a bad result is mended: in the first
-/// half of the times by leaving the crease round there only.
+/// Radius of the balls that fill what is too thin, voxels, and how often a bad result is mended: first by
+/// leaving the crease round there.
 constexpr double ball_radius = 1.5;
-constexpr int most_mendings = 6;
+constexpr int most_mendings = 5;
 
 /// The cosine of an angle that is small: 5 degrees.
 constexpr double sliver = 0.9962;
@@ -89,9 +89,8 @@ class Merger {
     relaxed_ = contour();
     sharp_ = !(merge_->blend > 0);
     std::optional<SurfacePatch> patch = result();
-    for (int mending = 0; mending < most_mendings && (!patch || !bad_.empty()); ++mending) {
-      if (bad_.empty()) break;
-      mend(mending >= most_mendings / 2 || !sharp_);
+    for (int mending = 0; mending < most_mendings && !bad_.empty(); ++mending) {
+      mend(mending > 0 || !sharp_);
       better(patch, result());
     }
     // A crease that cannot be is left as round as the voxels make it.
@@ -215,8 +214,10 @@ class Merger {
     if (!sharp_ || blunt_.isValueOn(voxel_at(p))) return {};
     const Vec3d start = p;
     for (int step = 0; step < steps; ++step) {
-      const auto a = base_.near(p, 2 * near), b = solid_.near(p, 2 * near);
-      if (!a || !b || std::abs(a->value) > near || std::abs(b->value) > near) return {};
+      const auto a = base_.near(p, 2 * near);
+      if (!a || std::abs(a->value) > near) return {};
+      const auto b = solid_.near(p, 2 * near);
+      if (!b || std::abs(b->value) > near) return {};
       const double c = a->normal.dot(b->normal), whole = 1 - c * c;
       if (sign * c < acute_walls || std::abs(c) > parallel) return {};
       p -= ((a->value - c * b->value) * a->normal + (b->value - c * a->value) * b->normal) / whole;
