@@ -52,7 +52,6 @@ const std::map<std::string, Names> third_party = {
     {"opensubdiv/", {"subdiv"}},
     {"openvdb/", {"level_set"}},
     {"OpenMesh/", {"remesh"}},
-    {"unsupported/Eigen/", {"remesh"}},
     {"OpenImageIO/", {"image_codec"}},
     {"freetype/", {"stamp"}},
     {"harfbuzz/", {"stamp"}},

@@ -1,16 +1,8 @@
-#include <burin/base/error.h>
-#include <burin/surface/geometry/curvature.h>
-#include <burin/surface/geometry/normals.h>
 #include <burin/surface/surface_patch.h>
-#include <burin/surface/topology/adjacency.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <iostream>
-#include <random>
 #include <vector>
-
-#include "support/shapes.h"
 
 namespace burin {
 namespace {
@@ -68,64 +60,6 @@ TEST(SurfacePatch, ThatIsEmptyChangesNothing) {
   EXPECT_EQ(result.surface.positions, surface.positions);
   EXPECT_EQ(result.surface.triangles, surface.triangles);
   EXPECT_EQ(result.surface.source_vertex, surface.source_vertex);
-}
-
-/// The first triangles of a surface, taken away, and random ones, each taken away or replaced by a fan around
-/// a new vertex above it.
-SurfacePatch random_patch(const Surface& surface, std::mt19937& random) {
-  SurfacePatch patch;
-  for (Index t = 0; t < surface.triangles.size(); ++t) {
-    if (t > 40 && random() % 3 != 0) continue;
-    patch.removed.push_back(t);
-    const auto [a, b, c] = surface.triangles[t];
-    if (t <= 40 || random() % 3 == 0) continue;
-    const Index middle = surface.vertex_count() + static_cast<Index>(patch.positions.size());
-    patch.positions.push_back((surface.positions[a] + surface.positions[b] + surface.positions[c]) / 2.5F);
-    patch.triangles.insert(patch.triangles.end(), {{c, a, middle}, {a, b, middle}, {b, c, middle}});
-  }
-  return patch;
-}
-
-// All that a surface has fits to its triangles, whatever was removed, and triangles are those of both.
-TEST(SurfacePatch, MakesASurfaceOfWhatItHolds) {
-  constexpr std::uint32_t seed = 5;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937 random(seed);
-  Surface surface = make_surface(test::sphere(4, 0.2, 3));
-  surface.triangle_uv.resize(surface.triangles.size());
-  const auto uv_of = [](float number) { return TriangleUv{Vec2f(number, 0), Vec2f(0, 1), Vec2f(1, 1)}; };
-  for (Index t = 0; t < surface.triangles.size(); ++t) surface.triangle_uv[t] = uv_of(static_cast<float>(t));
-  SurfacePatch patch = random_patch(surface, random);
-  for (std::size_t t = 0; t < patch.triangles.size(); ++t)
-    patch.triangle_uv.push_back(uv_of(-1 - static_cast<float>(t)));
-  const auto [made, came_from] = patched(surface, patch);
-  EXPECT_LT(made.vertex_count(), surface.vertex_count() + patch.positions.size()) << "some vertex is gone";
-
-  ASSERT_EQ(made.triangles.size(), surface.triangles.size() - patch.removed.size() + patch.triangles.size());
-  for (std::size_t t = 0; t < made.triangles.size(); ++t) {
-    const auto number = static_cast<int>(made.triangle_uv[t][0].x());
-    const Triangle& is = number < 0 ? patch.triangles[static_cast<std::size_t>(-1 - number)]
-                                    : surface.triangles[static_cast<std::size_t>(number)];
-    for (std::size_t i = 0; i < 3; ++i) ASSERT_EQ(came_from[made.triangles[t][i]], is[i]);
-    ASSERT_TRUE(number < 0 || !std::ranges::binary_search(patch.removed, static_cast<Index>(number)));
-  }
-  const Csr incident = incident_triangles(made.vertex_count(), made.triangles),
-            neighbours = neighbour_vertices(made.triangles, incident);
-  EXPECT_EQ(made.incident.offsets, incident.offsets);
-  EXPECT_EQ(made.incident.items, incident.items);
-  EXPECT_EQ(made.neighbours.offsets, neighbours.offsets);
-  EXPECT_EQ(made.neighbours.items, neighbours.items);
-  for (Index v = 0; v < made.vertex_count(); ++v) {
-    ASSERT_EQ(made.normals[v], vertex_normal(made, made.positions, v));
-    ASSERT_EQ(made.gauss_curvature[v], gauss_curvature(made, v));
-  }
-}
-
-TEST(SurfacePatch, ThatLeavesNothingIsRefused) {
-  const Surface surface = make_surface(strip());
-  SurfacePatch patch;
-  patch.removed = {0, 1, 2};
-  EXPECT_THROW(patched(surface, patch), Error);
 }
 
 }  // namespace

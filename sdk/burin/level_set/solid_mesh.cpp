@@ -9,14 +9,15 @@
 #include <openvdb/io/File.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace burin {
 
 namespace {
 
-bool has_slivers(const TriangleMesh& mesh) {
+std::ptrdiff_t sliver_count(const TriangleMesh& mesh) {
   constexpr double narrow = 0.9962;  // cosine of 5 degrees
-  return std::ranges::any_of(mesh.triangles, [&](const Triangle& t) {
+  return std::ranges::count_if(mesh.triangles, [&](const Triangle& t) {
     const auto at = [&](std::size_t i) { return mesh.positions[t[i]].cast<double>().eval(); };
     return worst_cosine(at(0), at(1), at(2)) > narrow;
   });
@@ -28,10 +29,12 @@ TriangleMesh mesh_of(const StrokeSolid& solid) {
   constexpr double ball = 1;  // voxels
   const Grid::Ptr grid = grid_of(solid);
   TriangleMesh mesh = relaxed_mesh(GridSurface(*grid));
+  const std::ptrdiff_t slivers = sliver_count(mesh);
+  if (slivers == 0) return mesh;
   // Voxels cannot hold valleys that end in a cusp.
-  if (!has_slivers(mesh)) return mesh;
   close(*grid, ball);
-  return relaxed_mesh(GridSurface(*grid));
+  TriangleMesh closed = relaxed_mesh(GridSurface(*grid));
+  return sliver_count(closed) < slivers ? closed : mesh;
 }
 
 void write_vdb(const std::filesystem::path& path, std::span<const StrokeSolid> solids) {

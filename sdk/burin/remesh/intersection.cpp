@@ -1,8 +1,8 @@
 // Finds triangles that go through each other: one has a side that crosses the other one, which the signs of
 // the volumes of tetrahedra tell. Candidates come from a tree of boxes, over the triangles along a curve that
 // fills space: O(n log n) for triangles that cross few boxes of others.
-#include <burin/base/box_tree.h>
 #include <burin/base/parallel.h>
+#include <burin/base/trees/box_tree.h>
 #include <burin/remesh/intersection.h>
 
 #include <algorithm>

@@ -12,10 +12,8 @@ struct PatchedSurface {
                                  ///< vertex
 };
 
-/// Puts a patch into a surface. Vertices that no triangle has any more are gone. Vertices and triangles that
-/// stay keep their order, also that in source_vertex; new ones come after them, near ones together. Costs
-/// O(n) of copying, and what make_surface() does for the patch. Throws Error where a new position is not
-/// finite or no triangle is left.
+/// Puts a patch into a surface. Vertices that no triangle has any more are gone. Those that stay have the
+/// order in source_vertex that they had; new ones come after them. Costs as much as make_surface().
 PatchedSurface patched(const Surface& surface, const SurfacePatch& patch);
 
 }  // namespace burin

@@ -1,6 +1,6 @@
 // Picking on meshes: searches a tree of triangles for the first hit of a ray or for the point closest to a
 // position.
-#include <burin/base/box_tree.h>
+#include <burin/base/trees/box_tree.h>
 #include <burin/surface/picking/box_ray.h>
 #include <burin/surface/picking/closest_point.h>
 #include <burin/surface/picking/pick_scene.h>

@@ -1,7 +1,7 @@
 // Picking on point sets: the ray is intersected with discs around the points, then Newton's method finds
 // the smooth surface near the disc (PointProjection).
-#include <burin/base/box_tree.h>
 #include <burin/base/error.h>
+#include <burin/base/trees/box_tree.h>
 #include <burin/surface/picking/box_ray.h>
 #include <burin/surface/picking/pick_scene.h>
 #include <burin/surface/points/point_projection.h>
