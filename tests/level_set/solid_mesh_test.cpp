@@ -169,20 +169,26 @@ TEST_P(SolidMesh, IsClosedAndOrientedAndOfGoodTriangles) {
   EXPECT_GE(angles[0], 1);
 }
 
-/// The distance to two rods along x that touch each other; object units.
+/// A place as two rods that touch each other see it: they run along x from 0 to 0.3, their middles at y = -r
+/// and r.
+Vec3d seen_by_rods(const Vec3d& p) { return Eigen::AngleAxisd(0.5, Vec3d(1, 2, 3).normalized()) * p; }
+
+double beyond_rods(const Vec3d& q) { return q.x() - std::clamp(q.x(), 0., 0.3); }
+
 double to_touching_rods(const Vec3d& p) {
-  const double beyond = p.x() - std::clamp(p.x(), 0., 0.3);
-  const auto to_rod = [&](double y) { return Vec3d(beyond, p.y() - y, p.z()).norm() - rod_radius; };
+  const Vec3d q = seen_by_rods(p);
+  const auto to_rod = [&](double y) { return Vec3d(beyond_rods(q), q.y() - y, q.z()).norm() - rod_radius; };
   return std::min(to_rod(-rod_radius), to_rod(rod_radius));
 }
 
-StrokeSolid solid_in_box(const std::function<double(const Vec3d&)>& distance, double voxel, int blocks) {
+StrokeSolid solid_in_box(const std::function<double(const Vec3d&)>& distance, double voxel, int first,
+                         int end) {
   constexpr int side = VoxelBlock::side;
   const double most = VoxelBlock::half_width * voxel;
   std::vector<VoxelBlock> all;
-  for (int i = -blocks; i < 3 * blocks; ++i)
-    for (int j = -blocks; j < blocks; ++j)
-      for (int k = -blocks; k < blocks; ++k) {
+  for (int i = first; i < end; ++i)
+    for (int j = first; j < end; ++j)
+      for (int k = first; k < end; ++k) {
         VoxelBlock& block = all.emplace_back();
         block.origin = side * Eigen::Vector3i(i, j, k);
         for (int v = 0; v < VoxelBlock::voxels; ++v) {
@@ -197,22 +203,23 @@ StrokeSolid solid_in_box(const std::function<double(const Vec3d&)>& distance, do
 // The valley where two rods touch is a cusp. It is filled as far as a ball of a voxel does not reach into it.
 TEST(CuspsOfSolids, AreFilledAndAllElseStays) {
   const double voxel = rod_radius / 5.3;
-  const StrokeSolid solid = solid_in_box(to_touching_rods, voxel, 2);
+  const StrokeSolid solid = solid_in_box(to_touching_rods, voxel, -5, 6);
   const TriangleMesh mesh = mesh_of(solid);
   EXPECT_GE(test::angles_of(mesh)[0], 5);
-  std::size_t filled = 0;
+  // A ball of radius v between two rods of radius r comes to this far from the plane of their middles.
+  const double reached = std::sqrt(2 * rod_radius * voxel + voxel * voxel) - voxel;
+  std::size_t in_valley = 0;
   for (const Vec3f& at : mesh.positions) {
-    const Vec3d p = at.cast<double>();
-    const double off = std::abs(to_touching_rods(p));
-    // A ball of radius r between two rods of radius R comes to sqrt(2 R r + r^2) from the plane of their
-    // middles.
-    const double reached = std::sqrt(2 * rod_radius * voxel + voxel * voxel);
-    const bool in_valley =
-        std::abs(p.y()) < voxel && std::hypot(p.x() - std::clamp(p.x(), 0., 0.3), p.z()) < reached;
-    filled += in_valley;
-    EXPECT_LE(off, in_valley ? 1.5 * voxel : 0.2 * voxel) << p.transpose();
+    const Vec3d q = seen_by_rods(at.cast<double>());
+    const double from_middle = std::hypot(beyond_rods(q), q.z());
+    if (std::abs(q.y()) < voxel) {
+      ++in_valley;
+      EXPECT_GE(from_middle, reached - 0.5 * voxel) << q.transpose();
+    } else if (from_middle > reached + voxel) {
+      EXPECT_LE(std::abs(to_touching_rods(at.cast<double>())), 0.2 * voxel) << q.transpose();
+    }
   }
-  EXPECT_GT(filled, 20u);
+  EXPECT_GT(in_valley, 20u);
   const ThreadLimit one(1);
   EXPECT_TRUE(mesh_of(solid).positions == mesh.positions);
 }
