@@ -5,9 +5,25 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace burin {
+namespace {
+
+/// Orders the sheets of a vertex by t. Those of equal t, which two visits have where the same place of the
+/// stroke is nearest to both, are ordered by the rest of their frames, so that the order in which they came
+/// decides nothing.
+bool is_sheet_before(const Chart& nodes, Index a, Index b) {
+  if (nodes.t[a] != nodes.t[b]) return nodes.t[a] < nodes.t[b];
+  const auto rest = [&nodes](Index slot) {
+    const Vec3f& e1 = nodes.e1[slot];
+    return std::tuple(nodes.d[slot], e1.x(), e1.y(), e1.z(), nodes.curvature[slot], nodes.stretch[slot]);
+  };
+  return rest(a) < rest(b);
+}
+
+}  // namespace
 
 Index LiveChart::first(Index vertex) const {
   const Index local = local_indices_.find(vertex);
@@ -148,7 +164,7 @@ void LiveChart::reserve(Index slots) {
   contested_.resize(slots);
 }
 
-/// Inserts the slot into its vertex's list, which is ordered by t, and renumbers the sheets after it.
+/// Inserts the slot into its vertex's list, which is in order, and renumbers the sheets after it.
 void LiveChart::link(Index slot) {
   const Index vertex = nodes_.vertex[slot];
   Index local = local_indices_.find(vertex);
@@ -161,7 +177,7 @@ void LiveChart::link(Index slot) {
   alter(local);
   std::uint32_t sheet = 0;
   Index* from = &first_[local];
-  for (; *from != no_index && nodes_.t[*from] < nodes_.t[slot]; from = &next_[*from]) ++sheet;
+  for (; *from != no_index && is_sheet_before(nodes_, *from, slot); from = &next_[*from]) ++sheet;
   next_[slot] = std::exchange(*from, slot);
   for (Index later = slot; later != no_index; later = next_[later]) nodes_.sheet[later] = sheet++;
   mark_alone(local);

@@ -170,26 +170,38 @@ TEST(DrawnStrokes, HaveExactDistancesAtTheBrushesOwnScale) {
   expect_right(all);
 }
 
-/// A stroke that grows sample by sample has the chart of the stroke in one go, bit for bit.
-void expect_to_grow(double follow, std::uint32_t seed, Join join = Join::round) {
-  test::Charted growing(test::plane(1.05, 0.02, seed)), fresh(test::plane(1.05, 0.02, seed));
-  std::mt19937 random(seed);
-  const double radius = 0.2;
-  const ChartOptions options{.radius = radius, .join = join, .follow = follow};
-  for (const std::string_view kind : test::drawn_kinds()) {
-    const auto samples = laid_onto(*test::exact_plane(), test::drawn_stroke(kind, random), radius);
+/// Two builders on the same mesh.
+struct TwoCharts {
+  explicit TwoCharts(const TriangleMesh& mesh) : growing(mesh), fresh(mesh) {}
+
+  /// Expects that a stroke that grows sample by sample has the chart of the stroke in one go, bit for bit,
+  /// after every so many samples and at its end.
+  void expect_same(const std::vector<Vec3d>& samples, const ChartOptions& options, std::size_t every) {
     growing.builder.begin(options);
-    CurveTracer tracer(CurveGround(growing.surface, growing.picker, growing.builder.base()), radius);
+    CurveTracer tracer(CurveGround(growing.surface, growing.picker, growing.builder.base()), options.radius);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const auto at = growing.picker.closest(samples[i].cast<float>(), 0.1F);
       ASSERT_TRUE(at.has_value());
       const std::size_t unchanged = tracer.final_points();
       tracer.add(*at, static_cast<double>(i) / 240, {});
       const Chart grown = growing.builder.draw(tracer.curve(), unchanged).sorted();
-      if (i % 7 != 6 && i + 1 != samples.size()) continue;
+      if (i % every != every - 1 && i + 1 != samples.size()) continue;
       test::expect_same(grown, fresh.builder.chart(tracer.curve(), options));
-      if (testing::Test::HasFailure()) FAIL() << kind << " after sample " << i << ", seed " << seed;
+      if (testing::Test::HasFailure()) FAIL() << "after sample " << i;
     }
+  }
+
+  test::Charted growing, fresh;
+};
+
+void expect_to_grow(double follow, std::uint32_t seed, Join join = Join::round) {
+  TwoCharts charts(test::plane(1.05, 0.02, seed));
+  std::mt19937 random(seed);
+  const double radius = 0.2;
+  for (const std::string_view kind : test::drawn_kinds()) {
+    const auto samples = laid_onto(*test::exact_plane(), test::drawn_stroke(kind, random), radius);
+    charts.expect_same(samples, {.radius = radius, .join = join, .follow = follow}, 7);
+    if (testing::Test::HasFailure()) FAIL() << kind << ", seed " << seed;
   }
 }
 
@@ -197,6 +209,50 @@ TEST(DrawnStrokes, GrowBitForBit) {
   for (const std::uint32_t seed : {31U, 32U, 33U}) {
     expect_to_grow(all_relief, seed);
     expect_to_grow(own_scale, seed);
+  }
+}
+
+/// Triangles nearly three times as long as wide. Many vertices have several visits.
+TriangleMesh long_triangles() {
+  TriangleMesh mesh = test::plane(1.05, 0.07, 60);
+  for (Vec3f& p : mesh.positions) p.x() *= 2.8F;
+  return mesh;
+}
+
+const ChartOptions on_long_triangles{.radius = 0.47, .follow = own_scale};
+
+// A visit that begins far from the stroke decides whether a node near it belongs to an earlier visit.
+TEST(DrawnStrokes, GrowBitForBitWhereAFarVisitBegins) {
+  TwoCharts charts(long_triangles());
+  charts.expect_same({{0.14178992373593957, -0.14581715800955031, 0},
+                      {-0.067481785130130201, -0.14849219212050896, 0},
+                      {0.01995453676749448, -0.035568791260138094, 0},
+                      {-0.11631507388670481, 0.030963409673592596, 0},
+                      {-0.23907921922083245, 0.080612640423135595, 0}},
+                     on_long_triangles, 1);
+}
+
+// The begin of the stroke is the nearest place for two visits of a vertex.
+TEST(DrawnStrokes, GrowBitForBitWhereTwoVisitsHaveTheSameFoot) {
+  TwoCharts charts(long_triangles());
+  charts.expect_same({{-0.082975004990881202, -0.0051528142368461038, 0},
+                      {0.13172198840110663, -0.022945425105325934, 0},
+                      {0.0095016839397812219, -0.10722906547723084, 0},
+                      {0.11384690201729857, -0.17998987235905833, 0},
+                      {0.29969278043319297, -0.24390522513574447, 0}},
+                     on_long_triangles, 1);
+}
+
+TEST(DrawnStrokes, GrowBitForBitWithSparseSamples) {
+  const std::uint32_t seed = 61;
+  std::mt19937 random(seed);
+  TwoCharts charts(long_triangles());
+  std::uniform_real_distribution<double> step(-0.235, 0.235);
+  for (int stroke = 0; stroke < 300; ++stroke) {
+    std::vector<Vec3d> samples{Vec3d(step(random), step(random), 0)};
+    for (int i = 0; i < 4; ++i) samples.push_back(samples.back() + Vec3d(step(random), step(random) / 2, 0));
+    charts.expect_same(samples, on_long_triangles, 1);
+    if (testing::Test::HasFailure()) FAIL() << "stroke " << stroke << ", seed " << seed;
   }
 }
 

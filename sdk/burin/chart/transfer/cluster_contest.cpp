@@ -82,10 +82,11 @@ void ClusterContest::leave(const LiveChart& nodes, Index slot) {
   look_around(nodes, node, was_near_[slot] != 0);
 }
 
-/// Schedules the slots at and around a node for examination after a change at the node.
+/// Schedules slots for examination after a change at a node: its own, of which another one may be nearest to
+/// a rival along the stroke now, and where the change was near the stroke those around it.
 void ClusterContest::look_around(const LiveChart& nodes, Index node, bool is_near_stroke) {
-  if (!is_near_stroke) return;
   for (Index slot = nodes.first(node); slot != no_index; slot = nodes.next(slot)) look_at(nodes, slot);
+  if (!is_near_stroke) return;
   for_each_around(nodes, node, [&](Index around) { look_at(nodes, around); });
 }
 
