@@ -78,21 +78,14 @@ std::vector<double> radii(const ReplayOptions& options, const std::vector<Record
   return radii;
 }
 
-/// Whether strokes split triangles that are too large for them: unless it is said how, where nothing that
-/// follows depends on the triangles of the mesh's file.
-bool may_refine(const ReplayOptions& options) {
+/// Whether strokes get as many vertices as they need.
+bool refines(const ReplayOptions& options) {
   const Refining* refining = options.settings.find(&StrokeSettings::refining);
-  return refining ? refining->kind != Refining::Kind::off : !options.bake.asked();
-}
-
-void refine_where_coarse(ReplayOptions& options, const ReplayMesh& mesh) {
-  if (options.settings.find(&StrokeSettings::refining) || !may_refine(options) || mesh.has_levels()) return;
-  options.settings[&StrokeSettings::refining] = {.kind = Refining::Kind::automatic};
+  return refining && refining->kind != Refining::Kind::off;
 }
 
 void warn_of_strokes(const ReplayOptions& options, const Surface& surface, const std::vector<double>& radii) {
-  if (options.settings.complete().refining.kind == Refining::Kind::off)
-    warn_of_small_radii(options.mesh.mesh.path, surface, radii);
+  if (!refines(options)) warn_of_small_radii(options.mesh.mesh.path, surface, radii);
   warn_of_great_radii(options.mesh.mesh.path, surface, radii);
 }
 
@@ -248,12 +241,11 @@ void run(ReplayOptions& options) {
   if (options.watch) library.reload(module_of_last(library, recordings.back(), options.settings));
   ReplayMesh mesh(
       options.mesh,
-      {.baked = options.bake.asked(), .saved = !options.save_mesh.empty(), .refined = may_refine(options)});
+      {.baked = options.bake.asked(), .saved = !options.save_mesh.empty(), .refined = refines(options)});
   for (Recording& recording : recordings) move_origin(recording, mesh.origin());
   options.settings[&StrokeSettings::symmetry].centre -= mesh.origin();
   Session session(mesh.take_surface(), library, merge_solid);
   session.set_paint(mesh.take_paint());
-  refine_where_coarse(options, mesh);
   warn_of_strokes(options, session.surface(), radii(options, recordings));
   StrokeRecorder recorder;
   ReplaySummary summary = replay_all(session, options, recordings, recorder);

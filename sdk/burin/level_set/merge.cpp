@@ -53,9 +53,6 @@ constexpr double crease_width = 1, snap = 0.3, on_crease_within = 1e-3;
 constexpr double ball_radius = 1.5;
 constexpr int most_mendings = 5;
 
-/// The cosine of an angle that is small: 5 degrees.
-constexpr double sliver = 0.9962;
-
 Vec3d middle_of(const PatchMesh& patch, Index triangle) {
   Vec3d sum = Vec3d::Zero();
   for (const Index vertex : patch.triangles[triangle]) sum += patch.positions[vertex];
@@ -271,7 +268,7 @@ class Merger {
     std::vector<Vec3d> middles;
     for (Index t = 0; t < patch.triangles.size(); ++t) {
       const auto& [a, b, c] = patch.triangles[t];
-      if (worst_cosine(patch.positions[a], patch.positions[b], patch.positions[c]) < sliver) continue;
+      if (worst_cosine(patch.positions[a], patch.positions[b], patch.positions[c]) < sliver_cosine) continue;
       if (const Vec3d middle = middle_of(patch, t); !is_base(middle)) middles.push_back(middle);
     }
     return middles;

@@ -16,10 +16,9 @@ namespace burin {
 namespace {
 
 std::ptrdiff_t sliver_count(const TriangleMesh& mesh) {
-  constexpr double narrow = 0.9962;  // cosine of 5 degrees
   return std::ranges::count_if(mesh.triangles, [&](const Triangle& t) {
     const auto at = [&](std::size_t i) { return mesh.positions[t[i]].cast<double>().eval(); };
-    return worst_cosine(at(0), at(1), at(2)) > narrow;
+    return worst_cosine(at(0), at(1), at(2)) > sliver_cosine;
   });
 }
 

@@ -20,6 +20,9 @@ struct PatchMesh {
 /// The same without the vertices that no triangle has, the others in the same order.
 PatchMesh without_unused_vertices(const PatchMesh& patch);
 
+/// The cosine of 5 degrees, the angle below which a triangle counts as a sliver.
+inline constexpr double sliver_cosine = 0.9962;
+
 /// The cosine of the least angle of a triangle, the greater the worse; 1 for one without area.
 double worst_cosine(const Vec3d& a, const Vec3d& b, const Vec3d& c);
 

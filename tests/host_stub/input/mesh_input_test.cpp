@@ -150,12 +150,15 @@ TEST(MeshInput, KeepsTextureCoordinatesOfWhatItSaves) {
   const std::string path = folder.write("cube.obj", cube);
   const std::string stroke = folder.write(
       "a.stroke", equator_stroke(-0.6, 0.6, 41, "\"brush\":\"org.burin.groove\",\"radius\":1.5"));
-  // At level 0 the stroke splits the cube's triangles, too.
-  for (const char* level : {"0", "2"}) {
-    burin_output(
-        {"replay", stroke, "--mesh", path, "--subdivide", level, "--save-mesh", folder.path("out.ply")});
+  const std::vector<std::string> all_options[] = {
+      {"--subdivide", "0"}, {"--subdivide", "2"}, {"--refine", "auto"}};
+  for (const std::vector<std::string>& options : all_options) {
+    std::vector<std::string> command = {"replay", stroke,        "--mesh",
+                                        path,     "--save-mesh", folder.path("out.ply")};
+    command.insert(command.end(), options.begin(), options.end());
+    burin_output(command);
     const PolygonMesh saved = read_mesh(folder.path("out.ply"));
-    ASSERT_EQ(saved.corner_uv.size(), saved.face_vertices.size()) << level;
+    ASSERT_EQ(saved.corner_uv.size(), saved.face_vertices.size()) << options[1];
     for (const Vec2f& uv : saved.corner_uv) EXPECT_TRUE(uv.minCoeff() >= 0 && uv.maxCoeff() <= 1);
   }
 }

@@ -56,7 +56,7 @@ struct Box {
 
 TEST(Refine, DrawsAGrooveOnABoxAndSaysWhatItAdded) {
   const Box box;
-  const nlohmann::json result = burin_json(box.command({}));
+  const nlohmann::json result = burin_json(box.command({"--refine", "auto"}));
   const TriangleMesh mesh = triangulate(read_mesh(box.saved));
   ASSERT_EQ(result["refined"].size(), 1u);
   EXPECT_EQ(result["refined"][0]["triangles_added"], mesh.triangles.size());
@@ -67,7 +67,7 @@ TEST(Refine, DrawsAGrooveOnABoxAndSaysWhatItAdded) {
     if (p.x() > 0.8F && p.x() < 1.2F && p.y() > 0.4F && p.y() < 0.6F && p.z() > 0.8F)
       deepest = std::min(deepest, p.z());
   EXPECT_NEAR(deepest, 1 - 0.25F * 0.12F, 1e-4F);
-  const std::string text = burin_output(box.command({}));
+  const std::string text = burin_output(box.command({"--refine", "auto"}));
   EXPECT_NE(
       text.find(fmt::format("\nrefined         {} triangles in place of 12, with edges of about 0.0075, in",
                             mesh.triangles.size())),
@@ -78,7 +78,7 @@ TEST(Refine, DrawsAGrooveOnABoxAndSaysWhatItAdded) {
 TEST(Refine, WritesAReportOfSeveralStrokes) {
   const Box box;
   const std::string report = box.folder.path("report");
-  std::vector<std::string> command = box.command({"--report", report});
+  std::vector<std::string> command = box.command({"--refine", "auto", "--report", report});
   command.insert(command.begin() + 1, box.stroke);
   const ProcessResult result = burin(command);
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -86,17 +86,16 @@ TEST(Refine, WritesAReportOfSeveralStrokes) {
   EXPECT_TRUE(std::filesystem::exists(report + "/chart.png"));
 }
 
-TEST(Refine, IsOffWhereTheCommandSaysSo) {
+TEST(Refine, IsOffUnlessAskedFor) {
   const Box box;
-  EXPECT_FALSE(
-      nlohmann::json::parse(burin(box.command({"--json", "--refine", "off"})).out).contains("refined"));
+  EXPECT_FALSE(nlohmann::json::parse(burin(box.command({"--json"})).out).contains("refined"));
   EXPECT_EQ(read_mesh(box.saved).face_sizes.size(), 12u);
 }
 
 // A stroke that would take more than a million triangles was hardly meant.
 TEST(Refine, DeclinesWhatTakesTooManyTriangles) {
   const Box box;
-  const ProcessResult result = burin(box.command({"--radius", "0.0005"}));
+  const ProcessResult result = burin(box.command({"--refine", "auto", "--radius", "0.0005"}));
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(
       result.err,

@@ -171,7 +171,7 @@ std::vector<SettingRow> surface_rows() {
                                           Refining::fine, Refining::coarse),
                       .values = "`auto`, `off` or `edge:LENGTH`",
                       .typed = "auto|off|edge:LENGTH",
-                      .initial = "auto of replay, unless it bakes or sculpts a level; else off"},
+                      .initial = "off"},
                      &S::refining, read_refining)};
 }
 
