@@ -115,7 +115,8 @@ TEST(SnapCommand, FindsSilhouettesOfTheViewOrTheRecordedCamera) {
   burin_output(
       {"snap", stroke, "--mesh", mesh, "--feature", "silhouette", "--view", "0,-1,-0.1", "--out", out});
   const Vec3d view = Vec3d(0, -1, -0.1).normalized();
-  for (const Sample& sample : read_strokes(out).strokes[0].samples)
+  const Recording seen = read_strokes(out);
+  for (const Sample& sample : seen.strokes[0].samples)
     EXPECT_NEAR(sample.position.normalized().dot(view), 0, 1e-3);
   const ProcessResult result =
       burin({"snap", stroke, "--mesh", mesh, "--feature", "silhouette", "--out", out});
@@ -140,7 +141,8 @@ TEST(SnapCommand, FindsSilhouettesByTheLinesOfSightOfACamera) {
     const std::string camera = folder.write("camera.stroke", camera_file(projection));
     burin_output(
         {"snap", stroke, "--mesh", mesh, "--feature", "silhouette", "--camera", camera, "--out", out});
-    for (const Sample& sample : read_strokes(out).strokes[0].samples)
+    const Recording seen = read_strokes(out);
+    for (const Sample& sample : seen.strokes[0].samples)
       EXPECT_NEAR(sample.position.normalized().dot(towards), cosine, 1e-3) << projection;
   };
   // The middle of the picture is not where the camera looks, which does not move its eye.
