@@ -1,7 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
+#include <burin/base/trees/bounding_box.h>
 #include <burin/subdiv/sculpt_levels.h>
-#include <burin/surface/geometry/bounding_box.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

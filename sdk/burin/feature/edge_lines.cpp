@@ -3,6 +3,7 @@
 #include <burin/feature/edge_lines.h>
 #include <burin/feature/smoothed_image.h>
 #include <burin/math/elementary.h>
+#include <burin/surface/geometry/area_vector.h>
 #include <burin/surface/geometry/triangle_shape.h>
 
 #include <algorithm>
@@ -22,13 +23,6 @@ std::vector<Index> triangles_at(const Surface& surface, Index a, Index b) {
   return triangles;
 }
 
-/// Twice the area of a triangle times its normal.
-Vec3d area_vector(const Surface& surface, Index triangle) {
-  const auto& [a, b, c] = surface.triangles[triangle];
-  const Vec3d at = surface.positions[a].cast<double>();
-  return (surface.positions[b].cast<double>() - at).cross(surface.positions[c].cast<double>() - at);
-}
-
 /// Whether b follows a in the order of a triangle's vertices.
 bool leads(const Surface& surface, Index triangle, Index a, Index b) {
   const Triangle& corners = surface.triangles[triangle];
@@ -40,10 +34,10 @@ bool belongs(const Surface& surface, Index a, Index b, std::span<const Index> tr
              const Feature& feature) {
   if (feature.kind == FeatureKind::border) return triangles.size() == 1;
   if (triangles.size() != 2) return false;
-  const Vec3d one = area_vector(surface, triangles[0]);
+  const Vec3d one = area_vector(surface.positions, surface.triangles[triangles[0]]);
   // Neighbours need not have the same orientation.
   const bool opposite = leads(surface, triangles[0], a, b) == leads(surface, triangles[1], a, b);
-  const Vec3d other = (opposite ? -1 : 1) * area_vector(surface, triangles[1]);
+  const Vec3d other = (opposite ? -1 : 1) * area_vector(surface.positions, surface.triangles[triangles[1]]);
   const double angle = math::atan2(one.cross(other).norm(), one.dot(other));
   return angle >= feature.least_angle * std::numbers::pi / 180;
 }

@@ -88,7 +88,7 @@ class Merger {
     std::optional<SurfacePatch> patch = result();
     for (int mending = 0; mending < most_mendings && !bad_.empty(); ++mending) {
       mend(mending > 0 || !sharp_);
-      better(patch, result());
+      if (std::optional<SurfacePatch> mended = result()) patch = std::move(mended);
     }
     // A crease that cannot be is left as round as the voxels make it.
     if (!patch && std::exchange(sharp_, false)) patch = result();
@@ -102,11 +102,6 @@ class Merger {
   }
 
  private:
-  /// Takes another result, unless there is none.
-  static void better(std::optional<SurfacePatch>& patch, std::optional<SurfacePatch> other) {
-    if (other) patch = std::move(other);
-  }
-
   /// Lets the crease be round where the result is bad, and fills what is too thin there.
   void mend(bool fill) {
     blunt(bad_);

@@ -4,6 +4,7 @@
 // facets that fillets meet without a bend.
 #include <burin/base/segment.h>
 #include <burin/refine/smooth_facets.h>
+#include <burin/surface/geometry/area_vector.h>
 #include <burin/surface/geometry/triangle_shape.h>
 
 #include <algorithm>
@@ -17,12 +18,6 @@ namespace {
 constexpr double sharp_cosine = 0.819152;  // of 35 degrees
 
 Vec3d position(const Surface& surface, Index vertex) { return surface.positions[vertex].cast<double>(); }
-
-Vec3d area_vector(const Surface& surface, Index triangle) {
-  const Triangle& t = surface.triangles[triangle];
-  const Vec3d a = position(surface, t[0]);
-  return (position(surface, t[1]) - a).cross(position(surface, t[2]) - a);
-}
 
 bool has_vertex(const Triangle& t, Index vertex) { return std::ranges::find(t, vertex) != t.end(); }
 
@@ -54,7 +49,8 @@ bool is_sharp(const Surface& surface, Index triangle, std::size_t side) {
   const Index a = t[side], b = t[(side + 1) % 3];
   if (other[(corner_of(other, a) + 2) % 3] != b) return true;
   if (has_seam(surface, triangle, beside[0], a, b)) return true;
-  const Vec3d n = area_vector(surface, triangle), m = area_vector(surface, beside[0]);
+  const Vec3d n = area_vector(surface.positions, surface.triangles[triangle]),
+              m = area_vector(surface.positions, surface.triangles[beside[0]]);
   return !(n.dot(m) >= sharp_cosine * std::sqrt(n.squaredNorm() * m.squaredNorm()));
 }
 
@@ -94,7 +90,8 @@ void SmoothFacets::compute_normals(Index vertex) {
   for (std::size_t i = 0; i < around.size(); ++i) {
     const Triangle& t = surface_->triangles[around[i]];
     const std::size_t corner = corner_of(t, vertex);
-    const Vec3d at = position(*surface_, vertex), area = area_vector(*surface_, around[i]);
+    const Vec3d at = position(*surface_, vertex),
+                area = area_vector(surface_->positions, surface_->triangles[around[i]]);
     const double b = (position(*surface_, t[(corner + 1) % 3]) - at).squaredNorm(),
                  c = (position(*surface_, t[(corner + 2) % 3]) - at).squaredNorm();
     Sum& sum = sums[fan[i]];

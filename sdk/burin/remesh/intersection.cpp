@@ -3,12 +3,12 @@
 // fills space: O(n log n) for triangles that cross few boxes of others.
 #include <burin/base/parallel.h>
 #include <burin/base/trees/box_tree.h>
+#include <burin/base/trees/spatial_order.h>
 #include <burin/remesh/intersection.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <utility>
 
 namespace burin {
 namespace {
@@ -66,28 +66,11 @@ class Crossings {
   const PatchMesh* patch_;
 };
 
-/// Triangles along Morton's curve through the middles of their boxes, with which a tree has small boxes.
+/// Triangles along a curve through the middles of their boxes, with which a tree has small boxes.
 std::vector<Index> along_curve(const std::vector<Box>& boxes) {
-  Box whole;
-  for (const Box& box : boxes) whole.extend(box.center());
-  constexpr std::uint32_t cells = 1024;
-  const Vec3f scale = static_cast<float>(cells - 1) * whole.sizes().cwiseMax(1e-30F).cwiseInverse();
-  std::vector<std::pair<std::uint32_t, Index>> codes(boxes.size());
-  parallel_blocks(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vec3f cell = (boxes[i].center() - whole.min()).cwiseProduct(scale);
-      std::uint32_t code = 0;
-      for (std::uint32_t bit = 0; bit < 10; ++bit)
-        for (const int axis : {0, 1, 2})
-          code |= (static_cast<std::uint32_t>(cell[axis]) >> bit & 1)
-                  << (3 * bit + 2 - static_cast<std::uint32_t>(axis));
-      codes[i] = {code, static_cast<Index>(i)};
-    }
-  });
-  parallel_sort(codes.begin(), codes.end());
-  std::vector<Index> order;
-  for (const auto& [code, triangle] : codes) order.push_back(triangle);
-  return order;
+  std::vector<Vec3f> middles;
+  for (const Box& box : boxes) middles.push_back(box.center());
+  return spatial_order(middles);
 }
 
 /// What the tree asks of the triangles along the curve.

@@ -2,11 +2,11 @@
 // Parameterization, 2013, section 2], here the symmetric k-nearest-neighbour graph. Costs O(n log n).
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
-#include <burin/surface/geometry/bounding_box.h>
+#include <burin/base/trees/bounding_box.h>
+#include <burin/base/trees/spatial_order.h>
 #include <burin/surface/geometry/curvature.h>
 #include <burin/surface/point_set.h>
 #include <burin/surface/points/point_tree.h>
-#include <burin/surface/topology/spatial_order.h>
 #include <fmt/format.h>
 
 #include <algorithm>

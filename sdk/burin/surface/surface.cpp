@@ -3,13 +3,13 @@
 #include <burin/base/counting_sort.h>
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
-#include <burin/surface/geometry/bounding_box.h>
+#include <burin/base/trees/bounding_box.h>
+#include <burin/base/trees/spatial_order.h>
 #include <burin/surface/geometry/curvature.h>
 #include <burin/surface/geometry/normals.h>
 #include <burin/surface/geometry/triangle_shape.h>
 #include <burin/surface/surface.h>
 #include <burin/surface/topology/adjacency.h>
-#include <burin/surface/topology/spatial_order.h>
 
 #include <algorithm>
 #include <atomic>

@@ -1,6 +1,6 @@
 // Computes closest points of triangles in doubles, by the Voronoi regions of corners and edges [Ericson
 // 2005].
-#include <burin/surface/geometry/closest_share.h>
+#include <burin/base/segment.h>
 #include <burin/surface/picking/closest_point.h>
 
 #include <Eigen/Geometry>
@@ -28,9 +28,9 @@ TrianglePoint point_at(const Corners& t, const Vec3d& query, double u, double v)
 }
 
 TrianglePoint closest_on_edges(const Corners& t, const Vec3d& query) {
-  const double ab = closest_share(t.a, t.b, query);
-  const double ac = closest_share(t.a, t.c, query);
-  const double bc = closest_share(t.b, t.c, query);
+  const double ab = share_on_segment(t.a, t.b, query);
+  const double ac = share_on_segment(t.a, t.c, query);
+  const double bc = share_on_segment(t.b, t.c, query);
   return std::min({point_at(t, query, ab, 0), point_at(t, query, 0, ac), point_at(t, query, 1 - bc, bc)},
                   [](const auto& x, const auto& y) { return x.squared_distance < y.squared_distance; });
 }

@@ -1,5 +1,6 @@
 // Bounds runs of long thin triangles by slabs, in O(n) for n triangles.
 #include <burin/base/parallel.h>
+#include <burin/surface/geometry/area_vector.h>
 #include <burin/surface/picking/sliver_slabs.h>
 
 #include <Eigen/Geometry>
@@ -32,11 +33,6 @@ Vec3d longest_edge(const std::array<Vec3d, 3>& corners) {
   return *std::ranges::max_element(edges, {}, [](const Vec3d& edge) { return edge.squaredNorm(); });
 }
 
-/// Twice the triangle's area times its normal.
-Vec3d area_vector(const std::array<Vec3d, 3>& corners) {
-  return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-}
-
 }  // namespace
 
 SliverSlabs::SliverSlabs(const Surface& surface, std::size_t run_length)
@@ -54,28 +50,29 @@ SliverSlabs::SliverSlabs(const Surface& surface, std::size_t run_length)
 }
 
 template <class Visit>
-void SliverSlabs::for_corners(std::size_t run, const Visit& visit) const {
+void SliverSlabs::for_triangles(std::size_t run, const Visit& visit) const {
   const std::size_t end = std::min((run + 1) * run_length_, surface_->triangles.size());
-  for (std::size_t i = run * run_length_; i < end; ++i) visit(corners_of(*surface_, static_cast<Index>(i)));
+  for (std::size_t i = run * run_length_; i < end; ++i) visit(static_cast<Index>(i));
 }
 
 bool SliverSlabs::box_fits(std::size_t run) const {
   Eigen::AlignedBox3d box;
   double area = 0;
-  for_corners(run, [&](const std::array<Vec3d, 3>& corners) {
-    for (const Vec3d& corner : corners) box.extend(corner);
-    area += area_vector(corners).norm() / 2;
+  for_triangles(run, [&](Index triangle) {
+    for (const Vec3d& corner : corners_of(*surface_, triangle)) box.extend(corner);
+    area += area_vector(surface_->positions, surface_->triangles[triangle]).norm() / 2;
   });
   return area >= least_area * box.diagonal().squaredNorm();
 }
 
 SliverSlabs::Slab SliverSlabs::slab_of(std::size_t run) const {
   if (box_fits(run)) return {};
-  const std::array<Vec3d, 3> first = corners_of(*surface_, static_cast<Index>(run * run_length_));
-  const Vec3d across = area_vector(first).cross(longest_edge(first)).stableNormalized();
+  const auto first = static_cast<Index>(run * run_length_);
+  const Vec3d normal = area_vector(surface_->positions, surface_->triangles[first]);
+  const Vec3d across = normal.cross(longest_edge(corners_of(*surface_, first))).stableNormalized();
   double least = std::numeric_limits<double>::infinity(), most = -least, farthest = 0;
-  for_corners(run, [&](const std::array<Vec3d, 3>& corners) {
-    for (const Vec3d& corner : corners) {
+  for_triangles(run, [&](Index triangle) {
+    for (const Vec3d& corner : corners_of(*surface_, triangle)) {
       least = std::min(least, across.dot(corner));
       most = std::max(most, across.dot(corner));
       farthest = std::max(farthest, corner.cwiseAbs().maxCoeff());

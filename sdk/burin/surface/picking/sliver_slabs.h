@@ -40,7 +40,7 @@ class SliverSlabs {
   bool box_fits(std::size_t run) const;
   Slab slab_of(std::size_t run) const;
   template <class Visit>
-  void for_corners(std::size_t run, const Visit& visit) const;
+  void for_triangles(std::size_t run, const Visit& visit) const;
 
   const Surface* surface_;
   std::size_t run_length_;

@@ -1,7 +1,7 @@
 // Searches the edges near a chord depth first. A path over triangles crosses edges, and each of them has a
 // vertex in common with the next one, so that the search goes from near edges to near edges at their
 // vertices.
-#include <burin/surface/geometry/closest_share.h>
+#include <burin/base/segment.h>
 #include <burin/surface/topology/chord_path.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Segment {
 Segment segment(const Vec3f& from, const Vec3f& to) { return {from.cast<double>(), to.cast<double>()}; }
 
 double closest(const Segment& segment, const Vec3d& position) {
-  return closest_share(segment.from, segment.to, position);
+  return share_on_segment(segment.from, segment.to, position);
 }
 
 Vec3d at(const Segment& segment, double s) { return segment.from + s * (segment.to - segment.from); }

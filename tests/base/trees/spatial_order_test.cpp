@@ -1,4 +1,4 @@
-#include <burin/surface/topology/spatial_order.h>
+#include <burin/base/trees/spatial_order.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

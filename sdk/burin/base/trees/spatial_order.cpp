@@ -2,8 +2,8 @@
 // threads. Costs O(n) time and eight bytes per point besides the result.
 #include <burin/base/counting_sort.h>
 #include <burin/base/parallel.h>
-#include <burin/surface/geometry/bounding_box.h>
-#include <burin/surface/topology/spatial_order.h>
+#include <burin/base/trees/bounding_box.h>
+#include <burin/base/trees/spatial_order.h>
 
 #include <algorithm>
 #include <array>
