@@ -256,6 +256,37 @@ TEST(DrawnStrokes, GrowBitForBitWithSparseSamples) {
   }
 }
 
+/// The rectangle from (-1.5, -0.5) with so many columns and rows of squares, all cut along the same diagonal.
+TriangleMesh square_grid(Index columns, Index rows, float edge) {
+  TriangleMesh mesh;
+  for (Index y = 0; y <= rows; ++y)
+    for (Index x = 0; x <= columns; ++x)
+      mesh.positions.emplace_back(edge * static_cast<float>(x) - 1.5F, edge * static_cast<float>(y) - 0.5F,
+                                  0.F);
+  for (Index y = 0; y < rows; ++y)
+    for (Index x = 0; x < columns; ++x) {
+      const Index corner = y * (columns + 1) + x, above = corner + columns + 1;
+      mesh.triangles.push_back({corner, corner + 1, above});
+      mesh.triangles.push_back({corner + 1, above + 1, above});
+    }
+  return mesh;
+}
+
+// The columns of vertices on either side of the begin are equally far from it, and the way from the one to
+// the other runs along the front.
+TEST(DrawnStrokes, HaveExactDistancesWhereAWayRunsAlongTheFront) {
+  constexpr double radius = 0.2;
+  const auto shape = test::exact_plane();
+  test::Charted charted(square_grid(100, 50, 0.02F));
+  std::vector<Vec3d> samples{{-0.99, 0.007, 0}, {-0.995, 0.0035, 0}};
+  for (int i = 0; i <= 100; ++i) samples.emplace_back(-1 + 0.01 * i, 0, 0);
+  const Chart chart = charted.chart({.radius = radius, .follow = all_relief}, samples);
+  const test::ToldErrors errors = compare(*shape, charted.surface, charted.curve, chart, radius);
+  EXPECT_GT(errors.vertices, 1000U);
+  EXPECT_EQ(errors.holes, 0U);
+  EXPECT_LE(errors.worst, 0.01);
+}
+
 class JoinedStrokesThatGrow : public testing::TestWithParam<Join> {};
 
 TEST_P(JoinedStrokesThatGrow, GrowBitForBit) {

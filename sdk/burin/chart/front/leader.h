@@ -22,7 +22,7 @@ inline constexpr float least_progress = 0.3F;
 /// frames tell of too short distances. So what they are short of stays with those that follow from them, and
 /// no way is free: where surfaces are rough or fold, coordinates turn at times, and the front would else run
 /// along where the distance stands still or falls. A true front comes by a way on which it rises by most of
-/// an edge.
+/// an edge. `length`: of what of the way is doubtful.
 inline float distance_along(float g, float shortfall, float length, float told) {
   const float whole = told + shortfall, slow = g + least_progress * length;
   const float distance = whole < slow ? slow + (slow - whole) / 2 : whole;

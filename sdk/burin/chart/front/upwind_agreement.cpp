@@ -17,6 +17,10 @@ constexpr float doubtful_apart_in_d = 0.05F, least_count = 0.5F;
 /// directions (1 - cosine) agree in d only as far as they do by chance.
 constexpr float apart_in_t = 2, apart_in_d = 0.5F, least_apart_in_d = 0.02F, other_direction = 0.3F;
 
+/// Frames turn false where surfaces are rough: where normals turn by this along an edge, in radians, and in
+/// proportion below. On flat ground a way along which the distance stands still is as true as any.
+constexpr float rough_turn = 0.1F;
+
 }  // namespace
 
 UpwindFrames::LaneFlags UpwindFrames::keep_agreeing(bool near_ends) {
@@ -65,8 +69,9 @@ bool UpwindFrames::keep_agreeing(Eigen::Index lane, bool near_ends) {
     const double t = origin_[static_cast<std::size_t>(lane)] + propagated[i].t;
     const auto at =
         static_cast<float>(path_->distance(t, static_cast<double>(propagated[i].d), position_.get(lane)));
-    const float distance =
-        distance_along(edges_[i].g[lane], edges_[i].shortfall[lane], edges_[i].length[lane], at);
+    const float turn = (normal_.get(lane) - edges_[i].normal.get(lane)).norm();
+    const float doubtful_length = std::min(turn / rough_turn, 1.0F) * edges_[i].length[lane];
+    const float distance = distance_along(edges_[i].g[lane], edges_[i].shortfall[lane], doubtful_length, at);
     if (distance >= least) continue;
     least = distance;
     nearest = i;

@@ -103,6 +103,9 @@ void VertexJoin::smooth(Nodes of_legs, Nodes of_bends, const Vec3f& normal) cons
     if (after) smooth_corner(node, *after, of_bends, normal);
     if (before) smooth_corner(node, *before, of_bends, normal);
     for (const SpreadBend& bend : legs_.uncut_around(node.frame.t)) smooth_bend(node, bend);
+    // A leg that goes on beyond a joint near an end of the stroke would else tell of places beyond that end.
+    if (after && !legs_.closed()) node.frame.t = std::min(node.frame.t, legs_.length());
+    if (before && !legs_.closed()) node.frame.t = std::max(node.frame.t, 0.0);
   }
 }
 
