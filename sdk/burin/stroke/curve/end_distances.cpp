@@ -12,9 +12,10 @@
 // the less the farther the stroke went away, and have sheets of their own. But beside a straight line it
 // would exceed e(f) by a share of m, with a crease along the stroke. P takes that away; in return E has a
 // step, where f changes, of P at the most, (K - sqrt(K^2 - 1)) m = 0.35 m for K = 1.6 instead of up to pi m.
-// Costs O(1) per position, near an end that bends sharply O(reach / spacing).
+// Costs O(1) per position, near an end that bends sharply O(reach / spacing), for eight points at a time.
 #include <burin/stroke/curve/end_distances.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -67,9 +68,13 @@ std::vector<Vec3f> resampled(const std::vector<Place>& places, double spacing, d
   return positions;
 }
 
-/// P: how much more a point of a line counts than the nearest one if it is `along` farther from the end.
-float gain_beside_line(float along, float distance) {
-  return std::max(0.F, along - slope * (std::sqrt(distance * distance + along * along) - distance));
+/// Numbers of as many points of the stroke.
+using Lanes = Eigen::Array<float, 8, 1>;
+constexpr std::size_t lanes = Lanes::SizeAtCompileTime;
+
+/// P: how much more points of a line count than the nearest one if they are `along` farther from the end.
+Lanes gains_beside_line(const Lanes& along, float distance) {
+  return (along - slope * ((distance * distance + along.square()).sqrt() - distance)).max(0);
 }
 
 /// Whether the angle between neighbouring chords of two spacings, a quarter of the radius, exceeds that of a
@@ -99,17 +104,35 @@ EndDistances::EndDistances(const SurfaceCurve& curve, double radius, double most
   begin_ = end_of(resampled(places_from(curve, false, copied, image), spacing(), copied));
   end_ = end_of(resampled(places_from(curve, true, copied, image), spacing(), copied));
   // Where the ends meet they are told the same way.
-  if (length_ <= 2 * most_) begin_.bends = end_.bends = begin_.bends || end_.bends;
+  if (length_ <= 2 * most_ && begin_.bends != end_.bends) {
+    split(begin_.bends ? end_ : begin_);
+    begin_.bends = end_.bends = true;
+  }
 }
 
 double EndDistances::spacing() const { return spacing_over_radius * radius_; }
 
 EndDistances::End EndDistances::end_of(std::vector<Vec3f> points) const {
-  End end{std::move(points)};
+  End end;
+  end.points = std::move(points);
   const double seen = std::min(most_ + least_way_round * radius_, length_);
   const std::size_t count = std::min(end.points.size(), static_cast<std::size_t>(seen / spacing()) + 1);
   end.bends = bends_sharply(std::span(end.points).first(count));
+  if (end.bends) split(end);
   return end;
+}
+
+/// Fills what the supremum reads.
+void EndDistances::split(End& end) const {
+  const std::size_t count = end.points.size();
+  for (std::size_t i = 0; i < count + lanes; ++i) {
+    const Vec3f& point = end.points[std::min(i, count - 1)];
+    end.x.push_back(point.x());
+    end.y.push_back(point.y());
+    end.z.push_back(point.z());
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    end.told.push_back(static_cast<float>(std::min(along(spacing() * static_cast<double>(i)), most_)));
 }
 
 float EndDistances::at(double t, double d, const Vec3f& e1, const Vec3f& normal) const {
@@ -141,19 +164,26 @@ float EndDistances::supremum(const End& end, double t, const Vec3f& from_foot) c
       first + 1 < points.size() ? points[first] + share * (points[first + 1] - points[first]) : points.back();
   const Vec3f position = foot + from_foot;
   const double until = std::min(length_ - t, t + reach(radius_, most_));
+  const std::size_t count = std::min(points.size(), static_cast<std::size_t>(until / spacing()) + 1);
   const auto turn = static_cast<float>(turn_over_radius * radius_), most = static_cast<float>(most_);
   const float distance = from_foot.norm();
   float nearest = distance, farthest = distance, best = static_cast<float>(along(t)) - slope * distance;
-  for (std::size_t i = first + 1; i < points.size(); ++i) {
-    const double s = spacing() * static_cast<double>(i);
-    if (s > until) break;
-    const float away = (points[i] - position).norm();
-    nearest = std::min(nearest, away);
-    farthest = std::max(farthest, away);
-    const float least_cost = slope * (farthest - turn);
-    const float value = std::min(static_cast<float>(along(s)), most) - std::max(slope * away, least_cost);
-    if (value > best) best = std::max(best, value - gain_beside_line(static_cast<float>(s - t), distance));
-    if (most - least_cost <= best) break;
+  for (std::size_t block = first + 1; block < count; block += lanes) {
+    const auto at = [block](const std::vector<float>& of) { return Eigen::Map<const Lanes>(&of[block]); };
+    const Lanes squared = (at(end.x) - position.x()).square() + (at(end.y) - position.y()).square() +
+                          (at(end.z) - position.z()).square();
+    const Lanes away = squared.sqrt(),
+                after = static_cast<float>(block - first) - share + Lanes::LinSpaced(0, lanes - 1);
+    const Lanes gains = gains_beside_line(static_cast<float>(spacing()) * after, distance);
+    const auto here = static_cast<Eigen::Index>(std::min(lanes, count - block));
+    const float* told = &end.told[block];
+    for (Eigen::Index i = 0; i < here; ++i) {
+      nearest = std::min(nearest, away[i]);
+      farthest = std::max(farthest, away[i]);
+      const float least_cost = slope * (farthest - turn);
+      best = std::max(best, told[i] - std::max(slope * away[i], least_cost) - gains[i]);
+      if (most - least_cost <= best) return best + slope * nearest;
+    }
   }
   return best + slope * nearest;
 }

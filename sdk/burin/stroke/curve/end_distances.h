@@ -38,11 +38,14 @@ class EndDistances {
  private:
   /// One end of the stroke and what lies near it.
   struct End {
-    std::vector<Vec3f> points;  ///< [i] the point that is i * spacing() away from the end along the stroke
+    std::vector<Vec3f> points;   ///< [i] the point that is i * spacing() away from the end along the stroke
+    std::vector<float> x, y, z;  ///< of the points, and of some more that may be read but do not count
+    std::vector<float> told;     ///< [i] the smaller one of `most` and along(i * spacing())
     bool bends = false;
   };
   double spacing() const;
   End end_of(std::vector<Vec3f> points) const;
+  void split(End& end) const;
   double along(double s) const;
   float supremum(const End& end, double t, const Vec3f& from_foot) const;
 
