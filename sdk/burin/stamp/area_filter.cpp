@@ -3,6 +3,7 @@
 // 1989], with a constant weight over the ellipse. A sample visits at most about 64 by 64 texels per level.
 #include <burin/stamp/area_filter.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -81,31 +82,35 @@ std::ptrdiff_t whole_below(double place) {
   return place < static_cast<double>(whole) ? whole - 1 : whole;
 }
 
+/// Numbers of the two lines in a row of texels.
+using Pair = Eigen::Array2d;
+
 /// One channel of a level, with texel centres at whole numbers.
 class Texels {
  public:
   Texels(const StampImage& image, int channel) : image_(image), first_(image.texels.data() + channel) {}
 
-  /// The mean of the bilinear image over the line from (begin, y) to (end, y).
-  double line_mean(double begin, double end, double y) const {
-    const std::ptrdiff_t row = whole_below(y);
-    const Line line{row_of(row), row_of(row + 1), y - static_cast<double>(row)};
-    const std::ptrdiff_t first = whole_below(begin);
-    double sum = 0, left = value(line, first);
-    for (std::ptrdiff_t x = first; static_cast<double>(x) < end; ++x) {
-      const double right = value(line, x + 1), cell = static_cast<double>(x);
-      const double from = std::max(begin - cell, 0.0), to = std::min(end - cell, 1.0);
-      sum += (to - from) * (left + (right - left) * ((from + to) / 2));
+  /// The means of the bilinear image over the lines from (begin, y) to (end, y), for y from `row` to row + 1.
+  /// The means of empty lines are not numbers.
+  Pair line_means(std::ptrdiff_t row, const Pair& begin, const Pair& end, const Pair& y) const {
+    const Rows rows{row_of(row), row_of(row + 1), y - static_cast<double>(row)};
+    const std::ptrdiff_t first = whole_below(begin.minCoeff());
+    const double last = end.maxCoeff();
+    Pair sum = Pair::Zero(), left = values(rows, first);
+    for (std::ptrdiff_t x = first; static_cast<double>(x) < last; ++x) {
+      const Pair right = values(rows, x + 1);
+      const Pair from = (begin - static_cast<double>(x)).max(0), to = (end - static_cast<double>(x)).min(1);
+      sum += (to - from).max(0) * (left + (right - left) * ((from + to) / 2));
       left = right;
     }
     return sum / (end - begin);
   }
 
  private:
-  /// Two rows of texels, null outside a black wrap's borders, and the weight of the second.
-  struct Line {
+  /// Two rows of texels, null outside a black wrap's borders, and the weights of the second on both lines.
+  struct Rows {
     const float *above, *below;
-    double weight;
+    Pair weight;
   };
 
   const float* row_of(std::ptrdiff_t row) const {
@@ -113,12 +118,12 @@ class Texels {
     return y == no_texel ? nullptr : first_ + y * image_.width * image_.channels;
   }
 
-  double value(const Line& line, std::ptrdiff_t column) const {
+  Pair values(const Rows& rows, std::ptrdiff_t column) const {
     const std::ptrdiff_t x = wrapped_index(column, image_.width, image_.wrap_u);
-    if (x == no_texel) return 0;
-    const double above = line.above ? double{line.above[x * image_.channels]} : 0;
-    const double below = line.below ? double{line.below[x * image_.channels]} : 0;
-    return above + (below - above) * line.weight;
+    if (x == no_texel) return Pair::Zero();
+    const double above = rows.above ? double{rows.above[x * image_.channels]} : 0;
+    const double below = rows.below ? double{rows.below[x * image_.channels]} : 0;
+    return above + (below - above) * rows.weight;
   }
 
   const StampImage& image_;
@@ -132,15 +137,17 @@ double ellipse_mean(const Texels& texels, double x, double y, const Ellipse& e) 
   const double half_chord = std::sqrt(e.xx - slope * e.xy);
   constexpr double node = 0.57735026918962576;
   double sum = 0, weights = 0;
-  for (auto row = static_cast<double>(whole_below(y - height)); row < y + height; ++row) {
-    const double low = std::max(row, y - height), high = std::min(row + 1, y + height);
-    for (const double at : {-node, node}) {
-      const double line = (low + high + at * (high - low)) / 2, away = (line - y) / height;
-      const double chord = std::sqrt(std::max(1 - away * away, 0.0)), weight = chord * (high - low);
-      if (!(weight > 0)) continue;
-      const double middle = x + slope * (line - y);
-      sum += weight * texels.line_mean(middle - half_chord * chord, middle + half_chord * chord, line);
-      weights += weight;
+  for (std::ptrdiff_t row = whole_below(y - height); static_cast<double>(row) < y + height; ++row) {
+    const auto top = static_cast<double>(row);
+    const double low = std::max(top, y - height), high = std::min(top + 1, y + height);
+    const Pair line = (low + high + Pair(-node, node) * (high - low)) / 2, away = (line - y) / height;
+    const Pair chord = (1 - away.square()).max(0).sqrt(), weight = chord * (high - low);
+    const Pair middle = x + slope * (line - y), half = half_chord * chord;
+    const Pair means = texels.line_means(row, middle - half, middle + half, line);
+    for (Eigen::Index i = 0; i < means.size(); ++i) {
+      if (!(weight[i] > 0)) continue;
+      sum += weight[i] * means[i];
+      weights += weight[i];
     }
   }
   return sum / weights;
