@@ -9,11 +9,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <optional>
 #include <utility>
 
 namespace burin {
 namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 template <class Is>
 std::optional<PenFileKind> first_kind(const Is& is) {
@@ -28,6 +31,27 @@ std::optional<PenFileKind> kind_of(std::string_view text) {
 
 std::optional<PenFileKind> kind_named(std::string_view name) {
   return first_kind([&](const PenFileKind& kind) { return kind.name == name; });
+}
+
+/// The beginning of a long file of a kind that is read piece by piece; nothing of others, and of those that
+/// must be unpacked.
+std::optional<PenFileText> opened_by_pieces(const std::filesystem::path& path) {
+  constexpr std::size_t head_bytes = std::size_t{1} << 20;
+  constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 30;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size <= head_bytes) return std::nullopt;
+  PenFileText file{path, std::string(head_bytes, '\0')};
+  std::ifstream in(path, std::ios::binary);
+  in.read(file.text.data(), static_cast<std::streamsize>(head_bytes));
+  if (!in) return std::nullopt;
+  file.rest_at = head_bytes;
+  if (file.text.starts_with(byte_order_mark)) file.text.erase(0, byte_order_mark.size());
+  const std::optional<PenFileKind> kind = kind_of(file.text);
+  if (!kind || !kind->by_pieces) return std::nullopt;
+  if (size > most_bytes) throw FileError(path.string(), "holds more than 1073741824 bytes");
+  return file;
 }
 
 /// Refuses what no sample may have.
@@ -46,31 +70,35 @@ void check(const PenFileText& file, const PenFile& content) {
 
 std::vector<PenFileKind> pen_file_kinds() {
   return {{"uim", "Universal Ink Model", is_uim, read_uim},
-          {"uim_json", "Universal Ink Model in JSON", is_uim_json, read_uim_json},
+          {"uim_json", "Universal Ink Model in JSON", is_uim_json, read_uim_json, true},
           {"will", "WILL", is_will, read_will},
           {"tilt", "Tilt Brush", is_tilt, read_tilt},
           {"isf", "Ink Serialized Format", is_isf, read_isf},
           {"remarkable", "reMarkable lines", is_remarkable, read_remarkable},
-          {"excalidraw", "Excalidraw", is_excalidraw, read_excalidraw},
-          {"scap", "scap drawings", is_scap, read_scap},
+          {"excalidraw", "Excalidraw", is_excalidraw, read_excalidraw, true},
+          {"scap", "scap drawings", is_scap, read_scap, true},
           {"inkml", "InkML", is_inkml, read_inkml},
           {"xournal", "Xournal and Xournal++", is_xournal, read_xournal},
           {"svg", "SVG paths", is_svg, read_svg},
-          {"evemu", "EVEMU recordings", is_evemu, read_evemu},
-          {"hid", "hid-recorder", is_hid, read_hid},
-          {"libinput", "libinput record", is_libinput, read_libinput},
-          {"pointers", "lists of pointers from the web", is_pointers, read_pointers},
-          {"brush_stroke", "Blender's brush strokes", is_brush_strokes, read_brush_strokes},
-          {"pointer", "PointerEvent arrays", is_pointer_arrays, read_pointer_arrays},
-          {"svc", "SVC", is_svc, read_svc},
-          {"mypaint", "libmypaint events", is_mypaint, read_mypaint},
-          {"point_lists", "named lists of points", is_point_lists, read_point_lists},
-          {"csv", "CSV with named columns", is_csv, read_csv}};
+          {"evemu", "EVEMU recordings", is_evemu, read_evemu, true},
+          {"hid", "hid-recorder", is_hid, read_hid, true},
+          {"libinput", "libinput record", is_libinput, read_libinput, true},
+          {"pointers", "lists of pointers from the web", is_pointers, read_pointers, true},
+          {"brush_stroke", "Blender's brush strokes", is_brush_strokes, read_brush_strokes, true},
+          {"pointer", "PointerEvent arrays", is_pointer_arrays, read_pointer_arrays, true},
+          {"svc", "SVC", is_svc, read_svc, true},
+          {"mypaint", "libmypaint events", is_mypaint, read_mypaint, true},
+          {"point_lists", "named lists of points", is_point_lists, read_point_lists, true},
+          {"csv", "CSV with named columns", is_csv, read_csv, true}};
 }
 
 PenFileText open_pen_file(const std::filesystem::path& path) {
+  if (auto file = opened_by_pieces(path)) return std::move(*file);
+  return whole_pen_file(path);
+}
+
+PenFileText whole_pen_file(const std::filesystem::path& path) {
   PenFileText file{path, unpacked_pen_file(path)};
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (file.text.starts_with(byte_order_mark)) file.text.erase(0, byte_order_mark.size());
   auto text = from_utf16(file.text);
   if (text) file.text = std::move(*text);
@@ -90,6 +118,7 @@ PenFile read_pen_file(const PenFileText& file, std::string_view name) {
       known += fmt::format("{}{}", known.empty() ? "" : ", ", one.about);
     throw FileError(file.path.string(), fmt::format("no pen file that is known; known are {}", known));
   }
+  if (file.rest_at != 0 && !kind->by_pieces) return read_pen_file(whole_pen_file(file.path), name);
   PenFile content = kind->read(file);
   content.kind = kind->name;
   check(file, content);

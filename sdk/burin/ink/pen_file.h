@@ -2,6 +2,7 @@
 #include <burin/stroke/recording.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -36,10 +37,12 @@ struct PenFile {
   std::vector<PenStroke> strokes;
 };
 
-/// A file in memory.
+/// A file in memory, or the beginning of a long one of a kind that is read piece by piece.
 struct PenFileText {
   std::filesystem::path path;  ///< for messages, and for files beside it
   std::string text;            ///< unpacked
+  /// The byte of the file behind `text` if the file goes on; 0 if `text` is all.
+  std::uintmax_t rest_at = 0;
 };
 
 /// A kind of pen file.
@@ -50,14 +53,19 @@ struct PenFileKind {
   bool (*recognises)(std::string_view text);
   /// Throws FileError that names the place: a line, or an element.
   PenFile (*read)(const PenFileText& file);
+  bool by_pieces = false;  ///< `read` takes the beginning of a file too
 };
 
 /// All kinds, in the order in which a file is compared with them.
 std::vector<PenFileKind> pen_file_kinds();
 
 /// Reads the bytes of a pen file, unpacking gzip, xz and the zip of Xournal++; Tilt Brush has folders too.
-/// Throws FileError if it cannot be read, unpacks to more than 60 MB, or is as much of XML or JSON.
+/// Of a long file that is read piece by piece the text is only the beginning. Throws FileError if it cannot
+/// be read, unpacks to more than 60 MB, is as much of XML, or has more than 1 GiB.
 PenFileText open_pen_file(const std::filesystem::path& path);
+
+/// The same with all of the text.
+PenFileText whole_pen_file(const std::filesystem::path& path);
 
 /// Reads a pen file of any kind, or of the kind with this name whatever its first bytes. Throws FileError for
 /// a file that is none or is malformed.

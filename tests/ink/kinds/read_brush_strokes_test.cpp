@@ -42,11 +42,14 @@ f(stroke=[]))");
 TEST(ReadBrushStrokes, NamesThePlaceOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2), 'time': 'late'}])"),
-            " [0].time: must be a number, not 'late'");
-  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, )}])"), " [0].mouse: has 1 numbers, a place needs 2");
-  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2)}, {'time': 3}])"), " [0]: lacks 'location'");
-  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2)}, 3])"), " [1]: must be an object, not 3");
-  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2}])").substr(0, 17), "2: malformed JSON");
+            "2: element 1: time: must be a number, not 'late'");
+  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, )}])"),
+            "2: element 1: mouse: has 1 numbers, a place needs 2");
+  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2)},\n{'time': 3}])"),
+            "2: element 1: lacks 'location'");
+  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2)}, 3])"), "2: element 2: must be an object, not 3");
+  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2}])"), "2: element 1 is malformed");
+  EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2)} 3])"), "2: malformed list");
 }
 
 }  // namespace

@@ -62,7 +62,8 @@ TEST(ReadLibinput, ReadsEventsInWhateverYamlAlike) {
   EXPECT_EQ(a.strokes[0].samples[1].time, 1.01);
   EXPECT_EQ(b.strokes[0].samples[1].time, 1.01);
   EXPECT_EQ(folder.complaint(head + plain + "  - evdev:\n    - [1, 2, 3, 4]\n").substr(0, 3), "34:");
-  EXPECT_TRUE(folder.read(head + "  - evdev:\n    - run:0\n    - run:99\n").strokes.empty());
+  EXPECT_TRUE(folder.read(head + "  - evdev:\n    - run:0\n    - run:0:0\n    - run:0:19\n    - run:99:99\n")
+                  .strokes.empty());
 }
 
 TEST(ReadLibinput, HasTheFramesOfATablet) {

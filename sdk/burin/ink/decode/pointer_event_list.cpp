@@ -9,63 +9,137 @@
 #include <burin/ink/parse/scan.h>
 #include <burin/stroke/files/pen_events.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace burin {
 namespace {
 
-using Names = std::array<const char*, 4>;
+using Names = std::array<std::string_view, 4>;
 constexpr Names x_names = {"x", "clientX", "pageX", "offsetX"},
                 y_names = {"y", "clientY", "pageY", "offsetY"};
 
-double position(const JsonValue& event, const Names& names) {
-  for (const char* name : names)
-    if (const auto found = event.find(name)) return found->number();
-  return event.member(names[0]).number();
+/// A number that may have several names, of which the first in their order counts.
+struct Named {
+  double value = 0;
+  std::size_t rank = 4;  ///< of the name that it has; 4: it has none
+
+  bool has() const { return rank < 4; }
+};
+
+/// What an event says.
+struct ListedEvent {
+  Named x, y;
+  std::array<Named, pointer_channels.size()> channels;
+  std::optional<double> pointer, buttons;
+  std::optional<std::string> type, pointer_type;
+};
+
+Named named_in(const JsonValue& json, const Names& names) {
+  for (std::size_t rank = 0; rank < names.size(); ++rank)
+    if (const auto found = names[rank].empty() ? std::nullopt : json.find(std::string(names[rank])))
+      return {found->number(), rank};
+  return {};
+}
+
+ListedEvent event_of(const JsonValue& json) {
+  ListedEvent event;
+  event.x = named_in(json, x_names);
+  event.y = named_in(json, y_names);
+  if (!event.x.has()) json.member("x");
+  if (!event.y.has()) json.member("y");
+  for (std::size_t i = 0; i < pointer_channels.size(); ++i)
+    event.channels[i] = named_in(json, pointer_channels[i].names);
+  if (const auto pointer = json.find("pointerId")) event.pointer = pointer->number();
+  if (const auto buttons = json.find("buttons")) event.buttons = buttons->number();
+  const auto text = [&](const char* name) {
+    const auto found = json.find(name);
+    return found && found->is_text() ? std::optional(found->text()) : std::nullopt;
+  };
+  event.type = text("type");
+  event.pointer_type = text("pointerType");
+  return event;
+}
+
+std::optional<double> number_of(std::string_view part) {
+  double value = 0;
+  return take_number(part, value) && part.empty() ? std::optional(value) : std::nullopt;
+}
+
+/// A text without escapes.
+std::optional<std::string> text_of(std::string_view part) {
+  const bool plain = part.size() >= 2 && part.front() == '"' && part.find('\\') == part.npos;
+  return plain ? std::optional(std::string(part.substr(1, part.size() - 2))) : std::nullopt;
+}
+
+/// Sets a number if the name is one of these. Returns false if it is, and the part no number.
+bool take_named(std::string_view name, std::string_view part, const Names& names, Named& named) {
+  const auto rank = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  if (rank >= named.rank || name.empty()) return true;
+  const auto value = number_of(part);
+  if (value) named = {*value, rank};
+  return value.has_value();
+}
+
+/// The event that a text is, read without a tree of JSON values; nothing if event_of() may find a fault.
+std::optional<ListedEvent> plain_event(std::string_view json) {
+  ListedEvent event;
+  const bool whole = for_each_json_part(json, [&](std::string_view name, std::string_view part) {
+    if (name == "pointerId") return (event.pointer = number_of(part)).has_value();
+    if (name == "buttons") return (event.buttons = number_of(part)).has_value();
+    if (name == "type") return (event.type = text_of(part)).has_value();
+    if (name == "pointerType") return (event.pointer_type = text_of(part)).has_value();
+    bool good = take_named(name, part, x_names, event.x) && take_named(name, part, y_names, event.y);
+    for (std::size_t i = 0; i < pointer_channels.size(); ++i)
+      good = good && take_named(name, part, pointer_channels[i].names, event.channels[i]);
+    return good && name.find('\\') == name.npos;
+  });
+  return whole && event.x.has() && event.y.has() ? std::optional(std::move(event)) : std::nullopt;
 }
 
 /// Collects events, and what all of them have.
 class EventList {
  public:
-  void take(const JsonValue& json);
+  void take(const ListedEvent& listed);
   PenFile finish();
 
  private:
-  bool touches(const JsonValue& json, const PenEvent& event);
+  bool touches(const ListedEvent& listed, const PenEvent& event);
 
-  PenEvents all_;
+  ContactStrokes strokes_;
   std::array<bool, pointer_channels.size()> whole_{};
   std::map<double, bool> down_;  ///< by pointer
   std::string_view tool_;
+  bool first_ = true;
   bool reported_ = true;  ///< a pressure is what a device reports
 };
 
-void EventList::take(const JsonValue& json) {
+void EventList::take(const ListedEvent& listed) {
   PenEvent event;
-  event.sample.position = {position(json, x_names), position(json, y_names), 0};
-  const bool first = all_.events.empty();
+  event.sample.position = {listed.x.value, listed.y.value, 0};
   for (std::size_t i = 0; i < pointer_channels.size(); ++i) {
-    const auto value = channel_of(json, pointer_channels[i]);
-    if (value) pointer_channels[i].set(event.sample, value->number());
-    whole_[i] = (first || whole_[i]) && value;
+    const Named& channel = listed.channels[i];
+    if (channel.has()) pointer_channels[i].set(event.sample, channel.value);
+    whole_[i] = (first_ || whole_[i]) && channel.has();
   }
-  if (const auto pointer = json.find("pointerId")) event.pointer = pointer->number();
-  const auto type = json.find("pointerType");
-  if (type && type->is_text()) tool_ = tool_of_pointer_type(type->text());
-  if (first) reported_ = json.find(std::string(reported_pressure)).has_value();
-  event.contact = touches(json, event);
-  all_.events.push_back(event);
+  event.pointer = listed.pointer.value_or(event.pointer);
+  if (listed.pointer_type) tool_ = tool_of_pointer_type(*listed.pointer_type);
+  if (first_) reported_ = listed.channels[pressure_channel].rank == 0;
+  first_ = false;
+  event.contact = touches(listed, event);
+  strokes_.take(event);
 }
 
-bool EventList::touches(const JsonValue& json, const PenEvent& event) {
-  if (const auto buttons = json.find("buttons")) return buttons->number() != 0;
-  const auto type = json.find("type");
-  if (!type || !type->is_text()) return event.sample.pen.pressure > 0;
+bool EventList::touches(const ListedEvent& listed, const PenEvent& event) {
+  if (listed.buttons) return *listed.buttons != 0;
+  if (!listed.type) return event.sample.pen.pressure > 0;
   bool& down = down_[event.pointer];
-  const std::string name = type->text();
+  const std::string& name = *listed.type;
   if (name.ends_with("down") || name.ends_with("start")) down = true;
   if (!name.ends_with("down") && !name.ends_with("start") && !name.ends_with("move")) down = false;
   return down;
@@ -74,14 +148,16 @@ bool EventList::touches(const JsonValue& json, const PenEvent& event) {
 PenFile EventList::finish() {
   PenFile content;
   content.unit = "px";
+  content.hovering = strokes_.lifted();
+  PenFields fields;
   for (std::size_t i = 0; i < pointer_channels.size(); ++i)
-    if (whole_[i]) all_.fields.*pointer_channels[i].field = true;
-  for (RecordedStroke& stroke : contact_strokes(all_, content.hovering)) {
+    if (whole_[i]) fields.*pointer_channels[i].field = true;
+  for (std::vector<Sample>& samples : strokes_.take_strokes()) {
     PenStroke& made = content.strokes.emplace_back();
-    made.fields = stroke.fields;
+    made.fields = fields;
     made.tool = tool_;
-    made.made_pressure = stroke.fields.pressure && !reported_;
-    made.samples = std::move(stroke.samples);
+    made.made_pressure = fields.pressure && !reported_;
+    made.samples = std::move(samples);
     keep_channels(made, whole_);
   }
   return content;
@@ -97,18 +173,20 @@ bool begins_as_event_list(std::string_view text) {
 }
 
 PenFile read_event_list(const PenFileText& file) {
-  const auto by_events = pen_file_by_parts([&](PenFile& content) {
+  auto by_events = pen_file_by_parts(file, [&](TextWindow& text, PenFile& content) {
     EventList events;
-    const bool read = for_each_json_part(file.text, [&](std::string_view, std::string_view event) {
-      events.take(pen_json_part(file, event));
+    const bool read = for_each_json_part(text, [&](std::string_view, TextWindow& json) {
+      const std::string_view part = take_json_value(json);
+      const auto plain = plain_event(part);
+      events.take(plain ? *plain : event_of(pen_json_part(file, part)));
       return true;
     });
     content = events.finish();
     return read;
   });
-  if (by_events) return *by_events;
+  if (by_events) return std::move(*by_events);
   EventList events;
-  for (const JsonValue& event : pen_json(file).items()) events.take(event);
+  for (const JsonValue& event : pen_json(file).items()) events.take(event_of(event));
   return events.finish();
 }
 

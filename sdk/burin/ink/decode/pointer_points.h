@@ -16,6 +16,7 @@ struct PointerChannel {
 };
 
 extern const std::array<PointerChannel, 5> pointer_channels;
+inline constexpr std::size_t pressure_channel = 1;
 
 /// The member of a value that gives it a channel.
 std::optional<JsonValue> channel_of(const JsonValue& value, const PointerChannel& channel);

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -25,27 +26,17 @@
 namespace burin {
 namespace {
 
-/// Calls `take` with the lists of strokes in a text: what follows each "stroke=", or all of it, and the
-/// number of lines before it.
-template <class Take>
-void for_each_list(std::string_view text, const Take& take) {
-  constexpr std::string_view argument = "stroke=";
-  std::size_t counted = 0, lines = 0;
-  for (std::size_t at = 0; (at = text.find(argument, at)) != text.npos;) {
-    const std::size_t begin = at + argument.size();
-    int depth = 0;
-    std::size_t end = begin;
-    for (; end < text.size(); ++end) {
-      if (text[end] == '[' || text[end] == '(') ++depth;
-      if ((text[end] == ']' || text[end] == ')') && --depth <= 0) break;
-    }
-    const std::string_view before = text.substr(counted, begin - counted);
-    lines += static_cast<std::size_t>(std::ranges::count(before, '\n'));
-    counted = begin;
-    take(text.substr(begin, end + 1 - begin), lines);
-    at = end;
+constexpr std::string_view argument = "stroke=";
+
+/// Removes all up to the list behind the next "stroke=". Returns false if there is none.
+bool skip_to_list(TextWindow& text) {
+  for (;;) {
+    const std::size_t size = text.text().size(), at = text.text().find(argument);
+    text.remove_prefix(at != text.text().npos ? at + argument.size()
+                                              : size - std::min(size, argument.size()));
+    if (at != text.text().npos) return true;
+    if (!text.grow()) return false;
   }
-  if (counted == 0) take(text, 0);
 }
 
 /// What one element of a list says. Places have two or three numbers.
@@ -91,34 +82,6 @@ Element element_of(const JsonValue& json, bool mouse) {
   return element;
 }
 
-std::vector<Element> elements_of(const JsonValue& list) {
-  const std::vector<JsonValue> items = list.items();
-  const bool mouse =
-      std::ranges::all_of(items, [](const JsonValue& one) { return one.find("mouse").has_value(); });
-  std::vector<Element> elements;
-  for (const JsonValue& item : items) elements.push_back(element_of(item, mouse));
-  return elements;
-}
-
-/// The numbers of a list of so many or more, up to three.
-std::optional<Vec3d> place_in(std::string_view json, std::size_t needed) {
-  Vec3d place = Vec3d::Zero();
-  std::size_t count = 0;
-  const bool whole = for_each_json_part(json, [&](std::string_view, std::string_view part) {
-    double number = 0;
-    if (!take_number(part, number) || !part.empty()) return false;
-    if (count < 3) place[static_cast<Eigen::Index>(count)] = number;
-    ++count;
-    return true;
-  });
-  return whole && count >= needed ? std::optional(place) : std::nullopt;
-}
-
-template <class Value>
-bool all_have(const std::vector<Element>& elements, std::optional<Value> Element::*member) {
-  return std::ranges::all_of(elements, [&](const Element& one) { return (one.*member).has_value(); });
-}
-
 /// Reads a member of an element without a tree of JSON values. Returns false if it is not as it should be.
 bool take_member(std::string_view name, std::string_view part, Element& element) {
   if (const auto number = number_named(name)) {
@@ -126,26 +89,17 @@ bool take_member(std::string_view name, std::string_view part, Element& element)
     if (!take_number(part, value) || !part.empty()) return false;
     element.*number = value;
   }
-  if (name == "mouse") return (element.mouse = place_in(part, 2)).has_value();
-  if (name == "location") return (element.location = place_in(part, 3)).has_value();
-  if (name == "is_start") element.is_start = part == "true";
-  if (name == "pen_flip") element.pen_flip = part == "true";
+  const bool mouse = name == "mouse", location = name == "location";
+  if (mouse || location) {
+    std::vector<double> numbers;
+    if (!append_numbers(part, numbers, PartSyntax::python) || numbers.size() < (mouse ? 2U : 3U))
+      return false;
+    numbers.resize(3);
+    (mouse ? element.mouse : element.location) = Vec3d(numbers[0], numbers[1], numbers[2]);
+  }
+  if (name == "is_start") element.is_start = part == "True" || part == "true";
+  if (name == "pen_flip") element.pen_flip = part == "True" || part == "true";
   return true;
-}
-
-/// The elements of a list, read in a tenth of the time. Nothing if there is a fault, which elements_of()
-/// names.
-std::optional<std::vector<Element>> plain_elements(std::string_view list) {
-  std::vector<Element> elements;
-  const bool whole = for_each_json_part(list, [&](std::string_view, std::string_view part) {
-    Element& element = elements.emplace_back();
-    return part.starts_with('{') &&
-           for_each_json_part(part, [&](std::string_view name, std::string_view value) {
-             return take_member(name, value, element);
-           });
-  });
-  const bool placed = all_have(elements, &Element::mouse) || all_have(elements, &Element::location);
-  return whole && placed ? std::optional(std::move(elements)) : std::nullopt;
 }
 
 Sample sample_of(const Element& element, bool mouse) {
@@ -159,39 +113,95 @@ Sample sample_of(const Element& element, bool mouse) {
   return sample;
 }
 
-void append_strokes(const std::vector<Element>& elements, PenFile& content) {
-  const bool mouse = all_have(elements, &Element::mouse);
-  const PenFields fields = {
-      .time = all_have(elements, &Element::time),
-      .pressure = all_have(elements, &Element::pressure),
-      .tilt = all_have(elements, &Element::x_tilt) && all_have(elements, &Element::y_tilt),
-      .twist = false};
-  const bool sizes = all_have(elements, &Element::size) && mouse;
-  if (mouse) content.unit = "px";
-  for (const Element& element : elements) {
-    if (&element == &elements.front() || element.is_start) {
-      PenStroke& stroke = content.strokes.emplace_back();
-      stroke.fields = fields;
-      stroke.has_z = !mouse;
-      stroke.eraser = element.pen_flip;
-    }
-    PenStroke& stroke = content.strokes.back();
-    stroke.samples.push_back(sample_of(element, mouse));
-    if (sizes) stroke.widths.push_back(static_cast<float>(2 * *element.size));
+/// Makes strokes of the elements of a list. They have what all its elements have.
+class ListOfElements {
+ public:
+  /// `mouse`: whether positions are those of the mouse.
+  ListOfElements(bool mouse, PenFile& content)
+      : mouse_(mouse), first_(content.strokes.size()), content_(content) {}
+
+  void take(const Element& element);
+  void finish();
+
+ private:
+  bool mouse_;
+  std::size_t first_;  ///< stroke of the list
+  PenFields fields_{.time = true, .pressure = true, .tilt = true, .twist = false};
+  bool sizes_ = true;
+  PenFile& content_;
+};
+
+void ListOfElements::take(const Element& element) {
+  if (content_.strokes.size() == first_ || element.is_start)
+    content_.strokes.emplace_back().eraser = element.pen_flip;
+  PenStroke& stroke = content_.strokes.back();
+  stroke.samples.push_back(sample_of(element, mouse_));
+  if (element.size) stroke.widths.push_back(static_cast<float>(2 * *element.size));
+  fields_.time &= element.time.has_value();
+  fields_.pressure &= element.pressure.has_value();
+  fields_.tilt &= element.x_tilt && element.y_tilt;
+  sizes_ &= element.size.has_value();
+}
+
+void ListOfElements::finish() {
+  if (mouse_) content_.unit = "px";
+  for (std::size_t i = first_; i < content_.strokes.size(); ++i) {
+    content_.strokes[i].fields = fields_;
+    content_.strokes[i].has_z = !mouse_;
+    if (!sizes_ || !mouse_) content_.strokes[i].widths.clear();
   }
 }
 
-/// Appends the strokes of a list in Python, below so many lines of the file.
-void read_list(const PenFileText& file, std::string_view list, std::size_t lines, PenFile& content) {
-  const PenFileText json{file.path, json_of_python(list)};
-  if (const auto elements = plain_elements(json.text)) return append_strokes(*elements, content);
+/// Throws FileError that names the fault of the element that begins at `place`, the `number`-th of its list.
+[[noreturn]] void reject_element(const PenFileText& file, std::uintmax_t place, std::size_t number,
+                                 bool mouse) {
+  const std::string line = std::to_string(line_of(file, place));
+  TextWindow text(file);
+  text.go_to(place);
+  const std::string json = json_of_python(take_json_value(text));
   try {
-    append_strokes(elements_of(pen_json(json)), content);
+    element_of(pen_json_part({fmt::format("{}:{}: element {}", file.path.string(), line, number), {}}, json),
+               mouse);
   } catch (const MalformedJson&) {
-    // The message of the list after line breaks names the line of the file.
-    pen_json({file.path, std::string(lines, '\n') + json.text});
-    throw;
   }
+  throw FileError(file.path.string(), line, fmt::format("element {} is malformed", number));
+}
+
+/// Adds the strokes of the list at the front of the text. Returns false, and adds nothing, if an element has
+/// no place of the mouse that is asked for.
+bool append_list(const PenFileText& file, TextWindow& text, bool mouse, PenFile& content) {
+  const std::size_t strokes = content.strokes.size();
+  ListOfElements list(mouse, content);
+  std::size_t number = 0;
+  bool placed = true;
+  const auto take = [&](std::string_view, TextWindow& json) {
+    const std::uintmax_t place = json.skip_blanks() ? json.place() : 0;
+    Element element;
+    ++number;
+    const auto take_part = [&](std::string_view name, TextWindow& part) {
+      return take_member(name, take_json_value(part), element);
+    };
+    if (!json.text().starts_with('{') || !for_each_json_part(json, take_part, PartSyntax::python))
+      reject_element(file, place, number, mouse);
+    placed = mouse ? element.mouse.has_value() : element.location.has_value();
+    if (!placed && !mouse) reject_element(file, place, number, mouse);
+    if (placed) list.take(element);
+    return placed;
+  };
+  const bool whole = for_each_json_part(text, take, PartSyntax::python);
+  if (!placed) content.strokes.resize(strokes);
+  if (!placed) return false;
+  if (!whole)
+    throw FileError(file.path.string(), std::to_string(line_of(file, text.place())), "malformed list");
+  list.finish();
+  return true;
+}
+
+void read_list(const PenFileText& file, TextWindow& text, PenFile& content) {
+  const std::uintmax_t place = text.place();
+  if (append_list(file, text, true, content)) return;
+  text.go_to(place);
+  append_list(file, text, false, content);
 }
 
 /// Whether a text has this name in quotes before a colon.
@@ -217,8 +227,12 @@ bool is_brush_strokes(std::string_view text) {
 
 PenFile read_brush_strokes(const PenFileText& file) {
   PenFile content;
-  for_each_list(file.text,
-                [&](std::string_view list, std::size_t lines) { read_list(file, list, lines, content); });
+  TextWindow text(file);
+  bool any = false;
+  for (; skip_to_list(text); any = true) read_list(file, text, content);
+  if (any) return content;
+  text.go_to(0);
+  read_list(file, text, content);
   return content;
 }
 

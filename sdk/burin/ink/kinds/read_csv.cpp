@@ -9,6 +9,7 @@
 #include <burin/ink/decode/csv_columns.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/parse/text_window.h>
 #include <burin/ink/pen_file.h>
 #include <fmt/format.h>
 
@@ -178,7 +179,7 @@ PenFile read_csv(const PenFileText& file) {
   std::vector<CsvColumn> named;
   char separator = ',';
   Rows rows;
-  for_each_line_of(file.text, file.path.string(), [&](std::string_view line) {
+  for_each_line_of(file, [&](std::string_view line) {
     if (line.find_first_not_of(blanks) == line.npos) return;
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (named.empty()) {

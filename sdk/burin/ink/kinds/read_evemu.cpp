@@ -6,6 +6,7 @@
 #include <burin/ink/decode/evdev_frames.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/parse/text_window.h>
 #include <burin/ink/pen_file.h>
 
 #include <algorithm>
@@ -55,7 +56,7 @@ struct Description {
 /// Calls `take` with each event; lines of the description go to `description` before.
 template <class Take>
 void parse(const PenFileText& file, Description& description, const Take& take) {
-  for_each_line_of(file.text, file.path.string(), [&](std::string_view line) {
+  for_each_line_of(file, [&](std::string_view line) {
     const std::string_view before = line.substr(0, line.find('#'));
     if (line.starts_with("N:")) {
       line.remove_prefix(2);

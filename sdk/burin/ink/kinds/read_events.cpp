@@ -7,9 +7,11 @@
 #include <burin/ink/parse/json_parts.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/parse/text_window.h>
 #include <burin/ink/pen_file.h>
 #include <burin/stroke/files/pen_events.h>
 #include <burin/stroke/recording.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -31,26 +33,35 @@ std::size_t take_numbers_of_line(std::string_view& text) {
   return count;
 }
 
-PenFile pen_file_of(const PenEvents& recorded, std::string_view unit) {
+PenFile pen_file_of(ContactStrokes strokes, const PenFields& fields, std::string_view unit) {
   PenFile content;
   content.unit = unit;
-  for (RecordedStroke& stroke : contact_strokes(recorded, content.hovering)) {
+  content.hovering = strokes.lifted();
+  for (std::vector<Sample>& samples : strokes.take_strokes()) {
     PenStroke& made = content.strokes.emplace_back();
-    made.fields = stroke.fields;
-    made.samples = std::move(stroke.samples);
+    made.fields = fields;
+    made.samples = std::move(samples);
   }
   return content;
 }
 
+PenFile pen_file_of(const PenEvents& recorded, std::string_view unit) {
+  ContactStrokes strokes;
+  for (const PenEvent& event : recorded.events) strokes.take(event);
+  return pen_file_of(std::move(strokes), recorded.fields, unit);
+}
+
 /// Reads one array after the other. Returns false for whatever must be read as a whole.
-bool read_columns(const PenFileText& file, PenFile& content) {
+bool read_columns(TextWindow& text, PenFile& content) {
   PointerColumns columns;
   const auto names = pointer_column_names();
-  const auto take = [&](std::string_view name, std::string_view part) {
+  const auto take = [&](std::string_view name, TextWindow& json) {
+    const std::string_view part = take_json_value(json);
     if (std::ranges::find(names, name) == names.end()) return nlohmann::json::accept(part);
-    return columns.emplace(name, pen_json_part(file, part).numbers()).second;
+    const auto [column, is_new] = columns.emplace(name, std::vector<double>());
+    return is_new && append_numbers(part, column->second);
   };
-  if (!for_each_json_part(file.text, take)) return false;
+  if (!for_each_json_part(text, take)) return false;
   auto events = pointer_events(columns);
   columns.clear();
   if (events) content = pen_file_of(*events, "px");
@@ -65,7 +76,9 @@ bool is_mypaint(std::string_view text) {
 }
 
 PenFile read_mypaint(const PenFileText& file) {
-  return pen_file_of(mypaint_events(file.text, file.path), "px");
+  ContactStrokes strokes;
+  for_each_line_of(file, [&](std::string_view line) { strokes.take(mypaint_event(line)); });
+  return pen_file_of(std::move(strokes), {.time = true, .pressure = true}, "px");
 }
 
 bool is_svc(std::string_view text) {
@@ -73,7 +86,22 @@ bool is_svc(std::string_view text) {
   return take_numbers_of_line(text) == 1 && take_numbers_of_line(text) == numbers;
 }
 
-PenFile read_svc(const PenFileText& file) { return pen_file_of(svc_events(file.text, file.path), "mm"); }
+PenFile read_svc(const PenFileText& file) {
+  ContactStrokes strokes;
+  std::optional<std::size_t> told;
+  std::size_t count = 0;
+  for_each_line_of(file, [&](std::string_view line) {
+    if (!told) {
+      told = svc_count(line);
+      return;
+    }
+    strokes.take(svc_event(line));
+    ++count;
+  });
+  if (count != told.value_or(0))
+    throw FileError(file.path.string(), "1", fmt::format("{} lines are told, {} follow", *told, count));
+  return pen_file_of(std::move(strokes), {.time = true, .pressure = true, .tilt = true}, "mm");
+}
 
 bool is_pointer_arrays(std::string_view text) {
   const auto names = pointer_column_names();
@@ -87,10 +115,10 @@ bool is_pointer_arrays(std::string_view text) {
 
 PenFile read_pointer_arrays(const PenFileText& file) {
   if (begins_as_event_list(file.text)) return read_event_list(file);
-  auto content = pen_file_by_parts([&](PenFile& to) { return read_columns(file, to); });
-  if (content) return std::move(*content);
-  check_json_bounds(file);
-  return pen_file_of(pointer_events(file.text, file.path), "px");
+  if (auto content = pen_file_by_parts(file, read_columns)) return std::move(*content);
+  const PenFileText whole = file.rest_at == 0 ? file : whole_pen_file(file.path);
+  check_json_bounds(whole);
+  return pen_file_of(pointer_events(whole.text, whole.path), "px");
 }
 
 }  // namespace burin

@@ -7,6 +7,7 @@
 #include <burin/ink/decode/hid_descriptor.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/parse/text_window.h>
 #include <burin/ink/pen_file.h>
 #include <burin/math/elementary.h>
 
@@ -152,7 +153,7 @@ bool is_hid(std::string_view text) {
 PenFile read_hid(const PenFileText& file) {
   std::optional<HidPen> pen;
   std::string device;
-  for_each_line_of(file.text, file.path.string(), [&](std::string_view line) {
+  for_each_line_of(file, [&](std::string_view line) {
     if (line.starts_with("R:")) {
       if (!pen) pen.emplace(hid_fields(parse_bytes(line.substr(2))));
     } else if (line.starts_with("N:")) {

@@ -10,10 +10,10 @@
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
-#include <algorithm>
 #include <cstdint>
+#include <istream>
 #include <optional>
-#include <sstream>
+#include <streambuf>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,8 +31,8 @@ struct YamlFault : Error {
 /// Follows the stream of a recording.
 class Recorded : public YAML::EventHandler {
  public:
-  /// `text`: of the file, which must outlive the object.
-  explicit Recorded(std::string_view text) : text_(text) {}
+  /// The file must outlive the object.
+  explicit Recorded(const PenFileText& file) : text_(file) {}
 
   std::string device;
   PenFile finish();
@@ -72,7 +72,7 @@ class Recorded : public YAML::EventHandler {
   bool in_axis() const;
   bool at_path(std::initializer_list<std::string_view> path) const;
 
-  std::string_view text_;
+  TextWindow text_;  ///< for the runs of events
   std::vector<Level> levels_;
   std::vector<std::int64_t> numbers_;  ///< of the event or axis that is open
   YAML::Mark mark_;
@@ -174,16 +174,56 @@ void Recorded::take_number(const YAML::Mark& mark, const std::string& value) {
 
 PenFile Recorded::finish() { return std::move(content_); }
 
-/// Refuses brackets within brackets before the parser keeps a hundred times their size of them. Those in
-/// comments and texts count too, but are closed or few.
-void check_brackets(const PenFileText& file) {
-  constexpr int most_open = 200;
-  int open = 0;
-  for (const char c : file.text) {
-    if (c == '[' || c == '{') ++open;
-    if ((c == ']' || c == '}') && open > 0) --open;
-    if (open > most_open) throw FileError(file.path.string(), "more than 200 open brackets of YAML");
+/// Gives a parser the lines of a recording. Ends where brackets are open within brackets, of which the parser
+/// would keep a hundred times their size; those in comments and texts count too, but are closed or few.
+class LineBuffer : public std::streambuf {
+ public:
+  explicit LineBuffer(const PenFileText& file) : lines_(file) {}
+
+  bool ended_by_brackets() const { return open_ > most_open; }
+
+ private:
+  static constexpr int most_open = 200;
+
+  int_type underflow() override {
+    if (ended_by_brackets() || !lines_.next(line_)) return traits_type::eof();
+    line_ += '\n';
+    for (const char c : line_) {
+      if (c == '[' || c == '{') ++open_;
+      if ((c == ']' || c == '}') && open_ > 0) --open_;
+      if (ended_by_brackets()) return traits_type::eof();
+    }
+    setg(line_.data(), line_.data(), line_.data() + line_.size());
+    return traits_type::to_int_type(line_.front());
   }
+
+  LibinputLines lines_;
+  std::string line_;
+  int open_ = 0;
+};
+
+/// The line of the recording, from 1, that a line which the parser saw stands for, from 0.
+std::string line_of(const PenFileText& file, int line) {
+  LibinputLines lines(file);
+  std::string text;
+  for (int passed = 0; lines.next(text);)
+    if (passed++ == line) return std::to_string(lines.number());
+  // A fault at the end of the text is on the line after the last.
+  return std::to_string(lines.number() + 1);
+}
+
+void parse(const PenFileText& file, Recorded& recorded) {
+  LineBuffer lines(file);
+  try {
+    std::istream stream(&lines);
+    YAML::Parser parser(stream);
+    parser.HandleNextDocument(recorded);
+  } catch (const Error&) {
+    if (!lines.ended_by_brackets()) throw;
+  } catch (const YAML::Exception&) {
+    if (!lines.ended_by_brackets()) throw;
+  }
+  if (lines.ended_by_brackets()) throw FileError(file.path.string(), "more than 200 open brackets of YAML");
 }
 
 }  // namespace
@@ -195,19 +235,14 @@ bool is_libinput(std::string_view text) {
 }
 
 PenFile read_libinput(const PenFileText& file) {
-  check_brackets(file);
-  Recorded recorded(file.text);
-  const auto line_of = [&](int line) {
-    return std::to_string(line_without_runs(file.text, static_cast<std::size_t>(std::max(line, 0))) + 1);
-  };
+  Recorded recorded(file);
   try {
-    std::istringstream stream(with_runs_of_events(file.text));
-    YAML::Parser parser(stream);
-    parser.HandleNextDocument(recorded);
+    parse(file, recorded);
   } catch (const YamlFault& fault) {
-    throw FileError(file.path.string(), line_of(fault.line), fault.what());
+    throw FileError(file.path.string(), line_of(file, fault.line), fault.what());
   } catch (const YAML::Exception& exception) {
-    throw FileError(file.path.string(), line_of(exception.mark.line), "malformed YAML: " + exception.msg);
+    throw FileError(file.path.string(), line_of(file, exception.mark.line),
+                    "malformed YAML: " + exception.msg);
   }
   return recorded.finish();
 }

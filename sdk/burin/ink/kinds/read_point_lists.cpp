@@ -11,9 +11,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -24,43 +27,85 @@ struct Point {
   bool pressure = false, time = false;
 };
 
-Point point_of(const JsonValue& value) {
+/// The point of two numbers or more: x, y, pressure, time.
+Point point_of(std::span<const double> numbers) {
   Point point;
   Sample& sample = point.sample;
-  if (value.is_object()) {
-    sample.position = {value.member("x").number(), value.member("y").number(), 0};
-    const auto pressure = value.find("pressure");
-    point.pressure = pressure.has_value();
-    if (pressure) sample.pen.pressure = static_cast<float>(pressure->number());
-    return point;
-  }
-  if (!value.is_array() || value.size() < 2) value.reject_type("a list of x and y");
-  sample.position = {value.number_at(0), value.number_at(1), 0};
-  point.pressure = value.size() > 2;
-  point.time = value.size() > 3;
-  if (point.pressure) sample.pen.pressure = static_cast<float>(value.number_at(2));
-  if (point.time) sample.time = value.number_at(3) / 1000;
+  sample.position = {numbers[0], numbers[1], 0};
+  point.pressure = numbers.size() > 2;
+  point.time = numbers.size() > 3;
+  if (point.pressure) sample.pen.pressure = static_cast<float>(numbers[2]);
+  if (point.time) sample.time = numbers[3] / 1000;
   return point;
 }
 
+Point point_of(const JsonValue& value) {
+  if (value.is_array() && value.size() >= 2) {
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < std::min<std::size_t>(value.size(), 4); ++i)
+      numbers.push_back(value.number_at(i));
+    return point_of(numbers);
+  }
+  if (!value.is_object()) value.reject_type("a list of x and y");
+  Point point;
+  point.sample.position = {value.member("x").number(), value.member("y").number(), 0};
+  const auto pressure = value.find("pressure");
+  point.pressure = pressure.has_value();
+  if (pressure) point.sample.pen.pressure = static_cast<float>(pressure->number());
+  return point;
+}
+
+/// A stroke of points that are added one after the other.
+class ListedStroke {
+ public:
+  ListedStroke() {
+    stroke_.fields = {.time = true, .pressure = true};
+    stroke_.made_pressure = true;
+  }
+
+  void reserve(std::size_t count) { stroke_.samples.reserve(count); }
+
+  void add(const Point& point) {
+    constexpr float of_no_device = 0.5F;
+    stroke_.fields.pressure &= point.pressure;
+    stroke_.fields.time &= point.time;
+    stroke_.made_pressure &= point.sample.pen.pressure == of_no_device;
+    stroke_.samples.push_back(point.sample);
+  }
+
+  PenStroke finish() {
+    stroke_.made_pressure &= stroke_.fields.pressure;
+    for (Sample& sample : stroke_.samples) {
+      if (!stroke_.fields.pressure) sample.pen.pressure = Pen{}.pressure;
+      if (!stroke_.fields.time) sample.time = 0;
+    }
+    return std::move(stroke_);
+  }
+
+ private:
+  PenStroke stroke_;
+};
+
 PenStroke stroke_of(const JsonValue& list) {
-  PenStroke stroke;
-  stroke.fields = {.time = true, .pressure = true};
-  stroke.made_pressure = true;
-  constexpr float of_no_device = 0.5F;
-  for (const JsonValue& value : list.items()) {
-    const Point point = point_of(value);
-    stroke.fields.pressure &= point.pressure;
-    stroke.fields.time &= point.time;
-    stroke.made_pressure &= point.sample.pen.pressure == of_no_device;
-    stroke.samples.push_back(point.sample);
-  }
-  stroke.made_pressure &= stroke.fields.pressure;
-  for (Sample& sample : stroke.samples) {
-    if (!stroke.fields.pressure) sample.pen.pressure = Pen{}.pressure;
-    if (!stroke.fields.time) sample.time = 0;
-  }
-  return stroke;
+  ListedStroke stroke;
+  for (const JsonValue& value : list.items()) stroke.add(point_of(value));
+  return stroke.finish();
+}
+
+/// The stroke of a list of lists of numbers, in a fraction of the time; nothing of other lists.
+std::optional<PenStroke> plain_stroke(std::string_view json) {
+  constexpr std::size_t least_bytes = 6;  // of a point: "[1,2],"
+  const auto lists = static_cast<std::size_t>(std::ranges::count(json, '['));
+  ListedStroke stroke;
+  stroke.reserve(std::min(lists, json.size() / least_bytes));
+  std::vector<double> numbers;
+  const bool whole = for_each_json_part(json, [&](std::string_view, std::string_view part) {
+    numbers.clear();
+    if (!append_numbers(part, numbers) || numbers.size() < 2) return false;
+    stroke.add(point_of(numbers));
+    return true;
+  });
+  return whole ? std::optional(stroke.finish()) : std::nullopt;
 }
 
 }  // namespace
@@ -75,9 +120,11 @@ bool is_point_lists(std::string_view text) {
 PenFile read_point_lists(const PenFileText& file) {
   // By their names, as far as there are any of the same.
   std::multimap<std::string, PenStroke> strokes;
-  auto content = pen_file_by_parts([&](PenFile&) {
-    return for_each_json_part(file.text, [&](std::string_view name, std::string_view part) {
-      strokes.emplace(name, stroke_of(pen_json_part(file, part)));
+  auto content = pen_file_by_parts(file, [&](TextWindow& text, PenFile&) {
+    return for_each_json_part(text, [&](std::string_view name, TextWindow& json) {
+      const std::string_view part = take_json_value(json);
+      auto plain = plain_stroke(part);
+      strokes.emplace(name, plain ? std::move(*plain) : stroke_of(pen_json_part(file, part)));
       return true;
     });
   });

@@ -98,20 +98,20 @@ std::optional<JsonValue> list_of_strokes(const JsonValue& root) {
 }
 
 /// Reads stroke by stroke. Returns false for what must be read as a whole.
-bool read_by_strokes(const PenFileText& file, PenFile& content) {
-  const auto take_stroke = [&](std::string_view, std::string_view part) {
+bool read_by_strokes(const PenFileText& file, TextWindow& text, PenFile& content) {
+  const auto take_stroke = [&](std::string_view, TextWindow& json) {
+    const std::string_view part = take_json_value(json);
     auto stroke = plain_pointer_stroke(part);
     add(stroke ? std::move(*stroke) : stroke_of(pen_json_part(file, part)), content);
     return true;
   };
-  const auto take_member = [&](std::string_view name, std::string_view part) {
-    return name == "strokes" || name == "events" ? for_each_json_part(part, take_stroke)
-                                                 : nlohmann::json::accept(part);
+  const auto take_member = [&](std::string_view name, TextWindow& json) {
+    return name == "strokes" || name == "events" ? for_each_json_part(json, take_stroke)
+                                                 : nlohmann::json::accept(take_json_value(json));
   };
-  std::string_view text = file.text;
-  skip_blanks(text);
-  const bool read =
-      text.starts_with('[') ? for_each_json_part(text, take_stroke) : for_each_json_part(text, take_member);
+  text.skip_blanks();
+  const bool read = text.text().starts_with('[') ? for_each_json_part(text, take_stroke)
+                                                 : for_each_json_part(text, take_member);
   return read && !content.strokes.empty();
 }
 
@@ -144,7 +144,8 @@ bool is_pointers(std::string_view text) {
 
 PenFile read_pointers(const PenFileText& file) {
   PenFile content;
-  if (auto strokes = pen_file_by_parts([&](PenFile& to) { return read_by_strokes(file, to); })) {
+  const auto read = [&](TextWindow& text, PenFile& to) { return read_by_strokes(file, text, to); };
+  if (auto strokes = pen_file_by_parts(file, read)) {
     content = std::move(*strokes);
   } else {
     const JsonValue root = pen_json(file);

@@ -4,6 +4,7 @@
 #include <burin/base/error.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/parse/text_window.h>
 #include <burin/ink/pen_file.h>
 
 #include <algorithm>
@@ -81,7 +82,7 @@ PenFile read_scap(const PenFileText& file) {
   PenFile content;
   content.unit = "px";
   Strokes strokes(content);
-  for_each_line_of(file.text, file.path.string(), [&](std::string_view line) { strokes.take(line); });
+  for_each_line_of(file, [&](std::string_view line) { strokes.take(line); });
   std::erase_if(content.strokes, [](const PenStroke& stroke) { return stroke.samples.empty(); });
   drop_void_pressure(content.strokes);
   return content;

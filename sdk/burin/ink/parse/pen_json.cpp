@@ -1,6 +1,7 @@
 // Bounds JSON before it is parsed: a short text can make a tree of many times its size.
 #include <burin/base/error.h>
 #include <burin/ink/parse/pen_json.h>
+#include <burin/ink/parse/unpack.h>
 
 namespace burin {
 namespace {
@@ -45,16 +46,22 @@ JsonValue pen_json_part(const PenFileText& file, std::string_view part) {
   return JsonValue::parse(part, file.path.string());
 }
 
-std::optional<PenFile> pen_file_by_parts(const std::function<bool(PenFile& content)>& read) {
+std::optional<PenFile> pen_file_by_parts(
+    const PenFileText& file, const std::function<bool(TextWindow& text, PenFile& content)>& read) {
   PenFile content;
   try {
-    if (read(content)) return content;
+    TextWindow text(file);
+    if (read(text, content) && !text.skip_blanks()) return content;
   } catch (const FileError&) {
-    return std::nullopt;
+    std::error_code none;
+    if (file.rest_at != 0 && std::filesystem::file_size(file.path, none) > most_parsed_bytes) throw;
   }
   return std::nullopt;
 }
 
-JsonValue pen_json(const PenFileText& file) { return pen_json_part(file, file.text); }
+JsonValue pen_json(const PenFileText& file) {
+  if (file.rest_at == 0) return pen_json_part(file, file.text);
+  return pen_json(whole_pen_file(file.path));
+}
 
 }  // namespace burin

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/base/text/json_value.h>
+#include <burin/ink/parse/text_window.h>
 #include <burin/ink/pen_file.h>
 
 #include <functional>
@@ -12,15 +13,16 @@ namespace burin {
 /// once they are parsed.
 void check_json_bounds(const PenFileText& file);
 
-/// The JSON of a pen file, within these bounds.
+/// The JSON of a pen file, within these bounds. Throws FileError for more than 60 MB.
 JsonValue pen_json(const PenFileText& file);
 
 /// The JSON of a part of a pen file, within the same bounds; faults do not tell the place of the part.
 JsonValue pen_json_part(const PenFileText& file, std::string_view part);
 
 /// What `read` adds to a file that it reads part by part, so that one of many parts needs little memory.
-/// Nothing where it returns false or finds a fault: the file must then be read as a whole, so that the
-/// message names the place in it.
-std::optional<PenFile> pen_file_by_parts(const std::function<bool(PenFile& content)>& read);
+/// Nothing where it returns false, leaves text behind or finds a fault: the file must then be read as a
+/// whole, so that the message names the place in it. Throws the fault of a file of more than 60 MB.
+std::optional<PenFile> pen_file_by_parts(const PenFileText& file,
+                                         const std::function<bool(TextWindow& text, PenFile& content)>& read);
 
 }  // namespace burin

@@ -1,6 +1,4 @@
 #pragma once
-#include <burin/base/error.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -62,27 +60,6 @@ inline std::string_view take_word(std::string_view& text) {
 template <class Whole>
 bool read_whole(std::string_view word, Whole& value, int base = 10) {
   return take_whole(word, value, base) && word.empty();
-}
-
-/// Calls `take` with every line of a text, without its newline, or its carriage return where a text has no
-/// newlines. An Error that it throws becomes a FileError
-/// that names the line.
-template <class Take>
-void for_each_line_of(const std::string& text, const std::string& path, const Take& take) {
-  std::size_t number = 0;
-  const char line_end = text.find('\n') == text.npos ? '\r' : '\n';
-  for (std::size_t begin = 0; begin < text.size(); ++begin) {
-    const std::size_t end = std::min(text.find(line_end, begin), text.size());
-    ++number;
-    try {
-      take(std::string_view(text).substr(begin, end - begin));
-    } catch (const FileError&) {
-      throw;
-    } catch (const Error& error) {
-      throw FileError(path, std::to_string(number), error.what());
-    }
-    begin = end;
-  }
 }
 
 }  // namespace burin

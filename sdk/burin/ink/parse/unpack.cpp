@@ -104,7 +104,9 @@ void check_length(const std::filesystem::path& path) {
   in >> first;
   const bool utf16 = first_byte == 0xFE || first_byte == 0xFF;
   if (utf16 || first == '<' || first == '{' || first == '[')
-    throw FileError(path.string(), "more than 60 MB of XML, JSON or UTF-16");
+    throw FileError(path.string(), first == '{' || first == '['
+                                       ? "more than 60 MB of JSON that cannot be read stroke by stroke"
+                                       : "more than 60 MB of XML or UTF-16");
 }
 
 }  // namespace

@@ -7,9 +7,7 @@
 #include <array>
 
 namespace burin {
-namespace {
-
-PenEvent parse_event(std::string_view line) {
+PenEvent mypaint_event(std::string_view line) {
   std::array<double, 4> numbers{};
   parse_numbers(line, "four numbers: time x y pressure", numbers);
   PenEvent event;
@@ -20,15 +18,6 @@ PenEvent parse_event(std::string_view line) {
   if (const std::string_view fault = validation_error(event.sample); !fault.empty())
     throw Error(std::string(fault));
   return event;
-}
-
-}  // namespace
-
-PenEvents mypaint_events(const std::string& text, const std::filesystem::path& path) {
-  PenEvents recorded{{}, {.time = true, .pressure = true}};
-  for_each_line(text, path,
-                [&](std::string_view line, std::size_t) { recorded.events.push_back(parse_event(line)); });
-  return recorded;
 }
 
 }  // namespace burin

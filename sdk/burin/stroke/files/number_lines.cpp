@@ -30,19 +30,4 @@ void parse_numbers(std::string_view line, std::string_view expected, std::span<d
     throw Error(fmt::format("expected {}, found more", expected.substr(0, expected.find(':'))));
 }
 
-void for_each_line(const std::string& text, const std::filesystem::path& path,
-                   const std::function<void(std::string_view line, std::size_t number)>& take) {
-  std::size_t number = 0;
-  for (std::size_t begin = 0; begin < text.size(); ++begin) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    ++number;
-    try {
-      take(std::string_view(text).substr(begin, end - begin), number);
-    } catch (const Error& error) {
-      throw FileError(path.string(), std::to_string(number), error.what());
-    }
-    begin = end;
-  }
-}
-
 }  // namespace burin

@@ -1,25 +1,17 @@
 // Groups a recorder's events into strokes.
 #include <burin/stroke/files/pen_events.h>
 
-#include <map>
-
 namespace burin {
 
-std::vector<RecordedStroke> contact_strokes(const PenEvents& recorded, std::size_t& lifted) {
-  std::vector<RecordedStroke> strokes;
-  std::map<double, std::size_t> open;  // the stroke of each pointer that is down
-  lifted = 0;
-  for (const PenEvent& event : recorded.events) {
-    if (!event.contact) {
-      ++lifted;
-      open.erase(event.pointer);
-      continue;
-    }
-    const auto [at, begins] = open.try_emplace(event.pointer, strokes.size());
-    if (begins) strokes.emplace_back().fields = recorded.fields;
-    strokes[at->second].samples.push_back(event.sample);
+void ContactStrokes::take(const PenEvent& event) {
+  if (!event.contact) {
+    ++lifted_;
+    open_.erase(event.pointer);
+    return;
   }
-  return strokes;
+  const auto [at, begins] = open_.try_emplace(event.pointer, strokes_.size());
+  if (begins) strokes_.emplace_back();
+  strokes_[at->second].push_back(event.sample);
 }
 
 }  // namespace burin

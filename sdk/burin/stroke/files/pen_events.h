@@ -3,12 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -26,16 +26,13 @@ struct PenEvents {
   PenFields fields;
 };
 
-// The functions below read the events in the text of a recording of another program; `path` is for messages.
-// They throw FileError that names the line or element for malformed input, values that are not finite and
-// pressure outside 0..1.
-
-/// libmypaint's event recordings: lines of `time x y pressure`; pressure 0 means a lifted pen.
-PenEvents mypaint_events(const std::string& text, const std::filesystem::path& path);
+/// The event of a line of libmypaint's recordings, `time x y pressure`; pressure 0 means a lifted pen. Throws
+/// Error for malformed lines, values that are not finite and pressure outside 0..1.
+PenEvent mypaint_event(std::string_view line);
 
 /// HTML PointerEvent recordings: a JSON object of arrays x, y, time (ms) and optionally pressure, buttons,
 /// tiltX, tiltY, twist (degrees), pointerId. buttons 0 means a lifted pen, whatever its pressure; without
-/// buttons, pressure 0 does.
+/// buttons, pressure 0 does. Throws FileError that names the element, `path` is for messages.
 PenEvents pointer_events(const std::string& text, const std::filesystem::path& path);
 
 /// Such arrays by their names.
@@ -47,14 +44,28 @@ std::span<const std::string_view> pointer_column_names();
 /// The same of arrays that were parsed one by one; nothing if pointer_events() would throw.
 std::optional<PenEvents> pointer_events(const PointerColumns& columns);
 
-/// SVC files in the units of BDALab's handwriting-sample: the number of events, then lines of `x y time
-/// pen_down azimuth altitude pressure`. x, y are in mm, y upward; the azimuth of the pen's upper end is
-/// clockwise from the tablet's top and the altitude above its plane, both in tenths of a degree; pressure is
-/// 0..1.
-PenEvents svc_events(const std::string& text, const std::filesystem::path& path);
+/// The number of events of an SVC file, which its first line has. Throws Error.
+std::size_t svc_count(std::string_view line);
 
-/// The strokes of events, in the recorder's units and in the order of their starts: one of each run in which
-/// a pointer touches the tablet. `lifted` becomes the number of events in which none does.
-std::vector<RecordedStroke> contact_strokes(const PenEvents& recorded, std::size_t& lifted);
+/// The event of another line, `x y time pen_down azimuth altitude pressure`, in the units of BDALab's
+/// handwriting-sample: x, y are in mm, y upward; the azimuth of the pen's upper end is clockwise from the
+/// tablet's top and the altitude above its plane, both in tenths of a degree; pressure is 0..1. Throws Error
+/// as mypaint_event() does.
+PenEvent svc_event(std::string_view line);
+
+/// Makes strokes of events, in the recorder's units and in the order of their starts: one of each run in
+/// which a pointer touches the tablet.
+class ContactStrokes {
+ public:
+  void take(const PenEvent& event);
+
+  std::size_t lifted() const { return lifted_; }  ///< events in which no pointer touched
+  std::vector<std::vector<Sample>> take_strokes() { return std::move(strokes_); }
+
+ private:
+  std::vector<std::vector<Sample>> strokes_;
+  std::map<double, std::size_t> open_;  ///< the stroke of each pointer that is down
+  std::size_t lifted_ = 0;
+};
 
 }  // namespace burin

@@ -5,7 +5,6 @@
 #include <burin/stroke/files/pen_events.h>
 #include <burin/stroke/files/recording_faults.h>
 #include <burin/stroke/pen_angles.h>
-#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -23,7 +22,9 @@ void set_tilt(Pen& pen, double azimuth, double altitude) {
   set_upper_end(pen, {level * math::sin(azimuth), -level * math::cos(azimuth), math::sin(altitude)});
 }
 
-PenEvent parse_event(std::string_view line) {
+}  // namespace
+
+PenEvent svc_event(std::string_view line) {
   std::array<double, 7> numbers{};
   parse_numbers(line, "seven numbers: x y time pen_down azimuth altitude pressure", numbers);
   const auto [x, y, time, pen_down, azimuth, altitude, pressure] = numbers;
@@ -40,30 +41,13 @@ PenEvent parse_event(std::string_view line) {
   return event;
 }
 
-std::size_t parse_count(std::string_view line) {
+std::size_t svc_count(std::string_view line) {
   double count = 0;
   parse_numbers(line, "one number: of the lines that follow", {&count, 1});
   constexpr double most = 1e9;
   if (!(count >= 0 && count <= most) || count != std::floor(count))
     throw Error("the number of the lines that follow must be whole");
   return static_cast<std::size_t>(count);
-}
-
-}  // namespace
-
-PenEvents svc_events(const std::string& text, const std::filesystem::path& path) {
-  std::size_t count = 0;
-  PenEvents recorded{{}, {.time = true, .pressure = true, .tilt = true}};
-  std::vector<PenEvent>& events = recorded.events;
-  for_each_line(text, path, [&](std::string_view line, std::size_t number) {
-    if (number == 1)
-      count = parse_count(line);
-    else
-      events.push_back(parse_event(line));
-  });
-  if (events.size() != count)
-    throw FileError(path.string(), "1", fmt::format("{} lines are told, {} follow", count, events.size()));
-  return recorded;
 }
 
 }  // namespace burin
