@@ -31,10 +31,14 @@ struct ImportOptions {
   bool list = false, json = false;
 };
 
-/// The kind of a recording whose first bytes are those of none, so that a message can name its fault.
+/// The kind of a recording whose first bytes are those of none, so that a message can name its fault; empty
+/// if its name does not tell either.
 std::string_view kind_by_name(const std::filesystem::path& path) {
   const std::filesystem::path extension = path.extension();
-  return extension == ".json" ? "pointer" : extension == ".svc" ? "svc" : "mypaint";
+  return extension == ".json"  ? "pointer"
+         : extension == ".svc" ? "svc"
+         : extension == ".dat" ? "mypaint"
+                               : std::string_view();
 }
 
 PenFile read_recording(const ImportOptions& options) {

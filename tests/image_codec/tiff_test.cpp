@@ -34,6 +34,31 @@ TEST_F(TiffFiles, HasBlackAsZeroAtEveryDepth) {
   expect_near(read_stamp(file).texels, (std::vector<float>{1, 0.75f, 2, -2}));
 }
 
+TEST_F(TiffFiles, HasFractionsOfTheLargestNumberOfAnyBits) {
+  for (const unsigned bits : {6U, 10U, 12U, 14U})
+    for (const bool inverted : {false, true}) {
+      const unsigned most = (1U << bits) - 1;
+      std::vector<unsigned> numbers;
+      for (unsigned i = 0; i < 64; ++i) numbers.push_back(i * most / 63);
+      std::string bytes;
+      unsigned held = 0, count = 0;
+      for (const unsigned number : numbers)
+        for (unsigned bit = bits; bit-- > 0;) {
+          held = held << 1 | (number >> bit & 1U);
+          if (++count % 8 == 0) bytes += static_cast<char>(held & 255U);
+        }
+      const auto setup = [&](TIFF* tiff) {
+        if (inverted) white_is_zero(tiff);
+      };
+      const std::vector<float> texels =
+          read_stamp(write_tiff(64, 1, static_cast<std::uint16_t>(bits), bytes, setup)).texels;
+      for (std::size_t i = 0; i < 64; ++i) {
+        const float share = static_cast<float>(numbers[i]) / static_cast<float>(most);
+        EXPECT_NEAR(texels[i], inverted ? 1 - share : share, 1e-7) << bits << " bits, texel " << i;
+      }
+    }
+}
+
 TEST_F(TiffFiles, HasBlackAsZeroInTilesToo) {
   const auto tiled = [](TIFF* tiff) {
     white_is_zero(tiff);

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string_view>
 #include <tuple>
@@ -189,6 +190,12 @@ void make_black_zero(StoredImage& image) {
     image.image.texels[i] = 1 - image.image.texels[i];
 }
 
+/// Rounds values to fractions of the largest number of so many bits.
+void round_to_bits(unsigned bits, std::vector<float>& values) {
+  const auto most = static_cast<float>((1U << bits) - 1);
+  for (float& value : values) value = std::round(value * most) / most;
+}
+
 StoredImage read_tiff(const ImageFileFormat& file, const StampOptions& options) {
   const std::string path = file.path.string();
   const TiffInfo facts = read_tiff_facts(file.path, file.size);
@@ -200,6 +207,7 @@ StoredImage read_tiff(const ImageFileFormat& file, const StampOptions& options) 
   ImageFile opened(file);
   StoredImage image = read_chosen(opened, options);
   expect_texels_that_decode(file.path);
+  if (facts.odd_bits > 0) round_to_bits(facts.odd_bits, image.image.texels);
   if (facts.white_is_zero) make_black_zero(image);
   image.no_data = facts.no_data;
   return image;

@@ -87,6 +87,14 @@ std::string misread_texels(TIFF* tiff, std::uint16_t meaning) {
   return {};
 }
 
+/// Bits of whole numbers that OpenImageIO widens to 8 or 16 bits by repeating the highest ones, which makes a
+/// fraction of the largest number a little wrong; 0 for others.
+unsigned odd_bits(TIFF* tiff, std::uint16_t meaning) {
+  const auto bits = field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE, 1);
+  const bool even = bits >= 16 || (bits & (bits - 1)) == 0;
+  return even || meaning == PHOTOMETRIC_PALETTE ? 0 : bits;
+}
+
 bool is_part_of_first(TIFF* tiff) {
   std::uint32_t kind = 0;
   TIFFGetField(tiff, TIFFTAG_SUBFILETYPE, &kind);
@@ -120,6 +128,7 @@ TiffInfo read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_
   std::uint16_t meaning = PHOTOMETRIC_MINISBLACK;
   TIFFGetField(tiff.get(), TIFFTAG_PHOTOMETRIC, &meaning);
   facts.white_is_zero = meaning == PHOTOMETRIC_MINISWHITE;
+  facts.odd_bits = odd_bits(tiff.get(), meaning);
   facts.misread = misread_texels(tiff.get(), meaning);
   facts.numbers = meaning <= PHOTOMETRIC_PALETTE || meaning == PHOTOMETRIC_YCBCR;
   facts.no_data = no_data_value(tiff.get());

@@ -10,6 +10,7 @@ namespace burin {
 struct TiffInfo {
   bool white_is_zero = false;     ///< 0 means white: PhotometricInterpretation 0
   bool numbers = true;            ///< grey or RGB, not another colour space (CIE Lab, CMYK)
+  unsigned odd_bits = 0;          ///< of whole numbers of other than 1, 2, 4, 8, 16 or 32 bits, else 0
   std::string misread;            ///< texels that OpenImageIO misreads, in words; empty if it reads them
   std::optional<double> no_data;  ///< the value that marks texels without data (GDAL's tag)
   bool cut_off = false;           ///< texels of the first image lie beyond the end of the file

@@ -43,6 +43,16 @@ TEST(ReadCsv, ReadsWhatSpreadsheetsWrite) {
   EXPECT_EQ(places(american.strokes.at(0)), "1.5 2.5");
 }
 
+TEST(ReadCsv, PartsStrokesByTextsToo) {
+  const PenFile file =
+      PenFileFolder().read("stroke,x,y\nleft,1,2\nleft,3,4\n\"right\",5,6\nleft,7,8\n1,9,9\n1.0,8,8\n");
+  ASSERT_EQ(file.strokes.size(), 4u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4");
+  EXPECT_EQ(places(file.strokes[1]), "5 6");
+  EXPECT_EQ(places(file.strokes[2]), "7 8");
+  EXPECT_EQ(places(file.strokes[3]), "9 9, 8 8");
+}
+
 TEST(ReadCsv, LeavesOutColumnsOfUnknownUnits) {
   const PenFile file = PenFileFolder().read("x_px,y_px,time (min),timestamp,timestamp_us\n1,2,3,4,5000000\n");
   EXPECT_EQ(file.not_used, (std::vector<std::string>{"time (min)", "timestamp"}));

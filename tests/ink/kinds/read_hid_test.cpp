@@ -41,6 +41,14 @@ TEST(ReadHid, CutsReportsByTheDescriptor) {
   EXPECT_DOUBLE_EQ(sample.time, 0.005);
 }
 
+TEST(ReadHid, TakesRadiansWhereTheDescriptorHasThem) {
+  std::string in_radians = descriptor;
+  in_radians.replace(in_radians.find("65 14"), 5, "65 12");
+  const PenFile file = PenFileFolder().read(in_radians + "E: 0 9 02 09 c8 00 19 ff 01 02 ff\n");
+  EXPECT_EQ(file.strokes.at(0).samples.at(0).pen.tilt_x, 2);
+  EXPECT_EQ(file.strokes[0].samples[0].pen.tilt_y, -1);
+}
+
 TEST(ReadHid, NamesTheLineOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(descriptor + "E: 1 9 02\n"), "5: expected a count of bytes");

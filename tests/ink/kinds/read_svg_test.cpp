@@ -23,6 +23,16 @@ TEST(ReadSvg, FollowsLines) {
   EXPECT_EQ(file.strokes[0].fields, PenFields());
 }
 
+TEST(ReadSvg, LeavesOutWhatIsNotDrawn) {
+  const PenFile file =
+      PenFileFolder().read(svg(R"svg(<g style="fill:none;display:inline"><path d="M1 2L3 4"/></g>
+    <g display="none"><path style="display:inline" d="M0 0L5 5"/></g><path display="block" style="fill:red; display : none" d="M0 0L6 6"/>
+    <path style="display:none;display:inline" d="M5 6L7 8"/>)svg"));
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4");
+  EXPECT_EQ(places(file.strokes[1]), "5 6, 7 8");
+}
+
 TEST(ReadSvg, FollowsSkewsAndViews) {
   const std::string path = R"svg(<path d="M0 0L1 2"/>)svg";
   const auto placed = [&](const std::string& around, const std::string& end) {

@@ -199,6 +199,8 @@ TEST_F(ReadStrokes, RejectsLinesOutOfOrder) {
   EXPECT_EQ(complaint(lines({header, begin, R"({"end": 1})"})), "3: end: must be true, not 1");
   EXPECT_EQ(complaint(lines({header, header})), "2: a second header");
   EXPECT_EQ(complaint(lines({begin, header})), R"(1: the header {"burin_stroke": 1, ...} must come first)");
+  EXPECT_TRUE(complaint("x,y\n1,2\n").starts_with("1: no .stroke file, whose header"));
+  EXPECT_EQ(complaint("{\"burin_stroke\": 1\n"), "1: malformed JSON at column 19");
   EXPECT_EQ(complaint(lines({"", "[1]"})), R"(2: the header {"burin_stroke": 1, ...} must come first)");
   EXPECT_EQ(complaint(""), R"(1: the header {"burin_stroke": 1, ...} is missing)");
   EXPECT_EQ(complaint("{\"burin_str"), R"(1: the header {"burin_stroke": 1, ...} is missing)");

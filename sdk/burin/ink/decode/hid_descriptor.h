@@ -14,8 +14,9 @@ struct HidField {
   std::uint32_t usage = 0;     ///< page << 16 | usage; Wacom's own pages as those of the standard
   double least = 0, most = 0;  ///< of the value, which is two's complement where `least` is negative
   double physical_least = 0, physical_most = 0;  ///< what these mean in `unit`; 0, 0: the same
-  std::uint32_t unit = 0;  ///< code of the HID specification; 0x11: cm, 0x13: in, 0x14: degrees
-  int exponent = 0;        ///< of 10, on the unit
+  std::uint32_t unit =
+      0;             ///< code of the HID specification; 0x11: cm, 0x12: radians, 0x13: in, 0x14: degrees
+  int exponent = 0;  ///< of 10, on the unit
 };
 
 /// The variable input fields that a report descriptor describes. Throws Error for one that is cut off or

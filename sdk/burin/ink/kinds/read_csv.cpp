@@ -51,6 +51,7 @@ struct Row {
   PenFields fields;
   bool has_x = false, has_y = false, has_z = false, contact = true, eraser = false;
   double stroke = 0;
+  std::string_view stroke_name;  ///< where that is no number; empty else
 };
 
 void set(Row& row, CsvCell cell, double value) {
@@ -120,19 +121,28 @@ std::optional<double> value_of(std::string_view cell) {
   return value;
 }
 
+bool is_number(std::string_view cell) {
+  double value = 0;
+  return take_number(cell, value) && cell.empty();
+}
+
 Row row_of(std::string_view line, char separator, std::span<const CsvColumn> named) {
   Row row;
   for (std::size_t number = 0; !line.empty(); ++number) {
     const std::string_view cell = take_csv_cell(line, separator);
     if (number >= named.size()) throw Error(fmt::format("a line of more than the {} columns", named.size()));
     if (named[number].cell == CsvCell::unknown) continue;
-    if (const auto value = value_of(cell)) set(row, named[number].cell, *value * named[number].scale);
+    if (named[number].cell == CsvCell::stroke && !is_number(cell))
+      row.stroke_name = cell;
+    else if (const auto value = value_of(cell))
+      set(row, named[number].cell, *value * named[number].scale);
   }
   if (!row.has_x || !row.has_y) throw Error("a line without x or y");
   return row;
 }
 
-/// Makes strokes of rows: one for each run of one number in the column `stroke` in which the pen touches.
+/// Makes strokes of rows: one for each run of one number, or one text, in the column `stroke` in which the
+/// pen touches.
 class Rows {
  public:
   void take(const Row& row) {
@@ -141,7 +151,7 @@ class Rows {
       down_ = false;
       return;
     }
-    if (!down_ || row.stroke != stroke_) {
+    if (!down_ || row.stroke != stroke_ || row.stroke_name != stroke_name_) {
       PenStroke& stroke = content_.strokes.emplace_back();
       stroke.fields = row.fields;
       stroke.has_z = row.has_z;
@@ -149,6 +159,7 @@ class Rows {
     }
     down_ = true;
     stroke_ = row.stroke;
+    stroke_name_ = row.stroke_name;
     PenStroke& stroke = content_.strokes.back();
     if (row.fields != stroke.fields) throw Error("a line has other cells than the first of its stroke");
     stroke.samples.push_back(row.sample);
@@ -159,6 +170,7 @@ class Rows {
   PenFile content_;
   bool down_ = false;
   double stroke_ = 0;
+  std::string stroke_name_;
 };
 
 }  // namespace

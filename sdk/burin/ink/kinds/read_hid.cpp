@@ -114,7 +114,9 @@ double HidPen::position(const HidField& field, const Bytes& report) {
 
 float HidPen::angle(std::uint32_t usage, const Bytes& report) const {
   const HidField& field = *find(usage, report);
-  return static_cast<float>(physical(field, *value(usage, report)) * std::numbers::pi / 180);
+  constexpr std::uint32_t radians = 0x12;
+  const double by = field.unit == radians ? 1 : std::numbers::pi / 180;
+  return static_cast<float>(physical(field, *value(usage, report)) * by);
 }
 
 void HidPen::add_sample(double time, const Bytes& report, bool eraser) {

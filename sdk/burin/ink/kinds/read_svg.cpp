@@ -122,6 +122,20 @@ Affine view_of(const pugi::xml_node& svg) {
   return view.translate(-Eigen::Vector2d(box[0], box[1]));
 }
 
+/// Whether an element says of itself that neither it nor those in it are drawn.
+bool is_hidden(const pugi::xml_node& node) {
+  std::string_view display = attribute(node, "display").value();
+  for (std::string_view style = attribute(node, "style").value(); !style.empty();) {
+    std::string_view declaration = style.substr(0, style.find(';'));
+    style.remove_prefix(std::min(declaration.size() + 1, style.size()));
+    skip_blanks(declaration);
+    if (!declaration.starts_with("display")) continue;
+    declaration.remove_prefix(std::string_view("display").size());
+    if (take_character(declaration, ':')) display = declaration;
+  }
+  return take_word(display) == "none";
+}
+
 class SvgReader {
  public:
   explicit SvgReader(const PenFileText& file) : xml_(file) { content_.unit = "px"; }
@@ -142,6 +156,7 @@ class SvgReader {
 /// Takes an element and those in it. What only serves others by reference is no stroke.
 void SvgReader::read_element(const pugi::xml_node& node, Affine transform) {
   const std::string_view name = local_name(node.name());
+  if (is_hidden(node)) return;
   if (name == "defs" || name == "clipPath" || name == "symbol" || name == "marker" || name == "mask" ||
       name == "pattern")
     return;
