@@ -45,6 +45,21 @@ const std::string text_solid =
     "solid a b c\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
     "endfacet\nendsolid a b c\n";
 
+TEST(ReadStl, ReadsTextInASingleLine) {
+  std::string line = text_solid + "solid\n" + text_solid.substr(text_solid.find("facet"));
+  line.insert(line.find("outer"), "color 1 0.5 0\n");
+  std::ranges::replace(line, '\n', ' ');
+  for (const std::string& text : {line, line + "\n", line + "solid empty endsolid empty"}) {
+    const PolygonMesh mesh = read_mesh(MeshFile("a.stl", text).path());
+    EXPECT_EQ(mesh.face_vertices, (std::vector<Index>{0, 1, 2, 3, 4, 5})) << "they stay apart";
+    EXPECT_EQ(mesh.not_used, "1 colour, 2 normals");
+  }
+  std::string named = text_solid;
+  named.replace(named.rfind("a b c"), 5, "of a solid facet");
+  named.replace(named.find("a b c"), 5, "facet of a solid");
+  EXPECT_EQ(read_mesh(MeshFile("a.stl", named).path()).face_vertices.size(), 3u) << "a name may be any words";
+}
+
 TEST(ReadStl, ReadsTextAsProgramsWriteIt) {
   const auto vertices = [](const std::string& content) {
     return read_mesh(MeshFile("a.stl", content).path()).face_vertices;

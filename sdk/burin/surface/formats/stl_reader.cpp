@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <numeric>
 
@@ -69,6 +70,32 @@ FileMesh read_binary(std::string_view bytes, const std::filesystem::path& path) 
   return file;
 }
 
+/// What a line has behind the name of a solid that begins, or of one that `ended`: files in a single line
+/// have a facet there, or another solid. A name may be any words, so "facet" counts only before "normal".
+std::string_view behind_name(std::string_view line, bool ended) {
+  const auto lower_word = [](std::string_view& text) { return in_lower_case(std::string(next_word(text))); };
+  std::string_view solid;
+  while (!line.empty()) {
+    const std::string_view here = line;
+    const std::string word = lower_word(line);
+    if (!ended && word == "endsolid") return here;
+    if (ended && word == "solid" && solid.empty()) solid = here;
+    std::string_view next = line;
+    if (word == "facet" && lower_word(next) == "normal") return ended ? solid : here;
+  }
+  return {};
+}
+
+/// What a line has behind a colour.
+std::string_view behind_colour(std::string_view line) {
+  constexpr std::array<std::string_view, 4> words = {"facet", "outer", "endfacet", "endsolid"};
+  while (!line.empty()) {
+    const std::string_view here = line;
+    if (std::ranges::find(words, in_lower_case(std::string(next_word(line)))) != words.end()) return here;
+  }
+  return {};
+}
+
 /// Reads the text form, in upper or lower case. Normals are skipped, since some programs write words that are
 /// not numbers.
 class TextReader {
@@ -110,12 +137,12 @@ class TextReader {
     }
     if (key == "solid" || key == "endsolid") {
       in_solid_ = key == "solid";
-      rest = {};
+      rest = behind_name(rest, !in_solid_);
       return;
     }
     if (key == "color" || key == "colour") {
       unused_.add("colour", "colours");
-      rest = {};
+      rest = behind_colour(rest);
       return;
     }
     fail(fmt::format("{} is not a word of an STL file", quoted_word(word)));
