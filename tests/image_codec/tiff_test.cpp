@@ -151,6 +151,24 @@ TEST_F(TiffFiles, FillsWholeNumbersThatHoldNoData) {
   EXPECT_FLOAT_EQ(read_stamp(bytes, {.clean = true}).texels[1], 20 / 255.0f);
 }
 
+/// The number is the file's, whatever white means, of as many bits as the file has.
+TEST_F(TiffFiles, FillsNumbersOfAnyBitsThatHoldNoData) {
+  const auto filled = [&](std::uint16_t bits, const std::string& bytes, const char* none, bool inverted) {
+    const auto setup = [&](TIFF* tiff) {
+      if (inverted) white_is_zero(tiff);
+      no_data(none, false)(tiff);
+    };
+    return read_stamp(write_tiff(3, 1, bits, bytes, setup), {.clean = true}).texels;
+  };
+  // 100, 4095 and 300 in 12 bits; 256/4095 is nearly 4095/65535.
+  EXPECT_NEAR(filled(12, std::string("\x06\x4f\xff\x12\xc0", 5), "4095", false)[1], 200 / 4095., 1e-6);
+  EXPECT_NEAR(filled(12, std::string("\x06\x41\x00\x12\xc0", 5), "4095", false)[1], 256 / 4095., 1e-6);
+  EXPECT_NEAR(filled(4, "\x3f\x90", "15", false)[1], 6 / 15., 1e-6);
+  EXPECT_NEAR(filled(8, std::string("\x0a\0\x1e", 3), "0", true)[1], 1 - 20 / 255., 1e-6);
+  EXPECT_NEAR(filled(8, std::string("\x0a\xff\x1e", 3), "0", true)[1], 0, 1e-6);
+  EXPECT_NEAR(filled(16, bytes_of<std::uint16_t>({100, 7, 300}), "7", true)[1], 1 - 200 / 65535., 1e-6);
+}
+
 TEST_F(TiffFiles, ReadsWholeNumbersOf32BitsAndWithASign) {
   const auto is_signed = [](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_INT); };
   expect_near(read_stamp(write_tiff(3, 1, 32, bytes_of<std::uint32_t>({0, 858993459, 4294967295}))).texels,

@@ -210,6 +210,8 @@ StoredImage read_tiff(const ImageFileFormat& file, const StampOptions& options) 
   if (facts.odd_bits > 0) round_to_bits(facts.odd_bits, image.image.texels);
   if (facts.white_is_zero) make_black_zero(image);
   image.no_data = facts.no_data;
+  image.no_data_texel = facts.no_data.value_or(0) / facts.greatest;
+  if (facts.white_is_zero) image.no_data_texel = 1 - image.no_data_texel;
   return image;
 }
 

@@ -95,6 +95,15 @@ unsigned odd_bits(TIFF* tiff, std::uint16_t meaning) {
   return even || meaning == PHOTOMETRIC_PALETTE ? 0 : bits;
 }
 
+/// The largest number of the texels; 1 for floating point.
+double greatest_number(TIFF* tiff) {
+  const auto bits = field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE, 1);
+  const auto format = field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
+  if (format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_INT) return 1;
+  const int of_size = std::min<int>(bits, 32) - (format == SAMPLEFORMAT_INT ? 1 : 0);
+  return static_cast<double>((std::uint64_t{1} << of_size) - 1);
+}
+
 bool is_part_of_first(TIFF* tiff) {
   std::uint32_t kind = 0;
   TIFFGetField(tiff, TIFFTAG_SUBFILETYPE, &kind);
@@ -131,7 +140,9 @@ TiffInfo read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_
   facts.odd_bits = odd_bits(tiff.get(), meaning);
   facts.misread = misread_texels(tiff.get(), meaning);
   facts.numbers = meaning <= PHOTOMETRIC_PALETTE || meaning == PHOTOMETRIC_YCBCR;
-  facts.no_data = no_data_value(tiff.get());
+  facts.greatest = greatest_number(tiff.get());
+  // That of a palette would be the number of a colour.
+  if (meaning != PHOTOMETRIC_PALETTE) facts.no_data = no_data_value(tiff.get());
   facts.cut_off = is_cut_off(tiff.get(), file_bytes);
   while (!facts.more_images && TIFFReadDirectory(tiff.get()))
     facts.more_images = !is_part_of_first(tiff.get());

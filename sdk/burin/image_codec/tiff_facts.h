@@ -12,7 +12,8 @@ struct TiffInfo {
   bool numbers = true;            ///< grey or RGB, not another colour space (CIE Lab, CMYK)
   unsigned odd_bits = 0;          ///< of whole numbers of other than 1, 2, 4, 8, 16 or 32 bits, else 0
   std::string misread;            ///< texels that OpenImageIO misreads, in words; empty if it reads them
-  std::optional<double> no_data;  ///< the value that marks texels without data (GDAL's tag)
+  double greatest = 1;            ///< the largest whole number, which becomes 1; 1 for floating point
+  std::optional<double> no_data;  ///< the number that marks texels without data (GDAL's tag)
   bool cut_off = false;           ///< texels of the first image lie beyond the end of the file
   bool more_images = false;       ///< the file has images besides the first, its masks and its smaller copies
 };

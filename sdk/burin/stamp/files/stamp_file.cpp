@@ -16,19 +16,10 @@
 namespace burin {
 namespace {
 
-/// The number by which whole numbers of this type were divided; 1 for other types.
-double greatest_of(const std::string& texel_type) {
-  constexpr std::pair<const char*, double> types[] = {
-      {"uint8", 255}, {"uint16", 65535}, {"int16", 32767}, {"uint", 4294967295}, {"int", 2147483647}};
-  const auto found =
-      std::ranges::find(types, texel_type, [](const auto& type) { return std::string(type.first); });
-  return found == std::end(types) ? 1 : found->second;
-}
-
 /// Replaces values that equal no_data, up to the rounding of its text, by NaN.
 void drop_no_data(StoredImage& stored) {
   if (!stored.no_data) return;
-  const double none = *stored.no_data / greatest_of(stored.file.texel_type), rounding = std::abs(none) * 1e-5;
+  const double none = stored.no_data_texel, rounding = std::abs(none) * 1e-5;
   const bool at_the_end = std::abs(none) >= double{std::numeric_limits<float>::max()};
   for (float& value : stored.image.texels) {
     const double number = double{value};

@@ -10,7 +10,8 @@ namespace burin {
 struct StoredImage {
   StampImage image;
   StampFile file;
-  std::optional<double> no_data;  ///< the value that marks texels without data
+  std::optional<double> no_data;  ///< the file's number that marks texels without data
+  double no_data_texel = 0;       ///< the value of the image that it became
 };
 
 /// Reads those channels of an EXR, TIFF, PNG or JPEG file that the options choose. Throws FileError for all
