@@ -49,13 +49,16 @@ JsonValue pen_json_part(const PenFileText& file, std::string_view part) {
 std::optional<PenFile> pen_file_by_parts(
     const PenFileText& file, const std::function<bool(TextWindow& text, PenFile& content)>& read) {
   PenFile content;
+  TextWindow text(file);
   try {
-    TextWindow text(file);
     if (read(text, content) && !text.skip_blanks()) return content;
   } catch (const FileError&) {
-    std::error_code none;
-    if (file.rest_at != 0 && std::filesystem::file_size(file.path, none) > most_parsed_bytes) throw;
+    // Reading it as a whole finds the place of the fault.
   }
+  std::error_code none;
+  if (file.rest_at != 0 && std::filesystem::file_size(file.path, none) > most_parsed_bytes)
+    throw FileError(file.path.string(), std::to_string(line_of(file, text.place())),
+                    "more than 60 MB of JSON that cannot be read stroke by stroke beyond this line");
   return std::nullopt;
 }
 

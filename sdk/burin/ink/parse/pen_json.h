@@ -21,7 +21,8 @@ JsonValue pen_json_part(const PenFileText& file, std::string_view part);
 
 /// What `read` adds to a file that it reads part by part, so that one of many parts needs little memory.
 /// Nothing where it returns false, leaves text behind or finds a fault: the file must then be read as a
-/// whole, so that the message names the place in it. Throws the fault of a file of more than 60 MB.
+/// whole, so that the message names the place in it. Of a file of more than 60 MB throws a FileError that
+/// names the line up to which it was read.
 std::optional<PenFile> pen_file_by_parts(const PenFileText& file,
                                          const std::function<bool(TextWindow& text, PenFile& content)>& read);
 
