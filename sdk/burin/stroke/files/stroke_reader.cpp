@@ -58,9 +58,10 @@ std::optional<JsonValue> Reader::parse(std::string_view text, bool complete) {
     return JsonValue::parse_line(text, path_, line_);
   } catch (const MalformedJson&) {
     if (complete && !header_seen_ && text.find("burin_stroke") == text.npos)
-      throw FileError(path_, std::to_string(line_),
-                      "no .stroke file, whose header {\"burin_stroke\": 1, ...} comes first; `burin import` reads "
-                      "recordings of other programs");
+      throw FileError(
+          path_, std::to_string(line_),
+          "no .stroke file, whose header {\"burin_stroke\": 1, ...} comes first; `burin import` reads "
+          "recordings of other programs");
     if (complete) throw;
     return std::nullopt;
   }
