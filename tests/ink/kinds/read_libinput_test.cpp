@@ -66,6 +66,21 @@ TEST(ReadLibinput, ReadsEventsInWhateverYamlAlike) {
                   .strokes.empty());
 }
 
+TEST(ReadLibinput, TakesARunOnceWhateverTheFileSays) {
+  const std::string run = R"(    - [0, 0, 3, 0, 2000]
+    - [0, 0, 3, 1, 400]
+    - [0, 0, 1, 330, 1]
+    - [0, 0, 0, 0, 0]
+)";
+  const std::size_t above = head.size(), first = above + std::string("  - evdev:\n").size();
+  std::string text = head + "  - evdev:\n" + run + "  - evdev:\n";
+  for (int i = 0; i < 1000; ++i)
+    text += "    - run:" + std::to_string(above) + ":" + std::to_string(first) + "\n";
+  const PenFile file = PenFileFolder().read(text);
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(file.strokes[0].samples.size(), 1u);
+}
+
 TEST(ReadLibinput, HasTheFramesOfATablet) {
   const PenFile file = PenFileFolder().read(head + R"(  # Current time is 12:34:56
   - evdev:

@@ -66,6 +66,14 @@ std::string long_brush_strokes() {
   return text + "])\n";
 }
 
+/// Of many lists, each of which is read again since it has no places of a mouse.
+std::string many_brush_strokes() {
+  std::string text;
+  for (int i = 0; i < 30'000; ++i)
+    text += "f(stroke=[{'name': '', 'location': (" + std::to_string(i) + ", 1, 0), 'size': 1}])\n";
+  return text;
+}
+
 std::string long_libinput() {
   std::string text = "libinput:\ndevices:\n- evdev:\n    name: A\n  events:\n";
   for (int i = 0; i < 30'000; ++i) {
@@ -80,7 +88,8 @@ std::string long_libinput() {
 // Kinds that are read by pieces keep what lies where a piece ends, and name the line of a fault behind.
 TEST(TextWindow, ReadsLongFilesLikeShortOnes) {
   const test::PenFileFolder folder;
-  for (const std::string& text : {long_csv(), long_pointers(), long_brush_strokes(), long_libinput()}) {
+  for (const std::string& text :
+       {long_csv(), long_pointers(), long_brush_strokes(), many_brush_strokes(), long_libinput()}) {
     ASSERT_GT(text.size(), std::size_t{1} << 20);
     const auto path = folder.write("long", text);
     const PenFileText pieces = open_pen_file(path), whole = whole_pen_file(path);

@@ -63,6 +63,8 @@ bool for_each_event_of_run(TextWindow& text, std::string_view item,
   if (!item.starts_with(run_mark)) return false;
   item.remove_prefix(run_mark.size());
   if (!take_whole(item, above_at) || !take_character(item, ':') || !read_whole(item, first)) return false;
+  // An item that the recording itself has must not have its events taken again and again.
+  if (above_at < text.place()) return false;
   text.go_to(above_at);
   const std::string above(text.take_line());
   if (text.place() != first) return false;

@@ -35,8 +35,8 @@ class LibinputLines {
   std::size_t number_ = 0;
 };
 
-/// Calls `take` with the events of the run that such an item stands for; returns false for other texts. The
-/// window, of the recording, is then at the end of the run.
+/// Calls `take` with the events of the run that such an item stands for; returns false for other texts, and
+/// for runs that begin before the window, which is of the recording and then at the end of the run.
 bool for_each_event_of_run(TextWindow& text, std::string_view item,
                            const std::function<void(const EvdevEvent& event)>& take);
 

@@ -19,15 +19,19 @@ TextWindow::TextWindow(const PenFileText& file) : whole_(file.text), text_(file.
 }
 
 void TextWindow::go_to(std::uintmax_t place) {
-  if (in_ && place >= place_ && place - place_ < text_.size()) return remove_prefix(place - place_);
+  const std::uintmax_t end = place_ + text_.size(), begin = end - buffer_.size();
   place_ = place;
-  text_ = whole_.substr(std::min<std::uintmax_t>(place, whole_.size()));
-  if (!file_) return;
-  in_->clear();
-  in_->seekg(static_cast<std::streamoff>(file_->rest_at - file_->text.size() + place));
-  if (!*in_) throw FileError(file_->path.string(), std::strerror(errno));
-  buffer_.clear();
-  text_ = {};
+  if (!file_) {
+    text_ = whole_.substr(std::min<std::uintmax_t>(place, whole_.size()));
+  } else if (!buffer_.empty() && place >= begin && place <= end) {
+    text_ = std::string_view(buffer_).substr(place - begin);
+  } else {
+    in_->clear();
+    in_->seekg(static_cast<std::streamoff>(file_->rest_at - file_->text.size() + place));
+    if (!*in_) throw FileError(file_->path.string(), std::strerror(errno));
+    buffer_.clear();
+    text_ = {};
+  }
 }
 
 bool TextWindow::grow() {

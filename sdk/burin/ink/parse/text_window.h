@@ -26,7 +26,7 @@ class TextWindow {
   std::string_view text() const { return text_; }
   std::uintmax_t place() const { return place_; }  ///< the byte of the text at which the window begins
 
-  /// Lets the window begin at another byte of the text; reads less the nearer it is behind.
+  /// Lets the window begin at another byte of the text. Reads nothing again if that lies in the last block.
   void go_to(std::uintmax_t place);
 
   void remove_prefix(std::size_t count) {

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -59,15 +60,17 @@ std::string dump(const Json& line) {
 
 /// Appends the shortest text that is read back as the same double. "-0" would be read back as the integer 0.
 void append(std::string& line, double value) {
-  const bool negative_zero = value == 0 && std::signbit(value);
-  line += negative_zero ? std::string("-0.0,") : fmt::format("{},", value);
+  if (value == 0 && std::signbit(value))
+    line += "-0.0,";
+  else
+    fmt::format_to(std::back_inserter(line), "{},", value);
 }
 
 /// Appends the shortest text of a float. Read as a double and rounded, it gives that float again: all floats
 /// were tried. The one exception, 7.0385307e-26, is among the small values that are written as doubles.
 void append(std::string& line, float value) {
   if (std::abs(value) < 1e-20f) return append(line, static_cast<double>(value));
-  line += fmt::format("{},", value);
+  fmt::format_to(std::back_inserter(line), "{},", value);
 }
 
 void expect_no_fault(std::string_view fault) {
