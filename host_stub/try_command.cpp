@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "command.h"
 #include "input/brush_folder.h"
@@ -90,7 +91,7 @@ Camera view_of(const Session& session, const StrokeExtent& extent) {
 
 /// Goes on with the stroke as the last one.
 void watch_stroke(const TryOptions& options, Session& session, BrushLibrary& library,
-                  const Recording& recording, const Camera& camera) {
+                  const Recording& recording, const Camera& camera, Picture picture) {
   flush_results();
   watch({session,
          library,
@@ -98,7 +99,8 @@ void watch_stroke(const TryOptions& options, Session& session, BrushLibrary& lib
          {},
          camera,
          [&](const WatchedStroke&, const WatchedStroke& after) { write_png(options.png, after.picture); },
-         *options.watch});
+         *options.watch,
+         std::move(picture)});
 }
 
 void run(const TryOptions& options) {
@@ -120,10 +122,11 @@ void run(const TryOptions& options) {
   const ReplayResult result = replay(session, recording, {}, observer);
   for (const std::string& line : session.warnings()) warn(line);
   const Camera camera = view_of(session, extent);
-  write_png(options.png, draw_result(session, part_meshes(session), camera));
+  Picture picture = draw_result(session, part_meshes(session), camera);
+  write_png(options.png, picture);
   write_result(fmt::format("{}: {} events, {:.2f} ms at the median\n{}\n", brush, result.samples_drawn,
                            1000 * percentiles(result.latencies).p50, options.png));
-  if (options.watch) watch_stroke(options, session, library, recording, camera);
+  if (options.watch) watch_stroke(options, session, library, recording, camera, std::move(picture));
 }
 
 }  // namespace

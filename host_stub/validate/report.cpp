@@ -15,10 +15,6 @@
 namespace burin::validate {
 namespace {
 
-bool has_failed(const Result& result) {
-  return result.verdict != Verdict::pass && result.verdict != Verdict::skip;
-}
-
 /// Text as XML has it, without control characters, which it cannot hold.
 std::string xml(std::string text) {
   std::ranges::replace_if(

@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <iterator>
+#include <string_view>
 
 #include "validate/child_checks.h"
 
@@ -29,12 +30,39 @@ Result run_here(const Subject& subject, const Check& check) {
   try {
     check.run(subject);
     return {&check, Verdict::pass, {}};
+  } catch (const Told& told) {
+    return {&check, Verdict::pass, told.what()};
   } catch (const Skipped& skipped) {
     return {&check, Verdict::skip, skipped.what()};
   } catch (const std::exception& error) {
     return {&check, Verdict::fail, error.what()};
   }
 }
+
+bool has_failed(const Result& result) {
+  return result.verdict != Verdict::pass && result.verdict != Verdict::skip;
+}
+
+namespace {
+
+/// Where a brush cannot draw with its defaults, each check that draws fails, and none tells why but those of
+/// memory: the others are skipped.
+void skip_what_follows(std::vector<Result>& results) {
+  constexpr std::string_view cause = "life.begin-default";
+  const bool draws = std::ranges::none_of(
+      results, [](const Result& result) { return result.check->name == cause && has_failed(result); });
+  if (draws) return;
+  for (Result& result : results) {
+    const std::string_view name = result.check->name, topic = name.substr(0, name.find('.'));
+    if (!has_failed(result) || name == cause || topic == "module" || topic == "descriptor" ||
+        topic == "memory")
+      continue;
+    result.verdict = Verdict::skip;
+    result.text = "a brush does not draw with its defaults, see life.begin-default";
+  }
+}
+
+}  // namespace
 
 std::vector<Result> run_checks(const Subject& subject, std::span<const Check* const> checks,
                                const RunOptions& options) {
@@ -54,6 +82,7 @@ std::vector<Result> run_checks(const Subject& subject, std::span<const Check* co
   if (first.verdict == Verdict::pass) {
     const auto rest = run(others);
     results.insert(results.end(), rest.begin(), rest.end());
+    skip_what_follows(results);
   } else {
     Result skipped{nullptr, Verdict::skip, "the module does not load"};
     for (const Check* check : others) {

@@ -16,9 +16,12 @@ const char* name_of(Verdict verdict);
 struct Result {
   const Check* check;
   Verdict verdict;
-  std::string text;    ///< why, one line; empty if it passed
+  std::string text;    ///< why, one line; of one that passed what there is to tell, or nothing
   double seconds = 0;  ///< of wall-clock time
 };
+
+/// Whether a rule was broken.
+bool has_failed(const Result& result);
 
 /// How checks are run.
 struct RunOptions {
@@ -29,7 +32,8 @@ struct RunOptions {
 /// The time after which a check is ended, seconds.
 inline constexpr double time_limit = 20;
 
-/// Runs checks; results are in their order. If the module cannot be loaded all others are skipped.
+/// Runs checks; results are in their order. If the module cannot be loaded all others are skipped, and if a
+/// brush cannot draw with its defaults those that fail for that reason.
 std::vector<Result> run_checks(const Subject& subject, std::span<const Check* const> checks,
                                const RunOptions& options);
 

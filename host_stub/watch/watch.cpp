@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "pictures/result_picture.h"
 #include "system/console.h"
@@ -71,7 +72,7 @@ class LastStroke {
   const Watched& watched() const { return watched_; }
 
  private:
-  WatchedStroke measured(const ReplayResult& result) const;
+  WatchedStroke measured(const ReplayResult& result);
 
   /// Says what the session has to say since the last time.
   void warn_of_news() {
@@ -87,7 +88,7 @@ class LastStroke {
   bool drawn_ = true;  ///< on the surface
 };
 
-WatchedStroke LastStroke::measured(const ReplayResult& result) const {
+WatchedStroke LastStroke::measured(const ReplayResult& result) {
   WatchedStroke stroke;
   EventCost cost;
   for (const auto* costs : {&result.costs, &result.end_costs})
@@ -99,7 +100,9 @@ WatchedStroke LastStroke::measured(const ReplayResult& result) const {
   stroke.brush = brush_;
   stroke.hash = result.hash;
   const Session& session = watched_.session;
-  if (watched_.camera) stroke.picture = draw_result(session, part_meshes(session), *watched_.camera);
+  stroke.picture = std::exchange(watched_.picture, {});
+  if (watched_.camera && stroke.picture.rgb.empty())
+    stroke.picture = draw_result(session, part_meshes(session), *watched_.camera);
   return stroke;
 }
 

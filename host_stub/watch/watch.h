@@ -24,8 +24,9 @@ struct Watched {
   GivenSettings settings;        ///< instead of the recorded ones
   std::optional<Camera> camera;  ///< of the pictures; none without it
   std::function<void(const WatchedStroke& before, const WatchedStroke& after)>
-      show;         ///< called after each change, if there is a camera
-  int changes = 0;  ///< after so many changes of the module it is over; 0: it goes on
+      show;              ///< called after each change, if there is a camera
+  int changes = 0;       ///< after so many changes of the module it is over; 0: it goes on
+  Picture picture = {};  ///< of the stroke as it is now; drawn if it is empty
 };
 
 /// Loads the module of the last stroke's brush anew whenever it changes, draws the stroke again, and tells

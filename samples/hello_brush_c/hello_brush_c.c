@@ -1,4 +1,4 @@
-/* org.example.hello-brush-c: a ridge along the stroke. Change what evaluate() writes. */
+/* org.example.hello-brush-c. Change what evaluate() writes. */
 #include <burin/plugin/c/module.h>
 #include <burin/plugin/c/stroke_shape.h>
 

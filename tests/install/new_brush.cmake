@@ -68,6 +68,12 @@ if(PKG_CONFIG)
   separate_arguments(flags UNIX_COMMAND "${flags}")
   run(${c_compiler} ${flags} -O2 -fPIC -shared ${WORK}/plain_c/plain_c.c -o ${WORK}/plain_c/plain_c.burin -lm)
   run(${BURIN_COMMAND} validate ${WORK}/plain_c/plain_c.burin --level 1 --quiet)
+  # module.h does so for brushes in C.
+  execute_process(COMMAND ${BURIN_COMMAND} validate ${WORK}/plain_c/plain_c.burin --only life.outside-values
+    OUTPUT_VARIABLE outside COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT outside MATCHES "begin refuses them")
+    message(FATAL_ERROR "new_brush: values outside of their ranges: ${outside}")
+  endif()
 endif()
 list(GET CXX_COMPILERS 0 cxx_compiler)
 set(ENV{CC} ${c_compiler})

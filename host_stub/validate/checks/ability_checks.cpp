@@ -5,6 +5,7 @@
 #include <burin/abi/ext/volume.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -138,6 +139,22 @@ void check_state_versions(const Subject& subject) {
   });
 }
 
+void check_older_states(const Subject& subject) {
+  each_offering<burin_state>(subject, BURIN_EXT_STATE, [](ProbeBrush& brush, const burin_state& state) {
+    constexpr std::uint32_t most = 100;
+    for (std::uint32_t older = state.version - std::min(state.version, most); older < state.version;
+         ++older) {
+      const auto before = saved(brush, state);
+      for (std::size_t size = 0; size <= before.size(); ++size) {
+        const std::vector<char> part(before.begin(), before.begin() + static_cast<std::ptrdiff_t>(size));
+        if (state.load(&brush.abi(), older, part.data(), size, nullptr) == BURIN_OK) break;
+        require(saved(brush, state) == before,
+                fmt::format("a load of version {} that failed changes the brush", older));
+      }
+    }
+  });
+}
+
 burin_stroke_context finished() {
   burin_stroke_context context = stroke_context();
   context.flags = BURIN_STROKE_FINAL;
@@ -220,6 +237,10 @@ constexpr Check checks[] = {
      "Loads every beginning of a state, and 1 MB of random bytes.", check_damaged_state},
     {"ability.state-versions", 2, "ext/state.h: of other versions returns BURIN_UNSUPPORTED",
      "Loads a state of a version that there never was.", check_state_versions},
+    {"ability.older-states", 3,
+     "ext/state.h: load restores states of older versions or refuses them; on failure the brush stays as it "
+     "was",
+     "Loads beginnings of a state as states of each older version.", check_older_states},
     {"ability.volume", 2, "ext/volume.h: plan, distance", "Evaluates distances to the solid.", check_volume},
     {"ability.curve-filter", 2,
      "ext/curve_filter.h: the offset of a point within reach is the same whatever the part",

@@ -1,6 +1,7 @@
 // Checks what a plugin declares.
 #include <burin/host/plugin/descriptor_check.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -139,10 +140,14 @@ void check_ranges(const burin_param_info& info) {
   require(std::isfinite(info.soft_min) && std::isfinite(info.soft_max), "its soft range is not finite");
   require(info.soft_min <= info.soft_max, "its soft range is empty");
   require(info.soft_min >= info.hard_min && info.soft_max <= info.hard_max,
-          "its soft range exceeds the hard one");
+          fmt::format("its soft range {} .. {} exceeds the hard one, {} .. {}", info.soft_min, info.soft_max,
+                      info.hard_min, info.hard_max));
 }
 
 void check_defaults(const burin_param_info& info) {
+  if (info.type == BURIN_PARAM_COLOUR)
+    for (const float channel : info.default_colour)
+      require(channel >= 0 && channel <= 1, fmt::format("its default has a channel of {}", channel));
   if (info.type < BURIN_PARAM_FLOAT || info.type > BURIN_PARAM_CHOICE) return;
   const float value = info.default_number;
   const float low = is_number(info) ? info.hard_min : least_of(info);
@@ -154,8 +159,11 @@ void check_defaults(const burin_param_info& info) {
 void check_whole(const burin_param_info& info) {
   if (info.type != BURIN_PARAM_INT && info.type != BURIN_PARAM_CHOICE && info.type != BURIN_PARAM_BOOL)
     return;
-  require(std::trunc(info.default_number) == info.default_number,
-          fmt::format("its default {} is no whole number", info.default_number));
+  const bool has_range = info.type == BURIN_PARAM_INT;
+  for (const float number :
+       {info.default_number, has_range ? info.soft_min : 0.0f, has_range ? info.soft_max : 0.0f})
+    require(std::trunc(number) == number && std::abs(number) <= largest_whole_param,
+            fmt::format("{} is no whole number within 2^24", number));
 }
 
 void check_choices(const burin_param_info& info) {
@@ -198,12 +206,16 @@ void check_knots(const burin_param_info& info) {
 
 /// All that a descriptor says, as text.
 std::string told(const Brush& brush) {
-  std::string text = fmt::format("{} {} {} {:#x} {:#x}", brush.id, brush.name, brush.version,
-                                 brush.inputs_read, brush.outputs_written);
+  std::string text =
+      fmt::format("{} {} {} {} {} {:#x} {:#x}", brush.id, brush.name, brush.vendor, brush.version,
+                  brush.help ? brush.help : "", brush.inputs_read, brush.outputs_written);
+  text += fmt::format(" {}", fmt::join(list_of(brush.features), " "));
+  if (BURIN_HAS(&brush, Brush, rim_slope)) text += fmt::format(" {} {}", brush.overlap, brush.rim_slope);
   for (std::uint32_t i = 0; i < brush.param_count; ++i) {
     const burin_param_info& info = *brush.params[i];
-    text += fmt::format(" {} {} {} {} {} {}", info.id, info.type, info.unit, info.hard_min, info.hard_max,
-                        info.default_number);
+    text += fmt::format(" {} {} {} {} {} {} {} {} {}", info.id, info.name, info.type, info.unit,
+                        info.hard_min, info.hard_max, info.soft_min, info.soft_max, info.default_number);
+    text += fmt::format(" {} {}", info.dynamic, fmt::join(list_of(info.choices), " "));
   }
   return text;
 }
@@ -239,7 +251,8 @@ constexpr Check checks[] = {
      "Compares the ranges of numbers.", [](const Subject& s) { each_param(s, check_ranges); }},
     {"descriptor.param-defaults", 2, "param.h: default_number, within the hard range",
      "Compares the defaults with the ranges.", [](const Subject& s) { each_param(s, check_defaults); }},
-    {"descriptor.param-steps", 2, "param.h: INT, BOOL and CHOICE hold whole numbers", "Looks for fractions.",
+    {"descriptor.param-steps", 2, "param.h: INT, BOOL and CHOICE hold whole numbers, |value| <= 2^24",
+     "Looks for fractions among defaults and soft ranges.",
      [](const Subject& s) { each_param(s, check_whole); }},
     {"descriptor.param-choices", 2, "param.h: ids of choices are unique within a parameter",
      "Reads the choices.", [](const Subject& s) { each_param(s, check_choices); }},

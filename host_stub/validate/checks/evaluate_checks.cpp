@@ -11,6 +11,7 @@ namespace burin::validate {
 namespace {
 
 using Brush = burin_brush_descriptor;
+constexpr float padding = -7;  ///< between the numbers of arrays
 
 void each_stroke(const Subject& subject, const std::function<void(ProbeBrush&, ProbeStroke&)>& check) {
   each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
@@ -63,7 +64,7 @@ void check_wide_strides(const Subject& subject) {
   each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
     Nodes nodes = random_nodes(100, subject.seed), wide = nodes;
     for (auto& column : wide.columns) {
-      std::vector<float> spread(3 * column.size(), -7);
+      std::vector<float> spread(3 * column.size(), padding);
       for (std::size_t i = 0; i < column.size(); ++i) spread[3 * i] = column[i];
       column = spread;
     }
@@ -83,19 +84,25 @@ void check_output_strides(const Subject& subject) {
     const auto rows = stroke.evaluate(nodes);  // stride 8
     std::vector<Row> before(100);
     outputs_of(before);
-    std::array<std::vector<float>, 8> dense;
-    burin_outputs outputs{sizeof outputs, 100, {}, {}, {}, {}, {}};
-    const auto arrays = arrays_of(outputs);
-    for (std::size_t k = 0; k < dense.size(); ++k) {
-      for (const Row& row : before) dense[k].push_back(row[k]);
-      *arrays[k] = {dense[k].data(), 1, 0};
+    for (const std::uint32_t stride : {1u, 3u}) {
+      std::array<std::vector<float>, 8> spread;
+      burin_outputs outputs{sizeof outputs, 100, {}, {}, {}, {}, {}};
+      const auto arrays = arrays_of(outputs);
+      for (std::size_t k = 0; k < spread.size(); ++k) {
+        spread[k].assign(100 * stride, padding);
+        for (std::size_t i = 0; i < before.size(); ++i) spread[k][i * stride] = before[i][k];
+        *arrays[k] = {spread[k].data(), stride, 0};
+      }
+      require(stroke.call(batch_of(nodes, 0, 100, stroke.params()), outputs) == BURIN_OK,
+              fmt::format("evaluate fails with outputs of stride {}", stride));
+      for (std::size_t k = 0; k < spread.size(); ++k)
+        for (std::size_t i = 0; i < spread[k].size(); ++i) {
+          const float expected = i % stride == 0 ? rows[i / stride][k] : padding;
+          require(std::memcmp(&spread[k][i], &expected, sizeof(float)) == 0,
+                  fmt::format("with outputs of stride {} and of 8 '{}' of node {} differs", stride,
+                              output_name(k), i / stride));
+        }
     }
-    require(stroke.call(batch_of(nodes, 0, 100, stroke.params()), outputs) == BURIN_OK,
-            "evaluate fails with outputs of stride 1");
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      for (std::size_t k = 0; k < dense.size(); ++k)
-        require(std::memcmp(&dense[k][i], &rows[i][k], sizeof(float)) == 0,
-                fmt::format("outputs of stride 1 and 8 differ at node {}", i));
   });
 }
 
@@ -106,10 +113,12 @@ void check_inputs_unchanged(const Subject& subject) {
     std::vector<Row> rows(nodes.size());
     stroke.call(batch, outputs_of(rows));
     require(std::memcmp(&batch, &batch_before, sizeof batch) == 0, "evaluate changes the batch");
-    for (std::size_t column = 0; column < column_count; ++column)
-      require(
-          std::memcmp(nodes.columns[column].data(), before.columns[column].data(), 500 * sizeof(float)) == 0,
-          fmt::format("evaluate changes an input, array {} of the batch", column));
+    std::size_t column = 0;
+    for (const InputColumns& input : input_columns())
+      for (std::size_t k = 0; k < input.count; ++k, ++column)
+        require(std::memcmp(nodes.columns[column].data(), before.columns[column].data(),
+                            500 * sizeof(float)) == 0,
+                fmt::format("evaluate changes the input '{}'", input.name));
   });
 }
 
@@ -121,7 +130,7 @@ void check_declared_outputs(const Subject& subject) {
     for (std::size_t i = 0; i < rows.size(); ++i)
       for (std::size_t k = 0; k < 8; ++k)
         require(writes(brush.descriptor, k) || rows[i][k] == before[i][k],
-                fmt::format("writes output {} of {} that it does not declare", k, 8));
+                fmt::format("writes the output '{}' without declaring it", output_name(k)));
   });
 }
 
@@ -176,7 +185,7 @@ constexpr Check checks[] = {
     {"evaluate.wide-strides", 2, "base.h: element i is data[i * stride]",
      "Compares inputs of stride 1 and 3.", check_wide_strides},
     {"evaluate.output-strides", 2, "base.h: element i is data[i * stride]",
-     "Compares outputs of stride 1 and 8.", check_output_strides},
+     "Compares outputs of stride 1, 3 and 8, and looks at what lies between them.", check_output_strides},
     {"evaluate.inputs-unchanged", 1, "brush.h: evaluate computes the outputs and changes nothing else",
      "Compares all inputs before and after.", check_inputs_unchanged},
     {"evaluate.declared-outputs", 2, "stroke.h: outputs_written", "Looks whether others are written.",

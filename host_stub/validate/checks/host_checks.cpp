@@ -102,7 +102,7 @@ std::vector<std::byte> resized(const Struct& from, std::size_t size) {
 
 /// Sizes of the structs that a host of some version passes.
 struct HostSizes {
-  std::size_t context, batch, outputs, plan;
+  std::size_t context, batch, outputs, plan, params = sizeof(burin_params), text = sizeof(burin_text);
 };
 
 std::vector<Row> draw_as(const HostSizes& sizes, ProbeBrush& brush, const Subject& subject) {
@@ -110,20 +110,25 @@ std::vector<Row> draw_as(const HostSizes& sizes, ProbeBrush& brush, const Subjec
   const Nodes nodes = random_nodes(300, subject.seed);
   std::vector<Row> rows(nodes.size());
   const auto context = resized(stroke.context, sizes.context);
-  const auto batch = resized(batch_of(nodes, 0, nodes.size(), stroke.params()), sizes.batch);
+  const auto params = resized(stroke.params(), sizes.params);
+  const auto& as_params = *reinterpret_cast<const burin_params*>(params.data());
+  const auto batch = resized(batch_of(nodes, 0, nodes.size(), as_params), sizes.batch);
+  std::array<char, 200> line{};
+  auto error = resized(burin_text{sizeof(burin_text), 200, line.data()}, sizes.text);
+  auto* as_text = reinterpret_cast<burin_text*>(error.data());
   const auto outputs = resized(outputs_of(rows), sizes.outputs);
   const auto empty = resized(empty_stroke_context(), sizes.context);
   const auto* as_context = reinterpret_cast<const burin_stroke_context*>(context.data());
   const burin_status status = brush.abi().evaluate(
       &brush.abi(), stroke.self(), as_context, reinterpret_cast<const burin_batch*>(batch.data()),
-      reinterpret_cast<const burin_outputs*>(outputs.data()), nullptr);
-  require(status == BURIN_OK, "evaluate fails with structs of another size");
+      reinterpret_cast<const burin_outputs*>(outputs.data()), as_text);
+  require(status == BURIN_OK, fmt::format("evaluate fails with structs of another size: {}", line.data()));
   std::vector<std::byte> plan = resized(burin_stroke_plan{sizeof plan, 1, 0}, sizes.plan);
   void* again = nullptr;
   const burin_status begun =
-      brush.abi().begin(&brush.abi(), reinterpret_cast<const burin_stroke_context*>(empty.data()),
-                        &stroke.params(), reinterpret_cast<burin_stroke_plan*>(plan.data()), &again, nullptr);
-  require(begun == BURIN_OK, "begin fails with structs of another size");
+      brush.abi().begin(&brush.abi(), reinterpret_cast<const burin_stroke_context*>(empty.data()), &as_params,
+                        reinterpret_cast<burin_stroke_plan*>(plan.data()), &again, as_text);
+  require(begun == BURIN_OK, fmt::format("begin fails with structs of another size: {}", line.data()));
   brush.abi().end(&brush.abi(), again);
   for (std::size_t i = sizeof(burin_stroke_plan); i < plan.size(); ++i)
     require(plan[i] == std::byte{0xEE}, "begin writes members of the plan that there are not");
@@ -141,7 +146,7 @@ void compare_as(const HostSizes& sizes, const Plugin& plugin, const Brush& descr
 void check_newer_host(const Subject& subject) {
   each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
     compare_as({sizeof(burin_stroke_context) + 40, sizeof(burin_batch) + 160, sizeof(burin_outputs) + 64,
-                sizeof(burin_stroke_plan) + 24},
+                sizeof(burin_stroke_plan) + 24, sizeof(burin_params) + 32, sizeof(burin_text) + 16},
                plugin, descriptor, subject);
   });
 }

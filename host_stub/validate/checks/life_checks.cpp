@@ -1,12 +1,15 @@
 // Checks the lifetimes of brushes and strokes, and values of parameters.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
 
+#include "validate/probe/repeat.h"
 #include "validate/probe/stroke.h"
 
 namespace burin::validate {
@@ -137,6 +140,65 @@ void try_texts(const Subject& subject, burin_param_type type, const std::vector<
   });
 }
 
+/// Values that hosts never pass: beyond the ends of the range, or no numbers.
+std::vector<float> outside(const burin_param_info& info) {
+  using Limits = std::numeric_limits<float>;
+  const bool colour = info.type == BURIN_PARAM_COLOUR;
+  const float low = colour ? 0 : least_of(info), high = colour ? 1 : greatest_of(info);
+  return {low - 1,
+          high + 1,
+          Limits::lowest(),
+          Limits::max(),
+          Limits::quiet_NaN(),
+          Limits::infinity(),
+          -Limits::infinity()};
+}
+
+/// Draws with a parameter at this value, in another process that is ended after a while. Returns whether
+/// begin took it.
+bool draws_with(const Subject& subject, const Plugin& plugin, const Brush& descriptor, std::uint32_t param,
+                float value) {
+  const auto draw = [&]() -> std::string {
+    alarm(5);
+    ProbeBrush brush(plugin, descriptor, subject);
+    brush.values.set_number(param, value);
+    try {
+      const Nodes nodes = random_nodes(64, subject.seed);
+      std::vector<Row> rows(nodes.size());
+      const ProbeStroke stroke(brush);
+      stroke.call(batch_of(nodes, 0, nodes.size(), stroke.params()), outputs_of(rows));
+    } catch (const Error&) {
+      return "refused";
+    }
+    return {};
+  };
+  try {
+    return in_process(draw).empty();
+  } catch (const Failed&) {
+    throw Failed(fmt::format("parameter '{}': crashes or takes more than 5 seconds with {}",
+                             descriptor.params[param]->id, value));
+  }
+}
+
+void check_outside(const Subject& subject) {
+  bool any = false;
+  std::vector<std::string> taken;
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    for (std::uint32_t i = 0; i < descriptor.param_count; ++i) {
+      const burin_param_info& info = *descriptor.params[i];
+      if (info.type < BURIN_PARAM_FLOAT || info.type > BURIN_PARAM_COLOUR) continue;
+      any = true;
+      bool all_refused = true;
+      for (const float value : outside(info))
+        all_refused &= !draws_with(subject, plugin, descriptor, i, value);
+      if (!all_refused) taken.emplace_back(info.id);
+    }
+  });
+  if (!any) throw Skipped("it has no numbers");
+  throw Told(taken.empty() ? "begin refuses them"
+                           : fmt::format("begin takes some of {}", fmt::join(taken, ", ")));
+}
+
 void check_texts(const Subject& subject) {
   try_texts(subject, BURIN_PARAM_TEXT,
             {"", "A", std::string(5000, 'm'), "\xC3\xA9\xE4\xB8\xAD", "\xFF\xFE", "%s%n", " "});
@@ -172,6 +234,9 @@ constexpr Check checks[] = {
      "Draws with every number at its greatest.", check_greatest},
     {"life.begin-random", 3, "param.h: values lie within the hard range",
      "Draws with random values, 200 times.", check_random},
+    {"life.outside-values", 3,
+     "param.h: hosts pass no values outside the hard range; with such a brush may fail but should not crash",
+     "Draws with numbers and colours beyond their ranges, infinite, and that are none.", check_outside},
     {"life.text-values", 3, "param.h: TEXT, a line of UTF-8, may be empty; brush.h: begin checks parameters",
      "Begins with empty, long and damaged texts.", check_texts},
     {"life.file-values", 3, "param.h: FILE, a path; brush.h: begin checks parameters, opens files",

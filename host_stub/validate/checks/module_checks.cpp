@@ -39,8 +39,10 @@ void check_libraries(const Subject& subject) {
   // Libraries that talk to screens, run interpreters or start threads by themselves.
   constexpr std::array<std::string_view, 9> forbidden = {
       "libX11", "libGL", "libpython", "libgtk", "libQt", "libwayland", "libcurl", "libtbb", "libgomp"};
-  for (const std::string& library : read_elf(subject.module).needed)
+  const std::vector<std::string> needed = read_elf(subject.module).needed;
+  for (const std::string& library : needed)
     for (const std::string_view name : forbidden) require(!library.starts_with(name), "needs " + library);
+  throw Told(needed.empty() ? "needs none" : fmt::format("needs {}", fmt::join(needed, ", ")));
 }
 
 /// The numbers of a version, "GLIBC_2.34" without "GLIBC_".
@@ -53,15 +55,31 @@ std::array<int, 3> numbers_of(std::string_view text) {
   return numbers;
 }
 
+/// The newest of the versions that begin with `name`, "GLIBC_2.34"; empty if there is none.
+std::string newest(const std::vector<std::string>& versions, std::string_view name) {
+  const auto numbers = [&](const std::string& version) {
+    return numbers_of(std::string_view(version).substr(name.size()));
+  };
+  std::string newest;
+  for (const std::string& version : versions)
+    if (version.starts_with(name) && (newest.empty() || numbers(version) > numbers(newest))) newest = version;
+  return newest;
+}
+
 void check_symbol_versions(const Subject& subject) {
   // Debian 12's.
   constexpr std::array<std::pair<std::string_view, std::array<int, 3>>, 3> floors = {
       {{"GLIBC_", {2, 36, 0}}, {"GLIBCXX_", {3, 4, 30}}, {"CXXABI_", {1, 3, 13}}}};
-  for (const std::string& version : read_elf(subject.module).versions)
-    for (const auto& [name, floor] : floors)
-      if (version.starts_with(name))
-        require(numbers_of(std::string_view(version).substr(name.size())) <= floor,
-                fmt::format("needs {}, newer than {}{}", version, name, fmt::join(floor, ".")));
+  const std::vector<std::string> versions = read_elf(subject.module).versions;
+  std::vector<std::string> needed;
+  for (const auto& [name, floor] : floors) {
+    const std::string version = newest(versions, name);
+    if (version.empty()) continue;
+    require(numbers_of(std::string_view(version).substr(name.size())) <= floor,
+            fmt::format("needs {}, newer than {}{}", version, name, fmt::join(floor, ".")));
+    needed.push_back(version);
+  }
+  throw Told(needed.empty() ? "needs none" : fmt::format("needs {}", fmt::join(needed, ", ")));
 }
 
 void check_loads_twice(const Subject& subject) {

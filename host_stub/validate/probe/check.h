@@ -30,6 +30,12 @@ class Skipped : public Error {
   using Error::Error;
 };
 
+/// The check passed and found something to tell. what() is that, in one line.
+class Told : public Error {
+ public:
+  using Error::Error;
+};
+
 /// Throws Failed with this text unless `holds`.
 inline void require(bool holds, const std::string& otherwise) {
   if (!holds) throw Failed(otherwise);
@@ -41,7 +47,7 @@ struct Check {
   int level;           ///< 1 loads and behaves, 2 the contract, 3 robust, 4 deterministic and bounded, 5 fast
   const char* clause;  ///< "HEADER: what it says"
   const char* what;    ///< what the check does, one sentence
-  void (*run)(const Subject& subject);  ///< throws Failed or Skipped
+  void (*run)(const Subject& subject);  ///< throws Failed, Skipped or Told
 };
 
 inline constexpr int levels = 5;

@@ -10,15 +10,18 @@
 
 namespace burin::validate {
 
-Guarded::Guarded(std::span<const float> numbers, bool at_end) {
+Guarded::Guarded(std::span<const float> numbers, Guard guard) {
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  const std::size_t middle = (numbers.size_bytes() + page - 1) / page * page;
+  // Without a guard there is as much room around the numbers as brushes write beyond arrays by mistake.
+  const std::size_t room = guard == Guard::none ? 16 * page : 0;
+  const std::size_t middle = (numbers.size_bytes() + page - 1) / page * page + 2 * room;
   bytes_ = middle + 2 * page;
   pages_ = mmap(nullptr, bytes_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   require(pages_ != MAP_FAILED, "no memory for guarded arrays");
   char* start = static_cast<char*>(pages_) + page;
   require(mprotect(start, middle, PROT_READ | PROT_WRITE) == 0, "no memory for guarded arrays");
-  data_ = reinterpret_cast<float*>(at_end ? start + middle - numbers.size_bytes() : start);
+  data_ =
+      reinterpret_cast<float*>(guard == Guard::behind ? start + middle - numbers.size_bytes() : start + room);
   std::copy(numbers.begin(), numbers.end(), data_);
 }
 

@@ -5,11 +5,15 @@
 
 namespace burin::validate {
 
+/// Where an array lies in its pages: it begins where the guard before it ends, ends where the guard behind it
+/// begins, or has neither near.
+enum class Guard { before, behind, none };
+
 /// An array of floats with a page that nobody may touch before it or behind it.
 class Guarded {
  public:
-  /// Copies the numbers so that they end where the page behind begins, or begin where the one before ends.
-  Guarded(std::span<const float> numbers, bool at_end);
+  /// Copies the numbers.
+  Guarded(std::span<const float> numbers, Guard guard);
   Guarded(const Guarded&) = delete;
   Guarded& operator=(const Guarded&) = delete;
   ~Guarded();

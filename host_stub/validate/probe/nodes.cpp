@@ -23,7 +23,7 @@ constexpr auto table = [] {
   std::size_t offset = offsetof(burin_batch, t);
   for (std::size_t i = 0; i < all_inputs.size(); ++i) {
     const std::uint64_t bit = all_inputs[i].bit;
-    columns[i] = {bit, offset, all_inputs[i].bytes / sizeof(burin_floats),
+    columns[i] = {bit, all_inputs[i].name, offset, all_inputs[i].bytes / sizeof(burin_floats),
                   bit & lengths      ? 1
                   : bit & curvatures ? -1
                                      : 0};

@@ -6,13 +6,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace burin::validate {
 
 /// An input of burin_batch: neighbouring members of type burin_floats or burin_indices.
 struct InputColumns {
-  std::uint64_t bit;   ///< BURIN_INPUT_*
+  std::uint64_t bit;  ///< BURIN_INPUT_*
+  std::string_view name;
   std::size_t offset;  ///< of the first member, bytes
   std::size_t count;   ///< of members
   int length_power;    ///< how the input scales with the surface: 1 lengths, -1 curvatures, 0 plain numbers

@@ -92,6 +92,8 @@ burin_outputs outputs_of(std::vector<Row>& rows) {
   return outputs;
 }
 
+const char* output_name(std::size_t array) { return output_names[array]; }
+
 bool writes(const burin_brush_descriptor& brush, std::size_t array) {
   const std::uint64_t bit = array < 3    ? BURIN_OUTPUT_DISPLACEMENT
                             : array == 3 ? BURIN_OUTPUT_MASK

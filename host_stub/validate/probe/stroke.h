@@ -81,6 +81,9 @@ burin_outputs outputs_of(std::vector<Row>& rows);
 burin_floats& array_of(burin_batch& batch, const InputColumns& input, std::size_t member);
 std::array<burin_floats_out*, 8> arrays_of(burin_outputs& outputs);
 
+/// The name of one of the arrays of outputs, "along".
+const char* output_name(std::size_t array);
+
 /// Whether a brush declares this one of the arrays of outputs.
 bool writes(const burin_brush_descriptor& brush, std::size_t array);
 

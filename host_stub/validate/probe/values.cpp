@@ -64,6 +64,8 @@ void Values::set_random(std::uint64_t seed) {
   });
 }
 
+void Values::set_number(std::uint32_t index, float number) { numbers_[index].fill(number); }
+
 bool Values::scale_lengths(float factor) {
   bool within = true;
   for (std::uint32_t i = 0; i < brush_.param_count; ++i) {

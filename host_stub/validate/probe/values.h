@@ -26,6 +26,9 @@ class Values {
   /// Sets every number, colour and choice to a random value in its range.
   void set_random(std::uint64_t seed);
 
+  /// Sets a number, or all channels of a colour, whatever its range.
+  void set_number(std::uint32_t index, float number);
+
   /// Multiplies lengths. Returns whether all stay in their ranges.
   bool scale_lengths(float factor);
 

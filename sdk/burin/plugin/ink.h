@@ -73,21 +73,10 @@ class Ink {
   void draw_covered(std::size_t i, float covered, float rise) const {
     up_[i] = height_[i] * radius_[i] * rise;
     mask_[i] *= 1 - protects_ * covered;
-    composite_over(i, covered * ink_.a[i]);
+    colour_.composite_over(i, ink_, covered);
   }
 
  private:
-  /// Lays the ink over the current colour with the operator "over" [Porter and Duff 1984].
-  void composite_over(std::size_t i, float share) const {
-    const float below = colour_.a[i] * (1 - share), whole = share + below;
-    if (share <= 0 || whole <= 0) return;
-    const auto mix = [&](float ink, float& channel) { channel = (ink * share + channel * below) / whole; };
-    mix(ink_.r[i], colour_.r[i]);
-    mix(ink_.g[i], colour_.g[i]);
-    mix(ink_.b[i], colour_.b[i]);
-    colour_.a[i] = std::min(whole, 1.0f);
-  }
-
   const Floats radius_, height_;
   const float bevel_, protects_;
   const Colours ink_;

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -106,13 +107,41 @@ TEST(ValidateCommand, RepeatsACheckByTheCommandThatItTells) {
   EXPECT_TRUE(one.out.ends_with("0 passed, 1 failed, 0 skipped\n"));
 }
 
-TEST(ValidateCommand, ShowsTheFirstFailuresOnlyWhereItIsToBeQuiet) {
-  const std::string module = std::string(BURIN_TEST_PLUGINS) + "/error_brush.burin";
-  const ProcessResult result = burin({"validate", module, "--level", "2", "--quiet"});
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_TRUE(result.out.starts_with("FAIL ")) << result.out;
-  EXPECT_EQ(std::ranges::count(result.out, '\n'), 3 * 3 + 2) << result.out;
-  EXPECT_NE(result.out.find(" more failures: burin validate " + module + "\n"), std::string::npos);
+TEST(ValidateCommand, TellsOneFailureWhereABrushNeverDraws) {
+  for (const char* brush : {"error_brush", "crashing_brush"}) {
+    const nlohmann::json found = report(fmt::format("{}/{}.burin", BURIN_TEST_PLUGINS, brush), "4");
+    EXPECT_EQ(failed_checks(found), Names{"life.begin-default"}) << brush;
+    for (const auto& check : found["checks"])
+      if (check["name"] == "life.begin-random") {
+        EXPECT_EQ(check["text"], "a brush does not draw with its defaults, see life.begin-default");
+      }
+  }
+}
+
+TEST(ValidateCommand, TellsWhatPassed) {
+  const std::string out = burin_output({"validate", bad_plugin("good")});
+  EXPECT_NE(out.find("\nPASS    module.libraries: needs lib"), std::string::npos) << out;
+  EXPECT_NE(out.find("\nPASS    module.symbol-versions: needs GLIBC_2."), std::string::npos) << out;
+  EXPECT_NE(out.find("\nPASS    life.outside-values: begin takes some of height, count, profile\n"),
+            std::string::npos)
+      << out;
+  const std::string stock =
+      burin_output({"validate", (fs::path(BURIN_COMMAND).parent_path() / "brushes/groove.burin").string(),
+                    "--only", "life.outside-values"});
+  EXPECT_TRUE(stock.starts_with("PASS    life.outside-values: begin refuses them\n")) << stock;
+}
+
+TEST(ValidateReport, ShowsTheFirstFailuresOnly) {
+  using namespace validate;
+  const std::vector<Result> results(5, {find_check("shape.seam"), Verdict::fail, "a step"});
+  Subject subject;
+  subject.module = "a.burin";
+  const std::string text = short_report(subject, results);
+  EXPECT_EQ(std::ranges::count(text, '\n'), 3 * 3 + 2) << text;
+  EXPECT_NE(text.find("and 2 more failures: burin validate a.burin\n"), std::string::npos) << text;
+}
+
+TEST(ValidateCommand, IsQuietIfItIsToBe) {
   EXPECT_EQ(
       burin_output({"validate", bad_plugin("good"), "--level", "1", "--quiet"}).find(" passed, 0 failed"),
       2u);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -129,6 +131,30 @@ TEST(StrokeStart, TellsTheModulesPathAndTakesThePlan) {
   stroke.context.pass = 2;
   ASSERT_EQ(stroke.evaluate({{1}, {0}}).status, BURIN_OK);
   EXPECT_EQ(stroke.up[0], 2);
+}
+
+TEST(Begin, RefusesValuesOutsideOfTheirRanges) {
+  const PluginModule groove("brushes/groove"), text("brushes/text");
+  const test::TestHost host;
+  const auto begin = [&](const PluginModule& module, const char* brush, const char* param, float value) {
+    test::StrokeDriver stroke(module, brush, host.abi);
+    stroke.params.set(param, value);
+    return stroke.begin();
+  };
+  constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::nanf("");
+  for (const float value : {-0.1f, nan, infinity, -infinity}) {
+    const test::Answer answer = begin(groove, "org.burin.groove", "width", value);
+    EXPECT_EQ(answer.status, BURIN_INVALID_ARGUMENT) << value;
+    EXPECT_EQ(answer.text, "a value is outside of its range: width");
+  }
+  for (const float value : {-1.0f, 1000.0f})
+    EXPECT_EQ(begin(groove, "org.burin.groove", "profile", value).text,
+              "a value is outside of its range: profile");
+  const std::vector<float> colour = {0.5f, 0.5f, nan, 1};
+  test::StrokeDriver stroke(text, "org.burin.text", host.abi);
+  for (std::size_t k = 0; k < 4; ++k) stroke.params.value("colour").colour[k] = {&colour[k], 0, 0};
+  EXPECT_EQ(stroke.begin().text, "a value is outside of its range: colour");
+  EXPECT_EQ(begin(groove, "org.burin.groove", "width", 1).status, BURIN_OK);
 }
 
 TEST(Stroke, HasAnObjectOfItsOwnFromBeginToEnd) {

@@ -22,7 +22,8 @@ std::string range_problem(const burin_param_info& info) {
   if (!std::isfinite(info.soft_min) || !std::isfinite(info.soft_max)) return "its soft range is not finite";
   if (info.soft_min > info.soft_max) return "its soft range is empty";
   if (info.soft_min < info.hard_min || info.soft_max > info.hard_max)
-    return "its soft range exceeds the hard range";
+    return fmt::format("its soft range {} .. {} exceeds the hard range {} .. {}", info.soft_min,
+                       info.soft_max, info.hard_min, info.hard_max);
   if (!std::isfinite(info.default_number)) return "its default is not finite";
   if (info.default_number >= info.hard_min && info.default_number <= info.hard_max) return {};
   return fmt::format("its default {} lies outside {} .. {}", info.default_number, info.hard_min,

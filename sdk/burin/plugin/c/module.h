@@ -8,6 +8,7 @@
  *
  * `descriptor` describes the only brush. It has no memory of its own: `evaluate`, of the type of
  * burin_brush.evaluate, gets null for the stroke. `plan` may change what burin_stroke_plan has by default.
+ * Values of parameters outside of their ranges are refused before it is called.
  * Build the module with burin_add_brush() of CMake: it must be named NAME.burin. For plugins with more
  * brushes, memory or extensions see burin/abi/plugin.h.
  */
@@ -15,6 +16,7 @@
 #define BURIN_PLUGIN_C_MODULE_H
 
 #include <burin/abi/plugin.h>
+#include <burin/plugin/c/param_ranges.h>
 #include <string.h>
 
 /* Element i of an array of a batch or of outputs. */
@@ -46,13 +48,23 @@ static inline void burin_c_say(burin_text* text, const char* line) {
   text->data[size < text->capacity ? size : text->capacity - 1] = '\0';
 }
 
+/* Whether a parameter is outside of its range; the text says which. */
+static inline int burin_c_refuses(const burin_brush_descriptor* brush, const burin_params* params,
+                                  burin_text* error) {
+  const burin_param_info* outside = burin_outside_range(brush, params);
+  char line[96] = "a value is outside of its range: ";
+  if (outside) burin_c_say(error, strncat(line, outside->id, 60));
+  return outside != NULL;
+}
+
 /* Names that end in _ are the macro's own, so that authors may have all others. */
 #define BURIN_C_PLUGIN(descriptor, plan, evaluate)                                                         \
   static burin_status BURIN_CALL burin_c_begin(                                                            \
       const burin_brush* brush_, const burin_stroke_context* context_, const burin_params* params_,        \
       burin_stroke_plan* plan_, void** stroke_, burin_text* error_) {                                      \
-    (void)brush_, (void)error_;                                                                            \
+    (void)brush_;                                                                                          \
     *stroke_ = NULL;                                                                                       \
+    if (burin_c_refuses(&(descriptor), params_, error_)) return BURIN_INVALID_ARGUMENT;                    \
     plan(context_, params_, plan_);                                                                        \
     return BURIN_OK;                                                                                       \
   }                                                                                                        \

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/abi/base.h>
+#include <burin/plugin/c/compositing.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -60,6 +61,14 @@ struct Colours {
 /// Colours to write: linear RGB and coverage, each 0..1.
 struct ColoursOut {
   FloatsOut r, g, b, a;
+
+  /// Lays an ink over the colour of an element by the operator "over" [Porter and Duff 1984]. `share` (0..1)
+  /// says how much of the ink there is: 0 leaves the colour as it is. See burin/plugin/c/compositing.h.
+  void composite_over(std::size_t element, const Colours& ink, float share) const {
+    const burin_floats_out rgba[4] = {r.raw(), g.raw(), b.raw(), a.raw()};
+    const float one[4] = {ink.r[element], ink.g[element], ink.b[element], ink.a[element]};
+    burin_composite_over(rgba, static_cast<std::uint32_t>(element), one, share);
+  }
 };
 
 }  // namespace burin::plugin

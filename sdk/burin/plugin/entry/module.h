@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/abi/plugin.h>
 #include <burin/plugin/brush.h>
+#include <burin/plugin/c/param_ranges.h>
 #include <burin/plugin/curve_filter.h>
 #include <burin/plugin/detail/error.h>
 #include <burin/plugin/entry/checks.h>
@@ -104,6 +105,8 @@ class Instance {
                                        burin_text* error) noexcept {
     return guarded(error, [&] {
       const Instance* self = from(brush);
+      if (const burin_param_info* outside = burin_outside_range(&descriptor, params))
+        throw Error(std::string("a value is outside of its range: ") + outside->id, BURIN_INVALID_ARGUMENT);
       StrokeStart start{Stroke(*context), Params(descriptor, params), self->host_, self->module_path_};
       auto made = make_stroke(start);
       if (BURIN_HAS(plan, burin_stroke_plan, passes)) plan->passes = start.passes;
