@@ -108,8 +108,10 @@ class Fuzzer {
       if (child.end == End::whole && child.text[0] == unloadable) throw Error(child.text.substr(1));
       if (failed(child)) return report(child);
       longest_ = std::max(longest_, child.seconds);
-      result_.refused += child.text[0] == '0' + static_cast<int>(Outcome::refused);
       ++result_.trials;
+      if (child.text[0] != '0' + static_cast<int>(Outcome::refused)) continue;
+      ++result_.refused;
+      result_.refusal = child.text.substr(1);
     }
   }
 

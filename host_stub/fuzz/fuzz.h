@@ -17,6 +17,7 @@ struct FuzzOptions {
 
 struct FuzzResult {
   std::size_t trials = 0, refused = 0;  ///< run, and of these those whose parameters the brush refused
+  std::string refusal;                  ///< why the last of these was refused; or empty
   std::string failure;                  ///< of the first trial that failed, with what it shrank to; or empty
 };
 

@@ -98,7 +98,8 @@ void fuzz_module(const ValidateOptions& options) {
     flush_results();
     throw std::runtime_error(fmt::format("{}: one of {} trials failed", options.module, result.trials));
   }
-  write_result(fmt::format("{} trials, none failed, {} refused\n", result.trials, result.refused));
+  write_result(fmt::format("{} trials, none failed, {} refused{}{}\n", result.trials, result.refused,
+                           result.refusal.empty() ? "" : ", the last since ", result.refusal));
   if (result.refused < result.trials) return;
   flush_results();
   throw std::runtime_error(fmt::format("{}: nothing was tested", options.module));

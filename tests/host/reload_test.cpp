@@ -129,7 +129,7 @@ TEST_F(Reload, LeavesNothingBehind) {
     return mallinfo2().uordblks;
   };
   const std::size_t before = reload(10), parts = loaded_parts();
-  const std::size_t after = reload(30);
+  const std::size_t after = reload(200);
   EXPECT_EQ(loaded_parts(), parts);
   EXPECT_GT(parts, 0u);
   EXPECT_LT(after, before + 20000);

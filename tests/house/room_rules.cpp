@@ -19,7 +19,7 @@ const std::map<std::string, Names> room_may_include = {
     {"abi/ext", {}},
     {"base/text", {}},
     {"base/trees", {}},
-    {"plugin/detail", {}},
+    {"plugin/detail", {"plugin/c"}},
     {"plugin/c", {}},
     {"plugin/entry", {"plugin/c", "plugin/detail"}},
     {"surface/geometry", {}},

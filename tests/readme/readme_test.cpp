@@ -144,7 +144,7 @@ TEST(Guide, ShowsBrushesThatKeepToTheAbi) {
                          [&](std::ostream& out) { out << block; });
         lists += fmt::format("burin_add_brush({0} {0}.{1} VALIDATE 4)\n", name, language);
       }
-  EXPECT_EQ(recipes, (std::map<std::string, int>{{"c", 1}, {"cpp", 7}}));
+  EXPECT_EQ(recipes, (std::map<std::string, int>{{"c", 1}, {"cpp", 8}}));
   write_file_whole(checkout.path() / "CMakeLists.txt", [&](std::ostream& out) { out << lists; });
   EXPECT_EQ(
       checkout.run("cmake --install build/release --component plugin --prefix prefix\n"
@@ -153,6 +153,18 @@ TEST(Guide, ShowsBrushesThatKeepToTheAbi) {
                    "-DCMAKE_C_FLAGS='-Wall -Wextra -Wpedantic -Werror' "
                    "-DBURIN_PROGRAM=\"$PWD/build/release/bin/burin\"\ncmake --build recipes\n"),
       0);
+}
+
+TEST(Guide, NamesTheHelpersForC) {
+  const std::string page = page_text("brush_recipes");
+  for (const char* header : {"stroke_shape", "compositing"}) {
+    const std::string text = read_file(source_folder / fmt::format("sdk/burin/plugin/c/{}.h", header));
+    const std::regex function("static inline [^;{]*?(burin_[a-z_]+)\\(");
+    int found = 0;
+    for (std::sregex_iterator at(text.begin(), text.end(), function), end; at != end; ++at, ++found)
+      EXPECT_NE(page.find(fmt::format("`{}(", (*at)[1].str())), std::string::npos) << (*at)[1];
+    EXPECT_GT(found, 0) << header;
+  }
 }
 
 TEST(EmbeddingPage, ShowsTheSampleApplication) {

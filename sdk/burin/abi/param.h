@@ -35,10 +35,10 @@ enum {
 
 /* Declares a parameter. All text belongs to the plugin, is UTF-8 and lives as long as the descriptor that
  * points to this struct. The host never passes NaN, infinities or values outside the hard range, neither
- * to begin nor in the arrays of dynamic parameters; a brush need not check for them, and what it does with
- * them is not defined. begin() checks what a range cannot say: files, texts, several values together. The
- * soft range is what a slider spans. Types other than FLOAT and INT have a range of their own and ignore
- * both. Ids are unique within a brush, those of choices within a parameter. */
+ * to begin nor in the arrays of dynamic parameters; a brush need not check for them: it may fail or draw
+ * anything, but should not crash. begin() checks what a range cannot say: files, texts, several values
+ * together. The soft range is what a slider spans. Types other than FLOAT and INT have a range of their own
+ * and ignore both. Ids are unique within a brush, those of choices within a parameter. */
 typedef struct burin_param_info {
   uint32_t struct_size;
   burin_param_type type;

@@ -110,7 +110,7 @@ typedef struct burin_batch {
   burin_vectors displacement;  /* written by the previous pass, before the strength: x along e1,
                                   y along e2, z along the normal */
   burin_floats mask;           /* current mask of the vertex: 0 = protected .. 1 = free */
-  burin_colours colour;        /* current colour of the vertex */
+  burin_colours colour;        /* current colour of the vertex; 1, 1, 1, 0 where nothing is painted */
   burin_indices sheet;         /* number of the visit to the vertex, in the order of t, from 0 */
   burin_indices visit_count;   /* how often the stroke visits the vertex (number of sheets), at least 1 */
   burin_indices node_id;       /* stable number of the vertex: counter for the random generator */

@@ -118,6 +118,16 @@ TEST(Fuzz, FindsNoFaultWhereThereIsNone) {
   EXPECT_NE(result.out.find(" trials, none failed, "), std::string::npos) << result.out;
 }
 
+TEST(Fuzz, TellsWhyABrushRefusesToBegin) {
+  const CommandFolder folder;
+  const std::string scales =
+      (std::filesystem::path(BURIN_COMMAND).parent_path() / "brushes/scales.burin").string();
+  // Half of the files that are tried are no images.
+  const ProcessResult result =
+      burin({"validate", scales, "--fuzz", "0.02", "--bundle", folder.path("bundle")});
+  EXPECT_NE(result.out.find(" refused, the last since org.burin.scales: "), std::string::npos) << result.out;
+}
+
 TEST(Fuzz, RefusesWrongUse) {
   const CommandFolder folder;
   EXPECT_EQ(burin({"validate", bad_plugin("good"), "--fuzz", "0"}).exit_code, 2);
