@@ -98,6 +98,7 @@ ServedBrush::ServedBrush(const std::filesystem::path& module, const std::string&
 }
 
 ServedBrush::~ServedBrush() {
+  const Call ordered(calls_);
   for (auto& [number, stroke] : strokes_) brush_->end(brush_, stroke.handle);
   brush_->destroy(brush_);
 }
@@ -119,6 +120,7 @@ ServedBrush::Stroke& ServedBrush::stroke(std::uint32_t number) {
 }
 
 Reply ServedBrush::answer(Request what, MessageReader from) {
+  const Call ordered(calls_);
   switch (what) {
     case Request::begin:
       return begin(from);
@@ -229,6 +231,7 @@ Reply ServedBrush::load(MessageReader& from) {
 }
 
 void ServedBrush::answer(std::byte* lane) {
+  const Call ordered(calls_);
   auto& call = *reinterpret_cast<LaneCall*>(lane);
   burin_text text{sizeof(burin_text), sizeof call.text, call.text};
   call.text[0] = '\0';

@@ -7,6 +7,7 @@
 #include <burin/host/isolate/stroke_message.h>
 #include <burin/host/plugin/plugin_module.h>
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -49,6 +50,19 @@ class ServedBrush {
     void* handle = nullptr;
   };
 
+  /// A call of the host. It alone knows that one call has ended before another began, perhaps on another
+  /// thread: the counter makes what the first has written visible to the second.
+  class Call {
+   public:
+    explicit Call(std::atomic<std::uint32_t>& calls) : calls_(calls) { ++calls_; }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+    ~Call() { ++calls_; }
+
+   private:
+    std::atomic<std::uint32_t>& calls_;
+  };
+
   Stroke& stroke(std::uint32_t number);
   Reply begin(isolate::MessageReader& from);
   Reply end(isolate::MessageReader& from);
@@ -63,6 +77,7 @@ class ServedBrush {
   const burin_state* state_ = nullptr;
   const burin_curve_filter* filter_ = nullptr;
   const burin_volume* volume_ = nullptr;
+  std::atomic<std::uint32_t> calls_{0};
   std::mutex mutex_;  ///< of strokes_
   std::map<std::uint32_t, Stroke> strokes_;
   isolate::Bytes told_state_;  ///< that the host knows
