@@ -1,14 +1,29 @@
 """Sessions over arrays: what they read without copies, what they show, and what they refuse."""
 
+import os
+import re
+import subprocess
+import sys
 import threading
 import time
 import unittest
+from pathlib import Path
 
 import numpy as np
 
 import burin
 from burin._arrays import MeshArrays
-from support import LIBRARY, grid, hex_hash, wave
+from support import BUILD, LIBRARY, folder, grid, hex_hash, wave
+
+DRAWS_WITH_THE_PROBE = """
+import burin
+from support import grid, wave
+for brush in ("org.burin.probe", "org.burin.probe.solid"):
+    session = burin.Session(burin.Library(), *grid())
+    with session.stroke(brush=brush, radius=0.15):
+        session.add(wave())
+    session.undo()
+"""
 
 GROOVE = {"brush": "org.burin.groove", "radius": 0.15, "params": {"depth": 0.3}}
 
@@ -25,6 +40,22 @@ class Isolation(unittest.TestCase):
         self.assertEqual(
             hex_hash(groove(burin.Session(library, *grid()))), hex_hash(groove(burin.Session(LIBRARY, *grid())))
         )
+
+
+class Probe(unittest.TestCase):
+    def test_finds_nothing_wrong_with_the_library_as_a_host(self):
+        with folder() as where:
+            report = Path(where) / "probe.txt"
+            environment = {
+                "BURIN_PLUGIN_PATH": str(BUILD / "bin/probe"),
+                "BURIN_PROBE_REPORT": str(report),
+                "PYTHONPATH": ":".join(sys.path),
+            }
+            subprocess.run([sys.executable, "-c", DRAWS_WITH_THE_PROBE], env=os.environ | environment, check=True)
+            last = report.read_text().splitlines()[-1]
+        kept, broken = map(int, re.fullmatch(r"(\d+) rules kept, (\d+) broken, \d+ unseen", last).groups())
+        self.assertGreater(kept, 40)
+        self.assertEqual(broken, 0)
 
 
 class Arrays(unittest.TestCase):

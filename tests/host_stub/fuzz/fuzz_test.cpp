@@ -125,7 +125,8 @@ TEST(Fuzz, TellsWhyABrushRefusesToBegin) {
   // Half of the files that are tried are no images.
   const ProcessResult result =
       burin({"validate", scales, "--fuzz", "0.02", "--bundle", folder.path("bundle")});
-  EXPECT_NE(result.out.find(" refused, the last since stroke 1: org.burin.scales: "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find(" refused, the last since stroke 1: org.burin.scales: "), std::string::npos)
+      << result.out;
 }
 
 TEST(Fuzz, RefusesWrongUse) {
