@@ -18,6 +18,7 @@ using Names = std::set<std::string>;
 const std::map<std::string, Names> room_may_include = {
     {"abi/ext", {}},
     {"base/text", {}},
+    {"base/threads", {}},
     {"base/trees", {}},
     {"plugin/detail", {"plugin/c"}},
     {"plugin/c", {}},

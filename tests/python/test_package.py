@@ -35,6 +35,8 @@ STRUCTS = {
     _c.Chart: "burin_chart",
     _c.Snap: "burin_snap",
     _c.Snapped: "burin_snapped",
+    _c.StepInfo: "burin_step_info",
+    _c.GroupEvent: "burin_group_event",
     _c.RecordingStroke: "burin_recording_stroke",
     _c.Refinement: "burin_refinement",
     _c.MeshValues: "burin_mesh_values",

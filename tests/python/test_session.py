@@ -1,6 +1,7 @@
 """Sessions over arrays: what they read without copies, what they show, and what they refuse."""
 
 import os
+import pickle
 import re
 import subprocess
 import sys
@@ -112,6 +113,54 @@ class Arrays(unittest.TestCase):
             self.assertEqual(str(raised.exception), text)
         with self.assertRaisesRegex(burin.InvalidArgument, "order: must be 'caller' or 'surface'"):
             burin.Session(LIBRARY, positions, quads, order="mine")
+
+
+class Objects(unittest.TestCase):
+    def test_with_a_transform_are_drawn_in_the_world(self):
+        positions, quads = grid()
+        matrix = np.diag([4.0, 0.5, 1, 1])
+        object_positions = (positions / matrix.diagonal()[:3]).astype(np.float32)
+        session = groove(burin.Session(LIBRARY, object_positions, quads, transform=matrix))
+        self.assertEqual(hex_hash(session), hex_hash(groove(burin.Session(LIBRARY, positions, quads))))
+        with self.assertRaisesRegex(burin.InvalidArgument, "makes the object flat"):
+            burin.Session(LIBRARY, positions, quads, transform=np.diag([1, 0, 1, 1]))
+        with self.assertRaisesRegex(burin.InvalidArgument, r"transform: the shape must be \(4, 4\)"):
+            burin.Session(LIBRARY, positions, quads, transform=np.eye(3))
+
+    def test_with_hidden_faces_are_without_them(self):
+        positions, faces = grid(corners=3)
+        hidden = positions[faces[:, 0], 0] > 0.2
+        session = burin.Session(LIBRARY, positions, faces, hidden=np.zeros(len(faces)))
+        session.hide(hidden)
+        expected = groove(burin.Session(LIBRARY, positions, faces[~hidden]))
+        self.assertEqual(hex_hash(groove(session)), hex_hash(expected))
+        session.undo()
+        session.hide(None)
+        self.assertEqual(hex_hash(groove(session)), hex_hash(groove(burin.Session(LIBRARY, positions, faces))))
+        with self.assertRaisesRegex(burin.InvalidArgument, "hidden: the shape must be"):
+            burin.Session(LIBRARY, positions, faces, hidden=[True])
+
+
+class Groups(unittest.TestCase):
+    def test_draw_on_what_the_pen_meets(self):
+        positions, quads = grid()
+        sessions = [burin.Session(LIBRARY, positions + np.float32([x, 0, 0]), quads) for x in (-1.25, 1.25)]
+        before = [session.read() for session in sessions]
+        group = burin.Group(sessions)
+        path = np.stack([np.linspace(-2, 2, 60), np.zeros(60), np.full(60, 3)], axis=-1)
+        with group.stroke(**GROOVE):
+            hit = [group.add(position, direction=[0, 0, -1]).session for position in path]
+        self.assertEqual([hit[0], hit[-1]], sessions)
+        drawn = [session.read() for session in sessions]
+        self.assertTrue(all((a != b).any() for a, b in zip(before, drawn)))
+        group.undo()
+        np.testing.assert_array_equal([session.read() for session in sessions], before)
+        group.redo()
+        np.testing.assert_array_equal([session.read() for session in sessions], drawn)
+        with self.assertRaises(burin.NotFound):
+            group.redo()
+        for session in sessions:
+            session.close()
 
 
 class Views(unittest.TestCase):
@@ -239,6 +288,27 @@ class Strokes(unittest.TestCase):
         self.session.limit_undo(0)
         self.assertEqual(self.session.info.undo_bytes, 0)
 
+    def test_are_steps_of_an_application(self):
+        session = burin.Session(LIBRARY, *grid())
+        states, steps = [session.read()], []
+        for _ in range(2):
+            groove(session)
+            states.append(session.read())
+            steps.append(pickle.loads(pickle.dumps(session.take_step())))
+        self.assertEqual(session.info.undo_count, 0)
+        with self.assertRaisesRegex(burin.InvalidArgument, "the surface is not in the state that the step belongs to"):
+            session.apply(steps[0])
+        for i in (1, 0):
+            session.apply(steps[i])
+            np.testing.assert_array_equal(session.read(), states[i])
+        session.apply(steps[0])
+        np.testing.assert_array_equal(session.read(), states[1])
+        self.assertGreaterEqual(steps[0].bytes, 16 * steps[0].vertex_count)
+        with self.assertRaises(burin.NotFound):
+            session.take_step()
+        with self.assertRaisesRegex(burin.Error, "a saved step is damaged or cut off"):
+            burin.Step.load(steps[0].save()[:-1])
+
     def test_are_cancelled_by_exceptions(self):
         with self.assertRaises(KeyError):
             with self.session.stroke(**GROOVE):
@@ -338,10 +408,10 @@ class Samples(unittest.TestCase):
             self.assertEqual(burin.SAMPLE.fields[name][1], getattr(_c.Sample, member).offset)
 
     def test_of_their_own_type_are_not_copied(self):
-        from burin.session import _as_samples
+        from burin.samples import as_samples
 
         given = burin.samples(wave())
-        self.assertIs(_as_samples(given, {}), given)
+        self.assertIs(as_samples(given, {}), given)
 
 
 if __name__ == "__main__":

@@ -27,6 +27,7 @@ from .brush import (
 )
 from .brushinfo import INPUTS, OUTPUTS, BrushInfo, ParamInfo
 from .errors import Error, InvalidArgument, NotFound, OutOfMemory, Unsupported
+from .group import Group, GroupEvent
 from .library import Library
 from .mesh import Mesh, read_mesh, refine_mesh, write_mesh
 from .recorder import Camera, Recorder
@@ -34,6 +35,7 @@ from .recording import RecordedStroke, Recording, read_recording
 from .samples import SAMPLE, samples
 from .session import CHART_NODE, LINES, Chart, Event, Session, Snapped
 from .shown_surface import ATTRIBUTES, SessionInfo, ShownSurface
+from .step import Step
 
 __version__ = version()
 
@@ -54,6 +56,8 @@ __all__ = [
     "Event",
     "FileParam",
     "FloatParam",
+    "Group",
+    "GroupEvent",
     "INPUTS",
     "IntParam",
     "InvalidArgument",
@@ -74,6 +78,7 @@ __all__ = [
     "ShownSurface",
     "Snapped",
     "Start",
+    "Step",
     "TextParam",
     "Unsupported",
     "library_file",

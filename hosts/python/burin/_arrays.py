@@ -30,7 +30,15 @@ class MeshArrays:
     """burin_mesh over arrays of numpy, which belong to this object. They are copied only if their type or layout is none of
     C's."""
 
-    def __init__(self, positions: ArrayLike, faces: ArrayLike, face_sizes: ArrayLike | None, order: str) -> None:
+    def __init__(
+        self,
+        positions: ArrayLike,
+        faces: ArrayLike,
+        face_sizes: ArrayLike | None,
+        order: str,
+        transform: ArrayLike | None = None,
+        hidden: ArrayLike | None = None,
+    ) -> None:
         self.positions = readable(positions, FLOATS, np.float64)
         self.corners = readable(faces, CORNERS, np.int64)
         if self.positions.ndim != 2 or self.positions.shape[1] != 3:
@@ -50,6 +58,23 @@ class MeshArrays:
             self._set_faces_of_one_size()
         else:
             self._set_face_sizes(face_sizes)
+        if transform is not None:
+            self._set_transform(transform)
+        if hidden is not None:
+            self._set_hidden(hidden)
+
+    def _set_transform(self, transform: ArrayLike) -> None:
+        matrix = np.asarray(transform, np.float64)
+        if matrix.shape != (4, 4):
+            raise InvalidArgument(f"transform: the shape must be (4, 4), not {matrix.shape}")
+        self.transform = np.ascontiguousarray(matrix.T)  # C has it by columns
+        self.mesh.transform = self.transform.ctypes.data
+
+    def _set_hidden(self, hidden: ArrayLike) -> None:
+        self.hidden = np.ascontiguousarray(hidden, np.bool_)
+        if self.hidden.shape != (self.mesh.face_count,):
+            raise InvalidArgument(f"hidden: the shape must be ({self.mesh.face_count},), not {self.hidden.shape}")
+        self.mesh.hidden = self.hidden.ctypes.data
 
     def _set_faces_of_one_size(self) -> None:
         if self.corners.ndim != 2:

@@ -55,6 +55,10 @@ class LibraryOptions(Sized):
         ("call_seconds", c_double),
         ("batch_seconds", c_double),
         ("memory", c_uint64),
+        ("run", c_void_p),
+        ("run_user", c_void_p),
+        ("run_threads", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -122,6 +126,8 @@ class MeshArrays(Sized):
         ("face_sizes", c_void_p),
         ("order", c_int32),
         ("reserved", c_uint32),
+        ("transform", c_void_p),
+        ("hidden", c_void_p),
     ]
 
 
@@ -134,6 +140,27 @@ class SessionInfo(Sized):
         ("undo_count", c_uint64),
         ("redo_count", c_uint64),
         ("undo_bytes", c_uint64),
+        ("undo_dropped", c_uint64),
+    ]
+
+
+class GroupEvent(Sized):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("outcome", c_int32),
+        ("drawn", c_uint64),
+        ("session", c_uint64),
+    ]
+
+
+class StepInfo(Sized):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("bytes", c_uint64),
+        ("saved_bytes", c_uint64),
+        ("vertex_count", c_uint64),
+        ("painted_count", c_uint64),
     ]
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -54,3 +56,9 @@ def samples(
         if values is not None:
             made[name] = values
     return made
+
+
+def as_samples(position: Any, pen: dict[str, ArrayLike]) -> NDArray[np.void]:
+    """Samples one after the other: the array itself if it is of type SAMPLE and has no gaps."""
+    given: NDArray[np.void] = position if getattr(position, "dtype", None) == SAMPLE else samples(position, **pen)
+    return np.atleast_1d(np.ascontiguousarray(given))

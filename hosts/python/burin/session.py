@@ -20,8 +20,9 @@ from .errors import InvalidArgument
 from .library import Library
 from .mesh import Mesh
 from .recording import RecordedStroke
-from .samples import SAMPLE, samples
+from .samples import SAMPLE, as_samples
 from .shown_surface import ShownSurface
+from .step import Step
 
 CHART_NODE = np.dtype([("vertex", "<u4"), ("sheet", "<u4"), ("t", "<f8"), ("d", "<f4")])
 """A node of a chart: the vertex, the number of the visit to it, arc length along the stroke and signed distance to it,
@@ -70,12 +71,6 @@ class Snapped:
     """Of what was snapped, object units."""
 
 
-def _as_samples(position: Any, pen: dict[str, ArrayLike]) -> NDArray[np.void]:
-    """Samples one after the other: the array itself if it is of type SAMPLE and has no gaps."""
-    given: NDArray[np.void] = position if getattr(position, "dtype", None) == SAMPLE else samples(position, **pen)
-    return np.atleast_1d(np.ascontiguousarray(given))
-
-
 class Session(ShownSurface):
     """A surface that is sculpted by strokes. A session belongs to one thread at a time; inside it uses all of the machine's,
     without the interpreter's lock. Vertices have the numbers of the arrays that it was made of."""
@@ -88,19 +83,24 @@ class Session(ShownSurface):
         face_sizes: ArrayLike | None = None,
         *,
         order: str = "caller",
+        transform: ArrayLike | None = None,
+        hidden: ArrayLike | None = None,
     ) -> None:
         """Makes a session of arrays, which are read once.
 
         positions: shape (n, 3), float32 or float64, object units, of any stride. faces: shape (m, corners), 32 or 64 bits,
         counter-clockwise seen from outside; or with `face_sizes`, shape (m,), the corners of all faces one after the other.
         Arrays of these types are read where they are, others are copied first. order "surface": vertices have Burin's own
-        numbers, so that a stroke changes few ranges; see map_to_surface().
+        numbers, so that a stroke changes few ranges; see map_to_surface(). transform: shape (4, 4), takes positions of the
+        object to the world, in which samples, radii, charts and the hash are, so that brushes are round there whatever the
+        scale; positions and normals stay the object's. hidden: shape (m,), whether each face is hidden, see hide(); None:
+        faces are never hidden.
 
         >>> plane = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
         >>> Session(Library(stock=False), plane, [[0, 1, 2, 3]]).info.triangle_count
         2
         """
-        super().__init__(library, MeshArrays(positions, faces, face_sizes, order))
+        super().__init__(library, MeshArrays(positions, faces, face_sizes, order, transform, hidden))
         self._progress: Any = None
 
     def __enter__(self) -> Session:
@@ -141,7 +141,7 @@ class Session(ShownSurface):
     def add(self, position: Any, **pen: ArrayLike) -> Event:
         """Adds samples to the open stroke: an array of type SAMPLE, which is read where it is, or what samples() takes. All
         samples of a call bring the surface up to date once, so those of a frame belong in one."""
-        given = _as_samples(position, pen)
+        given = as_samples(position, pen)
         event = _c.Event()
         self._call("burin_session_add", given.ctypes.data, len(given), event)
         return Event(event.drawn, event.outcome == 1)
@@ -192,6 +192,25 @@ class Session(ShownSurface):
         """Bounds what undo and redo may hold."""
         self._call("burin_session_limit_undo", bytes)
 
+    def take_step(self) -> Step:
+        """Takes the step of the last stroke for an undo stack of the application's own; undo() knows of the stroke no more.
+        Raises NotFound if there is none."""
+        pointer = ctypes.c_void_p()
+        self._call("burin_session_take_step", pointer)
+        return Step(pointer)
+
+    def apply(self, step: Step) -> None:
+        """Undoes the stroke of a step to the bit, or makes it again if that was done last. Raises InvalidArgument, and changes
+        nothing, unless the surface is in the state that it was left in by the stroke or the step."""
+        self._call("burin_session_apply_step", step._pointer)
+
+    def hide(self, hidden: ArrayLike | None) -> None:
+        """Hides faces, shape (m,), or shows them again; None: shows all. Pens do not meet hidden faces, strokes end at them,
+        and vertices without any other face keep their bits. The session must have been made with such an array."""
+        flags = None if hidden is None else np.ascontiguousarray(hidden, np.bool_)
+        address, count = (None, 0) if flags is None else (flags.ctypes.data, flags.size)
+        self._call("burin_session_hide", address, count)
+
     def set_progress(self, progress: Progress | None) -> None:
         """Sets what is told what replay(), and end() where it makes solids, are at: the name of the step, and the share of
         it that is done, 0..1. An exception that it raises ends the call with Error, whose cause it is."""
@@ -231,7 +250,7 @@ class Session(ShownSurface):
         docs/snapping.md. Costs time in proportion to the surface."""
         if line not in LINES:
             raise InvalidArgument(f"there is no line {line!r}, but {', '.join(LINES)}")
-        given = _as_samples(position, pen)
+        given = as_samples(position, pen)
         kept = None if values is None else np.ascontiguousarray(values, np.float32)
         if kept is not None and kept.shape != (self.info.vertex_count,):
             raise InvalidArgument(f"values: the shape must be ({self.info.vertex_count},), not {kept.shape}")

@@ -32,6 +32,8 @@ class SessionInfo:
     undo_count: int
     redo_count: int
     undo_bytes: int
+    undo_dropped: int
+    """How many strokes can no longer be undone for limit_undo()."""
 
 
 class Handle:
@@ -106,6 +108,7 @@ class ShownSurface:
             info.undo_count,
             info.redo_count,
             info.undo_bytes,
+            info.undo_dropped,
         )
 
     def update(self, attribute: str = "positions", *, gap: int = 64, most: int = 32) -> NDArray[np.uint64]:

@@ -1,9 +1,11 @@
 #pragma once
+#include <burin/base/task_runner.h>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_sort.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -13,8 +15,9 @@
 
 namespace burin {
 
-/// The number of threads that parallel loops of this process may use now.
+/// The number of threads that parallel loops of this thread may use now.
 inline std::size_t thread_count() {
+  if (const TaskRunner* runner = TaskRunner::current()) return runner->threads();
   return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
 }
 
@@ -27,6 +30,7 @@ void parallel_blocks(std::size_t count, std::size_t grain, const Body& body) {
     const std::size_t begin = block * grain;
     body(begin, begin + grain < count ? begin + grain : count);
   };
+  if (const TaskRunner* runner = TaskRunner::current()) return runner->run(blocks, run);
 #if defined(__SANITIZE_THREAD__)
   tsan_parallel_for(blocks, thread_count(), run);
 #else
@@ -36,13 +40,20 @@ void parallel_blocks(std::size_t count, std::size_t grain, const Body& body) {
 #endif
 }
 
-/// Sorts on all threads. Elements that compare equal must be identical, since their order is not defined.
+/// The number of threads that may be started beside those of loops: none where an application lends its own.
+inline std::size_t own_thread_count() { return TaskRunner::current() ? 1 : thread_count(); }
+
+/// Sorts on all threads, or on the caller's where an application lends its own. Elements that compare equal
+/// must be identical, since their order is not defined.
 template <class Iterator, class Less = std::less<>>
 void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
 #if defined(__SANITIZE_THREAD__)
   std::sort(first, last, less);
 #else
-  tbb::parallel_sort(first, last, less);
+  if (TaskRunner::current())
+    std::sort(first, last, less);
+  else
+    tbb::parallel_sort(first, last, less);
 #endif
 }
 

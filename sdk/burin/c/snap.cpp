@@ -101,8 +101,7 @@ using namespace burin;
 
 burin_status burin_session_snap(burin_session* session, const burin_snap* how, const burin_sample* samples,
                                 uint64_t count, uint32_t fields, burin_snapped* snapped, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require(session, "session");
+  return c::in_session(session, error, [&] {
     c::require(samples, "samples");
     if (session->stroke) c::reject("a stroke is open");
     const burin_snap known = c::known_members(how, how && BURIN_HAS(how, burin_snap, values), "how");

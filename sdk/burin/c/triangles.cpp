@@ -67,7 +67,16 @@ burin_mesh arrays_of(const TriangleMesh& mesh) {
           .face_size = 3,
           .face_sizes = nullptr,
           .order = BURIN_ORDER_CALLER,
-          .reserved = 0};
+          .reserved = 0,
+          .transform = nullptr,
+          .hidden = nullptr};
+}
+
+/// A mesh that no session is made of.
+burin_mesh known_mesh(const burin_mesh* given) {
+  const burin_mesh known = known_members(given, has_first(given), "mesh");
+  if (known.transform || known.hidden) reject("transform and hidden are for sessions");
+  return known;
 }
 
 VertexPaint paint_of(const burin_mesh_values& values, std::size_t vertices) {
@@ -97,7 +106,7 @@ burin_status burin_triangles_refine(const burin_mesh* mesh, const burin_refineme
                                     burin_triangles** triangles, burin_text* error) {
   return plugin::guarded(error, [&] {
     c::require(triangles, "triangles");
-    const burin_mesh known = c::known_members(mesh, mesh && BURIN_HAS(mesh, burin_mesh, reserved), "mesh");
+    const burin_mesh known = c::known_mesh(mesh);
     *triangles = c::refined(c::read_polygons(known), c::known_options(options)).release();
   });
 }
@@ -108,7 +117,7 @@ burin_status burin_triangles_get(const burin_triangles* triangles, burin_mesh* m
                                  burin_mesh_values* values, burin_text* error) {
   return plugin::guarded(error, [&] {
     c::require(triangles, "triangles");
-    c::give(c::arrays_of(triangles->mesh), mesh, mesh && BURIN_HAS(mesh, burin_mesh, reserved), "mesh");
+    c::give(c::arrays_of(triangles->mesh), mesh, c::has_first(mesh), "mesh");
     if (!values) return;
     const burin_mesh_values known{
         .struct_size = 0,
@@ -124,7 +133,7 @@ burin_status burin_mesh_write(const char* path, const burin_mesh* mesh, const bu
                               burin_text* error) {
   return plugin::guarded(error, [&] {
     c::require(path, "path");
-    const burin_mesh known = c::known_members(mesh, mesh && BURIN_HAS(mesh, burin_mesh, reserved), "mesh");
+    const burin_mesh known = c::known_mesh(mesh);
     burin_mesh_values with{};
     if (values) with = c::known_members(values, BURIN_HAS(values, burin_mesh_values, origin), "values");
     const TriangleMesh read = c::read_arrays(known);

@@ -42,7 +42,7 @@ std::size_t parts_for(const SurfaceCurve& curve, double radius) {
   const double edge = 2 * curve.length() / std::max(points, 1.);
   const double nodes = edge > 0 ? points / 2 * (2 * radius / edge) : 0;
   return std::clamp<std::size_t>(static_cast<std::size_t>(std::min(nodes / least_nodes, 1e3)), 1,
-                                 thread_count());
+                                 own_thread_count());
 }
 
 void GroundChartBuilder::begin(const ChartOptions& options, double stroke_radius) {

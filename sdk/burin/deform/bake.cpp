@@ -53,7 +53,8 @@ std::size_t count_without_area(const TriangleMesh& base, std::span<const Vec3f> 
   for (std::size_t i = 0; i < base.triangles.size(); ++i) {
     const bool moved = std::ranges::any_of(
         base.triangles[i], [&](Index vertex) { return displaced[vertex] != base.positions[vertex]; });
-    count += moved && !has_area(base.triangle_uv[i]) && has_area(base, base.triangles[i]) ? 1 : 0;
+    count +=
+        moved && !has_area(base.triangle_uv[i]) && burin::has_area(base.positions, base.triangles[i]) ? 1 : 0;
   }
   return count;
 }

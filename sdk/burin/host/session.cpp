@@ -239,6 +239,7 @@ void Session::Impl::end_redoing() {
 /// Merges what the stroke made with the surface. The stroke is gone then.
 void Session::Impl::merge_solid(const SolidMerge& merge) {
   if (!merger) throw Error("this application cannot merge solids with the surface");
+  surface.require_all_shown();
   MergedSolid merged = merger(merge);
   // The last time: from here on the surface is replaced.
   report(progress, "rebuilding the surface", 0);
@@ -274,6 +275,7 @@ void Session::Impl::open(const BrushEntry* entry, const StrokeSettings& settings
 /// Puts a patch into the surface for the open stroke, which is closed then; returns whether there is one.
 bool Session::Impl::refine(const std::optional<SurfacePatch>& patch) {
   if (!patch) return false;
+  surface.require_all_shown();
   Stopwatch watch;
   PaintedSurface made = with_patch(surface.base(), surface.picker(), surface.paint().base(), *patch);
   stroke.reset();
@@ -382,6 +384,14 @@ void Session::move_vertices(std::span<const Index> vertices, std::span<const Vec
   });
 }
 
+void Session::hide(const std::vector<bool>& hidden) {
+  impl_->guarded([&] {
+    if (impl_->stroke) throw ContractError("a stroke is open");
+    impl_->surface.hide(hidden);
+    impl_->last_live = nullptr;
+  });
+}
+
 void Session::begin_stroke(const StrokeSettings& settings, std::span<const Vec3d> path) {
   impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open already");
@@ -461,6 +471,25 @@ std::size_t Session::undo_count() const { return impl_->surface.step_count(Turn:
 std::size_t Session::redo_count() const { return impl_->surface.step_count(Turn::redo); }
 void Session::limit_undo(std::size_t bytes) { impl_->surface.limit_undo(bytes); }
 std::size_t Session::undo_bytes() const { return impl_->surface.undo_bytes(); }
+
+std::size_t Session::undo_dropped() const { return impl_->surface.undo_dropped(); }
+
+std::optional<StrokeStep> Session::take_step() {
+  return impl_->guarded([&] {
+    if (impl_->stroke) throw ContractError("a stroke is open");
+    return impl_->surface.release_step();
+  });
+}
+
+void Session::apply(StrokeStep& step) {
+  impl_->guarded([&] {
+    if (impl_->stroke) throw ContractError("a stroke is open");
+    StageClock clock(impl_->cost);
+    impl_->surface.apply(step);
+    impl_->cost.moved = step.vertices.size();
+    clock.lap(Stage::move);
+  });
+}
 
 const EventCost& Session::cost() const { return impl_->cost; }
 

@@ -14,8 +14,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -58,6 +60,30 @@ struct RefineReport {
   double split_seconds = 0, rebuild_seconds = 0;  ///< splitting, and all that depends on the surface
 };
 
+/// What a finished stroke did, as an object that the undo stack of an application holds: the values that the
+/// vertices which it changed have on its other side. See Session::take_step() and Session::apply(). Vertices
+/// are those of the mesh that the session was made of (Surface::source_vertex), so that a step belongs to
+/// every session of that mesh.
+struct StrokeStep {
+  std::vector<Index> vertices;          ///< that move, each once
+  std::vector<Vec3f> positions;         ///< [i] of vertices[i], object units
+  std::vector<Index> painted_vertices;  ///< each once
+  std::vector<Vec4f> colours;           ///< [i] of painted_vertices[i], or empty
+  std::vector<float> masks;             ///< [i] of painted_vertices[i], or empty
+  /// Sums over all values of a surface: of the only surfaces that the step may be applied to, and of what
+  /// they become.
+  std::uint64_t from = 0, to = 0;
+
+  std::size_t bytes() const;  ///< of memory
+};
+
+/// The bytes of a file or of an application's document: little-endian, with a checksum.
+std::vector<std::byte> saved_step(const StrokeStep& step);
+std::size_t saved_bytes(const StrokeStep& step);  ///< how many these are
+
+/// Reads what saved_step() wrote. Throws Error for bytes that are damaged, cut off or of something else.
+StrokeStep loaded_step(std::span<const std::byte> bytes);
+
 /// A surface that is being sculpted: the main class for embedding applications. One stroke at a time is
 /// drawn, sample by sample; it displaces the surface as it was when the stroke began. Vertex indices are
 /// those of surface(). A session belongs to one thread at a time; inside it uses all threads of oneTBB. If a
@@ -98,6 +124,15 @@ class Session {
   /// what moved; changed() lists it. Throws ContractError if a stroke is open, if there is not one position
   /// for each vertex, or for a vertex or position that is not there or not finite.
   void move_vertices(std::span<const Index> vertices, std::span<const Vec3f> positions);
+
+  /// Hides triangles from now on, or shows them again: as if the surface had only the others, so that pens
+  /// and charts end where they begin, and vertices without any other triangle keep their bits. `hidden`: for
+  /// each triangle that surface() had when it was made; empty: none. Vertices keep their numbers, and undo
+  /// and redo go on; all normals are those of what is shown. Strokes can neither refine such a surface nor
+  /// merge solids with it. Costs as much as a new surface. Throws Error if no triangle with an area would be
+  /// left, or if a stroke that can be undone or made again replaced triangles; ContractError if a stroke is
+  /// open or for another number of triangles.
+  void hide(const std::vector<bool>& hidden);
 
   /// Is called while the end of a stroke makes a solid and merges it with the surface, which can take
   /// seconds, on the thread of that call. If it throws, so does the call, and the surface is as before the
@@ -182,7 +217,22 @@ class Session {
   /// Bounds what undo and redo may hold, now and whenever a stroke is finished: while it is more, the oldest
   /// stroke can no longer be undone. Without a bound all can.
   void limit_undo(std::size_t bytes);
-  std::size_t undo_bytes() const;  ///< what both hold
+  std::size_t undo_bytes() const;    ///< what both hold
+  std::size_t undo_dropped() const;  ///< how many strokes the bound has cost so far
+
+  /// Takes the step of the last finished stroke, so that the application can hold, save and drop it; undo()
+  /// knows of that stroke no more. Returns nothing if there is none. Throws Error for a stroke that made
+  /// triangles or parts, whose step stays; ContractError if a stroke is open. The first call costs
+  /// O(vertices), others what the stroke changed.
+  std::optional<StrokeStep> take_step();
+
+  /// Undoes the stroke of a step, or makes it again: its vertices take the values that the step has, and the
+  /// step then has those that they had, for the other way. To the bit. changed() lists the vertices. The
+  /// step may come from another session of the same mesh. Steps that the session itself holds undo their
+  /// vertices to where they were before their strokes, whatever was applied since. Throws Error, and changes
+  /// nothing, unless all positions, colours and masks are as they were when the step was taken or applied
+  /// last; ContractError if a stroke is open.
+  void apply(StrokeStep& step);
 
   /// The cost of the last non-const call (cancel_stroke() does not count).
   const EventCost& cost() const;

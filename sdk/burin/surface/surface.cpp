@@ -5,11 +5,9 @@
 #include <burin/base/parallel.h>
 #include <burin/base/trees/bounding_box.h>
 #include <burin/base/trees/spatial_order.h>
-#include <burin/surface/geometry/curvature.h>
-#include <burin/surface/geometry/normals.h>
+#include <burin/surface/connect_surface.h>
 #include <burin/surface/geometry/triangle_shape.h>
 #include <burin/surface/surface.h>
-#include <burin/surface/topology/adjacency.h>
 
 #include <algorithm>
 #include <atomic>
@@ -38,7 +36,7 @@ void check(const TriangleMesh& mesh) {
     throw ContractError("a triangle names a vertex that is not there");
   if (!all_of(mesh.positions, [](const Vec3f& p) { return p.allFinite(); }))
     throw Error("a vertex has a coordinate that is not finite");
-  if (std::ranges::none_of(mesh.triangles, [&](const Triangle& t) { return has_area(mesh, t); }))
+  if (std::ranges::none_of(mesh.triangles, [&](const Triangle& t) { return has_area(mesh.positions, t); }))
     throw Error("no triangle has an area");
 }
 
@@ -113,14 +111,6 @@ void sort_triangles(TriangleMesh& mesh, Surface& surface) {
   surface.triangle_uv = chosen(mesh.triangle_uv, order);
 }
 
-void compute_all_normals(Surface& surface) {
-  surface.normals.resize(surface.positions.size());
-  parallel_blocks(surface.positions.size(), elements_per_block, [&](std::size_t begin, std::size_t end) {
-    for (Index vertex = static_cast<Index>(begin); vertex < end; ++vertex)
-      surface.normals[vertex] = vertex_normal(surface, surface.positions, vertex);
-  });
-}
-
 }  // namespace
 
 Surface make_surface(TriangleMesh mesh, const Progress& progress) {
@@ -132,13 +122,7 @@ Surface make_surface(TriangleMesh mesh, const Progress& progress) {
   report(progress, "sorting the surface", 0.3);
   sort_triangles(mesh, surface);
   mesh = {};
-  report(progress, "connecting the surface", 0.6);
-  surface.incident = incident_triangles(surface.positions.size(), surface.triangles);
-  surface.neighbours = neighbour_vertices(surface.triangles, surface.incident);
-  report(progress, "computing normals", 0.8);
-  compute_all_normals(surface);
-  compute_gauss_curvature(surface);
-  report(progress, "computing normals", 1);
+  connect_surface(surface, progress, 0.6);
   return surface;
 }
 

@@ -18,7 +18,9 @@ namespace burin::test {
 /// unloaded.
 class CLibrary {
  public:
-  explicit CLibrary(const std::string& file) : handle_(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+  /// `flags`: of dlopen, besides.
+  explicit CLibrary(const std::string& file, int flags = 0)
+      : handle_(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | flags)) {
     if (!handle_) throw std::runtime_error(dlerror());
   }
 

@@ -3,7 +3,10 @@
 #include <burin/version.h>
 #include <gtest/gtest.h>
 
+#include <oneapi/tbb/version.h>
+
 #include <filesystem>
+#include <fstream>
 #include <mutex>
 #include <regex>
 #include <set>
@@ -12,6 +15,7 @@
 #include "house/all_matches.h"
 #include "support/process.h"
 #include "support/shared_data.h"
+#include "tbb_arrivals.h"
 
 namespace burin::test {
 namespace {
@@ -59,7 +63,8 @@ TEST(CLibraryFile, TellsItsVersion) {
 /// A stroke of a library that is one of several in the process, sample by sample.
 class OneOfSeveral {
  public:
-  OneOfSeveral(const fs::path& file, const TriangleMesh& mesh) : functions_(file.string()) {
+  OneOfSeveral(const fs::path& file, const TriangleMesh& mesh, int flags = 0)
+      : functions_(file.string(), flags) {
     check(
         functions_.find<decltype(burin_library_create)>("burin_library_create")(nullptr, &library_, &error_));
     check(functions_.find<decltype(burin_library_load)>("burin_library_load")(
@@ -115,6 +120,55 @@ TEST(CLibraryFile, MayBeInAProcessSeveralTimes) {
   }
   EXPECT_EQ(a.end(), expected.result_hash());
   EXPECT_EQ(b.end(), expected.result_hash());
+}
+
+/// Writes a copy of a file in which a name is another one of the same length.
+void copy_renamed(const fs::path& from, const fs::path& to, const std::string& name,
+                  const std::string& other) {
+  std::string bytes = read_file(from);
+  std::size_t renamed = 0;
+  for (std::size_t at = bytes.find(name); at != std::string::npos; at = bytes.find(name, at), ++renamed)
+    bytes.replace(at, name.size(), other);
+  EXPECT_GT(renamed, 0u);
+  std::ofstream(to, std::ios::binary) << bytes;
+}
+
+/// The file of the oneTBB that this program uses.
+fs::path file_of_tbb() {
+  Dl_info info{};
+  if (dladdr(reinterpret_cast<const void*>(&TBB_runtime_version), &info) == 0)
+    throw std::runtime_error("no oneTBB");
+  return fs::canonical(info.dli_fname);
+}
+
+TEST(CLibraryFile, LivesInAProcessWithAnotherOneTBB) {
+#if defined(BURIN_SANITIZED)
+  GTEST_SKIP() << "sanitizers do not allow RTLD_DEEPBIND";
+#endif
+  const TemporaryFolder folder;
+  const fs::path tbb = folder.path() / "libtbo.so.12", burin = folder.path() / "a.so";
+  copy_renamed(file_of_tbb(), tbb, "libtbb.so.12", "libtbo.so.12");
+  copy_renamed(BURIN_C_LIBRARY, burin, "libtbb.so.12", "libtbo.so.12");
+  const CLibrary other(tbb);
+  EXPECT_NE(reinterpret_cast<const void*>(other.find<decltype(TBB_runtime_version)>("TBB_runtime_version")),
+            reinterpret_cast<const void*>(&TBB_runtime_version));
+  const TriangleMesh mesh = shuffled(plane(1, 0.01, 4), 5);
+  Session expected(make_surface(mesh), brushes());
+  StrokeSettings groove = settings("org.burin.groove");
+  groove.fields = {};
+  draw(expected, groove, without_pen(wave()));
+  std::uint64_t hash = 0;
+  {
+    const TbbArrivals arrivals;
+    OneOfSeveral apart(burin, mesh, RTLD_DEEPBIND);
+    for (const burin_sample& sample : in_c(without_pen(wave()))) apart.add(sample);
+    hash = apart.end();
+    EXPECT_EQ(arrivals.count, 0) << "it works with its own";
+  }
+  EXPECT_EQ(hash, expected.result_hash());
+  const TbbArrivals arrivals;
+  for (int i = 0; i < 50 && arrivals.count == 0; ++i) draw(expected, groove, without_pen(wave()));
+  EXPECT_GT(arrivals.count, 0) << "the program goes on with its own";
 }
 
 /// Lines of a log, with their severities.

@@ -150,5 +150,51 @@ TEST(SculptedSurface, TakesWhatOtherToolsMoved) {
   EXPECT_TRUE(Snapshot(session) == before);
 }
 
+TEST(SculptedSurface, HidesTrianglesUntilTheyAreShownAgain) {
+  Session session = test::sphere_session();
+  const Surface before = session.surface();
+  std::vector<bool> hidden;
+  for (const Triangle& t : before.triangles) hidden.push_back(before.positions[t[0]].x() > 0);
+  session.hide(hidden);
+  EXPECT_LT(session.surface().triangles.size(), before.triangles.size() * 6 / 10);
+  EXPECT_EQ(session.changed().size(), before.vertex_count());
+  const Ray from_right{Vec3f(9, 0.01F, 0.02F), Vec3f(-1, 0, 0)};
+  EXPECT_LT(session.picker().pick(from_right)->position.x(), -0.9F) << "the inside of the other half";
+  draw(session, settings("org.burin.groove", 0.1), test::wave_on_sphere(8));
+  EXPECT_TRUE(session.undo());
+  session.hide(std::vector<bool>());
+  EXPECT_EQ(session.surface().triangles, before.triangles);
+  EXPECT_EQ(session.surface().positions, before.positions);
+  EXPECT_EQ(session.surface().normals, before.normals);
+  EXPECT_EQ(session.surface().gauss_curvature, before.gauss_curvature);
+  EXPECT_EQ(session.surface().neighbours.items, before.neighbours.items);
+}
+
+TEST(SculptedSurface, HasEitherHiddenOrReplacedTriangles) {
+  Session session = test::plane_session();
+  StrokeSettings refining = settings("org.burin.groove");
+  refining.refining = {.kind = Refining::Kind::edge, .edge = 0.01};
+  std::vector<bool> hidden(session.surface().triangles.size());
+  hidden[5] = true;
+  session.hide(hidden);
+  session.begin_stroke(refining);
+  EXPECT_EQ(test::error_of([&] { session.add_sample(Vec3d(0, 0, 0), 0, {}); }),
+            "a surface with hidden triangles cannot be given others");
+  EXPECT_EQ(session.generation(), 0u);
+  session.hide({});
+  draw(session, refining, test::wave(4));
+  EXPECT_NE(session.generation(), 0u);
+  EXPECT_EQ(test::error_of([&] { session.hide(hidden); }),
+            "triangles cannot be hidden while a stroke that replaced some can be undone");
+  EXPECT_EQ(test::error_of([&] { session.take_step(); }),
+            "the last stroke made triangles or parts, so that its step stays with the session");
+  EXPECT_EQ(session.undo_count(), 1u);
+  EXPECT_TRUE(session.undo());
+  session.limit_undo(0);
+  EXPECT_FALSE(session.take_step());
+  EXPECT_EQ(test::error_of([&] { session.hide({true}); }),
+            "triangles cannot be hidden while a stroke that replaced some can be undone");
+}
+
 }  // namespace
 }  // namespace burin

@@ -1,7 +1,7 @@
 // Runs the parts of a front: replaces what changed of the curve, then lets the parts advance in steps of
 // about half an edge, each on its own thread, and exchanges what happened at their borders between the steps.
 #include <burin/base/parallel.h>
-#include <burin/base/run_concurrently.h>
+#include <burin/base/threads/run_concurrently.h>
 #include <burin/chart/front/front.h>
 #include <burin/chart/path/curve_parts.h>
 

@@ -41,6 +41,9 @@ class UndoJournal {
   /// Removes and returns the newest step; nothing if there is none.
   std::optional<UndoStep> take();
 
+  /// The newest step; null if there is none.
+  const UndoStep* newest() const { return steps_.empty() ? nullptr : &steps_.back(); }
+
   /// Removes and returns the oldest step. There must be one.
   UndoStep drop_oldest();
 

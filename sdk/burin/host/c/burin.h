@@ -21,7 +21,8 @@
  *  - Libraries are for one thread, on which brushes are loaded, created and destroyed: the main thread, if
  *    brushes are to find what the plugin ABI promises. A session belongs to one thread at a time and, while
  *    a stroke is open, to one thread; its first stroke with a brush and its destruction belong on the main
- *    thread. Different sessions may be used at once. Inside, sessions use all threads of oneTBB.
+ *    thread. Different sessions may be used at once. Inside, sessions use all threads of oneTBB, or those
+ * that burin_library_options.run lends.
  *  - There is no global state: libraries and sessions know nothing of others. Nothing is written to standard
  *    streams.
  */
@@ -39,7 +40,7 @@ extern "C" {
 /* Functions and structs are added with a new minor version, never changed: a program that was built with this
  * header runs with every later library of the same major version, which is that of libburin.so.0. */
 #define BURIN_C_MAJOR 0u
-#define BURIN_C_MINOR 2u
+#define BURIN_C_MINOR 3u
 
 /* What a library is. */
 typedef struct burin_version_info {
@@ -61,6 +62,13 @@ typedef struct burin_library burin_library;
  * several at once. `line` is valid during the call. */
 typedef void(BURIN_CALL* burin_log_function)(void* user, burin_log_severity severity, const char* line);
 
+/* A task of Burin's. */
+typedef void(BURIN_CALL* burin_task)(void* tasks, uint64_t number);
+
+/* Calls task(tasks, number) once for each number below `count`, on any threads, several at once, in any
+ * order, and returns when all calls have returned. It must not throw or call Burin otherwise. */
+typedef void(BURIN_CALL* burin_run_tasks)(void* user, burin_task task, void* tasks, uint64_t count);
+
 /* How a library is made. With `isolate` no code of plugins runs in the caller's process: every brush has a
  * process of its own, with results of the same bits. One that crashes, hangs or takes too much memory makes
  * its stroke fail with BURIN_ERROR and a text that tells where; the next stroke starts another process. Linux
@@ -77,6 +85,13 @@ typedef struct burin_library_options {
   double call_seconds;       /* for begin and end of a stroke and other calls but batches; 0: 20 */
   double batch_seconds;      /* for the evaluation of one batch, at most 1024 nodes; 0: 5 */
   uint64_t memory; /* bytes of address space that a brush may take; 0: 4 GiB; UINT64_MAX: no bound */
+  /* Since 0.3. Threads that the application lends: the sessions of the library run their loops by this, on
+   * the thread of a call and those of the application, instead of those of oneTBB, and start no threads.
+   * Calls come from threads that use sessions, one call within another never. Results have the same bits. */
+  burin_run_tasks run;  /* null: oneTBB, whose arena is that of the thread that calls */
+  void* run_user;       /* is given to run */
+  uint32_t run_threads; /* how many of them work at once; a hint for how finely work is divided */
+  uint32_t reserved;
 } burin_library_options;
 
 /* Makes a library without brushes. `options` may be null. */
@@ -170,11 +185,32 @@ typedef struct burin_mesh {
   const void* face_sizes; /* corners of each face, which lie face by face in `corners`; null with face_size */
   burin_order order;
   uint32_t reserved;
+  /* Since 0.3, of burin_session_create only, null elsewhere. */
+  const double* transform; /* 4 x 4 by columns, from the object to the world; affine, with an inverse; null:
+                              the object's space is the world */
+  const uint8_t* hidden;   /* a byte for each face, not 0: hidden, see burin_session_hide; null: faces are
+                              never hidden */
 } burin_mesh;
 
-/* Makes a session that sculpts this mesh with the brushes of a library. */
+/* Makes a session that sculpts this mesh with the brushes of a library.
+ *
+ * With a transform, also one that scales axes differently, strokes are drawn in the world: samples, radii and
+ * other settings, charts and what is snapped are the world's, and brushes are round there. Positions and
+ * normals that are given, read and updated are the object's; those of vertices that are where they were given
+ * have the bits that they were given with. Transforms that mirror are allowed: faces and normals are outward
+ * in both spaces. The hash is that of positions in the world. An object that is moved or turned between
+ * strokes may keep its session if its samples are moved back. Costs 12 bytes a vertex. */
 BURIN_API burin_status BURIN_CALL burin_session_create(burin_library* library, const burin_mesh* mesh,
                                                        burin_session** session, burin_text* error);
+
+/* Hides faces, or shows them again: from now on the surface is what the others make. Pens do not meet hidden
+ * faces, charts end where they begin as at a border, vertices all of whose faces are hidden keep their bits
+ * but for undo and redo, and normals are those of what is shown. `hidden`: a byte for each of face_count
+ * faces, those of the mesh that the session was made of, which must have had such an array, if only of zeros;
+ * null: none. Fails, and changes nothing, if no face with an area would be left. It is no step of undo, and
+ * undo goes on. Costs as much as a new session. Not within a stroke. */
+BURIN_API burin_status BURIN_CALL burin_session_hide(burin_session* session, const uint8_t* hidden,
+                                                     uint64_t face_count, burin_text* error);
 
 /* Frees the session, which may be null. */
 BURIN_API void BURIN_CALL burin_session_destroy(burin_session* session);
@@ -184,10 +220,11 @@ typedef struct burin_session_info {
   uint32_t struct_size;
   uint32_t stroke_open; /* 1: a stroke is open */
   uint64_t vertex_count;
-  uint64_t triangle_count; /* without those that have a vertex twice */
+  uint64_t triangle_count; /* without those that have a vertex twice, and without those of hidden faces */
   uint64_t undo_count;     /* strokes that can be undone */
   uint64_t redo_count;     /* strokes that can be made again */
   uint64_t undo_bytes;     /* what both hold */
+  uint64_t undo_dropped;   /* since 0.3: strokes that can no longer be undone for burin_session_limit_undo */
 } burin_session_info;
 
 /* Fills the members that info->struct_size covers. */
@@ -208,7 +245,8 @@ BURIN_API burin_status BURIN_CALL burin_session_read_map(const burin_session* se
                                                          uint32_t* numbers, uint64_t capacity,
                                                          burin_text* error);
 
-/* Writes the triangles, three of the session's vertices each, in the order of the surface. `capacity`:
+/* Writes the triangles that are shown, three of the session's vertices each, counter-clockwise seen from
+ * outside in the object, in the order of the surface. `capacity`:
  * triangles that fit, at least triangle_count. */
 BURIN_API burin_status BURIN_CALL burin_session_read_triangles(const burin_session* session,
                                                                uint32_t* corners, uint64_t capacity,
@@ -278,9 +316,56 @@ BURIN_API burin_status BURIN_CALL burin_session_undo(burin_session* session, bur
 BURIN_API burin_status BURIN_CALL burin_session_redo(burin_session* session, burin_text* error);
 
 /* Bounds what undo and redo may hold, now and whenever a stroke ends: while it is more, the oldest stroke can
- * no longer be undone. Without a bound all can. */
+ * no longer be undone; burin_session_info.undo_dropped tells how many. Without a bound all can. */
 BURIN_API burin_status BURIN_CALL burin_session_limit_undo(burin_session* session, uint64_t bytes,
                                                            burin_text* error);
+
+/* What a stroke changed, for an undo stack of the application's own. */
+typedef struct burin_step burin_step;
+
+/* What a step holds. */
+typedef struct burin_step_info {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t bytes;         /* of memory */
+  uint64_t saved_bytes;   /* that burin_step_save writes */
+  uint64_t vertex_count;  /* of vertices that move */
+  uint64_t painted_count; /* of vertices whose colour or mask changes */
+} burin_step_info;
+
+/* Takes the step of the last stroke out of the session, whose burin_session_undo knows nothing of that stroke
+ * any more. The step lives until it is destroyed, also without the session. BURIN_NOT_FOUND, if there is no
+ * stroke to undo. Fails for a stroke that made a solid or a mesh beside the surface: its step stays. The
+ * first call costs time in proportion to the surface, others to the stroke. */
+BURIN_API burin_status BURIN_CALL burin_session_take_step(burin_session* session, burin_step** step,
+                                                          burin_text* error);
+
+/* Undoes the stroke of a step to the bit, the next time makes it again, and so on: vertices and step exchange
+ * their values. Updates tell what changed. The session may be another one than that of the stroke, if it is
+ * of the same mesh. BURIN_INVALID_ARGUMENT, and nothing changes, unless all positions, colours and masks are
+ * as they were when the step was taken or applied last. Steps that the session itself holds do not look:
+ * applications take all or none. Not within a stroke. */
+BURIN_API burin_status BURIN_CALL burin_session_apply_step(burin_session* session, burin_step* step,
+                                                           burin_text* error);
+
+/* Frees the step, which may be null. [any thread] */
+BURIN_API void BURIN_CALL burin_step_destroy(burin_step* step);
+
+/* Fills the members that info->struct_size covers. [any thread, concurrent] */
+BURIN_API burin_status BURIN_CALL burin_step_get_info(const burin_step* step, burin_step_info* info,
+                                                      burin_text* error);
+
+/* Writes a step to memory, for a document of the application's; with a checksum. `capacity`: bytes that fit,
+ * at least saved_bytes. Vertices are numbers of the original mesh, whatever the session's order. [any thread,
+ * concurrent] */
+BURIN_API burin_status BURIN_CALL burin_step_save(const burin_step* step, void* bytes, uint64_t capacity,
+                                                  burin_text* error);
+
+/* Makes a step of what burin_step_save wrote. Fails for bytes that are damaged, cut off or something else.
+ * Positions are the world's where the session has a transform: one that is made anew of positions that were
+ * read differs in the last bits, so that steps are of that session only. [any thread, concurrent] */
+BURIN_API burin_status BURIN_CALL burin_step_load(const void* bytes, uint64_t size, burin_step** step,
+                                                  burin_text* error);
 
 /* Is told what a call does that may take seconds, on the thread of the call: the name of the step, valid
  * during the call, and the share of it that is done, 0..1. Any return but 0 ends the call with BURIN_ERROR
@@ -302,6 +387,47 @@ BURIN_API burin_status BURIN_CALL burin_session_replay(burin_session* session, c
  * are any, in the order of the caller's vertices. */
 BURIN_API burin_status BURIN_CALL burin_session_hash(const burin_session* session, uint64_t* hash,
                                                      burin_text* error);
+
+/* ---- Strokes over several objects ---- */
+
+/* Sessions that one pen draws on: each sample goes to the surface that its ray meets first, or which is
+ * closest to its position. Where that changes a piece of the stroke ends on one surface, and the next begins
+ * on the other, as where a pen leaves a surface and comes back. What the sessions show is updated in each of
+ * them as always. */
+typedef struct burin_group burin_group;
+
+/* What became of the samples of a call. */
+typedef struct burin_group_event {
+  uint32_t struct_size;
+  burin_outcome outcome; /* of the last sample */
+  uint64_t drawn;        /* how many of the samples were drawn */
+  uint64_t session;      /* on which of the sessions the pen is, from 0; the last one if it is on none */
+} burin_group_event;
+
+/* Makes a group of `count` different sessions, in the world with their transforms. They must outlive it, and
+ * are used on its thread. */
+BURIN_API burin_status BURIN_CALL burin_group_create(burin_session* const* sessions, uint64_t count,
+                                                     burin_group** group, burin_text* error);
+
+/* Frees the group, which may be null, not its sessions. An open stroke is dropped. */
+BURIN_API void BURIN_CALL burin_group_destroy(burin_group* group);
+
+/* As the functions of sessions that have these names. A stroke is open in all sessions meanwhile, to which
+ * their own burin_session_begin, _add, _end and _cancel are refused; if it fails in one it is dropped in all.
+ * Symmetric images are drawn on the surface of the sample only. */
+BURIN_API burin_status BURIN_CALL burin_group_begin(burin_group* group, const burin_stroke* stroke,
+                                                    burin_text* error);
+BURIN_API burin_status BURIN_CALL burin_group_add(burin_group* group, const burin_sample* samples,
+                                                  uint64_t count, burin_group_event* event,
+                                                  burin_text* error);
+BURIN_API burin_status BURIN_CALL burin_group_end(burin_group* group, burin_text* error);
+BURIN_API burin_status BURIN_CALL burin_group_cancel(burin_group* group, burin_text* error);
+
+/* Undoes the group's last stroke in all sessions that it changed, as one step, or makes it again.
+ * BURIN_NOT_FOUND if there is none, or if a session's bound has dropped its part. BURIN_INVALID_ARGUMENT
+ * while one of these sessions has drawn or undone a stroke by itself since. Nothing changes then. */
+BURIN_API burin_status BURIN_CALL burin_group_undo(burin_group* group, burin_text* error);
+BURIN_API burin_status BURIN_CALL burin_group_redo(burin_group* group, burin_text* error);
 
 /* ---- What to show ---- */
 

@@ -1,12 +1,14 @@
 #pragma once
 #include <burin/base/progress.h>
+#include <burin/base/task_runner.h>
 #include <burin/host/brush_library.h>
 #include <burin/host/c/burin.h>
+#include <burin/host/c/call.h>
+#include <burin/host/c/hidden_faces.h>
+#include <burin/host/c/object_space.h>
+#include <burin/host/c/pen_input.h>
 #include <burin/host/c/shown_values.h>
-#include <burin/host/host_extensions.h>
 #include <burin/host/session.h>
-#include <burin/stroke/stabiliser.h>
-#include <burin/stroke/stroke_settings.h>
 
 #include <array>
 #include <memory>
@@ -18,24 +20,18 @@
 /// What the pointers of C point to.
 struct burin_library {
   std::shared_ptr<burin::BrushLibrary> brushes;
-  std::vector<std::string> refused;  ///< lines of modules that were passed over
+  std::shared_ptr<const burin::TaskRunner> threads;  ///< those that the application lends, if any
+  std::vector<std::string> refused;                  ///< lines of modules that were passed over
 };
 
 namespace burin::c {
 
 /// What C needs to know of the open stroke besides what the session knows.
 struct OpenStroke {
-  explicit OpenStroke(const ReplaySettings& settings)
-      : fields(settings.fields), closure(settings.closure), stabilising(settings.stabilising) {}
-
-  PenFields fields;
   Closure closure;
-  Stabilising stabilising;
-  Stabiliser stabiliser{stabilising};
-  double last_time = 0;      ///< of the samples so far
-  bool has_samples = false;  ///< last_time is one's
-  bool piece_begun = false;  ///< the current piece has a sample
-  bool whole = true;         ///< no piece has ended yet
+  std::optional<PenInput> pen;  ///< none: that of the group that draws
+  bool piece_begun = false;     ///< the current piece has a sample
+  bool whole = true;            ///< no piece has ended yet
 };
 
 inline constexpr std::size_t attribute_count = 4;
@@ -43,8 +39,9 @@ inline constexpr std::size_t attribute_count = 4;
 }  // namespace burin::c
 
 struct burin_session {
-  burin_session(std::shared_ptr<burin::BrushLibrary> library, burin::Surface surface, burin_order numbers)
-      : brushes(std::move(library)),
+  burin_session(const burin_library& library, burin::Surface surface, burin_order numbers)
+      : brushes(library.brushes),
+        threads(library.threads),
         session(std::move(surface), *brushes),
         order(session.surface(), numbers) {}
 
@@ -54,12 +51,20 @@ struct burin_session {
       if (values) values->note(vertices, order);
   }
 
+  /// The current values of an attribute as the caller has them.
+  burin::c::VertexValues values(burin_attribute attribute) const {
+    return burin::c::values_of(session, attribute, object ? &*object : nullptr);
+  }
+
   /// Notes what the session's last call changed.
   void note_changed() { note(session.changed()); }
 
   std::shared_ptr<burin::BrushLibrary> brushes;
+  std::shared_ptr<const burin::TaskRunner> threads;  ///< of the library
   burin::Session session;
   burin::c::VertexOrder order;
+  std::optional<burin::c::ObjectSpace> object;  ///< with a transform
+  std::optional<burin::c::HiddenFaces> faces;   ///< if faces may be hidden
   burin::Progress progress;
   std::optional<burin::c::OpenStroke> stroke;
   /// [attribute - 1]; made with its first update
@@ -70,9 +75,14 @@ struct burin_session {
 
 namespace burin::c {
 
-/// Makes the library of burin_library_create(), with extensions for its plugins. Throws plugin::Error for
-/// what the caller got wrong.
-void create_library(const burin_library_options* options, std::unique_ptr<HostExtensions> extensions,
-                    burin_library** library);
+/// Runs the body of a call of a session, which must be there, on the threads that its application lends.
+template <class Body>
+burin_status in_session(const burin_session* session, burin_text* error, const Body& body) {
+  return plugin::guarded(error, [&] {
+    require(session, "session");
+    const TaskRunnerScope scope(session->threads.get());
+    body();
+  });
+}
 
 }  // namespace burin::c

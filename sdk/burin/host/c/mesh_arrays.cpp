@@ -128,6 +128,18 @@ TriangleMesh read_arrays(const burin_mesh& given) {
                                            : with_triangles<std::uint64_t>(given, std::move(positions));
 }
 
+std::vector<Index> read_triangle_faces(const burin_mesh& given) {
+  std::vector<Index> sizes(given.face_sizes ? 0 : given.face_count, given.face_size);
+  std::uint64_t corners = 0;
+  if (given.face_sizes)
+    sizes = given.corner_type == BURIN_UINT32 ? read_face_sizes<std::uint32_t>(given, corners)
+                                              : read_face_sizes<std::uint64_t>(given, corners);
+  std::vector<Index> faces;
+  for (std::size_t face = 0; face < sizes.size(); ++face)
+    faces.insert(faces.end(), sizes[face] - 2, static_cast<Index>(face));
+  return faces;
+}
+
 PolygonMesh read_polygons(const burin_mesh& given) {
   std::vector<Vec3f> positions = checked_positions(given);
   return given.corner_type == BURIN_UINT32 ? with_faces<std::uint32_t>(given, std::move(positions))

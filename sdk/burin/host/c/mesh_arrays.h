@@ -3,6 +3,8 @@
 #include <burin/surface/polygon_mesh.h>
 #include <burin/surface/triangle_mesh.h>
 
+#include <vector>
+
 namespace burin::c {
 
 /// Reads a mesh from the arrays of a caller, whose struct is complete. Throws plugin::Error, which names the
@@ -12,5 +14,11 @@ TriangleMesh read_arrays(const burin_mesh& given);
 
 /// The same with the faces as they are.
 PolygonMesh read_polygons(const burin_mesh& given);
+
+/// [triangle of read_arrays()] the number of the face that it is of.
+std::vector<Index> read_triangle_faces(const burin_mesh& given);
+
+/// The size of burin_mesh before 0.3, which all callers have at least.
+inline bool has_first(const burin_mesh* mesh) { return mesh && BURIN_HAS(mesh, burin_mesh, reserved); }
 
 }  // namespace burin::c

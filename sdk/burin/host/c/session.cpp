@@ -2,9 +2,53 @@
 #include <burin/host/c/call.h>
 #include <burin/host/c/handles.h>
 #include <burin/host/c/mesh_arrays.h>
+#include <burin/surface/source_numbers.h>
+#include <burin/surface/triangle_mesh.h>
 
 #include <algorithm>
+#include <memory>
+#include <string>
 #include <utility>
+
+namespace burin::c {
+namespace {
+
+/// Moves a mesh from the caller's object to the world. Returns the positions that it had.
+std::vector<Vec3f> place(TriangleMesh& mesh, const Placement& placement) {
+  std::vector<Vec3f> given = mesh.positions;
+  for (std::size_t vertex = 0; vertex < given.size(); ++vertex) {
+    mesh.positions[vertex] = placement.to_world(given[vertex]);
+    if (!mesh.positions[vertex].allFinite())
+      reject("vertex " + std::to_string(vertex) + " is not finite in the world");
+  }
+  if (placement.mirrors()) turn_over(mesh.triangles);
+  return given;
+}
+
+void hide(burin_session& session, const std::uint8_t* hidden) {
+  session.session.hide(hidden ? session.faces->triangles(hidden) : std::vector<bool>());
+  session.note_changed();
+}
+
+std::unique_ptr<burin_session> make_session(const burin_library& library, const burin_mesh& given) {
+  std::optional<Placement> placement;
+  if (given.transform) placement.emplace(given.transform);
+  TriangleMesh mesh = read_arrays(given);
+  std::vector<Vec3f> in_object;
+  if (placement) in_object = place(mesh, *placement);
+  const std::vector<Triangle> triangles = given.hidden ? mesh.triangles : std::vector<Triangle>();
+  auto session = std::make_unique<burin_session>(library, make_surface(std::move(mesh)), given.order);
+  if (placement) session->object.emplace(*placement, std::move(in_object));
+  if (!given.hidden) return session;
+  const auto face_count = static_cast<Index>(given.face_count);
+  session->faces.emplace(triangles, read_triangle_faces(given), face_count, session->session.surface());
+  if (std::any_of(given.hidden, given.hidden + face_count, [](std::uint8_t h) { return h != 0; }))
+    hide(*session, given.hidden);
+  return session;
+}
+
+}  // namespace
+}  // namespace burin::c
 
 using namespace burin;
 
@@ -13,8 +57,19 @@ burin_status burin_session_create(burin_library* library, const burin_mesh* mesh
   return plugin::guarded(error, [&] {
     c::require(library, "library");
     c::require(session, "session");
-    const burin_mesh known = c::known_members(mesh, mesh && BURIN_HAS(mesh, burin_mesh, reserved), "mesh");
-    *session = new burin_session(library->brushes, make_surface(c::read_arrays(known)), known.order);
+    const TaskRunnerScope scope(library->threads.get());
+    *session = c::make_session(*library, c::known_members(mesh, c::has_first(mesh), "mesh")).release();
+  });
+}
+
+burin_status burin_session_hide(burin_session* session, const uint8_t* hidden, uint64_t face_count,
+                                burin_text* error) {
+  return c::in_session(session, error, [&] {
+    if (session->stroke) c::reject("a stroke is open");
+    if (!session->faces) c::reject("the session was made of a mesh without an array of hidden faces");
+    if (hidden && face_count != session->faces->face_count())
+      c::reject("the mesh has " + std::to_string(session->faces->face_count()) + " faces");
+    c::hide(*session, hidden);
   });
 }
 
@@ -22,8 +77,7 @@ void burin_session_destroy(burin_session* session) { delete session; }
 
 burin_status burin_session_get_info(const burin_session* session, burin_session_info* info,
                                     burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require(session, "session");
+  return c::in_session(session, error, [&] {
     const Surface& surface = session->session.surface();
     const burin_session_info known{.struct_size = 0,
                                    .stroke_open = session->stroke ? 1u : 0u,
@@ -31,15 +85,15 @@ burin_status burin_session_get_info(const burin_session* session, burin_session_
                                    .triangle_count = surface.triangles.size(),
                                    .undo_count = session->session.undo_count(),
                                    .redo_count = session->session.redo_count(),
-                                   .undo_bytes = session->session.undo_bytes()};
+                                   .undo_bytes = session->session.undo_bytes(),
+                                   .undo_dropped = session->session.undo_dropped()};
     c::give(known, info, info && BURIN_HAS(info, burin_session_info, undo_bytes), "info");
   });
 }
 
 burin_status burin_session_read_map(const burin_session* session, burin_map map, uint32_t* numbers,
                                     uint64_t capacity, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require(session, "session");
+  return c::in_session(session, error, [&] {
     c::require(numbers, "numbers");
     if (map != BURIN_MAP_CALLER_TO_SURFACE && map != BURIN_MAP_SURFACE_TO_CALLER)
       c::reject("there is no such map");
@@ -48,33 +102,33 @@ burin_status burin_session_read_map(const burin_session* session, burin_map map,
     if (map == BURIN_MAP_SURFACE_TO_CALLER)
       std::ranges::copy(surface.source_vertex, numbers);
     else
-      std::ranges::copy(c::VertexOrder::inverse(surface), numbers);
+      std::ranges::copy(numbers_of_source(surface), numbers);
   });
 }
 
 burin_status burin_session_read_triangles(const burin_session* session, uint32_t* corners, uint64_t capacity,
                                           burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require(session, "session");
+  return c::in_session(session, error, [&] {
     c::require(corners, "corners");
     const Surface& surface = session->session.surface();
     if (capacity < surface.triangles.size()) c::reject("the triangles do not fit");
-    for (const Triangle& triangle : surface.triangles)
+    const bool mirrors = session->object && session->object->placement().mirrors();
+    for (Triangle triangle : surface.triangles) {
+      if (mirrors) c::turn_over({&triangle, 1});
       for (const Index vertex : triangle) *corners++ = session->order.of_surface(vertex);
+    }
   });
 }
 
 burin_status burin_session_hash(const burin_session* session, uint64_t* hash, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require(session, "session");
+  return c::in_session(session, error, [&] {
     c::require(hash, "hash");
     *hash = session->session.result_hash();
   });
 }
 
 burin_status burin_session_chart(burin_session* session, burin_chart* chart, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require(session, "session");
+  return c::in_session(session, error, [&] {
     const Chart& made = session->session.chart();
     session->chart_vertices.resize(made.size());
     std::ranges::transform(made.vertex, session->chart_vertices.begin(),

@@ -1,6 +1,5 @@
 #include <burin/host/c/shown_values.h>
 
-#include <algorithm>
 #include <cstring>
 
 namespace burin::c {
@@ -17,7 +16,8 @@ Ranges ShownValues::update(const VertexValues& current, const VertexOrder& order
   const std::size_t bytes = current.size * sizeof(float);
   for (const Index number : drained_) {
     float* const seen = values_.data() + number * current.size;
-    const float* const now = current.of(order.to_surface(number));
+    float now[most_floats];
+    current.copy(order.to_surface(number), now);
     if (std::memcmp(seen, now, bytes) == 0) continue;
     std::memcpy(seen, now, bytes);
     ranges.add(number);
@@ -28,7 +28,7 @@ Ranges ShownValues::update(const VertexValues& current, const VertexOrder& order
 void ShownValues::take_all(const VertexValues& current, const VertexOrder& order) {
   const auto count = static_cast<Index>(values_.size() / current.size);
   for (Index number = 0; number < count; ++number)
-    std::copy_n(current.of(order.to_surface(number)), current.size, values_.data() + number * current.size);
+    current.copy(order.to_surface(number), values_.data() + number * current.size);
   seen_ = true;
 }
 

@@ -1,7 +1,11 @@
 // Keeps a session's surface, its paint, its picker and its chart builders in step. A stroke's end costs
 // O(vertices that it changed); only a surface that is replaced is made anew as a whole.
 #include <burin/base/error.h>
+#include <burin/host/session/released_step.h>
 #include <burin/host/session/sculpted_surface.h>
+#include <burin/surface/connect_surface.h>
+#include <burin/surface/geometry/triangle_shape.h>
+#include <burin/surface/source_numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +33,7 @@ void SculptedSurface::set_paint(Paint paint) {
                      });
   if (!sound) throw ContractError("colours and masks must be from 0 to 1, one a vertex");
   paint_.assign(std::move(paint));
+  state_.reset();
 }
 
 void SculptedSurface::move(std::span<const Index> vertices, std::span<const Vec3f> positions) {
@@ -38,6 +43,41 @@ void SculptedSurface::move(std::span<const Index> vertices, std::span<const Vec3
   if (!sound) throw ContractError("vertices must be there, and have one finite position each");
   note_changed(shown_.move(surface_, vertices, positions), {});
   commit(shown_.take_displaced(surface_));
+}
+
+SculptedSurface::Triangles SculptedSurface::shown_triangles(const std::vector<bool>& hidden) const {
+  const auto& corners = all_triangles_ ? all_triangles_->corners : surface_.triangles;
+  const auto& uv = all_triangles_ ? all_triangles_->uv : surface_.triangle_uv;
+  if (hidden.empty()) return {corners, uv};
+  if (hidden.size() != corners.size()) throw ContractError("triangles to hide must be one for each");
+  Triangles shown;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (hidden[i]) continue;
+    shown.corners.push_back(corners[i]);
+    if (!uv.empty()) shown.uv.push_back(uv[i]);
+  }
+  return shown;
+}
+
+void SculptedSurface::hide(const std::vector<bool>& hidden) {
+  if (!replaced_builders_.empty() || !undone_builders_.empty())
+    throw Error("triangles cannot be hidden while a stroke that replaced some can be undone");
+  Triangles shown = shown_triangles(hidden);
+  if (std::ranges::none_of(shown.corners, [&](const Triangle& t) { return has_area(surface_.positions, t); }))
+    throw Error("no triangle with an area would be left to draw on");
+  if (!all_triangles_) all_triangles_ = {std::move(surface_.triangles), std::move(surface_.triangle_uv)};
+  if (shown.corners.size() == all_triangles_->corners.size()) all_triangles_.reset();
+  surface_.triangles = std::move(shown.corners);
+  surface_.triangle_uv = std::move(shown.uv);
+  connect_surface(surface_);
+  picker_ = Picker(surface_);
+  shown_ = ShownSurface(surface_);
+  builders_ = std::make_unique<ChartBuilders>(surface_, picker_);
+  note_all_changed();
+}
+
+void SculptedSurface::require_all_shown() const {
+  if (all_triangles_) throw Error("a surface with hidden triangles cannot be given others");
 }
 
 void SculptedSurface::show(const VertexMoves& moves) {
@@ -65,6 +105,7 @@ void SculptedSurface::drop() {
 void SculptedSurface::keep(MadePart made) {
   const std::vector<Index> displaced = shown_.take_displaced(surface_);
   PaintStep painted = paint_.commit();
+  state_.repainted(surface_, painted, paint_.base());
   if (unrefined_) {
     UndoStep step = step_to(std::move(*unrefined_));
     unrefined_.reset();
@@ -116,7 +157,7 @@ void SculptedSurface::limit_undo(std::size_t bytes) {
 }
 
 void SculptedSurface::drop_oldest() {
-  while (journal_.size() > 0 && undo_bytes() > most_undo_bytes_)
+  for (; journal_.size() > 0 && undo_bytes() > most_undo_bytes_; ++undo_dropped_)
     if (journal_.drop_oldest().surface) replaced_builders_.erase(replaced_builders_.begin());
 }
 
@@ -147,7 +188,29 @@ UndoStep SculptedSurface::restore_vertices(UndoStep step) {
     step.positions[i] = surface_.positions[step.vertices[i]];
   commit(step.vertices);
   step.paint = paint_.restore(step.paint);
+  state_.repainted(surface_, step.paint, paint_.base());
   return step;
+}
+
+std::optional<StrokeStep> SculptedSurface::release_step() {
+  const UndoStep* newest = journal_.newest();
+  if (!newest) return std::nullopt;
+  if (newest->surface || newest->made != MadePart::none)
+    throw Error("the last stroke made triangles or parts, so that its step stays with the session");
+  StrokeStep step;
+  step.from = state();
+  step.to = state_.with(*newest, surface_, paint_.base());
+  release_values(*journal_.take(), surface_.source_vertex, step);
+  return step;
+}
+
+void SculptedSurface::apply(StrokeStep& step) {
+  if (state() != step.from) throw Error("the surface is not in the state that the step belongs to");
+  if (of_source_.empty()) of_source_ = numbers_of_source(surface_);
+  UndoStep values = values_for(step, of_source_);
+  show(values);
+  release_values(restore_vertices(std::move(values)), surface_.source_vertex, step);
+  std::swap(step.from, step.to);
 }
 
 /// Sets `changed_` to the union of two ascending lists.
@@ -161,6 +224,8 @@ void SculptedSurface::commit(std::span<const Index> displaced) {
   float farthest = 0;
   for (const Index vertex : displaced)
     farthest = std::max(farthest, (shown_.positions()[vertex] - surface_.positions[vertex]).squaredNorm());
+  for (const Index vertex : displaced)
+    state_.moved(surface_.source_vertex[vertex], surface_.positions[vertex], shown_.positions()[vertex]);
   shown_.commit(surface_, displaced);
   picker_.update(displaced);
   builders_->moved(displaced, std::sqrt(static_cast<double>(farthest)));
@@ -182,6 +247,8 @@ SculptedSurface::Replaced SculptedSurface::exchange(PaintedSurface made,
   paint_ = ShownPaint(surface_.vertex_count());
   paint_.assign(std::move(made.paint));
   builders_ = builders ? std::move(builders) : std::make_unique<ChartBuilders>(surface_, picker_);
+  state_.reset();
+  of_source_.clear();
   ++generation_;
   note_all_changed();
   return replaced;

@@ -2,8 +2,10 @@
 #include <burin/deform/shown/shown_paint.h>
 #include <burin/deform/shown/shown_surface.h>
 #include <burin/deform/shown/undo_journal.h>
+#include <burin/host/session.h>
 #include <burin/host/session/merged_surface.h>
 #include <burin/host/session/stroke_instance.h>
+#include <burin/host/session/surface_state.h>
 #include <burin/host/session/vertex_moves.h>
 
 #include <cstddef>
@@ -53,6 +55,11 @@ class SculptedSurface {
   /// Shows the surface without the open stroke again.
   void drop();
 
+  /// Hides triangles, by their numbers before any was hidden; empty: none. Throws as Session::hide() does,
+  /// then nothing changes. No stroke may refer to the surface.
+  void hide(const std::vector<bool>& hidden);
+  void require_all_shown() const;  ///< throws Error if triangles are hidden
+
   /// Makes the shown surface and paint those of base(), with an undo step.
   void keep(MadePart made);
 
@@ -72,9 +79,18 @@ class SculptedSurface {
   void show(const UndoStep& step);
   void restore(UndoStep step, Turn turn);
 
+  /// Takes the newest step out, for an application's own undo; nothing if there is none. Throws Error for one
+  /// that holds more than values of vertices.
+  std::optional<StrokeStep> release_step();
+
+  /// Gives the vertices of a step its values; the step then has those that they had. Throws Error, and
+  /// changes nothing, unless the surface is in the state that the step belongs to.
+  void apply(StrokeStep& step);
+
   /// Bounds the bytes of the steps of both ways.
   void limit_undo(std::size_t bytes);
   std::size_t undo_bytes() const { return journal_.bytes() + undone_.bytes(); }
+  std::size_t undo_dropped() const { return undo_dropped_; }  ///< steps, so far
 
  private:
   using Builders = std::vector<std::unique_ptr<ChartBuilders>>;
@@ -85,12 +101,20 @@ class SculptedSurface {
     std::unique_ptr<ChartBuilders> builders;
   };
 
+  /// Triangles of a surface, with texture coordinates if it has them.
+  struct Triangles {
+    std::vector<Triangle> corners;
+    std::vector<TriangleUv> uv;
+  };
+
   UndoJournal& steps(Turn turn) { return turn == Turn::undo ? journal_ : undone_; }
   Builders& builders_of(Turn turn) { return turn == Turn::undo ? replaced_builders_ : undone_builders_; }
   void end_redoing();
+  Triangles shown_triangles(const std::vector<bool>& hidden) const;
   void drop_oldest();
   UndoStep restore_surface(UndoStep step, Turn turn);
   UndoStep restore_vertices(UndoStep step);
+  std::uint64_t state() { return state_.of(surface_, paint_.base()); }
   void note_changed(std::span<const Index> moved, std::span<const Index> painted);
   void commit(std::span<const Index> displaced);
   Replaced exchange(PaintedSurface made, std::unique_ptr<ChartBuilders> builders);
@@ -102,11 +126,15 @@ class SculptedSurface {
   /// Of the surfaces that were replaced, and of those whose replacing was undone: made anew they would have
   /// other clusters.
   Builders replaced_builders_, undone_builders_;
-  std::optional<Replaced> unrefined_;  ///< while a stroke on a refined surface is not finished
+  std::optional<Triangles> all_triangles_;  ///< while some are hidden
+  std::optional<Replaced> unrefined_;       ///< while a stroke on a refined surface is not finished
   ShownSurface shown_;
   ShownPaint paint_;
   UndoJournal journal_, undone_;
-  std::size_t most_undo_bytes_ = std::numeric_limits<std::size_t>::max();
+  std::size_t most_undo_bytes_ = std::numeric_limits<std::size_t>::max(), undo_dropped_ = 0;
+  SurfaceState state_;  ///< of base() and the paint before the open stroke
+  std::vector<Index>
+      of_source_;  ///< [vertex of the original mesh] its number; made for the first step applied
   std::vector<Index> changed_;
   std::uint64_t generation_ = 0;
 };

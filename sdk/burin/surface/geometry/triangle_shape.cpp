@@ -5,8 +5,8 @@
 
 namespace burin {
 
-bool has_area(const TriangleMesh& mesh, const Triangle& triangle) {
-  const auto corner = [&](int i) -> Vec3d { return mesh.positions[triangle[i]].cast<double>(); };
+bool has_area(const std::vector<Vec3f>& positions, const Triangle& triangle) {
+  const auto corner = [&](int i) -> Vec3d { return positions[triangle[i]].cast<double>(); };
   return !(corner(1) - corner(0)).cross(corner(2) - corner(0)).isZero(0);
 }
 

@@ -2,13 +2,14 @@
 #include <burin/surface/triangle_mesh.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace burin {
 
 inline bool has_repeated_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 /// Whether the corners do not lie exactly on one line.
-bool has_area(const TriangleMesh& mesh, const Triangle& triangle);
+bool has_area(const std::vector<Vec3f>& positions, const Triangle& triangle);
 
 /// The index, 0 to 2, of a vertex among the corners of its triangle. It has no branches, since they would be
 /// unpredictable.

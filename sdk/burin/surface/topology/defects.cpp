@@ -95,8 +95,10 @@ std::string MeshDefects::text() const {
 MeshDefects find_defects(const TriangleMesh& mesh) {
   MeshDefects defects;
   count_topology(mesh, defects);
-  defects.degenerate_triangles = static_cast<std::size_t>(std::ranges::count_if(
-      mesh.triangles, [&](const Triangle& t) { return has_repeated_vertex(t) || !has_area(mesh, t); }));
+  defects.degenerate_triangles =
+      static_cast<std::size_t>(std::ranges::count_if(mesh.triangles, [&](const Triangle& t) {
+        return has_repeated_vertex(t) || !has_area(mesh.positions, t);
+      }));
   defects.duplicate_triangles = count_duplicates(mesh.triangles);
   defects.duplicate_positions = count_duplicate_positions(mesh.positions);
   defects.unreferenced_vertices = count_unreferenced(mesh);

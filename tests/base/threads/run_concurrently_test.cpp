@@ -1,4 +1,4 @@
-#include <burin/base/run_concurrently.h>
+#include <burin/base/threads/run_concurrently.h>
 #include <gtest/gtest.h>
 
 #include <array>

@@ -35,9 +35,11 @@ void read(const burin_session& session, const VertexValues& values, const burin_
           const burin_target& target) {
   const std::uint64_t stride = stride_of(target, values.size);
   char* to = static_cast<char*>(target.data);
-  for (std::uint64_t vertex = range.begin; vertex < range.end; ++vertex, to += stride)
-    write_values(values.of(session.order.to_surface(static_cast<Index>(vertex))), values.size, target.type,
-                 to);
+  for (std::uint64_t vertex = range.begin; vertex < range.end; ++vertex, to += stride) {
+    float now[most_floats];
+    values.copy(session.order.to_surface(static_cast<Index>(vertex)), now);
+    write_values(now, values.size, target.type, to);
+  }
 }
 
 /// The values of a range of vertices, float by float.
@@ -60,14 +62,26 @@ std::vector<Index> surface_vertices(const burin_session& session, const burin_ra
   return vertices;
 }
 
-void move(burin_session& session, std::span<const Index> vertices, std::span<const float> values) {
-  std::vector<Vec3f> positions(vertices.size());
+/// Positions of the caller's where the surface has them.
+std::vector<Vec3f> placed(const burin_session& session, std::span<const float> values) {
+  std::vector<Vec3f> positions(values.size() / 3);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     positions[i] = Eigen::Map<const Vec3f>(&values[3 * i]);
+    if (session.object) positions[i] = session.object->placement().to_world(positions[i]);
     if (!positions[i].allFinite()) reject("a position is not finite");
   }
-  session.session.move_vertices(vertices, positions);
+  return positions;
+}
+
+void move(burin_session& session, std::span<const Index> vertices, std::span<const float> values) {
+  session.session.move_vertices(vertices, placed(session, values));
   session.note_changed();
+  if (!session.object) return;
+  // What rounds to the same place of the world has other bits in the object.
+  const std::vector<Index>& source = session.session.surface().source_vertex;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    session.object->take(source[vertices[i]], Eigen::Map<const Vec3f>(&values[3 * i]));
+  session.note(vertices);
 }
 
 void paint(burin_session& session, burin_attribute attribute, std::span<const Index> vertices,
@@ -96,12 +110,11 @@ using namespace burin;
 burin_status burin_session_update(burin_session* session, burin_attribute attribute, uint64_t gap,
                                   burin_range* ranges, uint64_t capacity, uint64_t* count,
                                   burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require(session, "session");
+  return c::in_session(session, error, [&] {
     c::require(ranges, "ranges");
     c::require(count, "count");
     if (capacity == 0) c::reject("there is room for no range");
-    const c::VertexValues values = c::values_of(session->session, attribute);
+    const c::VertexValues values = session->values(attribute);
     c::ShownValues& shown = c::shown_values(*session, attribute, values.size);
     const std::vector<burin_range> changed = shown.update(values, session->order, gap).at_most(capacity);
     std::ranges::copy(changed, ranges);
@@ -117,27 +130,25 @@ const float* burin_session_values(const burin_session* session, burin_attribute 
 
 burin_status burin_session_read(const burin_session* session, burin_attribute attribute,
                                 const burin_range* range, const burin_target* target, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require(session, "session");
+  return c::in_session(session, error, [&] {
     c::require(range, "range");
     const burin_target known =
         c::known_members(target, target && BURIN_HAS(target, burin_target, stride), "target");
     c::check(*range, session->session);
-    c::read(*session, c::values_of(session->session, attribute), *range, known);
+    c::read(*session, session->values(attribute), *range, known);
   });
 }
 
 burin_status burin_session_write(burin_session* session, burin_attribute attribute, const burin_range* range,
                                  const burin_source* source, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require(session, "session");
+  return c::in_session(session, error, [&] {
     c::require(range, "range");
     if (session->stroke) c::reject("a stroke is open");
     const burin_source known =
         c::known_members(source, source && BURIN_HAS(source, burin_source, stride), "source");
     c::check(*range, session->session);
     if (attribute == BURIN_NORMALS) c::reject("normals follow from positions");
-    const std::size_t size = c::values_of(session->session, attribute).size;
+    const std::size_t size = session->values(attribute).size;
     const std::vector<float> values = c::taken(*range, known, size);
     const std::vector<Index> vertices = c::surface_vertices(*session, *range);
     if (attribute == BURIN_POSITIONS)

@@ -1,8 +1,10 @@
-// Brush libraries for C.
+// Brush libraries for C, whose brushes have stamps and lettering.
 #include <burin/base/program_file.h>
 #include <burin/host/c/call.h>
 #include <burin/host/c/handles.h>
+#include <burin/host/c/lent_threads.h>
 #include <burin/host/plugin/utf8_path.h>
+#include <burin/services/stamp_services.h>
 #include <burin/version.h>
 
 #include <cstddef>
@@ -46,6 +48,11 @@ std::shared_ptr<BrushLibrary> brushes_of(const burin_library_options& options,
   return std::make_shared<BrushLibrary>(log_of(options), std::move(extensions));
 }
 
+std::shared_ptr<const TaskRunner> threads_of(const burin_library_options& options) {
+  if (!options.run) return nullptr;
+  return std::make_shared<LentThreads>(options.run, options.run_user, options.run_threads);
+}
+
 void load(burin_library& library, const char* path) {
   if (!path)
     library.brushes->load_search_path(beside_own_file("brushes"));
@@ -56,18 +63,20 @@ void load(burin_library& library, const char* path) {
 }
 
 }  // namespace
-
-void create_library(const burin_library_options* options, std::unique_ptr<HostExtensions> extensions,
-                    burin_library** library) {
-  require(library, "library");
-  burin_library_options known{};
-  if (options) known = known_members(options, BURIN_HAS(options, burin_library_options, user), "options");
-  *library = new burin_library{brushes_of(known, std::move(extensions)), {}};
-}
-
 }  // namespace burin::c
 
 using namespace burin;
+
+burin_status burin_library_create(const burin_library_options* options, burin_library** library,
+                                  burin_text* error) {
+  return plugin::guarded(error, [&] {
+    c::require(library, "library");
+    burin_library_options known{};
+    if (options)
+      known = c::known_members(options, BURIN_HAS(options, burin_library_options, user), "options");
+    *library = new burin_library{c::brushes_of(known, stamp_services()), c::threads_of(known), {}};
+  });
+}
 
 burin_status burin_get_version(burin_version_info* info, burin_text* error) {
   return plugin::guarded(error, [&] {

@@ -1,0 +1,38 @@
+#pragma once
+#include <burin/host/c/placement.h>
+#include <burin/surface/surface.h>
+
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace burin::c {
+
+/// The positions of an object as its owner has them, beside a surface that lies in the world. Vertices that
+/// are where they were given keep the bits that they were given with; 12 bytes a vertex for that.
+class ObjectSpace {
+ public:
+  /// `given`: [vertex of the original mesh] in the object.
+  ObjectSpace(const Placement& placement, std::vector<Vec3f> given)
+      : placement_(placement), given_(std::move(given)) {}
+
+  const Placement& placement() const { return placement_; }
+
+  /// The position in the object of a vertex of the original mesh that is at `world`.
+  Vec3f position(Index source, const Vec3f& world) const {
+    const Vec3f there = placement_.to_world(given_[source]);
+    const bool as_given = std::memcmp(there.data(), world.data(), sizeof(float) * 3) == 0;
+    return as_given ? given_[source] : placement_.to_object(world);
+  }
+
+  Vec3f normal(const Vec3f& world) const { return placement_.normal_to_object(world); }
+
+  /// Takes a position that the owner gave to a vertex of the original mesh.
+  void take(Index source, const Vec3f& position) { given_[source] = position; }
+
+ private:
+  Placement placement_;
+  std::vector<Vec3f> given_;
+};
+
+}  // namespace burin::c
