@@ -125,7 +125,7 @@ class MeshArrays(Sized):
         ("face_size", c_uint32),
         ("face_sizes", c_void_p),
         ("order", c_int32),
-        ("reserved", c_uint32),
+        ("refines", c_uint32),
         ("transform", c_void_p),
         ("hidden", c_void_p),
     ]
@@ -141,6 +141,7 @@ class SessionInfo(Sized):
         ("redo_count", c_uint64),
         ("undo_bytes", c_uint64),
         ("undo_dropped", c_uint64),
+        ("generation", c_uint64),
     ]
 
 

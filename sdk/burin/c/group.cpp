@@ -96,7 +96,7 @@ void burin_group::begin(const burin_stroke* stroke) {
     if (sessions[i]->stroke) c::reject("session " + std::to_string(i) + " has an open stroke");
   std::vector<ReplaySettings> settings;
   for (const burin_session* session : sessions)
-    settings.push_back(c::stroke_settings(stroke, *session->brushes));
+    settings.push_back(c::stroke_settings(stroke, *session->brushes, session->told.has_value()));
   pen.emplace(settings.front());
   radius_ = settings.front().radius;
   current_ = 0;

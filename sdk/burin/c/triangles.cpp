@@ -67,7 +67,7 @@ burin_mesh arrays_of(const TriangleMesh& mesh) {
           .face_size = 3,
           .face_sizes = nullptr,
           .order = BURIN_ORDER_CALLER,
-          .reserved = 0,
+          .refines = 0,
           .transform = nullptr,
           .hidden = nullptr};
 }
@@ -75,7 +75,8 @@ burin_mesh arrays_of(const TriangleMesh& mesh) {
 /// A mesh that no session is made of.
 burin_mesh known_mesh(const burin_mesh* given) {
   const burin_mesh known = known_members(given, has_first(given), "mesh");
-  if (known.transform || known.hidden) reject("transform and hidden are for sessions");
+  if (known.transform || known.hidden || known.refines)
+    reject("transform, hidden and refines are for sessions");
   return known;
 }
 

@@ -166,7 +166,7 @@ TEST_F(CBadCalls, OfStrokesLeaveNothingOpen) {
       of_settings("radius: is given twice", {"radius=1", "radius=2"}),
       of_settings("show_every: is for recordings; how many samples a call has decides when they are shown",
                   {"brush=org.burin.groove", "radius=0.1", "show_every=4"}),
-      of_settings("refine: must be off, since surfaces of this library keep their vertices",
+      of_settings("refine: must be off, since burin_mesh.refines is not set",
                   {"brush=org.burin.groove", "radius=0.1", "refine=auto"}),
       of_settings("stabilise: the exponential filter wants BURIN_PEN_TIME",
                   {"brush=org.burin.groove", "radius=0.1", "stabilise=exponential:1"}),

@@ -111,6 +111,11 @@ TEST_F(CGroups, DrawOnWhatThePenMeetsFirst) {
   std::vector<std::size_t> runs = hit;
   runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
   EXPECT_EQ(runs, (std::vector<std::size_t>{0, 1, 2, 3, 2, 1}));
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const double x = samples[k].position[0];
+    const std::size_t there = x < -1 ? 0 : x < 1 ? 1 : x < 2.5 ? 2 : 3;
+    EXPECT_EQ(hit[k], there) << x;
+  }
 
   // Each by itself draws its samples, with a piece wherever the pen was elsewhere.
   for (std::size_t i = 0; i < 3; ++i) {

@@ -184,7 +184,8 @@ typedef struct burin_mesh {
   uint32_t face_size;       /* corners of every face, 3 or more; 0: face_sizes */
   const void* face_sizes; /* corners of each face, which lie face by face in `corners`; null with face_size */
   burin_order order;
-  uint32_t reserved;
+  uint32_t refines; /* since 0.3, of burin_session_create only: 1: strokes with the setting "refine" may split
+                       triangles, see burin_session_take_patch; wants BURIN_ORDER_CALLER */
   /* Since 0.3, of burin_session_create only, null elsewhere. */
   const double* transform; /* 4 x 4 by columns, from the object to the world; affine, with an inverse; null:
                               the object's space is the world */
@@ -225,6 +226,7 @@ typedef struct burin_session_info {
   uint64_t redo_count;     /* strokes that can be made again */
   uint64_t undo_bytes;     /* what both hold */
   uint64_t undo_dropped;   /* since 0.3: strokes that can no longer be undone for burin_session_limit_undo */
+  uint64_t generation;     /* since 0.3: another number whenever strokes changed triangles */
 } burin_session_info;
 
 /* Fills the members that info->struct_size covers. */
@@ -247,10 +249,32 @@ BURIN_API burin_status BURIN_CALL burin_session_read_map(const burin_session* se
 
 /* Writes the triangles that are shown, three of the session's vertices each, counter-clockwise seen from
  * outside in the object, in the order of the surface. `capacity`:
- * triangles that fit, at least triangle_count. */
+ * triangles that fit, at least triangle_count. With burin_mesh.refines the list as the last patch left it. */
 BURIN_API burin_status BURIN_CALL burin_session_read_triangles(const burin_session* session,
                                                                uint32_t* corners, uint64_t capacity,
                                                                burin_text* error);
+
+/* How triangles and vertices changed. Arrays belong to the session and are valid until its next call. */
+typedef struct burin_patch {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t kept_vertices; /* the vertices below are those that they were */
+  uint64_t vertex_count;  /* now: those kept, then new ones */
+  uint64_t removed_count;
+  const uint32_t* removed; /* places in the caller's list of triangles, ascending */
+  uint64_t added_count;    /* triangles */
+  const uint32_t* added;   /* three vertices each, counter-clockwise seen from outside in the object */
+} burin_patch;
+
+/* Tells how triangles and vertices changed since the call before, of a session whose burin_mesh.refines is 1:
+ * within strokes that refine the surface, when these fail or are cancelled, by undo and redo, and by hiding
+ * faces. The caller's list of triangles, at first that of burin_session_read_triangles, loses
+ * those that are removed, keeps the order of the rest, and gets those that are added at its end; arrays of
+ * vertices get the new count. burin_session_update tells the values of new vertices as of all that change. A
+ * call without news gives an empty patch. Costs O(n log n) where there are news, as the refining did.
+ * Whenever the count of vertices changes the arrays of burin_session_values move. */
+BURIN_API burin_status BURIN_CALL burin_session_take_patch(burin_session* session, burin_patch* patch,
+                                                           burin_text* error);
 
 /* ---- Strokes ---- */
 
@@ -335,8 +359,8 @@ typedef struct burin_step_info {
 
 /* Takes the step of the last stroke out of the session, whose burin_session_undo knows nothing of that stroke
  * any more. The step lives until it is destroyed, also without the session. BURIN_NOT_FOUND, if there is no
- * stroke to undo. Fails for a stroke that made a solid or a mesh beside the surface: its step stays. The
- * first call costs time in proportion to the surface, others to the stroke. */
+ * stroke to undo. Fails for a stroke that made a solid or a mesh beside the surface, or split triangles: its
+ * step stays. The first call costs time in proportion to the surface, others to the stroke. */
 BURIN_API burin_status BURIN_CALL burin_session_take_step(burin_session* session, burin_step** step,
                                                           burin_text* error);
 
@@ -456,7 +480,8 @@ BURIN_API burin_status BURIN_CALL burin_session_update(burin_session* session, b
                                                        uint64_t* count, burin_text* error);
 
 /* The values of all vertices as of the last update; null before the first. The address stays the same until
- * the session is destroyed. Other threads may read it while no call updates. */
+ * the session is destroyed or its vertices become more or fewer. Other threads may read it while no call
+ * updates. */
 BURIN_API const float* BURIN_CALL burin_session_values(const burin_session* session,
                                                        burin_attribute attribute);
 

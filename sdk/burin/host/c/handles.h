@@ -8,6 +8,7 @@
 #include <burin/host/c/object_space.h>
 #include <burin/host/c/pen_input.h>
 #include <burin/host/c/shown_values.h>
+#include <burin/host/c/told_triangles.h>
 #include <burin/host/session.h>
 
 #include <array>
@@ -43,7 +44,9 @@ struct burin_session {
       : brushes(library.brushes),
         threads(library.threads),
         session(std::move(surface), *brushes),
-        order(session.surface(), numbers) {}
+        order(session.surface(), numbers),
+        vertex_count(session.surface().vertex_count()),
+        kept_vertices(vertex_count) {}
 
   /// Notes vertices of the surface that may have changed.
   void note(std::span<const burin::Index> vertices) {
@@ -57,7 +60,13 @@ struct burin_session {
   }
 
   /// Notes what the session's last call changed.
-  void note_changed() { note(session.changed()); }
+  void note_changed() {
+    if (session.generation() != generation) renew();
+    note(session.changed());
+  }
+
+  /// The triangles that are shown, in the order of the surface, as the caller has them.
+  std::vector<burin::Triangle> triangles() const;
 
   std::shared_ptr<burin::BrushLibrary> brushes;
   std::shared_ptr<const burin::TaskRunner> threads;  ///< of the library
@@ -65,12 +74,20 @@ struct burin_session {
   burin::c::VertexOrder order;
   std::optional<burin::c::ObjectSpace> object;  ///< with a transform
   std::optional<burin::c::HiddenFaces> faces;   ///< if faces may be hidden
+  std::optional<burin::c::ToldTriangles> told;  ///< if strokes may split triangles
+  burin::Index vertex_count;                    ///< of the surface that is known
+  burin::Index kept_vertices;                   ///< that were there all the time since triangles were told
+  std::uint64_t generation = 0;                 ///< of the surface that is known
+  bool has_other_triangles = false;             ///< than those that were told
   burin::Progress progress;
   std::optional<burin::c::OpenStroke> stroke;
   /// [attribute - 1]; made with its first update
   std::array<std::optional<burin::c::ShownValues>, burin::c::attribute_count> shown;
   std::vector<burin::Index> chart_vertices;  ///< of burin_session_chart
   std::vector<burin_sample> snapped;         ///< of burin_session_snap
+
+ private:
+  void renew();
 };
 
 namespace burin::c {

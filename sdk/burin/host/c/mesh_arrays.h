@@ -19,6 +19,6 @@ PolygonMesh read_polygons(const burin_mesh& given);
 std::vector<Index> read_triangle_faces(const burin_mesh& given);
 
 /// The size of burin_mesh before 0.3, which all callers have at least.
-inline bool has_first(const burin_mesh* mesh) { return mesh && BURIN_HAS(mesh, burin_mesh, reserved); }
+inline bool has_first(const burin_mesh* mesh) { return mesh && BURIN_HAS(mesh, burin_mesh, refines); }
 
 }  // namespace burin::c

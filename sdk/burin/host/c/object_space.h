@@ -27,6 +27,15 @@ class ObjectSpace {
 
   Vec3f normal(const Vec3f& world) const { return placement_.normal_to_object(world); }
 
+  /// Follows a surface that has more or fewer vertices than before, those of the greatest numbers.
+  void resize(const Surface& surface) {
+    const auto before = static_cast<Index>(given_.size());
+    given_.resize(surface.vertex_count());
+    for (Index vertex = 0; vertex < surface.vertex_count(); ++vertex)
+      if (const Index source = surface.source_vertex[vertex]; source >= before)
+        given_[source] = placement_.to_object(surface.positions[vertex]);
+  }
+
   /// Takes a position that the owner gave to a vertex of the original mesh.
   void take(Index source, const Vec3f& position) { given_[source] = position; }
 

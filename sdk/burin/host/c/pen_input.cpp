@@ -25,10 +25,10 @@ bool all_finite(const Vec3d& v) { return v.cast<float>().allFinite(); }
 
 }  // namespace
 
-ReplaySettings stroke_settings(const burin_stroke* stroke, const BrushLibrary& brushes) {
+ReplaySettings stroke_settings(const burin_stroke* stroke, const BrushLibrary& brushes, bool may_refine) {
   const burin_stroke given = known_members(stroke, stroke && BURIN_HAS(stroke, burin_stroke, seed), "stroke");
   require(given.settings, "settings");
-  const GivenSettings texts = read_texts(given.settings, brushes);
+  const GivenSettings texts = read_texts(given.settings, brushes, may_refine);
   ReplaySettings settings = texts.complete();
   if (texts.find(&ReplaySettings::show_every))
     reject("show_every: is for recordings; how many samples a call has decides when they are shown");

@@ -22,7 +22,7 @@ struct PenSample {
 
 /// Reads how a stroke is drawn. Throws plugin::Error for what burin_stroke does not allow, with
 /// BURIN_NOT_FOUND if there is no such brush.
-ReplaySettings stroke_settings(const burin_stroke* given, const BrushLibrary& brushes);
+ReplaySettings stroke_settings(const burin_stroke* given, const BrushLibrary& brushes, bool may_refine);
 
 /// The pen of an open stroke: checks its samples, and smooths them.
 class PenInput {

@@ -6,12 +6,46 @@
 #include <burin/surface/triangle_mesh.h>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <utility>
 
+using namespace burin;
+
+/// Follows a surface that has other triangles, and more or fewer vertices.
+void burin_session::renew() {
+  const Index count = session.surface().vertex_count();
+  kept_vertices = std::min({kept_vertices, vertex_count, count});
+  vertex_count = count;
+  generation = session.generation();
+  has_other_triangles = true;
+  order = c::VertexOrder(session.surface(), BURIN_ORDER_CALLER);
+  if (object) object->resize(session.surface());
+  for (auto& values : shown)
+    if (values) values->resize(count);
+}
+
+std::vector<Triangle> burin_session::triangles() const {
+  std::vector<Triangle> made = session.surface().triangles;
+  if (object && object->placement().mirrors()) c::turn_over(made);
+  for (Triangle& triangle : made)
+    for (Index& vertex : triangle) vertex = order.of_surface(vertex);
+  return made;
+}
+
 namespace burin::c {
 namespace {
+
+/// Brings the list of triangles up to date. Returns how many vertices were there all the time.
+Index tell_triangles(burin_session& session) {
+  if (session.has_other_triangles)
+    session.told->update(session.triangles());
+  else
+    session.told->keep();
+  session.has_other_triangles = false;
+  return std::exchange(session.kept_vertices, session.vertex_count);
+}
 
 /// Moves a mesh from the caller's object to the world. Returns the positions that it had.
 std::vector<Vec3f> place(TriangleMesh& mesh, const Placement& placement) {
@@ -27,10 +61,21 @@ std::vector<Vec3f> place(TriangleMesh& mesh, const Placement& placement) {
 
 void hide(burin_session& session, const std::uint8_t* hidden) {
   session.session.hide(hidden ? session.faces->triangles(hidden) : std::vector<bool>());
+  session.has_other_triangles = true;
   session.note_changed();
 }
 
+/// Notes which faces became which triangles, and hides those that are to be hidden at first.
+void hide_first(burin_session& session, const burin_mesh& given, const std::vector<Triangle>& triangles) {
+  const auto face_count = static_cast<Index>(given.face_count);
+  session.faces.emplace(triangles, read_triangle_faces(given), face_count, session.session.surface());
+  if (std::any_of(given.hidden, given.hidden + face_count, [](std::uint8_t h) { return h != 0; }))
+    hide(session, given.hidden);
+}
+
 std::unique_ptr<burin_session> make_session(const burin_library& library, const burin_mesh& given) {
+  if (given.refines > 1) reject("refines is neither 0 nor 1");
+  if (given.refines && given.order == BURIN_ORDER_SURFACE) reject("refines wants the caller's order");
   std::optional<Placement> placement;
   if (given.transform) placement.emplace(given.transform);
   TriangleMesh mesh = read_arrays(given);
@@ -39,18 +84,13 @@ std::unique_ptr<burin_session> make_session(const burin_library& library, const 
   const std::vector<Triangle> triangles = given.hidden ? mesh.triangles : std::vector<Triangle>();
   auto session = std::make_unique<burin_session>(library, make_surface(std::move(mesh)), given.order);
   if (placement) session->object.emplace(*placement, std::move(in_object));
-  if (!given.hidden) return session;
-  const auto face_count = static_cast<Index>(given.face_count);
-  session->faces.emplace(triangles, read_triangle_faces(given), face_count, session->session.surface());
-  if (std::any_of(given.hidden, given.hidden + face_count, [](std::uint8_t h) { return h != 0; }))
-    hide(*session, given.hidden);
+  if (given.hidden) hide_first(*session, given, triangles);
+  if (given.refines) session->told.emplace(session->triangles());
   return session;
 }
 
 }  // namespace
 }  // namespace burin::c
-
-using namespace burin;
 
 burin_status burin_session_create(burin_library* library, const burin_mesh* mesh, burin_session** session,
                                   burin_text* error) {
@@ -86,7 +126,8 @@ burin_status burin_session_get_info(const burin_session* session, burin_session_
                                    .undo_count = session->session.undo_count(),
                                    .redo_count = session->session.redo_count(),
                                    .undo_bytes = session->session.undo_bytes(),
-                                   .undo_dropped = session->session.undo_dropped()};
+                                   .undo_dropped = session->session.undo_dropped(),
+                                   .generation = session->session.generation()};
     c::give(known, info, info && BURIN_HAS(info, burin_session_info, undo_bytes), "info");
   });
 }
@@ -110,13 +151,28 @@ burin_status burin_session_read_triangles(const burin_session* session, uint32_t
                                           burin_text* error) {
   return c::in_session(session, error, [&] {
     c::require(corners, "corners");
-    const Surface& surface = session->session.surface();
-    if (capacity < surface.triangles.size()) c::reject("the triangles do not fit");
-    const bool mirrors = session->object && session->object->placement().mirrors();
-    for (Triangle triangle : surface.triangles) {
-      if (mirrors) c::turn_over({&triangle, 1});
-      for (const Index vertex : triangle) *corners++ = session->order.of_surface(vertex);
-    }
+    const std::vector<Triangle> triangles = session->told ? session->told->list() : session->triangles();
+    if (capacity < triangles.size()) c::reject("the triangles do not fit");
+    std::memcpy(corners, triangles.data(), triangles.size() * sizeof(Triangle));
+  });
+}
+
+burin_status burin_session_take_patch(burin_session* session, burin_patch* patch, burin_text* error) {
+  return c::in_session(session, error, [&] {
+    const bool has_first = patch && BURIN_HAS(patch, burin_patch, added);
+    if (!has_first) c::reject("patch is missing or too small");
+    if (!session->told) c::reject("the session was made of a mesh that nothing refines");
+    const Index kept = c::tell_triangles(*session);
+    const auto& added = session->told->added();
+    const burin_patch known{.struct_size = 0,
+                            .reserved = 0,
+                            .kept_vertices = kept,
+                            .vertex_count = session->vertex_count,
+                            .removed_count = session->told->removed().size(),
+                            .removed = session->told->removed().data(),
+                            .added_count = added.size(),
+                            .added = added.empty() ? nullptr : added.front().data()};
+    c::give(known, patch, has_first, "patch");
   });
 }
 

@@ -1,6 +1,7 @@
 #include <burin/host/c/shown_values.h>
 
 #include <cstring>
+#include <limits>
 
 namespace burin::c {
 
@@ -23,6 +24,13 @@ Ranges ShownValues::update(const VertexValues& current, const VertexOrder& order
     ranges.add(number);
   }
   return ranges;
+}
+
+void ShownValues::resize(Index vertex_count) {
+  // Values are never that.
+  values_.resize(vertex_count * size_, std::numeric_limits<float>::quiet_NaN());
+  changed_ = IndexSet(vertex_count);
+  for (Index number = 0; number < vertex_count; ++number) changed_.insert(number);
 }
 
 void ShownValues::take_all(const VertexValues& current, const VertexOrder& order) {

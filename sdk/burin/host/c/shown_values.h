@@ -14,9 +14,14 @@ namespace burin::c {
 class ShownValues {
  public:
   /// All vertices count as changed.
-  ShownValues(Index vertex_count, std::size_t size) : values_(vertex_count * size), changed_(vertex_count) {}
+  ShownValues(Index vertex_count, std::size_t size)
+      : size_(size), values_(vertex_count * size), changed_(vertex_count) {}
 
   const float* data() const { return values_.data(); }
+
+  /// Follows a surface that has more or fewer vertices than before, those of the greatest numbers. All may
+  /// have changed; new ones have.
+  void resize(Index vertex_count);
 
   /// Notes vertices of the surface that may have changed, in any order.
   void note(std::span<const Index> vertices, const VertexOrder& order) {
@@ -30,6 +35,7 @@ class ShownValues {
  private:
   void take_all(const VertexValues& current, const VertexOrder& order);
 
+  std::size_t size_;  ///< floats of a vertex
   std::vector<float> values_;
   IndexSet changed_;
   std::vector<Index> drained_;

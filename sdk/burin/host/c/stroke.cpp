@@ -38,7 +38,7 @@ void take(burin_session* session, bool (Session::*one)(), const char* none) {
 }
 
 void replay_file(burin_session& session, const char* path, const char* const* settings) {
-  const GivenSettings overrides = read_texts(settings, *session.brushes);
+  const GivenSettings overrides = read_texts(settings, *session.brushes, session.told.has_value());
   const Recording recording = read_whole_recording(path);
   ReplayObserver observer;
   observer.progress = session.progress;
@@ -74,7 +74,7 @@ using namespace burin;
 burin_status burin_session_begin(burin_session* session, const burin_stroke* stroke, burin_text* error) {
   return c::in_session(session, error, [&] {
     c::require_stroke(session, false);
-    const ReplaySettings settings = c::stroke_settings(stroke, *session->brushes);
+    const ReplaySettings settings = c::stroke_settings(stroke, *session->brushes, session->told.has_value());
     session->session.begin_stroke(settings);
     session->stroke = c::OpenStroke{settings.closure, c::PenInput(settings)};
   });

@@ -8,7 +8,7 @@
 
 namespace burin::c {
 
-GivenSettings read_texts(const char* const* texts, const BrushLibrary& brushes) {
+GivenSettings read_texts(const char* const* texts, const BrushLibrary& brushes, bool may_refine) {
   std::vector<std::string> all;
   for (; texts && *texts; ++texts) all.emplace_back(*texts);
   GivenSettings settings;
@@ -20,10 +20,9 @@ GivenSettings read_texts(const char* const* texts, const BrushLibrary& brushes) 
   } catch (const Error& fault) {
     reject(fault.what());
   }
-  // Callers number vertices, of which a refined surface has others.
   const Refining* refining = settings.find(&StrokeSettings::refining);
-  if (refining && refining->kind != Refining::Kind::off)
-    reject("refine: must be off, since surfaces of this library keep their vertices");
+  if (refining && refining->kind != Refining::Kind::off && !may_refine)
+    reject("refine: must be off, since burin_mesh.refines is not set");
   return settings;
 }
 
