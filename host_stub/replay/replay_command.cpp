@@ -78,6 +78,14 @@ std::vector<double> radii(const ReplayOptions& options, const std::vector<Record
   return radii;
 }
 
+/// Strokes refine the surface where it is too coarse for them, unless it is said how, or what follows needs
+/// the triangles that there are.
+void refine_by_default(ReplayOptions& options) {
+  if (options.settings.find(&StrokeSettings::refining) || options.bake.asked() || options.mesh.sculpt_level)
+    return;
+  options.settings[&StrokeSettings::refining] = {.kind = Refining::Kind::automatic};
+}
+
 /// Whether strokes get as many vertices as they need.
 bool refines(const ReplayOptions& options) {
   const Refining* refining = options.settings.find(&StrokeSettings::refining);
@@ -236,6 +244,7 @@ void run(ReplayOptions& options) {
   load_brushes(library);
   check_options(options, library);
   options.settings[&StrokeSettings::params] = read_params(options, library);
+  refine_by_default(options);
   std::vector<Recording> recordings = read_recordings(options);
   // From a copy, so that the file may be overwritten before the watch begins.
   if (options.watch) library.reload(module_of_last(library, recordings.back(), options.settings));

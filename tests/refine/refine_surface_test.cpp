@@ -89,8 +89,6 @@ TEST(RefineSurface, ChangesNothingTheSecondTime) {
   const Refinable refinable(sphere(1, 0.15, 2), on_sphere(1.5), 0.15, 0.02);
   const Surface after = patched(refinable.surface, refinable.refine()).surface;
   const std::vector<Index> seeds = refinable.seeds(after);
-  EXPECT_TRUE(has_longer_edges(refinable.surface, refinable.lengths, refinable.seeds(refinable.surface)));
-  EXPECT_FALSE(has_longer_edges(after, refinable.lengths, seeds));
   const SurfacePatch again = refine_surface(after, refinable.lengths, seeds, 1'000'000);
   EXPECT_TRUE(again.triangles.empty());
   EXPECT_TRUE(again.removed.empty());
@@ -191,7 +189,8 @@ TEST(RefineSurface, KeepsTheAreaOfAnySoup) {
     // Edges that were of one triangle are where there is a border still: no triangle was torn off another.
     EXPECT_EQ(euler_characteristic(after), euler_characteristic(refinable.surface));
     EXPECT_EQ(refined.triangles, refinable.refine().triangles);
-    EXPECT_FALSE(has_longer_edges(after, refinable.lengths, refinable.seeds(after)));
+    EXPECT_TRUE(
+        refine_surface(after, refinable.lengths, refinable.seeds(after), 1'000'000).triangles.empty());
   }
   EXPECT_GT(crowded, 10);
 }

@@ -68,7 +68,9 @@ struct Session::Impl {
   void end_redoing();
   void drop();
   void open(const BrushEntry* entry, const StrokeSettings& settings);
-  bool refine(const std::optional<SurfacePatch>& patch);
+  void begin_refining(const BrushEntry* entry, const StrokeSettings& settings, std::span<const Vec3d> path);
+  bool refine(const PathRefinement& refinement, double split_seconds);
+  StrokeGround ground() const { return {surface.base(), surface.picker(), surface.gaps()}; }
   bool declines(const PathRefinement& refinement, const StrokeSettings& settings);
   bool refine_at(const SurfacePoint& at);
   void draw_again();
@@ -95,7 +97,7 @@ struct Session::Impl {
   Evaluator evaluator;
   std::optional<OpenStroke> stroke;
   std::optional<GivenSamples> given_samples;  ///< of the open stroke, if it refines the surface
-  CoarseEdges coarse_edges;
+  NearVertices near_vertices;
   std::optional<Chart> sorted_chart;     ///< sorted copy of last_live, made on request
   const LiveChart* last_live = nullptr;  ///< chart of the open stroke, or of the last one
   SurfaceCurve last_curve;
@@ -245,8 +247,8 @@ void Session::Impl::merge_solid(const SolidMerge& merge) {
   report(progress, "rebuilding the surface", 0);
   Stopwatch watch;
   merged.patch.triangle_uv = carried_uv(surface.base(), surface.picker(), merged.patch);
-  PaintedSurface made = with_patch(surface.base(), surface.picker(), surface.paint().base(), merged.patch);
-  MergeReport report = report_of(merged, surface.base(), made.surface);
+  PaintedPatch made = with_patch(surface.base(), surface.picker(), surface.paint().base(), merged.patch);
+  MergeReport report = report_of(merged, surface.base(), made.painted.surface);
   report.solid_seconds = stroke->solid_seconds();
   stroke.reset();
   last_live = nullptr;
@@ -272,19 +274,28 @@ void Session::Impl::open(const BrushEntry* entry, const StrokeSettings& settings
   surface.prepare_paint(descriptor.outputs_written);
 }
 
-/// Puts a patch into the surface for the open stroke, which is closed then; returns whether there is one.
-bool Session::Impl::refine(const std::optional<SurfacePatch>& patch) {
-  if (!patch) return false;
-  surface.require_all_shown();
-  Stopwatch watch;
-  PaintedSurface made = with_patch(surface.base(), surface.picker(), surface.paint().base(), *patch);
+/// Puts what was made for the open stroke into the surface, if anything must be done. The stroke is closed
+/// then, to be opened anew. Returns whether it is.
+bool Session::Impl::refine(const PathRefinement& refinement, double split_seconds) {
+  const bool turns = refinement.is_coarse && !given_samples->on_fine;
+  if (!refinement.patch && !turns) return false;
+  if (refinement.patch) surface.require_all_shown();
+  given_samples->on_fine = true;
   stroke.reset();
   last_live = nullptr;
-  surface.refine(std::move(made));
+  if (!refinement.patch) {
+    surface.drop();
+    return true;
+  }
+  Stopwatch watch;
+  const SurfacePatch& patch = *refinement.patch;
+  surface.refine(with_patch(surface.base(), surface.picker(), surface.paint().base(), patch));
   if (!refined) refined.emplace();
-  refined->triangles_removed += patch->removed.size();
-  refined->triangles_added += patch->triangles.size();
-  refined->vertices_added += patch->positions.size();
+  refined->edge = refined_edge(given_samples->settings);
+  refined->triangles_removed += patch.removed.size();
+  refined->triangles_added += patch.triangles.size();
+  refined->vertices_added += patch.positions.size();
+  refined->split_seconds += split_seconds;
   refined->rebuild_seconds += watch.lap();
   return true;
 }
@@ -304,21 +315,30 @@ bool Session::Impl::declines(const PathRefinement& refinement, const StrokeSetti
 bool Session::Impl::refine_at(const SurfacePoint& at) {
   GivenSamples& given = *given_samples;
   Stopwatch watch;
-  const PathRefinement made =
-      refined_at(surface.base(), surface.picker(), given.settings, given.step_to(at.position.cast<double>()),
-                 refined ? refined->triangles_added : 0, coarse_edges);
+  const PathRefinement made = refined_at(ground(), given.settings, given.step_to(at.position.cast<double>()),
+                                         refined ? refined->triangles_added : 0, near_vertices);
   const double seconds = watch.lap();
-  if (declines(made, given.settings) || !refine(made.patch)) return false;
-  refined->edge = refined_edge(given.settings);
-  refined->split_seconds += seconds;
+  if (declines(made, given.settings) || !refine(made, seconds)) return false;
   draw_again();
   return true;
+}
+
+/// Refines the surface where a stroke will go.
+void Session::Impl::begin_refining(const BrushEntry* entry, const StrokeSettings& settings,
+                                   std::span<const Vec3d> path) {
+  given_samples.emplace(entry, settings);
+  // Before anything is refined, as the settings may be bad.
+  open(entry, given_samples->settings_now());
+  Stopwatch watch;
+  const PathRefinement made = refined_along(ground(), settings, path, near_vertices);
+  const double seconds = watch.lap();
+  if (!declines(made, settings) && refine(made, seconds)) open(entry, given_samples->settings_now());
 }
 
 /// Opens the stroke anew, with the samples that it had.
 void Session::Impl::draw_again() {
   const GivenSamples& given = *given_samples;
-  open(given.entry, given.settings);
+  open(given.entry, given.settings_now());
   for (const GivenSamples::Piece& piece : given.pieces) {
     for (const GivenSample& sample : piece.samples)
       if (const auto at = locate(sample); at && stroke->connects(*at))
@@ -396,22 +416,11 @@ void Session::begin_stroke(const StrokeSettings& settings, std::span<const Vec3d
   impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open already");
     const BrushEntry* entry = settings.along.given() ? nullptr : &impl_->brushes->find(settings.brush);
-    impl_->open(entry, settings);
     impl_->given_samples.reset();
-    if (settings.refining.kind == Refining::Kind::off) return;
-    impl_->given_samples.emplace(entry, settings);
-    Stopwatch watch;
-    const PathRefinement made = refined_along(impl_->surface.base(), impl_->surface.picker(), settings, path);
-    const double seconds = watch.lap();
-    if (impl_->declines(made, settings)) {
-      StrokeSettings unrefined = settings;
-      unrefined.refining = {};
-      return impl_->open(entry, unrefined);
-    }
-    if (!impl_->refine(made.patch)) return;
-    impl_->refined->edge = refined_edge(settings);
-    impl_->refined->split_seconds = seconds;
-    impl_->open(entry, settings);
+    if (settings.refining.kind == Refining::Kind::off)
+      impl_->open(entry, settings);
+    else
+      impl_->begin_refining(entry, settings, path);
   });
 }
 

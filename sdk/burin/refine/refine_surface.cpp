@@ -21,7 +21,7 @@ namespace burin {
 namespace {
 
 /// Goes over the triangles of a surface within the radius, and over those beyond that have edges which are
-/// too long. Calls found(triangle) for the latter, which returns whether to go on.
+/// too long. Calls found(triangle) for those that have such edges.
 class LongEdges {
  public:
   LongEdges(const Surface& surface, const EdgeLength& lengths) : surface_(surface), lengths_(lengths) {}
@@ -40,7 +40,7 @@ class LongEdges {
         is_long |=
             lengths_.is_exceeded(from, allowed(a), to, allowed(b), (to - from).norm(), longest_edge_factor);
       }
-      if (is_long && !found(open_[i])) return;
+      if (is_long) found(open_[i]);
       if (!is_long && !is_within) continue;
       for (const Index corner : t)
         for (const Index other : surface_.incident[corner])
@@ -99,10 +99,7 @@ class Refinement {
       : surface_(surface), lengths_(lengths), most_(most), mesh_(surface), facets_(surface) {}
 
   void run(std::span<const Index> seeds) {
-    LongEdges(surface_, lengths_).find(seeds, [&](Index triangle) {
-      look_at(mesh_.take_in(triangle));
-      return true;
-    });
+    LongEdges(surface_, lengths_).find(seeds, [&](Index triangle) { look_at(mesh_.take_in(triangle)); });
     flip_on_facets();
     while (!queue_.empty()) {
       const Long next = queue_.top();
@@ -352,15 +349,6 @@ SurfacePatch Refinement::patch() const {
 }
 
 }  // namespace
-
-bool has_longer_edges(const Surface& surface, const EdgeLength& lengths, std::span<const Index> seeds) {
-  bool found = false;
-  LongEdges(surface, lengths).find(seeds, [&](Index) {
-    found = true;
-    return false;
-  });
-  return found;
-}
 
 SurfacePatch refine_surface(const Surface& surface, const EdgeLength& lengths, std::span<const Index> seeds,
                             std::size_t most_triangles) {

@@ -20,7 +20,4 @@ SurfacePatch refine_surface(const Surface& surface, const EdgeLength& lengths, s
 /// How much longer than EdgeLength says edges may stay.
 inline constexpr double longest_edge_factor = 4. / 3;
 
-/// Whether there is an edge that refine_surface() would split.
-bool has_longer_edges(const Surface& surface, const EdgeLength& lengths, std::span<const Index> seeds);
-
 }  // namespace burin

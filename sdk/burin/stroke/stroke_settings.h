@@ -49,7 +49,8 @@ struct AlongSettings {
 struct Refining {
   enum class Kind {
     off,
-    automatic,  ///< into edges of radius / fine, where there are edges longer than radius / coarse
+    automatic,  ///< into edges of radius / fine, where the surface that the session was given has gaps of
+                ///< more than radius / coarse between vertices
     edge,       ///< into edges of about this length
   };
   static constexpr double coarse = 2, fine = 16;

@@ -140,6 +140,30 @@ TEST(RefinePath, LeavesAMeshWithEnoughEdgesAlone) {
   EXPECT_EQ(refined.result_hash(), plain.result_hash());
 }
 
+/// The longest edge of a surface, object units.
+double longest_edge(const Surface& surface) {
+  float squared = 0;
+  for (Index v = 0; v < surface.vertex_count(); ++v)
+    for (const Index other : surface.neighbours[v])
+      squared = std::max(squared, (surface.positions[other] - surface.positions[v]).squaredNorm());
+  return std::sqrt(static_cast<double>(squared));
+}
+
+// Also where deep cuts have stretched its edges.
+TEST(RefinePath, LeavesAFineMeshAloneWhateverWasDrawnOnIt) {
+  Session refined = plane_session(), plain = plane_session();
+  const std::vector<Vec3d> across = straight({-0.5, 0, 0}, {0.5, 0.2, 0}),
+                           along = straight({0.1, -0.5, 0}, {-0.1, 0.5, 0});
+  StrokeSettings deep = settings("org.burin.groove", radius);
+  deep.strength = 4;
+  for (Session* session : {&refined, &plain}) draw_along(*session, deep, across);
+  EXPECT_GT(longest_edge(refined.surface()), radius / Refining::coarse);
+  draw_along(refined, refining_if_coarse(), along);
+  draw_along(plain, settings("org.burin.groove", radius), along);
+  EXPECT_EQ(refined.generation(), 0u);
+  EXPECT_EQ(refined.result_hash(), plain.result_hash());
+}
+
 TEST(RefinePath, ChangesNoTrianglesTheSecondTime) {
   Session session = box_session();
   StrokeSettings flat = refining(0.02);
@@ -149,6 +173,30 @@ TEST(RefinePath, ChangesNoTrianglesTheSecondTime) {
   draw_along(session, flat, over_the_edge());
   EXPECT_EQ(session.generation(), generation);
   EXPECT_EQ(session.refinements().size(), 1u);
+}
+
+// A stroke on what another one refined, told where it goes or not, has the bits that it has with the length
+// of edges given.
+TEST(RefinePath, DrawsOnWhatAnotherStrokeRefined) {
+  StrokeSettings flat = refining(radius / Refining::fine), with = refining_if_coarse(),
+                 given = refining(radius / Refining::fine);
+  flat.strength = 0;
+  const std::vector<Vec3d> path = over_the_edge();
+  Session told = box_session(), live = box_session(), right = box_session();
+  for (Session* session : {&told, &live, &right}) draw_along(*session, flat, path);
+  const std::uint64_t generation = told.generation();
+  draw_along(told, with, path);
+  draw_along(right, given, path);
+  live.begin_stroke(with);
+  double time = 0;
+  std::size_t all_changed = 0;
+  for (const Vec3d& place : path)
+    all_changed += live.add_sample(place, time += 0.01, {}).changed.size() == live.surface().vertex_count();
+  live.end_stroke();
+  EXPECT_EQ(all_changed, 1u);
+  EXPECT_EQ(told.generation(), generation);
+  EXPECT_EQ(told.result_hash(), right.result_hash());
+  EXPECT_EQ(live.result_hash(), right.result_hash());
 }
 
 TEST(RefinePath, RefinesWhereImagesOfTheStrokeAre) {
@@ -260,6 +308,9 @@ void expect_groove_of_uniform_mesh(const TriangleMesh& mesh, const std::vector<V
   constexpr double edge = radius / 12, depth = 0.25 * radius;
   Session local(make_surface(mesh), brushes()), uniform(make_surface(remeshed(mesh, edge)), brushes());
   draw_along(local, refining(edge), path);
+  Session automatic(make_surface(mesh), brushes());
+  draw_along(automatic, refining_if_coarse(), path);
+  EXPECT_EQ(automatic.refinements().size(), 1u);
   draw_along(uniform, settings("org.burin.groove", radius), path);
   const Difference found = difference(local, uniform, radius);
   EXPECT_GT(found.count, 1000u);

@@ -100,7 +100,8 @@ TEST(ImportCommand, GivesStrokesOfThreeRecordersThatReplayWithDynamics) {
     const std::string strokes = folder.path("a.stroke");
     burin_output({"import", recording.string(), "--mesh", spot.string(), "--view", "-1,0,0", "--brush",
                   "org.burin.groove", "--radius", "0.03", "--out", strokes});
-    std::vector<std::string> replay = {"replay", strokes, "--mesh", spot.string(), "--subdivide", "3"};
+    std::vector<std::string> replay = {"replay",      strokes, "--mesh",   spot.string(),
+                                       "--subdivide", "3",     "--refine", "off"};
     const auto plain = burin_json(replay);
     const auto dynamics = {"radius=pressure:0,0.3,1,1", "strength=pressure:0,0,0.4,1",
                            "depth=speed:0,1,30,0.5"};
@@ -120,7 +121,8 @@ TEST(ImportCommand, GivesAPaintingThatReplays) {
   const std::string strokes = folder.path("painting.stroke");
   burin_output({"import", painting.string(), "--mesh", spot.string(), "--view", "-1,0,0", "--brush",
                 "org.burin.groove", "--radius", "0.03", "--out", strokes});
-  const auto json = burin_json({"replay", strokes, "--mesh", spot.string(), "--subdivide", "4"});
+  const auto json =
+      burin_json({"replay", strokes, "--mesh", spot.string(), "--subdivide", "4", "--refine", "off"});
   EXPECT_GT(json["events"], 1000);
   EXPECT_EQ(json["strokes"], read_strokes(strokes).strokes.size());
 }

@@ -56,7 +56,7 @@ struct Box {
 
 TEST(Refine, DrawsAGrooveOnABoxAndSaysWhatItAdded) {
   const Box box;
-  const nlohmann::json result = burin_json(box.command({"--refine", "auto"}));
+  const nlohmann::json result = burin_json(box.command({}));
   const TriangleMesh mesh = triangulate(read_mesh(box.saved));
   ASSERT_EQ(result["refined"].size(), 1u);
   EXPECT_EQ(result["refined"][0]["triangles_added"], mesh.triangles.size());
@@ -67,7 +67,7 @@ TEST(Refine, DrawsAGrooveOnABoxAndSaysWhatItAdded) {
     if (p.x() > 0.8F && p.x() < 1.2F && p.y() > 0.4F && p.y() < 0.6F && p.z() > 0.8F)
       deepest = std::min(deepest, p.z());
   EXPECT_NEAR(deepest, 1 - 0.25F * 0.12F, 1e-4F);
-  const std::string text = burin_output(box.command({"--refine", "auto"}));
+  const std::string text = burin_output(box.command({}));
   EXPECT_NE(
       text.find(fmt::format("\nrefined         {} triangles in place of 12, with edges of about 0.0075, in",
                             mesh.triangles.size())),
@@ -78,7 +78,7 @@ TEST(Refine, DrawsAGrooveOnABoxAndSaysWhatItAdded) {
 TEST(Refine, WritesAReportOfSeveralStrokes) {
   const Box box;
   const std::string report = box.folder.path("report");
-  std::vector<std::string> command = box.command({"--refine", "auto", "--report", report});
+  std::vector<std::string> command = box.command({"--report", report});
   command.insert(command.begin() + 1, box.stroke);
   const ProcessResult result = burin(command);
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -86,16 +86,22 @@ TEST(Refine, WritesAReportOfSeveralStrokes) {
   EXPECT_TRUE(std::filesystem::exists(report + "/chart.png"));
 }
 
-TEST(Refine, IsOffUnlessAskedFor) {
+TEST(Refine, IsOffWhereTheCommandSaysSoOrBakes) {
   const Box box;
-  EXPECT_FALSE(nlohmann::json::parse(burin(box.command({"--json"})).out).contains("refined"));
+  const auto is_refined = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> command = box.command(options);
+    command.push_back("--json");
+    return nlohmann::json::parse(burin(command).out).contains("refined");
+  };
+  EXPECT_FALSE(is_refined({"--refine", "off"}));
   EXPECT_EQ(read_mesh(box.saved).face_sizes.size(), 12u);
+  EXPECT_FALSE(is_refined({"--sculpt-level", "0"}));
 }
 
 // A stroke that would take more than a million triangles was hardly meant.
 TEST(Refine, DeclinesWhatTakesTooManyTriangles) {
   const Box box;
-  const ProcessResult result = burin(box.command({"--refine", "auto", "--radius", "0.0005"}));
+  const ProcessResult result = burin(box.command({"--radius", "0.0005"}));
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(
       result.err,
@@ -104,14 +110,24 @@ TEST(Refine, DeclinesWhatTakesTooManyTriangles) {
   EXPECT_EQ(read_mesh(box.saved).face_sizes.size(), 12u);
 }
 
-// A stroke whose triangles suit it has the bits that it has without refinement.
+// Strokes whose triangles suit them have the bits that they have without refinement, also over each other.
 TEST(Refine, ChangesNothingOnFineMeshes) {
-  const std::string samples = BURIN_SAMPLES;
-  const auto hash_of = [&](const std::string& refine) {
-    return burin_json({"replay", samples + "/strokes/meander.stroke", "--mesh", samples + "/meshes/ewer.obj",
-                       "--subdivide", "3", "--refine", refine})["result_hash"];
+  const std::string strokes = BURIN_SAMPLES "/strokes/";
+  const auto hash_of = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> command = {"replay",
+                                        strokes + "meander.stroke",
+                                        strokes + "scale_band.stroke",
+                                        strokes + "meander.stroke",
+                                        "--mesh",
+                                        BURIN_SAMPLES "/meshes/ewer.obj",
+                                        "--subdivide",
+                                        "3",
+                                        "--strength",
+                                        "4"};
+    command.insert(command.end(), options.begin(), options.end());
+    return burin_json(command)["result_hash"];
   };
-  EXPECT_EQ(hash_of("auto"), hash_of("off"));
+  EXPECT_EQ(hash_of({}), hash_of({"--refine", "off"}));
 }
 
 TEST(Refine, RefusesInOneLine) {

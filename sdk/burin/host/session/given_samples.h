@@ -25,7 +25,16 @@ struct GivenSamples {
     std::optional<Closure> ended;
   };
 
-  GivenSamples(const BrushEntry* of, StrokeSettings with) : entry(of), settings(std::move(with)) {}
+  GivenSamples(const BrushEntry* of, StrokeSettings with)
+      : entry(of), settings(std::move(with)), on_fine(settings.refining.kind == Refining::Kind::edge) {}
+
+  /// The settings for the surface as it is: it is as if there was no refinement where there is nothing to
+  /// refine.
+  StrokeSettings settings_now() const {
+    StrokeSettings now = settings;
+    if (!on_fine) now.refining = {};
+    return now;
+  }
 
   /// `place`: where it is on the surface, object units.
   void add(const GivenSample& sample, const Vec3d& place) {
@@ -44,6 +53,7 @@ struct GivenSamples {
 
   const BrushEntry* entry;  ///< null for none
   StrokeSettings settings;
+  bool on_fine;  ///< triangles near the stroke are small, whatever those elsewhere are
   std::vector<Piece> pieces{1};
   Vec3d last = Vec3d::Zero();
   double length = 0;

@@ -44,17 +44,18 @@ double least_angle(const Surface& surface, const SurfacePatch& patch) {
 
 }  // namespace
 
-PaintedSurface with_patch(const Surface& surface, const Picker& picker, const Paint& paint,
-                          const SurfacePatch& patch) {
+PaintedPatch with_patch(const Surface& surface, const Picker& picker, const Paint& paint,
+                        const SurfacePatch& patch) {
   PatchedSurface made = patched(surface, patch);
-  PaintedSurface painted{std::move(made.surface), {}};
-  const std::size_t count = made.came_from.size();
-  if (paint.colour.empty() && paint.mask.empty()) return painted;
+  PaintedPatch result{{std::move(made.surface), {}}, std::move(made.came_from)};
+  PaintedSurface& painted = result.painted;
+  const std::size_t count = result.came_from.size();
+  if (paint.colour.empty() && paint.mask.empty()) return result;
   if (!paint.colour.empty()) painted.paint.colour.resize(count);
   if (!paint.mask.empty()) painted.paint.mask.resize(count);
   parallel_blocks(count, 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      const Index from = made.came_from[v];
+      const Index from = result.came_from[v];
       const bool is_new = from >= surface.vertex_count();
       SurfacePoint place{no_index, {from, from, from}, {1, 0, 0}, {}};
       if (is_new) place = *picker.closest(painted.surface.positions[v], std::numeric_limits<float>::max());
@@ -63,7 +64,7 @@ PaintedSurface with_patch(const Surface& surface, const Picker& picker, const Pa
       if (!paint.mask.empty()) painted.paint.mask[v] = is_new ? mask_at(paint, place) : paint.mask[from];
     }
   });
-  return painted;
+  return result;
 }
 
 MergeReport report_of(const MergedSolid& merged, const Surface& before, const Surface& after) {

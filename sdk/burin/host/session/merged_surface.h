@@ -4,6 +4,8 @@
 #include <burin/surface/picker.h>
 #include <burin/volume/solid.h>
 
+#include <vector>
+
 namespace burin {
 
 /// A surface and its paint.
@@ -12,10 +14,16 @@ struct PaintedSurface {
   Paint paint;
 };
 
+/// The same after a patch.
+struct PaintedPatch {
+  PaintedSurface painted;
+  std::vector<Index> came_from;  ///< see PatchedSurface
+};
+
 /// Puts a patch into a painted surface. New vertices take the paint of the closest place of the surface, to
 /// which the picker belongs.
-PaintedSurface with_patch(const Surface& surface, const Picker& picker, const Paint& paint,
-                          const SurfacePatch& patch);
+PaintedPatch with_patch(const Surface& surface, const Picker& picker, const Paint& paint,
+                        const SurfacePatch& patch);
 
 /// What a merge did to a surface, of which `after` came.
 MergeReport report_of(const MergedSolid& merged, const Surface& before, const Surface& after);

@@ -2,11 +2,14 @@
 // that suit the stroke within its radius of that.
 #include <burin/along/along_parts.h>
 #include <burin/base/error.h>
+#include <burin/base/segment.h>
 #include <burin/host/session/refine_path.h>
 #include <burin/stroke/curve/surface_curve.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -75,60 +78,104 @@ double reach_of(const StrokeSettings& settings) {
   return wide * settings.radius + refined_edge(settings);
 }
 
-/// Edges that are not longer are left alone, object units.
-double longest_left(const StrokeSettings& settings) {
-  return settings.refining.kind == Refining::Kind::edge ? longest_edge_factor * settings.refining.edge
-                                                        : settings.radius / Refining::coarse;
+bool is_automatic(const StrokeSettings& settings) {
+  return settings.refining.kind == Refining::Kind::automatic;
+}
+
+/// The greatest gap between vertices that an automatic refinement leaves, object units.
+double greatest_gap(const StrokeSettings& settings) { return settings.radius / Refining::coarse; }
+
+/// Whether nothing can be too coarse for the stroke.
+bool is_fine_everywhere(const VertexGaps& gaps, const StrokeSettings& settings) {
+  return is_automatic(settings) && !(static_cast<double>(gaps.greatest()) > greatest_gap(settings));
+}
+
+/// Whether a vertex within places, or of a triangle, was too far from others when the surface was given.
+template <class IsWithin>
+bool leaves_gap(const StrokeGround& ground, const StrokeSettings& settings, std::span<const Index> triangles,
+                NearVertices& near, const IsWithin& is_within) {
+  return near.any(ground.surface, triangles, is_within, [&](Index vertex) {
+    return static_cast<double>(ground.gaps[vertex]) > greatest_gap(settings);
+  });
+}
+
+/// Whether such a vertex has an edge for which the surface is refined. Automatic refinements leave edges that
+/// strokes have stretched by less than a factor of two.
+template <class IsWithin>
+bool has_long_edge(const Surface& surface, const StrokeSettings& settings, std::span<const Index> triangles,
+                   NearVertices& near, const IsWithin& is_within) {
+  const double stretched = is_automatic(settings) ? 2 : 1;
+  const double longest = stretched * longest_edge_factor * refined_edge(settings);
+  const std::vector<Vec3f>& positions = surface.positions;
+  return near.any(surface, triangles, is_within, [&](Index vertex) {
+    return std::ranges::any_of(surface.neighbours[vertex], [&](Index neighbour) {
+      return (positions[neighbour] - positions[vertex]).cast<double>().squaredNorm() > longest * longest;
+    });
+  });
 }
 
 PathRefinement refined(const Surface& surface, const StrokeSettings& settings, const Lines& lines,
                        double reach, std::size_t added) {
   const EdgeLength lengths(lines.points, reach, refined_edge(settings));
   const double expected = static_cast<double>(added) + expected_triangles(lengths);
-  if (settings.refining.kind == Refining::Kind::automatic) {
-    if (!(expected <= most_automatic)) return {{}, expected};
+  if (is_automatic(settings)) {
+    if (!(expected <= most_automatic)) return {.declined = expected};
   } else if (!(expected <= static_cast<double>(most_triangles))) {
     throw Error(
         fmt::format("refining the surface to edges of {:g} would take about {:.2g} triangles, more "
                     "than {}",
                     lengths.edge(), expected, most_triangles));
   }
-  SurfacePatch made = refine_surface(surface, lengths, lines.triangles, most_triangles);
-  if (made.triangles.empty()) return {};
-  return {std::move(made)};
+  PathRefinement made{.is_coarse = true};
+  SurfacePatch patch = refine_surface(surface, lengths, lines.triangles, most_triangles);
+  if (!patch.triangles.empty()) made.patch = std::move(patch);
+  return made;
 }
 
 }  // namespace
 
-PathRefinement refined_along(const Surface& surface, const Picker& picker, const StrokeSettings& settings,
-                             std::span<const Vec3d> path) {
-  if (settings.refining.kind == Refining::Kind::off || path.empty()) return {};
-  const Lines lines = lines_through(path, surface, picker, settings);
+PathRefinement refined_along(const StrokeGround& ground, const StrokeSettings& settings,
+                             std::span<const Vec3d> path, NearVertices& near) {
+  if (path.empty() || is_fine_everywhere(ground.gaps, settings)) return {};
+  const Lines lines = lines_through(path, ground.surface, ground.picker, settings);
   if (lines.points.empty()) return {};
-  if (settings.refining.kind == Refining::Kind::automatic) {
-    const EdgeLength enough(lines.points, reach_of(settings), longest_left(settings) / longest_edge_factor);
-    if (!has_longer_edges(surface, enough, lines.triangles)) return {};
+  if (is_automatic(settings)) {
+    const EdgeLength reached(lines.points, reach_of(settings), refined_edge(settings));
+    const auto is_within = [&](const Vec3d& place) { return reached.at(place) <= reached.edge(); };
+    if (!leaves_gap(ground, settings, lines.triangles, near, is_within)) return {};
+    if (!has_long_edge(ground.surface, settings, lines.triangles, near, is_within))
+      return {.is_coarse = true};
   }
-  return refined(surface, settings, lines, reach_of(settings), 0);
+  return refined(ground.surface, settings, lines, reach_of(settings), 0);
 }
 
-PathRefinement refined_at(const Surface& surface, const Picker& picker, const StrokeSettings& settings,
-                          const PenStep& step, std::size_t added, CoarseEdges& coarse) {
+PathRefinement refined_at(const StrokeGround& ground, const StrokeSettings& settings, const PenStep& step,
+                          std::size_t added, NearVertices& near) {
+  if (is_fine_everywhere(ground.gaps, settings)) return {};
   // Ahead of the pen in radii; and how much wider than the stroke, so that it may bend.
   constexpr double least_ahead = 4, leeway = 1.75;
   const double length = step.length(), ahead = std::max(least_ahead * settings.radius, step.drawn / 2);
+  const double reach = reach_of(settings);
   Lines lines;
+  bool is_coarse = false;
   for (const SymmetryInstance& image : symmetry_instances(settings.symmetry)) {
     const Vec3d from = image(step.from), to = image(step.to);
-    const auto at = picker.closest(to.cast<float>(), static_cast<float>(settings.radius));
-    if (!at || !coarse.are_near(surface, at->triangle, from, to, reach_of(settings), longest_left(settings)))
-      continue;
+    const auto at = ground.picker.closest(to.cast<float>(), static_cast<float>(settings.radius));
+    const auto is_within = [&](const Vec3d& place) {
+      const double share = share_on_segment(from, to, place);
+      return (place - from - share * (to - from)).squaredNorm() <= reach * reach;
+    };
+    if (!at) continue;
+    const std::array triangle{at->triangle};
+    if (is_automatic(settings) && !leaves_gap(ground, settings, triangle, near, is_within)) continue;
+    is_coarse = true;
+    if (!has_long_edge(ground.surface, settings, triangle, near, is_within)) continue;
     lines.points.push_back({from, to});
     if (length > 0) lines.points.back().push_back(to + ahead / length * (to - from));
     lines.triangles.push_back(at->triangle);
   }
-  if (lines.points.empty()) return {};
-  return refined(surface, settings, lines, leeway * reach_of(settings), added);
+  if (lines.points.empty()) return {.is_coarse = is_coarse};
+  return refined(ground.surface, settings, lines, leeway * reach, added);
 }
 
 }  // namespace burin

@@ -1,6 +1,7 @@
 #pragma once
-#include <burin/refine/coarse_edges.h>
+#include <burin/refine/near_vertices.h>
 #include <burin/refine/refine_surface.h>
+#include <burin/refine/vertex_gaps.h>
 #include <burin/stroke/stroke_settings.h>
 #include <burin/surface/picker.h>
 
@@ -12,9 +13,17 @@ namespace burin {
 /// About the length of the edges into which a stroke refines a surface, object units.
 double refined_edge(const StrokeSettings& settings);
 
+/// What a stroke is drawn on.
+struct StrokeGround {
+  const Surface& surface;
+  const Picker& picker;
+  const VertexGaps& gaps;
+};
+
 /// What a stroke needs of its surface.
 struct PathRefinement {
-  std::optional<SurfacePatch> patch;  ///< none where there is nothing to do
+  bool is_coarse = false;                  ///< the surface as it was given is too coarse for the stroke
+  std::optional<SurfacePatch> patch = {};  ///< none where there is nothing to do
   double declined = 0;  ///< about how many triangles it would add, more than an automatic refinement may
 };
 
@@ -23,9 +32,9 @@ inline constexpr double most_automatic = 1e6;
 
 /// What refines a surface for a stroke through these places near it, and its images, as
 /// StrokeSettings::refining says. Throws Error where `edge` would take more than 10 million triangles, if
-/// possible before it starts.
-PathRefinement refined_along(const Surface& surface, const Picker& picker, const StrokeSettings& settings,
-                             std::span<const Vec3d> path);
+/// possible before it starts. `near`: to work with.
+PathRefinement refined_along(const StrokeGround& ground, const StrokeSettings& settings,
+                             std::span<const Vec3d> path, NearVertices& near);
 
 /// Where a pen comes to.
 struct PenStep {
@@ -37,9 +46,9 @@ struct PenStep {
 
 /// The same for one step of the pen. If there is anything to do, what lies ahead is refined too: half as much
 /// as was drawn, and at least some radii, so that a stroke is interrupted the less often the longer it is.
-/// Costs O(vertices within the radius) if there is not. `added`: triangles that were added for the stroke
-/// before.
-PathRefinement refined_at(const Surface& surface, const Picker& picker, const StrokeSettings& settings,
-                          const PenStep& step, std::size_t added, CoarseEdges& coarse);
+/// Costs O(vertices within the radius) if there is not, and nothing where an automatic refinement finds
+/// nothing to do anywhere. `added`: triangles that were added for the stroke before.
+PathRefinement refined_at(const StrokeGround& ground, const StrokeSettings& settings, const PenStep& step,
+                          std::size_t added, NearVertices& near);
 
 }  // namespace burin

@@ -19,6 +19,7 @@ SculptedSurface::SculptedSurface(Surface surface)
     : surface_(std::move(surface)),
       picker_(surface_),
       builders_(std::make_unique<ChartBuilders>(surface_, picker_)),
+      gaps_(surface_),
       shown_(surface_),
       paint_(surface_.vertex_count()) {}
 
@@ -60,7 +61,7 @@ SculptedSurface::Triangles SculptedSurface::shown_triangles(const std::vector<bo
 }
 
 void SculptedSurface::hide(const std::vector<bool>& hidden) {
-  if (!replaced_builders_.empty() || !undone_builders_.empty())
+  if (!replaced_.empty() || !undone_replaced_.empty())
     throw Error("triangles cannot be hidden while a stroke that replaced some can be undone");
   Triangles shown = shown_triangles(hidden);
   if (std::ranges::none_of(shown.corners, [&](const Triangle& t) { return has_area(surface_.positions, t); }))
@@ -90,7 +91,8 @@ void SculptedSurface::show(const VertexMoves& moves) {
 
 void SculptedSurface::drop() {
   if (unrefined_) {
-    exchange(std::move(unrefined_->painted), std::move(unrefined_->builders));
+    exchange(std::move(unrefined_->painted), std::move(unrefined_->kept.gaps),
+             std::move(unrefined_->kept.builders));
     unrefined_.reset();
     return;
   }
@@ -119,8 +121,9 @@ void SculptedSurface::keep(MadePart made) {
   commit(displaced);
 }
 
-void SculptedSurface::replace(PaintedSurface made) {
-  Replaced replaced = exchange(std::move(made), nullptr);
+void SculptedSurface::replace(PaintedPatch made) {
+  VertexGaps gaps = gaps_.patched(made.painted.surface, made.came_from, VertexGaps::Fresh::measured);
+  Replaced replaced = exchange(std::move(made.painted), std::move(gaps));
   const bool refined = is_refined();
   UndoStep step = step_to(std::move(refined ? *unrefined_ : replaced));
   unrefined_.reset();
@@ -130,15 +133,16 @@ void SculptedSurface::replace(PaintedSurface made) {
   end_redoing();
 }
 
-void SculptedSurface::refine(PaintedSurface made) {
-  Replaced replaced = exchange(std::move(made), nullptr);
+void SculptedSurface::refine(PaintedPatch made) {
+  VertexGaps gaps = gaps_.patched(made.painted.surface, made.came_from, VertexGaps::Fresh::refined);
+  Replaced replaced = exchange(std::move(made.painted), std::move(gaps));
   if (!unrefined_) unrefined_ = std::move(replaced);
 }
 
-/// The step that brings a surface back; its chart builders are kept for that.
+/// The step that brings a surface back; what belongs to it is kept for that.
 UndoStep SculptedSurface::step_to(Replaced replaced) {
-  replaced.builders->free_strokes();
-  replaced_builders_.push_back(std::move(replaced.builders));
+  replaced.kept.builders->free_strokes();
+  replaced_.push_back(std::move(replaced.kept));
   UndoStep step;
   step.surface = std::move(replaced.painted.surface);
   step.surface_paint = std::move(replaced.painted.paint);
@@ -147,7 +151,7 @@ UndoStep SculptedSurface::step_to(Replaced replaced) {
 
 void SculptedSurface::end_redoing() {
   undone_.clear();
-  undone_builders_.clear();
+  undone_replaced_.clear();
   drop_oldest();
 }
 
@@ -158,7 +162,7 @@ void SculptedSurface::limit_undo(std::size_t bytes) {
 
 void SculptedSurface::drop_oldest() {
   for (; journal_.size() > 0 && undo_bytes() > most_undo_bytes_; ++undo_dropped_)
-    if (journal_.drop_oldest().surface) replaced_builders_.erase(replaced_builders_.begin());
+    if (journal_.drop_oldest().surface) replaced_.erase(replaced_.begin());
 }
 
 void SculptedSurface::show(const UndoStep& step) {
@@ -172,12 +176,13 @@ void SculptedSurface::restore(UndoStep step, Turn turn) {
 }
 
 UndoStep SculptedSurface::restore_surface(UndoStep step, Turn turn) {
-  Builders& back = builders_of(turn);
-  Replaced replaced =
-      exchange({std::move(*step.surface), std::move(step.surface_paint)}, std::move(back.back()));
-  back.pop_back();
-  replaced.builders->free_strokes();
-  builders_of(turn == Turn::undo ? Turn::redo : Turn::undo).push_back(std::move(replaced.builders));
+  std::vector<Kept>& of_turn = kept_of(turn);
+  Kept back = std::move(of_turn.back());
+  of_turn.pop_back();
+  Replaced replaced = exchange({std::move(*step.surface), std::move(step.surface_paint)},
+                               std::move(back.gaps), std::move(back.builders));
+  replaced.kept.builders->free_strokes();
+  kept_of(turn == Turn::undo ? Turn::redo : Turn::undo).push_back(std::move(replaced.kept));
   step.surface = std::move(replaced.painted.surface);
   step.surface_paint = std::move(replaced.painted.paint);
   return step;
@@ -238,9 +243,9 @@ std::span<const Index> SculptedSurface::note_all_changed() {
 }
 
 /// Makes all that depends on the surface anew, but for chart builders that are given. Returns what was there.
-SculptedSurface::Replaced SculptedSurface::exchange(PaintedSurface made,
+SculptedSurface::Replaced SculptedSurface::exchange(PaintedSurface made, VertexGaps gaps,
                                                     std::unique_ptr<ChartBuilders> builders) {
-  Replaced replaced{{std::move(surface_), paint_.base()}, std::move(builders_)};
+  Replaced replaced{{std::move(surface_), paint_.base()}, {std::move(builders_), std::move(gaps_)}};
   surface_ = std::move(made.surface);
   picker_ = Picker(surface_);
   shown_ = ShownSurface(surface_);
@@ -249,6 +254,7 @@ SculptedSurface::Replaced SculptedSurface::exchange(PaintedSurface made,
   builders_ = builders ? std::move(builders) : std::make_unique<ChartBuilders>(surface_, picker_);
   state_.reset();
   of_source_.clear();
+  gaps_ = std::move(gaps);
   ++generation_;
   note_all_changed();
   return replaced;

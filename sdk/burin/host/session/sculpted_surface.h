@@ -7,6 +7,7 @@
 #include <burin/host/session/stroke_instance.h>
 #include <burin/host/session/surface_state.h>
 #include <burin/host/session/vertex_moves.h>
+#include <burin/refine/vertex_gaps.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +33,7 @@ class SculptedSurface {
   const Surface& base() const { return surface_; }  ///< before the open stroke
   const Picker& picker() const { return picker_; }  ///< of base()
   ChartBuilders& builders() { return *builders_; }  ///< for strokes on base()
+  const VertexGaps& gaps() const { return gaps_; }  ///< between vertices, before any stroke
   const ShownSurface& shown() const { return shown_; }
   const ShownPaint& paint() const { return paint_; }
   std::uint64_t generation() const { return generation_; }  ///< how often the surface was replaced
@@ -64,11 +66,11 @@ class SculptedSurface {
   void keep(MadePart made);
 
   /// Replaces a part of the surface, with an undo step. No stroke may refer to the surface any more.
-  void replace(PaintedSurface made);
+  void replace(PaintedPatch made);
 
   /// Refines the surface for a stroke that is to be drawn on it: both become one step of undo, and drop()
   /// takes both back. No stroke may refer to the surface. Chart builders are new ones.
-  void refine(PaintedSurface made);
+  void refine(PaintedPatch made);
   bool is_refined() const { return unrefined_.has_value(); }  ///< for a stroke that is not finished
 
   /// Undoing and redoing take two calls: show() moves the vertices of the step, and restore() makes that the
@@ -93,12 +95,17 @@ class SculptedSurface {
   std::size_t undo_dropped() const { return undo_dropped_; }  ///< steps, so far
 
  private:
-  using Builders = std::vector<std::unique_ptr<ChartBuilders>>;
+  /// What belongs to a surface and cannot be made of it later: chart builders made anew would have other
+  /// clusters.
+  struct Kept {
+    std::unique_ptr<ChartBuilders> builders;
+    VertexGaps gaps;
+  };
 
-  /// A surface that was replaced, with what belongs to it.
+  /// A surface that was replaced.
   struct Replaced {
     PaintedSurface painted;
-    std::unique_ptr<ChartBuilders> builders;
+    Kept kept;
   };
 
   /// Triangles of a surface, with texture coordinates if it has them.
@@ -108,7 +115,7 @@ class SculptedSurface {
   };
 
   UndoJournal& steps(Turn turn) { return turn == Turn::undo ? journal_ : undone_; }
-  Builders& builders_of(Turn turn) { return turn == Turn::undo ? replaced_builders_ : undone_builders_; }
+  std::vector<Kept>& kept_of(Turn turn) { return turn == Turn::undo ? replaced_ : undone_replaced_; }
   void end_redoing();
   Triangles shown_triangles(const std::vector<bool>& hidden) const;
   void drop_oldest();
@@ -117,17 +124,16 @@ class SculptedSurface {
   std::uint64_t state() { return state_.of(surface_, paint_.base()); }
   void note_changed(std::span<const Index> moved, std::span<const Index> painted);
   void commit(std::span<const Index> displaced);
-  Replaced exchange(PaintedSurface made, std::unique_ptr<ChartBuilders> builders);
+  Replaced exchange(PaintedSurface made, VertexGaps gaps, std::unique_ptr<ChartBuilders> builders = nullptr);
   UndoStep step_to(Replaced replaced);
 
   Surface surface_;
   Picker picker_;
   std::unique_ptr<ChartBuilders> builders_;
-  /// Of the surfaces that were replaced, and of those whose replacing was undone: made anew they would have
-  /// other clusters.
-  Builders replaced_builders_, undone_builders_;
-  std::optional<Triangles> all_triangles_;  ///< while some are hidden
-  std::optional<Replaced> unrefined_;       ///< while a stroke on a refined surface is not finished
+  VertexGaps gaps_;
+  std::vector<Kept> replaced_, undone_replaced_;  ///< of the steps that hold surfaces
+  std::optional<Triangles> all_triangles_;        ///< while some are hidden
+  std::optional<Replaced> unrefined_;             ///< while a stroke on a refined surface is not finished
   ShownSurface shown_;
   ShownPaint paint_;
   UndoJournal journal_, undone_;

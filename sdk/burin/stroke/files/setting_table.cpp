@@ -166,12 +166,12 @@ std::vector<SettingRow> shape_rows() {
 std::vector<SettingRow> surface_rows() {
   return {member_row({.key = "refine",
                       .help = fmt::format("split triangles that are too large for the stroke, into edges of "
-                                          "this length; auto: of radius / {:g}, where edges are longer than "
-                                          "radius / {:g}",
+                                          "this length; auto: of radius / {:g}, where the mesh has gaps of "
+                                          "more than radius / {:g} between vertices",
                                           Refining::fine, Refining::coarse),
                       .values = "`auto`, `off` or `edge:LENGTH`",
                       .typed = "auto|off|edge:LENGTH",
-                      .initial = "off"},
+                      .initial = "auto of replay, unless it bakes or sculpts a level; else off"},
                      &S::refining, read_refining)};
 }
 
