@@ -42,9 +42,30 @@ TEST(EdgeLength, SeesALineThatCrossesTheMiddleOfALongEdge) {
   EXPECT_FALSE(lengths.is_exceeded(from + up, lengths.at(from + up), to + up, lengths.at(to + up), 1, 1));
 }
 
-TEST(EdgeLength, KnowsTheAreaOfItsLines) {
-  const EdgeLength lengths({{{0, 0, 0}, {1, 0, 0}, {1, 2, 0}}}, 0.1, 0.01);
-  EXPECT_NEAR(lengths.area(), 0.1 * 2 * 3 + 0.01 * 3.14159265, 1e-9);
+TEST(EdgeLength, IsTheLeastThatAnySegmentSays) {
+  const unsigned seed = std::random_device()();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(-1, 1), length(0.01, 0.1);
+  const auto point = [&] { return Vec3d(place(random), place(random), place(random)); };
+  std::vector<EdgeLength::Around> points(200);
+  for (EdgeLength::Around& around : points) {
+    around.from = around.to = point();
+    around.radius = length(random);
+    around.edge = length(random);
+  }
+  const EdgeLength lengths(points);
+  double least = 1;
+  for (const EdgeLength::Around& around : points) least = std::min(least, around.edge);
+  EXPECT_EQ(lengths.edge(), least);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3d at = point();
+    double right = 10;
+    for (const EdgeLength::Around& around : points)
+      right = std::min(
+          right, around.edge + EdgeLength::growth * std::max((at - around.from).norm() - around.radius, 0.));
+    EXPECT_NEAR(lengths.at(at), right, 1e-12);
+  }
 }
 
 }  // namespace

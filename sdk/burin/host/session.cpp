@@ -73,6 +73,7 @@ struct Session::Impl {
   StrokeGround ground() const { return {surface.base(), surface.picker(), surface.gaps()}; }
   bool declines(const PathRefinement& refinement, const StrokeSettings& settings);
   bool refine_at(const SurfacePoint& at);
+  bool refine_to_error(Closure closure);
   void draw_again();
   bool take(Turn turn);
   bool take_unless_open(Turn turn);
@@ -195,6 +196,7 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
     return surface.changed();
   }
   finish_piece(closure);
+  const bool is_other = refine_to_error(closure);
   warnings.insert(warnings.end(), stroke->warnings().begin(), stroke->warnings().end());
   StageClock clock(cost);
   if (std::optional<SolidMerge> merge = stroke->merge()) {
@@ -210,7 +212,7 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
   end_redoing();
   stroke.reset();
   clock.lap(Stage::record);
-  return surface.changed();
+  return is_other ? surface.note_all_changed() : surface.changed();
 }
 
 /// What the stroke made, if anything.
@@ -291,7 +293,7 @@ bool Session::Impl::refine(const PathRefinement& refinement, double split_second
   const SurfacePatch& patch = *refinement.patch;
   surface.refine(with_patch(surface.base(), surface.picker(), surface.paint().base(), patch));
   if (!refined) refined.emplace();
-  refined->edge = refined_edge(given_samples->settings);
+  refined->edge = refinement.edge;
   refined->triangles_removed += patch.removed.size();
   refined->triangles_added += patch.triangles.size();
   refined->vertices_added += patch.positions.size();
@@ -333,6 +335,24 @@ void Session::Impl::begin_refining(const BrushEntry* entry, const StrokeSettings
   const PathRefinement made = refined_along(ground(), settings, path, near_vertices);
   const double seconds = watch.lap();
   if (!declines(made, settings) && refine(made, seconds)) open(entry, given_samples->settings_now());
+}
+
+/// Refines the surface until it represents the finished stroke as exactly as its settings say, and finishes
+/// it on that; returns whether it did.
+bool Session::Impl::refine_to_error(Closure closure) {
+  if (!given_samples || given_samples->settings.refining.kind != Refining::Kind::error) return false;
+  // Edges at steps get a third as long each time: from radius / 16 to radius / 128 it takes two.
+  constexpr int most_passes = 3;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    Stopwatch watch;
+    const PathRefinement made = refined_to_error(surface.base(), given_samples->settings,
+                                                 surface.shown().positions(), surface.displaced());
+    const double seconds = watch.lap();
+    if (!refine(made, seconds)) return pass > 0;
+    draw_again();
+    finish_piece(closure);
+  }
+  return true;
 }
 
 /// Opens the stroke anew, with the samples that it had.

@@ -185,7 +185,8 @@ class Session {
   /// cannot be undone. Strokes are open while they are drawn; here the stroke may become closed, which
   /// changes all of it. curve().closed tells whether it did; CurveTracer::closed_curve() documents the
   /// conditions. Returns the vertices that changed, as StrokeEvent::changed; all where the stroke merged a
-  /// solid with the surface; valid until the next call. Throws Error where a solid cannot be merged.
+  /// solid with the surface, or refined it to an error; valid until the next call. Throws Error where a solid
+  /// cannot be merged, or that would take more than 10 million triangles.
   std::span<const Index> end_stroke(Closure closure = Closure::open);
 
   /// Drops the open stroke, if there is one. changed() then lists the vertices that returned to their

@@ -20,8 +20,8 @@
 namespace burin {
 namespace {
 
-/// Goes over the triangles of a surface within the radius, and over those beyond that have edges which are
-/// too long. Calls found(triangle) for those that have such edges.
+/// Goes over the triangles of a surface where edges may have the least length, and over those elsewhere that
+/// have edges which are nearly too long. Calls found(triangle) for those that have such edges.
 class LongEdges {
  public:
   LongEdges(const Surface& surface, const EdgeLength& lengths) : surface_(surface), lengths_(lengths) {}
@@ -32,16 +32,17 @@ class LongEdges {
       if (seen_.insert(seed).second) open_.push_back(seed);
     for (std::size_t i = 0; i < open_.size(); ++i) {
       const Triangle& t = surface_.triangles[open_[i]];
-      bool is_long = false, is_within = false;
+      constexpr double nearly = 0.75;
+      bool is_long = false, goes_on = false;
       for (std::size_t k = 0; k < 3; ++k) {
         const Index a = t[k], b = t[(k + 1) % 3];
-        is_within |= allowed(a) <= lengths_.edge();
         const Vec3d from = position(a), to = position(b);
-        is_long |=
-            lengths_.is_exceeded(from, allowed(a), to, allowed(b), (to - from).norm(), longest_edge_factor);
+        const double length = (to - from).norm();
+        goes_on |= allowed(a) <= lengths_.edge() || length > nearly * std::min(allowed(a), allowed(b));
+        is_long |= lengths_.is_exceeded(from, allowed(a), to, allowed(b), length, longest_edge_factor);
       }
       if (is_long) found(open_[i]);
-      if (!is_long && !is_within) continue;
+      if (!is_long && !goes_on) continue;
       for (const Index corner : t)
         for (const Index other : surface_.incident[corner])
           if (seen_.insert(other).second) open_.push_back(other);

@@ -52,10 +52,14 @@ struct Refining {
     automatic,  ///< into edges of radius / fine, where the surface that the session was given has gaps of
                 ///< more than radius / coarse between vertices
     edge,       ///< into edges of about this length
+    error,      ///< into edges of radius / fine, and at the end into edges that represent the displacement to
+                ///< this error, down to radius / finest
   };
-  static constexpr double coarse = 2, fine = 16;
+  static constexpr double coarse = 2, fine = 16, finest = 128;
+  static constexpr double least_error = 0.001, most_error = 0.5;
   Kind kind = Kind::off;
-  double edge = 0;  ///< above 0, object units; of Kind::edge alone
+  double edge = 0;   ///< above 0, object units; of Kind::edge alone
+  double error = 0;  ///< share of the greatest displacement, from least_error on; of Kind::error alone
 };
 
 /// What a stroke is drawn with. stroke/files/setting_table.h has the keys and texts of what people set.

@@ -132,9 +132,10 @@ TEST(Refine, ChangesNothingOnFineMeshes) {
 
 TEST(Refine, RefusesInOneLine) {
   const Box box;
-  for (const char* length :
-       {"edge:0", "edge:-1", "edge:nan", "edge:inf", "edge:", "edge:1x", "edge", "0.01", "1e-60"})
-    EXPECT_NE(box.refusal({"--refine", length}).find("--refine: must be auto, off or edge:LENGTH, above 0"),
+  for (const char* length : {"edge:0", "edge:-1", "edge:nan", "edge:inf", "edge:", "edge:1x", "edge",
+                             "0.0001", "0.6", "0.01x", "nan"})
+    EXPECT_NE(box.refusal({"--refine", length})
+                  .find("--refine: must be auto, off, edge:LENGTH, above 0, or an error from 0.001 to 0.5"),
               std::string::npos)
         << length;
   EXPECT_NE(box.refusal({"--refine", "edge:1e-6"})

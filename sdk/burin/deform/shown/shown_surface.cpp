@@ -44,6 +44,12 @@ std::vector<Index> ShownSurface::take_displaced(const Surface& base) {
   return vertices;
 }
 
+std::vector<Index> ShownSurface::displaced(const Surface& base) {
+  std::vector<Index> vertices = take_displaced(base);
+  for (const Index vertex : vertices) touched_.insert(vertex);
+  return vertices;
+}
+
 void ShownSurface::commit(Surface& base, std::span<const Index> vertices) {
   collect_with_neighbours(base, vertices);
   touched_.drain(moved_);

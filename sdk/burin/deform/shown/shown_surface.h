@@ -27,6 +27,9 @@ class ShownSurface {
   /// base; ascending.
   std::vector<Index> take_displaced(const Surface& base);
 
+  /// The same without taking them.
+  std::vector<Index> displaced(const Surface& base);
+
   /// Copies the shown positions and normals to the surface and updates its curvature. `vertices` are all
   /// vertices whose positions differ.
   void commit(Surface& base, std::span<const Index> vertices);

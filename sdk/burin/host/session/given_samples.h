@@ -26,7 +26,7 @@ struct GivenSamples {
   };
 
   GivenSamples(const BrushEntry* of, StrokeSettings with)
-      : entry(of), settings(std::move(with)), on_fine(settings.refining.kind == Refining::Kind::edge) {}
+      : entry(of), settings(std::move(with)), on_fine(settings.refining.kind != Refining::Kind::automatic) {}
 
   /// The settings for the surface as it is: it is as if there was no refinement where there is nothing to
   /// refine.

@@ -4,11 +4,13 @@
 #include <burin/base/error.h>
 #include <burin/base/segment.h>
 #include <burin/host/session/refine_path.h>
+#include <burin/refine/displacement_error.h>
 #include <burin/stroke/curve/surface_curve.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -65,11 +67,15 @@ Lines lines_through(std::span<const Vec3d> path, const Surface& surface, const P
   return lines;
 }
 
-/// About how many triangles the region gets.
-double expected_triangles(const EdgeLength& lengths) {
+/// About how many triangles get edges of this length within a distance of the lines.
+double expected_triangles(const Lines& lines, double reach, double edge) {
   // Measured: about 3.5 in the area of the square of an edge, with those of the transition.
   constexpr double triangles_per_square = 3.5;
-  return triangles_per_square * lengths.area() / (lengths.edge() * lengths.edge());
+  double length = 0;
+  for (const std::vector<Vec3d>& line : lines.points)
+    for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
+  const double area = reach * (2 * length + std::numbers::pi * reach);
+  return triangles_per_square * area / (edge * edge);
 }
 
 /// How far from the curve triangles matter, object units.
@@ -114,10 +120,17 @@ bool has_long_edge(const Surface& surface, const StrokeSettings& settings, std::
   });
 }
 
+PathRefinement with_edges(const Surface& surface, const EdgeLength& lengths, std::span<const Index> seeds) {
+  PathRefinement made{.is_coarse = true, .edge = lengths.edge()};
+  SurfacePatch patch = refine_surface(surface, lengths, seeds, most_triangles);
+  if (!patch.triangles.empty()) made.patch = std::move(patch);
+  return made;
+}
+
 PathRefinement refined(const Surface& surface, const StrokeSettings& settings, const Lines& lines,
                        double reach, std::size_t added) {
   const EdgeLength lengths(lines.points, reach, refined_edge(settings));
-  const double expected = static_cast<double>(added) + expected_triangles(lengths);
+  const double expected = static_cast<double>(added) + expected_triangles(lines, reach, lengths.edge());
   if (is_automatic(settings)) {
     if (!(expected <= most_automatic)) return {.declined = expected};
   } else if (!(expected <= static_cast<double>(most_triangles))) {
@@ -126,10 +139,7 @@ PathRefinement refined(const Surface& surface, const StrokeSettings& settings, c
                     "than {}",
                     lengths.edge(), expected, most_triangles));
   }
-  PathRefinement made{.is_coarse = true};
-  SurfacePatch patch = refine_surface(surface, lengths, lines.triangles, most_triangles);
-  if (!patch.triangles.empty()) made.patch = std::move(patch);
-  return made;
+  return with_edges(surface, lengths, lines.triangles);
 }
 
 }  // namespace
@@ -176,6 +186,15 @@ PathRefinement refined_at(const StrokeGround& ground, const StrokeSettings& sett
   }
   if (lines.points.empty()) return {.is_coarse = is_coarse};
   return refined(ground.surface, settings, lines, leeway * reach, added);
+}
+
+PathRefinement refined_to_error(const Surface& surface, const StrokeSettings& settings,
+                                std::span<const Vec3f> displaced, std::span<const Index> vertices) {
+  const DisplacementBound bound{.share = settings.refining.error,
+                                .least_edge = settings.radius / Refining::finest};
+  DisplacementError found = displacement_error(surface, displaced, vertices, bound);
+  if (found.empty()) return {};
+  return with_edges(surface, EdgeLength(std::move(found.lengths)), found.triangles);
 }
 
 }  // namespace burin

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// About the length of the edges into which a stroke refines a surface, object units.
+/// About the length of the edges into which a stroke refines a surface before it is drawn, object units.
 double refined_edge(const StrokeSettings& settings);
 
 /// What a stroke is drawn on.
@@ -24,6 +24,7 @@ struct StrokeGround {
 struct PathRefinement {
   bool is_coarse = false;                  ///< the surface as it was given is too coarse for the stroke
   std::optional<SurfacePatch> patch = {};  ///< none where there is nothing to do
+  double edge = 0;                         ///< the least length that edges get, object units
   double declined = 0;  ///< about how many triangles it would add, more than an automatic refinement may
 };
 
@@ -50,5 +51,10 @@ struct PenStep {
 /// nothing to do anywhere. `added`: triangles that were added for the stroke before.
 PathRefinement refined_at(const StrokeGround& ground, const StrokeSettings& settings, const PenStep& step,
                           std::size_t added, NearVertices& near);
+
+/// What represents the displacement of a stroke to the error of its settings, or more nearly; see
+/// displacement_error(). Throws Error where that would add more than 10 million triangles.
+PathRefinement refined_to_error(const Surface& surface, const StrokeSettings& settings,
+                                std::span<const Vec3f> displaced, std::span<const Index> vertices);
 
 }  // namespace burin

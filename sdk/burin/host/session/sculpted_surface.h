@@ -62,6 +62,9 @@ class SculptedSurface {
   void hide(const std::vector<bool>& hidden);
   void require_all_shown() const;  ///< throws Error if triangles are hidden
 
+  /// The vertices that the open stroke moved, ascending.
+  std::vector<Index> displaced() { return shown_.displaced(surface_); }
+
   /// Makes the shown surface and paint those of base(), with an undo step.
   void keep(MadePart made);
 

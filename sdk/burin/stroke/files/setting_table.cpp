@@ -167,10 +167,12 @@ std::vector<SettingRow> surface_rows() {
   return {member_row({.key = "refine",
                       .help = fmt::format("split triangles that are too large for the stroke, into edges of "
                                           "this length; auto: of radius / {:g}, where the mesh has gaps of "
-                                          "more than radius / {:g} between vertices",
+                                          "more than radius / {:g} between vertices; or until it is off by "
+                                          "at most this share of the stroke's height",
                                           Refining::fine, Refining::coarse),
-                      .values = "`auto`, `off` or `edge:LENGTH`",
-                      .typed = "auto|off|edge:LENGTH",
+                      .values = fmt::format("`auto`, `off`, `edge:LENGTH` or a text of {:g} to {:g}",
+                                            Refining::least_error, Refining::most_error),
+                      .typed = "auto|off|edge:LENGTH|SHARE",
                       .initial = "auto of replay, unless it bakes or sculpts a level; else off"},
                      &S::refining, read_refining)};
 }

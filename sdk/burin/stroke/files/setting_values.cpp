@@ -96,13 +96,17 @@ Refining read_refining(const JsonValue& value) {
   if (text == "off") return {};
   if (text == "auto") return {.kind = Refining::Kind::automatic};
   constexpr std::string_view prefix = "edge:";
-  double edge = 0;
+  const bool is_edge = text.starts_with(prefix);
+  double number = 0;
   const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data() + std::min(prefix.size(), text.size()), end, edge);
-  const bool is_sound = text.starts_with(prefix) && error == std::errc() && stop == end && edge > 0 &&
-                        std::isfinite(static_cast<float>(edge)) && static_cast<float>(edge) > 0;
-  if (!is_sound) value.reject_type("auto, off or edge:LENGTH, above 0");
-  return {.kind = Refining::Kind::edge, .edge = edge};
+  const auto [stop, error] = std::from_chars(text.data() + (is_edge ? prefix.size() : 0), end, number);
+  const bool is_number = error == std::errc() && stop == end;
+  if (is_edge && is_number && std::isfinite(static_cast<float>(number)) && static_cast<float>(number) > 0)
+    return {.kind = Refining::Kind::edge, .edge = number};
+  if (!is_edge && is_number && number >= Refining::least_error && number <= Refining::most_error)
+    return {.kind = Refining::Kind::error, .error = number};
+  value.reject_type(fmt::format("auto, off, edge:LENGTH, above 0, or an error from {:g} to {:g}",
+                                Refining::least_error, Refining::most_error));
 }
 
 namespace {
