@@ -152,14 +152,14 @@ double longest_edge(const Surface& surface) {
 // Also where deep cuts have stretched its edges.
 TEST(RefinePath, LeavesAFineMeshAloneWhateverWasDrawnOnIt) {
   Session refined = plane_session(), plain = plane_session();
-  const std::vector<Vec3d> across = straight({-0.5, 0, 0}, {0.5, 0.2, 0}),
-                           along = straight({0.1, -0.5, 0}, {-0.1, 0.5, 0});
+  const std::vector<Vec3d> first = straight({-0.5, 0, 0}, {0.5, 0.2, 0}),
+                           beside = straight({-0.5, 0.09, 0}, {0.5, 0.29, 0});
   StrokeSettings deep = settings("org.burin.groove", radius);
   deep.strength = 4;
-  for (Session* session : {&refined, &plain}) draw_along(*session, deep, across);
+  for (Session* session : {&refined, &plain}) draw_along(*session, deep, first);
   EXPECT_GT(longest_edge(refined.surface()), radius / Refining::coarse);
-  draw_along(refined, refining_if_coarse(), along);
-  draw_along(plain, settings("org.burin.groove", radius), along);
+  draw_along(refined, refining_if_coarse(), beside);
+  draw_along(plain, settings("org.burin.groove", radius), beside);
   EXPECT_EQ(refined.generation(), 0u);
   EXPECT_EQ(refined.result_hash(), plain.result_hash());
 }
@@ -376,6 +376,35 @@ TEST(RefinePath, GivesWhatAFineMeshGivesWithATenthOfItsTriangles) {
   draw_along(coarse, with, path);
   EXPECT_LT(difference(coarse, fine, 0.9 * wide).rms, 0.01 * depth);
   EXPECT_LT(coarse.surface().triangles.size(), fine.surface().triangles.size() / 10);
+}
+
+// Dashes, which end with steps, to a hundredth of their height, on a tenth of the triangles of a fine mesh.
+TEST(RefinePath, RepresentsStepsToTheErrorAskedFor) {
+  constexpr double wide = 0.3;
+  const std::vector<Vec3d> path = straight({-0.3, 0, 0}, {0.3, 0.1, 0});
+  Session fine(make_surface(shuffled(plane(0.75, wide / 75, 1), 2)), brushes()),
+      coarse(make_surface(shuffled(plane(0.75, wide / 12, 3), 4)), brushes());
+  StrokeSettings with = settings("org.burin.dashed-line", wide);
+  draw_along(fine, with, path);
+  double height = 0;
+  for (const Vec3f& p : fine.positions()) height = std::max(height, static_cast<double>(p.z()));
+  EXPECT_GT(height, 0.05 * wide);
+  coarse.set_paint({std::vector<Vec4f>(coarse.surface().vertex_count(), Vec4f(0.1F, 0.2F, 0.3F, 1)), {}});
+  const Everything before(coarse);
+  with.refining = {.kind = Refining::Kind::error, .error = 0.02};
+  draw_along(coarse, with, path);
+  EXPECT_EQ(coarse.changed().size(), coarse.surface().vertex_count());
+  EXPECT_LT(difference(coarse, fine, wide).rms, 0.01 * height);
+  EXPECT_LT(coarse.surface().triangles.size(), fine.surface().triangles.size() / 4);
+  EXPECT_EQ(euler_characteristic(coarse.surface()), 1);
+  ASSERT_EQ(coarse.refinements().size(), 1u);
+  EXPECT_NEAR(coarse.refinements()[0].edge, wide / Refining::finest, 1e-9);
+  const Everything after(coarse);
+  EXPECT_EQ(coarse.undo_count(), 1u);
+  ASSERT_TRUE(coarse.undo());
+  EXPECT_EQ(Everything(coarse), before);
+  ASSERT_TRUE(coarse.redo());
+  EXPECT_EQ(Everything(coarse), after);
 }
 
 TEST(RefinePath, GoesOnAsThePenComes) {
