@@ -11,8 +11,8 @@ namespace burin {
 /// A value that points of web programs have beside x and y.
 struct PointerChannel {
   std::array<std::string_view, 4> names;  ///< the first that a point has counts; empty ones are none
-  void (*set)(Sample& sample, double value);
-  bool PenFields::*field;
+  void (*set)(Sample& sample, double value) = nullptr;
+  bool PenFields::*field = nullptr;
 };
 
 extern const std::array<PointerChannel, 5> pointer_channels;
