@@ -330,5 +330,52 @@ TEST_F(CBadCalls, ThatReadWriteNothing) {
   IN_C(burin_library_destroy)(nullptr);
 }
 
+TEST(CBadInput, OfStepsGroupsAndPatchesIsNamed) {
+  CSession session(mesh());
+  burin_session* const members[] = {session, nullptr};
+  burin_step* step = nullptr;
+  burin_group* group = nullptr;
+  auto info = sized<burin_step_info>();
+  auto patch = sized<burin_patch>();
+  const burin_sample sample{};
+  burin_mesh placed = arrays_of(mesh());
+  const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  placed.transform = identity;
+  burin_triangles* triangles = nullptr;
+  expect_refused({
+      {"session is missing", [&](burin_text* e) { return IN_C(burin_session_take_step)(nullptr, &step, e); }},
+      {"step is missing", [&](burin_text* e) { return IN_C(burin_session_take_step)(session, nullptr, e); }},
+      {"there is no stroke to undo",
+       [&](burin_text* e) { return IN_C(burin_session_take_step)(session, &step, e); }, BURIN_NOT_FOUND},
+      {"step is missing", [&](burin_text* e) { return IN_C(burin_session_apply_step)(session, nullptr, e); }},
+      {"step is missing", [&](burin_text* e) { return IN_C(burin_step_get_info)(nullptr, &info, e); }},
+      {"step is missing", [&](burin_text* e) { return IN_C(burin_step_save)(nullptr, &info, 8, e); }},
+      {"bytes is missing", [&](burin_text* e) { return IN_C(burin_step_load)(nullptr, 0, &step, e); }},
+      {"a saved step does not begin as one",
+       [&](burin_text* e) { return IN_C(burin_step_load)("burin", 5, &step, e); }, BURIN_ERROR},
+      {"session is missing", [&](burin_text* e) { return IN_C(burin_session_hide)(nullptr, nullptr, 0, e); }},
+      {"patch is missing or too small",
+       [&](burin_text* e) { return IN_C(burin_session_take_patch)(session, nullptr, e); }},
+      {"session is missing",
+       [&](burin_text* e) { return IN_C(burin_session_take_patch)(nullptr, &patch, e); }},
+      {"a session is missing",
+       [&](burin_text* e) { return IN_C(burin_group_create)(members, 2, &group, e); }},
+      {"sessions is missing", [&](burin_text* e) { return IN_C(burin_group_create)(nullptr, 1, &group, e); }},
+      {"group is missing", [&](burin_text* e) { return IN_C(burin_group_begin)(nullptr, nullptr, e); }},
+      {"group is missing",
+       [&](burin_text* e) { return IN_C(burin_group_add)(nullptr, &sample, 1, nullptr, e); }},
+      {"group is missing", [&](burin_text* e) { return IN_C(burin_group_undo)(nullptr, e); }},
+      {"transform, hidden and refines are for sessions",
+       [&](burin_text* e) { return IN_C(burin_triangles_refine)(&placed, nullptr, &triangles, e); }},
+      {"transform, hidden and refines are for sessions",
+       [&](burin_text* e) { return IN_C(burin_mesh_write)("no.ply", &placed, nullptr, e); }},
+  });
+  EXPECT_EQ(step, nullptr);
+  EXPECT_EQ(group, nullptr);
+  EXPECT_EQ(triangles, nullptr);
+  IN_C(burin_step_destroy)(nullptr);
+  IN_C(burin_group_destroy)(nullptr);
+}
+
 }  // namespace
 }  // namespace burin::test
