@@ -248,8 +248,8 @@ BURIN_API burin_status BURIN_CALL burin_session_read_map(const burin_session* se
                                                          burin_text* error);
 
 /* Writes the triangles that are shown, three of the session's vertices each, counter-clockwise seen from
- * outside in the object, in the order of the surface. `capacity`:
- * triangles that fit, at least triangle_count. With burin_mesh.refines the list as the last patch left it. */
+ * outside in the object, in the order of the surface, or with burin_mesh.refines the list as the last patch
+ * left it. `capacity`: triangles that fit, at least triangle_count. */
 BURIN_API burin_status BURIN_CALL burin_session_read_triangles(const burin_session* session,
                                                                uint32_t* corners, uint64_t capacity,
                                                                burin_text* error);
@@ -268,11 +268,11 @@ typedef struct burin_patch {
 
 /* Tells how triangles and vertices changed since the call before, of a session whose burin_mesh.refines is 1:
  * within strokes that refine the surface, when these fail or are cancelled, by undo and redo, and by hiding
- * faces. The caller's list of triangles, at first that of burin_session_read_triangles, loses
- * those that are removed, keeps the order of the rest, and gets those that are added at its end; arrays of
- * vertices get the new count. burin_session_update tells the values of new vertices as of all that change. A
- * call without news gives an empty patch. Costs O(n log n) where there are news, as the refining did.
- * Whenever the count of vertices changes the arrays of burin_session_values move. */
+ * faces. The caller's list of triangles, at first that of burin_session_read_triangles, loses those that are
+ * removed, keeps the order of the rest, and gets those that are added at its end; arrays of vertices get the
+ * new count. burin_session_update tells the values of new vertices as of all that change. A call without news
+ * gives an empty patch. Costs O(n log n) where there are news, as the refining did. Whenever the count of
+ * vertices changes the arrays of burin_session_values move. */
 BURIN_API burin_status BURIN_CALL burin_session_take_patch(burin_session* session, burin_patch* patch,
                                                            burin_text* error);
 
