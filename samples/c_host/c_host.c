@@ -1,6 +1,6 @@
 /* c_host MESH.obj PEN.stroke KEY=VALUE...: draws the first stroke of a recording with these settings, as an
  * application in C with a pen and a renderer does, undoes it and makes it again, and prints the hash that
- * `burin replay` prints:
+ * `burin replay --refine off` prints:
  *   c_host ewer.obj meander.stroke brush=org.burin.groove radius=0.18 */
 #include <burin/host/c/burin.h>
 

@@ -40,7 +40,7 @@ TEST_F(FrozenAbi, DrawsTheSameStrokeForEver) {
   StrokeSettings settings = test::settings("org.burin.frozen.ridge");
   settings.params = {{"height", 0.5}};
   test::draw(session, settings, test::wave());
-  EXPECT_EQ(hash_text(session.result_hash()), "77b7f74b791fe91e");
+  EXPECT_EQ(hash_text(session.result_hash()), "d6f9b7035aabb7ca");
 }
 
 }  // namespace

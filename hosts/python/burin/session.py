@@ -177,7 +177,7 @@ class Session(ShownSurface):
         return event
 
     def replay(self, path: str | os.PathLike[str], **settings: Setting) -> None:
-        """Draws all strokes of a recording as `burin replay` does. Settings hold before the recording's own."""
+        """Draws all strokes of a recording as `burin replay --refine off` does. Settings hold before the recording's own."""
         self._call("burin_session_replay", os.fsencode(path), _c.texts(setting_texts(settings)))
 
     def undo(self) -> None:

@@ -116,7 +116,7 @@ TEST(Refine, ChangesNothingOnFineMeshes) {
   const auto hash_of = [&](const std::vector<std::string>& options) {
     std::vector<std::string> command = {"replay",
                                         strokes + "meander.stroke",
-                                        strokes + "scale_band.stroke",
+                                        strokes + "wave.stroke",
                                         strokes + "meander.stroke",
                                         "--mesh",
                                         BURIN_SAMPLES "/meshes/ewer.obj",

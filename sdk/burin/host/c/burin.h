@@ -402,8 +402,8 @@ BURIN_API burin_status BURIN_CALL burin_session_set_progress(burin_session* sess
                                                              burin_progress_function progress, void* user,
                                                              burin_text* error);
 
-/* Draws all strokes of a recording, as `burin replay` does. `settings` are as those of burin_stroke, hold
- * before the recording's own, and may be null. If a stroke fails, those before it stay. */
+/* Draws all strokes of a recording, as `burin replay --refine off` does. `settings` are as those of
+ * burin_stroke, hold before the recording's own, and may be null. If a stroke fails, those before it stay. */
 BURIN_API burin_status BURIN_CALL burin_session_replay(burin_session* session, const char* path,
                                                        const char* const* settings, burin_text* error);
 
@@ -436,21 +436,29 @@ BURIN_API burin_status BURIN_CALL burin_group_create(burin_session* const* sessi
 /* Frees the group, which may be null, not its sessions. An open stroke is dropped. */
 BURIN_API void BURIN_CALL burin_group_destroy(burin_group* group);
 
-/* As the functions of sessions that have these names. A stroke is open in all sessions meanwhile, to which
- * their own burin_session_begin, _add, _end and _cancel are refused; if it fails in one it is dropped in all.
- * Symmetric images are drawn on the surface of the sample only. */
+/* Begins a stroke as burin_session_begin does. It is open in all sessions meanwhile, to which their own
+ * burin_session_begin, _add, _end and _cancel are refused; if it fails in one it is dropped in all. Symmetric
+ * images are drawn on the surface of the sample only. */
 BURIN_API burin_status BURIN_CALL burin_group_begin(burin_group* group, const burin_stroke* stroke,
                                                     burin_text* error);
+
+/* Adds samples as burin_session_add does, each to the session whose surface it is on. */
 BURIN_API burin_status BURIN_CALL burin_group_add(burin_group* group, const burin_sample* samples,
                                                   uint64_t count, burin_group_event* event,
                                                   burin_text* error);
+
+/* Ends the stroke in all sessions. */
 BURIN_API burin_status BURIN_CALL burin_group_end(burin_group* group, burin_text* error);
+
+/* Drops the stroke in all sessions. */
 BURIN_API burin_status BURIN_CALL burin_group_cancel(burin_group* group, burin_text* error);
 
-/* Undoes the group's last stroke in all sessions that it changed, as one step, or makes it again.
- * BURIN_NOT_FOUND if there is none, or if a session's bound has dropped its part. BURIN_INVALID_ARGUMENT
- * while one of these sessions has drawn or undone a stroke by itself since. Nothing changes then. */
+/* Undoes the group's last stroke in all sessions that it changed, as one step. BURIN_NOT_FOUND if there is
+ * none, or if a session's bound has dropped its part. BURIN_INVALID_ARGUMENT while one of these sessions has
+ * drawn or undone a stroke by itself since. Nothing changes then. */
 BURIN_API burin_status BURIN_CALL burin_group_undo(burin_group* group, burin_text* error);
+
+/* Makes the stroke again that was undone last, as one step; fails as burin_group_undo does. */
 BURIN_API burin_status BURIN_CALL burin_group_redo(burin_group* group, burin_text* error);
 
 /* ---- What to show ---- */
