@@ -113,7 +113,8 @@ TEST_P(RealRecording, IsDrawnWithoutALossOrAHole) {
       burin({"import", recording.string(), "--mesh", mesh, "--view", "0,0,-1", "--fit", "mesh", "--brush",
              "org.burin.groove", "--radius", "0.02", "--out", strokes, "--json"})
           .out);
-  const auto drawn = nlohmann::json::parse(burin({"replay", strokes, "--mesh", mesh, "--json"}).out);
+  const auto drawn =
+      nlohmann::json::parse(burin({"replay", strokes, "--mesh", mesh, "--refine", "off", "--json"}).out);
   EXPECT_EQ(drawn["strokes"], imported["strokes"]);
   EXPECT_EQ(drawn["events"].get<int>() + drawn["events_off_surface"].get<int>(), imported["samples"])
       << "every sample is on the surface or counted as off";
