@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import ctypes
 import weakref
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 from numpy.typing import ArrayLike
 
 from . import _c
-from ._settings import Setting, fields_of, setting_texts
+from ._drawing import Drawing
 from .samples import as_samples
 from .session import Session
 
@@ -29,9 +28,11 @@ class GroupEvent:
     """On which the pen is, or was last."""
 
 
-class Group:
+class Group(Drawing):
     """Sessions that one pen draws on: each sample goes to the surface that its ray meets first, or which is closest to its
     position. What the sessions show is updated in each of them."""
+
+    _functions = "burin_group"
 
     def __init__(self, sessions: Iterable[Session]) -> None:
         self.sessions = tuple(sessions)
@@ -42,52 +43,23 @@ class Group:
         handles = tuple(session._handle for session in self.sessions)
         self._finalizer = weakref.finalize(self, _destroy, self._pointer, handles)
 
-    def begin(
-        self,
-        brush: str | None = None,
-        *,
-        radius: float | None = None,
-        fields: str | Iterable[str] = (),
-        seed: int = 0,
-        **settings: Setting,
-    ) -> None:
-        """Opens a stroke, as Session.begin() does."""
-        lines = setting_texts({"brush": brush, "radius": radius, **settings})
-        _c.call("burin_group_begin", self._pointer, _c.Stroke(fields_of(fields), _c.texts(lines), seed))
+    def _call(self, name: str, *args: Any) -> None:
+        _c.call(name, self._pointer, *args)
 
     def add(self, position: Any, **pen: ArrayLike) -> GroupEvent:
         """Adds samples to the open stroke, as Session.add() does."""
         given = as_samples(position, pen)
         event = _c.GroupEvent()
-        _c.call("burin_group_add", self._pointer, given.ctypes.data, len(given), event)
+        self._call("burin_group_add", given.ctypes.data, len(given), event)
         return GroupEvent(event.drawn, event.outcome == 1, self.sessions[event.session])
-
-    def end(self) -> None:
-        """Ends the open stroke, which then can be undone."""
-        _c.call("burin_group_end", self._pointer)
-
-    def cancel(self) -> None:
-        """Drops the open stroke, if there is one."""
-        _c.call("burin_group_cancel", self._pointer)
-
-    @contextmanager
-    def stroke(self, brush: str | None = None, **settings: Any) -> Iterator[Group]:
-        """Opens a stroke as begin() does, and ends it; an exception cancels it."""
-        self.begin(brush, **settings)
-        try:
-            yield self
-        except BaseException:
-            self.cancel()
-            raise
-        self.end()
 
     def undo(self) -> None:
         """Undoes the last stroke in all sessions that it changed. Raises NotFound if there is none."""
-        _c.call("burin_group_undo", self._pointer)
+        self._call("burin_group_undo")
 
     def redo(self) -> None:
         """Makes the stroke that was undone last again."""
-        _c.call("burin_group_redo", self._pointer)
+        self._call("burin_group_redo")
 
 
 def _destroy(pointer: ctypes.c_void_p, _handles: tuple[object, ...]) -> None:

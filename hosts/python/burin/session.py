@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import os
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _c
 from ._arrays import MeshArrays
+from ._drawing import Drawing
 from ._memory import view as view_of
 from ._settings import Setting, fields_of, setting_texts
 from .errors import InvalidArgument
@@ -71,9 +71,11 @@ class Snapped:
     """Of what was snapped, object units."""
 
 
-class Session(ShownSurface):
+class Session(ShownSurface, Drawing):
     """A surface that is sculpted by strokes. A session belongs to one thread at a time; inside it uses all of the machine's,
     without the interpreter's lock. Vertices have the numbers of the arrays that it was made of."""
+
+    _functions = "burin_session"
 
     def __init__(
         self,
@@ -118,26 +120,6 @@ class Session(ShownSurface):
                 session.write(attribute, values if order == "caller" else values[session.map_from_surface()])
         return session
 
-    def begin(
-        self,
-        brush: str | None = None,
-        *,
-        radius: float | None = None,
-        fields: str | Iterable[str] = (),
-        seed: int = 0,
-        **settings: Setting,
-    ) -> None:
-        """Opens a stroke.
-
-        brush: its id. radius: half the width, object units. fields: what the pen reports of "time pressure tilt twist"; the
-        rest of samples is not read. seed: of random numbers. settings: those of docs/stroke_format.md and docs/bench.md,
-        such as strength, follow, closed, cap, join, overlap, dabs, mirror, radial and stabilise; None: not given. params and
-        dynamics are mappings: params={"depth": 0.2}, dynamics={"strength": ("pressure", [0, 0, 1, 1])}. Raises
-        InvalidArgument with the name of a setting that does not exist or has a wrong value, NotFound for the brush.
-        """
-        lines = setting_texts({"brush": brush, "radius": radius, **settings})
-        self._call("burin_session_begin", _c.Stroke(fields_of(fields), _c.texts(lines), seed))
-
     def add(self, position: Any, **pen: ArrayLike) -> Event:
         """Adds samples to the open stroke: an array of type SAMPLE, which is read where it is, or what samples() takes. All
         samples of a call bring the surface up to date once, so those of a frame belong in one."""
@@ -145,29 +127,6 @@ class Session(ShownSurface):
         event = _c.Event()
         self._call("burin_session_add", given.ctypes.data, len(given), event)
         return Event(event.drawn, event.outcome == 1)
-
-    def end(self) -> None:
-        """Ends the open stroke, which then can be undone."""
-        self._call("burin_session_end")
-
-    def cancel(self) -> None:
-        """Drops the open stroke, if there is one: the surface is as before it."""
-        self._call("burin_session_cancel")
-
-    @contextmanager
-    def stroke(self, brush: str | None = None, **settings: Any) -> Iterator[Session]:
-        """Opens a stroke as begin() does, and ends it; an exception cancels it.
-
-            with session.stroke("org.burin.groove", radius=0.1):
-                session.add(positions)
-        """
-        self.begin(brush, **settings)
-        try:
-            yield self
-        except BaseException:
-            self.cancel()
-            raise
-        self.end()
 
     def draw(self, stroke: RecordedStroke, **settings: Setting) -> Event:
         """Draws a recorded stroke at once. Settings hold before the recorded ones, as RecordedStroke.settings_with() has it."""

@@ -2,7 +2,6 @@
 // the cost of a search in every session. Where that changes, a piece of the stroke ends on one session and
 // another begins on the next.
 #include <burin/host/c/drawing.h>
-#include <burin/host/stroke_pieces.h>
 
 #include <algorithm>
 #include <functional>
@@ -129,9 +128,8 @@ burin_group_event burin_group::add(const std::vector<c::PenSample>& samples) {
 /// all.
 void burin_group::finish() {
   for (burin_session* session : sessions) {
-    c::OpenStroke& stroke = *session->stroke;
-    if (!stroke.piece_begun) continue;
-    const Closure closure = stroke.whole ? stroke.closure : closure_of_piece(stroke.closure);
+    if (!session->stroke->piece_begun) continue;
+    const Closure closure = c::closure_of_last_piece(*session->stroke);
     c::noted(*session, [&](Session& to) { return to.end_piece(closure).size(); });
   }
 }
@@ -172,16 +170,24 @@ void burin_group::take(bool undo) {
 namespace burin::c {
 namespace {
 
-void require_stroke(const burin_group* group, bool open) {
-  require(group, "group");
-  if (group->pen && !open) reject("a stroke is open");
-  if (!group->pen && open) reject("no stroke is open");
+void require_stroke(const burin_group& group, bool open) {
+  if (group.pen && !open) reject("a stroke is open");
+  if (!group.pen && open) reject("no stroke is open");
+}
+
+/// Runs the body of a call of a group, which must be there, on the threads that its application lends.
+template <class Body>
+burin_status in_group(const burin_group* group, burin_text* error, const Body& body) {
+  return plugin::guarded(error, [&] {
+    require(group, "group");
+    const TaskRunnerScope scope(group->sessions.front()->threads.get());
+    body();
+  });
 }
 
 /// Runs a call of the group's open stroke. If it throws, the stroke is gone.
 template <class Call>
 void dropping(burin_group& group, const Call& call) {
-  const TaskRunnerScope scope(group.sessions.front()->threads.get());
   try {
     call();
   } catch (...) {
@@ -208,19 +214,24 @@ burin_status burin_group_create(burin_session* const* sessions, uint64_t count, 
   });
 }
 
-void burin_group_destroy(burin_group* group) { delete group; }
+void burin_group_destroy(burin_group* group) {
+  if (!group) return;
+  // An open stroke is dropped, which runs loops.
+  const TaskRunnerScope scope(group->sessions.front()->threads.get());
+  delete group;
+}
 
 burin_status burin_group_begin(burin_group* group, const burin_stroke* stroke, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require_stroke(group, false);
+  return c::in_group(group, error, [&] {
+    c::require_stroke(*group, false);
     c::dropping(*group, [&] { group->begin(stroke); });
   });
 }
 
 burin_status burin_group_add(burin_group* group, const burin_sample* samples, uint64_t count,
                              burin_group_event* event, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require_stroke(group, true);
+  return c::in_group(group, error, [&] {
+    c::require_stroke(*group, true);
     const bool has_first = !event || BURIN_HAS(event, burin_group_event, session);
     if (!has_first) c::reject("event is too small");
     const std::vector<c::PenSample> read = group->pen->read(samples, count);
@@ -232,32 +243,26 @@ burin_status burin_group_add(burin_group* group, const burin_sample* samples, ui
 }
 
 burin_status burin_group_end(burin_group* group, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require_stroke(group, true);
+  return c::in_group(group, error, [&] {
+    c::require_stroke(*group, true);
     c::dropping(*group, [&] { group->end(); });
   });
 }
 
 burin_status burin_group_cancel(burin_group* group, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require(group, "group");
-    const TaskRunnerScope scope(group->sessions.front()->threads.get());
-    group->cancel();
-  });
+  return c::in_group(group, error, [&] { group->cancel(); });
 }
 
 burin_status burin_group_undo(burin_group* group, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require_stroke(group, false);
-    const TaskRunnerScope scope(group->sessions.front()->threads.get());
+  return c::in_group(group, error, [&] {
+    c::require_stroke(*group, false);
     group->take(true);
   });
 }
 
 burin_status burin_group_redo(burin_group* group, burin_text* error) {
-  return plugin::guarded(error, [&] {
-    c::require_stroke(group, false);
-    const TaskRunnerScope scope(group->sessions.front()->threads.get());
+  return c::in_group(group, error, [&] {
+    c::require_stroke(*group, false);
     group->take(false);
   });
 }

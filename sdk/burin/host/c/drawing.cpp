@@ -17,6 +17,10 @@ StrokeEvent::Outcome draw(burin_session& session, const PenSample& given, Show s
   return outcome;
 }
 
+Closure closure_of_last_piece(const OpenStroke& stroke) {
+  return stroke.whole ? stroke.closure : closure_of_piece(stroke.closure);
+}
+
 void end_piece(burin_session& session) {
   OpenStroke& stroke = *session.stroke;
   if (!stroke.piece_begun) return;
@@ -25,8 +29,7 @@ void end_piece(burin_session& session) {
 }
 
 void end_stroke(burin_session& session) {
-  const OpenStroke& stroke = *session.stroke;
-  const Closure closure = stroke.whole ? stroke.closure : closure_of_piece(stroke.closure);
+  const Closure closure = closure_of_last_piece(*session.stroke);
   noted(session, [&](Session& to) { return to.end_stroke(closure).size(); });
   session.stroke.reset();
 }

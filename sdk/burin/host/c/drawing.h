@@ -22,6 +22,9 @@ auto noted(burin_session& session, const Call& call) {
 /// Draws a sample with the session's open stroke, which begins another piece where it must.
 StrokeEvent::Outcome draw(burin_session& session, const PenSample& given, Show show);
 
+/// How the last piece of a stroke is closed.
+Closure closure_of_last_piece(const OpenStroke& stroke);
+
 /// Ends the current piece of the open stroke, if it has begun.
 void end_piece(burin_session& session);
 

@@ -1,0 +1,67 @@
+"""Drawing with a pen, on one session or on several."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from typing import Any, ClassVar, TypeVar
+
+from . import _c
+from ._settings import Setting, fields_of, setting_texts
+
+_Drawing = TypeVar("_Drawing", bound="Drawing")
+
+
+class Drawing(ABC):
+    """What strokes are drawn on."""
+
+    _functions: ClassVar[str]
+    """How the names of the library's functions for it begin."""
+
+    @abstractmethod
+    def _call(self, name: str, *args: Any) -> None:
+        """Calls a function of the library for this."""
+
+    def begin(
+        self,
+        brush: str | None = None,
+        *,
+        radius: float | None = None,
+        fields: str | Iterable[str] = (),
+        seed: int = 0,
+        **settings: Setting,
+    ) -> None:
+        """Opens a stroke.
+
+        brush: its id. radius: half the width, object units. fields: what the pen reports of "time pressure tilt twist"; the
+        rest of samples is not read. seed: of random numbers. settings: those of docs/stroke_format.md and docs/bench.md,
+        such as strength, follow, closed, cap, join, overlap, dabs, mirror, radial and stabilise; None: not given. params and
+        dynamics are mappings: params={"depth": 0.2}, dynamics={"strength": ("pressure", [0, 0, 1, 1])}. Raises
+        InvalidArgument with the name of a setting that does not exist or has a wrong value, NotFound for the brush.
+        """
+        lines = setting_texts({"brush": brush, "radius": radius, **settings})
+        self._call(f"{self._functions}_begin", _c.Stroke(fields_of(fields), _c.texts(lines), seed))
+
+    def end(self) -> None:
+        """Ends the open stroke, which then can be undone."""
+        self._call(f"{self._functions}_end")
+
+    def cancel(self) -> None:
+        """Drops the open stroke, if there is one: what it is drawn on is as before it."""
+        self._call(f"{self._functions}_cancel")
+
+    @contextmanager
+    def stroke(self: _Drawing, brush: str | None = None, **settings: Any) -> Iterator[_Drawing]:
+        """Opens a stroke as begin() does, and ends it; an exception cancels it.
+
+            with session.stroke("org.burin.groove", radius=0.1):
+                session.add(positions)
+        """
+        self.begin(brush, **settings)
+        try:
+            yield self
+        except BaseException:
+            self.cancel()
+            raise
+        self.end()
