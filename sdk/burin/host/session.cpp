@@ -74,6 +74,7 @@ struct Session::Impl {
   bool declines(const PathRefinement& refinement, const StrokeSettings& settings);
   bool refine_at(const SurfacePoint& at);
   bool refine_to_error(Closure closure);
+  std::size_t added_before(const StrokeSettings& settings) const;
   void draw_again();
   bool take(Turn turn);
   bool take_unless_open(Turn turn);
@@ -313,12 +314,21 @@ bool Session::Impl::declines(const PathRefinement& refinement, const StrokeSetti
   return true;
 }
 
+/// The triangles that count for the bound of a refinement, but for its own: those that were added for the
+/// stroke, and for an automatic one also those of earlier strokes, as what each stroke costs grows with them.
+std::size_t Session::Impl::added_before(const StrokeSettings& settings) const {
+  std::size_t added = refined ? refined->triangles_added : 0;
+  if (settings.refining.kind == Refining::Kind::automatic)
+    for (const auto& report : refinements.there) added += report.triangles_added;
+  return added;
+}
+
 /// Refines the surface where the pen comes to, if it must, and draws the stroke so far again.
 bool Session::Impl::refine_at(const SurfacePoint& at) {
   GivenSamples& given = *given_samples;
   Stopwatch watch;
   const PathRefinement made = refined_at(ground(), given.settings, given.step_to(at.position.cast<double>()),
-                                         refined ? refined->triangles_added : 0, near_vertices);
+                                         added_before(given.settings), near_vertices);
   const double seconds = watch.lap();
   if (declines(made, given.settings) || !refine(made, seconds)) return false;
   draw_again();
@@ -332,7 +342,7 @@ void Session::Impl::begin_refining(const BrushEntry* entry, const StrokeSettings
   // Before anything is refined, as the settings may be bad.
   open(entry, given_samples->settings_now());
   Stopwatch watch;
-  const PathRefinement made = refined_along(ground(), settings, path, near_vertices);
+  const PathRefinement made = refined_along(ground(), settings, path, added_before(settings), near_vertices);
   const double seconds = watch.lap();
   if (!declines(made, settings) && refine(made, seconds)) open(entry, given_samples->settings_now());
 }

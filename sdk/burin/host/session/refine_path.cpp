@@ -145,7 +145,7 @@ PathRefinement refined(const Surface& surface, const StrokeSettings& settings, c
 }  // namespace
 
 PathRefinement refined_along(const StrokeGround& ground, const StrokeSettings& settings,
-                             std::span<const Vec3d> path, NearVertices& near) {
+                             std::span<const Vec3d> path, std::size_t added, NearVertices& near) {
   if (path.empty() || is_fine_everywhere(ground.gaps, settings)) return {};
   const Lines lines = lines_through(path, ground.surface, ground.picker, settings);
   if (lines.points.empty()) return {};
@@ -156,7 +156,7 @@ PathRefinement refined_along(const StrokeGround& ground, const StrokeSettings& s
     if (!has_long_edge(ground.surface, settings, lines.triangles, near, is_within))
       return {.is_coarse = true};
   }
-  return refined(ground.surface, settings, lines, reach_of(settings), 0);
+  return refined(ground.surface, settings, lines, reach_of(settings), added);
 }
 
 PathRefinement refined_at(const StrokeGround& ground, const StrokeSettings& settings, const PenStep& step,

@@ -28,14 +28,15 @@ struct PathRefinement {
   double declined = 0;  ///< about how many triangles it would add, more than an automatic refinement may
 };
 
-/// The most triangles that automatic refinements add for a stroke. What needs more was hardly meant.
+/// The most triangles that automatic refinements of a session add. What needs more was hardly meant.
 inline constexpr double most_automatic = 1e6;
 
 /// What refines a surface for a stroke through these places near it, and its images, as
 /// StrokeSettings::refining says. Throws Error where `edge` would take more than 10 million triangles, if
-/// possible before it starts. `near`: to work with.
+/// possible before it starts. `added`: triangles that were added before and count for the bound. `near`: to
+/// work with.
 PathRefinement refined_along(const StrokeGround& ground, const StrokeSettings& settings,
-                             std::span<const Vec3d> path, NearVertices& near);
+                             std::span<const Vec3d> path, std::size_t added, NearVertices& near);
 
 /// Where a pen comes to.
 struct PenStep {
@@ -48,7 +49,7 @@ struct PenStep {
 /// The same for one step of the pen. If there is anything to do, what lies ahead is refined too: half as much
 /// as was drawn, and at least some radii, so that a stroke is interrupted the less often the longer it is.
 /// Costs O(vertices within the radius) if there is not, and nothing where an automatic refinement finds
-/// nothing to do anywhere. `added`: triangles that were added for the stroke before.
+/// nothing to do anywhere.
 PathRefinement refined_at(const StrokeGround& ground, const StrokeSettings& settings, const PenStep& step,
                           std::size_t added, NearVertices& near);
 
