@@ -43,7 +43,7 @@ struct Raised {
       const DisplacementError found = error(bound);
       if (found.empty()) break;
       const EdgeLength lengths(found.lengths);
-      surface = patched(surface, refine_surface(surface, lengths, found.triangles, 1'000'000)).surface;
+      surface = patched(surface, refine_surface(surface, lengths, found.triangles, 1'000'000).patch).surface;
       expect_no_longer_edges(surface, lengths);
       shortest = std::min(shortest, lengths.edge());
     }

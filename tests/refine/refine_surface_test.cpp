@@ -89,7 +89,7 @@ TEST(RefineSurface, ChangesNothingTheSecondTime) {
   const Refinable refinable(sphere(1, 0.15, 2), on_sphere(1.5), 0.15, 0.02);
   const Surface after = patched(refinable.surface, refinable.refine()).surface;
   const std::vector<Index> seeds = refinable.seeds(after);
-  const SurfacePatch again = refine_surface(after, refinable.lengths, seeds, 1'000'000);
+  const SurfacePatch again = refine_surface(after, refinable.lengths, seeds, 1'000'000).patch;
   EXPECT_TRUE(again.triangles.empty());
   EXPECT_TRUE(again.removed.empty());
 }
@@ -190,7 +190,7 @@ TEST(RefineSurface, KeepsTheAreaOfAnySoup) {
     EXPECT_EQ(euler_characteristic(after), euler_characteristic(refinable.surface));
     EXPECT_EQ(refined.triangles, refinable.refine().triangles);
     EXPECT_TRUE(
-        refine_surface(after, refinable.lengths, refinable.seeds(after), 1'000'000).triangles.empty());
+        refine_surface(after, refinable.lengths, refinable.seeds(after), 1'000'000).patch.triangles.empty());
   }
   EXPECT_GT(crowded, 10);
 }

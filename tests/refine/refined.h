@@ -42,7 +42,7 @@ struct Refinable {
       : surface(make_surface(std::move(mesh))), lengths({line}, radius, edge), line_(line) {}
 
   SurfacePatch refine(std::size_t most = 1'000'000) const {
-    return refine_surface(surface, lengths, seeds(surface), most);
+    return refine_surface(surface, lengths, seeds(surface), most).patch;
   }
   std::vector<Index> seeds(const Surface& on) const {
     const Picker picker(on);

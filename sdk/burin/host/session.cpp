@@ -70,7 +70,7 @@ struct Session::Impl {
   void open(const BrushEntry* entry, const StrokeSettings& settings);
   void begin_refining(const BrushEntry* entry, const StrokeSettings& settings, std::span<const Vec3d> path);
   bool refine(const PathRefinement& refinement, double split_seconds);
-  StrokeGround ground() const { return {surface.base(), surface.picker(), surface.gaps()}; }
+  StrokeGround ground() const { return {surface.base(), surface.picker(), surface.given()}; }
   bool declines(const PathRefinement& refinement, const StrokeSettings& settings);
   bool refine_at(const SurfacePoint& at);
   bool refine_to_error(Closure closure);
@@ -281,18 +281,19 @@ void Session::Impl::open(const BrushEntry* entry, const StrokeSettings& settings
 /// then, to be opened anew. Returns whether it is.
 bool Session::Impl::refine(const PathRefinement& refinement, double split_seconds) {
   const bool turns = refinement.is_coarse && !given_samples->on_fine;
-  if (!refinement.patch && !turns) return false;
-  if (refinement.patch) surface.require_all_shown();
+  if (!refinement.made && !turns) return false;
+  if (refinement.made) surface.require_all_shown();
   given_samples->on_fine = true;
   stroke.reset();
   last_live = nullptr;
-  if (!refinement.patch) {
+  if (!refinement.made) {
     surface.drop();
     return true;
   }
   Stopwatch watch;
-  const SurfacePatch& patch = *refinement.patch;
-  surface.refine(with_patch(surface.base(), surface.picker(), surface.paint().base(), patch));
+  const SurfacePatch& patch = refinement.made->patch;
+  surface.refine(with_patch(surface.base(), surface.picker(), surface.paint().base(), patch),
+                 refinement.made->given);
   if (!refined) refined.emplace();
   refined->edge = refinement.edge;
   refined->triangles_removed += patch.removed.size();
@@ -341,6 +342,7 @@ void Session::Impl::begin_refining(const BrushEntry* entry, const StrokeSettings
   given_samples.emplace(entry, settings);
   // Before anything is refined, as the settings may be bad.
   open(entry, given_samples->settings_now());
+  if (may_refine_if_coarse(surface.given(), settings)) surface.keep_given_positions();
   Stopwatch watch;
   const PathRefinement made = refined_along(ground(), settings, path, added_before(settings), near_vertices);
   const double seconds = watch.lap();

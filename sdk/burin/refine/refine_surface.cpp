@@ -24,7 +24,8 @@ namespace {
 /// have edges which are nearly too long. Calls found(triangle) for those that have such edges.
 class LongEdges {
  public:
-  LongEdges(const Surface& surface, const EdgeLength& lengths) : surface_(surface), lengths_(lengths) {}
+  LongEdges(const Surface& surface, const EdgeLength& lengths, std::span<const Vec3f> given)
+      : surface_(surface), lengths_(lengths), given_(given.empty() ? surface.positions : given) {}
 
   template <class Found>
   void find(std::span<const Index> seeds, const Found& found) {
@@ -37,7 +38,8 @@ class LongEdges {
       for (std::size_t k = 0; k < 3; ++k) {
         const Index a = t[k], b = t[(k + 1) % 3];
         const Vec3d from = position(a), to = position(b);
-        const double length = (to - from).norm();
+        const double length =
+            std::sqrt(judged_squared(from, to, given_[a].cast<double>(), given_[b].cast<double>()));
         goes_on |= allowed(a) <= lengths_.edge() || length > nearly * std::min(allowed(a), allowed(b));
         is_long |= lengths_.is_exceeded(from, allowed(a), to, allowed(b), length, longest_edge_factor);
       }
@@ -59,6 +61,7 @@ class LongEdges {
 
   const Surface& surface_;
   const EdgeLength& lengths_;
+  std::span<const Vec3f> given_;
   std::unordered_set<Index> seen_;
   std::vector<Index> open_;
   std::unordered_map<Index, double> allowed_;  ///< [vertex] length
@@ -96,11 +99,19 @@ struct Quad {
 
 class Refinement {
  public:
-  Refinement(const Surface& surface, const EdgeLength& lengths, std::size_t most)
-      : surface_(surface), lengths_(lengths), most_(most), mesh_(surface), facets_(surface) {}
+  Refinement(const Surface& surface, const EdgeLength& lengths, std::span<const Vec3f> given,
+             std::size_t most)
+      : surface_(surface),
+        lengths_(lengths),
+        given_(given),
+        most_(most),
+        mesh_(surface, given),
+        facets_(surface) {}
 
   void run(std::span<const Index> seeds) {
-    LongEdges(surface_, lengths_).find(seeds, [&](Index triangle) { look_at(mesh_.take_in(triangle)); });
+    LongEdges(surface_, lengths_, given_).find(seeds, [&](Index triangle) {
+      look_at(mesh_.take_in(triangle));
+    });
     flip_on_facets();
     while (!queue_.empty()) {
       const Long next = queue_.top();
@@ -109,12 +120,12 @@ class Refinement {
     }
   }
 
-  SurfacePatch patch() const;
+  SurfaceRefinement made() const;
 
  private:
   /// A face with an edge that is too long, as it was when it was found.
   struct Long {
-    double squared;  ///< length of that edge
+    double squared;  ///< judged length of that edge
     Index face;
     bool operator<(const Long& other) const {
       return squared != other.squared ? squared < other.squared : face > other.face;
@@ -138,6 +149,7 @@ class Refinement {
 
   const Surface& surface_;
   const EdgeLength& lengths_;
+  std::span<const Vec3f> given_;
   std::size_t most_;
   RegionMesh mesh_;
   SmoothFacets facets_;
@@ -157,7 +169,7 @@ double Refinement::allowed(Index vertex) {
 }
 
 bool Refinement::is_long(Side side) {
-  const double squared = mesh_.squared_length(side), least = longest_edge_factor * lengths_.edge();
+  const double squared = mesh_.judged_squared_length(side), least = longest_edge_factor * lengths_.edge();
   if (squared <= least * least) return false;
   const Index a = mesh_.from(side), b = mesh_.to(side);
   return lengths_.is_exceeded(mesh_.position(a), allowed(a), mesh_.position(b), allowed(b),
@@ -169,7 +181,7 @@ Side Refinement::longest_long(Index face) {
   Side found = no_index;
   double most = 0;
   for (Side side = 3 * face; side < 3 * face + 3; ++side)
-    if (const double squared = mesh_.squared_length(side); squared > most && is_long(side)) {
+    if (const double squared = mesh_.judged_squared_length(side); squared > most && is_long(side)) {
       most = squared;
       found = side;
     }
@@ -179,7 +191,7 @@ Side Refinement::longest_long(Index face) {
 void Refinement::look_at(Index face) {
   if (pending_.size() <= face) pending_.resize(mesh_.faces().size(), 0);
   const Side side = longest_long(face);
-  pending_[face] = side == no_index ? 0 : mesh_.squared_length(side);
+  pending_[face] = side == no_index ? 0 : mesh_.judged_squared_length(side);
   if (side != no_index) queue_.push({pending_[face], face});
 }
 
@@ -187,11 +199,11 @@ void Refinement::look_at(Index face) {
 /// so that splits do not spread over meshes with edges of about one length.
 Side Refinement::longer_beside(Side side) {
   constexpr double longer = 1.15 * 1.15;
-  double most = longer * mesh_.squared_length(side);
+  double most = longer * mesh_.judged_squared_length(side);
   Side found = no_index, member = side;
   do {
     for (const Side other : {RegionMesh::after(member), RegionMesh::before(member)})
-      if (const double squared = mesh_.squared_length(other); squared > most) {
+      if (const double squared = mesh_.judged_squared_length(other); squared > most) {
         most = squared;
         found = other;
       }
@@ -332,8 +344,9 @@ bool Refinement::should_flip(Side side, bool only_in_plane) {
   return !mesh_.are_joined(RegionMesh::before(side), d);
 }
 
-SurfacePatch Refinement::patch() const {
-  SurfacePatch patch;
+SurfaceRefinement Refinement::made() const {
+  SurfaceRefinement made;
+  SurfacePatch& patch = made.patch;
   const auto number = [&](Index vertex) {
     const Index source = mesh_.vertices()[vertex].source;
     return source != no_index ? source : surface_.vertex_count() + new_of_[vertex];
@@ -344,18 +357,22 @@ SurfacePatch Refinement::patch() const {
     if (!surface_.triangle_uv.empty()) patch.triangle_uv.push_back(face.uv);
   }
   patch.removed = mesh_.changed_triangles();
-  for (const RegionMesh::Vertex& vertex : mesh_.vertices())
-    if (vertex.source == no_index) patch.positions.push_back(vertex.at.cast<float>());
-  return patch;
+  for (const RegionMesh::Vertex& vertex : mesh_.vertices()) {
+    if (vertex.source != no_index) continue;
+    patch.positions.push_back(vertex.at.cast<float>());
+    made.given.push_back(vertex.given.cast<float>());
+  }
+  return made;
 }
 
 }  // namespace
 
-SurfacePatch refine_surface(const Surface& surface, const EdgeLength& lengths, std::span<const Index> seeds,
-                            std::size_t most_triangles) {
-  Refinement refinement(surface, lengths, most_triangles);
+SurfaceRefinement refine_surface(const Surface& surface, const EdgeLength& lengths,
+                                 std::span<const Index> seeds, std::size_t most_triangles,
+                                 std::span<const Vec3f> given) {
+  Refinement refinement(surface, lengths, given, most_triangles);
   refinement.run(seeds);
-  return refinement.patch();
+  return refinement.made();
 }
 
 }  // namespace burin

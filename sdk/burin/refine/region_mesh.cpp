@@ -10,8 +10,20 @@ namespace burin {
 
 Index RegionMesh::vertex_of(Index source) {
   const auto [at, is_new] = vertex_of_.try_emplace(source, static_cast<Index>(vertices_.size()));
-  if (is_new) vertices_.push_back({surface_->positions[source].cast<double>(), source, is_crowded(source)});
+  if (is_new) {
+    const Vec3d place = surface_->positions[source].cast<double>();
+    vertices_.push_back(
+        {place, given_.empty() ? place : given_[source].cast<double>(), source, is_crowded(source)});
+  }
   return at->second;
+}
+
+/// Where a new vertex of an edge would be if nothing was drawn. Between vertices that did not move that is
+/// where it is, on the smooth surface; else on the chord.
+Vec3d RegionMesh::given_between(Index a, Index b, const Vec3d& at) const {
+  const Vertex &one = vertices_[a], &other = vertices_[b];
+  if (one.given == one.at && other.given == other.at) return at;
+  return ((one.given + other.given) / 2).cast<float>().cast<double>();
 }
 
 bool RegionMesh::is_crowded(Index source) {
@@ -73,7 +85,7 @@ void RegionMesh::split(Side side, const Vec3d& at, std::vector<Side>& opposite) 
   const auto middle = static_cast<Index>(vertices_.size());
   ring_.clear();
   for (Side member = side; ring_.empty() || member != side; member = next(member)) ring_.push_back(member);
-  vertices_.push_back({at, no_index, ring_.size() > 2});
+  vertices_.push_back({at, given_between(from(side), to(side), at), no_index, ring_.size() > 2});
   const Index first = from(side);
   first_half_.clear();
   second_half_.clear();

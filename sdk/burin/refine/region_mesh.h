@@ -1,9 +1,11 @@
 #pragma once
+#include <burin/refine/given_shape.h>
 #include <burin/surface/surface.h>
 #include <burin/surface/topology/vertex_star.h>
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -17,8 +19,9 @@ using Side = Index;
 /// an edge form a ring, on a border of one side.
 class RegionMesh {
  public:
-  /// The surface must outlive the object.
-  explicit RegionMesh(const Surface& surface) : surface_(&surface) {}
+  /// `given`: [vertex] where vertices of the surface were before it was drawn on; empty: where they are. Both
+  /// must outlive the object.
+  RegionMesh(const Surface& surface, std::span<const Vec3f> given) : surface_(&surface), given_(given) {}
 
   struct Face {
     Triangle corners;             ///< vertices of the mesh
@@ -30,7 +33,7 @@ class RegionMesh {
   };
 
   struct Vertex {
-    Vec3d at;                 ///< object units, as a float has it
+    Vec3d at, given;          ///< where it is and would be if nothing was drawn; object units, as floats
     Index source = no_index;  ///< its number in the surface
     bool is_crowded = false;  ///< its faces may form several fans, or more than two meet at its edges
   };
@@ -52,6 +55,10 @@ class RegionMesh {
   Side next(Side side) const { return faces_[side / 3].next[side % 3]; }
   bool is_sharp_side(Side side) const { return faces_[side / 3].sharp[side % 3]; }
   double squared_length(Side side) const { return (position(to(side)) - position(from(side))).squaredNorm(); }
+  double judged_squared_length(Side side) const {
+    const Vertex &a = vertices_[from(side)], &b = vertices_[to(side)];
+    return judged_squared(a.at, b.at, a.given, b.given);
+  }
   const Vec3d& position(Index vertex) const { return vertices_[vertex].at; }
 
   /// The other side of an edge of two; no_index for other edges.
@@ -77,6 +84,7 @@ class RegionMesh {
  private:
   void connect_side(Side side);
   Index vertex_of(Index source);
+  Vec3d given_between(Index a, Index b, const Vec3d& at) const;
   bool is_crowded(Index source);
   void link(Side side, Side next) { faces_[side / 3].next[side % 3] = next; }
   Side previous(Side side) const;
@@ -84,6 +92,7 @@ class RegionMesh {
   void close_ring(const std::vector<Side>& ring);
 
   const Surface* surface_;
+  std::span<const Vec3f> given_;
   std::vector<Face> faces_;
   std::vector<Vertex> vertices_;
   std::unordered_map<Index, Index> face_of_, vertex_of_;  ///< by number in the surface

@@ -199,6 +199,60 @@ TEST(RefinePath, DrawsOnWhatAnotherStrokeRefined) {
   EXPECT_EQ(live.result_hash(), right.result_hash());
 }
 
+// What strokes stretched is as fine as it was: strokes over each other refine once, and one across refines
+// what was coarse, as if nothing was there.
+TEST(RefinePath, RefinesForNothingThatStrokesStretched) {
+  StrokeSettings high = refining_if_coarse();
+  high.brush = "org.burin.dashed-line";
+  high.strength = 4;
+  const std::vector<Vec3d> across = straight({1.6, 0.15, 1}, {1.5, 0.85, 1});
+  Session stacked = box_session(), bare = box_session();
+  for (int i = 0; i < 2; ++i) draw_along(stacked, high, over_the_edge());
+  ASSERT_EQ(stacked.refinements().size(), 1u);
+  EXPECT_GT(longest_edge(stacked.surface()), 4 * radius / Refining::fine);
+  draw_along(stacked, high, across);
+  draw_along(bare, high, across);
+  ASSERT_EQ(stacked.refinements().size(), 2u);
+  EXPECT_LT(stacked.refinements()[1].triangles_added, bare.refinements()[0].triangles_added);
+  ASSERT_TRUE(stacked.undo());
+  const Everything before(stacked);
+  draw_along(stacked, high, across);
+  ASSERT_TRUE(stacked.undo());
+  EXPECT_EQ(Everything(stacked), before);
+}
+
+// A stroke that would be refined for itself is not where others have taken most of a million triangles.
+TEST(RefinePath, AddsAMillionTrianglesToASessionUnlessAsked) {
+  StrokeSettings fine = refining_if_coarse();
+  fine.radius = 0.02;
+  const auto zigzag = [](double z) {
+    std::vector<Vec3d> path;
+    for (int i = 0; i < 8; ++i) {
+      const double y = 0.1 + 0.1 * i;
+      const std::vector<Vec3d> leg =
+          straight({i % 2 == 0 ? 0.55 : 1.45, y, z}, {i % 2 == 0 ? 1.45 : 0.55, y, z});
+      path.insert(path.end(), leg.begin(), leg.end());
+    }
+    return path;
+  };
+  Session session = box_session();
+  const auto draw_a_dot = [&](double z) {
+    const std::vector<Vec3d> path = zigzag(z);
+    session.begin_stroke(fine, path);
+    session.add_sample(path[0], 0, {});
+    session.end_stroke();
+  };
+  draw_a_dot(1);
+  ASSERT_EQ(session.refinements().size(), 1u);
+  EXPECT_TRUE(session.warnings().empty());
+  const std::uint64_t generation = session.generation();
+  draw_a_dot(0);
+  EXPECT_EQ(session.generation(), generation);
+  ASSERT_EQ(session.warnings().size(), 1u);
+  EXPECT_NE(session.warnings()[0].find("a stroke of radius 0.02 is drawn on the triangles that are there"),
+            std::string::npos);
+}
+
 TEST(RefinePath, RefinesWhereImagesOfTheStrokeAre) {
   Session session = box_session();
   StrokeSettings mirrored = refining(0.02);
@@ -271,7 +325,7 @@ TriangleMesh remeshed(const TriangleMesh& mesh, double edge) {
   std::vector<Index> all(surface.triangles.size());
   for (Index t = 0; t < all.size(); ++t) all[t] = t;
   const EdgeLength lengths({{Vec3d::Zero()}}, 100, edge);
-  const Surface after = patched(surface, refine_surface(surface, lengths, all, 10'000'000)).surface;
+  const Surface after = patched(surface, refine_surface(surface, lengths, all, 10'000'000).patch).surface;
   TriangleMesh result{after.positions, after.triangles};
   return result;
 }

@@ -91,43 +91,63 @@ bool is_automatic(const StrokeSettings& settings) {
 /// The greatest gap between vertices that an automatic refinement leaves, object units.
 double greatest_gap(const StrokeSettings& settings) { return settings.radius / Refining::coarse; }
 
-/// Whether nothing can be too coarse for the stroke.
-bool is_fine_everywhere(const VertexGaps& gaps, const StrokeSettings& settings) {
-  return is_automatic(settings) && !(static_cast<double>(gaps.greatest()) > greatest_gap(settings));
+/// Whether there may be anything to refine.
+bool may_refine(const GivenShape& given, const StrokeSettings& settings) {
+  return !is_automatic(settings) || may_refine_if_coarse(given, settings);
 }
 
-/// Whether a vertex within places, or of a triangle, was too far from others when the surface was given.
+/// How coarse a surface is for a stroke, but for what was drawn on it.
+enum class Coarseness {
+  fine,     ///< as it was given
+  refined,  ///< it was coarse, and refinements have ended that
+  coarse    ///< vertices are too far from each other
+};
+
+/// Of the vertices within places, and of triangles. Those of an explicit length or error are always coarse.
 template <class IsWithin>
-bool leaves_gap(const StrokeGround& ground, const StrokeSettings& settings, std::span<const Index> triangles,
-                NearVertices& near, const IsWithin& is_within) {
-  return near.any(ground.surface, triangles, is_within, [&](Index vertex) {
-    return static_cast<double>(ground.gaps[vertex]) > greatest_gap(settings);
+Coarseness coarseness(const StrokeGround& ground, const StrokeSettings& settings,
+                      std::span<const Index> triangles, NearVertices& near, const IsWithin& is_within) {
+  if (!is_automatic(settings)) return Coarseness::coarse;
+  bool was_refined = false;
+  const bool has_gap = near.any(ground.surface, triangles, is_within, [&](Index vertex) {
+    was_refined |= ground.given.is_refined(vertex);
+    return static_cast<double>(ground.given.gap(vertex)) > greatest_gap(settings);
   });
+  if (has_gap) return Coarseness::coarse;
+  return was_refined ? Coarseness::refined : Coarseness::fine;
 }
 
-/// Whether such a vertex has an edge for which the surface is refined. Automatic refinements leave edges that
-/// strokes have stretched by less than a factor of two.
+/// The positions by which a stroke judges the lengths of edges; empty: where they are.
+std::span<const Vec3f> judged_positions(const StrokeGround& ground, const StrokeSettings& settings) {
+  return is_automatic(settings) ? ground.given.positions() : std::span<const Vec3f>{};
+}
+
+/// Whether such a vertex has an edge for which the surface is refined.
 template <class IsWithin>
-bool has_long_edge(const Surface& surface, const StrokeSettings& settings, std::span<const Index> triangles,
-                   NearVertices& near, const IsWithin& is_within) {
-  const double stretched = is_automatic(settings) ? 2 : 1;
-  const double longest = stretched * longest_edge_factor * refined_edge(settings);
-  const std::vector<Vec3f>& positions = surface.positions;
-  return near.any(surface, triangles, is_within, [&](Index vertex) {
-    return std::ranges::any_of(surface.neighbours[vertex], [&](Index neighbour) {
-      return (positions[neighbour] - positions[vertex]).cast<double>().squaredNorm() > longest * longest;
+bool has_long_edge(const StrokeGround& ground, const StrokeSettings& settings,
+                   std::span<const Index> triangles, NearVertices& near, const IsWithin& is_within) {
+  const double longest = longest_edge_factor * refined_edge(settings);
+  const std::vector<Vec3f>& positions = ground.surface.positions;
+  const std::span<const Vec3f> judged = judged_positions(ground, settings);
+  const std::span<const Vec3f> given = judged.empty() ? positions : judged;
+  const auto place = [](const Vec3f& at) { return at.cast<double>(); };
+  return near.any(ground.surface, triangles, is_within, [&](Index a) {
+    return std::ranges::any_of(ground.surface.neighbours[a], [&](Index b) {
+      return judged_squared(place(positions[a]), place(positions[b]), place(given[a]), place(given[b])) >
+             longest * longest;
     });
   });
 }
 
-PathRefinement with_edges(const Surface& surface, const EdgeLength& lengths, std::span<const Index> seeds) {
-  PathRefinement made{.is_coarse = true, .edge = lengths.edge()};
-  SurfacePatch patch = refine_surface(surface, lengths, seeds, most_triangles);
-  if (!patch.triangles.empty()) made.patch = std::move(patch);
-  return made;
+PathRefinement with_edges(const Surface& surface, const EdgeLength& lengths, std::span<const Index> seeds,
+                          std::span<const Vec3f> given = {}) {
+  PathRefinement result{.is_coarse = true, .edge = lengths.edge()};
+  SurfaceRefinement made = refine_surface(surface, lengths, seeds, most_triangles, given);
+  if (!made.patch.triangles.empty()) result.made = std::move(made);
+  return result;
 }
 
-PathRefinement refined(const Surface& surface, const StrokeSettings& settings, const Lines& lines,
+PathRefinement refined(const StrokeGround& ground, const StrokeSettings& settings, const Lines& lines,
                        double reach, std::size_t added) {
   const EdgeLength lengths(lines.points, reach, refined_edge(settings));
   const double expected = static_cast<double>(added) + expected_triangles(lines, reach, lengths.edge());
@@ -139,29 +159,31 @@ PathRefinement refined(const Surface& surface, const StrokeSettings& settings, c
                     "than {}",
                     lengths.edge(), expected, most_triangles));
   }
-  return with_edges(surface, lengths, lines.triangles);
+  return with_edges(ground.surface, lengths, lines.triangles, judged_positions(ground, settings));
 }
 
 }  // namespace
 
+bool may_refine_if_coarse(const GivenShape& given, const StrokeSettings& settings) {
+  return is_automatic(settings) && static_cast<double>(given.greatest_gap()) > greatest_gap(settings);
+}
+
 PathRefinement refined_along(const StrokeGround& ground, const StrokeSettings& settings,
                              std::span<const Vec3d> path, std::size_t added, NearVertices& near) {
-  if (path.empty() || is_fine_everywhere(ground.gaps, settings)) return {};
+  if (path.empty() || !may_refine(ground.given, settings)) return {};
   const Lines lines = lines_through(path, ground.surface, ground.picker, settings);
   if (lines.points.empty()) return {};
-  if (is_automatic(settings)) {
-    const EdgeLength reached(lines.points, reach_of(settings), refined_edge(settings));
-    const auto is_within = [&](const Vec3d& place) { return reached.at(place) <= reached.edge(); };
-    if (!leaves_gap(ground, settings, lines.triangles, near, is_within)) return {};
-    if (!has_long_edge(ground.surface, settings, lines.triangles, near, is_within))
-      return {.is_coarse = true};
-  }
-  return refined(ground.surface, settings, lines, reach_of(settings), added);
+  const EdgeLength reached(lines.points, reach_of(settings), refined_edge(settings));
+  const auto is_within = [&](const Vec3d& place) { return reached.at(place) <= reached.edge(); };
+  const Coarseness found = coarseness(ground, settings, lines.triangles, near, is_within);
+  if (found != Coarseness::coarse || !has_long_edge(ground, settings, lines.triangles, near, is_within))
+    return {.is_coarse = found != Coarseness::fine};
+  return refined(ground, settings, lines, reach_of(settings), added);
 }
 
 PathRefinement refined_at(const StrokeGround& ground, const StrokeSettings& settings, const PenStep& step,
                           std::size_t added, NearVertices& near) {
-  if (is_fine_everywhere(ground.gaps, settings)) return {};
+  if (!may_refine(ground.given, settings)) return {};
   // Ahead of the pen in radii; and how much wider than the stroke, so that it may bend.
   constexpr double least_ahead = 4, leeway = 1.75;
   const double length = step.length(), ahead = std::max(least_ahead * settings.radius, step.drawn / 2);
@@ -177,15 +199,15 @@ PathRefinement refined_at(const StrokeGround& ground, const StrokeSettings& sett
     };
     if (!at) continue;
     const std::array triangle{at->triangle};
-    if (is_automatic(settings) && !leaves_gap(ground, settings, triangle, near, is_within)) continue;
-    is_coarse = true;
-    if (!has_long_edge(ground.surface, settings, triangle, near, is_within)) continue;
+    const Coarseness found = coarseness(ground, settings, triangle, near, is_within);
+    is_coarse |= found != Coarseness::fine;
+    if (found != Coarseness::coarse || !has_long_edge(ground, settings, triangle, near, is_within)) continue;
     lines.points.push_back({from, to});
     if (length > 0) lines.points.back().push_back(to + ahead / length * (to - from));
     lines.triangles.push_back(at->triangle);
   }
   if (lines.points.empty()) return {.is_coarse = is_coarse};
-  return refined(ground.surface, settings, lines, leeway * reach, added);
+  return refined(ground, settings, lines, leeway * reach, added);
 }
 
 PathRefinement refined_to_error(const Surface& surface, const StrokeSettings& settings,

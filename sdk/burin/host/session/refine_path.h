@@ -1,7 +1,7 @@
 #pragma once
+#include <burin/refine/given_shape.h>
 #include <burin/refine/near_vertices.h>
 #include <burin/refine/refine_surface.h>
-#include <burin/refine/vertex_gaps.h>
 #include <burin/stroke/stroke_settings.h>
 #include <burin/surface/picker.h>
 
@@ -17,14 +17,18 @@ double refined_edge(const StrokeSettings& settings);
 struct StrokeGround {
   const Surface& surface;
   const Picker& picker;
-  const VertexGaps& gaps;
+  const GivenShape& given;
 };
+
+/// Whether strokes with these settings may refine a surface that is too coarse for them as it was given: two
+/// of its vertices are farther from each other than half of the radius.
+bool may_refine_if_coarse(const GivenShape& given, const StrokeSettings& settings);
 
 /// What a stroke needs of its surface.
 struct PathRefinement {
-  bool is_coarse = false;                  ///< the surface as it was given is too coarse for the stroke
-  std::optional<SurfacePatch> patch = {};  ///< none where there is nothing to do
-  double edge = 0;                         ///< the least length that edges get, object units
+  bool is_coarse = false;                      ///< the surface as it was given is too coarse for the stroke
+  std::optional<SurfaceRefinement> made = {};  ///< none where there is nothing to do
+  double edge = 0;                             ///< the least length that edges get, object units
   double declined = 0;  ///< about how many triangles it would add, more than an automatic refinement may
 };
 

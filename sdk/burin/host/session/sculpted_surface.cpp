@@ -19,7 +19,7 @@ SculptedSurface::SculptedSurface(Surface surface)
     : surface_(std::move(surface)),
       picker_(surface_),
       builders_(std::make_unique<ChartBuilders>(surface_, picker_)),
-      gaps_(surface_),
+      given_(surface_),
       shown_(surface_),
       paint_(surface_.vertex_count()) {}
 
@@ -91,7 +91,7 @@ void SculptedSurface::show(const VertexMoves& moves) {
 
 void SculptedSurface::drop() {
   if (unrefined_) {
-    exchange(std::move(unrefined_->painted), std::move(unrefined_->kept.gaps),
+    exchange(std::move(unrefined_->painted), std::move(unrefined_->kept.given),
              std::move(unrefined_->kept.builders));
     unrefined_.reset();
     return;
@@ -122,8 +122,8 @@ void SculptedSurface::keep(MadePart made) {
 }
 
 void SculptedSurface::replace(PaintedPatch made) {
-  VertexGaps gaps = gaps_.patched(made.painted.surface, made.came_from, VertexGaps::Fresh::measured);
-  Replaced replaced = exchange(std::move(made.painted), std::move(gaps));
+  GivenShape given = given_.patched(made.painted.surface, made.came_from, {}, GivenShape::Fresh::solid);
+  Replaced replaced = exchange(std::move(made.painted), std::move(given));
   const bool refined = is_refined();
   UndoStep step = step_to(std::move(refined ? *unrefined_ : replaced));
   unrefined_.reset();
@@ -133,9 +133,10 @@ void SculptedSurface::replace(PaintedPatch made) {
   end_redoing();
 }
 
-void SculptedSurface::refine(PaintedPatch made) {
-  VertexGaps gaps = gaps_.patched(made.painted.surface, made.came_from, VertexGaps::Fresh::refined);
-  Replaced replaced = exchange(std::move(made.painted), std::move(gaps));
+void SculptedSurface::refine(PaintedPatch made, std::span<const Vec3f> given_places) {
+  GivenShape given =
+      given_.patched(made.painted.surface, made.came_from, given_places, GivenShape::Fresh::refined);
+  Replaced replaced = exchange(std::move(made.painted), std::move(given));
   if (!unrefined_) unrefined_ = std::move(replaced);
 }
 
@@ -180,7 +181,7 @@ UndoStep SculptedSurface::restore_surface(UndoStep step, Turn turn) {
   Kept back = std::move(of_turn.back());
   of_turn.pop_back();
   Replaced replaced = exchange({std::move(*step.surface), std::move(step.surface_paint)},
-                               std::move(back.gaps), std::move(back.builders));
+                               std::move(back.given), std::move(back.builders));
   replaced.kept.builders->free_strokes();
   kept_of(turn == Turn::undo ? Turn::redo : Turn::undo).push_back(std::move(replaced.kept));
   step.surface = std::move(replaced.painted.surface);
@@ -243,9 +244,9 @@ std::span<const Index> SculptedSurface::note_all_changed() {
 }
 
 /// Makes all that depends on the surface anew, but for chart builders that are given. Returns what was there.
-SculptedSurface::Replaced SculptedSurface::exchange(PaintedSurface made, VertexGaps gaps,
+SculptedSurface::Replaced SculptedSurface::exchange(PaintedSurface made, GivenShape given,
                                                     std::unique_ptr<ChartBuilders> builders) {
-  Replaced replaced{{std::move(surface_), paint_.base()}, {std::move(builders_), std::move(gaps_)}};
+  Replaced replaced{{std::move(surface_), paint_.base()}, {std::move(builders_), std::move(given_)}};
   surface_ = std::move(made.surface);
   picker_ = Picker(surface_);
   shown_ = ShownSurface(surface_);
@@ -254,7 +255,7 @@ SculptedSurface::Replaced SculptedSurface::exchange(PaintedSurface made, VertexG
   builders_ = builders ? std::move(builders) : std::make_unique<ChartBuilders>(surface_, picker_);
   state_.reset();
   of_source_.clear();
-  gaps_ = std::move(gaps);
+  given_ = std::move(given);
   ++generation_;
   note_all_changed();
   return replaced;

@@ -7,7 +7,7 @@
 #include <burin/host/session/stroke_instance.h>
 #include <burin/host/session/surface_state.h>
 #include <burin/host/session/vertex_moves.h>
-#include <burin/refine/vertex_gaps.h>
+#include <burin/refine/given_shape.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +33,8 @@ class SculptedSurface {
   const Surface& base() const { return surface_; }  ///< before the open stroke
   const Picker& picker() const { return picker_; }  ///< of base()
   ChartBuilders& builders() { return *builders_; }  ///< for strokes on base()
-  const VertexGaps& gaps() const { return gaps_; }  ///< between vertices, before any stroke
+  const GivenShape& given() const { return given_; }
+  void keep_given_positions() { given_.keep_positions(surface_); }
   const ShownSurface& shown() const { return shown_; }
   const ShownPaint& paint() const { return paint_; }
   std::uint64_t generation() const { return generation_; }  ///< how often the surface was replaced
@@ -72,8 +73,9 @@ class SculptedSurface {
   void replace(PaintedPatch made);
 
   /// Refines the surface for a stroke that is to be drawn on it: both become one step of undo, and drop()
-  /// takes both back. No stroke may refer to the surface. Chart builders are new ones.
-  void refine(PaintedPatch made);
+  /// takes both back. No stroke may refer to the surface. Chart builders are new ones. `given`: [new vertex]
+  /// where it would be on the surface as it was given, object units.
+  void refine(PaintedPatch made, std::span<const Vec3f> given);
   bool is_refined() const { return unrefined_.has_value(); }  ///< for a stroke that is not finished
 
   /// Undoing and redoing take two calls: show() moves the vertices of the step, and restore() makes that the
@@ -102,7 +104,7 @@ class SculptedSurface {
   /// clusters.
   struct Kept {
     std::unique_ptr<ChartBuilders> builders;
-    VertexGaps gaps;
+    GivenShape given;
   };
 
   /// A surface that was replaced.
@@ -127,13 +129,13 @@ class SculptedSurface {
   std::uint64_t state() { return state_.of(surface_, paint_.base()); }
   void note_changed(std::span<const Index> moved, std::span<const Index> painted);
   void commit(std::span<const Index> displaced);
-  Replaced exchange(PaintedSurface made, VertexGaps gaps, std::unique_ptr<ChartBuilders> builders = nullptr);
+  Replaced exchange(PaintedSurface made, GivenShape given, std::unique_ptr<ChartBuilders> builders = nullptr);
   UndoStep step_to(Replaced replaced);
 
   Surface surface_;
   Picker picker_;
   std::unique_ptr<ChartBuilders> builders_;
-  VertexGaps gaps_;
+  GivenShape given_;
   std::vector<Kept> replaced_, undone_replaced_;  ///< of the steps that hold surfaces
   std::optional<Triangles> all_triangles_;        ///< while some are hidden
   std::optional<Replaced> unrefined_;             ///< while a stroke on a refined surface is not finished

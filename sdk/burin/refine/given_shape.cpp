@@ -1,0 +1,99 @@
+// The edges of a vertex are found in its triangles, each once or twice, and sorted by their other end.
+#include <burin/base/parallel.h>
+#include <burin/refine/given_shape.h>
+#include <burin/surface/geometry/triangle_shape.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+namespace {
+
+constexpr std::size_t block = 4096;
+
+/// An end of an edge, and the squared distance from its middle to the nearest corner of a triangle at it.
+using EdgeGap = std::pair<Index, float>;
+
+/// `edges`: to work in.
+float gap_at(const Surface& surface, std::span<const Vec3f> positions, Index vertex,
+             std::vector<EdgeGap>& edges) {
+  edges.clear();
+  const Vec3f& at = positions[vertex];
+  const auto add = [&](Index end, Index apex) {
+    const Vec3f half = (positions[end] - at) / 2;
+    const float to_apex = (positions[apex] - at - half).squaredNorm();
+    edges.emplace_back(end, std::min(half.squaredNorm(), to_apex));
+  };
+  for (const Index triangle : surface.incident[vertex]) {
+    const Triangle& t = surface.triangles[triangle];
+    const std::size_t i = corner_of(t, vertex);
+    const Index next = t[(i + 1) % 3], last = t[(i + 2) % 3];
+    add(next, last);
+    add(last, next);
+  }
+  std::ranges::sort(edges);
+  // The first one of an edge is the least.
+  float greatest = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (i == 0 || edges[i].first != edges[i - 1].first) greatest = std::max(greatest, edges[i].second);
+  return 2 * std::sqrt(greatest);
+}
+
+}  // namespace
+
+GivenShape::GivenShape(const Surface& surface) : gaps_(surface.vertex_count()) {
+  parallel_blocks(gaps_.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::vector<EdgeGap> edges;
+    for (std::size_t v = begin; v < end; ++v)
+      gaps_[v] = gap_at(surface, surface.positions, static_cast<Index>(v), edges);
+  });
+  find_greatest();
+}
+
+void GivenShape::keep_positions(const Surface& surface) {
+  if (positions_.empty()) positions_ = surface.positions;
+}
+
+GivenShape GivenShape::patched(const Surface& after, std::span<const Index> came_from,
+                               std::span<const Vec3f> given, Fresh fresh) const {
+  const auto old_count = static_cast<Index>(gaps_.size());
+  GivenShape made;
+  made.gaps_.resize(came_from.size());
+  if (!positions_.empty()) {
+    made.positions_ = after.positions;
+    for (Index vertex = 0; vertex < came_from.size(); ++vertex) {
+      const Index from = came_from[vertex];
+      if (from < old_count)
+        made.positions_[vertex] = positions_[from];
+      else if (!given.empty())
+        made.positions_[vertex] = given[from - old_count];
+    }
+  }
+  const auto is_new = [&](Index vertex) { return came_from[vertex] >= old_count; };
+  parallel_blocks(came_from.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::vector<EdgeGap> edges;
+    const auto measured = [&](Index vertex) {
+      const float now = gap_at(after, after.positions, vertex, edges);
+      return made.positions_.empty() ? now : std::min(now, gap_at(after, made.positions_, vertex, edges));
+    };
+    for (auto vertex = static_cast<Index>(begin); vertex < end; ++vertex) {
+      if (is_new(vertex)) {
+        made.gaps_[vertex] = fresh == Fresh::refined ? -measured(vertex) : measured(vertex);
+        continue;
+      }
+      const float before = gaps_[came_from[vertex]];
+      made.gaps_[vertex] = before;
+      if (std::ranges::any_of(after.neighbours[vertex], is_new))
+        made.gaps_[vertex] = std::copysign(std::min(std::abs(before), measured(vertex)), before);
+    }
+  });
+  made.find_greatest();
+  return made;
+}
+
+void GivenShape::find_greatest() {
+  greatest_ = 0;
+  for (const float gap : gaps_) greatest_ = std::max(greatest_, std::abs(gap));
+}
+
+}  // namespace burin
