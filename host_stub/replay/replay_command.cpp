@@ -255,6 +255,9 @@ void run(ReplayOptions& options) {
   options.settings[&StrokeSettings::symmetry].centre -= mesh.origin();
   Session session(mesh.take_surface(), library, merge_solid);
   session.set_paint(mesh.take_paint());
+  // Reports and watches undo. A stroke that refined the surface can be undone as long as the one before it is
+  // kept whole.
+  if (options.report.empty() && !options.watch) session.limit_undo(0);
   warn_of_strokes(options, session.surface(), radii(options, recordings));
   StrokeRecorder recorder;
   ReplaySummary summary = replay_all(session, options, recordings, recorder);

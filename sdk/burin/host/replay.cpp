@@ -43,15 +43,17 @@ Recording stabilised(Recording calm, const std::vector<ReplaySettings>& settings
 /// Draws one recorded stroke after the other, in as many pieces as it takes.
 class Replayer {
  public:
-  Replayer(Session& session, const Recording& recording, const ReplayObserver& observer)
-      : session_(session), recording_(recording), observer_(observer) {
+  Replayer(Session& session, const Recording& recording, const std::vector<ReplaySettings>& settings,
+           const ReplayObserver& observer)
+      : session_(session), recording_(recording), settings_(settings), observer_(observer) {
     for (const RecordedStroke& stroke : recording.strokes) samples_ += stroke.samples.size();
   }
 
-  void draw(const RecordedStroke& stroke, const ReplaySettings& settings);
+  void draw(std::size_t number);
   ReplayResult finish();
 
  private:
+  void begin(std::size_t number);
   std::vector<Vec3d> places_of(const RecordedStroke& stroke) const;
   Outcome add(const Sample& sample);
   Ray ray_of(const Sample& sample) const {
@@ -68,7 +70,8 @@ class Replayer {
 
   Session& session_;
   const Recording& recording_;
-  std::size_t show_every_ = 1;  ///< of the stroke being drawn
+  const std::vector<ReplaySettings>& settings_;  ///< [stroke]
+  std::size_t show_every_ = 1;                   ///< of the stroke being drawn
   const ReplayObserver& observer_;
   std::size_t samples_ = 0, samples_done_ = 0;
   std::size_t drawn_in_piece_ = 0;
@@ -79,15 +82,16 @@ class Replayer {
 
 /// A stroke breaks into pieces where the pen leaves the surface. Of one that does, only pieces that come back
 /// by themselves close.
-void Replayer::draw(const RecordedStroke& stroke, const ReplaySettings& settings) {
+void Replayer::draw(std::size_t number) {
+  const RecordedStroke& stroke = recording_.strokes[number];
+  const ReplaySettings& settings = settings_[number];
   ++result_.strokes;
   show_every_ = settings.show_every;
   const Closure closure = settings.closure;
   const std::size_t pieces_before = result_.pieces;
   const Closure of_a_piece = closure_of_piece(closure);
   const auto end_piece = [&] { end([&] { return session_.end_piece(of_a_piece); }); };
-  session_.begin_stroke(
-      settings, settings.refining.kind == Refining::Kind::off ? std::vector<Vec3d>{} : places_of(stroke));
+  begin(number);
   for (const Sample& sample : stroke.samples) {
     const Outcome outcome = add_in_pieces(
         drawn_in_piece_ > 0, [&] { return add(sample); }, end_piece);
@@ -98,6 +102,18 @@ void Replayer::draw(const RecordedStroke& stroke, const ReplaySettings& settings
   end([&] { return session_.end_stroke(whole ? closure : of_a_piece); });
   const bool drawn = result_.pieces > pieces_before;
   if (closure == Closure::closed && drawn && !(whole && session_.curve().closed)) ++result_.left_open;
+}
+
+/// Where strokes may refine the surface the session is told where they go.
+void Replayer::begin(std::size_t number) {
+  if (settings_[number].refining.kind == Refining::Kind::off) return session_.begin_stroke(settings_[number]);
+  const auto later = [&] {
+    std::vector<PlannedStroke> planned;
+    for (std::size_t i = number + 1; i < settings_.size(); ++i)
+      planned.push_back({settings_[i], places_of(recording_.strokes[i])});
+    return planned;
+  };
+  session_.begin_stroke(settings_[number], places_of(recording_.strokes[number]), later);
 }
 
 /// The places of the surface at which a stroke's samples point.
@@ -233,12 +249,12 @@ ReplayResult replay(Session& session, const Recording& recorded, const GivenSett
   const Recording recording = stabilised(std::move(timed), settings);
   if (recording.space == StrokeSpace::screen && !recording.camera)
     throw ContractError("a recording in screen space without a camera");
-  Replayer replayer(session, recording, observer);
+  Replayer replayer(session, recording, settings, observer);
   const ShownProgress shown(session, observer.progress);
   for (std::size_t i = first; i < settings.size(); ++i) {
     const auto named = [&](const Error& error) { return fmt::format("stroke {}: {}", i + 1, error.what()); };
     try {
-      replayer.draw(recording.strokes[i], settings[i]);
+      replayer.draw(i);
     } catch (const ContractError& error) {
       throw ContractError(named(error));
     } catch (const Error& error) {

@@ -68,7 +68,8 @@ struct Session::Impl {
   void end_redoing();
   void drop();
   void open(const BrushEntry* entry, const StrokeSettings& settings);
-  void begin_refining(const BrushEntry* entry, const StrokeSettings& settings, std::span<const Vec3d> path);
+  void begin_refining(const BrushEntry* entry, const StrokeSettings& settings, std::span<const Vec3d> path,
+                      const LaterStrokes& later);
   bool refine(const PathRefinement& refinement, double split_seconds);
   StrokeGround ground() const { return {surface.base(), surface.picker(), surface.given()}; }
   bool declines(const PathRefinement& refinement, const StrokeSettings& settings);
@@ -336,15 +337,16 @@ bool Session::Impl::refine_at(const SurfacePoint& at) {
   return true;
 }
 
-/// Refines the surface where a stroke will go.
+/// Refines the surface where a stroke will go, and where later ones will.
 void Session::Impl::begin_refining(const BrushEntry* entry, const StrokeSettings& settings,
-                                   std::span<const Vec3d> path) {
+                                   std::span<const Vec3d> path, const LaterStrokes& later) {
   given_samples.emplace(entry, settings);
   // Before anything is refined, as the settings may be bad.
   open(entry, given_samples->settings_now());
   if (may_refine_if_coarse(surface.given(), settings)) surface.keep_given_positions();
   Stopwatch watch;
-  const PathRefinement made = refined_along(ground(), settings, path, added_before(settings), near_vertices);
+  const PathRefinement made =
+      refined_along(ground(), settings, path, later, added_before(settings), near_vertices);
   const double seconds = watch.lap();
   if (!declines(made, settings) && refine(made, seconds)) open(entry, given_samples->settings_now());
 }
@@ -444,7 +446,8 @@ void Session::hide(const std::vector<bool>& hidden) {
   });
 }
 
-void Session::begin_stroke(const StrokeSettings& settings, std::span<const Vec3d> path) {
+void Session::begin_stroke(const StrokeSettings& settings, std::span<const Vec3d> path,
+                           const LaterStrokes& later) {
   impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open already");
     const BrushEntry* entry = settings.along.given() ? nullptr : &impl_->brushes->find(settings.brush);
@@ -452,7 +455,7 @@ void Session::begin_stroke(const StrokeSettings& settings, std::span<const Vec3d
     if (settings.refining.kind == Refining::Kind::off)
       impl_->open(entry, settings);
     else
-      impl_->begin_refining(entry, settings, path);
+      impl_->begin_refining(entry, settings, path, later);
   });
 }
 

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -40,6 +41,13 @@ struct StrokeEvent {
   /// mask changed; ascending. Valid until the next call.
   std::span<const Index> changed;
 };
+
+/// A stroke that is not drawn yet.
+struct PlannedStroke {
+  StrokeSettings settings;
+  std::vector<Vec3d> path;  ///< places of the surface where it will go, in order, object units
+};
+using LaterStrokes = std::function<std::vector<PlannedStroke>()>;
 
 /// What a stroke did that merged a solid with the surface.
 struct MergeReport {
@@ -163,7 +171,11 @@ class Session {
   /// `path`: places of the surface where the stroke will go, in order, object units; there and at the images
   /// of symmetry the surface is refined at once, as StrokeSettings::refining says, with the stroke as one
   /// step of undo. Throws Error where that would take more than 10 million triangles.
-  void begin_stroke(const StrokeSettings& settings, std::span<const Vec3d> path = {});
+  /// `later`: the strokes that will follow, asked for only if the surface is refined along the path. It is
+  /// then refined for those too that need edges of the same length, one after the other as long as bounds
+  /// allow, since each refinement costs in proportion to the whole surface.
+  void begin_stroke(const StrokeSettings& settings, std::span<const Vec3d> path = {},
+                    const LaterStrokes& later = {});
 
   /// Adds a sample at the first intersection of a ray with the surface, or at the surface point closest to a
   /// position, at most one radius away; object units. `time` is in seconds and must not decrease; several

@@ -253,6 +253,37 @@ TEST(RefinePath, AddsAMillionTrianglesToASessionUnlessAsked) {
             std::string::npos);
 }
 
+// Also what only the second one needs; the third has other edges, and refines for itself.
+TEST(RefinePath, RefinesOnceForStrokesToCome) {
+  const StrokeSettings with = refining_if_coarse();
+  StrokeSettings narrow = with;
+  narrow.radius = radius / 3;
+  const std::vector<std::vector<Vec3d>> paths{over_the_edge(), straight({1.6, 0.15, 1}, {1.5, 0.85, 1}),
+                                              straight({0.5, 0.5, 0}, {0.9, 0.5, 0})};
+  std::size_t asked = 0;
+  const auto later = [&] {
+    ++asked;
+    return std::vector<PlannedStroke>{{with, paths[1]}, {narrow, paths[2]}};
+  };
+  Session told = box_session();
+  const Everything before(told);
+  const auto draw = [&](const StrokeSettings& settings, std::size_t i, const LaterStrokes& to_come) {
+    told.begin_stroke(settings, paths[i], to_come);
+    for (std::size_t k = 0; k < paths[i].size(); ++k)
+      told.add_sample(paths[i][k], 0.01 * static_cast<double>(k), {}, Show::later);
+    told.end_stroke();
+    return told.generation();
+  };
+  EXPECT_EQ(draw(with, 0, later), 1u);
+  EXPECT_EQ(draw(with, 1, later), 1u);
+  EXPECT_EQ(asked, 1u);
+  EXPECT_EQ(draw(narrow, 2, {}), 2u);
+  EXPECT_EQ(told.refinements().size(), 2u);
+  EXPECT_EQ(euler_characteristic(told.surface()), 2);
+  ASSERT_TRUE(told.undo() && told.undo() && told.undo());
+  EXPECT_EQ(Everything(told), before);
+}
+
 TEST(RefinePath, RefinesWhereImagesOfTheStrokeAre) {
   Session session = box_session();
   StrokeSettings mirrored = refining(0.02);

@@ -98,6 +98,21 @@ TEST(Refine, IsOffWhereTheCommandSaysSoOrBakes) {
   EXPECT_FALSE(is_refined({"--sculpt-level", "0"}));
 }
 
+// Three strokes side by side and one over the first: what they need is made before the first is drawn.
+TEST(Refine, RefinesOnceForARecording) {
+  const Box box;
+  std::string text = "{\"burin_stroke\":1,\"space\":\"object\"}\n";
+  for (const double y : {0.2, 0.5, 0.8, 0.2}) {
+    text += "{\"begin\":{\"brush\":\"org.burin.bead\",\"radius\":0.12},\"fields\":[\"x\",\"y\",\"z\"]}\n";
+    for (int i = 0; i <= 40; ++i) text += fmt::format("[{},{},1]\n", 0.4 + 0.03 * i, y);
+    text += "{\"end\":true}\n";
+  }
+  const std::string strokes = box.folder.write("four.stroke", text);
+  const nlohmann::json result = burin_json({"replay", strokes, "--mesh", box.mesh});
+  EXPECT_EQ(result["strokes"], 4);
+  EXPECT_EQ(result["refined"].size(), 1u);
+}
+
 // A stroke that would take more than a million triangles was hardly meant.
 TEST(Refine, DeclinesWhatTakesTooManyTriangles) {
   const Box box;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -74,7 +75,8 @@ double expected_triangles(const Lines& lines, double reach, double edge) {
   double length = 0;
   for (const std::vector<Vec3d>& line : lines.points)
     for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
-  const double area = reach * (2 * length + std::numbers::pi * reach);
+  const double ends = std::numbers::pi * reach * static_cast<double>(lines.points.size());
+  const double area = reach * (2 * length + ends);
   return triangles_per_square * area / (edge * edge);
 }
 
@@ -147,19 +149,67 @@ PathRefinement with_edges(const Surface& surface, const EdgeLength& lengths, std
   return result;
 }
 
+/// The most triangles that a refinement comes to.
+double most_of(const StrokeSettings& settings) {
+  return is_automatic(settings) ? most_automatic : static_cast<double>(most_triangles);
+}
+
 PathRefinement refined(const StrokeGround& ground, const StrokeSettings& settings, const Lines& lines,
                        double reach, std::size_t added) {
-  const EdgeLength lengths(lines.points, reach, refined_edge(settings));
-  const double expected = static_cast<double>(added) + expected_triangles(lines, reach, lengths.edge());
-  if (is_automatic(settings)) {
-    if (!(expected <= most_automatic)) return {.declined = expected};
-  } else if (!(expected <= static_cast<double>(most_triangles))) {
+  const double edge = refined_edge(settings);
+  const double expected = static_cast<double>(added) + expected_triangles(lines, reach, edge);
+  if (!(expected <= most_of(settings))) {
+    if (is_automatic(settings)) return {.declined = expected};
     throw Error(
         fmt::format("refining the surface to edges of {:g} would take about {:.2g} triangles, more "
                     "than {}",
-                    lengths.edge(), expected, most_triangles));
+                    edge, expected, most_triangles));
   }
-  return with_edges(ground.surface, lengths, lines.triangles, judged_positions(ground, settings));
+  return with_edges(ground.surface, EdgeLength(lines.points, reach, edge), lines.triangles,
+                    judged_positions(ground, settings));
+}
+
+/// Where a stroke will go, and how coarse the surface is for it there; `fine` also if there is nowhere.
+struct Prospect {
+  Lines lines;
+  Coarseness found = Coarseness::fine;
+  bool is_refined() const { return found == Coarseness::coarse; }
+};
+
+/// Coarse only if there are edges to split.
+Prospect prospect(const StrokeGround& ground, const StrokeSettings& settings, std::span<const Vec3d> path,
+                  NearVertices& near) {
+  Prospect made{lines_through(path, ground.surface, ground.picker, settings)};
+  if (made.lines.points.empty()) return made;
+  const EdgeLength reached(made.lines.points, reach_of(settings), refined_edge(settings));
+  const auto is_within = [&](const Vec3d& place) { return reached.at(place) <= reached.edge(); };
+  made.found = coarseness(ground, settings, made.lines.triangles, near, is_within);
+  if (made.is_refined() && !has_long_edge(ground, settings, made.lines.triangles, near, is_within))
+    made.found = Coarseness::refined;
+  return made;
+}
+
+/// Whether what refines a surface for one stroke may refine it for another.
+bool refine_alike(const StrokeSettings& a, const StrokeSettings& b) {
+  return a.refining.kind == b.refining.kind && refined_edge(a) == refined_edge(b) &&
+         reach_of(a) == reach_of(b);
+}
+
+/// Appends the lines of later strokes for which the surface is to be refined too.
+void append_later(const StrokeGround& ground, const StrokeSettings& settings,
+                  const std::vector<PlannedStroke>& later, std::size_t added, NearVertices& near,
+                  Lines& lines) {
+  const double reach = reach_of(settings), edge = refined_edge(settings);
+  double expected = static_cast<double>(added) + expected_triangles(lines, reach, edge);
+  for (const PlannedStroke& planned : later) {
+    if (!refine_alike(settings, planned.settings)) continue;
+    Prospect at = prospect(ground, planned.settings, planned.path, near);
+    if (!at.is_refined()) continue;
+    expected += expected_triangles(at.lines, reach, edge);
+    if (!(expected <= most_of(settings))) return;
+    std::ranges::move(at.lines.points, std::back_inserter(lines.points));
+    std::ranges::copy(at.lines.triangles, std::back_inserter(lines.triangles));
+  }
 }
 
 }  // namespace
@@ -169,16 +219,13 @@ bool may_refine_if_coarse(const GivenShape& given, const StrokeSettings& setting
 }
 
 PathRefinement refined_along(const StrokeGround& ground, const StrokeSettings& settings,
-                             std::span<const Vec3d> path, std::size_t added, NearVertices& near) {
+                             std::span<const Vec3d> path, const LaterStrokes& later, std::size_t added,
+                             NearVertices& near) {
   if (path.empty() || !may_refine(ground.given, settings)) return {};
-  const Lines lines = lines_through(path, ground.surface, ground.picker, settings);
-  if (lines.points.empty()) return {};
-  const EdgeLength reached(lines.points, reach_of(settings), refined_edge(settings));
-  const auto is_within = [&](const Vec3d& place) { return reached.at(place) <= reached.edge(); };
-  const Coarseness found = coarseness(ground, settings, lines.triangles, near, is_within);
-  if (found != Coarseness::coarse || !has_long_edge(ground, settings, lines.triangles, near, is_within))
-    return {.is_coarse = found != Coarseness::fine};
-  return refined(ground, settings, lines, reach_of(settings), added);
+  Prospect at = prospect(ground, settings, path, near);
+  if (!at.is_refined()) return {.is_coarse = at.found == Coarseness::refined};
+  if (later) append_later(ground, settings, later(), added, near, at.lines);
+  return refined(ground, settings, at.lines, reach_of(settings), added);
 }
 
 PathRefinement refined_at(const StrokeGround& ground, const StrokeSettings& settings, const PenStep& step,

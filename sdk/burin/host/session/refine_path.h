@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/host/session.h>
 #include <burin/refine/given_shape.h>
 #include <burin/refine/near_vertices.h>
 #include <burin/refine/refine_surface.h>
@@ -37,10 +38,12 @@ inline constexpr double most_automatic = 1e6;
 
 /// What refines a surface for a stroke through these places near it, and its images, as
 /// StrokeSettings::refining says. Throws Error where `edge` would take more than 10 million triangles, if
-/// possible before it starts. `added`: triangles that were added before and count for the bound. `near`: to
-/// work with.
+/// possible before it starts. Refines it for later strokes that need edges of the same length too, as long as
+/// bounds allow; these are asked for if there is anything to do for this one. `added`: triangles that were
+/// added before and count for the bound. `near`: to work with.
 PathRefinement refined_along(const StrokeGround& ground, const StrokeSettings& settings,
-                             std::span<const Vec3d> path, std::size_t added, NearVertices& near);
+                             std::span<const Vec3d> path, const LaterStrokes& later, std::size_t added,
+                             NearVertices& near);
 
 /// Where a pen comes to.
 struct PenStep {
