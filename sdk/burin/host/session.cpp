@@ -1,57 +1,29 @@
 // Every public function of Session forwards to Impl. Functions that can fail run inside Impl::guarded(),
 // which resets the cost and the list of changed vertices and drops the open stroke if anything throws.
-#include <burin/abi/plugin.h>
 #include <burin/base/error.h>
 #include <burin/base/stopwatch.h>
-#include <burin/deform/evaluate/plugin_call.h>
 #include <burin/host/session.h>
-#include <burin/host/session/carry_state.h>
-#include <burin/host/session/given_samples.h>
+#include <burin/host/session/created_brushes.h>
 #include <burin/host/session/merged_surface.h>
 #include <burin/host/session/no_brush.h>
 #include <burin/host/session/open_stroke.h>
-#include <burin/host/session/refine_path.h>
 #include <burin/host/session/sculpted_surface.h>
+#include <burin/host/session/stroke_products.h>
+#include <burin/host/session/stroke_refining.h>
 #include <burin/surface/patch_uv.h>
-#include <fmt/format.h>
 
-#include <map>
 #include <memory>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
 
 namespace burin {
 
-namespace {
-
-/// A brush that a session has made. Its descriptor is another one once its module was loaded anew.
-struct CreatedBrush {
-  const burin_brush_descriptor* descriptor = nullptr;
-  BrushPtr brush;
-};
-
-/// What strokes made of one kind, in their order, and what those made that were undone, the last one first.
-template <class Thing>
-struct Made {
-  std::vector<Thing> there, undone;
-
-  void take(Turn turn) {
-    auto [from, to] = turn == Turn::undo ? std::tie(there, undone) : std::tie(undone, there);
-    to.push_back(std::move(from.back()));
-    from.pop_back();
-  }
-};
-
-}  // namespace
-
 struct Session::Impl {
   Impl(Surface given, const BrushLibrary& library, SolidMerger solid_merger)
-      : surface(std::move(given)), brushes(&library), merger(std::move(solid_merger)) {}
+      : surface(std::move(given)), brushes(library), merger(std::move(solid_merger)) {}
 
-  const burin_brush& brush(const BrushEntry& entry);
   OpenStroke& open_stroke();
   StrokeEvent add(const GivenSample& given, Show show);
   StrokeEvent draw(const std::optional<CurveGround::Point>& at, const GivenSample& given, Show show,
@@ -62,20 +34,16 @@ struct Session::Impl {
   std::span<const Index> finish_piece(Closure closure);
   std::span<const Index> finish(Closure closure);
   std::span<const Index> apply(const VertexMoves& moves);
-  MadePart add_part();
   void merge_solid(const SolidMerge& merge);
-  void keep_refinement();
-  void end_redoing();
+  void keep_products();
   void drop();
   void open(const BrushEntry* entry, const StrokeSettings& settings);
   void begin_refining(const BrushEntry* entry, const StrokeSettings& settings, std::span<const Vec3d> path,
                       const LaterStrokes& later);
-  bool refine(const PathRefinement& refinement, double split_seconds);
-  StrokeGround ground() const { return {surface.base(), surface.picker(), surface.given()}; }
-  bool declines(const PathRefinement& refinement, const StrokeSettings& settings);
+  bool refine(const PathRefinement& refinement);
   bool refine_at(const SurfacePoint& at);
   bool refine_to_error(Closure closure);
-  std::size_t added_before(const StrokeSettings& settings) const;
+  std::size_t refined_triangles() const;
   void draw_again();
   bool take(Turn turn);
   bool take_unless_open(Turn turn);
@@ -95,38 +63,19 @@ struct Session::Impl {
   }
 
   SculptedSurface surface;
-  const BrushLibrary* brushes;
-  std::map<std::string, CreatedBrush, std::less<>> created;  ///< by id
+  CreatedBrushes brushes;
   Evaluator evaluator;
   std::optional<OpenStroke> stroke;
-  std::optional<GivenSamples> given_samples;  ///< of the open stroke, if it refines the surface
-  NearVertices near_vertices;
+  StrokeRefining refining;
   std::optional<Chart> sorted_chart;     ///< sorted copy of last_live, made on request
   const LiveChart* last_live = nullptr;  ///< chart of the open stroke, or of the last one
   SurfaceCurve last_curve;
-  Made<StrokeSolid> parts;
+  StrokeProducts products;
   SolidMerger merger;
   Progress progress;
-  Made<MergeReport> merges;
-  Made<RefineReport> refinements;
-  std::optional<RefineReport> refined;  ///< for the stroke that is not finished
-  std::vector<std::string> warnings;    ///< of finished strokes
-  Made<TriangleMesh> bent_meshes;
+  std::vector<std::string> warnings;  ///< of finished strokes
   EventCost cost;
 };
-
-const burin_brush& Session::Impl::brush(const BrushEntry& entry) {
-  CreatedBrush& kept = created[entry.descriptor->id];
-  if (kept.descriptor == entry.descriptor) return *kept.brush;
-  BrushPtr brush = brushes->create(entry);
-  if (kept.brush) {
-    const PluginCall call("brush", entry.descriptor->id);
-    if (const std::string lost = carry_state(*kept.brush, *brush); !lost.empty())
-      warnings.push_back(std::string(entry.descriptor->id) + ": " + lost);
-  }
-  kept = {entry.descriptor, std::move(brush)};
-  return *kept.brush;
-}
 
 OpenStroke& Session::Impl::open_stroke() {
   if (!stroke) throw ContractError("no stroke is open");
@@ -153,11 +102,11 @@ StrokeEvent Session::Impl::add(const GivenSample& given, Show show) {
   stroke_for_sample();
   StageClock clock(cost);
   std::optional<CurveGround::Point> at = locate(given);
-  const bool is_other = at && given_samples && refine_at(at->on_surface);
+  const bool is_other = at && refining.is_on() && refine_at(at->on_surface);
   if (is_other) at = locate(given);
   StrokeEvent event = draw(at, given, is_other ? Show::now : show, clock);
-  if (given_samples && event.outcome == StrokeEvent::Outcome::drawn)
-    given_samples->add(given, at->on_surface.position.cast<double>());
+  if (refining.is_on() && event.outcome == StrokeEvent::Outcome::drawn)
+    refining.given().add(given, at->on_surface.position.cast<double>());
   if (is_other) event.changed = surface.note_all_changed();
   return event;
 }
@@ -204,42 +153,20 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
   if (std::optional<SolidMerge> merge = stroke->merge()) {
     merge->progress = progress;
     merge_solid(*merge);
-    keep_refinement();
-    end_redoing();
+    keep_products();
     clock.lap(Stage::record);
     return surface.changed();
   }
-  surface.keep(add_part());
-  keep_refinement();
-  end_redoing();
+  surface.keep(products.add(*stroke));
+  keep_products();
   stroke.reset();
   clock.lap(Stage::record);
   return is_other ? surface.note_all_changed() : surface.changed();
 }
 
-/// What the stroke made, if anything.
-MadePart Session::Impl::add_part() {
-  if (stroke->bent()) {
-    bent_meshes.there.push_back(std::move(*stroke->bent()));
-    return MadePart::mesh;
-  }
-  std::optional<StrokeSolid>& solid = stroke->solid();
-  if (!solid || solid->empty()) return MadePart::none;
-  parts.there.push_back(std::move(*solid));
-  return MadePart::solid;
-}
-
-void Session::Impl::keep_refinement() {
-  if (refined) refinements.there.push_back(*refined);
-  refined.reset();
-}
-
-/// What was undone is gone once another stroke is finished.
-void Session::Impl::end_redoing() {
-  refinements.undone.clear();
-  parts.undone.clear();
-  merges.undone.clear();
-  bent_meshes.undone.clear();
+void Session::Impl::keep_products() {
+  if (const auto report = refining.take_report()) products.refinements.there.push_back(*report);
+  products.end_redoing();
 }
 
 /// Merges what the stroke made with the surface. The stroke is gone then.
@@ -258,13 +185,13 @@ void Session::Impl::merge_solid(const SolidMerge& merge) {
   last_live = nullptr;
   surface.replace(std::move(made));
   report.rebuild_seconds = watch.lap();
-  merges.there.push_back(report);
+  products.merges.there.push_back(report);
 }
 
 void Session::Impl::drop() {
   if (!stroke && !surface.is_refined()) return;
   stroke.reset();
-  refined.reset();
+  refining.take_report();
   // Its charts are gone with the refined surface.
   if (surface.is_refined()) last_live = nullptr;
   surface.drop();
@@ -272,97 +199,57 @@ void Session::Impl::drop() {
 
 void Session::Impl::open(const BrushEntry* entry, const StrokeSettings& settings) {
   const burin_brush_descriptor& descriptor = entry ? *entry->descriptor : no_brush_descriptor();
-  stroke.emplace(surface.base(), surface.picker(), surface.builders(), entry ? brush(*entry) : no_brush(),
-                 descriptor, settings);
+  stroke.emplace(surface.base(), surface.picker(), surface.builders(),
+                 entry ? brushes.brush(*entry, warnings) : no_brush(), descriptor, settings);
   last_live = &stroke->live();
   surface.prepare_paint(descriptor.outputs_written);
 }
 
 /// Puts what was made for the open stroke into the surface, if anything must be done. The stroke is closed
-/// then, to be opened anew. Returns whether it is.
-bool Session::Impl::refine(const PathRefinement& refinement, double split_seconds) {
-  const bool turns = refinement.is_coarse && !given_samples->on_fine;
-  if (!refinement.made && !turns) return false;
+/// then, to be opened anew. Returns whether it is. Warns of what would take too many triangles.
+bool Session::Impl::refine(const PathRefinement& refinement) {
+  if (std::string why = refining.declined(refinement); !why.empty()) {
+    warnings.push_back(std::move(why));
+    return false;
+  }
+  if (!refining.changes(refinement)) return false;
   if (refinement.made) surface.require_all_shown();
-  given_samples->on_fine = true;
   stroke.reset();
   last_live = nullptr;
-  if (!refinement.made) {
-    surface.drop();
-    return true;
-  }
-  Stopwatch watch;
-  const SurfacePatch& patch = refinement.made->patch;
-  surface.refine(with_patch(surface.base(), surface.picker(), surface.paint().base(), patch),
-                 refinement.made->given);
-  if (!refined) refined.emplace();
-  refined->edge = refinement.edge;
-  refined->triangles_removed += patch.removed.size();
-  refined->triangles_added += patch.triangles.size();
-  refined->vertices_added += patch.positions.size();
-  refined->split_seconds += split_seconds;
-  refined->rebuild_seconds += watch.lap();
+  refining.apply(refinement, surface);
   return true;
-}
-
-/// Draws the open stroke on the surface as it is, if it is said that it would take too many triangles.
-bool Session::Impl::declines(const PathRefinement& refinement, const StrokeSettings& settings) {
-  if (refinement.declined == 0) return false;
-  warnings.push_back(
-      fmt::format("a stroke of radius {:.3g} is drawn on the triangles that are there: to refine them would "
-                  "take about {:.2g}, more than {:.0f}",
-                  settings.radius, refinement.declined, most_automatic));
-  given_samples.reset();
-  return true;
-}
-
-/// The triangles that count for the bound of a refinement, but for its own: those that were added for the
-/// stroke, and for an automatic one also those of earlier strokes, as what each stroke costs grows with them.
-std::size_t Session::Impl::added_before(const StrokeSettings& settings) const {
-  std::size_t added = refined ? refined->triangles_added : 0;
-  if (settings.refining.kind == Refining::Kind::automatic)
-    for (const auto& report : refinements.there) added += report.triangles_added;
-  return added;
 }
 
 /// Refines the surface where the pen comes to, if it must, and draws the stroke so far again.
 bool Session::Impl::refine_at(const SurfacePoint& at) {
-  GivenSamples& given = *given_samples;
-  Stopwatch watch;
-  const PathRefinement made = refined_at(ground(), given.settings, given.step_to(at.position.cast<double>()),
-                                         added_before(given.settings), near_vertices);
-  const double seconds = watch.lap();
-  if (declines(made, given.settings) || !refine(made, seconds)) return false;
+  if (!refine(refining.at(surface, at.position.cast<double>()))) return false;
   draw_again();
   return true;
+}
+
+std::size_t Session::Impl::refined_triangles() const {
+  std::size_t added = 0;
+  for (const RefineReport& report : products.refinements.there) added += report.triangles_added;
+  return added;
 }
 
 /// Refines the surface where a stroke will go, and where later ones will.
 void Session::Impl::begin_refining(const BrushEntry* entry, const StrokeSettings& settings,
                                    std::span<const Vec3d> path, const LaterStrokes& later) {
-  given_samples.emplace(entry, settings);
+  refining.begin(entry, settings, refined_triangles());
   // Before anything is refined, as the settings may be bad.
-  open(entry, given_samples->settings_now());
-  if (may_refine_if_coarse(surface.given(), settings)) surface.keep_given_positions();
-  Stopwatch watch;
-  const PathRefinement made =
-      refined_along(ground(), settings, path, later, added_before(settings), near_vertices);
-  const double seconds = watch.lap();
-  if (!declines(made, settings) && refine(made, seconds)) open(entry, given_samples->settings_now());
+  open(entry, refining.given().settings_now());
+  if (refine(refining.along(surface, path, later))) open(entry, refining.given().settings_now());
 }
 
 /// Refines the surface until it represents the finished stroke as exactly as its settings say, and finishes
 /// it on that; returns whether it did.
 bool Session::Impl::refine_to_error(Closure closure) {
-  if (!given_samples || given_samples->settings.refining.kind != Refining::Kind::error) return false;
+  if (!refining.is_on()) return false;
   // Edges at steps get a third as long each time: from radius / 16 to radius / 128 it takes two.
   constexpr int most_passes = 3;
   for (int pass = 0; pass < most_passes; ++pass) {
-    Stopwatch watch;
-    const PathRefinement made = refined_to_error(surface.base(), given_samples->settings,
-                                                 surface.shown().positions(), surface.displaced());
-    const double seconds = watch.lap();
-    if (!refine(made, seconds)) return pass > 0;
+    if (!refine(refining.to_error(surface))) return pass > 0;
     draw_again();
     finish_piece(closure);
   }
@@ -371,7 +258,7 @@ bool Session::Impl::refine_to_error(Closure closure) {
 
 /// Opens the stroke anew, with the samples that it had.
 void Session::Impl::draw_again() {
-  const GivenSamples& given = *given_samples;
+  const GivenSamples& given = refining.given();
   open(given.entry, given.settings_now());
   for (const GivenSamples::Piece& piece : given.pieces) {
     for (const GivenSample& sample : piece.samples)
@@ -393,10 +280,7 @@ bool Session::Impl::take(Turn turn) {
     cost.moved = step->vertices.size();
     clock.lap(Stage::move);
   }
-  if (step->refined) refinements.take(turn);
-  if (step->merged) merges.take(turn);
-  if (step->made == MadePart::solid) parts.take(turn);
-  if (step->made == MadePart::mesh) bent_meshes.take(turn);
+  products.take(*step, turn);
   surface.restore(std::move(*step), turn);
   clock.lap(Stage::record);
   return true;
@@ -417,11 +301,11 @@ std::span<const Vec3f> Session::normals() const { return impl_->surface.shown().
 std::uint64_t Session::generation() const { return impl_->surface.generation(); }
 void Session::set_progress(Progress progress) { impl_->progress = std::move(progress); }
 
-std::span<const StrokeSolid> Session::parts() const { return impl_->parts.there; }
-std::span<const MergeReport> Session::merges() const { return impl_->merges.there; }
-std::span<const RefineReport> Session::refinements() const { return impl_->refinements.there; }
+std::span<const StrokeSolid> Session::parts() const { return impl_->products.parts.there; }
+std::span<const MergeReport> Session::merges() const { return impl_->products.merges.there; }
+std::span<const RefineReport> Session::refinements() const { return impl_->products.refinements.there; }
 std::span<const std::string> Session::warnings() const { return impl_->warnings; }
-std::span<const TriangleMesh> Session::bent_meshes() const { return impl_->bent_meshes.there; }
+std::span<const TriangleMesh> Session::bent_meshes() const { return impl_->products.bent_meshes.there; }
 const Paint& Session::paint() const { return impl_->surface.paint().shown(); }
 
 void Session::set_paint(Paint paint) {
@@ -450,8 +334,9 @@ void Session::begin_stroke(const StrokeSettings& settings, std::span<const Vec3d
                            const LaterStrokes& later) {
   impl_->guarded([&] {
     if (impl_->stroke) throw ContractError("a stroke is open already");
-    const BrushEntry* entry = settings.along.given() ? nullptr : &impl_->brushes->find(settings.brush);
-    impl_->given_samples.reset();
+    const BrushEntry* entry =
+        settings.along.given() ? nullptr : &impl_->brushes.library().find(settings.brush);
+    impl_->refining.end();
     if (settings.refining.kind == Refining::Kind::off)
       impl_->open(entry, settings);
     else
@@ -478,7 +363,7 @@ std::span<const Index> Session::Impl::end_piece(Closure closure) {
 std::span<const Index> Session::end_piece(Closure closure) {
   return impl_->guarded([&] {
     const std::span<const Index> seen = impl_->end_piece(closure);
-    if (impl_->given_samples) impl_->given_samples->end_piece(closure);
+    if (impl_->refining.is_on()) impl_->refining.given().end_piece(closure);
     return seen;
   });
 }

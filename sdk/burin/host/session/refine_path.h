@@ -30,6 +30,7 @@ struct PathRefinement {
   bool is_coarse = false;                      ///< the surface as it was given is too coarse for the stroke
   std::optional<SurfaceRefinement> made = {};  ///< none where there is nothing to do
   double edge = 0;                             ///< the least length that edges get, object units
+  double seconds = 0;                          ///< that it took to find
   double declined = 0;  ///< about how many triangles it would add, more than an automatic refinement may
 };
 
