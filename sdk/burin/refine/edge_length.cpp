@@ -100,9 +100,9 @@ bool EdgeLength::is_exceeded(const Vec3d& from, double at_from, const Vec3d& to,
                              double factor) const {
   if (length > factor * std::min(at_from, at_to)) return true;
   const double apart = (to - from).norm();
-  // Along the line it falls by no more than `growth`.
+  // Along the line it falls by no more than `growth`, between places so near to each other by a 16th.
   const double least = std::max(edge_, (at_from + at_to - growth * apart) / 2);
-  if (length <= factor * least || apart <= edge_ / 4) return false;
+  if (length <= factor * least || apart <= least / 4) return false;
   const Vec3d middle = (from + to) / 2;
   const double at_middle = at(middle);
   return is_exceeded(from, at_from, middle, at_middle, length, factor) ||
