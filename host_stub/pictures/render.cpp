@@ -12,6 +12,7 @@
 
 #include <burin/base/srgb.h>
 #include <burin/surface/files/over_clay.h>
+#include <burin/surface/geometry/area_vector.h>
 
 namespace burin {
 namespace {
@@ -96,11 +97,20 @@ Vec3f Painter::from_camera(float right, float up, float towards_eye) const {
   return (to_world_ * Vec3f(right, up, towards_eye)).normalized();
 }
 
-/// That of the vertex, unless it lies on a crease.
+/// That of the vertex, or the mean of the triangles around it that do not lie beyond a crease.
 Vec3f Painter::corner_normal(Index vertex, const Vec3f& flat_normal) const {
-  constexpr float crease = 0.75f;  // cosine
+  constexpr float crease = 0.75f, smooth = 0.99f;  // cosines
   const Vec3f& normal = surface_.normals[vertex];
-  return normal.dot(flat_normal) < crease ? flat_normal : normal;
+  if (normal.dot(flat_normal) > smooth) return normal;
+  bool is_whole = true;
+  Vec3f sum = Vec3f::Zero();
+  for (const Index triangle : surface_.incident[vertex]) {
+    const Vec3f area = area_vector(surface_.positions, surface_.triangles[triangle]).cast<float>();
+    const bool is_beyond = area.dot(flat_normal) < crease * area.norm();
+    is_whole &= !is_beyond;
+    if (!is_beyond) sum += area;
+  }
+  return is_whole || !(sum.squaredNorm() > 0) ? normal : sum.normalized();
 }
 
 std::optional<Hit> Painter::hit(const Ray& ray) const {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "../picture_file.h"
 #include "../run_command.h"
 #include "support/point_shapes.h"
 
@@ -96,6 +97,33 @@ TEST(Refine, IsOffWhereTheCommandSaysSoOrBakes) {
   EXPECT_FALSE(is_refined({"--refine", "off"}));
   EXPECT_EQ(read_mesh(box.saved).face_sizes.size(), 12u);
   EXPECT_FALSE(is_refined({"--sculpt-level", "0"}));
+}
+
+// Triangles are small on one side of an edge and large on the other: normals of vertices lean to one of both.
+TEST(Refine, LeavesFacesFlatInPictures) {
+  const Box box;
+  const std::string path = box.folder.path("a.png");
+  burin_output(box.command(
+      {"--strength", "0", "--png", path, "--view", "0,0,-1", "--width", "160", "--height", "120"}));
+  const Picture picture = read_png(path);
+  constexpr int margin = 2;
+  const auto is_clay = [&](int column, int row) {
+    const Rgb rgb = pixel(picture, column, row);
+    return rgb[0] > rgb[2] + 20;
+  };
+  int count = 0, least = 255, most = 0;
+  for (int row = margin; row < picture.height - margin; ++row)
+    for (int column = margin; column < picture.width - margin; ++column) {
+      bool is_within = true;
+      for (const int i : {-margin, 0, margin})
+        for (const int j : {-margin, 0, margin}) is_within &= is_clay(column + i, row + j);
+      if (!is_within) continue;
+      ++count;
+      least = std::min<int>(least, pixel(picture, column, row)[0]);
+      most = std::max<int>(most, pixel(picture, column, row)[0]);
+    }
+  EXPECT_GT(count, 5000);
+  EXPECT_LT(most - least, 20);
 }
 
 // Three strokes side by side and one over the first: what they need is made before the first is drawn.
