@@ -193,6 +193,31 @@ TEST(SolidMerge, CarriesTextureCoordinates) {
   EXPECT_TRUE(session.surface().triangle_uv == before);
 }
 
+// A high bead refines a coarse sphere. What it stretched is not refined again for one over it and the tube,
+// whose vertices are new: it refines less than on the bare sphere with the tube.
+TEST(SolidMerge, LeavesWhatWasStretchedFine) {
+  StrokeSettings bead = test::settings("org.burin.bead", 0.12);
+  bead.strength = 2;
+  bead.refining.kind = Refining::Kind::automatic;
+  const auto drawn = [&](bool first) {
+    Session session(make_surface(test::sphere(4, 0.2, 3)), test::brushes(), merge_solid);
+    const std::uint64_t before = session.result_hash();
+    if (first) draw(session, bead, arc(-0.4, 1));
+    draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+    draw(session, bead, arc(-0.6, 0.9));
+    std::size_t added = 0;
+    for (const RefineReport& report : session.refinements()) added += report.triangles_added;
+    if (first) added -= session.refinements()[0].triangles_added;
+    while (session.undo()) {
+    }
+    EXPECT_EQ(session.result_hash(), before);
+    return added;
+  };
+  const std::size_t bare = drawn(false);
+  EXPECT_GT(bare, 1000u);
+  EXPECT_LT(drawn(true), bare);
+}
+
 TEST(SolidMerge, RefusesAndLeavesTheSurfaceAsItWas) {
   Session plain = sphere_session({});
   const std::uint64_t before = plain.result_hash();
