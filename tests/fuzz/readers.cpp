@@ -11,6 +11,10 @@
 #include <burin/surface/weld_mesh.h>
 
 #include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <tuple>
 
 namespace burin::fuzz {
 namespace {
@@ -36,7 +40,50 @@ void load_stamp(const fs::path& path) {
   read_stamp(path);
 }
 
-void load_pen_file(const fs::path& path) { read_pen_file(path); }
+bool same(const PenStroke& a, const PenStroke& b) {
+  const auto values = [](const Sample& sample) {
+    const Pen& pen = sample.pen;
+    return std::tuple(sample.position.x(), sample.position.y(), sample.position.z(), sample.time,
+                      pen.pressure, pen.tilt_x, pen.tilt_y, pen.twist);
+  };
+  const auto same_sample = [&](const Sample& one, const Sample& other) {
+    return values(one) == values(other);
+  };
+  return a.fields == b.fields && a.has_z == b.has_z && a.eraser == b.eraser && a.tool == b.tool &&
+         a.made_pressure == b.made_pressure && a.page == b.page && a.layer == b.layer &&
+         a.widths == b.widths && std::ranges::equal(a.samples, b.samples, same_sample);
+}
+
+bool same(const PenFile& a, const PenFile& b) {
+  return a.device == b.device && a.unit == b.unit && a.millimetres == b.millimetres &&
+         a.hovering == b.hovering && a.not_used == b.not_used &&
+         std::ranges::equal(a.strokes, b.strokes,
+                            [](const PenStroke& one, const PenStroke& other) { return same(one, other); });
+}
+
+std::optional<PenFile> read_or_refused(const PenFileText& file, std::string_view kind) {
+  try {
+    return read_pen_file(file, kind);
+  } catch (const FileError&) {
+    return std::nullopt;
+  }
+}
+
+/// Reads a pen file as a whole and, in pieces so small that it has many, as long files are read: what it
+/// holds must not depend on that.
+void load_pen_file_of(const fs::path& path, std::string_view kind) {
+  const PenFileText pieces = open_pen_file(path, {.head = 64, .block = 16}), whole = whole_pen_file(path);
+  if (kind.empty()) kind = kind_of_pen_file(pieces);
+  if (pieces.rest_at != 0) {
+    const std::optional<PenFile> by_pieces = read_or_refused(pieces, kind),
+                                 expected = read_or_refused(whole, kind);
+    if (by_pieces.has_value() != expected.has_value() || (expected && !same(*by_pieces, *expected)))
+      throw std::logic_error("a file read in pieces differs from the same read as a whole");
+  }
+  read_pen_file(whole, kind);
+}
+
+void load_pen_file(const fs::path& path) { load_pen_file_of(path, {}); }
 
 constexpr Reader all[] = {
     {"obj", ".obj", load_mesh},
@@ -46,9 +93,9 @@ constexpr Reader all[] = {
     {"gltf", ".gltf", load_mesh},
     {"glb", ".glb", load_mesh},
     {"stroke", ".stroke", [](const fs::path& path) { read_strokes(path); }},
-    {"pointer", ".json", [](const fs::path& path) { read_pen_file(open_pen_file(path), "pointer"); }},
-    {"svc", ".svc", [](const fs::path& path) { read_pen_file(open_pen_file(path), "svc"); }},
-    {"mypaint", ".dat", [](const fs::path& path) { read_pen_file(open_pen_file(path), "mypaint"); }},
+    {"pointer", ".json", [](const fs::path& path) { load_pen_file_of(path, "pointer"); }},
+    {"svc", ".svc", [](const fs::path& path) { load_pen_file_of(path, "svc"); }},
+    {"mypaint", ".dat", [](const fs::path& path) { load_pen_file_of(path, "mypaint"); }},
     {"uim", ".pen", load_pen_file},
     {"will", ".pen", load_pen_file},
     {"tilt", ".pen", load_pen_file},

@@ -121,6 +121,16 @@ TEST(PenFile, NamesWhatIsKnownForWhatIsNot) {
   EXPECT_NE(folder.complaint(""), "accepted");
 }
 
+// Packed bytes may have what a kind begins with.
+TEST(PenFile, IsNotReadByPiecesWherePackedOrInUtf16) {
+  const test::PenFileFolder folder;
+  const std::string lines = "\nR: 1 05\nN: A\n" + std::string(100, ' ');
+  const PenFilePieces small = {.head = 32, .block = 8};
+  EXPECT_NE(open_pen_file(folder.write("a", "#" + lines), small).rest_at, 0u);
+  EXPECT_EQ(open_pen_file(folder.write("b", "\xff\xfe" + lines), small).rest_at, 0u);
+  EXPECT_EQ(open_pen_file(folder.write("c", "\x1f\x8b" + lines), small).rest_at, 0u);
+}
+
 TEST(PenFile, IsKnownByItsFirstBytesWhateverItsName) {
   const test::PenFileFolder folder;
   EXPECT_EQ(read_pen_file(folder.write("a.svg", "x,y\n1,2\n")).kind, "csv");

@@ -35,18 +35,16 @@ std::optional<PenFileKind> kind_named(std::string_view name) {
 
 /// The beginning of a long file of a kind that is read piece by piece; nothing of others, and of those that
 /// must be unpacked.
-std::optional<PenFileText> opened_by_pieces(const std::filesystem::path& path) {
-  constexpr std::size_t head_bytes = std::size_t{1} << 20;
+std::optional<PenFileText> opened_by_pieces(const std::filesystem::path& path, const PenFilePieces& pieces) {
   constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 30;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error || size <= head_bytes) return std::nullopt;
-  PenFileText file{path, std::string(head_bytes, '\0')};
+  if (error || size <= pieces.head) return std::nullopt;
+  PenFileText file{path, std::string(pieces.head, '\0'), pieces.head, pieces};
   std::ifstream in(path, std::ios::binary);
-  in.read(file.text.data(), static_cast<std::streamsize>(head_bytes));
-  if (!in) return std::nullopt;
-  file.rest_at = head_bytes;
+  in.read(file.text.data(), static_cast<std::streamsize>(pieces.head));
+  if (!in || is_packed(file.text) || is_utf16(file.text)) return std::nullopt;
   if (file.text.starts_with(byte_order_mark)) file.text.erase(0, byte_order_mark.size());
   const std::optional<PenFileKind> kind = kind_of(file.text);
   if (!kind || !kind->by_pieces) return std::nullopt;
@@ -92,8 +90,8 @@ std::vector<PenFileKind> pen_file_kinds() {
           {"csv", "CSV with named columns", is_csv, read_csv, true}};
 }
 
-PenFileText open_pen_file(const std::filesystem::path& path) {
-  if (auto file = opened_by_pieces(path)) return std::move(*file);
+PenFileText open_pen_file(const std::filesystem::path& path, const PenFilePieces& pieces) {
+  if (auto file = opened_by_pieces(path, pieces)) return std::move(*file);
   return whole_pen_file(path);
 }
 

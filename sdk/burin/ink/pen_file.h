@@ -37,12 +37,19 @@ struct PenFile {
   std::vector<PenStroke> strokes;
 };
 
+/// In what pieces a long file is read, bytes. Others than these are for tests.
+struct PenFilePieces {
+  std::size_t head = std::size_t{1} << 20;   ///< the beginning, by which its kind is known
+  std::size_t block = std::size_t{1} << 18;  ///< each further piece, at least
+};
+
 /// A file in memory, or the beginning of a long one of a kind that is read piece by piece.
 struct PenFileText {
   std::filesystem::path path;  ///< for messages, and for files beside it
   std::string text;            ///< unpacked
   /// The byte of the file behind `text` if the file goes on; 0 if `text` is all.
   std::uintmax_t rest_at = 0;
+  PenFilePieces pieces = {};
 };
 
 /// A kind of pen file.
@@ -61,8 +68,8 @@ std::vector<PenFileKind> pen_file_kinds();
 
 /// Reads the bytes of a pen file, unpacking gzip, xz and the zip of Xournal++; Tilt Brush has folders too.
 /// Of a long file that is read piece by piece the text is only the beginning. Throws FileError if it cannot
-/// be read, unpacks to more than 60 MB, is as much of XML, or has more than 1 GiB.
-PenFileText open_pen_file(const std::filesystem::path& path);
+/// be read, unpacks to more than most_unpacked_bytes(), has more than 60 MB of XML or more than 1 GiB.
+PenFileText open_pen_file(const std::filesystem::path& path, const PenFilePieces& pieces = {});
 
 /// The same with all of the text.
 PenFileText whole_pen_file(const std::filesystem::path& path);

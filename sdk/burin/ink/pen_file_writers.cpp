@@ -1,4 +1,5 @@
 // Writes recordings as InkML and CSV. Numbers are the shortest that are read back as the same.
+#include <burin/ink/decode/inkml_format.h>
 #include <burin/ink/pen_file_writers.h>
 #include <fmt/format.h>
 
@@ -49,6 +50,8 @@ constexpr std::array channels = {
                    [](const Recording&, const PenFields& f) { return f.twist; },
                    [](std::string& line, const Sample& s) { append(line, s.pen.twist); }}};
 
+constexpr std::size_t z_channel = 2;
+
 using Given = std::array<bool, channels.size()>;
 
 Given given_in(const Recording& recording, const RecordedStroke& stroke) {
@@ -96,8 +99,11 @@ void write_inkml(std::span<const Recording> recordings, std::ostream& out) {
   for_each_stroke(recordings, [&](const RecordedStroke&, const Given& given) {
     if (std::ranges::find(contexts, given) == contexts.end()) contexts.push_back(given);
   });
-  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<ink xmlns=\"http://www.w3.org/2003/InkML\">\n"
-         "  <definitions>\n";
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<ink xmlns=\"http://www.w3.org/2003/InkML\">\n";
+  if (std::ranges::any_of(contexts, [](const Given& given) { return given[z_channel]; }))
+    out << fmt::format("  <annotation type=\"{}\">{}</annotation>\n", inkml_space_annotation,
+                       inkml_object_space);
+  out << "  <definitions>\n";
   for (std::size_t i = 0; i < contexts.size(); ++i) write_inkml_context(i, contexts[i], out);
   out << "  </definitions>\n";
   for_each_stroke(recordings, [&](const RecordedStroke& stroke, const Given& given) {

@@ -66,6 +66,22 @@ TEST(ReadCsv, ReadsLinesThatEndInCarriageReturns) {
   EXPECT_FALSE(file.strokes[0].fields.pressure);
 }
 
+// NumPy parts columns by blanks unless told otherwise.
+TEST(ReadCsv, PartsColumnsByBlanksWhereAllNamesAreKnown) {
+  const PenFileFolder folder;
+  const PenFile file = folder.read("# x y time\n 1.0e+00 2 0.5\n3   4 1.5 \n");
+  EXPECT_EQ(places(file.strokes.at(0)), "1 2, 3 4");
+  EXPECT_EQ(file.strokes[0].samples[1].time, 1.5);
+  EXPECT_EQ(folder.complaint("x y\n1 2 3\n"), "2: a line of more than the 2 columns");
+  EXPECT_TRUE(folder.complaint("x y note\n1 2 3\n").starts_with(" no pen file that is known"));
+}
+
+TEST(ReadCsv, TakesNoMembersOfJsonForColumns) {
+  const PenFileFolder folder;
+  for (const char* text : {R"({"type": "stroke", "X": [1, 2], "Y": [3, 4]})", R"( {"x":1,"y":2})"})
+    EXPECT_TRUE(folder.complaint(text).starts_with(" no pen file that is known")) << text;
+}
+
 TEST(ReadCsv, LeavesOutComments) {
   const PenFileFolder folder;
   EXPECT_EQ(places(folder.read("# of a tablet\n# x, y\n1,2\n# 5,6\n3,4\n").strokes.at(0)), "1 2, 3 4");

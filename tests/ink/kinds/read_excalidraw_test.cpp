@@ -19,11 +19,23 @@ TEST(ReadExcalidraw, TurnsWhatWasDrawnByHand) {
   EXPECT_EQ(file.strokes[1].fields, PenFields());
 }
 
+TEST(ReadExcalidraw, HasNoPressureWhereSomePointsLackIt) {
+  const PenFile file = PenFileFolder().read(R"({"type": "excalidraw", "elements": [
+    {"type": "freedraw", "x": 1, "y": 2, "points": [[0, 0], [1, 1]], "pressures": [0.5]},
+    {"type": "freedraw", "x": 1, "y": 2, "points": [[0, 0]], "pressures": [0.5, 0]},
+    {"type": "draw", "x": 3, "y": 4, "points": [[0, 0], [1, 1]]}]})");
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(file.strokes[0].fields, PenFields());
+  EXPECT_EQ(file.strokes[0].samples[0].pen.pressure, Pen().pressure);
+  EXPECT_EQ(file.strokes[1].samples.at(0).pen.pressure, 0.5F);
+  EXPECT_EQ(places(file.strokes[2]), "3 4, 4 5") << "the name in the program's first versions";
+}
+
 TEST(ReadExcalidraw, NamesThePlaceOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(R"({"type": "excalidraw", "elements": [{"type": "freedraw", "x": 1, "y": 2,
-    "points": [[0, 0]], "pressures": [0, 1]}]})"),
-            " elements[0].pressures: points and pressures differ in their count");
+    "points": [[0]]}]})"),
+            " elements[0].points[0]: must be a list of x and y");
   EXPECT_EQ(folder.complaint(R"({"type": "excalidraw"})"), " lacks 'elements'");
 }
 

@@ -49,6 +49,39 @@ TEST(ReadInkml, TakesChannelsFromContextsOfNestedGroups) {
   EXPECT_EQ(file.unit, "");
 }
 
+// The recommendation's Z is the height of the pen above the paper.
+TEST(ReadInkml, TakesZForACoordinateOnlyWhereToldSo) {
+  const std::string traces =
+      R"(<traceFormat><channel name="X"/><channel name="Y"/><channel name="Z"/></traceFormat>
+    <trace>1 2 0, 3 4 0.5</trace>)";
+  const PenFile height = PenFileFolder().read(ink(traces));
+  EXPECT_FALSE(height.strokes.at(0).has_z);
+  EXPECT_EQ(height.strokes[0].samples.at(1).position, Vec3d(3, 4, 0));
+  EXPECT_EQ(height.not_used, std::vector<std::string>{"Z"});
+  const PenFile space = PenFileFolder().read(ink("<annotation type=\"space\">object</annotation>" + traces));
+  EXPECT_TRUE(space.strokes.at(0).has_z);
+  EXPECT_EQ(space.strokes[0].samples.at(1).position, Vec3d(3, 4, 0.5));
+  EXPECT_TRUE(space.not_used.empty());
+}
+
+TEST(ReadInkml, CountsTimesInTheUnitsOfTheirChannel) {
+  const auto last_time = [](const std::string& channel, const std::string& properties) {
+    const PenFile file = PenFileFolder().read(ink(
+        R"(<definitions><context xml:id="c"><inkSource><traceFormat><channel name="X"/><channel name="Y"/><channel name="T" )" +
+        channel + "/></traceFormat>" + properties +
+        R"(</inkSource></context></definitions><trace contextRef="#c">1 2 0, 3 4 20</trace>)"));
+    return file.strokes.at(0).samples.at(1).time;
+  };
+  const auto resolution = [](const std::string& units) {
+    return R"(<channelProperties><channelProperty channel="T" name="resolution" value="100" units=")" +
+           units + "\"/></channelProperties>";
+  };
+  EXPECT_DOUBLE_EQ(last_time("", ""), 0.02);
+  EXPECT_DOUBLE_EQ(last_time("units=\"seconds\"", ""), 20);
+  EXPECT_DOUBLE_EQ(last_time("units=\"dev\"", resolution("1/s")), 0.2);
+  EXPECT_DOUBLE_EQ(last_time("units=\"dev\"", resolution("1/dev")), 0.02);
+}
+
 TEST(ReadInkml, TakesContextsWithoutAnIdOrAFormat) {
   const PenFile file =
       PenFileFolder().read(ink(R"(<traceFormat><channel name="Y"/><channel name="X"/></traceFormat>

@@ -92,6 +92,30 @@ TEST(ReadPointers, ReadsListsOfEvents) {
   EXPECT_EQ(places(folder.read(R"({"events": [{"pointers": [{"x": 1, "y": 2}]}]})").strokes.at(0)), "1 2");
 }
 
+// Of strokes whose reading needs a tree of JSON values and of those that do not.
+TEST(ReadPointers, TellsTiltsOfAltitudeAndAzimuth) {
+  const PenFileFolder folder;
+  const std::string angles =
+      R"("x": 1, "y": 2, "altitudeAngle": 0.785398163397, "azimuthAngle": 1.570796326795)";
+  for (const std::string& text :
+       {"[{\"pointers\": [{" + angles + "}]}]", "[{\"pointers\": [{" + angles + ", \"p\": null}]}]",
+        "[{" + angles + ", \"buttons\": 1}]", "[{" + angles + ", \"buttons\": 1, \"tiltX\": null}]"}) {
+    const PenFile file = folder.read(text);
+    EXPECT_EQ(file.strokes.at(0).fields, (PenFields{.tilt = true})) << text;
+    EXPECT_NEAR(file.strokes[0].samples.at(0).pen.tilt_x, 0, 1e-6);
+    EXPECT_NEAR(file.strokes[0].samples[0].pen.tilt_y, 0.785398, 1e-6);
+  }
+  const PenFile both = folder.read("[{\"pointers\": [{" + angles + R"(, "tiltX": 90, "tiltY": 0}]}])");
+  EXPECT_NEAR(both.strokes.at(0).samples.at(0).pen.tilt_x, 1.570796, 1e-6);
+}
+
+TEST(ReadPointers, TakesNullForAbsent) {
+  const PenFile file = PenFileFolder().read(
+      R"([{"pointers": [{"x": 1, "y": 2, "t": 0, "p": null}, {"x": 3, "y": 4, "t": 8, "p": 0.5}]}])");
+  EXPECT_EQ(file.strokes.at(0).fields, (PenFields{.time = true}));
+  EXPECT_NE(PenFileFolder().complaint(R"([{"pointers": [{"x": null, "y": 2}]}])"), "accepted");
+}
+
 TEST(ReadPointers, NamesThePlaceOfAFault) {
   const PenFileFolder folder;
   EXPECT_NE(folder.complaint("[[{\"x\": 1, \"y\": 2}, 7]]"), "accepted");

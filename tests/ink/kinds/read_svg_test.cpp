@@ -55,6 +55,26 @@ TEST(ReadSvg, FollowsSkewsAndViews) {
       "10 20, 12 24");
 }
 
+TEST(ReadSvg, LeavesOutWhatIsInvisible) {
+  const PenFile file = PenFileFolder().read(svg(R"svg(<g visibility="hidden"><path d="M1 2L3 4"/>
+    <path visibility="visible" d="M5 6L7 8"/></g><g style="visibility:collapse"><line x2="1"/></g>
+    <line x1="1" y1="2" x2="1e1"/>)svg"));
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(places(file.strokes[0]), "5 6, 7 8");
+  EXPECT_EQ(places(file.strokes[1]), "1 2, 10 0");
+}
+
+// As illustration programs write it.
+TEST(ReadSvg, PassesOverTheTypeOfTheDocument) {
+  const PenFile file = PenFileFolder().read(
+      R"(<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "svg11.dtd" [
+      <!ENTITY ns_svg "http://www.w3.org/2000/svg"> <!-- [x] > --> <!ENTITY b "[]">
+      ] ><svg xmlns="&ns_svg;"><path d="M1 2L3 4"/></svg>)");
+  EXPECT_EQ(file.kind, "svg");
+  EXPECT_EQ(places(file.strokes.at(0)), "1 2, 3 4");
+  EXPECT_NE(PenFileFolder().complaint("<!DOCTYPE svg [<!ENTITY a \"x\"> <svg/>"), "accepted");
+}
+
 TEST(ReadSvg, GivesChordsOfCurves) {
   const PenFile file = PenFileFolder().read(svg(
       R"(<path d="M0 0C0 8 8 8 8 0S16-8 16 0"/><path d="M0,0Q4,8 8,0T16,0"/><path d="M-5 0A5 5 0 015 0"/>)"));

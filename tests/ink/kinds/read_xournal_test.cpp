@@ -47,6 +47,23 @@ TEST(ReadXournal, RefusesWhatUnpacksToTooMuch) {
   EXPECT_EQ(folder.complaint(read_file(path.string() + ".gz")), " unpacks to more than 60 MB");
 }
 
+// A notebook with many pages, as far as it is no more than it can be.
+TEST(ReadXournal, ReadsMoreThan60MegabytesThatWereNotMadeToUnpackToMuch) {
+  const PenFileFolder folder;
+  std::string points;
+  for (unsigned i = 0, random = 1; points.size() < 3'100'000; ++i) {
+    random = random * 1664525 + 1013904223;
+    points +=
+        std::to_string(random % 1000) + '.' + std::to_string(random >> 12) + ' ' + std::to_string(i) + ' ';
+  }
+  std::string strokes;
+  for (int i = 0; i < 20; ++i) strokes += "<stroke width=\"1\">" + points + "</stroke>";
+  ASSERT_GT(strokes.size(), 60'000'000u);
+  const auto path = folder.write("a.xopp", page(strokes));
+  ASSERT_EQ(test::run_process({"gzip", "-1", path.string()}).exit_code, 0);
+  EXPECT_EQ(read_pen_file(path.string() + ".gz").strokes.size(), 20u);
+}
+
 TEST(ReadXournal, NamesTheLineOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(page("\n<stroke width=\"1\">1 2 3</stroke>")),

@@ -44,6 +44,23 @@ TEST(TextWindow, GoesToAnyByteOfAFile) {
   EXPECT_EQ(line_of(file, text.size() - 1), 300'300u);
 }
 
+// Wherever a piece of the file ends, also between the two characters of a line end.
+TEST(TextWindow, EndsLinesAtLineFeedsAndCarriageReturns) {
+  const test::PenFileFolder folder;
+  const std::string text = "a\rbc\r\n\n\r\rd\r\n\r\ne";
+  const std::vector<std::string> expected = {"a", "bc", "", "", "", "d", "", "e"};
+  for (std::size_t head = 1; head <= text.size(); ++head)
+    for (std::size_t block = 1; block < 5; ++block) {
+      const PenFileText file{folder.write("lines", text),
+                             text.substr(0, head),
+                             head < text.size() ? head : 0,
+                             {.head = head, .block = block}};
+      std::vector<std::string> lines;
+      for_each_line_of(file, [&](std::string_view line) { lines.emplace_back(line); });
+      EXPECT_EQ(lines, expected) << head << " and " << block;
+    }
+}
+
 /// Texts of more than the beginning by which a kind is known, of 20,000 samples or more.
 std::string long_csv() {
   std::string text = "\xEF\xBB\xBFx,y,note\n";

@@ -135,6 +135,7 @@ bool JsonValue::is_object() const { return json_->is_object(); }
 bool JsonValue::is_array() const { return json_->is_array(); }
 bool JsonValue::is_text() const { return json_->is_string(); }
 bool JsonValue::is_boolean() const { return json_->is_boolean(); }
+bool JsonValue::is_null() const { return json_->is_null(); }
 std::size_t JsonValue::size() const { return json_->size(); }
 
 bool JsonValue::boolean() const {

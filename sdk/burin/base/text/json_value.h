@@ -52,6 +52,7 @@ class JsonValue {
   bool is_array() const;
   bool is_text() const;
   bool is_boolean() const;
+  bool is_null() const;
   std::size_t size() const;  ///< of an array
 
   bool boolean() const;

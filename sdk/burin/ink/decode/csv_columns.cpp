@@ -109,18 +109,19 @@ CsvColumn column_of(std::string_view cell) {
 bool is_position(CsvCell cell) { return cell == CsvCell::x || cell == CsvCell::y || cell == CsvCell::z; }
 
 char csv_separator_of(std::string_view header) {
-  for (const char separator : {'\t', ';'})
+  for (const char separator : {'\t', ';', ','})
     if (header.find(separator) != header.npos) return separator;
-  return ',';
+  return ' ';
 }
 
 std::string_view take_csv_cell(std::string_view& line, char separator) {
   const std::size_t begin = std::min(line.find_first_not_of(" \r"), line.size());
   const bool quoted = line.substr(begin).starts_with('"');
   const std::size_t close = quoted ? std::min(line.find('"', begin + 1), line.size()) : 0;
-  const std::size_t end = std::min(line.find(separator, close), line.size());
+  const std::size_t end = std::min(line.find(separator, std::max(begin, close)), line.size());
   const std::string_view cell = quoted ? line.substr(begin + 1, close - begin - 1) : line.substr(0, end);
   line.remove_prefix(std::min(end + 1, line.size()));
+  if (separator == ' ') skip_blanks(line);
   return trimmed(cell);
 }
 

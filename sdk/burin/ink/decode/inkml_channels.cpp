@@ -36,26 +36,44 @@ double millimetres(std::string_view unit) {
   return scale_of(unit, scales, 0);
 }
 
+/// Seconds a unit of time has, or 0 for others.
 double seconds(std::string_view unit) {
-  static constexpr std::array scales = {NamedScale{"s", 1}, NamedScale{"ms", 1e-3}, NamedScale{"us", 1e-6}};
-  return scale_of(unit, scales, 1e-3);
+  static constexpr std::array scales = {NamedScale{"s", 1},       NamedScale{"sec", 1},
+                                        NamedScale{"seconds", 1}, NamedScale{"ms", 1e-3},
+                                        NamedScale{"msec", 1e-3}, NamedScale{"milliseconds", 1e-3},
+                                        NamedScale{"us", 1e-6},   NamedScale{"microseconds", 1e-6},
+                                        NamedScale{"ns", 1e-9}};
+  return scale_of(unit, scales, 0);
+}
+
+/// What a resolution counts its values per: "s" of "1/s"; empty without a resolution.
+std::string_view unit_of_resolution(const InkmlChannel& channel) {
+  const std::string_view units = channel.resolution_units;
+  return channel.resolution > 0 && units.starts_with("1/") ? units.substr(2) : std::string_view();
+}
+
+/// The seconds per value of a time channel: milliseconds if the file does not tell.
+double time_scale(const InkmlChannel& channel) {
+  constexpr double millisecond = 1e-3;
+  if (const double unit = seconds(unit_of_resolution(channel)); unit > 0) return unit / channel.resolution;
+  const double unit = seconds(channel.units);
+  return unit > 0 ? unit : millisecond;
 }
 
 /// The millimetres per unit of a position channel.
 double position_scale(const InkmlChannel& channel, bool office) {
   if (office) return millimetres("himetric");
-  if (channel.resolution > 0 && channel.resolution_units.starts_with("1/"))
-    return millimetres(std::string_view(channel.resolution_units).substr(2)) / channel.resolution;
-  return millimetres(channel.units);
+  const std::string_view per = unit_of_resolution(channel);
+  return per.empty() ? millimetres(channel.units) : millimetres(per) / channel.resolution;
 }
 
 }  // namespace
 
-InkmlChannels::InkmlChannels(const InkmlFormat& format, bool office)
+InkmlChannels::InkmlChannels(const InkmlFormat& format, bool office, bool in_space)
     : format_(format),
       x_(find("X")),
       y_(find("Y")),
-      z_(find("Z")),
+      z_(in_space ? find("Z") : At()),
       time_(find("T")),
       force_(find("F")),
       tilt_x_(find("OTx")),
@@ -137,7 +155,7 @@ Sample InkmlChannels::sample(const InkmlValues& values, double begin) const {
   Sample sample;
   sample.position = {value(x_, values), value(y_, values), z_ ? value(z_, values) : 0};
   if (in_millimetres()) sample.position = sample.position.cwiseProduct(scale_);
-  if (time_) sample.time = begin + value(time_, values) * seconds(channel(time_).units);
+  if (time_) sample.time = begin + value(time_, values) * time_scale(channel(time_));
   if (force_) sample.pen.pressure = pressure(value(force_, values));
   if (tilt_x_ && tilt_y_) {
     sample.pen.tilt_x = static_cast<float>(angle(tilt_x_, values));

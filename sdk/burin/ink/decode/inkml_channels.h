@@ -16,12 +16,15 @@ using InkmlValues = std::vector<std::optional<double>>;
 /// Makes samples of the values of a trace.
 class InkmlChannels {
  public:
-  InkmlChannels(const InkmlFormat& format, bool office);
+  /// `in_space`: Z is a coordinate like X and Y; else the height of the pen above the paper, which is not
+  /// used.
+  InkmlChannels(const InkmlFormat& format, bool office, bool in_space);
 
   const InkmlFormat& format() const { return format_; }
   bool in_millimetres() const { return scale_.x() > 0; }
   bool has_elevation() const { return azimuth_ && elevation_; }
   bool has_position() const { return x_ && y_; }
+  bool has_height() const { return !z_ && find("Z"); }
   PenStroke empty_stroke() const;
   /// Gives a point the values that it lacks, but position and contact, of the point before where they have no
   /// default. `held`: the last value of each channel so far.

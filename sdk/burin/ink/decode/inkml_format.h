@@ -9,6 +9,10 @@
 
 namespace burin {
 
+/// An annotation of this type and content tells that strokes lie in space. The recommendation has no such
+/// strokes: its Z is the height of the pen above the paper.
+inline constexpr std::string_view inkml_space_annotation = "space", inkml_object_space = "object";
+
 /// What InkML says of a channel.
 struct InkmlChannel {
   std::string name = {};   ///< "X", "F", "OTx"

@@ -36,15 +36,25 @@ struct Named {
 struct ListedEvent {
   Named x, y;
   std::array<Named, pointer_channels.size()> channels;
-  std::optional<double> pointer, buttons;
+  std::optional<double> pointer, buttons, altitude, azimuth;
   std::optional<std::string> type, pointer_type;
 };
 
 Named named_in(const JsonValue& json, const Names& names) {
   for (std::size_t rank = 0; rank < names.size(); ++rank)
-    if (const auto found = names[rank].empty() ? std::nullopt : json.find(std::string(names[rank])))
+    if (const auto found = names[rank].empty() ? std::nullopt : json.find(std::string(names[rank]));
+        found && !found->is_null())
       return {found->number(), rank};
   return {};
+}
+
+/// Gives an event the tilts that it tells by other angles only.
+void tilt_by_angles(ListedEvent& event) {
+  Named &x = event.channels[tilt_x_channel], &y = event.channels[tilt_y_channel];
+  if (x.has() || y.has() || !event.altitude || !event.azimuth) return;
+  const auto tilts = tilts_of(*event.altitude, *event.azimuth);
+  x = {tilts[0], 0};
+  y = {tilts[1], 0};
 }
 
 ListedEvent event_of(const JsonValue& json) {
@@ -55,8 +65,15 @@ ListedEvent event_of(const JsonValue& json) {
   if (!event.y.has()) json.member("y");
   for (std::size_t i = 0; i < pointer_channels.size(); ++i)
     event.channels[i] = named_in(json, pointer_channels[i].names);
-  if (const auto pointer = json.find("pointerId")) event.pointer = pointer->number();
-  if (const auto buttons = json.find("buttons")) event.buttons = buttons->number();
+  const auto number = [&](std::string_view name, std::optional<double>& value) {
+    const auto found = json.find(std::string(name));
+    if (found && !found->is_null()) value = found->number();
+  };
+  number("pointerId", event.pointer);
+  number("buttons", event.buttons);
+  number(altitude_name, event.altitude);
+  number(azimuth_name, event.azimuth);
+  tilt_by_angles(event);
   const auto text = [&](const char* name) {
     const auto found = json.find(name);
     return found && found->is_text() ? std::optional(found->text()) : std::nullopt;
@@ -92,6 +109,8 @@ std::optional<ListedEvent> plain_event(std::string_view json) {
   const bool whole = for_each_json_part(json, [&](std::string_view name, std::string_view part) {
     if (name == "pointerId") return (event.pointer = number_of(part)).has_value();
     if (name == "buttons") return (event.buttons = number_of(part)).has_value();
+    if (name == altitude_name) return (event.altitude = number_of(part)).has_value();
+    if (name == azimuth_name) return (event.azimuth = number_of(part)).has_value();
     if (name == "type") return (event.type = text_of(part)).has_value();
     if (name == "pointerType") return (event.pointer_type = text_of(part)).has_value();
     bool good = take_named(name, part, x_names, event.x) && take_named(name, part, y_names, event.y);
@@ -99,6 +118,7 @@ std::optional<ListedEvent> plain_event(std::string_view json) {
       good = good && take_named(name, part, pointer_channels[i].names, event.channels[i]);
     return good && name.find('\\') == name.npos;
   });
+  tilt_by_angles(event);
   return whole && event.x.has() && event.y.has() ? std::optional(std::move(event)) : std::nullopt;
 }
 

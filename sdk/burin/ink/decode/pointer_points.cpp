@@ -1,6 +1,7 @@
 // Reads points from the events of a parser of JSON, as they come.
 #include <burin/base/text/lower_case.h>
 #include <burin/ink/decode/pointer_points.h>
+#include <burin/ink/decode/tilt_angles.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -35,7 +36,10 @@ const std::array<PointerChannel, 5> pointer_channels = {
 
 namespace {
 
-constexpr std::size_t x_slot = 0, y_slot = 1, first_channel = 2, slots = 7, no_slot = slots;
+constexpr std::size_t x_slot = 0, y_slot = 1, first_channel = 2, altitude_slot = 7, azimuth_slot = 8,
+                      slots = 9, no_slot = slots;
+constexpr std::size_t tilt_x_slot = first_channel + tilt_x_channel,
+                      tilt_y_slot = first_channel + tilt_y_channel;
 
 /// Where a member of a point goes, and which of the channel's names it has.
 struct Slot {
@@ -45,6 +49,8 @@ struct Slot {
 Slot slot_of(std::string_view name) {
   if (name == "x") return {x_slot, 0};
   if (name == "y") return {y_slot, 0};
+  if (name == altitude_name) return {altitude_slot, 0};
+  if (name == azimuth_name) return {azimuth_slot, 0};
   for (std::size_t i = 0; i < pointer_channels.size(); ++i) {
     const auto& names = pointer_channels[i].names;
     const auto found = std::ranges::find(names, name);
@@ -80,6 +86,7 @@ class PlainStroke : public nlohmann::json_sax<nlohmann::json> {
 
  private:
   bool take_number(double value);
+  void tilt_by_angles();
   /// A value that is no number may be anywhere but in the list and in a channel.
   bool take_other() const {
     return depth_ == 0 || (depth_ != list_depth_ && !(in_point_ && at_.slot != no_slot));
@@ -117,15 +124,26 @@ bool PlainStroke::end_object() {
   --depth_;
   if (!std::exchange(in_point_, false)) return true;
   if (ranks_[x_slot] == 0 || ranks_[y_slot] == 0) return false;
+  tilt_by_angles();
   const bool first = stroke_.samples.empty();
   if (first) stroke_.made_pressure = ranks_[first_channel + 1] != 1;
   Sample& sample = stroke_.samples.emplace_back();
   sample.position = {values_[x_slot], values_[y_slot], 0};
-  for (std::size_t slot = first_channel; slot < slots; ++slot) {
+  for (std::size_t slot = first_channel; slot < altitude_slot; ++slot) {
     if (ranks_[slot] > 0) pointer_channels[slot - first_channel].set(sample, values_[slot]);
     whole_[slot] = (first || whole_[slot]) && ranks_[slot] > 0;
   }
   return true;
+}
+
+/// Gives a point the tilts that it tells by other angles only.
+void PlainStroke::tilt_by_angles() {
+  const auto has = [&](std::size_t slot) { return ranks_[slot] > 0; };
+  if (has(tilt_x_slot) || has(tilt_y_slot) || !has(altitude_slot) || !has(azimuth_slot)) return;
+  const auto [x, y] = tilts_of(values_[altitude_slot], values_[azimuth_slot]);
+  values_[tilt_x_slot] = x;
+  values_[tilt_y_slot] = y;
+  ranks_[tilt_x_slot] = ranks_[tilt_y_slot] = 1;
 }
 
 bool PlainStroke::start_array(std::size_t) {
@@ -152,7 +170,7 @@ bool PlainStroke::take_number(double value) {
 
 PenStroke PlainStroke::finish() {
   std::array<bool, pointer_channels.size()> whole{};
-  std::copy(whole_.begin() + first_channel, whole_.end(), whole.begin());
+  std::copy_n(whole_.begin() + first_channel, whole.size(), whole.begin());
   for (std::size_t i = 0; i < whole.size(); ++i)
     if (whole[i]) stroke_.fields.*pointer_channels[i].field = true;
   keep_channels(stroke_, whole);
@@ -165,8 +183,14 @@ PenStroke PlainStroke::finish() {
 std::optional<JsonValue> channel_of(const JsonValue& value, const PointerChannel& channel) {
   for (const std::string_view name : channel.names)
     if (!name.empty())
-      if (auto found = value.find(std::string(name))) return found;
+      if (auto found = value.find(std::string(name)); found && !found->is_null()) return found;
   return std::nullopt;
+}
+
+std::array<double, 2> tilts_of(double altitude, double azimuth) {
+  Pen pen;
+  set_tilt(pen, azimuth, altitude);
+  return {pen.tilt_x / degree, pen.tilt_y / degree};
 }
 
 void keep_channels(PenStroke& stroke, const std::array<bool, pointer_channels.size()>& whole) {

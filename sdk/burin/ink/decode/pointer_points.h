@@ -16,10 +16,16 @@ struct PointerChannel {
 };
 
 extern const std::array<PointerChannel, 5> pointer_channels;
-inline constexpr std::size_t pressure_channel = 1;
+inline constexpr std::size_t pressure_channel = 1, tilt_x_channel = 2, tilt_y_channel = 3;
 
-/// The member of a value that gives it a channel.
+/// The member of a value that gives it a channel; null is none.
 std::optional<JsonValue> channel_of(const JsonValue& value, const PointerChannel& channel);
+
+/// Where the pen's upper end points to, radians: what events have beside tiltX and tiltY, or instead of them.
+inline constexpr std::string_view altitude_name = "altitudeAngle", azimuth_name = "azimuthAngle";
+
+/// tiltX and tiltY, degrees, of an altitude above the plane and an azimuth from +x towards +y, radians.
+std::array<double, 2> tilts_of(double altitude, double azimuth);
 
 /// Sets channels that not all samples have to what a pen without them has.
 void keep_channels(PenStroke& stroke, const std::array<bool, pointer_channels.size()>& whole);

@@ -1,8 +1,8 @@
 // Reads CSV whose first line names the columns, as write_pen_csv() does and as spreadsheets and recorders of
-// all sorts do. Columns part by commas, semicolons or tabs. x and y must be there; the names that are known
-// are in decode/csv_columns.cpp, others are left out. A name may have a unit: "time_ms", "x (mm)". An empty
-// cell is absent. Lines that begin with '#' are comments; the first line may begin so too, as NumPy writes
-// it.
+// all sorts do. Columns part by commas, semicolons, tabs or, where all names are known, blanks. x and y must
+// be there; the names that are known are in decode/csv_columns.cpp, others are left out. A name may have a
+// unit: "time_ms", "x (mm)". An empty cell is absent. Lines that begin with '#' are comments; the first line
+// may begin so too, as NumPy writes it.
 #include <burin/base/error.h>
 #include <burin/base/text/lower_case.h>
 #include <burin/base/text/quoted_word.h>
@@ -40,9 +40,11 @@ bool may_come_first(std::string_view line) {
 /// The columns of a line that names x and y; none for other lines.
 std::vector<CsvColumn> header_columns(std::string_view line) {
   if (line.starts_with(comment_mark)) line.remove_prefix(1);
-  if (line.find_first_of(",;\t") == line.npos) return {};
   std::vector<CsvColumn> named = csv_columns_of(line);
-  return has(named, CsvCell::x) && has(named, CsvCell::y) ? named : std::vector<CsvColumn>();
+  if (!has(named, CsvCell::x) || !has(named, CsvCell::y)) return {};
+  // Between blanks any text has names.
+  if (csv_separator_of(line) == ' ' && has(named, CsvCell::unknown)) return {};
+  return named;
 }
 
 /// A line of the table.
@@ -178,6 +180,9 @@ class Rows {
 bool is_csv(std::string_view text) {
   constexpr std::size_t early = 4096;
   text = text.substr(0, early);
+  // Names of members of JSON can be those of columns.
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first != text.npos && (text[first] == '{' || text[first] == '[')) return false;
   for (;;) {
     const std::size_t end = text.find_first_of("\r\n");
     const std::string_view line = text.substr(0, end);

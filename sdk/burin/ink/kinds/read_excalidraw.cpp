@@ -1,6 +1,7 @@
 // Reads scenes and libraries of Excalidraw: JSON with elements, of which those drawn by hand ("freedraw") are
-// strokes. Points lie relative to the element, which then turns about the middle of their box. Positions are
-// CSS pixels. Pressures that the program simulates are not in the file.
+// strokes; its first versions called them "draw". Points lie relative to the element, which then turns about
+// the middle of their box. Positions are CSS pixels. Pressures that the program simulates are not in the
+// file.
 #include <burin/base/text/json_value.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/json_parts.h>
@@ -55,7 +56,7 @@ Element element_of(const JsonValue& json) {
   if (!json.is_object()) json.reject_type("an element");
   const auto type = json.find("type");
   Element element;
-  element.freedraw = type && type->is_text() && type->text() == "freedraw";
+  element.freedraw = type && type->is_text() && (type->text() == "freedraw" || type->text() == "draw");
   element.deleted = is_set(json, "isDeleted");
   if (!element.freedraw || element.deleted) return element;
   element.x = json.member("x").number();
@@ -65,11 +66,7 @@ Element element_of(const JsonValue& json) {
     if (!point.is_array() || point.size() < 2) point.reject_type("a list of x and y");
     element.points.insert(element.points.end(), {point.number_at(0), point.number_at(1)});
   }
-  if (const auto list = json.find("pressures")) {
-    element.pressures = list->numbers();
-    if (!element.pressures.empty() && 2 * element.pressures.size() != element.points.size())
-      list->reject("points and pressures differ in their count");
-  }
+  if (const auto list = json.find("pressures")) element.pressures = list->numbers();
   element.simulated = is_set(json, "simulatePressure");
   return element;
 }
@@ -98,13 +95,12 @@ std::optional<Element> plain_element(std::string_view json) {
     if (name == "angle") return number(part, element.angle);
     if (name == "points") return element.points.empty() && append_points(part, element.points);
     if (name == "pressures") return element.pressures.empty() && append_numbers(part, element.pressures);
-    if (name == "type") element.freedraw = part == R"("freedraw")";
+    if (name == "type") element.freedraw = part == R"("freedraw")" || part == R"("draw")";
     if (name == "isDeleted") element.deleted = part == "true";
     if (name == "simulatePressure") element.simulated = part == "true";
     return nlohmann::json::accept(part);
   });
-  const bool even = element.pressures.empty() || 2 * element.pressures.size() == element.points.size();
-  const bool good = plain && element.freedraw && has_x && has_y && even;
+  const bool good = plain && element.freedraw && has_x && has_y;
   return good ? std::optional(std::move(element)) : std::nullopt;
 }
 
@@ -117,9 +113,10 @@ void add_stroke(const Element& element, std::size_t page, PenFile& content) {
     stroke.samples[i].position = {element.x + element.points[2 * i], element.y + element.points[2 * i + 1],
                                   0};
   if (element.angle != 0) turn(stroke.samples, element.angle);
-  stroke.fields.pressure = !element.pressures.empty();
+  // Some points may lack it.
+  stroke.fields.pressure = element.pressures.size() >= stroke.samples.size();
   stroke.made_pressure = stroke.fields.pressure && element.simulated;
-  for (std::size_t i = 0; i < element.pressures.size(); ++i)
+  for (std::size_t i = 0; stroke.fields.pressure && i < stroke.samples.size(); ++i)
     stroke.samples[i].pen.pressure = static_cast<float>(element.pressures[i]);
 }
 

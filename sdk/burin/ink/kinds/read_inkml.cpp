@@ -23,16 +23,27 @@ bool from_office(std::string_view text) {
          text.find("id=\"inkSrc") != text.npos;
 }
 
+/// Whether an annotation, as write_inkml() makes it, says that strokes lie in space: by itself Z is the
+/// height of the pen above the paper.
+bool tells_of_space(const pugi::xml_node& ink) {
+  return std::ranges::any_of(ink.children(), [](const pugi::xml_node& node) {
+    return local_name(node.name()) == "annotation" &&
+           std::string_view(attribute(node, "type").value()) == inkml_space_annotation &&
+           std::string_view(node.text().get()) == inkml_object_space;
+  });
+}
+
 /// Reads the traces of a file.
 class InkmlReader {
  public:
   explicit InkmlReader(const PenFileText& file)
-      : xml_(file), formats_(xml_), office_(from_office(file.text)) {}
+      : xml_(file), formats_(xml_), office_(from_office(file.text)), in_space_(tells_of_space(xml_.root())) {}
 
   PenFile read() {
     collect_defined(xml_.root());
     read_group(xml_.root(), {});
     if ((office_ || elevated_) && !tilted_) drop_tilt();
+    if (heights_) content_.not_used.emplace_back("Z");
     return std::move(content_);
   }
 
@@ -48,7 +59,8 @@ class InkmlReader {
 
   XmlFile xml_;
   InkmlFormats formats_;
-  bool office_;
+  bool office_, in_space_;
+  bool heights_ = false;   ///< some trace has a Z that is no coordinate
   bool tilted_ = false;    ///< some point has a tilt other than 0
   bool elevated_ = false;  ///< some trace has an elevation
   PenFile content_;
@@ -95,9 +107,10 @@ void InkmlReader::read_defined(const pugi::xml_node& view, const std::string& co
 
 void InkmlReader::read_trace(const pugi::xml_node& trace, std::string_view context) {
   if (const pugi::xml_attribute own = attribute(trace, "contextRef")) context = own.value();
-  const InkmlChannels channels(formats_.of(trace, context), office_);
+  const InkmlChannels channels(formats_.of(trace, context), office_, in_space_);
   if (!channels.has_position()) xml_.reject(trace, "a format without X or Y");
   elevated_ |= channels.has_elevation();
+  heights_ |= channels.has_height();
   try {
     read_points(trace, channels, std::string_view(attribute(trace, "type").value()) == "penUp");
   } catch (const FileError&) {

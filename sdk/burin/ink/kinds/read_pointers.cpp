@@ -28,6 +28,26 @@ bool has_reported_pressure(const JsonValue& value) {
   return value.find(std::string(reported_pressure)).has_value();
 }
 
+std::optional<JsonValue> angle_of(const JsonValue& value, std::string_view name) {
+  auto found = value.find(std::string(name));
+  return found && !found->is_null() ? found : std::nullopt;
+}
+
+/// Gives the points of a stroke without tilts those that all of them tell by other angles.
+void tilt_by_angles(const std::vector<JsonValue>& points, PenStroke& stroke) {
+  const auto tells = [](const JsonValue& point) {
+    return angle_of(point, altitude_name) && angle_of(point, azimuth_name);
+  };
+  if (stroke.fields.tilt || !std::ranges::all_of(points, tells)) return;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto tilts =
+        tilts_of(angle_of(points[i], altitude_name)->number(), angle_of(points[i], azimuth_name)->number());
+    pointer_channels[tilt_x_channel].set(stroke.samples[i], tilts[0]);
+    pointer_channels[tilt_y_channel].set(stroke.samples[i], tilts[1]);
+  }
+  stroke.fields.tilt = true;
+}
+
 void read_points(const JsonValue& points, PenStroke& stroke) {
   const std::vector<JsonValue> items = points.items();
   for (const JsonValue& point : items)
@@ -42,6 +62,7 @@ void read_points(const JsonValue& points, PenStroke& stroke) {
     for (std::size_t i = 0; i < items.size(); ++i)
       channel.set(stroke.samples[i], channel_of(items[i], channel)->number());
   }
+  tilt_by_angles(items, stroke);
   stroke.made_pressure = stroke.fields.pressure && !has_reported_pressure(items[0]);
 }
 

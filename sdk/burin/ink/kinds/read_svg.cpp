@@ -1,6 +1,6 @@
-// Reads the paths and polylines of SVG pictures, in the pixels of the picture, with the transforms and views
-// around them. Each subpath is a stroke. A picture has no times, pressure or tilt; curves give chords, see
-// svg_path.h.
+// Reads the paths, lines and polylines of SVG pictures, in the pixels of the picture, with the transforms and
+// views around them. Each subpath is a stroke. A picture has no times, pressure or tilt; curves give chords,
+// see svg_path.h.
 #include <burin/base/error.h>
 #include <burin/base/text/quoted_word.h>
 #include <burin/ink/decode/svg_path.h>
@@ -122,18 +122,18 @@ Affine view_of(const pugi::xml_node& svg) {
   return view.translate(-Eigen::Vector2d(box[0], box[1]));
 }
 
-/// Whether an element says of itself that neither it nor those in it are drawn.
-bool is_hidden(const pugi::xml_node& node) {
-  std::string_view display = attribute(node, "display").value();
+/// What an element says of a property, by its style or else by an attribute; empty if it says nothing.
+std::string_view property_of(const pugi::xml_node& node, std::string_view name) {
+  std::string_view value = attribute(node, name).value();
   for (std::string_view style = attribute(node, "style").value(); !style.empty();) {
     std::string_view declaration = style.substr(0, style.find(';'));
     style.remove_prefix(std::min(declaration.size() + 1, style.size()));
     skip_blanks(declaration);
-    if (!declaration.starts_with("display")) continue;
-    declaration.remove_prefix(std::string_view("display").size());
-    if (take_character(declaration, ':')) display = declaration;
+    if (!declaration.starts_with(name)) continue;
+    declaration.remove_prefix(name.size());
+    if (take_character(declaration, ':')) value = declaration;
   }
-  return take_word(display) == "none";
+  return take_word(value);
 }
 
 class SvgReader {
@@ -141,39 +141,52 @@ class SvgReader {
   explicit SvgReader(const PenFileText& file) : xml_(file) { content_.unit = "px"; }
 
   PenFile read() {
-    read_element(xml_.root(), Affine::Identity());
+    read_element(xml_.root(), Affine::Identity(), true);
     return std::move(content_);
   }
 
  private:
-  void read_element(const pugi::xml_node& node, Affine transform);
+  void read_element(const pugi::xml_node& node, Affine transform, bool visible);
+  void add_shape(const pugi::xml_node& node, const Affine& transform);
   void add_path(std::string_view data, const Affine& transform);
 
   XmlFile xml_;
   PenFile content_;
 };
 
-/// Takes an element and those in it. What only serves others by reference is no stroke.
-void SvgReader::read_element(const pugi::xml_node& node, Affine transform) {
+/// Takes an element and those in it. What only serves others by reference is no stroke. `visible`: unless the
+/// element says otherwise.
+void SvgReader::read_element(const pugi::xml_node& node, Affine transform, bool visible) {
   const std::string_view name = local_name(node.name());
-  if (is_hidden(node)) return;
+  if (property_of(node, "display") == "none") return;
+  if (const std::string_view own = property_of(node, "visibility"); !own.empty() && own != "inherit")
+    visible = own == "visible";
   if (name == "defs" || name == "clipPath" || name == "symbol" || name == "marker" || name == "mask" ||
       name == "pattern")
     return;
   try {
     transform = transform * parse_transform(attribute(node, "transform").value());
     if (name == "svg") transform = transform * view_of(node);
-    if (name == "path") add_path(attribute(node, "d").value(), transform);
-    if (name == "polyline" || name == "polygon") {
-      const std::string points = attribute(node, "points").value();
-      if (!points.empty()) add_path("M" + points + (name == "polygon" ? "Z" : ""), transform);
-    }
+    if (visible) add_shape(node, transform);
   } catch (const FileError&) {
     throw;
   } catch (const Error& error) {
     xml_.reject(node, error.what());
   }
-  for (const pugi::xml_node& child : node.children()) read_element(child, transform);
+  for (const pugi::xml_node& child : node.children()) read_element(child, transform, visible);
+}
+
+void SvgReader::add_shape(const pugi::xml_node& node, const Affine& transform) {
+  const std::string_view name = local_name(node.name());
+  if (name == "path") add_path(attribute(node, "d").value(), transform);
+  if (name == "polyline" || name == "polygon") {
+    const std::string points = attribute(node, "points").value();
+    if (!points.empty()) add_path("M" + points + (name == "polygon" ? "Z" : ""), transform);
+  }
+  if (name == "line") {
+    const auto end = [&](const char* axis) { return pixels(attribute(node, axis).value()).value_or(0); };
+    add_path(fmt::format("M{} {}L{} {}", end("x1"), end("y1"), end("x2"), end("y2")), transform);
+  }
 }
 
 void SvgReader::add_path(std::string_view data, const Affine& transform) {

@@ -36,8 +36,7 @@ void TextWindow::go_to(std::uintmax_t place) {
 
 bool TextWindow::grow() {
   if (!file_) return false;
-  constexpr std::size_t block_bytes = std::size_t{1} << 18;
-  const std::size_t kept = text_.size(), asked = std::max(block_bytes, kept);
+  const std::size_t kept = text_.size(), asked = std::max(file_->pieces.block, kept);
   if (kept + asked > most_parsed_bytes)
     throw FileError(file_->path.string(), "a line, or a part of JSON, that is longer than 30 MB");
   buffer_.erase(0, buffer_.size() - kept);
@@ -64,16 +63,24 @@ bool TextWindow::take_character(char expected) {
   return true;
 }
 
-std::string_view TextWindow::line(char end) {
-  std::size_t at = text_.find(end);
-  for (std::size_t searched = text_.size(); at == text_.npos && grow(); searched = text_.size())
-    at = text_.find(end, searched);
-  return text_.substr(0, at);
+std::string_view TextWindow::line() {
+  const auto end_from = [this](std::size_t from) {
+    const auto is_end = [](char c) { return c == '\n' || c == '\r'; };
+    return static_cast<std::size_t>(
+        std::find_if(text_.begin() + static_cast<std::ptrdiff_t>(from), text_.end(), is_end) - text_.begin());
+  };
+  std::size_t end = end_from(0);
+  for (std::size_t searched = text_.size(); end == searched && grow(); searched = text_.size())
+    end = end_from(searched);
+  // A newline that follows a carriage return belongs to it.
+  if (end + 1 == text_.size() && text_[end] == '\r') grow();
+  return text_.substr(0, end);
 }
 
-std::string_view TextWindow::take_line(char end) {
-  const std::string_view line = this->line(end);
-  remove_prefix(std::min(line.size() + 1, text_.size()));
+std::string_view TextWindow::take_line() {
+  const std::string_view line = this->line(), rest = text_.substr(line.size());
+  const std::size_t end = rest.starts_with("\r\n") ? 2 : 1;
+  remove_prefix(std::min(line.size() + end, text_.size()));
   return line;
 }
 

@@ -44,11 +44,11 @@ class TextWindow {
   /// Removes blanks and then this character. Returns false if another one follows.
   bool take_character(char expected);
 
-  /// The next line without its `end`, which is empty at the end of the text.
-  std::string_view line(char end = '\n');
+  /// The next line without its end, which is LF, CR or CRLF. Empty at the end of the text.
+  std::string_view line();
 
-  /// Removes the next line; returns it without its `end`.
-  std::string_view take_line(char end = '\n');
+  /// Removes the next line and its end; returns the line.
+  std::string_view take_line();
 
  private:
   std::string_view whole_;  ///< of a text in memory
@@ -59,16 +59,15 @@ class TextWindow {
   std::string buffer_;
 };
 
-/// Calls `take` with every line of a pen file, without its newline, or its carriage return where a text has
-/// no newlines. An Error that it throws becomes a FileError that names the line.
+/// Calls `take` with every line of a pen file, without its end. An Error that it throws becomes a FileError
+/// that names the line.
 template <class Take>
 void for_each_line_of(const PenFileText& file, const Take& take) {
   std::size_t number = 0;
-  const char line_end = file.text.find('\n') == file.text.npos ? '\r' : '\n';
   for (TextWindow text(file); !text.text().empty() || text.grow();) {
     ++number;
     try {
-      take(text.take_line(line_end));
+      take(text.take_line());
     } catch (const FileError&) {
       throw;
     } catch (const Error& error) {

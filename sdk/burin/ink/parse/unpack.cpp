@@ -17,7 +17,8 @@ namespace {
 /// Reads a packed file in memory.
 class Archive {
  public:
-  Archive(const std::filesystem::path& path, std::string_view bytes) : path_(path) {
+  Archive(const std::filesystem::path& path, std::string_view bytes)
+      : path_(path), most_bytes_(most_unpacked_bytes(bytes.size())) {
     archive_read_support_filter_gzip(archive_.get());
     archive_read_support_filter_xz(archive_.get());
     archive_read_support_format_zip(archive_.get());
@@ -57,8 +58,8 @@ class Archive {
       const la_ssize_t got = archive_read_data(archive_.get(), block.data(), block.size());
       if (got < 0) fail();
       if (got == 0) return;
-      if (text.size() + static_cast<std::size_t>(got) > most_parsed_bytes)
-        throw FileError(path_.string(), "unpacks to more than 60 MB");
+      if (text.size() + static_cast<std::size_t>(got) > most_bytes_)
+        throw FileError(path_.string(), fmt::format("unpacks to more than {} MB", most_bytes_ / 1'000'000));
       text.append(block.data(), static_cast<std::size_t>(got));
     }
   }
@@ -73,14 +74,10 @@ class Archive {
   }
 
   std::filesystem::path path_;
+  std::size_t most_bytes_;
   std::string name_;
   std::unique_ptr<archive, int (*)(archive*)> archive_{archive_read_new(), archive_read_free};
 };
-
-bool packed(std::string_view bytes) {
-  return bytes.starts_with("\x1f\x8b") || bytes.starts_with(std::string_view("\xfd\x37zXZ\0", 6)) ||
-         bytes.starts_with("PK\x03\x04");
-}
 
 /// Whether a member of a zip is a list of paths of WILL, of which documents have one for each page or layer.
 bool holds_paths(std::string_view name) { return name.ends_with(".protobuf"); }
@@ -111,9 +108,14 @@ void check_length(const std::filesystem::path& path) {
 
 }  // namespace
 
+bool is_packed(std::string_view bytes) {
+  return bytes.starts_with("\x1f\x8b") || bytes.starts_with(std::string_view("\xfd\x37zXZ\0", 6)) ||
+         bytes.starts_with("PK\x03\x04");
+}
+
 std::string zip_member(const std::filesystem::path& path, std::string_view bytes, std::string_view name) {
   Archive archive(path, bytes);
-  if (!packed(bytes) || !archive.find_content([&](std::string_view member) { return member == name; }))
+  if (!is_packed(bytes) || !archive.find_content([&](std::string_view member) { return member == name; }))
     throw FileError(path.string(), fmt::format("a zip without {}", name));
   return archive.content();
 }
@@ -121,10 +123,10 @@ std::string zip_member(const std::filesystem::path& path, std::string_view bytes
 std::string unpacked_pen_file(const std::filesystem::path& path) {
   std::error_code none;
   if (const auto member = path / sketch_member; std::filesystem::is_regular_file(member, none))
-    return read_file(member, most_parsed_bytes);
+    return read_file(member);
   check_length(path);
   std::string bytes = read_file(path);
-  if (!packed(bytes)) return bytes;
+  if (!is_packed(bytes)) return bytes;
   Archive archive(path, bytes);
   if (!archive.find_content(holds_strokes))
     throw FileError(path.string(), "a zip without content.xml, .will, .protobuf or data.sketch");

@@ -7,6 +7,8 @@
 namespace burin {
 namespace {
 
+constexpr std::string_view little_mark = "\xff\xfe", big_mark = "\xfe\xff";
+
 constexpr std::uint32_t first_high = 0xD800, first_low = 0xDC00, after_low = 0xE000, replacement = 0xFFFD;
 
 bool is_low(std::uint32_t unit) { return unit >= first_low && unit < after_low; }
@@ -33,9 +35,13 @@ void append(std::string& text, std::uint32_t character) {
 
 }  // namespace
 
+bool is_utf16(std::string_view bytes) {
+  return bytes.starts_with(little_mark) || bytes.starts_with(big_mark);
+}
+
 std::optional<std::string> from_utf16(std::string_view bytes) {
-  const bool little = bytes.starts_with("\xff\xfe");
-  if (!little && !bytes.starts_with("\xfe\xff")) return std::nullopt;
+  if (!is_utf16(bytes)) return std::nullopt;
+  const bool little = bytes.starts_with(little_mark);
   const auto unit = [&](std::size_t at) {
     const auto first = static_cast<unsigned char>(bytes[at]),
                second = static_cast<unsigned char>(bytes[at + 1]);

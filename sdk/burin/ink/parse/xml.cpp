@@ -1,14 +1,22 @@
 // Parses XML by pugixml, which knows no entities but the five of XML.
 #include <burin/base/error.h>
+#include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/xml.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace burin {
 namespace {
 
-constexpr std::ptrdiff_t most_tags = 500'000, most_attributes = 500'000;
+/// Most of the characters that begin tags, or values of attributes, in a text of this size. Handwriting has
+/// fewer: each of them takes memory of its own.
+std::ptrdiff_t most_marks(std::size_t bytes) {
+  constexpr std::size_t always = 500'000, bytes_a_mark = 32;
+  return static_cast<std::ptrdiff_t>(std::max(always, bytes / bytes_a_mark));
+}
+
 constexpr int deepest = 200;
 
 /// An element deeper than that, or an empty one.
@@ -28,10 +36,10 @@ pugi::xml_node too_deep(const pugi::xml_node& root) {
 }  // namespace
 
 XmlFile::XmlFile(const PenFileText& file) : file_(file) {
-  if (std::ranges::count(file.text, '<') > most_tags)
-    throw FileError(file.path.string(), "more than 500,000 tags of XML");
-  if (std::ranges::count(file.text, '=') > most_attributes)
-    throw FileError(file.path.string(), "more than 500,000 attributes of XML");
+  const std::ptrdiff_t most = most_marks(file.text.size());
+  for (const auto& [mark, what] : {std::pair('<', "tags"), std::pair('=', "attributes")})
+    if (std::ranges::count(file.text, mark) > most)
+      throw FileError(file.path.string(), fmt::format("more than {} {} of XML", most, what));
   const pugi::xml_parse_result result = document_.load_buffer(file.text.data(), file.text.size());
   if (!result)
     throw FileError(file.path.string(), place(result.offset),
@@ -49,14 +57,41 @@ std::string XmlFile::place(std::ptrdiff_t offset) const {
   return std::to_string(1 + std::count(file_.text.begin(), file_.text.begin() + end, '\n'));
 }
 
+namespace {
+
+/// The bytes of the comment, instruction or declaration at the front of a text; npos if it does not end.
+/// Declarations of the document's type may have others in brackets.
+std::size_t length_of_prolog(std::string_view text) {
+  const auto behind = [&](std::string_view end, std::size_t from) {
+    const std::size_t at = text.find(end, from);
+    return at == text.npos ? text.size() : at + end.size();
+  };
+  if (text.starts_with("<?")) return text.find("?>") == text.npos ? text.npos : behind("?>", 0);
+  bool in_brackets = false;
+  for (std::size_t at = 0; at < text.size();) {
+    const char c = text[at];
+    if (c == '>' && !in_brackets) return at + 1;
+    if (c == '[' || c == ']') in_brackets = c == '[';
+    const bool quote = c == '"' || c == '\'';
+    if (text.substr(at).starts_with("<!--")) {
+      at = behind("-->", at);
+      if (text.starts_with("<!--")) return at;
+    } else {
+      at = quote ? behind(text.substr(at, 1), at + 1) : at + 1;
+    }
+  }
+  return text.npos;
+}
+
+}  // namespace
+
 bool begins_with_element(std::string_view text, std::string_view name) {
   for (;;) {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
     if (text.starts_with("<?") || text.starts_with("<!")) {
-      const std::string_view end = text.starts_with("<!--") ? "-->" : ">";
-      const std::size_t at = text.find(end);
-      if (at == text.npos) return false;
-      text.remove_prefix(at + end.size());
+      const std::size_t length = length_of_prolog(text);
+      if (length == text.npos) return false;
+      text.remove_prefix(length);
       continue;
     }
     if (!text.starts_with('<')) return false;

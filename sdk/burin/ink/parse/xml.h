@@ -11,7 +11,7 @@ namespace burin {
 class XmlFile {
  public:
   /// Throws FileError that names the line of malformed XML, and for nesting deeper than 200 elements; for
-  /// more than 500,000 tags or attributes before anything is parsed.
+  /// more than 500,000 tags or attributes, or one of 32 bytes, before anything is parsed.
   explicit XmlFile(const PenFileText& file);
 
   pugi::xml_node root() const { return document_.document_element(); }
