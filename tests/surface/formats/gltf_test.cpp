@@ -177,6 +177,15 @@ TEST(ReadGltf, CountsNodesWhoseInstancesItLeavesOut) {
   EXPECT_EQ(document.read().not_used, "1 node's instances");
 }
 
+TEST(ReadGltf, CountsTransformsOfTextureCoordinates) {
+  Document document;
+  document.primitive({{"POSITION", document.values(corners, floating, "VEC3", 3)}});
+  const Json moved = {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}}}}}};
+  document.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", moved}}}},
+                                {{"normalTexture", moved}, {"occlusionTexture", {{"index", 0}}}}};
+  EXPECT_EQ(document.read().not_used, "2 materials, 2 texture transforms");
+}
+
 TEST(ReadGltf, ReadsLinearColours) {
   Document document;
   const std::size_t colours =

@@ -180,6 +180,13 @@ TEST(ReadObj, ReadsColoursOfVertices) {
             (Colours{{255, 128, 0, 255}, {0, 0, 255, 255}, {0, 255, 0, 255}}));
   EXPECT_EQ(colours("v 0 0 0 255 128 0\nv 1 0 0 1 2 3\nv 0 1 0\n"),
             (Colours{{255, 128, 0, 255}, {1, 2, 3, 255}, {0, 0, 0, 0}}));
+  EXPECT_EQ(colours("v 0 0 0 1 0.5 0 1\nv 1 0 0 1 0 0 0.2\nv 0 1 0 0 0 1 1\n"),
+            (Colours{{255, 128, 0, 255}, {255, 0, 0, 51}, {0, 0, 255, 255}}))
+      << "with coverage, since the first is no weight";
+  EXPECT_EQ(colours("v 0 0 0 1 9 0 1\nv 1 0 0 255 0 0 0.2\nv 0 1 0 0 0 1 1\n"),
+            (Colours{{1, 9, 0, 255}, {255, 0, 0, 51}, {0, 0, 1, 255}}));
+  EXPECT_EQ(colours("v 0 0 0 1 0.5 0 1\nv 1 0 0 1 0 0 1\nv 0 1 0 1 0 1 1\n"),
+            (Colours{{255, 128, 0, 255}, {255, 0, 0, 255}, {255, 0, 255, 255}}));
   EXPECT_TRUE(colours("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\n").empty());
   const PolygonMesh out_of_range =
       read_mesh(MeshFile("a.obj", "v 0 0 0 -3 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\n" + tail).path());

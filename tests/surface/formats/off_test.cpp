@@ -82,8 +82,21 @@ TEST(ReadOff, NamesTheLineThatIsWrong) {
   EXPECT_EQ(message(begin + "0 1 inf\n"), "a.off:5: the coordinate 'inf' is not finite");
   EXPECT_EQ(message(begin + "0 1 0\n3 0 1\n"), "a.off:6: a face of 3 corners names 2 vertices");
   EXPECT_EQ(message(begin + "0 1 0\n3 0 1 3\n"), "a.off:6: names vertex '3' of 3, counted from 0");
-  EXPECT_EQ(message(begin + "0 1 0\n2 0 1\n"),
-            "a.off:6: a face begins with the number of its corners, three or more");
+  EXPECT_EQ(message(begin + "0 1 0\n0\n"), "a.off:6: a face begins with the number of its corners");
+  EXPECT_EQ(message(begin + "0 1 0\n2 0 1\n"), "a.off: has no face");
+}
+
+// As programs for polyhedra write them, with colours of their own.
+TEST(ReadOff, PassesOverPointsAndEdgesAmongTheFaces) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "a.off";
+  write_file_whole(path, [](std::ostream& out) {
+    out << "OFF\n3 4 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1 255 0 0\n3 0 1 2\n1 2\n2 1 2\n";
+  });
+  const PolygonMesh mesh = read_mesh(path);
+  EXPECT_EQ(mesh.face_sizes, std::vector<Index>{3});
+  EXPECT_EQ(mesh.face_vertices, (std::vector<Index>{0, 1, 2}));
+  EXPECT_EQ(mesh.not_used, "3 faces of fewer than three corners, 1 colour of a face");
 }
 
 TEST(WriteOff, ComesBackBitForBit) {

@@ -39,6 +39,14 @@ std::string validation_error(const std::string& properties, const std::string& s
   return "no error";
 }
 
+TEST(PlyPaint, ReadsColoursByTheirInitials) {
+  EXPECT_EQ(paint_of("property uchar r\nproperty uchar g\nproperty uchar b\nproperty uchar a\n",
+                     {"1 2 3 255", "4 5 6 255", "7 8 9 0"})
+                .colours,
+            (Colours{{1, 2, 3, 255}, {4, 5, 6, 255}, {7, 8, 9, 0}}));
+  EXPECT_TRUE(paint_of("property float r\nproperty float a\n", {"7 2", "7 2", "7 2"}).empty());
+}
+
 TEST(PlyPaint, ComesBackAsItWasWritten) {
   const test::TemporaryFolder folder;
   const TriangleMesh mesh = test::torus(40, 20);

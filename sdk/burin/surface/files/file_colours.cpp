@@ -12,9 +12,29 @@ void FileColours::add(std::size_t vertex, const Colour& colour) {
   colours_.emplace_back(colour);
 }
 
+void FileColours::add_four(std::size_t vertex, const Colour& numbers) {
+  add(vertex, numbers);
+  fours_.push_back(vertex);
+}
+
+void FileColours::settle_fours() {
+  const auto all = [&](std::size_t place, const auto& is) {
+    return std::ranges::all_of(fours_, [&](std::size_t vertex) { return is((*colours_[vertex])[place]); });
+  };
+  const auto is_1 = [](double number) { return number == 1; };
+  const bool weighted = all(0, is_1) && !all(3, is_1);
+  shares_ = !weighted && !fours_.empty() && all(3, [](double number) { return number <= 1; });
+  if (!weighted) return;
+  for (const std::size_t vertex : fours_) {
+    Colour& colour = *colours_[vertex];
+    colour = {colour[1], colour[2], colour[3], covering};
+  }
+}
+
 void FileColours::give(VertexPaint& paint, std::size_t vertices, std::optional<double> full,
                        UnusedCount& unused) {
   if (colours_.empty()) return;
+  settle_fours();
   const auto any = [&](const auto& is) {
     return std::ranges::any_of(colours_, [&](const auto& colour) {
       return colour && std::any_of(colour->begin(), colour->begin() + 3, is);
@@ -29,7 +49,8 @@ void FileColours::give(VertexPaint& paint, std::size_t vertices, std::optional<d
   paint.colours.assign(vertices, {0, 0, 0, 0});
   for (std::size_t i = 0; i < colours_.size(); ++i)
     for (std::size_t channel = 0; channel < 4 && colours_[i]; ++channel)
-      paint.colours[i][channel] = colour_byte((*colours_[i])[channel] / greatest);
+      paint.colours[i][channel] =
+          colour_byte((*colours_[i])[channel] / (channel == 3 && shares_ ? 1 : greatest));
 }
 
 }  // namespace burin

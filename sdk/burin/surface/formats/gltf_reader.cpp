@@ -45,12 +45,22 @@ class GltfReader {
          {std::array{"animations", "animation", "animations"}, std::array{"skins", "skin", "skins"},
           std::array{"materials", "material", "materials"}})
       unused_.add(one, many, json.value(list, Json::array()).size());
+    unused_.add("texture transform", "texture transforms",
+                texture_transforms(json.value("materials", Json())));
     finish_optional();
     file_.mesh.not_used = unused_.text();
     return std::move(file_);
   }
 
  private:
+  /// The number of transforms by which materials change texture coordinates before they look up a texture.
+  static std::size_t texture_transforms(const Json& json) {
+    if (!json.is_structured()) return 0;
+    std::size_t count = json.is_object() && json.contains("KHR_texture_transform") ? 1 : 0;
+    for (const Json& one : json) count += texture_transforms(one);
+    return count;
+  }
+
   /// The root nodes of the default scene; without scenes, all nodes that are not a child of another node.
   Json roots() const {
     const Json& json = document_.json();

@@ -84,7 +84,7 @@ class ObjReader {
     return *value;
   }
 
-  /// Reads x y z, then an optional w and an optional colour.
+  /// Reads x y z, then an optional colour with w before it or coverage behind it.
   void read_vertex(std::string_view line) {
     Vec3d place;
     if (const std::string fault = read_position(line, place); !fault.empty()) fail(fault);
@@ -98,9 +98,9 @@ class ObjReader {
       if (numbers < rest.size()) rest[numbers] = value;
       ++numbers;
     }
-    if (numbers != 3 && numbers != 4) return;
-    colours_.add(file_.places.size() - 1,
-                 {rest[numbers - 3], rest[numbers - 2], rest[numbers - 1], no_alpha});
+    const std::size_t vertex = file_.places.size() - 1;
+    if (numbers == 3) colours_.add(vertex, {rest[0], rest[1], rest[2], FileColours::covering});
+    if (numbers == 4) colours_.add_four(vertex, rest);
   }
 
   /// Reads u and v; v is 0 if it is missing.
@@ -181,8 +181,6 @@ class ObjReader {
     else
       unused_.add("line of polypaint", "lines of polypaint", polypaint.lines());
   }
-
-  static constexpr double no_alpha = 1e9;  ///< clamped to full coverage
 
   std::string path_;
   std::size_t line_ = 0;

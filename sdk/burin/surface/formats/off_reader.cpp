@@ -156,20 +156,24 @@ class OffReader {
     uv_.push_back(uv);
   }
 
-  /// Reads the number of corners, their vertices counted from 0, and an optional colour.
+  /// Reads the number of corners, their vertices counted from 0, and an optional colour. Files have points
+  /// and edges as faces of one corner and two.
   void read_face() {
     begin();
     const auto corners = whole_number(next());
-    if (!corners || *corners < 3) fail("a face begins with the number of its corners, three or more");
+    if (!corners || *corners < 1) fail("a face begins with the number of its corners");
     for (long long i = 0; i < *corners; ++i) {
       const std::string_view word = next();
       const auto vertex = whole_number(word);
       if (word.empty()) fail(fmt::format("a face of {} corners names {} vertices", *corners, i));
       if (!vertex || *vertex < 0 || static_cast<std::size_t>(*vertex) >= vertices_)
         fail(fmt::format("names vertex {} of {}, counted from 0", quoted_word(word), vertices_));
-      file_.mesh.face_vertices.push_back(static_cast<Index>(*vertex));
+      if (*corners >= 3) file_.mesh.face_vertices.push_back(static_cast<Index>(*vertex));
     }
-    file_.mesh.face_sizes.push_back(static_cast<Index>(*corners));
+    if (*corners >= 3)
+      file_.mesh.face_sizes.push_back(static_cast<Index>(*corners));
+    else
+      unused_.add("face of fewer than three corners", "faces of fewer than three corners");
     if (end_element(true) > 0) unused_.add("colour of a face", "colours of faces");
   }
 

@@ -14,8 +14,10 @@ namespace {
 constexpr const char* names[] = {"red",       "green",    "blue",      "alpha", "ink_red",
                                  "ink_green", "ink_blue", "ink_alpha", "mask"};
 
-/// Older programs write colour channels as "diffuse_red".
-std::string_view without_prefix(std::string_view name) {
+/// Older programs write colour channels as "diffuse_red", or "r".
+std::string_view channel_name(std::string_view name) {
+  constexpr std::string_view initials = "rgba";
+  if (name.size() == 1 && initials.find(name) != initials.npos) return names[initials.find(name)];
   constexpr std::string_view older_prefix = "diffuse_";
   if (!name.starts_with(older_prefix)) return name;
   const std::string_view channel = name.substr(older_prefix.size());
@@ -25,7 +27,7 @@ std::string_view without_prefix(std::string_view name) {
 
 bool has(const PlyElement& element, std::string_view name) {
   return std::ranges::any_of(element.properties, [&](const PlyProperty& property) {
-    return without_prefix(property.name) == name && !property.count_type;
+    return channel_name(property.name) == name && !property.count_type;
   });
 }
 
@@ -43,7 +45,7 @@ PlyPaint::PlyPaint(const PlyElement& vertices)
                      has(vertices, "ink_blue") && has(vertices, "ink_alpha");
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const PlyProperty& property = vertices.properties[i];
-    const auto name = std::ranges::find(names, without_prefix(property.name)) - names;
+    const auto name = std::ranges::find(names, channel_name(property.name)) - names;
     const auto slot = static_cast<Slot>(name);
     if (name == std::ssize(names) || property.count_type) continue;
     if (slot != Slot::mask && !(slot < Slot::ink_red ? coloured : inked)) continue;

@@ -6,10 +6,10 @@
 
 namespace burin {
 
-/// Colours and masks of the vertices of a PLY file. The properties are red, green and blue, optionally alpha;
-/// ink_red, ink_green, ink_blue and ink_alpha; and mask. Channels are sRGB; floating-point ones range from 0
-/// to 1, ushort ones to 65535, all others to 255. Values outside the range by no more than rounding are
-/// clamped. Other properties, and colours that lack a channel, are ignored.
+/// Colours and masks of the vertices of a PLY file. The properties are red, green and blue, or r, g and b,
+/// optionally alpha; ink_red, ink_green, ink_blue and ink_alpha; and mask. Channels are sRGB; floating-point
+/// ones range from 0 to 1, ushort ones to 65535, all others to 255. Values outside the range by no more than
+/// rounding are clamped. Other properties, and colours that lack a channel, are ignored.
 class PlyPaint {
  public:
   /// `vertices` must outlive the object.
