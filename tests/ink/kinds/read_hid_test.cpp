@@ -49,6 +49,19 @@ TEST(ReadHid, TakesRadiansWhereTheDescriptorHasThem) {
   EXPECT_EQ(file.strokes[0].samples[0].pen.tilt_y, -1);
 }
 
+TEST(ReadHid, CutsReportsByTheDescriptorOfTheirDevice) {
+  const std::string pad = "D:1\nR: 16 05 0d 09 42 15 00 25 01 75 08 95 01 81 02 c0 c0\nN: A Pad\n";
+  const PenFile file = PenFileFolder().read("D:0\n" + descriptor + pad +
+                                            "D:0\nE: 0 9 02 09 c8 00 19 ff 01 0a f6\nD:1\nE: 0.1 9 02 09 00 "
+                                            "00 00 ff 01 0a f6\nD:0\nE: 0.2 9 02 09 90 01 19 ff 03 00 00\n");
+  EXPECT_EQ(file.device, "A Pen");
+  EXPECT_EQ(file.unit, "mm");
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "10 20, 20 20");
+  EXPECT_EQ(PenFileFolder().complaint(descriptor + "D:x\n"), "5: expected the number of a device");
+  EXPECT_EQ(PenFileFolder().complaint(descriptor + "D:1\nE: 0 1 00\n"), "6: a report before the descriptor");
+}
+
 TEST(ReadHid, NamesTheLineOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(descriptor + "E: 1 9 02\n"), "5: expected a count of bytes");

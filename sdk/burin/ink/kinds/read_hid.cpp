@@ -15,6 +15,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -146,6 +148,52 @@ void HidPen::add_sample(double time, const Bytes& report, bool eraser) {
   if (stroke.fields.twist && find(usage_twist, report)) sample.pen.twist = angle(usage_twist, report);
 }
 
+/// Takes the lines of a recording. Where it is of several devices, "D:" tells which the lines that follow are
+/// of.
+class HidDevices {
+ public:
+  void take(std::string_view line);
+  PenFile finish();
+
+ private:
+  struct Device {
+    std::optional<HidPen> pen;
+    std::string name;
+  };
+  std::map<unsigned, Device> devices_;
+  unsigned now_ = 0;
+};
+
+void HidDevices::take(std::string_view line) {
+  const std::string_view kind = line.substr(0, 2);
+  line.remove_prefix(kind.size());
+  skip_blanks(line);
+  line = line.substr(0, line.find_last_not_of(blanks) + 1);
+  if (kind == "D:" && !read_whole(line, now_)) throw Error("expected the number of a device");
+  Device& device = devices_[now_];
+  if (kind == "R:" && !device.pen) device.pen.emplace(hid_fields(parse_bytes(line)));
+  if (kind == "N:") device.name = line;
+  if (kind != "E:") return;
+  if (!device.pen) throw Error("a report before the descriptor");
+  double time = 0;
+  if (!take_number(line, time)) throw Error("expected a time, seconds");
+  device.pen->take(time, parse_bytes(line));
+}
+
+/// The strokes of one device after the other.
+PenFile HidDevices::finish() {
+  PenFile content;
+  for (auto& [number, device] : devices_) {
+    PenFile of_device = device.pen ? device.pen->finish() : PenFile();
+    if (content.strokes.empty() && (content.device.empty() || !of_device.strokes.empty()))
+      content.device = device.name;
+    if (!of_device.strokes.empty()) content.unit = of_device.unit;
+    content.hovering += of_device.hovering;
+    std::ranges::move(of_device.strokes, std::back_inserter(content.strokes));
+  }
+  return content;
+}
+
 }  // namespace
 
 bool is_hid(std::string_view text) {
@@ -153,27 +201,9 @@ bool is_hid(std::string_view text) {
 }
 
 PenFile read_hid(const PenFileText& file) {
-  std::optional<HidPen> pen;
-  std::string device;
-  for_each_line_of(file, [&](std::string_view line) {
-    if (line.starts_with("R:")) {
-      if (!pen) pen.emplace(hid_fields(parse_bytes(line.substr(2))));
-    } else if (line.starts_with("N:")) {
-      line.remove_prefix(2);
-      skip_blanks(line);
-      device = line.substr(0, line.find_last_not_of(blanks) + 1);
-    } else if (line.starts_with("E:")) {
-      if (!pen) throw Error("a report before the descriptor");
-      line.remove_prefix(2);
-      double time = 0;
-      skip_blanks(line);
-      if (!take_number(line, time)) throw Error("expected a time, seconds");
-      pen->take(time, parse_bytes(line));
-    }
-  });
-  PenFile content = pen ? pen->finish() : PenFile();
-  content.device = device;
-  return content;
+  HidDevices devices;
+  for_each_line_of(file, [&](std::string_view line) { devices.take(line); });
+  return devices.finish();
 }
 
 }  // namespace burin
