@@ -169,6 +169,36 @@ TEST(ReadGltf, PlacesMeshesAsTheSceneDoes) {
   EXPECT_EQ(mesh.face_vertices, (std::vector<Index>{0, 1, 2, 3, 5, 4}));  // mirrored, so turned
 }
 
+// Two joints, of which one is turned and moved: what is bound to it goes with it, the mesh's own node does
+// not matter, and a vertex between is their mean.
+TEST(ReadGltf, PlacesMeshesWithSkinsByTheirJoints) {
+  Document document;
+  const std::vector<float> inverse = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,
+                                      1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1};
+  Json& primitive = document.primitive({{"POSITION", document.values(corners, floating, "VEC3", 3)}});
+  primitive["attributes"]["JOINTS_0"] =
+      document.values(std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, ubyte, "VEC4", 3);
+  primitive["attributes"]["WEIGHTS_0"] =
+      document.values(std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0}, floating, "VEC4", 3);
+  document.json["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"scale", {7, 7, 7}}},
+                            {{"children", {2}}, {"translation", {10, 0, 0}}},
+                            {{"translation", {0, 1, 0}}, {"rotation", {0, 0, 0.70710678, 0.70710678}}}};
+  document.json["skins"] = {
+      {{"joints", {1, 2}}, {"inverseBindMatrices", document.values(inverse, floating, "MAT4", 2)}}};
+  const PolygonMesh mesh = document.read();
+  ASSERT_EQ(mesh.positions.size(), 3u);
+  EXPECT_LT((mesh.positions[0] - Vec3f(10, 0, 0)).norm(), 1e-6F);
+  EXPECT_LT((mesh.positions[1] - Vec3f(11, 2, 0)).norm(), 1e-6F) << "(1, -1) turned by a right angle";
+  EXPECT_LT((mesh.positions[2] - Vec3f(10, 1, 0)).norm(), 1e-6F);
+  EXPECT_EQ(mesh.not_used, "");
+  document.json["skins"][0]["joints"] = {1};
+  EXPECT_EQ(document.message(), "a.gltf:JOINTS_0: names joint 1, counted from 0, of 1");
+  document.json["skins"][0]["joints"] = {1, 9};
+  EXPECT_NE(document.message(), "no error");
+  document.json["skins"][0]["joints"] = {1, 2, 1};
+  EXPECT_EQ(document.message(), "a.gltf:inverseBindMatrices: are not a matrix for each joint");
+}
+
 TEST(ReadGltf, CountsNodesWhoseInstancesItLeavesOut) {
   Document document;
   document.primitive({{"POSITION", document.values(corners, floating, "VEC3", 3)}});

@@ -34,6 +34,7 @@ std::string text_of(const Json& object, const char* name) {
 }
 
 std::size_t components_of(const std::string& type) {
+  if (type == "MAT4") return 16;
   constexpr std::array<std::string_view, 4> types = {"SCALAR", "VEC2", "VEC3", "VEC4"};
   const auto found = std::ranges::find(types, type);
   if (found == types.end())

@@ -27,7 +27,7 @@ class GltfDocument {
   /// The numbers of an accessor, converted to double. Integers (normalised or not), interleaved and sparse
   /// accessors are supported.
   struct Values {
-    std::size_t components = 0;  ///< numbers per element, 1 to 4
+    std::size_t components = 0;  ///< numbers per element, 1 to 4, or 16 of a matrix, column by column
     std::vector<double> numbers;
     std::size_t size() const { return components == 0 ? 0 : numbers.size() / components; }
   };

@@ -1,5 +1,6 @@
-// Reads glTF 2.0 and GLB: the triangles of all meshes in the scene, transformed by their nodes. This is our
-// own reader on top of the JSON library, since tinygltf 2.7, which Debian has, does not decode accessors.
+// Reads glTF 2.0 and GLB: the triangles of all meshes in the scene, transformed by their nodes or skins. This
+// is our own reader on top of the JSON library, since tinygltf 2.7, which Debian has, does not decode
+// accessors.
 #include <burin/base/error.h>
 #include <burin/base/srgb.h>
 #include <burin/surface/files/colour_byte.h>
@@ -7,12 +8,14 @@
 #include <burin/surface/files/over_clay.h>
 #include <burin/surface/files/unused_count.h>
 #include <burin/surface/formats/gltf_document.h>
+#include <burin/surface/formats/gltf_skin.h>
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace burin {
@@ -37,13 +40,14 @@ class GltfReader {
   FileMesh read() {
     const Json& json = document_.json();
     seen_.resize(json.value("nodes", Json::array()).size());
-    for (const Json& node : roots()) read_node(node, Eigen::Affine3d::Identity(), 0);
+    placed_.resize(seen_.size(), Eigen::Affine3d::Identity());
+    for (const Json& node : roots()) place_node(node, Eigen::Affine3d::Identity(), 0);
+    for (const std::size_t node : shown_) read_node(node);
     if (seen_.empty())
       for (const Json& mesh : json.value("meshes", Json::array()))
-        read_mesh(mesh, Eigen::Affine3d::Identity());
-    for (const auto& [list, one, many] :
-         {std::array{"animations", "animation", "animations"}, std::array{"skins", "skin", "skins"},
-          std::array{"materials", "material", "materials"}})
+        read_mesh(mesh, {Eigen::Affine3d::Identity(), nullptr});
+    for (const auto& [list, one, many] : {std::array{"animations", "animation", "animations"},
+                                          std::array{"materials", "material", "materials"}})
       unused_.add(one, many, json.value(list, Json::array()).size());
     unused_.add("texture transform", "texture transforms",
                 texture_transforms(json.value("materials", Json())));
@@ -78,16 +82,33 @@ class GltfReader {
     return roots;
   }
 
-  void read_node(const Json& index, const Eigen::Affine3d& parent, int depth) {
+  /// Where the vertices of a mesh are in the scene: transformed by its node, or else by the joints of a skin.
+  struct Placement {
+    Eigen::Affine3d node;
+    const GltfSkin* skin;  ///< null: none
+  };
+
+  void place_node(const Json& index, const Eigen::Affine3d& parent, int depth) {
     const Json& node = document_.element("nodes", index);
     const auto number = index.get<std::size_t>();
     if (seen_[number] || depth > deepest)
       document_.fail(fmt::format("node {}", number), "is a child of several nodes");
     seen_[number] = true;
-    const Eigen::Affine3d placed = parent * placement(node);
-    if (node.contains("mesh")) read_mesh(document_.element("meshes", node["mesh"]), placed);
+    const Eigen::Affine3d placed = placed_[number] = parent * placement(node);
+    if (node.contains("mesh")) shown_.push_back(number);
     if (has_extension(node, "EXT_mesh_gpu_instancing")) unused_.add("node's instances", "nodes' instances");
-    for (const Json& child : node.value("children", Json::array())) read_node(child, placed, depth + 1);
+    for (const Json& child : node.value("children", Json::array())) place_node(child, placed, depth + 1);
+  }
+
+  void read_node(std::size_t number) {
+    const Json& node = document_.json()["nodes"][number];
+    Placement placement{placed_[number], nullptr};
+    if (node.contains("skin")) {
+      const Json& skin = document_.element("skins", node["skin"]);
+      placement.skin =
+          &skins_.try_emplace(node["skin"].get<std::size_t>(), document_, skin, placed_).first->second;
+    }
+    read_mesh(document_.element("meshes", node["mesh"]), placement);
   }
 
   /// The rotation of a quaternion of any length. Eigen's conversion is not used because its bits depend on
@@ -132,20 +153,21 @@ class GltfReader {
       document_.fail("meshes", "are compressed by Draco (KHR_draco_mesh_compression), which is not read");
   }
 
-  /// Vertices of the file.
+  /// Vertices of the file. `mirrored`: what placed them turns triangles around.
   struct Vertices {
     std::size_t first, count;
+    bool mirrored;
   };
 
   /// Reads the primitives of a mesh. Those with the same attributes share their vertices, as where each
   /// material has a primitive of its own.
-  void read_mesh(const Json& mesh, const Eigen::Affine3d& placed) {
+  void read_mesh(const Json& mesh, const Placement& placed) {
     std::map<std::string, Vertices> shared;
     for (const Json& primitive : mesh.value("primitives", Json::array()))
       read_primitive(primitive, placed, shared);
   }
 
-  void read_primitive(const Json& primitive, const Eigen::Affine3d& placed,
+  void read_primitive(const Json& primitive, const Placement& placed,
                       std::map<std::string, Vertices>& shared) {
     const Json attributes = primitive.value("attributes", Json::object());
     const auto mode = primitive.value("mode", 4U);
@@ -156,19 +178,19 @@ class GltfReader {
     expect_plain_data(primitive, attributes["POSITION"]);
     const auto [known, is_new] = shared.try_emplace(attributes.dump());
     if (is_new) known->second = read_vertices(attributes, placed);
-    const auto [first, count] = known->second;
+    const auto [first, count, mirrored] = known->second;
     const std::vector<std::size_t> corners = corners_of(primitive, count);
     const std::size_t most = most_corners_per_vertex * most_vertices(document_.size());
     if (file_.mesh.face_vertices.size() + 3 * corners.size() > most)
       document_.fail("meshes",
                      fmt::format("hold more than the {} corners that a file of this size may", most));
-    add_triangles(corners, mode, first, placed.linear().determinant() < 0);
+    add_triangles(corners, mode, first, mirrored);
     if (primitive.contains("targets"))
       unused_.add("morph target", "morph targets", primitive["targets"].size());
   }
 
   /// Reads the positions, which there must be, and what else is used of the attributes.
-  Vertices read_vertices(const Json& attributes, const Eigen::Affine3d& placed) {
+  Vertices read_vertices(const Json& attributes, const Placement& placed) {
     const std::size_t first = file_.places.size();
     const Values places = document_.values(attributes["POSITION"]);
     if (places.components != 3) document_.fail("POSITION", "has not three coordinates");
@@ -176,11 +198,14 @@ class GltfReader {
     if (places.size() > most - first)
       document_.fail("meshes",
                      fmt::format("hold more than the {} vertices that a file of this size may", most));
+    const auto by_skin = placed.skin ? placed.skin->of_vertices(attributes, places.size()) : std::nullopt;
+    const auto transform = [&](std::size_t i) { return by_skin ? (*by_skin)[i] : placed.node; };
     for (std::size_t i = 0; i < places.size(); ++i)
-      file_.places.push_back(placed * Eigen::Map<const Vec3d>(places.numbers.data() + 3 * i));
+      file_.places.push_back(transform(i) * Eigen::Map<const Vec3d>(places.numbers.data() + 3 * i));
+    const bool mirrored = places.size() > 0 && transform(0).linear().determinant() < 0;
     read_attributes(attributes, first);
     if (attributes.contains("NORMAL")) unused_.add("normal", "normals", places.size());
-    return {first, places.size()};
+    return {first, places.size(), mirrored};
   }
 
   std::vector<std::size_t> corners_of(const Json& primitive, std::size_t vertices) {
@@ -268,7 +293,10 @@ class GltfReader {
   }
 
   const GltfDocument& document_;
-  std::vector<bool> seen_;  ///< [node]
+  std::vector<bool> seen_;               ///< [node]
+  std::vector<Eigen::Affine3d> placed_;  ///< [node] to the scene
+  std::map<std::size_t, GltfSkin> skins_;
+  std::vector<std::size_t> shown_;  ///< nodes of the scene that have meshes, in its order
   FileMesh file_;
   std::vector<Vec2f> uv_;
   std::size_t textured_ = 0;  ///< number of vertices with texture coordinates
