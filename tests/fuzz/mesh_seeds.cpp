@@ -108,7 +108,12 @@ Seeds gltf_seeds() {
       asset + views +
           R"("meshes":[{"primitives":[{"mode":5,"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
           R"("componentType":5126,"count":3,"type":"VEC3","sparse":{"count":1,"indices":{"bufferView":1,)"
-          R"("componentType":5121},"values":{"bufferView":0}}}]})"};
+          R"("componentType":5121},"values":{"bufferView":0}}}]})",
+      asset + views +
+          R"("nodes":[{"mesh":0,"skin":0},{"translation":[1,2,3]}],"skins":[{"joints":[0,1],"inverseBindMatrices":2}],)"
+          R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":0}}]}],"accessors":[)"
+          R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},{"componentType":5121,"count":3,)"
+          R"("type":"VEC3"},{"componentType":5126,"count":2,"type":"MAT4"}]})"};
 }
 
 void write_mesh_seeds(const std::filesystem::path& file) {

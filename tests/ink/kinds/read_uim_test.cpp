@@ -99,6 +99,13 @@ TEST(ReadUim, NamesTheByteOfAFault) {
             "byte 56: the chunk 'INPT' is compressed, which is not read");
 }
 
+TEST(ReadUimJson, NamesThePlaceOfAFault) {
+  EXPECT_EQ(
+      PenFileFolder().complaint(
+          R"({"inputData": {"inputContextData": {}, "sensorData": [{"dataChannels": [{"sensorChannelID": }]}]}})"),
+      "1: malformed JSON at column 93");
+}
+
 TEST(ReadUimJson, HasTheSame) {
   const PenFile file = PenFileFolder().read(R"({"inputData": {"inputContextData": {"sensorContexts": [
     {"sensorChannelsContext": [{"channels": [{"id": "x", "type": "a/X", "precision": 1}, {"id": "y", "type": "a/Y"},

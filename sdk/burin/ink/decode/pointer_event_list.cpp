@@ -187,8 +187,9 @@ PenFile EventList::finish() {
 
 bool begins_as_event_list(std::string_view text) {
   if (!take_character(text, '[') || !take_character(text, '{')) return false;
-  text = text.substr(0, text.find('}'));
-  return text.find('[') == text.npos &&
+  const std::size_t end = text.find('}');
+  text = text.substr(0, end);
+  return end != text.npos && text.find('[') == text.npos &&
          (text.find("\"x\"") != text.npos || text.find("\"clientX\"") != text.npos);
 }
 

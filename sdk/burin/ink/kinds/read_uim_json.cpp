@@ -91,7 +91,8 @@ bool append_channel(std::string_view json, UimSensorData& data) {
   std::string id;
   const bool whole = for_each_json_part(json, [&](std::string_view name, std::string_view part) {
     if (name == "values") return values.empty() && append_numbers(part, values);
-    if (name == "sensorChannelID" && part.find('\\') == part.npos) id = part.substr(1, part.size() - 2);
+    if (name == "sensorChannelID" && part.size() > 2 && part.find('\\') == part.npos)
+      id = part.substr(1, part.size() - 2);
     return nlohmann::json::accept(part);
   });
   auto& numbers = data.numbers.emplace_back(id, std::vector<std::int64_t>()).second;
