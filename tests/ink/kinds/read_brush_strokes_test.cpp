@@ -39,6 +39,16 @@ f(stroke=[]))");
   EXPECT_FALSE(file.strokes[1].fields.time) << "one element has none";
 }
 
+TEST(ReadBrushStrokes, TakesListsThatScriptsGiveByName) {
+  const PenFile file = PenFileFolder().read(
+      "import bpy\nbrush_stroke, strokes = None, 3\nstroke = [\n{'mouse': (10, 20), 'time': 0,},\n]\n"
+      "bpy.ops.sculpt.brush_stroke(override, stroke=stroke, mode='NORMAL')\nstroke\t=\n[{'mouse': (1, "
+      "2)}]\n");
+  EXPECT_EQ(file.kind, "brush_stroke");
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(places(file.strokes[0]) + "; " + places(file.strokes[1]), "10 -20; 1 -2");
+}
+
 TEST(ReadBrushStrokes, NamesThePlaceOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint("\nf(stroke=[{'mouse': (1, 2), 'time': 'late'}])"),

@@ -76,6 +76,14 @@ TEST(ReadCsv, PartsColumnsByBlanksWhereAllNamesAreKnown) {
   EXPECT_TRUE(folder.complaint("x y note\n1 2 3\n").starts_with(" no pen file that is known"));
 }
 
+TEST(ReadCsv, KnowsNamesWithoutUnderscores) {
+  const PenFile file = PenFileFolder().read("x,y,penDown,strokeId\n1,2,1,a\n3,4,0,a\n5,6,1,b\n");
+  EXPECT_EQ(file.hovering, 1u);
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(places(file.strokes[1]), "5 6");
+  EXPECT_TRUE(file.not_used.empty());
+}
+
 TEST(ReadCsv, TakesNoMembersOfJsonForColumns) {
   const PenFileFolder folder;
   for (const char* text : {R"({"type": "stroke", "X": [1, 2], "Y": [3, 4]})", R"( {"x":1,"y":2})"})

@@ -35,8 +35,10 @@ constexpr std::array names = {Name{"x", CsvCell::x, ""},
                               Name{"twist", CsvCell::twist, "rad"},
                               Name{"contact", CsvCell::contact, ""},
                               Name{"pen_down", CsvCell::contact, ""},
+                              Name{"pendown", CsvCell::contact, ""},
                               Name{"stroke", CsvCell::stroke, ""},
                               Name{"stroke_id", CsvCell::stroke, ""},
+                              Name{"strokeid", CsvCell::stroke, ""},
                               Name{"eraser", CsvCell::eraser, ""}};
 
 enum class Measure { length, time, angle, share };

@@ -26,17 +26,30 @@
 namespace burin {
 namespace {
 
-constexpr std::string_view argument = "stroke=";
+constexpr std::string_view argument = "stroke";
 
-/// Removes all up to the list behind the next "stroke=". Returns false if there is none.
+/// Removes all up to the list that the next "stroke=" or "stroke = " gives. Returns false if there is none.
 bool skip_to_list(TextWindow& text) {
   for (;;) {
     const std::size_t size = text.text().size(), at = text.text().find(argument);
-    text.remove_prefix(at != text.text().npos ? at + argument.size()
-                                              : size - std::min(size, argument.size()));
-    if (at != text.text().npos) return true;
-    if (!text.grow()) return false;
+    if (at == text.text().npos) {
+      text.remove_prefix(size - std::min(size, argument.size()));
+      if (!text.grow()) return false;
+      continue;
+    }
+    text.remove_prefix(at + argument.size());
+    // A script may give a list by a name that it has given to it before.
+    if (text.take_character('=') && text.skip_blanks() && text.text().starts_with('[')) return true;
   }
+}
+
+/// Whether a text gives something for "stroke".
+bool gives_stroke(std::string_view text) {
+  for (std::size_t at = text.find(argument); at != text.npos; at = text.find(argument)) {
+    text.remove_prefix(at + argument.size());
+    if (take_character(text, '=')) return true;
+  }
+  return false;
 }
 
 /// What one element of a list says. Places have two or three numbers.
@@ -221,7 +234,7 @@ bool has_key(std::string_view text, std::string_view name) {
 
 bool is_brush_strokes(std::string_view text) {
   const std::string_view head = text.substr(0, 65536);
-  return (head.find("stroke=") != head.npos || head.find_first_not_of(blanks) == head.find('[')) &&
+  return (gives_stroke(head) || head.find_first_not_of(blanks) == head.find('[')) &&
          (has_key(head, "mouse") || has_key(head, "location"));
 }
 
