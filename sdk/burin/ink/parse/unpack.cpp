@@ -17,8 +17,7 @@ namespace {
 /// Reads a packed file in memory.
 class Archive {
  public:
-  Archive(const std::filesystem::path& path, std::string_view bytes)
-      : path_(path), most_bytes_(most_unpacked_bytes(bytes.size())) {
+  Archive(const std::filesystem::path& path, std::string_view bytes) : path_(path) {
     archive_read_support_filter_gzip(archive_.get());
     archive_read_support_filter_xz(archive_.get());
     archive_read_support_format_zip(archive_.get());
@@ -58,8 +57,11 @@ class Archive {
       const la_ssize_t got = archive_read_data(archive_.get(), block.data(), block.size());
       if (got < 0) fail();
       if (got == 0) return;
-      if (text.size() + static_cast<std::size_t>(got) > most_bytes_)
-        throw FileError(path_.string(), fmt::format("unpacks to more than {} MB", most_bytes_ / 1'000'000));
+      // Of the bytes so far, so that what unpacks to much is found before all of it is unpacked.
+      const auto taken = static_cast<std::size_t>(archive_filter_bytes(archive_.get(), -1));
+      const std::size_t most = most_unpacked_bytes(taken);
+      if (text.size() + static_cast<std::size_t>(got) > most)
+        throw FileError(path_.string(), fmt::format("unpacks to more than {} MB", most / 1'000'000));
       text.append(block.data(), static_cast<std::size_t>(got));
     }
   }
@@ -74,7 +76,6 @@ class Archive {
   }
 
   std::filesystem::path path_;
-  std::size_t most_bytes_;
   std::string name_;
   std::unique_ptr<archive, int (*)(archive*)> archive_{archive_read_new(), archive_read_free};
 };

@@ -10,7 +10,7 @@ namespace burin {
 /// Most bytes of XML and of JSON, and what any packed file may unpack to.
 constexpr std::size_t most_parsed_bytes = 60'000'000;
 
-/// Most bytes that a packed file of this size may unpack to. Handwriting has a fourth of its size or more
+/// Most bytes that so many bytes of a packed file may unpack to. Handwriting has a fourth of its size or more
 /// when packed; what unpacks to many times its size was made to exhaust the memory.
 constexpr std::size_t most_unpacked_bytes(std::size_t packed_bytes) {
   constexpr std::size_t times_packed = 16, ever = std::size_t{1} << 28;
