@@ -38,6 +38,7 @@ class Bytes {
   Bytes& add_field(std::uint64_t number, std::uint64_t value) {
     return add_varint(number << 3).add_varint(value);
   }
+  Bytes& add_field(std::uint64_t number, float value) { return add_varint(number << 3 | 5).add(value); }
   Bytes& add_field(std::uint64_t number, double value) { return add_varint(number << 3 | 1).add(value); }
 
   const std::string& text() const { return text_; }

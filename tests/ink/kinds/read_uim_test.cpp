@@ -81,6 +81,39 @@ TEST(ReadUim, LeavesHoveringOut) {
   EXPECT_EQ(file.hovering, 2u);
 }
 
+// A file may hold what an accelerometer measured.
+TEST(ReadUim, PassesOverDataWithoutPositions) {
+  const std::string other = Bytes().add_field(5, numbers("u", {7})).text();
+  const std::string message =
+      Bytes().add_field(1, contexts()).add_field(2, other).add_field(2, data(0, {1}, {2})).text();
+  EXPECT_EQ(PenFileFolder().read(riff("UINK", "INPT", message)).strokes.size(), 1u);
+}
+
+TEST(ReadUim, ScalesPressuresAboveOneByTheGreatest) {
+  const std::string pressure =
+      Bytes().add_field(1, "p").add_field(2, "will://input/3.0/channel/Pressure").add_field(6, 1024.F).text();
+  const std::string group = Bytes()
+                                .add_field(2, channel("x", "X", 0, 0))
+                                .add_field(2, channel("y", "Y", 0, 0))
+                                .add_field(2, pressure)
+                                .text();
+  const std::string described = Bytes().add_field(5, Bytes().add_field(2, group).text()).text();
+  const auto pressure_of = [&](std::int64_t first) {
+    const std::string measured = Bytes()
+                                     .add_field(5, numbers("x", {1, 1}))
+                                     .add_field(5, numbers("y", {1, 1}))
+                                     .add_field(5, numbers("p", {first, 0}))
+                                     .text();
+    return PenFileFolder()
+        .read(riff("UINK", "INPT", Bytes().add_field(1, described).add_field(2, measured).text()))
+        .strokes.at(0)
+        .samples.at(1)
+        .pen.pressure;
+  };
+  EXPECT_EQ(pressure_of(256), 0.25F);
+  EXPECT_EQ(pressure_of(1), 1) << "declared ranges are wrong sometimes";
+}
+
 TEST(ReadUim, NamesTheByteOfAFault) {
   const PenFileFolder folder;
   const auto complaint = [&](const std::string& message) {

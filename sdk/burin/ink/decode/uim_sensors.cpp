@@ -5,6 +5,7 @@
 #include <burin/ink/decode/uim_sensors.h>
 #include <burin/math/elementary.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -17,7 +18,7 @@ constexpr double pixels_a_metre = 96 / 0.0254;
 /// The values of a channel, in its unit and in the unit that its resolution makes of it.
 struct Values {
   std::vector<double> values;
-  double resolution = 0;
+  double resolution = 0, most = 0;
 };
 
 constexpr std::int64_t most_precision = 15;
@@ -27,7 +28,7 @@ Values values_of(const UimChannel& channel, const std::vector<std::int64_t>& num
     throw Error("the precision of a channel must lie in 0..15");
   double steps = 1;
   for (std::int64_t i = 0; i < channel.precision; ++i) steps *= 10;
-  Values made{{}, channel.resolution};
+  Values made{{}, channel.resolution, channel.most};
   std::uint64_t sum = 0;  // unsigned, since damaged files overflow
   for (const std::int64_t number : numbers) {
     sum += static_cast<std::uint64_t>(number);
@@ -44,12 +45,14 @@ class Measured {
     for (const auto& [id, numbers] : data.numbers)
       if (const auto found = channels.find(id); found != channels.end() && name_of(found->second) == "X")
         x = &found->second;
-    if (!x) throw Error("sensor data without a channel X");
+    if (!x) return;
     tool_ = x->tool;
     for (const auto& [id, numbers] : data.numbers)
       if (const auto found = channels.find(id); found != channels.end() && found->second.group == x->group)
         values_.emplace(name_of(found->second), values_of(found->second, numbers));
   }
+
+  bool has_positions() const { return values_.contains("X"); }
 
   /// The values of a channel of which there are as many as positions, or null.
   const Values* find(const std::string& name) const {
@@ -83,10 +86,13 @@ void set_times(const Values& times, double start, PenStroke& stroke) {
     stroke.samples[i].time = start + times.values[i] / per_second;
 }
 
+/// Pressures are shares of 1, or of the greatest one that the device tells where some are above 1.
 void set_pressures(const Values& pressures, PenStroke& stroke) {
+  const bool shares = std::ranges::max(pressures.values) <= 1 || pressures.most <= 1;
+  const double whole = shares ? 1 : pressures.most;
   stroke.fields.pressure = true;
   for (std::size_t i = 0; i < stroke.samples.size(); ++i)
-    stroke.samples[i].pen.pressure = static_cast<float>(pressures.values[i]);
+    stroke.samples[i].pen.pressure = static_cast<float>(pressures.values[i] / whole);
 }
 
 void set_tilts(const Values& altitudes, const Values& azimuths, PenStroke& stroke) {
@@ -99,6 +105,7 @@ void set_tilts(const Values& altitudes, const Values& azimuths, PenStroke& strok
 
 void add_stroke(const UimSensorData& data, const UimChannels& channels, PenFile& file) {
   const Measured measured(data, channels);
+  if (!measured.has_positions()) return;
   const Values *x = measured.find("X"), *y = measured.find("Y");
   if (!y) throw Error("sensor data whose channels X and Y differ in their counts");
   if (data.hovering) {

@@ -16,6 +16,7 @@ struct UimChannel {
   std::size_t group = 0;       ///< the same for channels that are measured together
   std::int64_t precision = 0;  ///< numbers are in steps of 10^-precision
   double resolution = 0;       ///< per metre, second or radian; 0 if unknown
+  double most = 0;             ///< the greatest value, as the device tells it; 0 if unknown
   std::string_view tool;       ///< PenStroke::tool
 };
 
@@ -31,7 +32,8 @@ struct UimSensorData {
 };
 
 /// Adds the stroke of a sensor's data to the file; hovering samples are only counted. Positions are pixels of
-/// 1/96 inch. Throws Error for data without X and Y, or with more of one than of the other.
+/// 1/96 inch. Data without X are those of something else than a pen. Throws Error for data with another
+/// number of Y than of X.
 void add_stroke(const UimSensorData& data, const UimChannels& channels, PenFile& file);
 
 }  // namespace burin

@@ -52,6 +52,7 @@ void read_channel(const ByteReader& message, std::size_t group, Sensors& sensors
     if (field.number == 1) id = text_of(field);
     if (field.number == 2) channel.type = text_of(field);
     if (field.number == 4) channel.resolution = field.as_double();
+    if (field.number == 6) channel.most = double{field.as_float()};
     if (field.number == 7) channel.precision = static_cast<std::int64_t>(field.value);
   });
   sensors.channels[id] = channel;

@@ -47,6 +47,7 @@ UimChannels channels_of(const JsonValue& contexts) {
         if (const auto precision = one.find("precision"))
           channel.precision = static_cast<std::int64_t>(precision->whole(0, most_precision));
         if (const auto resolution = one.find("resolution")) channel.resolution = resolution->number();
+        if (const auto most = one.find("max")) channel.most = most->number();
         channels[one.member("id").text()] = channel;
       }
     }
