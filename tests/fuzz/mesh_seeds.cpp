@@ -110,7 +110,7 @@ Seeds gltf_seeds() {
           R"("componentType":5126,"count":3,"type":"VEC3","sparse":{"count":1,"indices":{"bufferView":1,)"
           R"("componentType":5121},"values":{"bufferView":0}}}]})",
       asset + views +
-          R"("nodes":[{"mesh":0,"skin":0},{"translation":[1,2,3]}],"skins":[{"joints":[0,1],"inverseBindMatrices":2}],)"
+          R"("nodes":[{"mesh":0,"skin":0},{"translation":[1,2,3]}],"skins":[{"joints":[0,1]}],)"
           R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":0}}]}],"accessors":[)"
           R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},{"componentType":5121,"count":3,)"
           R"("type":"VEC3"},{"componentType":5126,"count":2,"type":"MAT4"}]})"};
