@@ -139,6 +139,22 @@ TEST(ReadUimJson, NamesThePlaceOfAFault) {
       "1: malformed JSON at column 93");
 }
 
+TEST(ReadUimJson, TellsTheTool) {
+  const auto tool = [](const std::string& provider) {
+    return PenFileFolder()
+        .read(
+            R"({"inputData": {"inputContextData": {"inkInputProviders": [{"id": "a")" + provider +
+            R"(}], "sensorContexts": [{"sensorChannelsContext": [{"inkInputProviderID": "a", "channels": [)"
+            R"({"id": "x", "type": "a/X"}, {"id": "y", "type": "a/Y"}]}]}]}, "sensorData": [{"dataChannels": [)"
+            R"({"sensorChannelID": "x", "values": [1]}, {"sensorChannelID": "y", "values": [2]}]}]}})")
+        .strokes.at(0)
+        .tool;
+  };
+  EXPECT_EQ(tool(""), "pen");
+  EXPECT_EQ(tool(R"(, "type": "MOUSE")"), "mouse");
+  EXPECT_EQ(tool(R"(, "type": "ELBOW")"), "");
+}
+
 TEST(ReadUimJson, HasTheSame) {
   const PenFile file = PenFileFolder().read(R"({"inputData": {"inputContextData": {"sensorContexts": [
     {"sensorChannelsContext": [{"channels": [{"id": "x", "type": "a/X", "precision": 1}, {"id": "y", "type": "a/Y"},

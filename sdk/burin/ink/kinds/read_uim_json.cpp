@@ -1,6 +1,7 @@
 // Reads the JSON of the Universal Ink Model 3.0, which says the same as its binary files (read_uim.cpp).
 #include <burin/base/error.h>
 #include <burin/base/text/json_value.h>
+#include <burin/base/text/lower_case.h>
 #include <burin/ink/decode/uim_sensors.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/json_parts.h>
@@ -8,8 +9,11 @@
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/pen_file.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -35,15 +39,39 @@ std::int64_t whole_of(const JsonValue& value) {
   return static_cast<std::int64_t>(number);
 }
 
+using Tools = std::map<std::string, std::string_view>;
+
+/// The tools of providers of input by their ids. A type that is left out is the first one.
+Tools tools_of(const JsonValue& contexts) {
+  constexpr std::array<std::string_view, 4> types = {"pen", "touch", "mouse", "controller"};
+  Tools tools;
+  for (const JsonValue& provider : items_of(contexts, "inkInputProviders")) {
+    const auto id = provider.find("id"), type = provider.find("type");
+    if (!id || !id->is_text()) continue;
+    const std::string told = type && type->is_text() ? in_lower_case(type->text()) : std::string(types[0]);
+    const auto found = std::ranges::find(types, told);
+    if (found != types.end()) tools[id->text()] = *found;
+  }
+  return tools;
+}
+
+/// The tool of channels that are measured together; empty if the file does not tell.
+std::string_view tool_of(const JsonValue& group, const Tools& tools) {
+  const auto provider = group.find("inkInputProviderID");
+  const auto found = provider && provider->is_text() ? tools.find(provider->text()) : tools.end();
+  return found == tools.end() ? std::string_view() : found->second;
+}
+
 UimChannels channels_of(const JsonValue& contexts) {
   constexpr std::uint64_t most_precision = 15;
+  const Tools tools = tools_of(contexts);
   UimChannels channels;
   std::size_t groups = 0;
   for (const JsonValue& context : items_of(contexts, "sensorContexts"))
     for (const JsonValue& group : items_of(context, "sensorChannelsContext")) {
       ++groups;
       for (const JsonValue& one : items_of(group, "channels")) {
-        UimChannel channel{.type = one.member("type").text(), .group = groups, .tool = {}};
+        UimChannel channel{.type = one.member("type").text(), .group = groups, .tool = tool_of(group, tools)};
         if (const auto precision = one.find("precision"))
           channel.precision = static_cast<std::int64_t>(precision->whole(0, most_precision));
         if (const auto resolution = one.find("resolution")) channel.resolution = resolution->number();
