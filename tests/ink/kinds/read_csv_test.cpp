@@ -76,6 +76,20 @@ TEST(ReadCsv, PartsColumnsByBlanksWhereAllNamesAreKnown) {
   EXPECT_TRUE(folder.complaint("x y note\n1 2 3\n").starts_with(" no pen file that is known"));
 }
 
+TEST(ReadCsv, TellsTiltsOfAzimuthAndAltitudeWithTheirUnits) {
+  const PenFileFolder folder;
+  const PenFile file = folder.read("x,y,Azimuth (deg),altitude_rad\n1,2,90,0.5235988\n");
+  EXPECT_TRUE(file.strokes.at(0).fields.tilt);
+  EXPECT_NEAR(file.strokes[0].samples.at(0).pen.tilt_x, 0, 1e-6);
+  EXPECT_NEAR(file.strokes[0].samples[0].pen.tilt_y, 1.0471975, 1e-6) << "what is missing to upright";
+  for (const char* header :
+       {"x,y,azimuth,altitude\n1,2,3,4\n", "x,y,azimuth (deg),altitude (m)\n1,2,3,4\n"}) {
+    const PenFile without = folder.read(header);
+    EXPECT_FALSE(without.strokes.at(0).fields.tilt);
+    EXPECT_EQ(without.not_used.size(), 2u) << header;
+  }
+}
+
 TEST(ReadCsv, KnowsNamesWithoutUnderscores) {
   const PenFile file = PenFileFolder().read("x,y,penDown,strokeId\n1,2,1,a\n3,4,0,a\n5,6,1,b\n");
   EXPECT_EQ(file.hovering, 1u);

@@ -32,6 +32,8 @@ constexpr std::array names = {Name{"x", CsvCell::x, ""},
                               Name{"tilt_y", CsvCell::tilt_y, "rad"},
                               Name{"tiltx", CsvCell::tilt_x, "deg"},
                               Name{"tilty", CsvCell::tilt_y, "deg"},
+                              Name{"azimuth", CsvCell::azimuth, "no unit"},
+                              Name{"altitude", CsvCell::altitude, "no unit"},
                               Name{"twist", CsvCell::twist, "rad"},
                               Name{"contact", CsvCell::contact, ""},
                               Name{"pen_down", CsvCell::contact, ""},
@@ -94,8 +96,7 @@ CsvColumn column_of(std::string_view cell) {
   const std::string_view unit = told.empty() ? found->unit : std::string_view(told);
   const auto known = std::ranges::find(units, unit, &Unit::name);
   const auto in = [&](Measure measure) { return known != units.end() && known->measure == measure; };
-  const bool angle =
-      found->cell == CsvCell::tilt_x || found->cell == CsvCell::tilt_y || found->cell == CsvCell::twist;
+  const bool angle = found->cell >= CsvCell::tilt_x && found->cell <= CsvCell::twist;
   if ((found->cell == CsvCell::time && !in(Measure::time)) || (angle && !in(Measure::angle))) return column;
   column.cell = found->cell;
   if (in(Measure::time) || in(Measure::angle) || (column.cell == CsvCell::pressure && in(Measure::share)))
@@ -131,6 +132,12 @@ std::vector<CsvColumn> csv_columns_of(std::string_view header) {
   const char separator = csv_separator_of(header);
   std::vector<CsvColumn> named;
   while (!header.empty()) named.push_back(column_of(take_csv_cell(header, separator)));
+  // One angle without the other tells no tilt.
+  for (const auto& [one, other] :
+       {std::pair(CsvCell::azimuth, CsvCell::altitude), std::pair(CsvCell::altitude, CsvCell::azimuth)})
+    if (std::ranges::find(named, other, &CsvColumn::cell) == named.end())
+      for (CsvColumn& column : named)
+        if (column.cell == one) column.cell = CsvCell::unknown;
   return named;
 }
 

@@ -6,7 +6,22 @@
 namespace burin {
 
 /// What a column of a table of samples has.
-enum class CsvCell { x, y, z, time, pressure, tilt_x, tilt_y, twist, contact, stroke, eraser, unknown };
+enum class CsvCell {
+  x,
+  y,
+  z,
+  time,
+  pressure,
+  tilt_x,
+  tilt_y,
+  azimuth,
+  altitude,
+  twist,
+  contact,
+  stroke,
+  eraser,
+  unknown
+};
 
 /// A column as its name tells it.
 struct CsvColumn {

@@ -7,6 +7,7 @@
 #include <burin/base/text/lower_case.h>
 #include <burin/base/text/quoted_word.h>
 #include <burin/ink/decode/csv_columns.h>
+#include <burin/ink/decode/tilt_angles.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/text_window.h>
@@ -52,6 +53,7 @@ struct Row {
   Sample sample;
   PenFields fields;
   bool has_x = false, has_y = false, has_z = false, contact = true, eraser = false;
+  std::optional<double> azimuth, altitude;  ///< from +x towards +y, and above the plane, radians
   double stroke = 0;
   std::string_view stroke_name;  ///< where that is no number; empty else
 };
@@ -87,6 +89,12 @@ void set(Row& row, CsvCell cell, double value) {
     case CsvCell::tilt_y:
       sample.pen.tilt_y = small;
       row.fields.tilt = true;
+      break;
+    case CsvCell::azimuth:
+      row.azimuth = value;
+      break;
+    case CsvCell::altitude:
+      row.altitude = value;
       break;
     case CsvCell::twist:
       sample.pen.twist = small;
@@ -140,6 +148,10 @@ Row row_of(std::string_view line, char separator, std::span<const CsvColumn> nam
       set(row, named[number].cell, *value * named[number].scale);
   }
   if (!row.has_x || !row.has_y) throw Error("a line without x or y");
+  if (row.azimuth && row.altitude && !row.fields.tilt) {
+    row.fields.tilt = true;
+    set_tilt(row.sample.pen, *row.azimuth, *row.altitude);
+  }
   return row;
 }
 
