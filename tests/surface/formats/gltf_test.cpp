@@ -199,6 +199,23 @@ TEST(ReadGltf, PlacesMeshesWithSkinsByTheirJoints) {
   EXPECT_EQ(document.message(), "a.gltf:inverseBindMatrices: are not a matrix for each joint");
 }
 
+TEST(ReadGltf, MovesPositionsByTheMorphTargetsThatAreShown) {
+  Document document;
+  Json& primitive = document.primitive({{"POSITION", document.values(corners, floating, "VEC3", 3)}});
+  const std::vector<float> up = {0, 0, 0, 0, 0, 0, 0, 0, 2};
+  const std::size_t target = document.values(up, floating, "VEC3", 3);
+  primitive["targets"] = {{{"POSITION", target}}, {{"POSITION", target}}, {{"NORMAL", target}}};
+  EXPECT_EQ(document.read().positions, corner_places);
+  EXPECT_EQ(document.read().not_used, "3 morph targets");
+  document.json["meshes"][0]["weights"] = {0.5, 0, 1};
+  EXPECT_EQ(document.read().positions[2], Vec3f(0, 1, 1));
+  EXPECT_EQ(document.read().not_used, "1 morph target");
+  document.json["nodes"] = {{{"mesh", 0}, {"weights", {0, 0.25}}}};
+  EXPECT_EQ(document.read().positions[2], Vec3f(0, 1, 0.5F)) << "the node's weights count";
+  document.json["accessors"][target]["count"] = 2;
+  EXPECT_EQ(document.message(), "a.gltf:targets: have another number of positions than their primitive");
+}
+
 TEST(ReadGltf, CountsNodesWhoseInstancesItLeavesOut) {
   Document document;
   document.primitive({{"POSITION", document.values(corners, floating, "VEC3", 3)}});

@@ -45,7 +45,7 @@ class GltfReader {
     for (const std::size_t node : shown_) read_node(node);
     if (seen_.empty())
       for (const Json& mesh : json.value("meshes", Json::array()))
-        read_mesh(mesh, {Eigen::Affine3d::Identity(), nullptr});
+        read_mesh(mesh, {Eigen::Affine3d::Identity(), nullptr, weights_of(mesh)});
     for (const auto& [list, one, many] : {std::array{"animations", "animation", "animations"},
                                           std::array{"materials", "material", "materials"}})
       unused_.add(one, many, json.value(list, Json::array()).size());
@@ -82,10 +82,12 @@ class GltfReader {
     return roots;
   }
 
-  /// Where the vertices of a mesh are in the scene: transformed by its node, or else by the joints of a skin.
+  /// Where the vertices of a mesh are in the scene: moved by its morph targets, then transformed by its node,
+  /// or else by the joints of a skin.
   struct Placement {
     Eigen::Affine3d node;
-    const GltfSkin* skin;  ///< null: none
+    const GltfSkin* skin;         ///< null: none
+    std::vector<double> weights;  ///< of the morph targets
   };
 
   void place_node(const Json& index, const Eigen::Affine3d& parent, int depth) {
@@ -100,15 +102,20 @@ class GltfReader {
     for (const Json& child : node.value("children", Json::array())) place_node(child, placed, depth + 1);
   }
 
+  static std::vector<double> weights_of(const Json& mesh_or_node) {
+    return mesh_or_node.value("weights", std::vector<double>());
+  }
+
   void read_node(std::size_t number) {
     const Json& node = document_.json()["nodes"][number];
-    Placement placement{placed_[number], nullptr};
+    const Json& mesh = document_.element("meshes", node["mesh"]);
+    Placement placement{placed_[number], nullptr, weights_of(node.contains("weights") ? node : mesh)};
     if (node.contains("skin")) {
       const Json& skin = document_.element("skins", node["skin"]);
       placement.skin =
           &skins_.try_emplace(node["skin"].get<std::size_t>(), document_, skin, placed_).first->second;
     }
-    read_mesh(document_.element("meshes", node["mesh"]), placement);
+    read_mesh(mesh, placement);
   }
 
   /// The rotation of a quaternion of any length. Eigen's conversion is not used because its bits depend on
@@ -176,8 +183,9 @@ class GltfReader {
     if (!attributes.contains("POSITION"))
       return unused_.add("primitive without positions", "primitives without positions");
     expect_plain_data(primitive, attributes["POSITION"]);
-    const auto [known, is_new] = shared.try_emplace(attributes.dump());
-    if (is_new) known->second = read_vertices(attributes, placed);
+    const Json targets = primitive.value("targets", Json::array());
+    const auto [known, is_new] = shared.try_emplace(attributes.dump() + targets.dump());
+    if (is_new) known->second = read_vertices(attributes, targets, placed);
     const auto [first, count, mirrored] = known->second;
     const std::vector<std::size_t> corners = corners_of(primitive, count);
     const std::size_t most = most_corners_per_vertex * most_vertices(document_.size());
@@ -185,19 +193,19 @@ class GltfReader {
       document_.fail("meshes",
                      fmt::format("hold more than the {} corners that a file of this size may", most));
     add_triangles(corners, mode, first, mirrored);
-    if (primitive.contains("targets"))
-      unused_.add("morph target", "morph targets", primitive["targets"].size());
   }
 
   /// Reads the positions, which there must be, and what else is used of the attributes.
-  Vertices read_vertices(const Json& attributes, const Placement& placed) {
+  Vertices read_vertices(const Json& attributes, const Json& targets, const Placement& placed) {
     const std::size_t first = file_.places.size();
-    const Values places = document_.values(attributes["POSITION"]);
+    Values places = document_.values(attributes["POSITION"]);
     if (places.components != 3) document_.fail("POSITION", "has not three coordinates");
     const std::size_t most = most_vertices(document_.size());
     if (places.size() > most - first)
       document_.fail("meshes",
                      fmt::format("hold more than the {} vertices that a file of this size may", most));
+    for (std::size_t i = 0; i < targets.size(); ++i)
+      move_by_target(targets[i], i < placed.weights.size() ? placed.weights[i] : 0, places);
     const auto by_skin = placed.skin ? placed.skin->of_vertices(attributes, places.size()) : std::nullopt;
     const auto transform = [&](std::size_t i) { return by_skin ? (*by_skin)[i] : placed.node; };
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -206,6 +214,16 @@ class GltfReader {
     read_attributes(attributes, first);
     if (attributes.contains("NORMAL")) unused_.add("normal", "normals", places.size());
     return {first, places.size(), mirrored};
+  }
+
+  /// Moves positions by a morph target that is shown; others are counted as not used.
+  void move_by_target(const Json& target, double weight, Values& places) {
+    if (weight == 0) return unused_.add("morph target", "morph targets");
+    if (!target.contains("POSITION")) return;
+    const Values moves = document_.values(target["POSITION"]);
+    if (moves.numbers.size() != places.numbers.size())
+      document_.fail("targets", "have another number of positions than their primitive");
+    for (std::size_t i = 0; i < moves.numbers.size(); ++i) places.numbers[i] += weight * moves.numbers[i];
   }
 
   std::vector<std::size_t> corners_of(const Json& primitive, std::size_t vertices) {
