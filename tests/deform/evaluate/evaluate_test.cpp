@@ -169,6 +169,8 @@ TEST_F(EvaluateTest, RefusesDisplacementsOfMoreThanAThousandRadii) {
       0u);
 }
 
+constexpr float ink[4] = {0.75f, 0.125f, 0.25f, 1};
+
 /// Paints what is black white, without coverage where t is above a half, and takes the mask away.
 class TintTest : public EvaluateTest {
  protected:
@@ -188,10 +190,12 @@ class TintTest : public EvaluateTest {
     for (const Vec3f& place : surface_.positions) paint_.mask.push_back(place.y());
   }
 
-  NodeOutputs tinted(float strength) {
-    const BrushStroke stroke(brush_.brush, brush_.descriptor, brush_.context, brush_.params);
+  NodeOutputs tinted(float strength) { return tinted(brush_, strength); }
+
+  NodeOutputs tinted(const test::TestBrush& brush, float strength) {
+    const BrushStroke stroke(brush.brush, brush.descriptor, brush.context, brush.params);
     const NodeSource source{.surface = surface_, .nodes = drawn_.nodes, .radius = 0.5f, .paint = &paint_};
-    return evaluator_.evaluate(stroke, brush_.context, source, all_, strength);
+    return evaluator_.evaluate(stroke, brush.context, source, all_, strength);
   }
 
   test::TestBrush brush_;
@@ -213,6 +217,29 @@ TEST_F(TintTest, GoesByStrengthAndMaskAndTheMaskByStrengthAlone) {
       ASSERT_EQ(outputs.displacement[node], Vec3f(0, 0, 0));
     }
   }
+}
+
+// What is not painted is white without coverage, and none of that white is mixed in.
+TEST_F(TintTest, OfWhatIsNotPaintedHasTheInksHueAndCoversByStrengthAndMask) {
+  test::TestBrush pen(BURIN_INPUT_T,
+                      [](const burin_stroke_context&, const burin_batch& batch, const burin_outputs& outputs,
+                         burin_text*) -> burin_status {
+                        for (std::uint32_t i = 0; i < batch.count; ++i)
+                          for (int k = 0; k < 4; ++k) outputs.colour[k].data[i] = ink[k];
+                        return BURIN_OK;
+                      });
+  pen.descriptor.outputs_written = BURIN_OUTPUT_COLOUR;
+  paint_.colour.clear();
+  const NodeOutputs outputs = tinted(pen, 0.5f);
+  std::size_t partial = 0;
+  for (const Index node : all_) {
+    const Vec4f colour = colour_of(outputs.tint[node]);
+    ASSERT_FLOAT_EQ(colour[3], 0.5f * paint_.mask[chart().vertex[node]]);
+    if (!(colour[3] > 0)) continue;
+    for (int k = 0; k < 3; ++k) ASSERT_NEAR(colour[k], ink[k], 1e-6f);
+    ++partial;
+  }
+  EXPECT_GT(partial, 1000u);
 }
 
 TEST_F(EvaluateTest, RefusesColoursAndMasksThatAreNotFinite) {

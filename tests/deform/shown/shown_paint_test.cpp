@@ -68,6 +68,47 @@ TEST_F(ShownPaintTest, GoesBackToPaintThatWasTakenAwaySince) {
   EXPECT_EQ(paint_.shown().colour[1], Paint::bare());
 }
 
+TEST_F(ShownPaintTest, HasNoArraysOnceAllPaintingIsTakenBack) {
+  const auto expect_empty = [&](bool colours, bool masks) {
+    for (const Paint* paint : {&paint_.base(), &paint_.shown()}) {
+      EXPECT_EQ(paint->colour.empty(), colours);
+      EXPECT_EQ(paint->mask.empty(), masks);
+    }
+  };
+  const std::uint64_t both = BURIN_OUTPUT_COLOUR | BURIN_OUTPUT_MASK;
+  paint_.drop();
+  expect_empty(true, true);
+  paint_.prepare(both);
+  set({1}, {tint_of(red, 1)});
+  const PaintStep to_none = paint_.commit();
+  expect_empty(false, true);
+  const PaintStep to_red = paint_.restore(to_none);
+  expect_empty(true, true);
+  paint_.restore(to_red);
+  EXPECT_EQ(paint_.base().colour, (std::vector<Vec4f>{Paint::bare(), red, Paint::bare(), Paint::bare()}));
+
+  // Assigned beside masks, what was painted is still the stroke's.
+  Paint with_masks = paint_.base();
+  with_masks.mask.assign(4, 1);
+  paint_.assign(with_masks);
+  paint_.restore(to_none);
+  expect_empty(true, false);
+  paint_.restore(to_red);
+  const Paint of_four = paint_.exchange(2, {{red, Paint::bare()}, {1, 1}});
+  EXPECT_EQ(of_four.colour[1], red);
+  paint_.exchange(4, of_four);
+  paint_.restore(to_none);
+  expect_empty(true, false);
+  paint_.exchange(3, {});
+  paint_.prepare(both);
+  EXPECT_EQ(paint_.shown().colour, std::vector<Vec4f>(3, Paint::bare()));
+  paint_.drop();
+  expect_empty(true, false);
+
+  paint_.assign({std::vector<Vec4f>(3, Paint::bare()), {}});
+  expect_empty(false, true);
+}
+
 TEST_F(ShownPaintTest, DropsWhatWasNotCommitted) {
   set({0, 3}, {tint_of(red, 0), tint_of(red, 0.5f)});
   paint_.drop();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -85,7 +86,42 @@ TEST(SessionPaint, LeavesEverythingAtStrengthZero) {
   draw(session, painting(0), test::wave());
   EXPECT_TRUE(test::Snapshot(session) == before);
   EXPECT_EQ(session.paint().colour, paint.colour);
-  EXPECT_EQ(session.paint().mask, std::vector<float>(paint.colour.size(), 1));
+  EXPECT_TRUE(session.paint().mask.empty());
+}
+
+/// Whether a session has colours, and masks.
+std::pair<bool, bool> painted(const Session& session) {
+  return {!session.paint().colour.empty(), !session.paint().mask.empty()};
+}
+
+TEST(SessionPaint, IsGoneWithTheStrokesThatMadeIt) {
+  const std::pair none{false, false}, both{true, true};
+  Session session = test::plane_session();
+  session.begin_stroke(painting());
+  EXPECT_EQ(painted(session), both);
+  add(session, test::wave());
+  session.cancel_stroke();
+  EXPECT_EQ(painted(session), none);
+  draw(session, painting(), test::wave());
+  // It replaces the surface with all its paint.
+  StrokeSettings refining = painting();
+  refining.refining = {.kind = Refining::Kind::edge, .edge = 0.02};
+  draw(session, refining, test::wave(25));
+  EXPECT_EQ(session.refinements().size(), 1u);
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_EQ(painted(session), both);
+    session.undo();
+    EXPECT_EQ(painted(session), both);
+    session.undo();
+    EXPECT_EQ(painted(session), none);
+    session.redo();
+    session.redo();
+  }
+  Session assigned = test::plane_session();
+  assigned.set_paint({std::vector<Vec4f>(assigned.surface().vertex_count(), Paint::bare()), {}});
+  draw(assigned, painting(), test::wave());
+  assigned.undo();
+  EXPECT_EQ(painted(assigned), std::pair(true, false)) << "what the application set stays";
 }
 
 TEST(SessionPaint, IsUndoneBitForBit) {
@@ -139,7 +175,8 @@ struct Uploaded {
   void expect_all_of(const Session& session) const {
     EXPECT_TRUE(std::ranges::equal(positions, session.positions()));
     EXPECT_TRUE(std::ranges::equal(normals, session.normals()));
-    EXPECT_EQ(colours, session.paint().colour);
+    for (Index vertex = 0; vertex < colours.size(); ++vertex)
+      ASSERT_EQ(colours[vertex], session.paint().colour_of(vertex)) << vertex;
   }
 
   std::vector<Vec3f> positions, normals;

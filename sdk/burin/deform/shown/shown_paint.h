@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/deform/paint.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,7 +16,8 @@ struct PaintStep {
 };
 
 /// The colours and masks to show while an open stroke paints a surface, and those from before the stroke, the
-/// base.
+/// base. While no stroke is open an array is there if it was assigned or if a vertex has another value than
+/// bare ones: what takes all painting back takes the array, too.
 class ShownPaint {
  public:
   explicit ShownPaint(Index vertex_count) : vertex_count_(vertex_count) {}
@@ -23,10 +25,14 @@ class ShownPaint {
   const Paint& base() const { return base_; }
   const Paint& shown() const { return shown_; }
 
-  /// Sets base and shown paint. Each array is empty or has one element per vertex.
+  /// Sets base and shown paint. Each array is empty or has one element per vertex. O(vertices).
   void assign(Paint paint);
 
-  /// Allocates the arrays that a brush with these outputs writes. Costs O(vertices) the first time.
+  /// Goes over to a surface of so many vertices that has this paint; returns the base of the one before.
+  /// Arrays that strokes made remain theirs. O(vertices).
+  Paint exchange(Index vertex_count, Paint paint);
+
+  /// Makes the arrays that a brush with these outputs writes. Costs O(vertices) the first time.
   void prepare(std::uint64_t outputs);
 
   /// Sets the tints of vertices, which must be distinct. A tint equal to that of the base restores the exact
@@ -44,10 +50,27 @@ class ShownPaint {
   PaintStep restore(const PaintStep& step);
 
  private:
+  /// What is known of the arrays of one kind of values.
+  template <class Value>
+  struct Kind {
+    Value bare;
+    bool assigned = false;               ///< not only painted by strokes
+    std::size_t painted = 0;             ///< vertices of the base whose value is not bare
+    std::vector<Value> base{}, shown{};  ///< bare ones for the next stroke, while there are no arrays
+  };
+
+  template <class Value>
+  void prepare(std::vector<Value> Paint::*values, Kind<Value>& kind);
+  template <class Value>
+  void put_away(std::vector<Value> Paint::*values, Kind<Value>& kind);
+  void put_away();
+  void set_all(Paint paint);
   std::vector<Index> take_touched();
 
   Index vertex_count_;
   Paint base_, shown_;
+  Kind<Vec4f> colours_{Paint::bare()};
+  Kind<float> masks_{1};
   std::vector<Index> touched_;  ///< vertices set since the last commit() or drop(), with repetitions
 };
 

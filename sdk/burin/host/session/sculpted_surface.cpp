@@ -246,12 +246,11 @@ std::span<const Index> SculptedSurface::note_all_changed() {
 /// Makes all that depends on the surface anew, but for chart builders that are given. Returns what was there.
 SculptedSurface::Replaced SculptedSurface::exchange(PaintedSurface made, GivenShape given,
                                                     std::unique_ptr<ChartBuilders> builders) {
-  Replaced replaced{{std::move(surface_), paint_.base()}, {std::move(builders_), std::move(given_)}};
+  Paint paint = paint_.exchange(made.surface.vertex_count(), std::move(made.paint));
+  Replaced replaced{{std::move(surface_), std::move(paint)}, {std::move(builders_), std::move(given_)}};
   surface_ = std::move(made.surface);
   picker_ = Picker(surface_);
   shown_ = ShownSurface(surface_);
-  paint_ = ShownPaint(surface_.vertex_count());
-  paint_.assign(std::move(made.paint));
   builders_ = builders ? std::move(builders) : std::make_unique<ChartBuilders>(surface_, picker_);
   state_.reset();
   of_source_.clear();
