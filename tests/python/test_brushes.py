@@ -1,5 +1,6 @@
 """Brushes that are written in Python: the same bits as those of modules, and failures that cost the stroke alone."""
 
+import concurrent.futures
 import gc
 import threading
 import unittest
@@ -141,6 +142,27 @@ class PythonBrushes(unittest.TestCase):
         self.assertIsInstance(error.__cause__, ZeroDivisionError)
         self.assertEqual(error.__cause__.__traceback__.tb_next.tb_frame.f_code.co_filename, __file__)
 
+    def test_that_raise_are_the_causes_of_errors_of_groups(self):
+        def other(self, batch):
+            raise KeyError("of the other library")
+
+        self.library.add(failing(lambda self, batch: 1 // 0))
+        group = burin.Group([self.session, burin.Session(self.library, *grid())])
+        error = self.failure_of(group)
+        self.assertIsInstance(error.__cause__, ZeroDivisionError)
+        self.assertEqual(self.session.hash(), self.before)
+        second = burin.Library(stock=False)
+        second.add(failing(other))
+        error = self.failure_of(burin.Group([burin.Session(second, *grid()), self.session]))
+        self.assertIn("KeyError: 'of the other library'", str(error))
+        self.assertIsInstance(error.__cause__, KeyError)
+
+    def failure_of(self, group):
+        with self.assertRaises(burin.Error) as raised:
+            with group.stroke("org.example.failing", radius=0.15):
+                group.add(wave())
+        return raised.exception
+
     def test_that_read_what_they_do_not_declare_are_told(self):
         error = self.failure(failing(lambda self, batch: batch.normal))
         self.assertIn("AttributeError: the brush does not declare normal among its inputs", str(error))
@@ -269,6 +291,47 @@ class PythonBrushes(unittest.TestCase):
 
 
 class Libraries(unittest.TestCase):
+    def test_run_on_threads_that_are_lent(self):
+        expected = burin.Session(burin.Library(), *grid(200))
+        draw(expected, "org.burin.rope", radius=0.3)
+        used, calls = set(), []
+
+        def run(task, count):
+            def noted(number):
+                used.add(threading.get_ident())
+                task(number)
+
+            calls.append(count)
+            list(pool.map(noted, range(count)))
+
+        with concurrent.futures.ThreadPoolExecutor(3) as pool:
+            session = burin.Session(burin.Library(run=run, threads=3), *grid(200))
+            draw(session, "org.burin.rope", radius=0.3)
+        self.assertEqual(hex_hash(session), hex_hash(expected))
+        self.assertGreater(len(calls), 20)
+        self.assertGreater(len(used), 1)
+        self.assertNotIn(threading.get_ident(), used)
+
+    def test_tell_what_lent_threads_raise(self):
+        fails = False
+
+        def run(task, count):
+            for number in reversed(range(count)):
+                task(number)
+                task(number)  # of which the library hears once
+                if fails:
+                    raise OSError("no threads left")
+
+        session = burin.Session(burin.Library(run=run), *grid(200))
+        before, fails = session.hash(), True
+        with self.assertRaisesRegex(burin.Error, "the application has not run all tasks") as raised:
+            draw(session, "org.burin.rope", radius=0.3)
+        self.assertIsInstance(raised.exception.__cause__, OSError)
+        fails = False
+        self.assertEqual(session.hash(), before)
+        draw(session, "org.burin.rope", radius=0.3)
+        self.assertNotEqual(session.hash(), before)
+
     def test_pass_lines_on_to_logging(self):
         lines = []
         library = burin.Library(stock=False, log=lambda level, line: lines.append((level, line)))

@@ -33,7 +33,7 @@ from .mesh import Mesh, read_mesh, refine_mesh, write_mesh
 from .recorder import Camera, Recorder
 from .recording import RecordedStroke, Recording, read_recording
 from .samples import SAMPLE, samples
-from .session import CHART_NODE, LINES, Chart, Event, Session, Snapped
+from .session import CHART_NODE, LINES, Chart, Event, Patch, Session, Snapped
 from .shown_surface import ATTRIBUTES, SessionInfo, ShownSurface
 from .step import Step
 
@@ -69,6 +69,7 @@ __all__ = [
     "OutOfMemory",
     "Param",
     "ParamInfo",
+    "Patch",
     "RecordedStroke",
     "Recorder",
     "Recording",

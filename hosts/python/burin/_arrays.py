@@ -38,6 +38,7 @@ class MeshArrays:
         order: str,
         transform: ArrayLike | None = None,
         hidden: ArrayLike | None = None,
+        refines: bool = False,
     ) -> None:
         self.positions = readable(positions, FLOATS, np.float64)
         self.corners = readable(faces, CORNERS, np.int64)
@@ -53,6 +54,7 @@ class MeshArrays:
         self.mesh.corner_type = CORNERS[self.corners.dtype.str[1:]]
         if order not in ("caller", "surface"):
             raise InvalidArgument(f"order: must be 'caller' or 'surface', not {order!r}")
+        self.mesh.refines = refines
         self.mesh.order = 1 if order == "caller" else 2
         if face_sizes is None:
             self._set_faces_of_one_size()

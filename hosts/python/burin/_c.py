@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+from collections.abc import Callable
 from ctypes import POINTER, c_char_p, c_int32, c_uint32, c_uint64, c_void_p
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,7 @@ from ._structs import (
     MeshArrays as MeshArrays,
     MeshValues as MeshValues,
     ParamInfo as ParamInfo,
+    Patch as Patch,
     ProgressFunction as ProgressFunction,
     Range as Range,
     RecordedSample as RecordedSample,
@@ -31,6 +33,7 @@ from ._structs import (
     RecorderOptions as RecorderOptions,
     RecordingStroke as RecordingStroke,
     Refinement as Refinement,
+    RunFunction as RunFunction,
     Sample as Sample,
     SessionInfo as SessionInfo,
     Sized as Sized,
@@ -64,6 +67,7 @@ _WITH_STATUS: dict[str, list[Any]] = {
     "burin_session_get_info": [c_void_p, POINTER(SessionInfo)],
     "burin_session_read_map": [c_void_p, c_int32, c_void_p, c_uint64],
     "burin_session_read_triangles": [c_void_p, c_void_p, c_uint64],
+    "burin_session_take_patch": [c_void_p, POINTER(Patch)],
     "burin_session_begin": [c_void_p, POINTER(Stroke)],
     "burin_session_add": [c_void_p, c_void_p, c_uint64, POINTER(Event)],
     "burin_session_end": [c_void_p],
@@ -165,12 +169,14 @@ class ErrorText:
         return self._buffer.value.decode(errors="replace")
 
 
-def call(name: str, *args: Any, cause: BaseException | None = None) -> None:
-    """Calls a function that returns a status. Raises its text as Error or one of its kinds."""
+def call(name: str, *args: Any, cause_of: Callable[[str], BaseException | None] | None = None) -> None:
+    """Calls a function that returns a status. Raises its text as Error or one of its kinds. `cause_of` tells which exception
+    of Python a text is of."""
     error = ErrorText()
     status = getattr(lib, name)(*args, error.text)
     if status != OK:
-        raise_status(status, str(error), cause)
+        text = str(error)
+        raise_status(status, text, cause_of(text) if cause_of else None)
 
 
 def texts(lines: list[str]) -> Any:

@@ -9,6 +9,7 @@ from typing import Any, ClassVar, TypeVar
 
 from . import _c
 from ._settings import Setting, fields_of, setting_texts
+from .samples import as_samples
 
 _Drawing = TypeVar("_Drawing", bound="Drawing")
 
@@ -30,6 +31,7 @@ class Drawing(ABC):
         radius: float | None = None,
         fields: str | Iterable[str] = (),
         seed: int = 0,
+        path: Any = None,
         **settings: Setting,
     ) -> None:
         """Opens a stroke.
@@ -37,11 +39,17 @@ class Drawing(ABC):
         brush: its id. radius: half the width, object units. fields: what the pen reports of "time pressure tilt twist"; the
         rest of samples is not read. seed: of random numbers. settings: those of docs/stroke_format.md and docs/bench.md,
         such as strength, follow, closed, cap, join, overlap, dabs, mirror, radial and stabilise; None: not given. params and
-        dynamics are mappings: params={"depth": 0.2}, dynamics={"strength": ("pressure", [0, 0, 1, 1])}. Raises
-        InvalidArgument with the name of a setting that does not exist or has a wrong value, NotFound for the brush.
+        dynamics are mappings: params={"depth": 0.2}, dynamics={"strength": ("pressure", [0, 0, 1, 1])}.
+        path: positions or samples() that the stroke will have, as far as they are known: where it refines the surface that
+        is done once, not again and again as the pen comes. Raises InvalidArgument with the name of a setting that does not
+        exist or has a wrong value, NotFound for the brush.
         """
         lines = setting_texts({"brush": brush, "radius": radius, **settings})
-        self._call(f"{self._functions}_begin", _c.Stroke(fields_of(fields), _c.texts(lines), seed))
+        stroke = _c.Stroke(fields_of(fields), _c.texts(lines), seed)
+        ahead = None if path is None else as_samples(path, {})
+        if ahead is not None:
+            stroke.path, stroke.path_count = ahead.ctypes.data, len(ahead)
+        self._call(f"{self._functions}_begin", stroke)
 
     def end(self) -> None:
         """Ends the open stroke, which then can be undone."""

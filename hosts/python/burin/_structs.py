@@ -41,6 +41,8 @@ class VersionInfo(Sized):
 
 
 LogFunction = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
+TaskFunction = CFUNCTYPE(None, c_void_p, c_uint64)
+RunFunction = CFUNCTYPE(None, c_void_p, TaskFunction, c_void_p, c_uint64)
 ProgressFunction = CFUNCTYPE(c_int32, c_void_p, c_char_p, c_double)
 
 
@@ -55,7 +57,7 @@ class LibraryOptions(Sized):
         ("call_seconds", c_double),
         ("batch_seconds", c_double),
         ("memory", c_uint64),
-        ("run", c_void_p),
+        ("run", RunFunction),
         ("run_user", c_void_p),
         ("run_threads", c_uint32),
         ("reserved", c_uint32),
@@ -142,6 +144,21 @@ class SessionInfo(Sized):
         ("undo_bytes", c_uint64),
         ("undo_dropped", c_uint64),
         ("generation", c_uint64),
+        ("has_colours", c_uint32),
+        ("has_masks", c_uint32),
+    ]
+
+
+class Patch(Sized):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("kept_vertices", c_uint64),
+        ("vertex_count", c_uint64),
+        ("removed_count", c_uint64),
+        ("removed", c_void_p),
+        ("added_count", c_uint64),
+        ("added", c_void_p),
     ]
 
 
@@ -171,6 +188,8 @@ class Stroke(Sized):
         ("fields", c_uint32),
         ("settings", POINTER(c_char_p)),
         ("seed", c_uint64),
+        ("path", c_void_p),
+        ("path_count", c_uint64),
     ]
 
 

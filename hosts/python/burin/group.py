@@ -44,7 +44,12 @@ class Group(Drawing):
         self._finalizer = weakref.finalize(self, _destroy, self._pointer, handles)
 
     def _call(self, name: str, *args: Any) -> None:
-        _c.call(name, self._pointer, *args)
+        _c.call(name, self._pointer, *args, cause_of=self._cause_of)
+
+    def _cause_of(self, text: str) -> BaseException | None:
+        """What a brush raised that a text of one of the libraries has."""
+        causes = [library._take_fault(text) for library in {session.library for session in self.sessions}]
+        return next((cause for cause in causes if cause), None)
 
     def add(self, position: Any, **pen: ArrayLike) -> GroupEvent:
         """Adds samples to the open stroke, as Session.add() does."""

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 
 from . import _c
 from ._application_brushes import Factory
+from ._lent_threads import LentThreads, Run
 from .brush import Brush
 from .brushinfo import BrushInfo, brush_info
 from .errors import NotFound
@@ -51,21 +52,33 @@ class Library:
         stock: bool = True,
         log: Log | None = None,
         isolate: bool = False,
+        run: Run | None = None,
+        threads: int | None = None,
     ) -> None:
         """Loads brushes from `path` as load() does; without a path the stock brushes, unless `stock` is False.
 
         `log` receives the level of the module logging and a line, on any thread, also on several at once; it must not
         call this module. Without it lines go to the logger "burin". With `isolate` the brushes of modules run in processes
         of their own, so that one that crashes or hangs costs its stroke only; those written in Python do not.
+
+        `run` lends threads: run(task, count) calls task(number) for each number below count, on about `threads` threads of
+        the application's, by default one for each processor, and returns when all calls have. The library then starts none. What `run` raises makes the call fail.
+
+        >>> from concurrent.futures import ThreadPoolExecutor
+        >>> pool = ThreadPoolExecutor(2)
+        >>> library = Library(run=lambda task, count: list(pool.map(task, range(count))), threads=2)
         """
         _c.version()
         self._log = _c.LogFunction(_log_function(log))
         handle = ctypes.c_void_p()
-        _c.call("burin_library_create", _c.LibraryOptions(isolate, self._log, None), handle)
+        self._lent = LentThreads(run) if run else None
+        self._run = _c.RunFunction(self._lent or 0)
+        options = _c.LibraryOptions(isolate, self._log, None, run=self._run, run_threads=threads or os.cpu_count() or 1)
+        _c.call("burin_library_create", options, handle)
         self._handle = handle
         self._factories: list[Factory] = []
         # The brushes and the log are called until the last session is destroyed, which keeps the library.
-        self._finalizer = weakref.finalize(self, _destroy, handle, self._log, self._factories)
+        self._finalizer = weakref.finalize(self, _destroy, handle, (self._log, self._run), self._factories)
         if path is not None or stock:
             self.load(path)
 
@@ -117,12 +130,14 @@ class Library:
         return tuple(_c.lib.burin_library_refused(self._handle, index).decode() for index in range(count))
 
     def _take_fault(self, text: str) -> BaseException | None:
-        """The exception of a brush that a text of the library tells of, if it is that of a brush in Python."""
+        """The exception of Python that a text of the library tells of: that of a brush, or of lent threads."""
         faults = [factory.take_fault(text) for factory in self._factories]
+        if self._lent:
+            faults.append(self._lent.take_fault(text))
         return next((fault for fault in faults if fault), None)
 
 
-def _destroy(handle: ctypes.c_void_p, _log: object, factories: list[Factory]) -> None:
+def _destroy(handle: ctypes.c_void_p, _functions: object, factories: list[Factory]) -> None:
     _c.lib.burin_library_destroy(handle)
     for factory in factories:
         factory.release()

@@ -19,7 +19,8 @@ from .samples import SAMPLE
 
 @dataclass(frozen=True)
 class RecordedStroke:
-    """A stroke of a recording: session.draw(stroke) draws it as `burin replay --refine off` does."""
+    """A stroke of a recording: session.draw(stroke) draws it as `burin replay --refine off` does, and as `burin replay`
+    with refine="auto" on a session that refines."""
 
     settings: dict[str, Any]
     """What was recorded, as keyword arguments of Session.begin(); values of params are texts."""

@@ -53,6 +53,24 @@ class Chart:
     """Whether t is periodic with `length`."""
 
 
+@dataclass(frozen=True)
+class Patch:
+    """How triangles and vertices changed."""
+
+    kept_vertices: int
+    """The vertices below are those that they were."""
+    vertex_count: int
+    """Now: those kept, then new ones."""
+    removed: NDArray[np.uint32]
+    """Places in the caller's array of triangles, ascending."""
+    added: NDArray[np.uint32]
+    """Triangles, shape (k, 3)."""
+
+    def triangles(self, before: NDArray[np.uint32]) -> NDArray[np.uint32]:
+        """The triangles after the patch of those before it, at first Session.triangles: new ones come last."""
+        return np.concatenate([np.delete(before, self.removed, axis=0), self.added])
+
+
 LINES = ("ridge", "valley", "silhouette", "border", "high", "low", "crease", "suggestive")
 """What strokes are snapped to."""
 
@@ -87,6 +105,7 @@ class Session(ShownSurface, Drawing):
         order: str = "caller",
         transform: ArrayLike | None = None,
         hidden: ArrayLike | None = None,
+        refines: bool = False,
     ) -> None:
         """Makes a session of arrays, which are read once.
 
@@ -96,13 +115,13 @@ class Session(ShownSurface, Drawing):
         numbers, so that a stroke changes few ranges; see map_to_surface(). transform: shape (4, 4), takes positions of the
         object to the world, in which samples, radii, charts and the hash are, so that brushes are round there whatever the
         scale; positions and normals stay the object's. hidden: shape (m,), whether each face is hidden, see hide(); None:
-        faces are never hidden.
+        faces are never hidden. refines: strokes with the setting refine="auto" may split triangles, see take_patch().
 
         >>> plane = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
         >>> Session(Library(stock=False), plane, [[0, 1, 2, 3]]).info.triangle_count
         2
         """
-        super().__init__(library, MeshArrays(positions, faces, face_sizes, order, transform, hidden))
+        super().__init__(library, MeshArrays(positions, faces, face_sizes, order, transform, hidden, refines))
         self._progress: Any = None
 
     def __enter__(self) -> Session:
@@ -112,9 +131,9 @@ class Session(ShownSurface, Drawing):
         self.close()
 
     @classmethod
-    def of_mesh(cls, library: Library, mesh: Mesh, *, order: str = "caller") -> Session:
+    def of_mesh(cls, library: Library, mesh: Mesh, *, order: str = "caller", refines: bool = False) -> Session:
         """Makes a session of a mesh that read_mesh() has read, with its colours and masks."""
-        session = cls(library, mesh.positions, mesh.triangles, order=order)
+        session = cls(library, mesh.positions, mesh.triangles, order=order, refines=refines)
         for attribute, values in (("colours", mesh.colours), ("masks", mesh.masks)):
             if values is not None:
                 session.write(attribute, values if order == "caller" else values[session.map_from_surface()])
@@ -130,13 +149,13 @@ class Session(ShownSurface, Drawing):
 
     def draw(self, stroke: RecordedStroke, **settings: Setting) -> Event:
         """Draws a recorded stroke at once. Settings hold before the recorded ones, as RecordedStroke.settings_with() has it."""
-        self.begin(fields=stroke.fields, seed=stroke.seed, **stroke.settings_with(settings))
+        self.begin(fields=stroke.fields, seed=stroke.seed, path=stroke.samples, **stroke.settings_with(settings))
         event = self.add(stroke.samples)
         self.end()
         return event
 
     def replay(self, path: str | os.PathLike[str], **settings: Setting) -> None:
-        """Draws all strokes of a recording as `burin replay --refine off` does. Settings hold before the recording's own."""
+        """Draws all strokes of a recording as `burin replay --refine off` does, or with refine="auto" as `burin replay`. Settings hold before the recording's own."""
         self._call("burin_session_replay", os.fsencode(path), _c.texts(setting_texts(settings)))
 
     def undo(self) -> None:
@@ -169,6 +188,19 @@ class Session(ShownSurface, Drawing):
         flags = None if hidden is None else np.ascontiguousarray(hidden, np.bool_)
         address, count = (None, 0) if flags is None else (flags.ctypes.data, flags.size)
         self._call("burin_session_hide", address, count)
+
+    def take_patch(self) -> Patch:
+        """How triangles and vertices changed since the call before, or since the session was made, by strokes, undo, redo and
+        hide(). Raises InvalidArgument unless the session refines. To be called when info.generation is another one, before
+        update(), which tells the values of new vertices."""
+        patch = _c.Patch()
+        self._call("burin_session_take_patch", patch)
+        return Patch(
+            patch.kept_vertices,
+            patch.vertex_count,
+            view_of(patch.removed, (patch.removed_count,), kind="<u4").copy(),
+            view_of(patch.added, (patch.added_count, 3), kind="<u4").copy(),
+        )
 
     def set_progress(self, progress: Progress | None) -> None:
         """Sets what is told what replay(), and end() where it makes solids, are at: the name of the step, and the share of

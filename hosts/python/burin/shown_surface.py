@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _c
 from ._arrays import FLOATS, MeshArrays, readable
 from ._memory import view as view_of
-from .errors import InvalidArgument, raise_status
+from .errors import InvalidArgument
 from .library import Library
 from .mesh import write_mesh
 
@@ -34,6 +34,11 @@ class SessionInfo:
     undo_bytes: int
     undo_dropped: int
     """How many strokes can no longer be undone for limit_undo()."""
+    generation: int
+    """Another number whenever strokes changed triangles."""
+    has_colours: bool
+    """Whether vertices have colours: written, or painted by strokes that are not undone."""
+    has_masks: bool
 
 
 class Handle:
@@ -41,7 +46,7 @@ class Handle:
 
     def __init__(self, library: Library, arrays: MeshArrays) -> None:
         pointer = ctypes.c_void_p()
-        _c.call("burin_session_create", library._handle, arrays.mesh, pointer)
+        _c.call("burin_session_create", library._handle, arrays.mesh, pointer, cause_of=library._take_fault)
         self.pointer = pointer
         self._finalizer = weakref.finalize(self, _destroy, pointer, library)
 
@@ -74,6 +79,7 @@ class ShownSurface:
 
     def __init__(self, library: Library, arrays: MeshArrays) -> None:
         self.library = library
+        self._refines = bool(arrays.mesh.refines)
         self._handle: Handle | None = Handle(library, arrays)
         self._progress_fault: BaseException | None = None
 
@@ -90,11 +96,10 @@ class ShownSurface:
     def _call(self, name: str, *args: Any) -> None:
         """Calls a function of the session. An exception of Python that made it fail is the error's cause."""
         self._progress_fault = None
-        error = _c.ErrorText()
-        status = getattr(_c.lib, name)(self._pointer, *args, error.text)
-        if status != _c.OK:
-            text = str(error)
-            raise_status(status, text, self._progress_fault or self.library._take_fault(text))
+        _c.call(name, self._pointer, *args, cause_of=self._cause_of)
+
+    def _cause_of(self, text: str) -> BaseException | None:
+        return self._progress_fault or self.library._take_fault(text)
 
     @property
     def info(self) -> SessionInfo:
@@ -109,6 +114,9 @@ class ShownSurface:
             info.redo_count,
             info.undo_bytes,
             info.undo_dropped,
+            info.generation,
+            bool(info.has_colours),
+            bool(info.has_masks),
         )
 
     def update(self, attribute: str = "positions", *, gap: int = 64, most: int = 32) -> NDArray[np.uint64]:
@@ -123,16 +131,19 @@ class ShownSurface:
     def values(self, attribute: str = "positions") -> NDArray[np.float32]:
         """The values of all vertices as of the last update: a view, not a copy, which is read-only and changes with every
         update. Shape (n, 3) for positions and unit normals; (n, 4) for colours, linear red, green, blue and coverage, 0..1;
-        (n,) for masks, 0 = protected .. 1 = free. It keeps the session alive."""
+        (n,) for masks, 0 = protected .. 1 = free. It keeps the session alive. Of a session that refines it is a copy, since
+        strokes make more vertices; those are NaN until update()."""
         number, size = _attribute(attribute)
         if not _c.lib.burin_session_values(self._pointer, number):
             self.update(attribute)
         shape = _shape(self.info.vertex_count, size)
-        return view_of(_c.lib.burin_session_values(self._pointer, number), shape, owner=self._handle)
+        values = view_of(_c.lib.burin_session_values(self._pointer, number), shape, owner=self._handle)
+        return values.copy() if self._refines else values
 
     @property
     def triangles(self) -> NDArray[np.uint32]:
-        """The triangles, shape (m, 3), in the order of the surface."""
+        """The triangles, shape (m, 3), in the order of the surface; of a session that refines as the next take_patch()
+        will leave them."""
         triangles = np.empty((self.info.triangle_count, 3), np.uint32)
         self._call("burin_session_read_triangles", triangles.ctypes.data, len(triangles))
         return triangles
@@ -175,12 +186,12 @@ class ShownSurface:
         self._call("burin_session_write", number, _c.Range(begin, begin + len(array)), _array(array))
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the surface, with colours and masks where anything is painted: .ply, .glb, .obj or .off."""
-        colours, masks = self.read("colours"), self.read("masks")
+        """Writes the surface, with colours and masks if it has any: .ply, .glb, .obj or .off."""
+        info = self.info
         write_mesh(
             path,
             self.read(),
             self.triangles,
-            colours=colours if colours[:, 3].any() else None,
-            masks=masks if (masks != 1).any() else None,
+            colours=self.read("colours") if info.has_colours else None,
+            masks=self.read("masks") if info.has_masks else None,
         )

@@ -99,10 +99,10 @@ void burin_group::begin(const burin_stroke* stroke) {
   pen.emplace(settings.front());
   radius_ = settings.front().radius;
   current_ = 0;
-  for (std::size_t i = 0; i < sessions.size(); ++i) {
-    sessions[i]->session.begin_stroke(settings[i]);
-    sessions[i]->stroke = c::OpenStroke{settings[i].closure, {}};
-  }
+  std::vector<std::vector<c::PenSample>> paths(sessions.size());
+  for (const c::PenSample& given : c::path_of(*stroke, settings.front()))
+    if (const auto on = nearest(given)) paths[*on].push_back(given);
+  for (std::size_t i = 0; i < sessions.size(); ++i) c::begin_stroke(*sessions[i], settings[i], paths[i], {});
 }
 
 StrokeEvent::Outcome burin_group::draw(const c::PenSample& given, Show show) {

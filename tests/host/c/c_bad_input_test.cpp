@@ -179,6 +179,17 @@ TEST_F(CBadCalls, OfStrokesLeaveNothingOpen) {
          const auto stroke = sized<burin_stroke>();
          return IN_C(burin_session_begin)(session_, &stroke, error);
        }},
+      {"sample 0: its position is not finite",
+       [&](burin_text* error) {
+         auto sample = sized<burin_sample>();
+         sample.position[0] = nan;
+         const char* const settings[] = {"brush=org.burin.groove", "radius=0.1", nullptr};
+         auto stroke = sized<burin_stroke>();
+         stroke.settings = settings;
+         stroke.path = &sample;
+         stroke.path_count = 1;
+         return IN_C(burin_session_begin)(session_, &stroke, error);
+       }},
       {"session is missing",
        [](burin_text* error) { return IN_C(burin_session_begin)(nullptr, nullptr, error); }},
       of_call("no stroke is open",

@@ -194,6 +194,26 @@ struct Watcher {
   double done = 0;
 };
 
+TEST(CInfo, TellsWhetherThereAreColoursAndMasks) {
+  CSession session(plane(1, 0.05, 4));
+  const auto expect = [&](std::uint32_t colours, std::uint32_t masks) {
+    EXPECT_EQ(session.info().has_colours, colours);
+    EXPECT_EQ(session.info().has_masks, masks);
+  };
+  expect(0, 0);
+  session.draw(every_input, in_c(wave(15)));
+  expect(1, 1);
+  session.check(IN_C(burin_session_undo)(session, &session.error));
+  expect(0, 0);
+  const std::vector<float> free(session.info().vertex_count, 1);
+  auto source = sized<burin_source>();
+  source.type = BURIN_FLOAT32;
+  source.data = free.data();
+  const burin_range all{0, free.size()};
+  session.check(IN_C(burin_session_write)(session, BURIN_MASKS, &all, &source, &session.error));
+  expect(0, 1);
+}
+
 TEST(CChangesOfFailures, AreTheDifferencesWhenARecordingIsCancelled) {
   const std::string stroke = std::string(BURIN_SAMPLES) + "/strokes/meander.stroke";
   Watched watched(triangulate(read_mesh(std::string(BURIN_SAMPLES) + "/meshes/ewer.obj")));

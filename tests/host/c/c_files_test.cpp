@@ -106,6 +106,73 @@ TEST(CRecordings, DrawnStrokeByStrokeHaveTheBitsOfAReplay) {
   EXPECT_EQ(IN_C(burin_recording_get_stroke)(recording, 2, &none, &recording.error), BURIN_NOT_FOUND);
 }
 
+/// The same strokes in the object, which can be stabilised.
+Recording seen_in_the_object() {
+  Recording recording = seen_on_a_screen();
+  recording.space = StrokeSpace::object;
+  recording.camera.reset();
+  for (RecordedStroke& stroke : recording.strokes) {
+    stroke.settings[&ReplaySettings::stabilising] = {.kind = Stabilising::Kind::string, .amount = 0.03};
+    for (Sample& sample : stroke.samples) sample.position = (sample.position - Vec3d(400, 400, 0)) / 300;
+  }
+  return recording;
+}
+
+/// Draws a stroke that refines the surface. `knows`: whether its samples are told when it begins. Returns how
+/// often the surface got other triangles after that.
+std::uint64_t draw_refining(CSession& session, const burin_recording_stroke& from, bool knows) {
+  std::vector<const char*> settings{"refine=auto"};
+  for (const char* const* text = from.settings; *text; ++text) settings.push_back(*text);
+  settings.push_back(nullptr);
+  auto stroke = sized<burin_stroke>();
+  stroke.fields = from.fields;
+  stroke.settings = settings.data();
+  stroke.seed = from.seed;
+  if (knows) {
+    stroke.path = from.samples;
+    stroke.path_count = from.sample_count;
+  }
+  session.check(IN_C(burin_session_begin)(session, &stroke, &session.error));
+  const std::uint64_t begun = session.info().generation;
+  session.check(IN_C(burin_session_add)(session, from.samples, from.sample_count, nullptr, &session.error));
+  session.end();
+  return session.info().generation - begun;
+}
+
+TEST(CRecordings, ThatRefineHaveTheBitsOfAReplayHoweverTheyAreDrawn) {
+  for (const Recording& recorded : {seen_on_a_screen(), seen_in_the_object()}) {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "refining.stroke";
+    write(recorded, path);
+    const TriangleMesh mesh = shuffled(plane(1, 0.4, 4), 5);
+    burin_mesh refinable = arrays_of(mesh);
+    refinable.refines = 1;
+    Session expected(make_surface(mesh), brushes());
+    GivenSettings overrides;
+    overrides[&StrokeSettings::refining] = {.kind = Refining::Kind::automatic};
+    replay(expected, read_strokes(path), overrides);
+    ASSERT_EQ(expected.refinements().size(), 2u);
+
+    CSession replayed(refinable), drawn(refinable), unaware(refinable);
+    const char* const texts[] = {"refine=auto", nullptr};
+    replayed.check(IN_C(burin_session_replay)(replayed, path.c_str(), texts, &replayed.error));
+    EXPECT_EQ(replayed.hash(), expected.result_hash());
+    CRecording recording(path);
+    std::uint64_t refined_later = 0;
+    for (std::uint64_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(draw_refining(drawn, recording.stroke(i), true), 0u) << "all was refined when it began";
+      refined_later += draw_refining(unaware, recording.stroke(i), false);
+    }
+    EXPECT_EQ(drawn.hash(), expected.result_hash());
+    EXPECT_GT(refined_later, 2u);
+    for (CSession* each : {&replayed, &drawn}) {
+      for (int i = 0; i < 2; ++i) each->check(IN_C(burin_session_undo)(*each, &each->error));
+      EXPECT_EQ(each->info().vertex_count, mesh.positions.size());
+      EXPECT_EQ(each->info().triangle_count, mesh.triangles.size());
+    }
+  }
+}
+
 TEST(CRecordings, ThatAreCutOffAreRefused) {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "cut.stroke";

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 
+#include "../../refine/refined.h"
 #include "c_host.h"
 
 namespace burin::test {
@@ -46,11 +48,13 @@ class CGroup {
 
   operator burin_group*() const { return group_; }
 
-  burin_status try_begin(std::vector<const char*> settings) {
+  burin_status try_begin(std::vector<const char*> settings, const std::vector<burin_sample>& path = {}) {
     settings.push_back(nullptr);
     auto stroke = sized<burin_stroke>();
     stroke.fields = BURIN_PEN_PRESSURE;
     stroke.settings = settings.data();
+    stroke.path = path.data();
+    stroke.path_count = path.size();
     return IN_C(burin_group_begin)(group_, &stroke, &error);
   }
   burin_group_event add(const std::vector<burin_sample>& samples) {
@@ -155,6 +159,32 @@ TEST_F(CGroups, OfOneSessionDrawAsTheSession) {
     expected.end();
     EXPECT_EQ(alone.hash(), expected.hash()) << closed;
   }
+}
+
+TEST(CGroup, RefinesEachSurfaceWhereItsSamplesWillBe) {
+  const std::vector<const char*> refining = {"brush=org.burin.groove", "radius=0.15", "refine=auto"};
+  const TriangleMesh meshes[] = {box({2, 1, 1}), box({1, 1, 0.5f})};
+  std::vector<std::unique_ptr<CSession>> told, untold;
+  for (auto* sessions : {&told, &untold})
+    for (const TriangleMesh& mesh : meshes) {
+      burin_mesh arrays = arrays_of(mesh);
+      arrays.refines = 1;
+      sessions->push_back(std::make_unique<CSession>(arrays));
+    }
+  std::vector<burin_sample> samples = rays(0.3, 1.7);  // over the first, above the second
+  for (burin_sample& sample : samples) sample.position[1] = 0.5;
+  CGroup group({*told[0], *told[1]}), later({*untold[0], *untold[1]});
+  group.check(group.try_begin(refining, samples));
+  const std::uint64_t begun = told[0]->info().generation;
+  EXPECT_EQ(begun, 1u);
+  EXPECT_EQ(told[1]->info().generation, 0u) << "the pen will not be there";
+  group.add(samples);
+  group.end();
+  EXPECT_EQ(told[0]->info().generation, begun);
+  later.draw(refining, samples, 2);
+  EXPECT_GT(untold[0]->info().generation, 1u);
+  group.undo();
+  EXPECT_EQ(told[0]->info().vertex_count, 8u);
 }
 
 TEST_F(CGroups, GoToTheClosestSurfaceOfAPosition) {

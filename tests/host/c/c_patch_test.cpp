@@ -155,6 +155,16 @@ TEST(CPatch, TellsWhatStrokesSplitAndUndoTakesBack) {
   EXPECT_EQ(as_set(arrays.triangles), as_set(refined));
   EXPECT_EQ(session.hash(), expected.result_hash());
 
+  // The list is that of after the next patch.
+  session.check(IN_C(burin_session_undo)(session, &session.error));
+  std::vector<Triangle> list(session.info().triangle_count);
+  session.check(
+      IN_C(burin_session_read_triangles)(session, list.front().data(), list.size(), &session.error));
+  arrays.follow();
+  EXPECT_EQ(list, arrays.triangles);
+  session.check(IN_C(burin_session_redo)(session, &session.error));
+  arrays.follow();
+
   // Several changes at once: to the box, and to another refinement.
   session.check(IN_C(burin_session_undo)(session, &session.error));
   std::vector<burin_sample> other = over_the_edge();

@@ -40,7 +40,7 @@ extern "C" {
 /* Functions and structs are added with a new minor version, never changed: a program that was built with this
  * header runs with every later library of the same major version, which is that of libburin.so.0. */
 #define BURIN_C_MAJOR 0u
-#define BURIN_C_MINOR 3u
+#define BURIN_C_MINOR 4u
 
 /* What a library is. */
 typedef struct burin_version_info {
@@ -227,6 +227,9 @@ typedef struct burin_session_info {
   uint64_t undo_bytes;     /* what both hold */
   uint64_t undo_dropped;   /* since 0.3: strokes that can no longer be undone for burin_session_limit_undo */
   uint64_t generation;     /* since 0.3: another number whenever strokes changed triangles */
+  uint32_t has_colours;    /* since 0.4: 1: vertices have colours, which were written or painted; 0: there are
+                              none, or none are left after strokes were undone, and a file needs none */
+  uint32_t has_masks;      /* since 0.4: the same of masks */
 } burin_session_info;
 
 /* Fills the members that info->struct_size covers. */
@@ -248,8 +251,8 @@ BURIN_API burin_status BURIN_CALL burin_session_read_map(const burin_session* se
                                                          burin_text* error);
 
 /* Writes the triangles that are shown, three of the session's vertices each, counter-clockwise seen from
- * outside in the object, in the order of the surface, or with burin_mesh.refines the list as the last patch
- * left it. `capacity`: triangles that fit, at least triangle_count. */
+ * outside in the object, in the order of the surface, or with burin_mesh.refines the list as the next patch
+ * will leave it. `capacity`: triangles that fit, at least triangle_count. */
 BURIN_API burin_status BURIN_CALL burin_session_read_triangles(const burin_session* session,
                                                                uint32_t* corners, uint64_t capacity,
                                                                burin_text* error);
@@ -278,18 +281,6 @@ BURIN_API burin_status BURIN_CALL burin_session_take_patch(burin_session* sessio
 
 /* ---- Strokes ---- */
 
-/* How a stroke is drawn. */
-typedef struct burin_stroke {
-  uint32_t struct_size;
-  uint32_t fields; /* BURIN_PEN_* that the pen reports */
-  /* Texts "KEY=VALUE", UTF-8, ended by a null pointer; at least brush and radius. The keys are those of
-   * docs/stroke_format.md and docs/bench.md, the values as `burin replay` takes them: "radius=0.1",
-   * "closed=auto", "clamp=true", "symmetry_centre=0,0,1". Two may be there several times: "params=NAME=VALUE"
-   * and "dynamics=TARGET=SOURCE:X0,Y0,X1,Y1,...". */
-  const char* const* settings;
-  uint64_t seed; /* of random numbers */
-} burin_stroke;
-
 /* A sample of the pen. What the pen does not report (burin_stroke.fields) is not read. */
 typedef struct burin_sample {
   uint32_t struct_size;
@@ -302,6 +293,24 @@ typedef struct burin_sample {
   float twist;          /* radians */
   uint32_t reserved;
 } burin_sample;
+
+/* How a stroke is drawn. */
+typedef struct burin_stroke {
+  uint32_t struct_size;
+  uint32_t fields; /* BURIN_PEN_* that the pen reports */
+  /* Texts "KEY=VALUE", UTF-8, ended by a null pointer; at least brush and radius. The keys are those of
+   * docs/stroke_format.md and docs/bench.md, the values as `burin replay` takes them: "radius=0.1",
+   * "closed=auto", "clamp=true", "symmetry_centre=0,0,1". Two may be there several times: "params=NAME=VALUE"
+   * and "dynamics=TARGET=SOURCE:X0,Y0,X1,Y1,...". */
+  const char* const* settings;
+  uint64_t seed; /* of random numbers */
+  /* Since 0.4, with the setting "refine": the samples that the stroke will have, as far as they are known,
+   * whose places or rays are read. The surface is refined there at once, which costs less than to refine it
+   * again and again as the pen comes, and gives a recording's samples the bits of `burin replay`. Null: the
+   * pen decides. */
+  const burin_sample* path;
+  uint64_t path_count;
+} burin_stroke;
 
 /* Whether a sample was drawn. */
 typedef int32_t burin_outcome;
@@ -402,8 +411,9 @@ BURIN_API burin_status BURIN_CALL burin_session_set_progress(burin_session* sess
                                                              burin_progress_function progress, void* user,
                                                              burin_text* error);
 
-/* Draws all strokes of a recording, as `burin replay --refine off` does. `settings` are as those of
- * burin_stroke, hold before the recording's own, and may be null. If a stroke fails, those before it stay. */
+/* Draws all strokes of a recording, as `burin replay --refine off` does, or with "refine=auto" as
+ * `burin replay`. `settings` are as those of burin_stroke, hold before the recording's own, and may be null.
+ * If a stroke fails, those before it stay. */
 BURIN_API burin_status BURIN_CALL burin_session_replay(burin_session* session, const char* path,
                                                        const char* const* settings, burin_text* error);
 

@@ -1,7 +1,35 @@
 #include <burin/host/c/drawing.h>
 #include <burin/host/stroke_pieces.h>
 
+#include <utility>
+#include <vector>
+
 namespace burin::c {
+namespace {
+
+/// The places at which samples point.
+std::vector<Vec3d> places_of(std::span<const PenSample> samples, const Picker& picker) {
+  std::vector<Vec3d> places;
+  for (const PenSample& given : samples) {
+    if (!given.is_ray())
+      places.push_back(given.sample.position);
+    else if (const auto at = picker.pick(given.ray()))
+      places.push_back(at->position.cast<double>());
+  }
+  return places;
+}
+
+}  // namespace
+
+void begin_stroke(burin_session& session, const ReplaySettings& settings, std::span<const PenSample> path,
+                  std::optional<PenInput> pen) {
+  const std::vector<Vec3d> places = places_of(path, session.session.picker());
+  noted(session, [&](Session& to) {
+    to.begin_stroke(settings, places);
+    return true;
+  });
+  session.stroke = OpenStroke{settings.closure, std::move(pen)};
+}
 
 StrokeEvent::Outcome draw(burin_session& session, const PenSample& given, Show show) {
   const Sample& sample = given.sample;

@@ -3,6 +3,9 @@
 #include <burin/host/c/handles.h>
 #include <burin/host/c/pen_input.h>
 
+#include <optional>
+#include <span>
+
 namespace burin::c {
 
 /// Runs a call of the session, and notes what it changed, also if it throws. Then the stroke is gone.
@@ -18,6 +21,10 @@ auto noted(burin_session& session, const Call& call) {
     throw;
   }
 }
+
+/// Begins a stroke that will have these samples on the session's surface. `pen`: none for that of a group.
+void begin_stroke(burin_session& session, const ReplaySettings& settings, std::span<const PenSample> path,
+                  std::optional<PenInput> pen);
 
 /// Draws a sample with the session's open stroke, which begins another piece where it must.
 StrokeEvent::Outcome draw(burin_session& session, const PenSample& given, Show show);

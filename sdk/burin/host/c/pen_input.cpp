@@ -79,4 +79,14 @@ std::optional<PenSample> PenInput::finish() const {
   return PenSample{*last};
 }
 
+std::vector<PenSample> path_of(const burin_stroke& given, const ReplaySettings& settings) {
+  const burin_stroke known = plugin::complete(given);
+  if (!known.path) return {};
+  PenInput pen(settings);
+  std::vector<PenSample> path = pen.read(known.path, known.path_count);
+  for (PenSample& sample : path) sample = pen.take(sample);
+  if (const auto last = pen.finish()) path.push_back(*last);
+  return path;
+}
+
 }  // namespace burin::c

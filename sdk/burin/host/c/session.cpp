@@ -47,6 +47,15 @@ Index tell_triangles(burin_session& session) {
   return std::exchange(session.kept_vertices, session.vertex_count);
 }
 
+/// The triangles as the caller's list has them after the next patch.
+std::vector<Triangle> triangles_of(const burin_session& session) {
+  if (!session.told) return session.triangles();
+  if (!session.has_other_triangles) return session.told->list();
+  ToldTriangles next = *session.told;
+  next.update(session.triangles());
+  return next.list();
+}
+
 /// Moves a mesh from the caller's object to the world. Returns the positions that it had.
 std::vector<Vec3f> place(TriangleMesh& mesh, const Placement& placement) {
   std::vector<Vec3f> given = mesh.positions;
@@ -127,7 +136,9 @@ burin_status burin_session_get_info(const burin_session* session, burin_session_
                                    .redo_count = session->session.redo_count(),
                                    .undo_bytes = session->session.undo_bytes(),
                                    .undo_dropped = session->session.undo_dropped(),
-                                   .generation = session->session.generation()};
+                                   .generation = session->session.generation(),
+                                   .has_colours = session->session.paint().colour.empty() ? 0u : 1u,
+                                   .has_masks = session->session.paint().mask.empty() ? 0u : 1u};
     c::give(known, info, info && BURIN_HAS(info, burin_session_info, undo_bytes), "info");
   });
 }
@@ -151,7 +162,7 @@ burin_status burin_session_read_triangles(const burin_session* session, uint32_t
                                           burin_text* error) {
   return c::in_session(session, error, [&] {
     c::require(corners, "corners");
-    const std::vector<Triangle> triangles = session->told ? session->told->list() : session->triangles();
+    const std::vector<Triangle> triangles = c::triangles_of(*session);
     if (capacity < triangles.size()) c::reject("the triangles do not fit");
     std::memcpy(corners, triangles.data(), triangles.size() * sizeof(Triangle));
   });

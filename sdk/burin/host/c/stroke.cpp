@@ -75,8 +75,7 @@ burin_status burin_session_begin(burin_session* session, const burin_stroke* str
   return c::in_session(session, error, [&] {
     c::require_stroke(session, false);
     const ReplaySettings settings = c::stroke_settings(stroke, *session->brushes, session->told.has_value());
-    session->session.begin_stroke(settings);
-    session->stroke = c::OpenStroke{settings.closure, c::PenInput(settings)};
+    c::begin_stroke(*session, settings, c::path_of(*stroke, settings), c::PenInput(settings));
   });
 }
 
