@@ -22,15 +22,11 @@ class Arrays(unittest.TestCase):
         self.assertEqual(read.sizes.tolist(), [len(face) for face in faces])
         self.assertEqual({3, 4}, set(read.sizes.tolist()))
 
-    def test_leave_hidden_faces_out(self):
+    def test_tell_which_faces_are_hidden(self):
         mesh = make_object("Grid", *hilly_grid(20)).data
-        whole = mesh_io.read_faces(mesh)
+        self.assertFalse(mesh_io.read_hidden(mesh).any())
         mesh.polygons[0].hide = mesh.polygons[30].hide = True
-        read = mesh_io.read_faces(mesh)
-        starts = np.cumsum(whole.sizes) - whole.sizes
-        left = [whole.corners[s : s + n].tolist() for f, (s, n) in enumerate(zip(starts, whole.sizes)) if f not in (0, 30)]
-        self.assertEqual(read.corners.tolist(), sum(left, []))
-        self.assertEqual(len(read.sizes), len(whole.sizes) - 2)
+        self.assertEqual(np.flatnonzero(mesh_io.read_hidden(mesh)).tolist(), [0, 30])
 
     def test_written_are_what_blender_evaluates(self):
         made = make_object("Grid", *hilly_grid(20))
@@ -51,29 +47,7 @@ class Changes(unittest.TestCase):
                 self.assertEqual(mesh_io.changed_range(before, after), expected)
 
 
-class Placements(unittest.TestCase):
-    def test_of_nothing_keep_the_bits(self):
-        positions, _ = hilly_grid(20)
-        self.assertIs(mesh_io.Placement(np.eye(4)).to_world(positions), positions)
-
-    def test_move_there_and_back(self):
-        seed = 7
-        matrix = np.eye(4)
-        matrix[:3] = np.random.default_rng(seed).normal(size=(3, 4))
-        positions, _ = hilly_grid(20)
-        placement = mesh_io.Placement(matrix)
-        world = placement.to_world(positions)
-        expected = positions.astype(float) @ matrix[:3, :3].T + matrix[:3, 3]
-        np.testing.assert_allclose(world, expected, atol=1e-6, err_msg=f"seed {seed}")
-        np.testing.assert_allclose(placement.to_local(world), positions, atol=2e-5, err_msg=f"seed {seed}")
-
-    def test_that_mirror_turn_faces_around(self):
-        faces = mesh_io.Faces(np.array([0, 1, 2, 1, 3, 4, 2], np.uint32), np.array([3, 4], np.uint32))
-        turned = mesh_io.Placement(np.diag([1, -1, 1, 1])).outward(faces)
-        self.assertEqual(turned.corners.tolist(), [2, 4, 3, 1, 2, 1, 0])
-        self.assertEqual(turned.sizes.tolist(), [4, 3])
-        self.assertIs(mesh_io.Placement(np.diag([1, -1, -1, 1])).outward(faces), faces)
-
-    def test_that_are_flat_are_refused(self):
-        with self.assertRaisesRegex(ValueError, "scaled to nothing"):
-            mesh_io.Placement(np.diag([1, 0, 1, 1]))
+class Ranges(unittest.TestCase):
+    def test_are_joined_where_they_meet(self):
+        self.assertEqual(mesh_io.joined([]), [])
+        self.assertEqual(mesh_io.joined([(7, 9), (0, 2), (1, 5), (9, 10), (1, 3)]), [(0, 5), (7, 10)])

@@ -61,7 +61,7 @@ def stroke(path=PATH, last=("LEFTMOUSE", "RELEASE")):
     yield
 
 
-def take_picture():
+def take_picture(file=PICTURE):
     """Of the window with the panel, which a click on its tab shows."""
     for value in ("PRESS", "RELEASE"):
         send("LEFTMOUSE", value, PANEL)
@@ -70,7 +70,7 @@ def take_picture():
     for _ in range(20):
         yield
     with in_view():
-        bpy.ops.screen.screenshot(filepath=PICTURE)
+        bpy.ops.screen.screenshot(filepath=file)
 
 
 def test_a_stroke_has_the_bits_of_its_recording(work):
@@ -112,6 +112,44 @@ def test_a_stroke_on_a_scaled_object_has_the_bits_of_its_recording(work):
     np.testing.assert_array_equal(now(), drawn)
 
 
+def test_a_stroke_over_two_objects_is_one_step_of_both(work):
+    positions, faces = prepared(work)
+    make_object("Second", (positions * [2, 1, 1]).astype(np.float32), faces)
+    both = [bpy.data.objects[name] for name in ("Grid", "Second")]
+    both[0].location.x, both[1].location.x, both[1].scale.x = -1, 1, 0.5
+    for object in both:
+        object.select_set(True)
+    bpy.context.view_layer.update()
+    with in_view():
+        bpy.ops.ed.undo_push(message="Two")
+
+    def all_now():
+        return [positions_of(bpy.data.objects[name]) for name in ("Grid", "Second")]
+
+    before = all_now()
+    yield
+    yield from stroke()
+    drawn = all_now()
+    for now_one, before_one in zip(drawn, before):
+        assert (now_one != before_one).any(axis=1).sum() > 100
+    if PICTURE:
+        yield from take_picture(PICTURE + ".two.png")
+    with in_view():
+        bpy.ops.ed.undo()
+        np.testing.assert_array_equal(all_now(), before)
+        bpy.ops.burin.replay(filepath=str(work / "strokes/0001.stroke"))
+    np.testing.assert_array_equal(all_now(), drawn)
+    send("LEFTMOUSE", "PRESS", PATH[0])
+    yield from moves(PATH)
+    assert not np.array_equal(all_now(), drawn)
+    send("ESC", "PRESS", PATH[-1])
+    yield
+    np.testing.assert_array_equal(all_now(), drawn)
+    send("LEFTMOUSE", "RELEASE", PATH[-1])
+    send("ESC", "RELEASE", PATH[-1])
+    yield
+
+
 def test_escape_and_the_right_button_take_strokes_back(work):
     positions, _ = prepared(work)
     yield
@@ -144,6 +182,9 @@ def test_a_brush_that_fails_costs_its_stroke(work):
     yield from stroke()
     np.testing.assert_array_equal(now(), positions)
     assert not list(work.glob("strokes/*.stroke"))
+    for place in ((0.1, 0.9), (0.1, 0.1)):  # the message goes when the mouse leaves it
+        send("MOUSEMOVE", "NOTHING", place)
+        yield
     chosen.brush = "org.burin.groove"
     yield from stroke()
     assert (now() != positions).any()

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import addon_utils
 import bpy
+import mathutils
 import numpy as np
 
 import burin
@@ -126,7 +127,7 @@ class Replays(OfOneMesh):
                 self.object.scale = scale
                 bpy.context.view_layer.update()
                 world = (local * np.array(scale)).astype(np.float32)
-                faces = self.faces if scale[1] > 0 else [face[::-1] for face in self.faces]
+                faces = self.faces if scale[1] > 0 else [face[:1] + face[:0:-1] for face in self.faces]
                 expected, _ = replayed(self.work, self.stroke, world, faces)
                 self.assertEqual(self.replay(), {"FINISHED"})
                 np.testing.assert_allclose(self.now() * np.array(scale), expected, atol=1e-6)
@@ -134,17 +135,134 @@ class Replays(OfOneMesh):
                 self.assertGreater((~still).sum(), 100)
                 np.testing.assert_array_equal(self.now()[still], local[still])
 
+    def test_on_scaled_objects_are_the_same_after_undo(self):
+        turned = mathutils.Matrix.LocRotScale((0.1, 0.2, 0), mathutils.Euler((0.1, 0.2, 0.7)), (1.1, 0.7, 1.3))
+        self.object.matrix_world = turned
+        bpy.context.view_layer.update()
+        bpy.ops.ed.undo_push(message="Turned")
+        second = write_stroke(self.work / "two.stroke", shift=0.1)
+        self.replay()
+        one = self.now()
+        self.replay(second)
+        two = self.now()
+        self.assertGreater(((one != self.positions) & (one != two)).any(axis=1).sum(), 100)
+        bpy.ops.ed.undo()
+        np.testing.assert_array_equal(self.now(), one)
+        self.replay(second)
+        np.testing.assert_array_equal(self.now(), two)
 
     def test_leave_hidden_faces_out(self):
-        hidden = range(1500, 1540)
-        for face in hidden:
-            self.object.data.polygons[face].hide = True
-        shown = [face for number, face in enumerate(self.faces) if number not in hidden]
-        expected, _ = replayed(self.work, self.stroke, self.positions, shown)
-        whole, _ = replayed(self.work, self.stroke, self.positions, self.faces)
+        numbers = np.arange(len(self.faces))
+        kept = None
+        for hidden in ((numbers >= 1500) & (numbers < 1540), numbers % 60 < 30, numbers < 0):
+            self.object.data.vertices.foreach_set("co", self.positions.ravel())
+            self.object.data.polygons.foreach_set("hide", hidden)
+            for mode in ("EDIT", "OBJECT"):
+                bpy.ops.object.mode_set(mode=mode)
+            shown = [face for face, is_hidden in zip(self.faces, hidden) if not is_hidden]
+            expected, _ = replayed(self.work, self.stroke, self.positions, shown)
+            whole, _ = replayed(self.work, self.stroke, self.positions, self.faces)
+            self.replay()
+            np.testing.assert_array_equal(self.now(), expected)
+            self.assertEqual(np.array_equal(expected, whole), not hidden.any())
+            (session,) = sys.modules["burin_brushes.object_session"]._sessions.values()
+            self.assertIn(kept, (None, session), "the session stays")
+            kept = session
+
+
+class OfSeveralMeshes(OfOneMesh):
+    """Two squares that touch at x = 0, the second one scaled and turned in its own space."""
+
+    def setUp(self):
+        super().setUp()
+        self.object.location.x = -1
+        self.second = make_object("Second", (self.positions * [0.5, 2, 1]).astype(np.float32), self.faces)
+        self.second.location.x, self.second.scale = 1.01, (2, 0.5, 1)
+        self.third = make_object("Third", self.positions, self.faces)
+        for object, selected in ((self.object, True), (self.second, True), (self.third, False)):
+            object.select_set(selected)
+        bpy.context.view_layer.objects.active = self.object
+        bpy.context.view_layer.update()
+        bpy.ops.ed.undo_push(message="Three")
+        self.names = ("Grid", "Second", "Third")
+
+    def all_now(self):
+        return [positions_of(bpy.data.objects[name]) for name in self.names]
+
+    def sessions(self):
+        return [
+            burin.Session(
+                burin.Library(),
+                positions_of(object),
+                sum(self.faces, []),
+                [len(face) for face in self.faces],
+                transform=np.array(object.matrix_world),
+            )
+            for object in (self.object, self.second)
+        ]
+
+    def test_is_one_stroke_and_one_step(self):
+        before = self.all_now()
+        oracles = self.sessions()
+        burin.Group(oracles).draw(burin.read_recording(self.stroke).strokes[0])
+        self.assertEqual(self.replay(), {"FINISHED"})
+        drawn = self.all_now()
+        for now, oracle, start in zip(drawn, oracles, before):
+            np.testing.assert_array_equal(now, oracle.read())
+            self.assertGreater((now != start).any(axis=1).sum(), 50)
+        np.testing.assert_array_equal(drawn[2], before[2], "not selected")
+        bpy.ops.ed.undo()
+        np.testing.assert_array_equal(self.all_now(), before)
+        bpy.ops.ed.redo()
+        np.testing.assert_array_equal(self.all_now(), drawn)
+
+    def test_that_fails_on_one_leaves_all(self):
+        Faulty = brush_that_fails(after=0.3)
+        sys.modules["burin_brushes.brushes"].library().add(Faulty)
+        before = self.all_now()
+        with self.assertRaisesRegex(RuntimeError, "the pen went too far"):
+            self.replay(write_stroke(self.work / "f.stroke", brush=Faulty.id, params={}))
+        np.testing.assert_array_equal(self.all_now(), before)
         self.replay()
-        np.testing.assert_array_equal(self.now(), expected)
-        self.assertFalse(np.array_equal(expected, whole))
+        self.assertFalse(np.array_equal(self.all_now()[1], before[1]))
+
+    def test_that_share_a_mesh_are_refused(self):
+        twin = self.object.copy()
+        twin.name = "Twin"
+        bpy.context.collection.objects.link(twin)
+        twin.select_set(True)
+        before = self.all_now()
+        with self.assertRaisesRegex(RuntimeError, "Grid and Twin: share a mesh; select one of them"):
+            self.replay()
+        twin.select_set(False)
+        self.second.modifiers.new("Waves", "WAVE")
+        with self.assertRaisesRegex(RuntimeError, "Second: modifiers change its shape"):
+            self.replay()
+        np.testing.assert_array_equal(self.all_now(), before)
+
+
+class BrushesInPython(OfOneMesh):
+    def test_have_the_bits_that_they_have_without_blender(self):
+        class Steps(burin.Brush):
+            id = "org.example.steps"
+            inputs = ("t", "d", "radius")
+            height = burin.FloatParam(0.1, hard=(0, 1), unit="radius")
+
+            def evaluate(self, batch):
+                inside = np.abs(batch.d) < batch.radius / 2
+                batch.up = batch[self.height] * batch.radius * (np.floor(8 * batch.t) % 2) * inside
+
+        library = burin.Library(stock=False)
+        for each in (library, sys.modules["burin_brushes.brushes"].library()):
+            each.add(Steps)
+        oracle = burin.Session(library, self.positions, sum(self.faces, []), [len(face) for face in self.faces])
+        oracle.replay(self.stroke, brush=Steps.id, params={"height": 0.3})
+        self.assertEqual(self.replay(brush=Steps.id, settings="params=height=0.3"), {"FINISHED"})
+        np.testing.assert_array_equal(self.now(), oracle.read())
+        self.assertGreater((self.now() != self.positions).any(axis=1).sum(), 100)
+        sys.modules["burin_brushes.settings"].rebuild()
+        bpy.context.scene.burin.brush = Steps.id
+        self.assertAlmostEqual(bpy.context.scene.burin.brush_org_example_steps.param_height, 0.1, 6)
 
 
 class Failures(OfOneMesh):
@@ -190,7 +308,7 @@ class Failures(OfOneMesh):
         self.assertEqual(self.replay(), {"FINISHED"})
         self.object.scale = (1, 0, 1)
         bpy.context.view_layer.update()
-        with self.assertRaisesRegex(RuntimeError, "scaled to nothing"):
+        with self.assertRaisesRegex(RuntimeError, "Grid: transform has no inverse: it makes the object flat"):
             self.replay()
         self.object.scale = (1, 1, 1)
         self.object.shape_key_add()

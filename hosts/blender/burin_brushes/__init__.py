@@ -33,5 +33,7 @@ def unregister() -> None:
     for module in reversed(_modules()):
         if hasattr(module, "unregister"):
             module.unregister()
+    # So that the add-on that is enabled next is the one on disk: imports look here, too.
     for name in [name for name in sys.modules if name.startswith(f"{__name__}.")]:
-        del sys.modules[name]  # so that the add-on that is enabled next is the one on disk
+        del sys.modules[name]
+        globals().pop(name.removeprefix(f"{__name__}."), None)

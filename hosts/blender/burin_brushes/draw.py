@@ -11,7 +11,7 @@ from . import object_session, pen_stroke
 
 
 class BURIN_OT_draw(bpy.types.Operator):
-    """Draw a stroke on the active object; Escape or the right button takes it back"""
+    """Draw a stroke on the active object and the other selected meshes; Escape or the right button takes it back"""
 
     bl_idname = "burin.draw"
     bl_label = "Draw Burin Stroke"

@@ -1,7 +1,8 @@
 """Sessions of objects: made when the first stroke is drawn, kept, and brought up to date with what other tools did.
 
-Between strokes the session of an object has the world positions of the mesh, to the bit, so that what a stroke makes does
-not depend on whether its session is new. Blender's undo is the only one: a session sees afterwards that positions differ.
+Strokes are in the world, positions the object's own. Between strokes the session of an object has those of the mesh, to the
+bit, so that a stroke that is undone and drawn again makes the same. Blender's undo is the only one: a session sees afterwards
+that positions differ.
 """
 
 from __future__ import annotations
@@ -25,27 +26,43 @@ class ObjectSession:
     def __init__(self, library: burin.Library, object: Any) -> None:
         mesh = object.data
         self.counts = mesh_io.counts(mesh)
-        self.placement = mesh_io.Placement(object.matrix_world)
-        self.faces = mesh_io.read_faces(mesh)
+        self.matrix = np.array(object.matrix_world, np.float64)
+        self._faces = mesh_io.read_faces(mesh)
+        self._hidden = mesh_io.read_hidden(mesh)
         self.local = mesh_io.read_positions(mesh)
         """What the mesh has, of which the session knows."""
         self.faces_are_known = True
-        """False after what may have changed faces and left their number as it was."""
-        if not len(self.faces.sizes):
+        """False after what may have changed or hidden faces and left their number as it was."""
+        self._drawn: list[tuple[int, int]] = []
+        self._is_world = np.array_equal(self.matrix, np.eye(4))
+        if not len(self._faces.sizes):
             raise Refused(f"{object.name}: there is no face to draw on")
-        faces = self.placement.outward(self.faces)
-        self.session = burin.Session(library, self.placement.to_world(self.local), faces.corners, faces.sizes)
+        self.session = burin.Session(
+            library,
+            self.local,
+            self._faces.corners,
+            self._faces.sizes,
+            transform=None if self._is_world else self.matrix,
+            hidden=self._hidden,
+        )
         self.session.limit_undo(0)
         self.session.update("positions")
 
     def fits(self, object: Any) -> bool:
         """Whether the faces and the place of the object are those of the session."""
         mesh = object.data
-        if self.counts != mesh_io.counts(mesh) or not self.placement.same(mesh_io.Placement(object.matrix_world)):
+        if self.counts != mesh_io.counts(mesh) or not np.array_equal(self.matrix, object.matrix_world):
             return False
-        if not self.faces_are_known:
-            self.faces_are_known = self.faces.same(mesh_io.read_faces(mesh))
-        return self.faces_are_known
+        return self.faces_are_known or self._faces.same(mesh_io.read_faces(mesh))
+
+    def take_hidden(self, object: Any) -> None:
+        """Hides the faces that are hidden, at the cost of a new session where that changed."""
+        if self.faces_are_known:
+            return
+        hidden = mesh_io.read_hidden(object.data)
+        if not np.array_equal(self._hidden, hidden):
+            self.session.hide(hidden)
+        self._hidden, self.faces_are_known = hidden, True
 
     def take_moved(self, object: Any) -> None:
         """Takes the positions of vertices that others moved, at a cost in proportion to them."""
@@ -53,28 +70,39 @@ class ObjectSession:
         moved = mesh_io.changed_range(self.local, local)
         if moved:
             self._take(local, *moved)
+            self.session.update("positions")
             self.local = local
 
     def _take(self, local: mesh_io.Floats, begin: int, end: int) -> None:
-        self.session.write("positions", self.placement.to_world(local[begin:end]), begin)
-        self.session.update("positions")
+        self.session.write("positions", local[begin:end], begin)
 
     def drawn(self, shown: mesh_io.Floats) -> bool:
-        """Writes what changed since the last call to the local positions `shown`, and tells whether anything did."""
-        ranges = self.session.update("positions")
+        """Writes what changed since the last call to the positions `shown`, and tells whether anything did."""
+        ranges = self.session.update("positions").tolist()
         positions = self.session.values("positions")
         for begin, end in ranges:
-            shown[begin:end] = self.placement.to_local(positions[begin:end])
+            shown[begin:end] = positions[begin:end]
+        self._drawn += ranges
         return len(ranges) > 0
 
     def keep(self, object: Any, shown: mesh_io.Floats) -> None:
-        """Ends a stroke: the mesh and the session get the local positions that are shown."""
+        """Ends a stroke: the mesh and the session get the positions that are shown."""
+        if not self._drawn:
+            return
         mesh_io.write_positions(object.data, shown)
-        if not self.placement.keeps_bits:
-            moved = mesh_io.changed_range(self.local, shown)
-            if moved:
-                self._take(shown, *moved)
+        if not self._is_world:  # where floats of the world have no equal in the object
+            for begin, end in mesh_io.joined(self._drawn):
+                self._take(shown, begin, end)
+            self.session.update("positions")
+        self._drawn.clear()
         self.local = shown
+
+    def drop(self, object: Any) -> None:
+        """Shows the mesh as it was before the stroke that was cancelled or has failed."""
+        if self._drawn:
+            mesh_io.write_positions(object.data, self.local)
+        self.session.update("positions")
+        self._drawn.clear()
 
 
 _sessions: dict[str, ObjectSession] = {}
@@ -113,9 +141,10 @@ def session_of(library: burin.Library, object: Any) -> ObjectSession:
         if kept is None or not kept.fits(object):
             kept = None  # its memory is free before there is another
             kept = ObjectSession(library, object)
-    except ValueError as fault:
+        kept.take_moved(object)
+        kept.take_hidden(object)
+    except burin.Error as fault:
         raise Refused(f"{object.name}: {fault}") from fault
-    kept.take_moved(object)
     _sessions[object.name_full] = kept
     return kept
 
@@ -140,7 +169,7 @@ def doubt_faces(*_event: Any) -> None:
 
 @bpy.app.handlers.persistent
 def _doubt_edited(_scene: Any, depsgraph: Any) -> None:
-    if any(isinstance(update.id, bpy.types.Object) and update.id.mode == "EDIT" for update in depsgraph.updates):
+    if any(isinstance(update.id, bpy.types.Object) and update.id.mode != "OBJECT" for update in depsgraph.updates):
         doubt_faces()
 
 

@@ -1,4 +1,4 @@
-"""A stroke of the pen on an object: samples to the session and the recording, and what changed to the mesh."""
+"""A stroke of the pen on objects: samples to the sessions and the recording, and what changed to the meshes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import bpy
 import burin
 import numpy as np
 
-from . import brushes, mesh_io, object_session, settings, view_rays
+from . import canvas, settings, view_rays
 
 
 def pen_of(event: Any) -> dict[str, Any]:
@@ -33,24 +33,22 @@ class PenStroke:
     """An open stroke."""
 
     def __init__(self, context: Any, event: Any) -> None:
-        self.object = context.object
         self._region = context.region
-        self._kept = object_session.session_of(brushes.library(), self.object)
-        self._shown = self._kept.local.copy()
+        self._canvas = canvas.Canvas(context)
         self._start = time.perf_counter()
         self._waiting: list[Any] = []
         self._recorder: burin.Recorder | None = None
         self._recording: Path | None = None
-        matrix = np.array(self.object.matrix_world)
-        corners = np.array(self.object.bound_box) @ matrix[:3, :3].T + matrix[:3, 3]
         view = context.region_data
         size = (self._region.width, self._region.height)
+        corners = self._canvas.corners
         self._camera = view_rays.drawing_camera(view.view_matrix, view.window_matrix, size, corners)
-        self._open(context.scene.burin, "time pressure tilt" if event.is_tablet else "time", matrix[:3, 3])
+        fields = "time pressure tilt" if event.is_tablet else "time"
+        self._open(context.scene.burin, fields, context.object.matrix_world.translation)
 
     def _open(self, chosen: Any, fields: str, origin: Any) -> None:
         given = settings.stroke_settings(chosen, pressure="pressure" in fields)
-        self._kept.session.begin(fields=fields, **given, **settings.symmetry(chosen, origin))
+        self._canvas.pen.begin(fields=fields, **given, **settings.symmetry(chosen, origin))
         if chosen.record:
             try:
                 self._recording = next_recording(chosen.record)
@@ -69,33 +67,29 @@ class PenStroke:
         if self._recorder:
             self._recorder.add((x, y, 0), **pen)
 
-    def _draw(self) -> bool:
+    def _draw(self) -> None:
         if self._waiting:
-            self._kept.session.add(np.concatenate(self._waiting))
+            self._canvas.pen.add(np.concatenate(self._waiting))
             self._waiting.clear()
-        return self._kept.drawn(self._shown)
 
     def show(self) -> None:
         """Draws what waits, and shows it."""
-        if self._draw():
-            mesh_io.write_positions(self.object.data, self._shown)
+        self._draw()
+        self._canvas.show()
 
     def end(self) -> None:
-        """Ends the stroke. The mesh is last: a recording that cannot be written fails the stroke."""
+        """Ends the stroke. The meshes are last: a recording that cannot be written fails the stroke."""
         if self._recorder:
             self._recorder.end()
         self._draw()
-        self._kept.session.end()
-        self._kept.drawn(self._shown)
-        self._kept.keep(self.object, self._shown)
+        self._canvas.pen.end()
+        self._canvas.keep()
         if self._recorder:
             self._recorder.close()
 
     def cancel(self) -> None:
         """Takes the stroke back, and its recording; also after a failure, which has dropped it."""
-        self._kept.session.cancel()
-        self._kept.session.update("positions")
-        mesh_io.write_positions(self.object.data, self._kept.local)
+        self._canvas.cancel()
         if self._recorder:
             self._recorder.close()
         if self._recording:

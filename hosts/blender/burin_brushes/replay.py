@@ -6,7 +6,7 @@ from typing import Any
 import bpy
 import burin
 
-from . import brushes, object_session
+from . import brushes, canvas, object_session
 
 
 def parse_settings(text: str) -> dict[str, Any]:
@@ -32,7 +32,7 @@ def _check_brushes(path: str, brush: str | None) -> None:
 
 
 class BURIN_OT_replay(bpy.types.Operator):
-    """Draw the strokes of a recording on the active object"""
+    """Draw the strokes of a recording on the active object and the other selected meshes"""
 
     bl_idname = "burin.replay"
     bl_label = "Replay Burin Strokes"
@@ -54,27 +54,18 @@ class BURIN_OT_replay(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def execute(self, context: Any) -> set[str]:
-        object = context.object
         try:
-            self._draw(object)
+            self._draw(context)
         except (burin.Error, object_session.Refused, ValueError) as fault:
             self.report({"ERROR"}, str(fault))
             return {"CANCELLED"}
         return {"FINISHED"}
 
-    def _draw(self, object: Any) -> None:
+    def _draw(self, context: Any) -> None:
         path = bpy.path.abspath(self.filepath)
         given = {"brush": self.brush or None, **parse_settings(self.settings)}
         _check_brushes(path, given["brush"])
-        kept = object_session.session_of(brushes.library(), object)
-        try:
-            kept.session.replay(path, **given)
-        except burin.Error:
-            object_session.forget(object)
-            raise
-        shown = kept.local.copy()
-        kept.drawn(shown)
-        kept.keep(object, shown)
+        canvas.Canvas(context).replay(path, **given)
 
 
 def register() -> None:

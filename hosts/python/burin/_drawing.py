@@ -5,16 +5,20 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from typing import Any, ClassVar, TypeVar
+from typing import Any, ClassVar, Generic, TypeVar
+
+from numpy.typing import ArrayLike
 
 from . import _c
 from ._settings import Setting, fields_of, setting_texts
+from .recording import RecordedStroke
 from .samples import as_samples
 
-_Drawing = TypeVar("_Drawing", bound="Drawing")
+_Drawing = TypeVar("_Drawing", bound="Drawing[Any]")
+_Event = TypeVar("_Event")
 
 
-class Drawing(ABC):
+class Drawing(ABC, Generic[_Event]):
     """What strokes are drawn on."""
 
     _functions: ClassVar[str]
@@ -58,6 +62,17 @@ class Drawing(ABC):
     def cancel(self) -> None:
         """Drops the open stroke, if there is one: what it is drawn on is as before it."""
         self._call(f"{self._functions}_cancel")
+
+    @abstractmethod
+    def add(self, position: Any, **pen: ArrayLike) -> _Event:
+        """Adds samples to the open stroke."""
+
+    def draw(self, stroke: RecordedStroke, **settings: Setting) -> _Event:
+        """Draws a recorded stroke at once. Settings hold before the recorded ones, as RecordedStroke.settings_with() has it."""
+        self.begin(fields=stroke.fields, seed=stroke.seed, path=stroke.samples, **stroke.settings_with(settings))
+        event = self.add(stroke.samples)
+        self.end()
+        return event
 
     @contextmanager
     def stroke(self: _Drawing, brush: str | None = None, **settings: Any) -> Iterator[_Drawing]:

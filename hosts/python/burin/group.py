@@ -28,7 +28,7 @@ class GroupEvent:
     """On which the pen is, or was last."""
 
 
-class Group(Drawing):
+class Group(Drawing[GroupEvent]):
     """Sessions that one pen draws on: each sample goes to the surface that its ray meets first, or which is closest to its
     position. What the sessions show is updated in each of them."""
 

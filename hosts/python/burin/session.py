@@ -19,7 +19,6 @@ from ._settings import Setting, fields_of, setting_texts
 from .errors import InvalidArgument
 from .library import Library
 from .mesh import Mesh
-from .recording import RecordedStroke
 from .samples import SAMPLE, as_samples
 from .shown_surface import ShownSurface
 from .step import Step
@@ -89,7 +88,7 @@ class Snapped:
     """Of what was snapped, object units."""
 
 
-class Session(ShownSurface, Drawing):
+class Session(ShownSurface, Drawing[Event]):
     """A surface that is sculpted by strokes. A session belongs to one thread at a time; inside it uses all of the machine's,
     without the interpreter's lock. Vertices have the numbers of the arrays that it was made of."""
 
@@ -146,13 +145,6 @@ class Session(ShownSurface, Drawing):
         event = _c.Event()
         self._call("burin_session_add", given.ctypes.data, len(given), event)
         return Event(event.drawn, event.outcome == 1)
-
-    def draw(self, stroke: RecordedStroke, **settings: Setting) -> Event:
-        """Draws a recorded stroke at once. Settings hold before the recorded ones, as RecordedStroke.settings_with() has it."""
-        self.begin(fields=stroke.fields, seed=stroke.seed, path=stroke.samples, **stroke.settings_with(settings))
-        event = self.add(stroke.samples)
-        self.end()
-        return event
 
     def replay(self, path: str | os.PathLike[str], **settings: Setting) -> None:
         """Draws all strokes of a recording as `burin replay --refine off` does, or with refine="auto" as `burin replay`. Settings hold before the recording's own."""

@@ -1,0 +1,81 @@
+"""What strokes are drawn on: the active object, and the other meshes that are selected."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import burin
+import numpy as np
+
+from . import brushes, mesh_io, object_session
+
+
+def _objects(context: Any) -> list[Any]:
+    active = context.object
+    meshes = [other for other in context.selected_objects if other.type == "MESH" and other != active]
+    return [active, *sorted(meshes, key=lambda other: other.name_full)]
+
+
+class Canvas:
+    """Sessions of objects, and the positions that these show while a stroke is open."""
+
+    def __init__(self, context: Any) -> None:
+        """Raises Refused for an object that cannot be drawn on."""
+        self._objects = _objects(context)
+        self._kept = [object_session.session_of(brushes.library(), object) for object in self._objects]
+        self._check_meshes()
+        self._shown = [kept.local.copy() for kept in self._kept]
+        sessions = [kept.session for kept in self._kept]
+        self.pen: burin.Session | burin.Group = sessions[0] if len(sessions) == 1 else burin.Group(sessions)
+        """What draws."""
+
+    def _check_meshes(self) -> None:
+        users: dict[Any, Any] = {}
+        for object in self._objects:
+            other = users.setdefault(object.data, object)
+            if other != object:
+                raise object_session.Refused(f"{other.name} and {object.name}: share a mesh; select one of them")
+
+    @property
+    def corners(self) -> mesh_io.Floats:
+        """Those of boxes in the world around what the objects show."""
+        boxes = []
+        for object in self._objects:
+            matrix = np.array(object.matrix_world)
+            boxes.append(np.array(object.bound_box) @ matrix[:3, :3].T + matrix[:3, 3])
+        return np.concatenate(boxes)
+
+    def _each(self) -> Any:
+        return zip(self._kept, self._objects, self._shown)
+
+    def show(self) -> None:
+        """Shows what was drawn since."""
+        for kept, object, shown in self._each():
+            if kept.drawn(shown):
+                mesh_io.write_positions(object.data, shown)
+
+    def keep(self) -> None:
+        """Shows what was drawn, which then is the objects' own."""
+        for kept, object, shown in self._each():
+            kept.drawn(shown)
+            kept.keep(object, shown)
+
+    def cancel(self) -> None:
+        """Takes the open stroke back, also after a failure, which has dropped it."""
+        self.pen.cancel()
+        for kept, object, _ in self._each():
+            kept.drop(object)
+
+    def replay(self, path: str, **given: Any) -> None:
+        """Draws all strokes of a recording. If one fails the objects are as before the first."""
+        try:
+            if isinstance(self.pen, burin.Session):
+                self.pen.replay(path, **given)
+            else:
+                for stroke in burin.read_recording(path).strokes:
+                    self.pen.draw(stroke, **given)
+        except burin.Error:
+            for object in self._objects:
+                object_session.forget(object)  # with the strokes before it
+            raise
+        self.keep()
