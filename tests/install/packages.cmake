@@ -18,7 +18,7 @@ function(expect package)
 endfunction()
 
 expect(burin bin/burin share/man/man1/burin.1.gz lib/burin/brushes/groove.burin
-  lib/burin/burin-brush-process share/burin/samples/strokes/wave.stroke share/burin/samples/meshes/ewer.obj
+  lib/burin/burin-brush-process lib/burin/burin-images.so lib/burin/burin-solids.so share/burin/samples/strokes/wave.stroke share/burin/samples/meshes/ewer.obj
   share/burin/samples/stamps/scales.exr)
 expect(burin-dev include/burin/plugin/plugin.h include/burin/abi/plugin.h lib/cmake/Burin/BurinAddBrush.cmake
   share/pkgconfig/burin-plugin.pc share/doc/burin-dev/guide/guide.md share/doc/burin-dev/guide/chart.png)
@@ -34,7 +34,7 @@ if(contents_of_libburin-dev MATCHES "abi/plugin\\.h")
   message(FATAL_ERROR "packages: a file is in burin-dev and in libburin-dev")
 endif()
 
-if(contents_of_libburin0 MATCHES "burin-images")
+if(contents_of_libburin0 MATCHES "burin-(images|solids)")
   message(FATAL_ERROR "packages: a file is in burin and in libburin0")
 endif()
 

@@ -8,6 +8,8 @@ import numpy as np
 import burin
 from support import LIBRARY, folder, grid, hex_hash, replayed, wave
 
+CUBE = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
+CUBE_FACES = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
 STROKE = {"radius": 0.15, "params": {"depth": 0.3}}
 
 
@@ -131,6 +133,53 @@ class Refining(unittest.TestCase):
         with self.assertRaisesRegex(burin.Error, "made triangles or parts, so that its step stays with the session"):
             self.session.take_step()
         self.assertEqual(self.session.info.undo_count, 1)
+
+
+class Solids(unittest.TestCase):
+    CHAIN = {"brush": "org.burin.chain", "radius": 0.2}
+
+    def drawn(self, session, **settings):
+        with session.stroke(**{**self.CHAIN, **settings}):
+            session.add(wave()[10:20])
+        return session
+
+    def test_beside_the_surface_are_meshes(self):
+        session = self.drawn(burin.Session(LIBRARY, *grid()))
+        self.assertEqual(session.info.solid_count, 1)
+        (chain,) = session.solids()
+        edges = np.sort(np.concatenate([chain.triangles[:, pair] for pair in ([0, 1], [1, 2], [2, 0])]), axis=1)
+        self.assertTrue((np.unique(edges, axis=0, return_counts=True)[1] == 2).all(), "closed")
+        self.assertGreater(len(chain.triangles), 1000)
+        session.undo()
+        self.assertEqual(session.solids(), [])
+
+    def test_that_are_merged_are_patches_with_the_bits_of_the_command(self):
+        ball = burin.refine_mesh(CUBE, CUBE_FACES, levels=4)
+        with folder() as where:
+            burin.write_mesh(Path(where, "ball.obj"), ball.positions, ball.triangles)
+            with burin.Recorder(Path(where, "tube.stroke")) as recorder:
+                recorder.begin(brush="org.burin.tube", radius=0.2, params={"height": 0.0})
+                angles = np.linspace(-0.4, 0.4, 30)
+                recorder.add(np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=-1) * float(ball.positions.max()))
+                recorder.end()
+            options = ["--solid", "union", "--voxel", "0.03", "--refine", "off"]
+            expected = replayed(["tube.stroke", "--mesh", "ball.obj", *options], where)
+            session = burin.Session.of_mesh(LIBRARY, burin.read_mesh(Path(where, "ball.obj")), refines=True)
+            arrays = Follower(session)
+            session.replay(Path(where, "tube.stroke"), solid="union", voxel=0.03)
+        self.assertEqual(hex_hash(session), expected)
+        self.assertGreater(arrays.follow(), 100)
+        np.testing.assert_array_equal(arrays.positions, session.read())
+        np.testing.assert_array_equal(arrays.triangles, session.triangles)
+
+    def test_bent_along_a_stroke_are_meshes(self):
+        with folder() as where:
+            burin.write_mesh(Path(where, "box.obj"), CUBE, CUBE_FACES)
+            session = burin.Session(LIBRARY, *grid())
+            with session.stroke(radius=0.1, along_mesh=Path(where, "box.obj")):
+                session.add(wave())
+        (boxes,) = session.bent_meshes()
+        self.assertGreater(len(boxes.triangles), 30)
 
 
 class Paint(unittest.TestCase):

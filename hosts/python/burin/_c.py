@@ -101,6 +101,8 @@ _WITH_STATUS: dict[str, list[Any]] = {
     "burin_triangles_read": [c_char_p, POINTER(Refinement), POINTER(c_void_p)],
     "burin_triangles_refine": [POINTER(MeshArrays), POINTER(Refinement), POINTER(c_void_p)],
     "burin_triangles_get": [c_void_p, POINTER(MeshArrays), POINTER(MeshValues)],
+    "burin_session_read_solid": [c_void_p, c_uint64, POINTER(c_void_p)],
+    "burin_session_read_bent_mesh": [c_void_p, c_uint64, POINTER(c_void_p)],
     "burin_mesh_write": [c_char_p, POINTER(MeshArrays), POINTER(MeshValues)],
     "burin_recorder_begin": [c_void_p, POINTER(RecordedStroke)],
     "burin_recorder_add": [c_void_p, POINTER(RecordedSample)],

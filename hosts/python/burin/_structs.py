@@ -146,6 +146,8 @@ class SessionInfo(Sized):
         ("generation", c_uint64),
         ("has_colours", c_uint32),
         ("has_masks", c_uint32),
+        ("solid_count", c_uint64),
+        ("bent_mesh_count", c_uint64),
     ]
 
 

@@ -33,12 +33,12 @@ class Mesh:
     """Zero unless a file's positions are so far from its own origin that floats would round them."""
 
 
-class _Triangles:
+class Triangles:
     """A burin_triangles, which lives as long as arrays over its memory."""
 
-    def __init__(self, function: str, source: Any, options: _c.Refinement) -> None:
+    def __init__(self, function: str, *args: Any) -> None:
         self.pointer = ctypes.c_void_p()
-        _c.call(function, source, options, self.pointer)
+        _c.call(function, *args, self.pointer)
         self._finalizer = weakref.finalize(self, _c.lib.burin_triangles_destroy, self.pointer)
 
     def mesh(self) -> Mesh:
@@ -79,7 +79,7 @@ def read_mesh(
     in it.
     """
     options = _refinement(levels, target_triangles, weld)
-    return _Triangles("burin_triangles_read", os.fsencode(path), options).mesh()
+    return Triangles("burin_triangles_read", os.fsencode(path), options).mesh()
 
 
 def refine_mesh(
@@ -97,7 +97,7 @@ def refine_mesh(
     (128, 3)
     """
     arrays = MeshArrays(positions, faces, face_sizes, "caller")
-    return _Triangles("burin_triangles_refine", arrays.mesh, _refinement(levels, target_triangles, None)).mesh()
+    return Triangles("burin_triangles_refine", arrays.mesh, _refinement(levels, target_triangles, None)).mesh()
 
 
 def write_mesh(

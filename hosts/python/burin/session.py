@@ -114,7 +114,8 @@ class Session(ShownSurface, Drawing[Event]):
         numbers, so that a stroke changes few ranges; see map_to_surface(). transform: shape (4, 4), takes positions of the
         object to the world, in which samples, radii, charts and the hash are, so that brushes are round there whatever the
         scale; positions and normals stay the object's. hidden: shape (m,), whether each face is hidden, see hide(); None:
-        faces are never hidden. refines: strokes with the setting refine="auto" may split triangles, see take_patch().
+        faces are never hidden. refines: strokes with the setting refine="auto" may split triangles, and those with
+        solid="union" and the like merge solids with the surface, see take_patch().
 
         >>> plane = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
         >>> Session(Library(stock=False), plane, [[0, 1, 2, 3]]).info.triangle_count

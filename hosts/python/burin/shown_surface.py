@@ -16,7 +16,7 @@ from ._arrays import FLOATS, MeshArrays, readable
 from ._memory import view as view_of
 from .errors import InvalidArgument
 from .library import Library
-from .mesh import write_mesh
+from .mesh import Mesh, Triangles, write_mesh
 
 ATTRIBUTES = {"positions": (1, 3), "normals": (2, 3), "colours": (3, 4), "masks": (4, 1)}
 """Attributes of vertices: their numbers in C, and how many floats a vertex has."""
@@ -39,6 +39,9 @@ class SessionInfo:
     has_colours: bool
     """Whether vertices have colours: written, or painted by strokes that are not undone."""
     has_masks: bool
+    solid_count: int
+    """How many solids strokes made beside the surface."""
+    bent_mesh_count: int
 
 
 class Handle:
@@ -117,6 +120,8 @@ class ShownSurface:
             info.generation,
             bool(info.has_colours),
             bool(info.has_masks),
+            info.solid_count,
+            info.bent_mesh_count,
         )
 
     def update(self, attribute: str = "positions", *, gap: int = 64, most: int = 32) -> NDArray[np.uint64]:
@@ -184,6 +189,15 @@ class ShownSurface:
         array = readable(np.atleast_1d(values), FLOATS, np.float64)
         _check_shape(array, _shape(len(array), size), "values")
         self._call("burin_session_write", number, _c.Range(begin, begin + len(array)), _array(array))
+
+    def solids(self) -> list[Mesh]:
+        """Meshes of the solids that strokes made beside the surface, in their order, where the object has them. Undo takes
+        them back."""
+        return [Triangles("burin_session_read_solid", self._pointer, i).mesh() for i in range(self.info.solid_count)]
+
+    def bent_meshes(self) -> list[Mesh]:
+        """The meshes that strokes with the setting along_mesh laid beside the surface, likewise."""
+        return [Triangles("burin_session_read_bent_mesh", self._pointer, i).mesh() for i in range(self.info.bent_mesh_count)]
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the surface, with colours and masks if it has any: .ply, .glb, .obj or .off."""

@@ -1,10 +1,11 @@
-// Brush libraries for C, whose brushes have stamps and lettering.
+// Brush libraries for C, whose brushes have stamps and lettering, and may make solids.
 #include <burin/base/program_file.h>
 #include <burin/host/c/call.h>
 #include <burin/host/c/handles.h>
 #include <burin/host/c/lent_threads.h>
 #include <burin/host/plugin/utf8_path.h>
 #include <burin/services/stamp_services.h>
+#include <burin/solid_module/loaded_solids.h>
 #include <burin/version.h>
 
 #include <cstddef>
@@ -53,6 +54,12 @@ std::shared_ptr<const TaskRunner> threads_of(const burin_library_options& option
   return std::make_shared<LentThreads>(options.run, options.run_user, options.run_threads);
 }
 
+std::shared_ptr<const VoxelField> read_vdb(const fs::path& path, const VoxelFieldOptions& options) {
+  return solid_tools().read_vdb(path, options);
+}
+
+MergedSolid merge(const SolidMerge& merge) { return solid_tools().merge(merge); }
+
 void load(burin_library& library, const char* path) {
   if (!path)
     library.brushes->load_search_path(beside_own_file("brushes"));
@@ -74,7 +81,8 @@ burin_status burin_library_create(const burin_library_options* options, burin_li
     burin_library_options known{};
     if (options)
       known = c::known_members(options, BURIN_HAS(options, burin_library_options, user), "options");
-    *library = new burin_library{c::brushes_of(known, stamp_services()), c::threads_of(known), {}};
+    *library = new burin_library{
+        c::brushes_of(known, stamp_services(c::read_vdb)), c::threads_of(known), c::merge, {}};
   });
 }
 

@@ -1,4 +1,5 @@
 // Meshes for C: read, joined and refined as the command does, refined from arrays, and written.
+#include <burin/c/triangles.h>
 #include <burin/deform/paint_bytes.h>
 #include <burin/host/c/call.h>
 #include <burin/host/c/handles.h>
@@ -9,13 +10,6 @@
 
 #include <memory>
 #include <utility>
-
-struct burin_triangles {
-  burin::TriangleMesh mesh;
-  std::vector<burin::Vec4f> colours;  ///< [vertex], or empty
-  std::vector<float> masks;           ///< the same
-  burin::Vec3d origin;
-};
 
 namespace burin::c {
 namespace {

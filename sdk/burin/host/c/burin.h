@@ -185,7 +185,8 @@ typedef struct burin_mesh {
   const void* face_sizes; /* corners of each face, which lie face by face in `corners`; null with face_size */
   burin_order order;
   uint32_t refines; /* since 0.3, of burin_session_create only: 1: strokes with the setting "refine" may split
-                       triangles, see burin_session_take_patch; wants BURIN_ORDER_CALLER */
+                       triangles, and such with "solid" merge solids with the surface, see
+                       burin_session_take_patch; wants BURIN_ORDER_CALLER */
   /* Since 0.3, of burin_session_create only, null elsewhere. */
   const double* transform; /* 4 x 4 by columns, from the object to the world; affine, with an inverse; null:
                               the object's space is the world */
@@ -230,6 +231,8 @@ typedef struct burin_session_info {
   uint32_t has_colours;    /* since 0.4: 1: vertices have colours, which were written or painted; 0: there are
                               none, or none are left after strokes were undone, and a file needs none */
   uint32_t has_masks;      /* since 0.4: the same of masks */
+  uint64_t solid_count; /* since 0.4: of what strokes made beside the surface, see burin_session_read_solid */
+  uint64_t bent_mesh_count;
 } burin_session_info;
 
 /* Fills the members that info->struct_size covers. */
@@ -273,9 +276,10 @@ typedef struct burin_patch {
  * within strokes that refine the surface, when these fail or are cancelled, by undo and redo, and by hiding
  * faces. The caller's list of triangles, at first that of burin_session_read_triangles, loses those that are
  * removed, keeps the order of the rest, and gets those that are added at its end; arrays of vertices get the
- * new count. burin_session_update tells the values of new vertices as of all that change. A call without news
- * gives an empty patch. Costs O(n log n) where there are news, as the refining did. Whenever the count of
- * vertices changes the arrays of burin_session_values move. */
+ * new count. A merged solid gives all vertices new numbers: none is kept then. burin_session_update tells the
+ * values of new vertices as of all that change. A call without news gives an empty patch. Costs O(n log n)
+ * where there are news, as the refining did. Whenever the count of vertices changes the arrays of
+ * burin_session_values move. */
 BURIN_API burin_status BURIN_CALL burin_session_take_patch(burin_session* session, burin_patch* patch,
                                                            burin_text* error);
 
@@ -676,6 +680,19 @@ BURIN_API void BURIN_CALL burin_triangles_destroy(burin_triangles* triangles);
  * mesh. `values` may be null. */
 BURIN_API burin_status BURIN_CALL burin_triangles_get(const burin_triangles* triangles, burin_mesh* mesh,
                                                       burin_mesh_values* values, burin_text* error);
+
+/* Makes a mesh of a solid that a stroke made beside the surface ("solid=separate", which is what brushes of
+ * solids do by themselves), closed, where the object has it; in the order of the strokes. BURIN_NOT_FOUND if
+ * there is none of this number: undo takes them back. The first solid loads the module burin-solids.so, which
+ * stands beside libburin.so or in lib/burin beside its folder, and OpenVDB; fails if these are not there. So
+ * does merging. Both use oneTBB, whatever threads are lent. */
+BURIN_API burin_status BURIN_CALL burin_session_read_solid(const burin_session* session, uint64_t solid,
+                                                           burin_triangles** triangles, burin_text* error);
+
+/* Copies a mesh that a stroke with the setting "along" laid beside the surface, likewise. */
+BURIN_API burin_status BURIN_CALL burin_session_read_bent_mesh(const burin_session* session, uint64_t mesh,
+                                                               burin_triangles** triangles,
+                                                               burin_text* error);
 
 /* Writes a mesh of triangles, wholly or not at all: PLY, GLB, OBJ or OFF, which the extension selects. Larger
  * faces are cut into triangles. `values` may be null. [any thread, concurrent] */

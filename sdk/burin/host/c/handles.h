@@ -22,6 +22,7 @@
 struct burin_library {
   std::shared_ptr<burin::BrushLibrary> brushes;
   std::shared_ptr<const burin::TaskRunner> threads;  ///< those that the application lends, if any
+  burin::SolidMerger merger;                         ///< of solids with surfaces
   std::vector<std::string> refused;                  ///< lines of modules that were passed over
 };
 
@@ -40,10 +41,11 @@ inline constexpr std::size_t attribute_count = 4;
 }  // namespace burin::c
 
 struct burin_session {
-  burin_session(const burin_library& library, burin::Surface surface, burin_order numbers)
+  /// `changes`: strokes may change triangles.
+  burin_session(const burin_library& library, burin::Surface surface, burin_order numbers, bool changes)
       : brushes(library.brushes),
         threads(library.threads),
-        session(std::move(surface), *brushes),
+        session(std::move(surface), *brushes, changes ? library.merger : burin::SolidMerger()),
         order(session.surface(), numbers),
         vertex_count(session.surface().vertex_count()),
         kept_vertices(vertex_count) {}
@@ -78,6 +80,7 @@ struct burin_session {
   burin::Index vertex_count;                    ///< of the surface that is known
   burin::Index kept_vertices;                   ///< that were there all the time since triangles were told
   std::uint64_t generation = 0;                 ///< of the surface that is known
+  std::size_t merges = 0;                       ///< of solids with it
   bool has_other_triangles = false;             ///< than those that were told
   burin::Progress progress;
   std::optional<burin::c::OpenStroke> stroke;

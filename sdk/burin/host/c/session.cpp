@@ -16,14 +16,18 @@ using namespace burin;
 /// Follows a surface that has other triangles, and more or fewer vertices.
 void burin_session::renew() {
   const Index count = session.surface().vertex_count();
-  kept_vertices = std::min({kept_vertices, vertex_count, count});
+  // Where a solid is merged vertices go, and those behind them get other numbers.
+  const bool renumbers = merges != session.merges().size();
+  merges = session.merges().size();
+  const Index kept = renumbers ? 0 : std::min(vertex_count, count);
+  kept_vertices = std::min(kept_vertices, kept);
   vertex_count = count;
   generation = session.generation();
   has_other_triangles = true;
   order = c::VertexOrder(session.surface(), BURIN_ORDER_CALLER);
   if (object) object->resize(session.surface());
   for (auto& values : shown)
-    if (values) values->resize(count);
+    if (values) values->resize(count, kept);
 }
 
 std::vector<Triangle> burin_session::triangles() const {
@@ -91,7 +95,8 @@ std::unique_ptr<burin_session> make_session(const burin_library& library, const 
   std::vector<Vec3f> in_object;
   if (placement) in_object = place(mesh, *placement);
   const std::vector<Triangle> triangles = given.hidden ? mesh.triangles : std::vector<Triangle>();
-  auto session = std::make_unique<burin_session>(library, make_surface(std::move(mesh)), given.order);
+  auto session = std::make_unique<burin_session>(library, make_surface(std::move(mesh)), given.order,
+                                                 given.refines == 1);
   if (placement) session->object.emplace(*placement, std::move(in_object));
   if (given.hidden) hide_first(*session, given, triangles);
   if (given.refines) session->told.emplace(session->triangles());
@@ -138,7 +143,9 @@ burin_status burin_session_get_info(const burin_session* session, burin_session_
                                    .undo_dropped = session->session.undo_dropped(),
                                    .generation = session->session.generation(),
                                    .has_colours = session->session.paint().colour.empty() ? 0u : 1u,
-                                   .has_masks = session->session.paint().mask.empty() ? 0u : 1u};
+                                   .has_masks = session->session.paint().mask.empty() ? 0u : 1u,
+                                   .solid_count = session->session.parts().size(),
+                                   .bent_mesh_count = session->session.bent_meshes().size()};
     c::give(known, info, info && BURIN_HAS(info, burin_session_info, undo_bytes), "info");
   });
 }

@@ -26,7 +26,8 @@ Ranges ShownValues::update(const VertexValues& current, const VertexOrder& order
   return ranges;
 }
 
-void ShownValues::resize(Index vertex_count) {
+void ShownValues::resize(Index vertex_count, Index kept) {
+  values_.resize(kept * size_);
   // Values are never that.
   values_.resize(vertex_count * size_, std::numeric_limits<float>::quiet_NaN());
   changed_ = IndexSet(vertex_count);

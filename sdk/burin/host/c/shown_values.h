@@ -19,9 +19,9 @@ class ShownValues {
 
   const float* data() const { return values_.data(); }
 
-  /// Follows a surface that has more or fewer vertices than before, those of the greatest numbers. All may
-  /// have changed; new ones have.
-  void resize(Index vertex_count);
+  /// Follows a surface that has other vertices than before, but for the first `kept`. All may have changed;
+  /// new ones have.
+  void resize(Index vertex_count, Index kept);
 
   /// Notes vertices of the surface that may have changed, in any order.
   void note(std::span<const Index> vertices, const VertexOrder& order) {
