@@ -218,9 +218,9 @@ Arrows linked_targets() {
   Arrows arrows;
   for (const auto& entry : fs::directory_iterator(source_folder / "sdk/burin")) {
     if (!entry.is_directory()) continue;
-    const std::string text = read_file(entry.path() / "CMakeLists.txt");
+    const std::string text = read_file(entry.path() / "CMakeLists.txt"), folder = entry.path().filename();
     for (std::sregex_iterator match(text.begin(), text.end(), target), end; match != end; ++match)
-      arrows.emplace((*match)[1], entry.path().filename().string());
+      if ((*match)[1] != folder) arrows.emplace((*match)[1], folder);
   }
   return arrows;
 }
