@@ -37,17 +37,18 @@ class Arrays(unittest.TestCase):
 
 
 class Changes(unittest.TestCase):
-    def test_are_found_from_the_first_to_the_last(self):
+    def test_are_ranges_that_are_apart(self):
         before, _ = hilly_grid(20)
-        self.assertIsNone(mesh_io.changed_range(before, before.copy()))
-        for changed, expected in (([0], (0, 1)), ([7, 30], (7, 31)), ([399], (399, 400))):
+        self.assertEqual(mesh_io.changed_ranges(before, before.copy()), [])
+        for changed, expected in (
+            ([0], [(0, 1)]),
+            ([7, 30], [(7, 31)]),
+            ([399], [(399, 400)]),
+            ([0, 65, 130, 131], [(0, 1), (65, 66), (130, 132)]),
+        ):
             for axis in range(3):
                 after = before.copy()
                 after[changed, axis] += 1
-                self.assertEqual(mesh_io.changed_range(before, after), expected)
-
-
-class Ranges(unittest.TestCase):
-    def test_are_joined_where_they_meet(self):
-        self.assertEqual(mesh_io.joined([]), [])
-        self.assertEqual(mesh_io.joined([(7, 9), (0, 2), (1, 5), (9, 10), (1, 3)]), [(0, 5), (7, 10)])
+                self.assertEqual(mesh_io.changed_ranges(before, after, gap=64), expected)
+        after = before + np.float32(1)
+        self.assertEqual(mesh_io.changed_ranges(before, after), [(0, 400)])

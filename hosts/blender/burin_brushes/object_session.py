@@ -33,7 +33,7 @@ class ObjectSession:
         """What the mesh has, of which the session knows."""
         self.faces_are_known = True
         """False after what may have changed or hidden faces and left their number as it was."""
-        self._drawn: list[tuple[int, int]] = []
+        self._drawn = False
         self._is_world = np.array_equal(self.matrix, np.eye(4))
         if not len(self._faces.sizes):
             raise Refused(f"{object.name}: there is no face to draw on")
@@ -67,22 +67,21 @@ class ObjectSession:
     def take_moved(self, object: Any) -> None:
         """Takes the positions of vertices that others moved, at a cost in proportion to them."""
         local = mesh_io.read_positions(object.data)
-        moved = mesh_io.changed_range(self.local, local)
-        if moved:
-            self._take(local, *moved)
-            self.session.update("positions")
-            self.local = local
+        self._take(local)
 
-    def _take(self, local: mesh_io.Floats, begin: int, end: int) -> None:
-        self.session.write("positions", local[begin:end], begin)
+    def _take(self, local: mesh_io.Floats) -> None:
+        for begin, end in mesh_io.changed_ranges(self.local, local):
+            self.session.write("positions", local[begin:end], begin)
+        self.session.update("positions")
+        self.local = local
 
     def drawn(self, shown: mesh_io.Floats) -> bool:
         """Writes what changed since the last call to the positions `shown`, and tells whether anything did."""
-        ranges = self.session.update("positions").tolist()
+        ranges = self.session.update("positions")
         positions = self.session.values("positions")
         for begin, end in ranges:
             shown[begin:end] = positions[begin:end]
-        self._drawn += ranges
+        self._drawn |= len(ranges) > 0
         return len(ranges) > 0
 
     def keep(self, object: Any, shown: mesh_io.Floats) -> None:
@@ -90,11 +89,9 @@ class ObjectSession:
         if not self._drawn:
             return
         mesh_io.write_positions(object.data, shown)
-        if not self._is_world:  # where floats of the world have no equal in the object
-            for begin, end in mesh_io.joined(self._drawn):
-                self._take(shown, begin, end)
-            self.session.update("positions")
-        self._drawn.clear()
+        if not self._is_world:
+            self._take(shown)  # floats of the world may have no equal in the object
+        self._drawn = False
         self.local = shown
 
     def drop(self, object: Any) -> None:
@@ -102,7 +99,7 @@ class ObjectSession:
         if self._drawn:
             mesh_io.write_positions(object.data, self.local)
         self.session.update("positions")
-        self._drawn.clear()
+        self._drawn = False
 
 
 _sessions: dict[str, ObjectSession] = {}

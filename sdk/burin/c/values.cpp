@@ -79,9 +79,11 @@ void move(burin_session& session, std::span<const Index> vertices, std::span<con
   if (!session.object) return;
   // What rounds to the same place of the world has other bits in the object.
   const std::vector<Index>& source = session.session.surface().source_vertex;
+  std::vector<Index> given_anew;
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    session.object->take(source[vertices[i]], Eigen::Map<const Vec3f>(&values[3 * i]));
-  session.note(vertices);
+    if (session.object->take(source[vertices[i]], Eigen::Map<const Vec3f>(&values[3 * i])))
+      given_anew.push_back(vertices[i]);
+  session.note(given_anew);
 }
 
 void paint(burin_session& session, burin_attribute attribute, std::span<const Index> vertices,

@@ -36,8 +36,13 @@ class ObjectSpace {
         given_[source] = placement_.to_object(surface.positions[vertex]);
   }
 
-  /// Takes a position that the owner gave to a vertex of the original mesh.
-  void take(Index source, const Vec3f& position) { given_[source] = position; }
+  /// Takes a position that the owner gave to a vertex of the original mesh; returns whether it has other bits
+  /// than the one given before.
+  bool take(Index source, const Vec3f& position) {
+    const bool same = std::memcmp(given_[source].data(), position.data(), sizeof(float) * 3) == 0;
+    given_[source] = position;
+    return !same;
+  }
 
  private:
   Placement placement_;

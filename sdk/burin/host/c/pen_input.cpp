@@ -84,6 +84,7 @@ std::vector<PenSample> path_of(const burin_stroke& given, const ReplaySettings& 
   if (!known.path) return {};
   PenInput pen(settings);
   std::vector<PenSample> path = pen.read(known.path, known.path_count);
+  if (settings.refining.kind == Refining::Kind::off) return {};
   for (PenSample& sample : path) sample = pen.take(sample);
   if (const auto last = pen.finish()) path.push_back(*last);
   return path;

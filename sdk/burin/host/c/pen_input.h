@@ -50,8 +50,8 @@ class PenInput {
   std::optional<double> last_time_;  ///< of the samples so far
 };
 
-/// The samples that a stroke will have, as far as the caller tells, as they will be drawn. Throws
-/// plugin::Error for one that burin_sample does not allow.
+/// The samples that a stroke will have, as far as the caller tells, as they will be drawn; none for a stroke
+/// that does not refine the surface. Throws plugin::Error for one that burin_sample does not allow.
 std::vector<PenSample> path_of(const burin_stroke& given, const ReplaySettings& settings);
 
 }  // namespace burin::c
