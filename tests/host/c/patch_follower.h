@@ -43,6 +43,7 @@ class Follower {
  private:
   void apply(const burin_patch& patch) {
     EXPECT_LE(patch.kept_vertices, patch.vertex_count);
+    kept = patch.kept_vertices;
     EXPECT_TRUE(std::is_sorted(patch.removed, patch.removed + patch.removed_count));
     std::vector<bool> gone(triangles.size());
     for (std::uint64_t i = 0; i < patch.removed_count; ++i) gone.at(patch.removed[i]) = true;
@@ -75,6 +76,7 @@ class Follower {
  public:
   std::vector<Triangle> triangles;
   std::vector<float> positions;
+  std::uint64_t kept = 0;  ///< vertices, by the last patch
 };
 
 inline std::multiset<Triangle> as_set(const std::vector<Triangle>& triangles) {
