@@ -217,3 +217,15 @@ class Paint(unittest.TestCase):
                 self.assertEqual((session.info.has_colours, session.info.has_masks), (has_colours, False))
                 session.save(Path(where, "painted.ply"))
                 self.assertEqual(burin.read_mesh(Path(where, "painted.ply")).colours is not None, has_colours)
+
+    def test_of_no_strength_is_not_in_files_of_the_command(self):
+        with folder() as where:
+            burin.write_mesh(Path(where, "grid.obj"), *grid(60, corners=3))
+            with burin.Recorder(Path(where, "one.stroke")) as recorder:
+                recorder.begin(brush="org.burin.text", radius=0.15, params={"text": "A", "colour": (1, 0, 0, 1)})
+                recorder.add(wave())
+                recorder.end()
+            for strength in (1, 0):
+                options = ["--strength", strength, "--refine", "off", "--save-mesh", "after.ply"]
+                replayed(["one.stroke", "--mesh", "grid.obj", *options], where)
+                self.assertEqual(burin.read_mesh(Path(where, "after.ply")).colours is not None, strength > 0)
