@@ -241,6 +241,38 @@ class OfSeveralMeshes(OfOneMesh):
         np.testing.assert_array_equal(self.all_now(), before)
 
 
+class Solids(OfOneMesh):
+    def test_are_objects_of_their_own(self):
+        self.object.scale = (1, 2, 0.5)
+        self.object.data.vertices.foreach_set("co", (self.positions / [1, 2, 0.5]).astype(np.float32).ravel())
+        bpy.context.view_layer.update()
+        bpy.ops.ed.undo_push(message="Scaled")
+        before = self.now()
+        chain = write_stroke(self.work / "chain.stroke", brush="org.burin.chain", params={}, radius=0.5, count=20)
+        oracle = burin.Session(
+            burin.Library(),
+            before,
+            sum(self.faces, []),
+            [len(face) for face in self.faces],
+            transform=np.array(self.object.matrix_world),
+        )
+        oracle.replay(chain, voxel=0.05)
+        (expected,) = oracle.solids()
+        for names in (["Grid solid"], ["Grid solid", "Grid solid.001"]):
+            self.assertEqual(self.replay(chain, settings="voxel=0.05"), {"FINISHED"})
+            self.assertEqual(sorted(set(bpy.data.objects.keys()) - {"Grid"}), names)
+            solid = bpy.data.objects[names[-1]]
+            np.testing.assert_array_equal(positions_of(solid), expected.positions)
+            self.assertEqual(len(solid.data.polygons), len(expected.triangles))
+            self.assertEqual(solid.matrix_world, bpy.data.objects["Grid"].matrix_world)
+            self.assertFalse(solid.select_get())
+        np.testing.assert_array_equal(self.now(), before)
+        bpy.ops.ed.undo()
+        self.assertEqual(sorted(bpy.data.objects.keys()), ["Grid", "Grid solid"])
+        bpy.ops.ed.undo()
+        self.assertEqual(bpy.data.objects.keys(), ["Grid"])
+
+
 class BrushesInPython(OfOneMesh):
     def test_have_the_bits_that_they_have_without_blender(self):
         class Steps(burin.Brush):

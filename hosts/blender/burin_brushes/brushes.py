@@ -15,9 +15,9 @@ def library() -> burin.Library:
     return _library
 
 
-def moves_only(brush: burin.BrushInfo) -> bool:
-    """Whether a brush moves vertices and does nothing else. Blender gets no colours and masks yet."""
-    return brush.outputs == ("displacement",)
+def is_shown(brush: burin.BrushInfo) -> bool:
+    """Whether a brush moves vertices or makes solids, and does nothing else. Blender gets no colours and masks yet."""
+    return brush.outputs in (("displacement",), ())
 
 
 def unregister() -> None:

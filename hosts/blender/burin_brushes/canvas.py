@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import bpy
 import burin
 import numpy as np
 
@@ -14,6 +15,16 @@ def _objects(context: Any) -> list[Any]:
     active = context.object
     meshes = [other for other in context.selected_objects if other.type == "MESH" and other != active]
     return [active, *sorted(meshes, key=lambda other: other.name_full)]
+
+
+def _add_object(solid: burin.Mesh, beside: Any) -> None:
+    """Makes an object of a solid, where the one is that it was drawn on."""
+    name = f"{beside.name} solid"
+    mesh = bpy.data.meshes.new(name)
+    mesh_io.fill(mesh, solid)
+    made = bpy.data.objects.new(name, mesh)
+    made.matrix_world = beside.matrix_world
+    beside.users_collection[0].objects.link(made)
 
 
 class Canvas:
@@ -55,10 +66,25 @@ class Canvas:
                 mesh_io.write_positions(object.data, shown)
 
     def keep(self) -> None:
-        """Shows what was drawn, which then is the objects' own."""
+        """Shows what was drawn, which then is the objects' own, and adds objects for solids."""
+        solids = self._take_solids()
         for kept, object, shown in self._each():
             kept.drawn(shown)
             kept.keep(object, shown)
+        for solid, object in solids:
+            _add_object(solid, object)
+
+    def _take_solids(self) -> list[tuple[burin.Mesh, Any]]:
+        try:
+            return [(solid, object) for kept, object, _ in self._each() for solid in kept.take_solids()]
+        except burin.Error:
+            self._forget()
+            raise
+
+    def _forget(self) -> None:
+        """Drops the sessions, which have strokes that the objects have not."""
+        for object in self._objects:
+            object_session.forget(object)
 
     def cancel(self) -> None:
         """Takes the open stroke back, also after a failure, which has dropped it."""
@@ -75,7 +101,6 @@ class Canvas:
                 for stroke in burin.read_recording(path).strokes:
                     self.pen.draw(stroke, **given)
         except burin.Error:
-            for object in self._objects:
-                object_session.forget(object)  # with the strokes before it
+            self._forget()
             raise
         self.keep()

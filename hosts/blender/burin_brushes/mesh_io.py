@@ -44,6 +44,13 @@ def write_positions(mesh: Any, positions: Floats) -> None:
     mesh.update()
 
 
+def fill(mesh: Any, made: Any) -> None:
+    """Gives an empty mesh the smooth faces of one that the library has made."""
+    mesh.from_pydata(made.positions.tolist(), [], made.triangles.tolist())
+    mesh.polygons.foreach_set("use_smooth", np.ones(len(made.triangles), bool))
+    mesh.update()
+
+
 def changed_ranges(before: Floats, after: Floats, gap: int = 1000) -> list[tuple[int, int]]:
     """The vertices that differ, as ascending ranges [begin, end) that are farther apart than `gap`: a range for
     itself costs the library as much as a thousand vertices that have not changed."""

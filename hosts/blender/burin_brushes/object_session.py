@@ -34,6 +34,7 @@ class ObjectSession:
         self.faces_are_known = True
         """False after what may have changed or hidden faces and left their number as it was."""
         self._drawn = False
+        self._solid_count = 0
         self._is_world = np.array_equal(self.matrix, np.eye(4))
         if not len(self._faces.sizes):
             raise Refused(f"{object.name}: there is no face to draw on")
@@ -93,6 +94,12 @@ class ObjectSession:
             self._take(shown)  # floats of the world may have no equal in the object
         self._drawn = False
         self.local = shown
+
+    def take_solids(self) -> list[burin.Mesh]:
+        """The solids that strokes made beside the mesh since the call before."""
+        solids = self.session.solids(self._solid_count)
+        self._solid_count += len(solids)
+        return solids
 
     def drop(self, object: Any) -> None:
         """Shows the mesh as it was before the stroke that was cancelled or has failed."""

@@ -27,7 +27,7 @@ def parse_settings(text: str) -> dict[str, Any]:
 def _check_brushes(path: str, brush: str | None) -> None:
     for stroke in burin.read_recording(path).strokes:
         name = brush or stroke.settings.get("brush")
-        if name in brushes.library() and not brushes.moves_only(brushes.library()[name]):
+        if name in brushes.library() and not brushes.is_shown(brushes.library()[name]):
             raise object_session.Refused(f"brush {name} paints colours or masks, which the add-on does not show yet")
 
 

@@ -125,7 +125,7 @@ def symmetry(settings: Any, origin: Any) -> dict[str, Any]:
 
 
 def register() -> None:
-    shown = [brush for brush in brushes.library() if brushes.moves_only(brush)]
+    shown = [brush for brush in brushes.library() if brushes.is_shown(brush)]
     groups = [_group(brush) for brush in shown]
     _classes[:] = [*groups, _settings_group(shown, groups)]
     for made in _classes:

@@ -190,10 +190,11 @@ class ShownSurface:
         _check_shape(array, _shape(len(array), size), "values")
         self._call("burin_session_write", number, _c.Range(begin, begin + len(array)), _array(array))
 
-    def solids(self) -> list[Mesh]:
-        """Meshes of the solids that strokes made beside the surface, in their order, where the object has them. Undo takes
-        them back."""
-        return [Triangles("burin_session_read_solid", self._pointer, i).mesh() for i in range(self.info.solid_count)]
+    def solids(self, begin: int = 0) -> list[Mesh]:
+        """Meshes of the solids that strokes made beside the surface, in their order, from number `begin` on, where the object
+        has them. Undo takes them back."""
+        numbers = range(begin, self.info.solid_count)
+        return [Triangles("burin_session_read_solid", self._pointer, number).mesh() for number in numbers]
 
     def bent_meshes(self) -> list[Mesh]:
         """The meshes that strokes with the setting along_mesh laid beside the surface, likewise."""
