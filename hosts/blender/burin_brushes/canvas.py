@@ -33,8 +33,8 @@ class Canvas:
     def __init__(self, context: Any) -> None:
         """Raises Refused for an object that cannot be drawn on."""
         self._objects = _objects(context)
-        self._kept = [object_session.session_of(brushes.library(), object) for object in self._objects]
         self._check_meshes()
+        self._kept = [object_session.session_of(brushes.library(), object) for object in self._objects]
         self._shown = [kept.local.copy() for kept in self._kept]
         sessions = [kept.session for kept in self._kept]
         self.pen: burin.Session | burin.Group = sessions[0] if len(sessions) == 1 else burin.Group(sessions)
