@@ -118,6 +118,17 @@ class Packages(unittest.TestCase):
             environment["BURIN_LIBRARY"] = "/no/such/libburin.so.0"
             self.assertIn("let BURIN_LIBRARY name the file libburin.so.0", run().stderr)
 
+    def test_tells_of_libraries_that_are_older_or_not_there(self):
+        for library, text in (("libm.so.6", "burin_get_version; the library is older than this package"), ("no.so", "no.so: cannot open")):
+            done = subprocess.run(
+                [sys.executable, "-c", "import burin"],
+                env={**os.environ, "BURIN_LIBRARY": library, "PYTHONPATH": ":".join(sys.path)},
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+            self.assertRegex(done.stderr.splitlines()[-1], f"^ImportError: .*{text}")
+
     def test_has_the_version_of_the_library(self):
         project = tomllib.loads((PACKAGE / "pyproject.toml").read_text())["project"]
         self.assertEqual(project["version"], burin.version())

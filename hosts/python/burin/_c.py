@@ -146,15 +146,18 @@ def _load() -> ctypes.CDLL:
         raise ImportError(
             f"{fault}; install the package libburin0, or let BURIN_LIBRARY name the file libburin.so.0"
         ) from None
-    for name, takes in _WITH_STATUS.items():
-        function = getattr(library, name)
-        function.restype = c_int32
-        function.argtypes = [*takes, POINTER(Text)]
-    for name, (returns, takes) in _WITHOUT_STATUS.items():
-        function = getattr(library, name)
-        function.restype = returns
-        function.argtypes = takes
+    try:
+        for name, takes in _WITH_STATUS.items():
+            _declare(getattr(library, name), c_int32, [*takes, POINTER(Text)])
+        for name, (returns, takes) in _WITHOUT_STATUS.items():
+            _declare(getattr(library, name), returns, takes)
+    except AttributeError as fault:
+        raise ImportError(f"{fault}; the library is older than this package") from None
     return library
+
+
+def _declare(function: Any, returns: Any, takes: list[Any]) -> None:
+    function.restype, function.argtypes = returns, takes
 
 
 lib = _load()
