@@ -1,9 +1,12 @@
 #include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/chart/stroke_chart_builder.h>
 #include <burin/feature/snap.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <iostream>
 #include <numbers>
 
@@ -364,6 +367,33 @@ TEST(Snap, KeepsClosedStrokesClosed) {
   EXPECT_NEAR(result.curve.length(), turn * 40, 0.5);
   expect_within(errors_of(result, [](const Vec3d& x) { return std::abs(std::hypot(x.x(), x.y()) - 40); }),
                 0.1, 0.5, "ring");
+}
+
+TEST(Snap, TakesAboutTwiceTheTimeOfOneChart) {
+  const double r = 18;
+  const KnownLine known = ridge_on_sphere(5, 2.5, 150, 0.9, r, 195, 3);
+  SnapScene scene(known.mesh);
+  const auto pen = pen_beside(known, 0.3 * r, 0.15 * r, 2);
+  ASSERT_GT(scene.snap(pen, {FeatureKind::ridge}, {.radius = r}).snapped_share, 0.95);
+  StrokeChartBuilder builder(scene.surface);
+  const ThreadLimit one_thread(1);
+  // In turn, so that whatever slows the machine down slows both.
+  double snap = 1e9, chart = 1e9;
+  std::size_t nodes = 0;
+  const auto seconds = [](const auto& work) {
+    const std::clock_t begin = std::clock();
+    work();
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  };
+  for (int i = 0; i < 9; ++i) {
+    snap = std::min(snap, seconds([&] {
+             scene.snapper.snap(scene.stroke, {FeatureKind::ridge}, {.radius = r});
+           }));
+    chart = std::min(chart, seconds([&] { nodes = builder.chart(scene.stroke, {.radius = r}).size(); }));
+  }
+  std::cout << nodes << " vertices in reach: " << 1e3 * snap << " ms, its chart " << 1e3 * chart << " ms\n";
+  EXPECT_NEAR(static_cast<double>(nodes), 10'000, 500);
+  EXPECT_LT(snap, 2.2 * chart);
 }
 
 TEST(Snap, RefusesWhatItCannotDo) {

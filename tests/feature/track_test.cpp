@@ -109,8 +109,9 @@ TEST(Track, TellsWhereASilhouetteChangesItsTopology) {
       const TrackStep made =
           tracker.follow(line, {FeatureKind::silhouette, {false, view}}, {.snap = {.radius = 0.25}});
       EXPECT_LE(made.most_moved, 2 * made.snapped.edge);
-      EXPECT_TRUE(made.losses.empty() || (step > 60 && step <= 62)) << "step " << step;
       for (const Loss& loss : made.losses) {
+        EXPECT_GT(step, 60);
+        EXPECT_LE(step, loss.kind == LossKind::split ? 61 : 64) << "then ends are lost as they part";
         splits += loss.kind == LossKind::split;
         const Vec3d at = stroke_position(line.curve, (loss.from + loss.to) / 2);
         EXPECT_NEAR(std::abs(Torus::v(at)), pi / 2, 0.35);
@@ -231,7 +232,7 @@ TEST(Track, FollowsAnOutlineOfAScanAndTellsWhatItLoses) {
   BURIN_SHARED_DATA_OR_SKIP(path, "meshes/stanford-bunny.obj");
   SnapScene scene(triangulate(read_mesh(path)));
   LineTracker tracker(scene.surface, scene.picker);
-  constexpr double radius = 0.012;
+  double radius = 0.012;
   const auto view_of = [](int step) {
     return Vec3d(std::cos(step * pi / 180), 0, std::sin(step * pi / 180));
   };
@@ -265,7 +266,11 @@ TEST(Track, FollowsAnOutlineOfAScanAndTellsWhatItLoses) {
     }
     to_the_end += static_cast<int>(lines.size());
   };
-  for (const int begin : {0, 90, 180, 270}) follow_from(begin);
+  // What is lost hangs on details, so that one radius says little.
+  for (const double share : {0.98, 1., 1.02}) {
+    radius = 0.012 * share;
+    for (const int begin : {0, 90, 180, 270}) follow_from(begin);
+  }
   std::ranges::sort(facing);
   std::cout << followed << " lines followed, " << followed_wholly << " wholly, " << losses << " losses, "
             << to_the_end << " at the end, n . v median " << quantile(facing, 0.5) << ", p95 "

@@ -6,19 +6,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace burin {
 namespace {
 
-/// Returns the nodes of a vertex, which are consecutive in the chart. For no_index it returns one no_index.
-std::vector<Index> nodes_of(const Chart& chart, Index vertex) {
-  if (vertex == no_index) return {no_index};
-  const auto [begin, end] = std::ranges::equal_range(chart.vertex, vertex);
-  std::vector<Index> nodes(static_cast<std::size_t>(end - begin));
-  std::iota(nodes.begin(), nodes.end(), static_cast<Index>(begin - chart.vertex.begin()));
-  return nodes;
-}
+/// The nodes of a vertex, which are consecutive in the chart, from the first to before the last. For no_index
+/// one no_index.
+struct Nodes {
+  std::size_t first, last;
+
+  Nodes(const Chart& chart, Index vertex) : first(no_index), last(std::size_t{no_index} + 1) {
+    if (vertex == no_index) return;
+    const auto begin = chart.vertex.begin(), end = chart.vertex.end();
+    const auto at = std::lower_bound(begin, end, vertex);
+    first = last = static_cast<std::size_t>(at - begin);
+    while (last < chart.vertex.size() && chart.vertex[last] == vertex) ++last;
+  }
+
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (std::size_t node = first; node < last; ++node) visit(static_cast<Index>(node));
+  }
+};
 
 /// The difference of t from node a to node b, the shorter way around on a closed stroke; 0 when either is
 /// no_index.
@@ -77,6 +86,33 @@ ChartTriangle beside_each_other(const Chart& chart, Index triangle, const std::a
   return result;
 }
 
+/// What nodes_together() returns, into vectors that are used again from call to call.
+void find_together(const Surface& surface, const Chart& chart, const std::array<Index, 3>& corners,
+                   std::vector<Triple>& triples, std::vector<std::array<Index, 3>>& result) {
+  constexpr double edges_apart = 2;
+  const double reach = edges_apart * longest_edge(surface, corners), most = reach * reach;
+  const Nodes first(chart, corners[0]), second(chart, corners[1]), third(chart, corners[2]);
+  triples.clear();
+  first.for_each([&](Index a) {
+    second.for_each([&](Index b) {
+      const double ab = squared_distance(chart, a, b);
+      if (ab > most) return;
+      third.for_each([&](Index c) {
+        const double bc = squared_distance(chart, b, c), ca = squared_distance(chart, c, a);
+        if (bc <= most && ca <= most && !wind_around(chart, a, b, c))
+          triples.push_back({ab + bc + ca, {a, b, c}});
+      });
+    });
+  });
+  std::ranges::sort(triples);
+  result.clear();
+  for (const Triple& triple : triples) {
+    const auto taken = [&](const std::array<Index, 3>& other) { return share_a_node(triple.nodes, other); };
+    if (std::ranges::none_of(result, taken)) result.push_back(triple.nodes);
+  }
+  std::ranges::sort(result);
+}
+
 }  // namespace
 
 double t_beside(const Chart& chart, double t, Index node) {
@@ -85,30 +121,9 @@ double t_beside(const Chart& chart, double t, Index node) {
 
 std::vector<std::array<Index, 3>> nodes_together(const Surface& surface, const Chart& chart,
                                                  const std::array<Index, 3>& corners) {
-  constexpr double edges_apart = 2;
-  const double reach = edges_apart * longest_edge(surface, corners), most = reach * reach;
-  const std::vector<Index> first = nodes_of(chart, corners[0]);
-  const std::vector<Index> second = nodes_of(chart, corners[1]);
-  const std::vector<Index> third = nodes_of(chart, corners[2]);
-  std::vector<Triple> triples;
-  for (const Index a : first) {
-    for (const Index b : second) {
-      const double ab = squared_distance(chart, a, b);
-      if (ab > most) continue;
-      for (const Index c : third) {
-        const double bc = squared_distance(chart, b, c), ca = squared_distance(chart, c, a);
-        if (bc <= most && ca <= most && !wind_around(chart, a, b, c))
-          triples.push_back({ab + bc + ca, {a, b, c}});
-      }
-    }
-  }
-  std::ranges::sort(triples);
   std::vector<std::array<Index, 3>> result;
-  for (const Triple& triple : triples) {
-    const auto taken = [&](const std::array<Index, 3>& other) { return share_a_node(triple.nodes, other); };
-    if (std::ranges::none_of(result, taken)) result.push_back(triple.nodes);
-  }
-  std::ranges::sort(result);
+  std::vector<Triple> triples;
+  find_together(surface, chart, corners, triples, result);
   return result;
 }
 
@@ -125,8 +140,11 @@ std::vector<ChartTriangle> chart_triangles(const Surface& surface, const Chart& 
   }
   std::ranges::sort(around);
   std::vector<ChartTriangle> result;
+  std::vector<Triple> triples;
+  std::vector<std::array<Index, 3>> together;
   for (const Index triangle : around) {
-    for (const auto& nodes : nodes_together(surface, chart, surface.triangles[triangle]))
+    find_together(surface, chart, surface.triangles[triangle], triples, together);
+    for (const auto& nodes : together)
       result.push_back(beside_each_other(chart, triangle, nodes));
   }
   return result;

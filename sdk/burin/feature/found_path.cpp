@@ -56,10 +56,13 @@ class PathFinder {
     constexpr double rounding = 0.02;  // rows; fits are not more precise than that
     const std::size_t stride = fit_stride();
     std::vector<WeightedValue> wanted(rows.size());
+    double near = rows[0];
     for (std::size_t i = 0; i < rows.size(); i += stride) {
-      const auto refined = sampled_.refine(columns_.first + static_cast<int>(i), rows[i], search_.fits);
-      if (!refined) continue;
-      wanted[i] = {rows[i] + refined->offset, 1 / (refined->variance + rounding * rounding)};
+      // The place before is nearer to this one than the pixel is, where the line goes along the stroke.
+      const double from = std::abs(near - rows[i]) < 1 ? near : rows[i];
+      const auto refined = sampled_.refine(columns_.first + static_cast<int>(i), from, search_.fits);
+      near = refined ? from + refined->offset : rows[i];
+      if (refined) wanted[i] = {near, 1 / (refined->variance + rounding * rounding)};
     }
     return wanted;
   }

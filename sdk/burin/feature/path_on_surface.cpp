@@ -58,9 +58,9 @@ FinePath finer_path(const std::vector<PathColumn>& columns, const ChartGrid& gri
 std::vector<std::optional<SurfacePoint>> on_surface(const Surface& surface, const Chart& chart,
                                                     const SampledFeature& sampled, const FinePath& path,
                                                     double edge) {
-  constexpr double edges = 2;
+  constexpr double edges = 2.5;
   const ChartGrid& grid = sampled.level().grid;
-  const Chart part = part_near(chart, path, grid, edges * edge + grid.step_d);
+  const Chart part = part_near(chart, path, grid, edges * edge);
   const ChartLookup lookup(surface, part);
   std::vector<std::optional<SurfacePoint>> points;
   for (std::size_t i = 0; i < path.points.size(); ++i) {

@@ -62,17 +62,20 @@ LevelImage SampledFeature::score() const {
   return crest_score(level_);
 }
 
-std::optional<SampledFeature::ExactRow> SampledFeature::refine(int column, double row, int fits) const {
+std::optional<SampledFeature::ExactRow> SampledFeature::refine(int column, double row,
+                                                                int fits) const {
   if (consists_of_edges(feature_.kind)) {
     const auto point = near_line(column, row);
     return point ? std::optional(ExactRow{point->row - row, 0}) : std::nullopt;
   }
+  constexpr double centred = 0.03;  // deviations; a window that is nearer to its result counts as symmetric
   std::optional<ExactRow> found;
   double at = row;
   for (int i = 0; i < fits; ++i) {
     found = fit(column, at);
     if (!found) return std::nullopt;
     at += found->offset;
+    if (std::abs(found->offset) < centred * smoothing_.rows) break;
   }
   return ExactRow{at - row, found->variance};
 }

@@ -70,17 +70,19 @@ float least_weight(const std::vector<float>& weights) {
 
 }  // namespace
 
-void splat(const ChartGrid& grid, std::span<float> image, const Vec2f& place, float amount) {
+PixelShares pixel_shares(const ChartGrid& grid, const Vec2f& place) {
   const float column = std::floor(place.x()), row = std::floor(place.y());
   const float across = place.x() - column, along = place.y() - row;
+  PixelShares shares;
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) {
       const int at_column = static_cast<int>(column) + i, at_row = static_cast<int>(row) + j;
       if (at_column < 0 || at_column >= grid.columns || at_row < 0 || at_row >= grid.rows) continue;
-      image[grid.pixel(at_column, at_row)] +=
-          amount * (i == 0 ? 1 - across : across) * (j == 0 ? 1 - along : along);
+      shares.pixels[shares.count] = grid.pixel(at_column, at_row);
+      shares.shares[shares.count++] = (i == 0 ? 1 - across : across) * (j == 0 ? 1 - along : along);
     }
   }
+  return shares;
 }
 
 void blur(const ChartGrid& grid, std::vector<float>& image, const Smoothing& smoothing) {
@@ -95,10 +97,10 @@ SmoothedImage smoothed_image(const ChartSamples& samples, std::span<const float>
   std::vector<float> weights(grid.size());
   for (std::size_t i = 0; i < samples.all().size(); ++i) {
     const ChartSample& sample = samples.all()[i];
-    const Vec2f place(sample.x, sample.y);
-    splat(grid, weights, place, sample.area);
+    const PixelShares shares = pixel_shares(grid, {sample.x, sample.y});
+    shares.add_to(weights, sample.area);
     for (std::size_t k = 0; k < channels; ++k)
-      splat(grid, result.channels[k], place, sample.area * values[i * channels + k]);
+      shares.add_to(result.channels[k], sample.area * values[i * channels + k]);
   }
   blur(grid, weights, smoothing);
   for (std::vector<float>& channel : result.channels) blur(grid, channel, smoothing);

@@ -2,6 +2,7 @@
 #include <burin/feature/chart_grid.h>
 #include <burin/feature/chart_samples.h>
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -31,9 +32,18 @@ struct Smoothing {
 SmoothedImage smoothed_image(const ChartSamples& samples, std::span<const float> values, std::size_t channels,
                              const Smoothing& smoothing);
 
-/// Adds `amount` to the four pixels around a place, by bilinear weights. Nothing is added outside of the
-/// image.
-void splat(const ChartGrid& grid, std::span<float> image, const Vec2f& place, float amount);
+/// The pixels around a place, with their bilinear weights; those outside of the image are left out.
+struct PixelShares {
+  std::array<std::size_t, 4> pixels{};
+  std::array<float, 4> shares{};
+  std::size_t count = 0;
+
+  /// Divides `amount` among the pixels.
+  void add_to(std::span<float> image, float amount) const {
+    for (std::size_t i = 0; i < count; ++i) image[pixels[i]] += amount * shares[i];
+  }
+};
+PixelShares pixel_shares(const ChartGrid& grid, const Vec2f& place);
 
 /// Convolves an image with a Gaussian whose weights sum to 1; beyond its rim the image is 0.
 void blur(const ChartGrid& grid, std::vector<float>& image, const Smoothing& smoothing);

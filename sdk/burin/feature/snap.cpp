@@ -64,10 +64,11 @@ SnappedCurve unmoved(const SurfaceCurve& stroke) {
 class Snapping {
  public:
   Snapping(const Surface& surface, const Picker& picker, StrokeChartBuilder& builder,
-           const SurfaceCurve& stroke, const Feature& feature, const SnapOptions& options)
+           RoughCharter& rough, const SurfaceCurve& stroke, const Feature& feature, const SnapOptions& options)
       : surface_(surface),
         picker_(picker),
         builder_(builder),
+        rough_(rough),
         stroke_(stroke),
         feature_(feature),
         options_(options) {
@@ -96,7 +97,9 @@ class Snapping {
     least_significance_ = (is_last ? 1 : share_before_last) * options_.significance;
     // Before the first chart the scale is not known, nor how far an aligned chart must reach.
     const double chart_radius = is_aligned && scale_ > 0 ? aligned_radius() : options_.radius;
-    const Chart chart = builder_.chart(current_.curve, {.radius = chart_radius});
+    // Only the last chart decides how exact the result is.
+    const Chart chart = is_last || is_aligned ? builder_.chart(current_.curve, {.radius = chart_radius})
+                                : rough_.chart(current_.curve, chart_radius);
     if (scale_ == 0) {
       edge_ = typical_edge(surface_, chart);
       scale_ = chosen_scale();
@@ -288,6 +291,7 @@ class Snapping {
   const Surface& surface_;
   const Picker& picker_;
   StrokeChartBuilder& builder_;
+  RoughCharter& rough_;
   const SurfaceCurve& stroke_;
   const Feature& feature_;
   const SnapOptions& options_;
@@ -304,7 +308,7 @@ bool is_positive(double value) { return std::isfinite(value) && value > 0; }
 }  // namespace
 
 StrokeSnapper::StrokeSnapper(const Surface& surface, const Picker& picker)
-    : surface_(surface), picker_(picker), builder_(surface) {
+    : surface_(surface), picker_(picker), builder_(surface), rough_(surface) {
   if (surface.is_point_set()) throw ContractError("strokes on point sets cannot be snapped");
 }
 
@@ -316,7 +320,7 @@ SnapResult StrokeSnapper::snap(const SurfaceCurve& stroke, const Feature& featur
   if (options.iterations < 1) throw ContractError("snapping needs at least one iteration");
   if (has_values(feature.kind) && feature.values.size() != surface_.vertex_count())
     throw ContractError("a value per vertex is needed to snap to");
-  return Snapping(surface_, picker_, builder_, stroke, feature, options).run();
+  return Snapping(surface_, picker_, builder_, rough_, stroke, feature, options).run();
 }
 
 }  // namespace burin

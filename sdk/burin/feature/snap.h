@@ -2,6 +2,7 @@
 #include <burin/chart/stroke_chart_builder.h>
 #include <burin/feature/feature.h>
 #include <burin/feature/level_image.h>
+#include <burin/feature/rough_chart.h>
 #include <burin/stroke/curve.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
@@ -79,6 +80,7 @@ class StrokeSnapper {
   const Surface& surface_;
   const Picker& picker_;
   StrokeChartBuilder builder_;
+  RoughCharter rough_;
 };
 
 }  // namespace burin
