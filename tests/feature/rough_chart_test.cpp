@@ -61,8 +61,7 @@ TEST(RoughChart, IsNearTheChartOfAWeavingStrokeOverARidge) {
   SnapScene scene(known.mesh);
   std::vector<Vec3d> pen;
   for (int i = 0; i <= 60; ++i) pen.push_back(known.beside(i / 60., 5 + 3 * std::sin(i / 5.)));
-  const Comparison result =
-      compare_on(scene.surface, traced(scene.surface, scene.picker, 18, pen), 18);
+  const Comparison result = compare_on(scene.surface, traced(scene.surface, scene.picker, 18, pen), 18);
   EXPECT_LT(result.mean_d, 1e-3);
   EXPECT_LT(result.mean_t, 7e-3);
   EXPECT_LT(result.worst_d, 0.02);

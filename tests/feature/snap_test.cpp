@@ -386,9 +386,8 @@ TEST(Snap, TakesAboutTwiceTheTimeOfOneChart) {
     return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   };
   for (int i = 0; i < 9; ++i) {
-    snap = std::min(snap, seconds([&] {
-             scene.snapper.snap(scene.stroke, {FeatureKind::ridge}, {.radius = r});
-           }));
+    snap = std::min(snap,
+                    seconds([&] { scene.snapper.snap(scene.stroke, {FeatureKind::ridge}, {.radius = r}); }));
     chart = std::min(chart, seconds([&] { nodes = builder.chart(scene.stroke, {.radius = r}).size(); }));
   }
   std::cout << nodes << " vertices in reach: " << 1e3 * snap << " ms, its chart " << 1e3 * chart << " ms\n";

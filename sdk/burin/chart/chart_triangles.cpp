@@ -144,8 +144,7 @@ std::vector<ChartTriangle> chart_triangles(const Surface& surface, const Chart& 
   std::vector<std::array<Index, 3>> together;
   for (const Index triangle : around) {
     find_together(surface, chart, surface.triangles[triangle], triples, together);
-    for (const auto& nodes : together)
-      result.push_back(beside_each_other(chart, triangle, nodes));
+    for (const auto& nodes : together) result.push_back(beside_each_other(chart, triangle, nodes));
   }
   return result;
 }

@@ -110,8 +110,7 @@ LevelImage nearness_image(const std::vector<LineEdge>& edges, const ChartGrid& g
     const int pieces = 1 + static_cast<int>(2 * way.norm());
     for (int i = 0; i < pieces; ++i) {
       const Vec2d place = edge.places[0] + (i + 0.5) / pieces * way;
-      pixel_shares(grid, place.cast<float>())
-          .add_to(image.values, static_cast<float>(way.norm() / pieces));
+      pixel_shares(grid, place.cast<float>()).add_to(image.values, static_cast<float>(way.norm() / pieces));
     }
   }
   blur(grid, image.values, {deviation, deviation});

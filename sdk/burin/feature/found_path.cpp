@@ -38,7 +38,8 @@ class PathFinder {
     hold_between(wanted, rows);
     const double cube = search_.stiff * search_.stiff * search_.stiff, stiffness = cube * cube;
     const std::vector<double> smooth = smooth_offsets(wanted, search_.bends, stiffness);
-    for (std::size_t i = 0; i < path.size(); ++i) path[i].row = smooth[i];
+    for (std::size_t i = 0; i < path.size(); ++i)
+      path[i] = {.row = smooth[i], .place = found[i].value, .has_place = found[i].weight > 0};
     const std::vector<double> all = means_along(significances(smooth, found), search_.window);
     for (std::size_t i = 0; i < path.size(); ++i) path[i].significance = placed[i] ? all[i] : 0;
     return path;

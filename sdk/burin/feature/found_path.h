@@ -12,6 +12,8 @@ struct PathColumn {
   /// Of crests, their contrast in units of the noise; of silhouettes, the scale over the standard error of
   /// their place; of borders, six times the share of them that is there. Averaged along the path.
   double significance = 0;
+  double place = 0;  ///< row where a fit places the feature, before smoothing
+  bool has_place = false;
 };
 
 /// Columns of an image.

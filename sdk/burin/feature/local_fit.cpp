@@ -70,7 +70,8 @@ struct Sums {
     std::size_t term = 0;
     for (int i = 0; i < powers_of_u; ++i, of_u *= u) {
       Lanes product = of_u;
-      // Terms have the powers of v up to 4 - i; pairs of them whose powers of u sum up to i those up to 8 - i.
+      // Terms have the powers of v up to 4 - i; pairs of them whose powers of u sum up to i those up to 8 -
+      // i.
       for (int k = 0; k < powers_of_v - i; ++k, product *= v) {
         moments[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] += product;
         if (i > 2 || k > 4 - i) continue;

@@ -1,6 +1,5 @@
 // Takes a path from the image of a chart back to the surface. Costs O(n) for n nodes, with n log n for those
 // near the path only.
-#include <burin/chart/chart_lookup.h>
 #include <burin/feature/path_on_surface.h>
 
 #include <algorithm>
@@ -8,6 +7,9 @@
 
 namespace burin {
 namespace {
+
+/// Triangles reach at most so many typical edges from the path that goes through them.
+constexpr double edges_around = 2.5;
 
 /// The cubic from b to c, at a share s, that has the slopes of the parabolas through three values.
 double catmull_rom(double a, double b, double c, double d, double s) {
@@ -55,21 +57,17 @@ FinePath finer_path(const std::vector<PathColumn>& columns, const ChartGrid& gri
   return path;
 }
 
-std::vector<std::optional<SurfacePoint>> on_surface(const Surface& surface, const Chart& chart,
-                                                    const SampledFeature& sampled, const FinePath& path,
-                                                    double edge) {
-  constexpr double edges = 2.5;
-  const ChartGrid& grid = sampled.level().grid;
-  const Chart part = part_near(chart, path, grid, edges * edge);
-  const ChartLookup lookup(surface, part);
-  std::vector<std::optional<SurfacePoint>> points;
-  for (std::size_t i = 0; i < path.points.size(); ++i) {
-    const double t = static_cast<double>(i) * path.step, row = path.points[i].row;
-    points.push_back(sampled.point_at(grid.x(t), row));
-    if (points.back()) continue;
-    if (const auto found = lookup.find(t, grid.d(row))) points.back() = found->at;
-  }
-  return points;
+PathLookup::PathLookup(const Surface& surface, const Chart& chart, const SampledFeature& sampled,
+                       const FinePath& path, double edge)
+    : sampled_(sampled),
+      part_(part_near(chart, path, sampled.level().grid, edges_around * edge)),
+      lookup_(surface, part_) {}
+
+std::optional<SurfacePoint> PathLookup::at(double t, double row) const {
+  const ChartGrid& grid = sampled_.level().grid;
+  if (const auto point = sampled_.point_at(grid.x(t), row)) return point;
+  const auto found = lookup_.find(t, grid.d(row));
+  return found ? std::optional(found->at) : std::nullopt;
 }
 
 }  // namespace burin

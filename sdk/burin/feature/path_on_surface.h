@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/chart/chart.h>
+#include <burin/chart/chart_lookup.h>
 #include <burin/feature/found_path.h>
 #include <burin/feature/sampled_feature.h>
 #include <burin/surface/surface.h>
@@ -20,10 +21,23 @@ struct FinePath {
 /// along the stroke (object units): a Catmull-Rom spline.
 FinePath finer_path(const std::vector<PathColumn>& columns, const ChartGrid& grid, double spacing);
 
-/// The points of the surface that belong to the points of a path, where there are any. `edge`: typical length
-/// of edges, object units.
-std::vector<std::optional<SurfacePoint>> on_surface(const Surface& surface, const Chart& chart,
-                                                    const SampledFeature& sampled, const FinePath& path,
-                                                    double edge);
+/// Takes places of a path's image back to the surface. Surface, sampled feature and chart must outlive the
+/// object.
+class PathLookup {
+ public:
+  /// Looks up places near this path only. `edge`: typical length of edges, object units.
+  PathLookup(const Surface& surface, const Chart& chart, const SampledFeature& sampled, const FinePath& path,
+             double edge);
+  PathLookup(const PathLookup&) = delete;  // The lookup refers to the part.
+  PathLookup& operator=(const PathLookup&) = delete;
+
+  /// The point of the surface that belongs to an arc length and a row, if there is one.
+  std::optional<SurfacePoint> at(double t, double row) const;
+
+ private:
+  const SampledFeature& sampled_;
+  Chart part_;
+  ChartLookup lookup_;
+};
 
 }  // namespace burin

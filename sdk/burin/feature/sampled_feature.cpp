@@ -62,8 +62,7 @@ LevelImage SampledFeature::score() const {
   return crest_score(level_);
 }
 
-std::optional<SampledFeature::ExactRow> SampledFeature::refine(int column, double row,
-                                                                int fits) const {
+std::optional<SampledFeature::ExactRow> SampledFeature::refine(int column, double row, int fits) const {
   if (consists_of_edges(feature_.kind)) {
     const auto point = near_line(column, row);
     return point ? std::optional(ExactRow{point->row - row, 0}) : std::nullopt;

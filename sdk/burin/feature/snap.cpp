@@ -4,6 +4,7 @@
 #include <burin/chart/path/closed_length.h>
 #include <burin/chart/path/curve_parts.h>
 #include <burin/feature/chart_samples.h>
+#include <burin/feature/cornered_run.h>
 #include <burin/feature/edge_walk.h>
 #include <burin/feature/found_path.h>
 #include <burin/feature/path_on_surface.h>
@@ -63,8 +64,8 @@ SnappedCurve unmoved(const SurfaceCurve& stroke) {
 /// The work on one stroke.
 class Snapping {
  public:
-  Snapping(const Surface& surface, const Picker& picker, StrokeChartBuilder& builder,
-           RoughCharter& rough, const SurfaceCurve& stroke, const Feature& feature, const SnapOptions& options)
+  Snapping(const Surface& surface, const Picker& picker, StrokeChartBuilder& builder, RoughCharter& rough,
+           const SurfaceCurve& stroke, const Feature& feature, const SnapOptions& options)
       : surface_(surface),
         picker_(picker),
         builder_(builder),
@@ -99,7 +100,7 @@ class Snapping {
     const double chart_radius = is_aligned && scale_ > 0 ? aligned_radius() : options_.radius;
     // Only the last chart decides how exact the result is.
     const Chart chart = is_last || is_aligned ? builder_.chart(current_.curve, {.radius = chart_radius})
-                                : rough_.chart(current_.curve, chart_radius);
+                                              : rough_.chart(current_.curve, chart_radius);
     if (scale_ == 0) {
       edge_ = typical_edge(surface_, chart);
       scale_ = chosen_scale();
@@ -170,15 +171,48 @@ class Snapping {
   /// Moves the current curve to the significant parts of a path.
   void move_to(const std::vector<PathColumn>& path, const SampledFeature& sampled, const Chart& chart) {
     const FinePath fine = finer_path(path, sampled.level().grid, edge_ / 2);
-    const auto places = on_surface(surface_, chart, sampled, fine, edge_);
-    std::vector<std::optional<SnappedPoint>> points(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      if (!places[i] || fine.points[i].significance < least_significance_) continue;
+    const PathLookup lookup(surface_, chart, sampled, fine, edge_);
+    std::vector<std::optional<SnappedPoint>> points(fine.points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (fine.points[i].significance < least_significance_) continue;
       const double t = static_cast<double>(i) * fine.step;
-      const SnappedPoint point{stroke_t_of(i, places.size(), t), *places[i]};
+      const auto at = lookup.at(t, fine.points[i].row);
+      if (!at) continue;
+      const SnappedPoint point{stroke_t_of(i, points.size(), t), *at};
       if (!is_held(point)) points[i] = point;
     }
-    make_current(fine.points, points, fine.step, sampled.edges());
+    make_current(fine.points, points, fine.step, sampled.edges(), run_corners(path, sampled, lookup));
+  }
+
+  /// The corners of the path of a crest, which its smoothing has rounded.
+  std::vector<RunCorner> run_corners(const std::vector<PathColumn>& path, const SampledFeature& sampled,
+                                     const PathLookup& lookup) const {
+    if (consists_of_edges(feature_.kind) || is_seen(feature_.kind)) return {};
+    const ChartGrid& grid = sampled.level().grid;
+    std::vector<LinePlace> places;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const double t = static_cast<double>(i) * grid.step_t;
+      if (!path[i].has_place) continue;
+      const double smoothed_away = std::abs(path[i].row - path[i].place) * grid.step_d;
+      if (const auto at = lookup.at(t, path[i].place))
+        places.push_back({t, at->position.cast<double>(), smoothed_away});
+    }
+    if (stroke_.closed) add_turns(places);
+    constexpr double rounded = 4;  // scales to either side
+    std::vector<RunCorner> corners;
+    for (const Corner& corner : corners_of(places, scale_))
+      corners.push_back({corner, stroke_t_at(current_, period(), corner.t - rounded * scale_),
+                         stroke_t_at(current_, period(), corner.t + rounded * scale_)});
+    return corners;
+  }
+
+  /// Repeats the places of a closed line before and after it.
+  void add_turns(std::vector<LinePlace>& places) const {
+    const std::vector<LinePlace> once = places;
+    for (const double turn : {-1, 1})
+      for (const LinePlace& place : once)
+        places.push_back({place.t + turn * current_.curve.length(), place.position, place.smoothed_away});
+    std::ranges::sort(places, {}, &LinePlace::t);
   }
 
   /// The arc length on the stroke that belongs to one of `count` points of a path at t. Those at the ends of
@@ -197,7 +231,7 @@ class Snapping {
 
   void make_current(const std::vector<PathColumn>& path,
                     const std::vector<std::optional<SnappedPoint>>& points, double step,
-                    const std::vector<LineEdge>& edges) {
+                    const std::vector<LineEdge>& edges, const std::vector<RunCorner>& corners) {
     runs_.clear();
     result_.ranges.clear();
     const bool whole = stroke_.closed && std::ranges::all_of(path, [&](const PathColumn& column) {
@@ -213,8 +247,19 @@ class Snapping {
         const WalkLimits limits{least_share * step, 2 * options_.radius};
         for (SnappedRun& run : runs_) run = walk.with_vertices(run, whole ? period() : 0, limits);
       }
+      if (whole && std::ranges::any_of(corners, [](const RunCorner& at) { return at.from * at.to < 0; }))
+        begin_half_a_turn_later(runs_.front());
+      for (const RunCorner& corner : corners)
+        for (SnappedRun& run : runs_) run = with_corner(picker_, run, corner, edge_ / 2);
       current_ = snapped_curve(surface_, picker_, stroke_, runs_, whole, least_share * step);
     }
+  }
+
+  /// Moves where a run around a whole closed stroke begins away from a corner.
+  void begin_half_a_turn_later(SnappedRun& run) const {
+    const auto middle = std::ranges::lower_bound(run, period() / 2, {}, &SnappedPoint::stroke_t);
+    for (auto point = run.begin(); point != middle; ++point) point->stroke_t += period();
+    std::rotate(run.begin(), middle, run.end());
   }
 
   double moved(const SnappedPoint& point) const {
