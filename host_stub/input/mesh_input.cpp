@@ -135,7 +135,10 @@ LoadedSurface make_loaded(TriangleMesh mesh, int level, const VertexPaint& paint
 }
 
 LoadedSurface load_surface(const MeshOptions& options, const Progress& progress) {
-  Cage cage = read_cage(options);
+  return load_surface(options, read_cage(options), progress);
+}
+
+LoadedSurface load_surface(const MeshOptions& options, Cage cage, const Progress& progress) {
   cage.polygons.corner_uv = {};
   return with_file_context(options.path, [&] {
     return make_loaded(refine(cage.polygons, cage.scheme, cage.level, progress), cage.level,
@@ -144,9 +147,13 @@ LoadedSurface load_surface(const MeshOptions& options, const Progress& progress)
 }
 
 LoadedSurface load_surface_on_console(const MeshOptions& options) {
+  return load_surface_on_console(options, read_cage(options));
+}
+
+LoadedSurface load_surface_on_console(const MeshOptions& options, Cage cage) {
   LoadedSurface loaded = [&] {
     ProgressBar bar;
-    return load_surface(options, bar.progress());
+    return load_surface(options, std::move(cage), bar.progress());
   }();
   if (!loaded.defects.empty()) warn(options.path + ": " + loaded.defects);
   return loaded;

@@ -67,8 +67,14 @@ LoadedSurface make_loaded(TriangleMesh mesh, int level, const VertexPaint& paint
 /// Reads the mesh, refines or triangulates it and makes the surface. Throws FileError, also for a point set.
 LoadedSurface load_surface(const MeshOptions& options, const Progress& progress);
 
+/// Does the same for a cage that read_cage() has read.
+LoadedSurface load_surface(const MeshOptions& options, Cage cage, const Progress& progress);
+
 /// Does what load_surface() does, with a progress bar and a warning that counts the defects.
 LoadedSurface load_surface_on_console(const MeshOptions& options);
+
+/// Does the same for a cage that read_cage() has read.
+LoadedSurface load_surface_on_console(const MeshOptions& options, Cage cage);
 
 /// Does what load_surface_on_console() does, and accepts a point set too.
 LoadedSurface load_mesh_or_points_on_console(const MeshOptions& options);

@@ -3,16 +3,20 @@
 #include <burin/feature/feature.h>
 #include <burin/stroke/move_origin.h>
 #include <burin/stroke/sample_times.h>
+#include <burin/subdiv/refined_creases.h>
 #include <burin/surface/vertex_scalar.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "command.h"
 #include "input/mesh_input.h"
+#include "input/name_file.h"
 #include "input/stroke_input.h"
 #include "options/axes_option.h"
 #include "options/options.h"
@@ -87,6 +91,21 @@ std::vector<float> values_of(const SnapCommandOptions& options, const LoadedSurf
   return values;
 }
 
+/// The creases of a cage as edges of the surface that it was refined to; see Feature::creases.
+std::vector<std::array<Index, 2>> in_surface_order(std::vector<std::array<Index, 2>> edges,
+                                                   const Surface& surface) {
+  std::vector<Index> vertex_of(surface.vertex_count());
+  for (Index vertex = 0; vertex < surface.vertex_count(); ++vertex)
+    vertex_of[surface.source_vertex[vertex]] = vertex;
+  for (auto& [a, b] : edges) {
+    const auto [least, most] = std::minmax({vertex_of[a], vertex_of[b]});
+    a = least;
+    b = most;
+  }
+  std::ranges::sort(edges);
+  return edges;
+}
+
 /// The camera that features are seen by, if one is given or the strokes were drawn before one.
 std::optional<Camera> chosen_camera(const SnapCommandOptions& options, const Recording& recording,
                                     const Vec3d& origin) {
@@ -132,12 +151,19 @@ void run(SnapCommandOptions& options) {
   repair_times(recording);
   if (!named.values.empty() && (options.mesh.subdivide || options.mesh.target_triangles))
     throw CLI::ValidationError("--feature", "values of vertices are lost if --mesh is refined");
-  const LoadedSurface loaded = load_surface_on_console(options.mesh);
+  Cage cage = read_cage(options.mesh);
+  std::vector<std::array<Index, 2>> creases;
+  if (named.feature.kind == FeatureKind::crease)
+    creases = with_file_context(options.mesh.path,
+                                [&] { return refined_creases(cage.polygons, cage.scheme, cage.level); });
+  const LoadedSurface loaded = load_surface_on_console(options.mesh, std::move(cage));
+  creases = in_surface_order(std::move(creases), loaded.surface);
   move_origin(recording, loaded.from.origin);
   Feature feature = named.feature;
   std::vector<float> values;
   if (!named.values.empty()) values = values_of(options, loaded, named.values);
   feature.values = values;
+  feature.creases = creases;
   const std::optional<Camera> camera = chosen_camera(options, recording, loaded.from.origin);
   if (is_seen(feature.kind)) feature.view = chosen_view(options, camera);
   const Picker picker(loaded.surface);
@@ -156,7 +182,8 @@ void add_snap_options(CLI::App& command, SnapCommandOptions& options) {
           "what strokes are moved to: crests of the greatest (ridge) or least (valley) curvature, where the "
           "surface turns away from --view (silhouette) or nearly does so (suggestive contours), its open "
           "border, edges of at least 30 degrees "
-          "(crease; crease:DEGREES), or crests of a value of a PLY file's vertices (scalar:NAME), "
+          "and the creases of a cage (crease; crease:DEGREES), or crests of a value of a PLY file's vertices "
+          "(scalar:NAME), "
           "scalar:-NAME for its lowest places")
       ->required()
       ->type_name("ridge|valley|silhouette|suggestive|border|crease|scalar:NAME")

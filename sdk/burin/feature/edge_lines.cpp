@@ -33,6 +33,7 @@ bool leads(const Surface& surface, Index triangle, Index a, Index b) {
 bool belongs(const Surface& surface, Index a, Index b, std::span<const Index> triangles,
              const Feature& feature) {
   if (feature.kind == FeatureKind::border) return triangles.size() == 1;
+  if (std::ranges::binary_search(feature.creases, std::array{std::min(a, b), std::max(a, b)})) return true;
   if (triangles.size() != 2) return false;
   const Vec3d one = area_vector(surface.positions, surface.triangles[triangles[0]]);
   // Neighbours need not have the same orientation.

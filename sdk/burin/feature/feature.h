@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/base/vector.h>
 
+#include <array>
 #include <span>
 
 namespace burin {
@@ -13,7 +14,7 @@ enum class FeatureKind {
   border,      ///< the surface's open border
   high,        ///< where a value of the vertices is greatest across the stroke
   low,         ///< where it is least
-  crease,      ///< edges at which two triangles meet at an angle
+  crease,      ///< edges at which two triangles meet at an angle, and edges that are given
   suggestive,  ///< where it would turn away from a viewer who moved a little [DeCarlo et al. 2003]
 };
 
@@ -29,6 +30,9 @@ struct Feature {
   Viewpoint view = {};                 ///< of silhouettes and suggestive contours
   std::span<const float> values = {};  ///< [vertex of the surface], of high and low; must outlive the object
   double least_angle = 30;             ///< of creases, between the normals of the triangles, degrees
+  /// Edges that belong to creases whatever their angle, as pairs of vertices of the surface, the lower first,
+  /// ascending, such as those of a cage; must outlive the object.
+  std::span<const std::array<Index, 2>> creases = {};
 };
 
 /// Whether features of this kind consist of edges of the surface.

@@ -90,6 +90,35 @@ TEST(SnapCommand, FollowsValuesOfTheVerticesAndLeavesTheRestAlone) {
   EXPECT_NEAR(farthest_from(read_strokes(ridge.folder.path("out.stroke")), 3), 1, 0.05);
 }
 
+TEST(SnapCommand, FollowsTheCreasesOfACageWhereTheRefinedMeshHasNoEdge) {
+  // A flat cage of 4 x 4 squares with a crease along its middle, x = 2, which bends nothing.
+  const CommandFolder folder;
+  std::string plain, creases;
+  for (int i = 0; i < 25; ++i) plain += fmt::format("v {} {} 0\n", i % 5, i / 5);
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 1; x <= 4; ++x)
+      plain += fmt::format("f {} {} {} {}\n", y * 5 + x, y * 5 + x + 1, y * 5 + x + 6, y * 5 + x + 5);
+    creases += fmt::format("t crease 2/1/0 {} {} 2\n", y * 5 + 2, y * 5 + 7);
+  }
+  std::string stroke =
+      "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{\"brush\":\"org.burin.groove\","
+      "\"radius\":0.6},\"fields\":[\"time\",\"x\",\"y\",\"z\"]}\n";
+  for (int i = 0; i <= 30; ++i)
+    stroke += fmt::format("[{},{},{},0]\n", 0.01 * i, 1.75 + 0.1 * std::sin(i / 4.), 0.5 + 0.1 * i);
+  folder.write("a.stroke", stroke + "{\"end\":true}\n");
+  const auto share_of = [&](const std::string& cage) {
+    const auto report =
+        burin_json({"snap", folder.path("a.stroke"), "--mesh", folder.write("cage.obj", cage), "--subdivide",
+                    "4", "--feature", "crease", "--out", folder.path("out.stroke")});
+    return report["strokes"][0]["snapped_share"].get<double>();
+  };
+  EXPECT_EQ(share_of(plain), 0);
+  EXPECT_GT(share_of(plain + creases), 0.95);
+  const Recording recording = read_strokes(folder.path("out.stroke"));
+  ASSERT_GT(recording.strokes[0].samples.size(), 20u);
+  for (const Sample& sample : recording.strokes[0].samples) EXPECT_NEAR(sample.position.x(), 2, 1e-5);
+}
+
 TEST(SnapCommand, DrawsTheStrokeBeforeAndAfter) {
   const RidgeFile ridge;
   auto arguments = ridge.arguments("ridge");
