@@ -109,6 +109,21 @@ TEST(ReadPointers, TellsTiltsOfAltitudeAndAzimuth) {
   EXPECT_NEAR(both.strokes.at(0).samples.at(0).pen.tilt_x, 1.570796, 1e-6);
 }
 
+// As requests to recognise handwriting have them.
+TEST(ReadPointers, TakesStrokesOfGroups) {
+  const PenFileFolder folder;
+  const std::string groups = R"({"width": 9, "strokeGroups": [{"penStyle": null, "strokes": [)"
+                             R"({"x": [1, 2], "y": [3, 4], "t": [0, 8], "p": [0.5, 1]}]},)"
+                             R"({"strokes": [{"pointers": [{"x": 5, "y": 6}]}]}])";
+  const PenFile file = folder.read(groups + "}");
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(places(file.strokes[0]) + "; " + places(file.strokes[1]), "1 3, 2 4; 5 6");
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
+  EXPECT_EQ(file.strokes[1].fields, PenFields());
+  EXPECT_EQ(folder.complaint(R"({"strokeGroups": [{"strokes": 3}]})").substr(0, 30),
+            " strokeGroups[0].strokes: must");
+}
+
 TEST(ReadPointers, TakesNullForAbsent) {
   const PenFile file = PenFileFolder().read(
       R"([{"pointers": [{"x": 1, "y": 2, "t": 0, "p": null}, {"x": 3, "y": 4, "t": 8, "p": 0.5}]}])");

@@ -1,7 +1,7 @@
 // Reads strokes of web programs from JSON: a list of strokes, or an object that has one as "strokes",
-// "events" or "pointers". A stroke has its points as a list of objects, {"pointers": [{"x", "y", "t", "p"}]}
-// or the list alone, or as lists of numbers, {"x": [], "y": [], "t": [], "p": []}. Positions are CSS pixels,
-// times milliseconds, tilts and twist degrees, as PointerEvent has them.
+// "events" or "pointers", or in groups as "strokeGroups". A stroke has its points as a list of objects,
+// {"pointers": [{"x", "y", "t", "p"}]} or the list alone, or as lists of numbers, {"x": [], "y": [], "t": [],
+// "p": []}. Positions are CSS pixels, times milliseconds, tilts and twist degrees, as PointerEvent has them.
 //
 // "p" is what programs make of the speed and call pressure, "pressure" what a device reports.
 #include <burin/base/error.h>
@@ -126,7 +126,15 @@ bool read_by_strokes(const PenFileText& file, TextWindow& text, PenFile& content
     add(stroke ? std::move(*stroke) : stroke_of(pen_json_part(file, part)), content);
     return true;
   };
+  const auto take_list_of_group = [&](std::string_view name, TextWindow& json) {
+    return name == "strokes" ? for_each_json_part(json, take_stroke)
+                             : nlohmann::json::accept(take_json_value(json));
+  };
+  const auto take_group = [&](std::string_view, TextWindow& json) {
+    return for_each_json_part(json, take_list_of_group);
+  };
   const auto take_member = [&](std::string_view name, TextWindow& json) {
+    if (name == "strokeGroups") return for_each_json_part(json, take_group);
     return name == "strokes" || name == "events" ? for_each_json_part(json, take_stroke)
                                                  : nlohmann::json::accept(take_json_value(json));
   };
@@ -173,6 +181,8 @@ PenFile read_pointers(const PenFileText& file) {
     const auto list = root.is_array() ? std::optional(root) : list_of_strokes(root);
     if (list)
       read_strokes_of(*list, content);
+    else if (const auto groups = root.find("strokeGroups"))
+      for (const JsonValue& group : groups->items()) read_strokes_of(group.member("strokes"), content);
     else
       read_points(root.member("pointers"), content.strokes.emplace_back());
   }
