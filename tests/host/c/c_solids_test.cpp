@@ -3,6 +3,8 @@
 #include <burin/level_set/solid_mesh.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include <filesystem>
 
 #include "../../refine/refined.h"
@@ -163,6 +165,23 @@ TEST(CSolids, ThatAreMergedArePatches) {
   EXPECT_EQ(IN_C(burin_session_end)(fixed, &fixed.error), BURIN_ERROR);
   EXPECT_EQ(fixed.error.str(), "this application cannot merge solids with the surface");
   EXPECT_EQ(fixed.hash(), before);
+}
+
+TEST(CSolids, ThatAreMergedAreUndoneToTheBitsOfTheObject) {
+  const double matrix[16] = {1.1, 0.2, 0, 0, -0.3, 0.9, 0.1, 0, 0, 0.1, 1.3, 0, 0.1, 0.2, 0.3, 1};
+  TriangleMesh mesh = sphere(5, 0.2, 3);
+  const Eigen::Matrix4d to_object = Eigen::Map<const Eigen::Matrix4d>(matrix).inverse();
+  for (Vec3f& p : mesh.positions) p = (to_object * p.cast<double>().homogeneous()).head<3>().cast<float>();
+  burin_mesh arrays = refinable(mesh);
+  arrays.transform = matrix;
+  CSession session(arrays);
+  draw(session, {"brush=org.burin.tube", "radius=0.4", "params=height=-0.5", "solid=difference", "voxel=0.1"},
+       arc(-0.5, 0.5));
+  EXPECT_LT(session.info().vertex_count, mesh.positions.size()) << "some are gone, with their numbers";
+  session.check(IN_C(burin_session_undo)(session, &session.error));
+  const std::vector<float> now = session.read(BURIN_POSITIONS, 3);
+  ASSERT_EQ(now.size(), 3 * mesh.positions.size());
+  EXPECT_EQ(std::memcmp(now.data(), mesh.positions.data(), now.size() * sizeof(float)), 0);
 }
 
 TEST(CSolids, AndMeshesThatAreBentAreParts) {

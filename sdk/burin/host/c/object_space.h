@@ -2,6 +2,7 @@
 #include <burin/host/c/placement.h>
 #include <burin/surface/surface.h>
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -27,10 +28,10 @@ class ObjectSpace {
 
   Vec3f normal(const Vec3f& world) const { return placement_.normal_to_object(world); }
 
-  /// Follows a surface that has more or fewer vertices than before, those of the greatest numbers.
+  /// Follows a surface that has other vertices. What was given stays, as undo brings its vertices back.
   void resize(const Surface& surface) {
     const auto before = static_cast<Index>(given_.size());
-    given_.resize(surface.vertex_count());
+    given_.resize(std::max(before, surface.vertex_count()));
     for (Index vertex = 0; vertex < surface.vertex_count(); ++vertex)
       if (const Index source = surface.source_vertex[vertex]; source >= before)
         given_[source] = placement_.to_object(surface.positions[vertex]);
