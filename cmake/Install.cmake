@@ -27,7 +27,7 @@ set(burin_components_of_abi plugin runtime)
 set(burin_components_of_plugin plugin)
 
 # Folders of the command alone, whose packages applications need not have.
-set(burin_not_installed ink feature)
+set(burin_not_installed ink)
 
 # Library and headers of the SDK folder whose CMakeLists.txt is being read.
 function(burin_install_library name)

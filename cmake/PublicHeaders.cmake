@@ -15,6 +15,10 @@ set(burin_public_headers
   deform/bake.h
   deform/overlap.h
   deform/paint.h
+  feature/chart_grid.h
+  feature/feature.h
+  feature/snap.h
+  feature/track.h
   host/brush_library.h
   host/event_cost.h
   host/host_extensions.h

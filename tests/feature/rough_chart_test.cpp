@@ -80,6 +80,16 @@ TEST(RoughChart, HasASheetPerVisit) {
   EXPECT_LT(result.mean_d, 0.03);
 }
 
+TEST(RoughChart, DoesNotGoStraightOnWhereTheStrokeTurns) {
+  SnapScene scene(shuffled(plane(60, 1, 5), 6));
+  std::vector<Vec3d> pen;
+  for (int i = 0; i <= 60; ++i) pen.emplace_back(i - 50, -20, 0);
+  for (int i = 1; i <= 60; ++i) pen.emplace_back(10, i - 20, 0);
+  const Comparison result = compare_on(scene.surface, traced(scene.surface, scene.picker, 10, pen), 10);
+  EXPECT_GT(result.shared, 0.97);
+  EXPECT_LT(result.mean_d, 0.01);
+}
+
 TEST(RoughChart, GoesAroundClosedStrokes) {
   SnapScene scene(shuffled(sphere(5, 0.25, 3), 4));
   std::vector<Vec3d> pen;

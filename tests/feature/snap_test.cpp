@@ -369,7 +369,28 @@ TEST(Snap, KeepsClosedStrokesClosed) {
                 0.1, 0.5, "ring");
 }
 
+TEST(Snap, MayBeCalledWhileThePenDraws) {
+  const KnownLine known = ridge_in_plane(5, 2.5, 150, 15, 100, 3);
+  SnapScene scene(known.mesh);
+  const auto pen = pen_beside(known, 4, 2, 2);
+  for (std::size_t samples = 1; samples <= pen.size(); samples += 12) {
+    const std::vector<Vec3d> so_far(pen.begin(), pen.begin() + static_cast<std::ptrdiff_t>(samples));
+    const SnapResult live = scene.snap(so_far, {FeatureKind::ridge}, {.radius = 15});
+    StrokeSnapper fresh(scene.surface, scene.picker);
+    const SnapResult alone = fresh.snap(scene.stroke, {FeatureKind::ridge}, {.radius = 15});
+    ASSERT_EQ(live.curve.points.size(), alone.curve.points.size());
+    for (std::size_t i = 0; i < live.curve.points.size(); ++i)
+      ASSERT_EQ(live.curve.points[i].at.position, alone.curve.points[i].at.position);
+    if (samples < 20) continue;
+    EXPECT_GT(live.snapped_share, 0.9) << samples << " samples";
+    EXPECT_LT(errors_of(live, known.distance).p95, 0.5);
+  }
+}
+
 TEST(Snap, TakesAboutTwiceTheTimeOfOneChart) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers slow different work down differently";
+#endif
   const double r = 18;
   const KnownLine known = ridge_on_sphere(5, 2.5, 150, 0.9, r, 195, 3);
   SnapScene scene(known.mesh);

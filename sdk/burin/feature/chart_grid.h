@@ -2,6 +2,7 @@
 #include <burin/base/vector.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace burin {
 
@@ -14,17 +15,27 @@ struct ChartGrid {
   int margin = 0;                 ///< columns
   bool closed = false;
 
-  double t(double x) const { return (x - margin) * step_t; }
-  double d(double y) const { return (y - stroke_row()) * step_d; }
-  double x(double t) const { return t / step_t + margin; }
-  double y(double d) const { return d / step_d + stroke_row(); }
-  int stroke_row() const { return (rows - 1) / 2; }
-  int inner_columns() const { return columns - 2 * margin; }  ///< from t = 0 to the end
+  double t(double x) const { return (x - margin) * step_t; }        ///< arc length at x, object units
+  double d(double y) const { return (y - stroke_row()) * step_d; }  ///< distance at y, object units
+  double x(double t) const { return t / step_t + margin; }          ///< place of an arc length, pixels
+  double y(double d) const { return d / step_d + stroke_row(); }    ///< place of a distance, pixels
+  int stroke_row() const { return (rows - 1) / 2; }                 ///< of d = 0
+  int inner_columns() const { return columns - 2 * margin; }        ///< from t = 0 to the end
+  /// Number of pixels.
   std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
   /// Index of a pixel in an image; columns are contiguous.
   std::size_t pixel(int column, int row) const {
     return static_cast<std::size_t>(column) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(row);
   }
+};
+
+/// A function of a surface over the (t, d) plane of a chart.
+struct LevelImage {
+  ChartGrid grid;
+  std::vector<float> values;  ///< [pixel]; NaN where the function is not known
+
+  /// The value of a pixel.
+  float at(int column, int row) const { return values[grid.pixel(column, row)]; }
 };
 
 /// The grid for a stroke of this length with pixels of about `step` that reaches `radius` to either side, and

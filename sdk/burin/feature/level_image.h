@@ -8,14 +8,6 @@
 
 namespace burin {
 
-/// A function of a surface over the (t, d) plane of a chart.
-struct LevelImage {
-  ChartGrid grid;
-  std::vector<float> values;  ///< [pixel]; NaN where the function is not known
-
-  float at(int column, int row) const { return values[grid.pixel(column, row)]; }
-};
-
 /// Channels of an image of the surface's geometry: smoothed positions, then smoothed normals.
 inline constexpr std::size_t geometry_channels = 6;
 

@@ -44,6 +44,8 @@ void RoughCharter::restart(const SurfaceCurve& curve, double radius) {
   length_ = curve.length();
   apart_ = radii_apart * radius;
   curvature_.update(curve, curvature_window * radius);
+  path_.clear();
+  path_.update(curve, curvature_, radius, 1e-6 * surface_.scale, 0);
   nodes_.clear();
   queue_.restart(static_cast<float>(2 * radius));
 }
@@ -126,7 +128,11 @@ void RoughCharter::settle(Node& node) const {
   node.curvature = beyond ? 0 : node.curvature / node.weight;
   node.stretch = beyond ? 1 : std::max(node.stretch / node.weight, least_stretch);
   node.settled = true;
-  node.inside = distance(node.t, node.d) <= static_cast<float>(radius_);
+  // Where the stroke turns away from straight on, coordinates that went on so tell of too short distances.
+  constexpr double most_excess = 0.05;
+  node.inside = distance(node.t, node.d) <= static_cast<float>(radius_) &&
+                path_.excess(node.t, static_cast<double>(node.d), surface_.positions[node.vertex]) <=
+                    most_excess * radius_;
 }
 
 /// Tells the neighbours that are not settled where they are, as seen from a node.
@@ -149,16 +155,32 @@ void RoughCharter::lead_on(const Node& from) {
     const float along = u * (1 + k * v), across = v - k * u * u / 2 * (1 + k * v);
     const double t = from.t + static_cast<double>(along * inverse_stretch);
     const float d = from.d + across;
+    const double nearest_t = curve_->closed ? t_nearest_to(to.near, t, length_) : t;
+    const float g = std::max(distance(t, d), from.g + least_progress * std::sqrt(squared));
+    if (disagrees(to, nearest_t, d, squared, from.stretch)) {
+      // Fronts from two parts of the stroke meet; the nearer part takes the node.
+      if (g >= to.g) continue;
+      to = {.vertex = to.vertex, .next = to.next, .g = to.g, .near = nearest_t};
+    }
     const float weight = 1 / squared, bulge = surface_.gauss_curvature[neighbour] * across;
     to.weight += weight;
-    to.t +=
-        static_cast<double>(weight) * ((curve_->closed ? t_nearest_to(to.near, t, length_) : t) - to.near);
+    to.t += static_cast<double>(weight) * (nearest_t - to.near);
     to.d += weight * d;
     to.e1 += weight * transport(from.e1 + k * u * e2, normal, surface_.normals[neighbour]);
     to.curvature += weight * (k * (1 + k * v) + bulge);
     to.stretch += weight * from.stretch * (1 - k * v + k * k * u * u / 2 - bulge * across / 2);
-    reach(index, std::max(distance(t, d), from.g + least_progress * std::sqrt(squared)));
+    reach(index, g);
   }
+}
+
+/// Whether coordinates that a node is told, over an edge of this squared length, are far from the mean of
+/// those that it was told before.
+bool RoughCharter::disagrees(const Node& node, double t, float d, float squared_length, float stretch) {
+  constexpr float most_edges = 4;
+  if (!(node.weight > 0)) return false;
+  const auto along = static_cast<float>(t - node.near - node.t / static_cast<double>(node.weight)) * stretch;
+  const float across = d - node.d / node.weight;
+  return along * along + across * across > most_edges * most_edges * squared_length;
 }
 
 /// Sorts the nodes inside by vertex and t, and forgets all nodes.

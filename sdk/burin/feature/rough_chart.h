@@ -3,6 +3,7 @@
 #include <burin/chart/chart.h>
 #include <burin/chart/frames/foot.h>
 #include <burin/chart/front/bucket_queue.h>
+#include <burin/chart/path/stroke_path.h>
 #include <burin/stroke/curve.h>
 #include <burin/stroke/curve/geodesic_curvature.h>
 #include <burin/surface/surface.h>
@@ -45,6 +46,7 @@ class RoughCharter {
   void spread();
   void settle(Node& node) const;
   void lead_on(const Node& from);
+  static bool disagrees(const Node& node, double t, float d, float squared_length, float stretch);
   float distance(double t, float d) const;
   Index node_at(Index vertex, double t);
   void reach(Index node, float g);
@@ -56,6 +58,7 @@ class RoughCharter {
   std::vector<Index> first_;  ///< [vertex] its first node; no_index between calls
   std::vector<Node> nodes_;
   GeodesicCurvature curvature_;
+  StrokePath path_;
   BucketQueue queue_;
   IndexSet inside_;
   std::vector<Index> vertices_;

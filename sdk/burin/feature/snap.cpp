@@ -3,11 +3,13 @@
 #include <burin/base/error.h>
 #include <burin/chart/path/closed_length.h>
 #include <burin/chart/path/curve_parts.h>
+#include <burin/chart/stroke_chart_builder.h>
 #include <burin/feature/chart_samples.h>
 #include <burin/feature/cornered_run.h>
 #include <burin/feature/edge_walk.h>
 #include <burin/feature/found_path.h>
 #include <burin/feature/path_on_surface.h>
+#include <burin/feature/rough_chart.h>
 #include <burin/feature/sampled_feature.h>
 #include <burin/feature/snap.h>
 #include <burin/feature/snapped_curve.h>
@@ -98,9 +100,10 @@ class Snapping {
     least_significance_ = (is_last ? 1 : share_before_last) * options_.significance;
     // Before the first chart the scale is not known, nor how far an aligned chart must reach.
     const double chart_radius = is_aligned && scale_ > 0 ? aligned_radius() : options_.radius;
-    // Only the last chart decides how exact the result is.
-    const Chart chart = is_last || is_aligned ? builder_.chart(current_.curve, {.radius = chart_radius})
-                                              : rough_.chart(current_.curve, chart_radius);
+    // Only the last chart decides how exact the result is. Silhouettes are narrow, and cross each other.
+    const bool is_rough = !is_last && !is_aligned && !is_seen(feature_.kind);
+    const Chart chart = is_rough ? rough_.chart(current_.curve, chart_radius)
+                                 : builder_.chart(current_.curve, {.radius = chart_radius});
     if (scale_ == 0) {
       edge_ = typical_edge(surface_, chart);
       scale_ = chosen_scale();
@@ -352,10 +355,22 @@ bool is_positive(double value) { return std::isfinite(value) && value > 0; }
 
 }  // namespace
 
-StrokeSnapper::StrokeSnapper(const Surface& surface, const Picker& picker)
-    : surface_(surface), picker_(picker), builder_(surface), rough_(surface) {
+struct StrokeSnapper::Work {
+  Work(const Surface& on, const Picker& with) : surface(on), picker(with), builder(on), rough(on) {}
+
+  const Surface& surface;
+  const Picker& picker;
+  StrokeChartBuilder builder;
+  RoughCharter rough;
+};
+
+StrokeSnapper::StrokeSnapper(const Surface& surface, const Picker& picker) {
   if (surface.is_point_set()) throw ContractError("strokes on point sets cannot be snapped");
+  work_ = std::make_unique<Work>(surface, picker);
 }
+StrokeSnapper::~StrokeSnapper() = default;
+StrokeSnapper::StrokeSnapper(StrokeSnapper&&) noexcept = default;
+StrokeSnapper& StrokeSnapper::operator=(StrokeSnapper&&) noexcept = default;
 
 SnapResult StrokeSnapper::snap(const SurfaceCurve& stroke, const Feature& feature,
                                const SnapOptions& options) {
@@ -363,9 +378,10 @@ SnapResult StrokeSnapper::snap(const SurfaceCurve& stroke, const Feature& featur
   if (!is_positive(options.radius) || !(options.scale == 0 || is_positive(options.scale)))
     throw ContractError("radius and scale of snapping must be finite and positive");
   if (options.iterations < 1) throw ContractError("snapping needs at least one iteration");
-  if (has_values(feature.kind) && feature.values.size() != surface_.vertex_count())
+  if (has_values(feature.kind) && feature.values.size() != work_->surface.vertex_count())
     throw ContractError("a value per vertex is needed to snap to");
-  return Snapping(surface_, picker_, builder_, rough_, stroke, feature, options).run();
+  return Snapping(work_->surface, work_->picker, work_->builder, work_->rough, stroke, feature, options)
+      .run();
 }
 
 }  // namespace burin

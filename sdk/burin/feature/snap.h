@@ -1,12 +1,11 @@
 #pragma once
-#include <burin/chart/stroke_chart_builder.h>
+#include <burin/feature/chart_grid.h>
 #include <burin/feature/feature.h>
-#include <burin/feature/level_image.h>
-#include <burin/feature/rough_chart.h>
 #include <burin/stroke/curve.h>
 #include <burin/surface/picker.h>
 #include <burin/surface/surface.h>
 
+#include <memory>
 #include <vector>
 
 namespace burin {
@@ -65,11 +64,15 @@ struct SnapResult {
 /// a smoothing spline weighs them by their precision. The chart takes the path back to the surface; another
 /// chart around the result repeats it. Where the path does not stand out from the noise the stroke stays as
 /// it is, to the bit. Holds memory in proportion to the surface; a call costs O(n log n) for n vertices in
-/// reach. The result has the same bits on any number of threads. One thread at a time.
+/// reach, so that it may be called while the pen draws, with the stroke so far. The result has the same bits
+/// on any number of threads. One thread at a time.
 class StrokeSnapper {
  public:
   /// Surface and picker must outlive the object and must not change. Throws ContractError for a point set.
   StrokeSnapper(const Surface& surface, const Picker& picker);
+  ~StrokeSnapper();
+  StrokeSnapper(StrokeSnapper&&) noexcept;
+  StrokeSnapper& operator=(StrokeSnapper&&) noexcept;
 
   /// The stroke's curve must lie on the surface itself, not on a base surface. Throws ContractError for a
   /// curve without points, a radius or scale that is not finite or positive, fewer than one iteration, or
@@ -77,10 +80,8 @@ class StrokeSnapper {
   SnapResult snap(const SurfaceCurve& stroke, const Feature& feature, const SnapOptions& options);
 
  private:
-  const Surface& surface_;
-  const Picker& picker_;
-  StrokeChartBuilder builder_;
-  RoughCharter rough_;
+  struct Work;
+  std::unique_ptr<Work> work_;
 };
 
 }  // namespace burin

@@ -116,15 +116,20 @@ double quantile(std::vector<double> values, double share) {
 
 class CadCurves : public ::testing::TestWithParam<CadModel> {};
 
+/// Meshes a geometry of Gmsh.
+CurveMesh meshed(CommandFolder& folder, const std::string& geometry) {
+  const std::string msh = folder.path("a.msh");
+  const ProcessResult made =
+      run_process({"gmsh", "-2", "-format", "msh2", "-o", msh, folder.write("a.geo", geometry), "-v", "2"});
+  EXPECT_EQ(made.exit_code, 0) << made.out << made.err;
+  return read_curve_mesh(msh);
+}
+
 TEST_P(CadCurves, AreFoundExactly) {
   if (!is_installed("gmsh")) GTEST_SKIP() << not_installed("gmsh");
   const CadModel& model = GetParam();
   CommandFolder folder;
-  const std::string msh = folder.path("a.msh");
-  const ProcessResult made = run_process(
-      {"gmsh", "-2", "-format", "msh2", "-o", msh, folder.write("a.geo", model.geometry), "-v", "2"});
-  ASSERT_EQ(made.exit_code, 0) << made.out << made.err;
-  const CurveMesh cad = read_curve_mesh(msh);
+  const CurveMesh cad = meshed(folder, model.geometry);
   const std::vector<Vec3d> curve = chain(cad, model);
   ASSERT_GT(curve.size(), 45u);
 
@@ -160,6 +165,38 @@ TEST_P(CadCurves, AreFoundExactly) {
     EXPECT_TRUE(std::ranges::any_of(
         samples, [&](const Sample& sample) { return (sample.position - corner).norm() < 1e-4; }))
         << "the corner " << corner.transpose();
+}
+
+TEST(CadFillet, IsARidgeAlongItsMiddle) {
+  if (!is_installed("gmsh")) GTEST_SKIP() << not_installed("gmsh");
+  // A quarter of a cylinder of radius 0.4 about x = 1.6, z = 0.4 between two planes. A stroke along it swings
+  // between 6 and 18 degrees beside its middle.
+  constexpr double edge = 0.06, radius = 0.4;
+  CommandFolder folder;
+  const CurveMesh cad = meshed(folder,
+                               "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 2, 5, 2};\n"
+                               "Fillet{1}{8}{0.4}\nMeshSize{:} = 0.06;\n");
+  std::string text =
+      "{\"burin_stroke\":1,\"space\":\"object\"}\n{\"begin\":{\"radius\":0.9},\"fields\":[\"x\",\"y\","
+      "\"z\"]}\n";
+  for (int i = 0; i <= 40; ++i) {
+    const double angle = (57 + 6 * std::sin(i / 3.)) * pi / 180;
+    text += fmt::format("[{},{},{}]\n", 1.6 + radius * std::sin(angle), 1.2 + 2.6 * i / 40,
+                        radius - radius * std::cos(angle));
+  }
+  const std::string out = folder.path("out.stroke");
+  const auto report = burin_json({"snap", folder.write("a.stroke", text + "{\"end\":true}\n"), "--mesh",
+                                  folder.write("a.obj", obj_text(cad.mesh)), "--feature", "ridge", "--scale",
+                                  "0.2", "--out", out});
+  EXPECT_GT(report["strokes"][0]["snapped_share"], 0.95) << report.dump();
+  std::vector<double> errors;
+  for (const Sample& sample : read_strokes(out).strokes[0].samples) {
+    const double angle = std::atan2(sample.position.x() - 1.6, radius - sample.position.z());
+    errors.push_back(std::abs(angle - pi / 4) * radius / edge);
+  }
+  std::cout << "median " << quantile(errors, 0.5) << ", p95 " << quantile(errors, 0.95) << " edges\n";
+  EXPECT_LT(quantile(errors, 0.5), 0.1);
+  EXPECT_LT(quantile(errors, 0.95), 0.25);
 }
 
 /// The rim of a box whose lower right edge has a fillet, in the plane y = 0.
