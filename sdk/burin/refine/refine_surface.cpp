@@ -313,7 +313,7 @@ void Refinement::flip_on_facets() {
 }
 
 void Refinement::flip_around(bool only_in_plane) {
-  std::array<Side, 4> outer;
+  std::array<Side, 4> outer{};
   while (!to_flip_.empty()) {
     const Side side = to_flip_.back();
     to_flip_.pop_back();

@@ -125,10 +125,10 @@ void RegionMesh::flip(Side side, std::array<Side, 4>& outer) {
   outer = {3 * f, 3 * f + 1, 3 * q, 3 * q + 1};
   const auto moved = [&](Side at) {
     const auto found = std::ranges::find(old, at);
-    return found == old.end() ? at : outer[found - old.begin()];
+    return found == old.end() ? at : outer[static_cast<std::size_t>(found - old.begin())];
   };
-  std::array<Side, 4> nexts, lasts;
-  std::array<bool, 4> sharps;
+  std::array<Side, 4> nexts{}, lasts{};
+  std::array<bool, 4> sharps{};
   for (std::size_t i = 0; i < 4; ++i) {
     nexts[i] = next(old[i]);
     lasts[i] = previous(old[i]);

@@ -24,8 +24,8 @@ class RegionMesh {
   RegionMesh(const Surface& surface, std::span<const Vec3f> given) : surface_(&surface), given_(given) {}
 
   struct Face {
-    Triangle corners;             ///< vertices of the mesh
-    std::array<Side, 3> next;     ///< [side] the next of the ring; no_index where it is not known yet
+    Triangle corners{};           ///< vertices of the mesh
+    std::array<Side, 3> next{};   ///< [side] the next of the ring; no_index where it is not known yet
     std::array<bool, 3> sharp{};  ///< [side] once the ring is known: see is_sharp()
     TriangleUv uv{};              ///< if the surface has them
     Index origin = no_index;      ///< a triangle of the surface that it came of, or is near to
