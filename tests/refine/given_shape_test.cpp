@@ -52,7 +52,7 @@ TEST(GivenShape, AreWideInRowsOfSliversOnly) {
 struct Patched {
   Patched(const Surface& before, const GivenShape& shape, const EdgeLength& lengths,
           std::span<const Index> seeds)
-      : made(refine_surface(before, lengths, seeds, 100'000, shape.positions())),
+      : made(refine_surface(before, lengths, seeds, 100'000, shape.positions(before))),
         after(patched(before, made.patch)) {}
   bool is_new(Index v, const Surface& before) const { return after.came_from[v] >= before.vertex_count(); }
 
@@ -66,8 +66,8 @@ TEST(GivenShape, HasTheGapsThatPatchesLeave) {
   const EdgeLength lengths({straight({0.5, 0.5, 1}, {1.5, 0.5, 1})}, 0.1, 0.05);
   const Patched made(surface, given, lengths, std::array<Index, 2>{4, 5});
   const auto& [after, came_from] = made.after;
-  const GivenShape refined = given.patched(after, came_from, made.made.given, GivenShape::Fresh::refined),
-                   solid = given.patched(after, came_from, {}, GivenShape::Fresh::solid), anew(after);
+  const GivenShape refined = given.patched(after, came_from, made.made.given),
+                   solid = given.patched(after, came_from, {}), anew(after);
   std::size_t fresh = 0;
   for (Index v = 0; v < after.vertex_count(); ++v) {
     EXPECT_EQ(refined.is_refined(v), made.is_new(v, surface));
@@ -93,9 +93,8 @@ TEST(GivenShape, KeepsWhatWasDrawnFromLookingCoarse) {
   for (Index i = 0; i < seeds.size(); ++i) seeds[i] = i;
   const Patched made(surface, given, lengths, seeds), stretched(surface, GivenShape(surface), lengths, seeds);
   EXPECT_LT(2 * made.made.patch.triangles.size(), stretched.made.patch.triangles.size());
-  const GivenShape refined =
-      given.patched(made.after.surface, made.after.came_from, made.made.given, GivenShape::Fresh::refined);
-  const std::span<const Vec3f> flat = refined.positions();
+  const GivenShape refined = given.patched(made.after.surface, made.after.came_from, made.made.given);
+  const std::span<const Vec3f> flat = refined.positions(made.after.surface);
   const Surface& after = made.after.surface;
   std::size_t fresh = 0, within = 0;
   for (Index v = 0; v < after.vertex_count(); ++v) {

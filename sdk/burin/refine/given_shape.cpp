@@ -55,7 +55,7 @@ void GivenShape::keep_positions(const Surface& surface) {
 }
 
 GivenShape GivenShape::patched(const Surface& after, std::span<const Index> came_from,
-                               std::span<const Vec3f> given, Fresh fresh) const {
+                               std::span<const Vec3f> given) const {
   const auto old_count = static_cast<Index>(gaps_.size());
   GivenShape made;
   made.gaps_.resize(came_from.size());
@@ -78,7 +78,7 @@ GivenShape GivenShape::patched(const Surface& after, std::span<const Index> came
     };
     for (auto vertex = static_cast<Index>(begin); vertex < end; ++vertex) {
       if (is_new(vertex)) {
-        made.gaps_[vertex] = fresh == Fresh::refined ? -measured(vertex) : measured(vertex);
+        made.gaps_[vertex] = given.empty() ? measured(vertex) : -measured(vertex);
         continue;
       }
       const float before = gaps_[came_from[vertex]];

@@ -30,16 +30,16 @@ class GivenShape {
   /// others may have to refine. 12 bytes a vertex.
   void keep_positions(const Surface& surface);
 
-  /// [vertex] where it was, object units; empty if nothing is kept: where it is.
-  std::span<const Vec3f> positions() const { return positions_; }
+  /// [vertex] where it was on this surface, object units; if nothing is kept, where it is.
+  std::span<const Vec3f> positions(const Surface& surface) const {
+    return positions_.empty() ? surface.positions : positions_;
+  }
 
-  /// What new vertices are.
-  enum class Fresh { refined, solid };
-
-  /// That of the surface after a patch. `came_from`: see PatchedSurface; `given`: [new vertex] where it would
-  /// be on the surface as it was given; empty: where it is. Gaps at old vertices may become less.
-  GivenShape patched(const Surface& after, std::span<const Index> came_from, std::span<const Vec3f> given,
-                     Fresh fresh) const;
+  /// That of the surface after a patch. `came_from`: see PatchedSurface; `given`: [new vertex] of a
+  /// refinement, where it would be on the surface as it was given; empty for other patches, whose vertices
+  /// are given where they are. Gaps at old vertices may become less.
+  GivenShape patched(const Surface& after, std::span<const Index> came_from,
+                     std::span<const Vec3f> given) const;
 
  private:
   GivenShape() = default;
@@ -50,11 +50,18 @@ class GivenShape {
   float greatest_ = 0;
 };
 
-/// The squared length by which an edge is judged, from its length as it was given and as it is: what is drawn
+/// The squared length by which an edge is judged, from its length as it is and as it was given: what is drawn
 /// can make edges longer, and solids are joined to what was drawn.
 inline double judged_squared(const Vec3d& from, const Vec3d& to, const Vec3d& given_from,
                              const Vec3d& given_to) {
   return std::min((to - from).squaredNorm(), (given_to - given_from).squaredNorm());
+}
+
+/// The same of the edge between two vertices; both spans: [vertex] positions.
+inline double judged_squared(std::span<const Vec3f> positions, std::span<const Vec3f> given, Index a,
+                             Index b) {
+  return judged_squared(positions[a].cast<double>(), positions[b].cast<double>(), given[a].cast<double>(),
+                        given[b].cast<double>());
 }
 
 }  // namespace burin

@@ -25,7 +25,7 @@ namespace {
 class LongEdges {
  public:
   LongEdges(const Surface& surface, const EdgeLength& lengths, std::span<const Vec3f> given)
-      : surface_(surface), lengths_(lengths), given_(given.empty() ? surface.positions : given) {}
+      : surface_(surface), lengths_(lengths), given_(given) {}
 
   template <class Found>
   void find(std::span<const Index> seeds, const Found& found) {
@@ -38,8 +38,7 @@ class LongEdges {
       for (std::size_t k = 0; k < 3; ++k) {
         const Index a = t[k], b = t[(k + 1) % 3];
         const Vec3d from = position(a), to = position(b);
-        const double length =
-            std::sqrt(judged_squared(from, to, given_[a].cast<double>(), given_[b].cast<double>()));
+        const double length = std::sqrt(judged_squared(surface_.positions, given_, a, b));
         goes_on |= allowed(a) <= lengths_.edge() || length > nearly * std::min(allowed(a), allowed(b));
         is_long |= lengths_.is_exceeded(from, allowed(a), to, allowed(b), length, longest_edge_factor);
       }
@@ -370,7 +369,7 @@ SurfaceRefinement Refinement::made() const {
 SurfaceRefinement refine_surface(const Surface& surface, const EdgeLength& lengths,
                                  std::span<const Index> seeds, std::size_t most_triangles,
                                  std::span<const Vec3f> given) {
-  Refinement refinement(surface, lengths, given, most_triangles);
+  Refinement refinement(surface, lengths, given.empty() ? surface.positions : given, most_triangles);
   refinement.run(seeds);
   return refinement.made();
 }

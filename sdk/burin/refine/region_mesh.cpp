@@ -10,11 +10,9 @@ namespace burin {
 
 Index RegionMesh::vertex_of(Index source) {
   const auto [at, is_new] = vertex_of_.try_emplace(source, static_cast<Index>(vertices_.size()));
-  if (is_new) {
-    const Vec3d place = surface_->positions[source].cast<double>();
-    vertices_.push_back(
-        {place, given_.empty() ? place : given_[source].cast<double>(), source, is_crowded(source)});
-  }
+  if (is_new)
+    vertices_.push_back({surface_->positions[source].cast<double>(), given_[source].cast<double>(), source,
+                         is_crowded(source)});
   return at->second;
 }
 

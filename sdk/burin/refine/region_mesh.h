@@ -19,8 +19,8 @@ using Side = Index;
 /// an edge form a ring, on a border of one side.
 class RegionMesh {
  public:
-  /// `given`: [vertex] where vertices of the surface were before it was drawn on; empty: where they are. Both
-  /// must outlive the object.
+  /// `given`: [vertex] where vertices of the surface were before it was drawn on. Both must outlive the
+  /// object.
   RegionMesh(const Surface& surface, std::span<const Vec3f> given) : surface_(&surface), given_(given) {}
 
   struct Face {

@@ -119,9 +119,9 @@ Coarseness coarseness(const StrokeGround& ground, const StrokeSettings& settings
   return was_refined ? Coarseness::refined : Coarseness::fine;
 }
 
-/// The positions by which a stroke judges the lengths of edges; empty: where they are.
+/// The positions by which a stroke judges the lengths of edges.
 std::span<const Vec3f> judged_positions(const StrokeGround& ground, const StrokeSettings& settings) {
-  return is_automatic(settings) ? ground.given.positions() : std::span<const Vec3f>{};
+  return is_automatic(settings) ? ground.given.positions(ground.surface) : ground.surface.positions;
 }
 
 /// Whether such a vertex has an edge for which the surface is refined.
@@ -129,14 +129,10 @@ template <class IsWithin>
 bool has_long_edge(const StrokeGround& ground, const StrokeSettings& settings,
                    std::span<const Index> triangles, NearVertices& near, const IsWithin& is_within) {
   const double longest = longest_edge_factor * refined_edge(settings);
-  const std::vector<Vec3f>& positions = ground.surface.positions;
-  const std::span<const Vec3f> judged = judged_positions(ground, settings);
-  const std::span<const Vec3f> given = judged.empty() ? positions : judged;
-  const auto place = [](const Vec3f& at) { return at.cast<double>(); };
+  const std::span<const Vec3f> given = judged_positions(ground, settings);
   return near.any(ground.surface, triangles, is_within, [&](Index a) {
     return std::ranges::any_of(ground.surface.neighbours[a], [&](Index b) {
-      return judged_squared(place(positions[a]), place(positions[b]), place(given[a]), place(given[b])) >
-             longest * longest;
+      return judged_squared(ground.surface.positions, given, a, b) > longest * longest;
     });
   });
 }

@@ -122,7 +122,7 @@ void SculptedSurface::keep(MadePart made) {
 }
 
 void SculptedSurface::replace(PaintedPatch made) {
-  GivenShape given = given_.patched(made.painted.surface, made.came_from, {}, GivenShape::Fresh::solid);
+  GivenShape given = given_.patched(made.painted.surface, made.came_from, {});
   Replaced replaced = exchange(std::move(made.painted), std::move(given));
   const bool refined = is_refined();
   UndoStep step = step_to(std::move(refined ? *unrefined_ : replaced));
@@ -134,8 +134,7 @@ void SculptedSurface::replace(PaintedPatch made) {
 }
 
 void SculptedSurface::refine(PaintedPatch made, std::span<const Vec3f> given_places) {
-  GivenShape given =
-      given_.patched(made.painted.surface, made.came_from, given_places, GivenShape::Fresh::refined);
+  GivenShape given = given_.patched(made.painted.surface, made.came_from, given_places);
   Replaced replaced = exchange(std::move(made.painted), std::move(given));
   if (!unrefined_) unrefined_ = std::move(replaced);
 }
