@@ -42,8 +42,7 @@ struct ListedEvent {
 
 Named named_in(const JsonValue& json, const Names& names) {
   for (std::size_t rank = 0; rank < names.size(); ++rank)
-    if (const auto found = names[rank].empty() ? std::nullopt : json.find(std::string(names[rank]));
-        found && !found->is_null())
+    if (const auto found = names[rank].empty() ? std::nullopt : told(json, names[rank]))
       return {found->number(), rank};
   return {};
 }
@@ -66,8 +65,7 @@ ListedEvent event_of(const JsonValue& json) {
   for (std::size_t i = 0; i < pointer_channels.size(); ++i)
     event.channels[i] = named_in(json, pointer_channels[i].names);
   const auto number = [&](std::string_view name, std::optional<double>& value) {
-    const auto found = json.find(std::string(name));
-    if (found && !found->is_null()) value = found->number();
+    if (const auto found = told(json, name)) value = found->number();
   };
   number("pointerId", event.pointer);
   number("buttons", event.buttons);

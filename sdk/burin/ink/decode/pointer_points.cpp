@@ -180,10 +180,15 @@ PenStroke PlainStroke::finish() {
 
 }  // namespace
 
+std::optional<JsonValue> told(const JsonValue& value, std::string_view name) {
+  auto found = value.find(std::string(name));
+  return found && !found->is_null() ? found : std::nullopt;
+}
+
 std::optional<JsonValue> channel_of(const JsonValue& value, const PointerChannel& channel) {
   for (const std::string_view name : channel.names)
     if (!name.empty())
-      if (auto found = value.find(std::string(name)); found && !found->is_null()) return found;
+      if (auto found = told(value, name)) return found;
   return std::nullopt;
 }
 

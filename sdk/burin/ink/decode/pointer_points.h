@@ -18,6 +18,9 @@ struct PointerChannel {
 extern const std::array<PointerChannel, 5> pointer_channels;
 inline constexpr std::size_t pressure_channel = 1, tilt_x_channel = 2, tilt_y_channel = 3;
 
+/// The member of a value that has this name, unless it is null.
+std::optional<JsonValue> told(const JsonValue& value, std::string_view name);
+
 /// The member of a value that gives it a channel; null is none.
 std::optional<JsonValue> channel_of(const JsonValue& value, const PointerChannel& channel);
 

@@ -28,20 +28,15 @@ bool has_reported_pressure(const JsonValue& value) {
   return value.find(std::string(reported_pressure)).has_value();
 }
 
-std::optional<JsonValue> angle_of(const JsonValue& value, std::string_view name) {
-  auto found = value.find(std::string(name));
-  return found && !found->is_null() ? found : std::nullopt;
-}
-
 /// Gives the points of a stroke without tilts those that all of them tell by other angles.
 void tilt_by_angles(const std::vector<JsonValue>& points, PenStroke& stroke) {
   const auto tells = [](const JsonValue& point) {
-    return angle_of(point, altitude_name) && angle_of(point, azimuth_name);
+    return told(point, altitude_name) && told(point, azimuth_name);
   };
   if (stroke.fields.tilt || !std::ranges::all_of(points, tells)) return;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto tilts =
-        tilts_of(angle_of(points[i], altitude_name)->number(), angle_of(points[i], azimuth_name)->number());
+        tilts_of(told(points[i], altitude_name)->number(), told(points[i], azimuth_name)->number());
     pointer_channels[tilt_x_channel].set(stroke.samples[i], tilts[0]);
     pointer_channels[tilt_y_channel].set(stroke.samples[i], tilts[1]);
   }
