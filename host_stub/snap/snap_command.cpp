@@ -4,6 +4,7 @@
 #include <burin/stroke/move_origin.h>
 #include <burin/stroke/sample_times.h>
 #include <burin/subdiv/refined_creases.h>
+#include <burin/surface/source_numbers.h>
 #include <burin/surface/vertex_scalar.h>
 #include <fmt/format.h>
 
@@ -94,11 +95,10 @@ std::vector<float> values_of(const SnapCommandOptions& options, const LoadedSurf
 /// The creases of a cage as edges of the surface that it was refined to; see Feature::creases.
 std::vector<std::array<Index, 2>> in_surface_order(std::vector<std::array<Index, 2>> edges,
                                                    const Surface& surface) {
-  std::vector<Index> vertex_of(surface.vertex_count());
-  for (Index vertex = 0; vertex < surface.vertex_count(); ++vertex)
-    vertex_of[surface.source_vertex[vertex]] = vertex;
+  if (edges.empty()) return edges;
+  const std::vector<Index> number = numbers_of_source(surface);
   for (auto& [a, b] : edges) {
-    const auto [least, most] = std::minmax({vertex_of[a], vertex_of[b]});
+    const auto [least, most] = std::minmax({number[a], number[b]});
     a = least;
     b = most;
   }

@@ -3,6 +3,7 @@
 #include <burin/subdiv/refine.h>
 #include <burin/subdiv/refined_creases.h>
 #include <burin/surface/mesh_file.h>
+#include <burin/surface/source_numbers.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -102,11 +103,10 @@ std::vector<Vec3d> pen_beside(const RefinedCrease& crease) {
 std::vector<double> errors_at(const PolygonMesh& cage, float sharpness, int level, FeatureKind kind) {
   const RefinedCrease crease = refined(cage, sharpness, level);
   SnapScene scene(crease.mesh);
-  std::vector<Index> vertex_of(scene.surface.vertex_count());
-  for (Index v = 0; v < scene.surface.vertex_count(); ++v) vertex_of[scene.surface.source_vertex[v]] = v;
+  const std::vector<Index> number = numbers_of_source(scene.surface);
   std::vector<std::array<Index, 2>> creases;
   for (const auto& [a, b] : crease.creases)
-    creases.push_back({std::min(vertex_of[a], vertex_of[b]), std::max(vertex_of[a], vertex_of[b])});
+    creases.push_back({std::min(number[a], number[b]), std::max(number[a], number[b])});
   std::ranges::sort(creases);
   const SnapResult result =
       scene.snap(pen_beside(crease), {.kind = kind, .creases = creases}, {.radius = 10 * crease.edge});

@@ -90,13 +90,18 @@ class CornerSearch {
   }
 
  private:
+  /// The places from one t to another.
+  std::span<const LinePlace> places_between(double from, double to) const {
+    const auto first = std::ranges::lower_bound(places_, from, {}, &LinePlace::t);
+    return {first, std::ranges::upper_bound(first, places_.end(), to, {}, &LinePlace::t)};
+  }
+
   /// The places of a leg to one side of t, away from it.
   std::vector<Vec3d> leg_places(double t, double side) const {
     const double near = t + side * leg_begin * scale_, far = t + side * leg_end * scale_;
-    const auto first = std::ranges::lower_bound(places_, std::min(near, far), {}, &LinePlace::t);
-    const auto last = std::ranges::upper_bound(places_, std::max(near, far), {}, &LinePlace::t);
     std::vector<Vec3d> result;
-    for (auto place = first; place < last; ++place) result.push_back(place->position);
+    for (const LinePlace& place : places_between(std::min(near, far), std::max(near, far)))
+      result.push_back(place.position);
     if (side < 0) std::ranges::reverse(result);
     return result;
   }
@@ -114,17 +119,15 @@ class CornerSearch {
 
   /// Whether the corner is nearer to the places around it than the smoothed line.
   bool is_nearer(const Corner& corner) const {
-    const auto first = std::ranges::lower_bound(places_, corner.t - leg_end * scale_, {}, &LinePlace::t);
-    const auto last = std::ranges::upper_bound(places_, corner.t + leg_end * scale_, {}, &LinePlace::t);
     double of_corner = 0, of_smoothed = 0;
-    for (auto place = first; place < last; ++place) {
+    for (const LinePlace& place : places_between(corner.t - leg_end * scale_, corner.t + leg_end * scale_)) {
       double squared = std::numeric_limits<double>::infinity();
       for (const Leg* leg : {&corner.before, &corner.after}) {
-        const double x = std::max(leg->nearest(place->position), leg->to_corner);
-        squared = std::min(squared, (leg->position(x) - place->position).squaredNorm());
+        const double x = std::max(leg->nearest(place.position), leg->to_corner);
+        squared = std::min(squared, (leg->position(x) - place.position).squaredNorm());
       }
       of_corner += squared;
-      of_smoothed += place->smoothed_away * place->smoothed_away;
+      of_smoothed += place.smoothed_away * place.smoothed_away;
     }
     return of_corner < of_smoothed;
   }
