@@ -121,14 +121,6 @@ TEST(RandomMerges, AreClosedAndDoNotIntersectThemselves) {
   EXPECT_GE(tally.least, 5);
 }
 
-/// The mesh, with its middle at the origin and a diagonal of 4.
-TriangleMesh fitted(TriangleMesh mesh) {
-  Eigen::AlignedBox3f box;
-  for (const Vec3f& p : mesh.positions) box.extend(p);
-  for (Vec3f& p : mesh.positions) p = (p - box.center()) * (4 / box.diagonal().norm());
-  return mesh;
-}
-
 TEST(RandomMerges, DISABLED_TwoHundredStrokes) {
   constexpr std::uint32_t seed = 12;
   std::cout << "seed " << seed << '\n';
@@ -142,7 +134,7 @@ TEST(RandomMerges, DISABLED_TwoHundredStrokes) {
   for (const char* name : {"capsule.obj", "not_convex.obj", "hourglass_ico.obj", "dragon_vrip_res3.ply"}) {
     const auto path = test::shared_data(std::string("meshes/nasty/") + name);
     if (!path) continue;
-    merge_strokes(fitted(triangulate(read_mesh(*path))), 20, 60, false, random).print(name);
+    merge_strokes(test::fitted(triangulate(read_mesh(*path))), 20, 60, false, random).print(name);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "support/shapes.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -102,6 +103,13 @@ TriangleMesh sphere(int levels, double jitter, std::uint32_t seed) {
     const Vec3d move(uniform(random), uniform(random), uniform(random));
     p = (p.cast<double>() + jitter * edge * move).normalized().cast<float>();
   }
+  return mesh;
+}
+
+TriangleMesh fitted(TriangleMesh mesh) {
+  Eigen::AlignedBox3f box;
+  for (const Vec3f& p : mesh.positions) box.extend(p);
+  for (Vec3f& p : mesh.positions) p = (p - box.center()) * (4 / box.diagonal().norm());
   return mesh;
 }
 

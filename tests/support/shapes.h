@@ -29,6 +29,9 @@ TriangleMesh cylinder(double radius, double half_length, double edge, double jit
 /// moved along the sphere by at most `jitter` mean edges.
 TriangleMesh sphere(int levels, double jitter, std::uint32_t seed);
 
+/// The mesh, with its middle at the origin and a diagonal of 4.
+TriangleMesh fitted(TriangleMesh mesh);
+
 /// The mesh with its vertices and triangles in random order.
 TriangleMesh shuffled(const TriangleMesh& mesh, std::uint32_t seed);
 

@@ -6,7 +6,6 @@
 #include <burin/surface/topology/euler.h>
 #include <burin/surface/triangulate.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <iostream>
@@ -128,14 +127,6 @@ class RandomStrokes {
   Session session_;
   Tally tally_;
 };
-
-/// The mesh, with its middle at the origin and a diagonal of 4.
-TriangleMesh fitted(TriangleMesh mesh) {
-  Eigen::AlignedBox3f box;
-  for (const Vec3f& p : mesh.positions) box.extend(p);
-  for (Vec3f& p : mesh.positions) p = (p - box.center()) * (4 / box.diagonal().norm());
-  return mesh;
-}
 
 Tally draw_on(const char* name, TriangleMesh mesh, int strokes, std::uint32_t seed) {
   SCOPED_TRACE(std::string(name) + ", seed " + std::to_string(seed));
