@@ -20,19 +20,19 @@ TEST(RisingThreshold, FindsAllFromTheThresholdOnEachOnce) {
   double threshold = 0;
   std::size_t found_most = 0, falls = 0;
   for (int event = 0; event < 300; ++event) {
-    const bool falls_now = random() % 20 == 0;
-    threshold += falls_now ? -3. : 0.1;
+    // By less than the slack, which adds up, or by more.
+    const bool falls_now = random() % 6 == 0;
+    threshold += !falls_now ? 0.1 : random() % 3 == 0 ? -3. : -0.3;
     falls += falls_now;
     std::vector<Index> changed;
     for (int i = 0; i < 20; ++i) {
       const auto slot = static_cast<Index>(random() % (values.size() + 5));
+      for (auto added = static_cast<Index>(values.size()); added < slot; ++added) changed.push_back(added);
       if (slot >= values.size()) values.resize(slot + 1, std::numeric_limits<double>::quiet_NaN());
       values[slot] = random() % 8 == 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : threshold + static_cast<double>(random() % 100) / 25 - 2;
       changed.push_back(slot);
     }
-    // Slots between are new as well.
-    for (Index slot = 0; slot < values.size(); ++slot) changed.push_back(slot);
     const auto found = tail.find(threshold, changed, static_cast<Index>(values.size()),
                                  [&](Index slot) { return values[slot]; });
     const std::set<Index> once(found.begin(), found.end());
@@ -43,7 +43,7 @@ TEST(RisingThreshold, FindsAllFromTheThresholdOnEachOnce) {
     found_most = std::max(found_most, found.size());
   }
   EXPECT_GT(found_most, 20U);
-  EXPECT_GT(falls, 5U);
+  EXPECT_GT(falls, 20U);
 }
 
 TEST(RisingThreshold, LooksAtWhatChangedOnly) {

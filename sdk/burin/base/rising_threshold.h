@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/base/vector.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -23,7 +24,7 @@ class RisingThreshold {
                               const Value& value) {
     listed_.resize(count);
     const bool falls = threshold < from_;
-    from_ = threshold - slack_;
+    from_ = falls ? threshold - slack_ : std::max(from_, threshold - slack_);
     std::size_t kept = 0;
     for (const Index slot : slots_) {
       listed_[slot] = !falls && value(slot) >= from_;

@@ -114,28 +114,48 @@ TEST(Visits, AreThoseOfEachRoundOfAClosedStroke) {
   }
 }
 
-// Samples that stay are of the visits that they were of, unless what told it has changed.
-TEST(Visits, StayWhateverComesAfterWhatTold) {
-  const std::vector<Vec2d> places = hairpin(0.6);
-  const Vec3f x(3.6F, 0.2F, 0);
-  std::size_t open = 0, cut = 0;
-  for (std::size_t count = 60; count + 1 < places.size(); ++count) {
+/// How many visits were met that were final, and that more samples could have cut.
+struct Met {
+  std::size_t cut = 0, open = 0;
+};
+
+/// Lets a stroke grow from `least` places on. Expects that samples that stay are of the visits to x that they
+/// were of, unless what told it has changed; looks at the visit of the sample `first`.
+Met expect_to_stay(const std::vector<Vec2d>& places, std::size_t least, const Vec3f& x, Index first) {
+  Met met;
+  for (std::size_t count = least; count + 1 < places.size(); ++count) {
     const StrokeSamples before =
         samples_of({places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count)});
     const StrokeSamples after =
         samples_of({places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count) + 1});
-    const Index stay = before.size() - 1, first = 24;
+    const Index stay = before.size() - 1;
     const Visit was = Visits(before, x, Vec3f::UnitZ()).find(first, 0).visit;
     const Visit is = Visits(after, x, Vec3f::UnitZ()).find(first, 0).visit;
     EXPECT_EQ(is.begin, was.begin);
-    open += was.decided_by == before.size() ? 1 : 0;
-    cut += was.ends ? 1 : 0;
+    met.open += was.decided_by == before.size() ? 1 : 0;
+    met.cut += was.ends ? 1 : 0;
     if (was.decided_by == no_index || was.decided_by < stay) {
       EXPECT_EQ(std::min(is.begin + is.length, stay), std::min(was.begin + was.length, stay)) << count;
     }
   }
-  EXPECT_GT(open, 0U);
-  EXPECT_GT(cut, 20U);
+  return met;
+}
+
+TEST(Visits, StayWhateverComesAfterWhatTold) {
+  const Met met = expect_to_stay(hairpin(0.6), 60, {3.6F, 0.2F, 0}, 24);
+  EXPECT_GT(met.open, 0U);
+  EXPECT_GT(met.cut, 20U);
+}
+
+// A visit that has all samples so far may still be cut by the next one.
+TEST(Visits, StayWhereAllOfTheStrokeIsInReach) {
+  std::vector<Vec2d> circle;
+  for (int i = 0; i < 40; ++i)
+    circle.emplace_back(0.4 * std::cos(0.05 * std::numbers::pi * i),
+                        0.4 * std::sin(0.05 * std::numbers::pi * i));
+  const Met met = expect_to_stay(circle, 4, {0.3F, 0.1F, 0}, 0);
+  EXPECT_GT(met.open, 0U);
+  EXPECT_GT(met.cut, 5U);
 }
 
 // Visits are separated only at samples where the stroke may turn.

@@ -51,7 +51,7 @@ Visit Visits::from(Index begin, Index most) const {
   for (;; ++length) {
     const float turn = least_turn * samples_->disc(at);
     const bool went_away = high - low >= turn, comes_back = went_away && last < high;
-    if (length == most) return {begin, length, true, decided_by};
+    if (samples_->closed() && length == most) return {begin, length, true, decided_by};
     if (++at == count) {
       if (!samples_->closed()) return {begin, length, false, comes_back ? count : decided_by};
       at = 0;
