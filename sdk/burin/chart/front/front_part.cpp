@@ -157,7 +157,8 @@ void FrontPart::settle_gathered() {
     const GroundVertex vertex{node.position, node.normal, node.gauss};
     const auto [frame, depends_to] = mended_frame(*stroke_, vertex, upwind.frames[i]);
     node.contested = upwind.contested[i] || !(frame == upwind.frames[i]);
-    node.depends_to = std::max(node.depends_to, static_cast<float>(depends_to));
+    node.depends_to =
+        std::max(node.depends_to, static_cast<float>(std::max(depends_to, upwind.depends_to[i])));
     settle(gathered_[i], frame);
   }
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
 namespace burin {
 namespace {
@@ -42,9 +41,7 @@ UpwindFrames::End UpwindFrames::find_end(double t, float outward, bool round) co
   end.least = unreached;
   for (std::size_t i = 0; i < most_edges_; ++i) {
     const Edges& edges = edges_[i];
-    // However a step turns, it does not go farther.
-    constexpr float quarter = std::numbers::pi_v<float> / 2;
-    const Lanes before = outward * (edges.t - end.t), reach = quarter * edges.length / edges.stretch;
+    const Lanes before = outward * (edges.t - end.t), reach = reach_of(edges);
     end.most = end.most.max(before + reach);
     end.least = end.least.min(before - reach);
   }

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace burin {
 namespace {
@@ -135,6 +136,19 @@ void UpwindFrames::walk_exactly(Edges& edges, Eigen::Index lane) const {
   edges.v[lane] = step.y();
   edges.length[lane] = chord.norm();
   edges.carried.set(lane, e1);
+}
+
+UpwindFrames::Lanes UpwindFrames::reach_of(const Edges& edges) {
+  constexpr float quarter = std::numbers::pi_v<float> / 2;
+  return quarter * edges.length / edges.stretch;
+}
+
+/// The greatest t at which an edge may place its node, relative to the node's origin. Edges are held against
+/// the stroke there, and against its end.
+UpwindFrames::Lanes UpwindFrames::farthest_t() const {
+  Lanes farthest = edges_[0].t + reach_of(edges_[0]);
+  for (std::size_t i = 1; i < most_edges_; ++i) farthest = farthest.max(edges_[i].t + reach_of(edges_[i]));
+  return farthest;
 }
 
 /// An edge along the geodesic from the stroke knows most of x; what it has to add for its way across is what
@@ -317,6 +331,7 @@ UpwindFrames::Frames UpwindFrames::second_order(const Ends& ends) {
 UpwindFrames::Result UpwindFrames::compute() {
   fill_up();
   for (std::size_t i = 0; i < most_edges_; ++i) walk(edges_[i]);
+  const Lanes farthest = farthest_t();
   const Ends ends = find_ends();
   const LaneFlags left_out = keep_agreeing(ends.near);
   const Frames found = order_ == 1 ? first_order() : second_order(ends);
@@ -326,6 +341,7 @@ UpwindFrames::Result UpwindFrames::compute() {
     result.frames[lane] = {origin_[lane] + static_cast<double>(found.t[l]), found.d[l], found.e1.get(l),
                            found.shapes.curvature[l], found.shapes.stretch[l]};
     result.contested[lane] = found.focal[lane] || left_out[lane];
+    result.depends_to[lane] = origin_[lane] + static_cast<double>(farthest[l]) + path_->spacing();
   }
   return result;
 }

@@ -56,6 +56,8 @@ class UpwindFrames {
     /// Whether coordinates around the node are others than its frame goes on to: frames of other parts of the
     /// stroke meet it there, or lines of constant d turn within an edge.
     LaneFlags contested{};
+    /// The arc length beyond which the stroke has no say in the frame, object units.
+    std::array<double, capacity> depends_to{};
   };
 
   /// Each node has at least one edge.
@@ -156,6 +158,9 @@ class UpwindFrames {
   // (2) Steps from q to x.
   void walk(Edges& edges) const;
   void walk_exactly(Edges& edges, Eigen::Index lane) const;
+  /// How far along the stroke the edges may lead: however a step turns, it does not go farther.
+  static Lanes reach_of(const Edges& edges);
+  Lanes farthest_t() const;
   // (3) How near the ends of the stroke are, and the rays of edges that are beyond one.
   Ends find_ends();
   End find_end(double t, float outward, bool round) const;

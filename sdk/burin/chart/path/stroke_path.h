@@ -27,6 +27,7 @@ class StrokePath {
 
   bool closed() const { return closed_; }
   double length() const { return length_; }
+  double spacing() const { return spacing_; }  ///< what is told of t depends on no more beyond it
 
   /// Geodesic curvature of the stroke at t, clamped to its ends; 1 / length, left positive.
   float curvature(double t) const {
