@@ -180,7 +180,7 @@ struct TwoCharts {
     growing.builder.begin(options);
     CurveTracer tracer(CurveGround(growing.surface, growing.picker, growing.builder.base()), options.radius);
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      const auto at = growing.picker.closest(samples[i].cast<float>(), 0.1F);
+      const auto at = growing.picker.closest(samples[i].cast<float>(), 0.5F);
       ASSERT_TRUE(at.has_value());
       const std::size_t unchanged = tracer.final_points();
       tracer.add(*at, static_cast<double>(i) / 240, {});
@@ -254,6 +254,46 @@ TEST(DrawnStrokes, GrowBitForBitWithSparseSamples) {
     charts.expect_same(samples, on_long_triangles, 1);
     if (testing::Test::HasFailure()) FAIL() << "stroke " << stroke << ", seed " << seed;
   }
+}
+
+/// Leaning towers on a plane, as strokes over strokes build them: two to ten edges high, on bases that are
+/// five edges wide.
+TriangleMesh towers(std::uint32_t seed) {
+  TriangleMesh mesh = test::plane(1.05, 0.02, seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> share(0, 1);
+  const auto centred = [&] { return static_cast<float>(share(random) - 0.5); };
+  for (int tower = 0; tower < 100; ++tower) {
+    const float y = centred(), x = centred();
+    const auto height = static_cast<float>(8 * 0.02 * (0.3 + share(random)));
+    const float lean_y = centred(), lean_x = centred();
+    for (Vec3f& p : mesh.positions) {
+      const float inside = 1 - (p.head<2>() - Vec2f(x, y)).squaredNorm() / (0.05F * 0.05F);
+      if (inside > 0) p += height * inside * inside * Vec3f(lean_x, lean_y, 1);
+    }
+  }
+  return mesh;
+}
+
+// Along steep flanks t is stretched so much that frames are held against parts of the stroke, or its end,
+// that are far from the vertex.
+TEST(DrawnStrokes, GrowBitForBitOverTowers) {
+  TwoCharts charts(towers(4));
+  const ChartOptions options{.radius = 0.4, .follow = all_relief};
+  charts.expect_same({{-0.145155704892441, 0.13736013817072, 0},
+                      {0.018283421884823, -0.12934130431979, 0},
+                      {0.255182314575607, -0.32346012707581, 0},
+                      {0.290731144272845, -0.08515054883756, 0},
+                      {0.309907558905630, -0.07940965363418, 0},
+                      {0.411929222614827, -0.32967277724158, 0}},
+                     options, 1);
+  charts.expect_same({{-0.186519196199394, 0.181197586998582, 0},
+                      {0.066378614079915, 0.132007325461959, 0},
+                      {0.242968258389168, 0.176115033532764, 0},
+                      {0.265313148836539, -0.090992926696720, 0},
+                      {0.244998045198957, 0.122970263770248, 0},
+                      {0.066277399474837, 0.115062771069679, 0}},
+                     options, 1);
 }
 
 /// The rectangle from (-1.5, -0.5) with so many columns and rows of squares, all cut along the same diagonal.
