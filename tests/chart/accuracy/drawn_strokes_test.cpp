@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <set>
 #include <string>
 
 #include "support/charted.h"
@@ -170,6 +171,14 @@ TEST(DrawnStrokes, HaveExactDistancesAtTheBrushesOwnScale) {
   expect_right(all);
 }
 
+/// Expects that the last event computed all nodes from the arc length on that it tells.
+void expect_all_computed(const LiveChart& live) {
+  const std::set<Index> computed(live.computed().begin(), live.computed().end());
+  for (Index slot = 0; slot < live.nodes().size(); ++slot)
+    if (!live.vacant(slot) && live.nodes().t[slot] >= live.computed_from())
+      ASSERT_TRUE(computed.contains(slot)) << "t " << live.nodes().t[slot];
+}
+
 /// Two builders on the same mesh.
 struct TwoCharts {
   explicit TwoCharts(const TriangleMesh& mesh) : growing(mesh), fresh(mesh) {}
@@ -184,7 +193,9 @@ struct TwoCharts {
       ASSERT_TRUE(at.has_value());
       const std::size_t unchanged = tracer.final_points();
       tracer.add(*at, static_cast<double>(i) / 240, {});
-      const Chart grown = growing.builder.draw(tracer.curve(), unchanged).sorted();
+      const LiveChart& live = growing.builder.draw(tracer.curve(), unchanged);
+      expect_all_computed(live);
+      const Chart grown = live.sorted();
       if (i % every != every - 1 && i + 1 != samples.size()) continue;
       test::expect_same(grown, fresh.builder.chart(tracer.curve(), options));
       if (testing::Test::HasFailure()) FAIL() << "after sample " << i;

@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-constexpr double before_all = -std::numeric_limits<double>::infinity();
+constexpr double beyond_all = std::numeric_limits<double>::infinity(), before_all = -beyond_all;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ void LegTransfer::update(const LegCharts& charts, const SurfaceCurve& curve, con
   // The vertices of a cluster lie less than a radius before or after its node.
   const double same_below = charts.same_below() - options.radius;
   // Joins may compute any arc length anew, and no arc length is known from which on they compute all.
-  vertices.begin_event(curve.length(), curve.closed, same_below > 0 ? -before_all : before_all);
+  vertices.begin_event(curve.length(), curve.closed, beyond_all);
   for (; unused_ > 0; --unused_) vertices.remove(unused_ - 1);
   const std::vector<Index> stale = find_stale(charts, same_below);
   for (const Index local : stale) make_room(charts, local, vertices);

@@ -61,28 +61,29 @@ void StrokeNodes::add_other_sheets() {
 /// coinciding samples change the pen but not the curve, and what is added to the curve changes the distances
 /// from its ends.
 void StrokeNodes::collect(double same_pen_up_to, double end_zone, const StrokeEnds& ends) {
-  asked_.assign(chart_->computed().begin(), chart_->computed().end());
+  asked_.clear();
+  asked_in_.resize(chart().size());
+  for (const Index slot : chart_->computed()) ask(slot);
   if (ends.distances) collect_ends(end_zone, ends.others_up_to);
   const bool varies = reads_.varying != 0 || dynamics_.any();
   if (!varies || same_pen_up_to >= chart_->computed_from()) return;
-  std::vector<bool> listed(chart().size());
-  for (const Index slot : asked_) listed[slot] = true;
-  for (Index slot = 0; slot < chart().size(); ++slot) {
-    const double t = chart().t[slot];
-    const bool between = t >= same_pen_up_to && t < chart_->computed_from();
-    if (between && !chart_->vacant(slot) && !listed[slot]) asked_.push_back(slot);
-  }
+  for (Index slot = 0; slot < chart().size(); ++slot)
+    if (const double t = t_of(slot); t >= same_pen_up_to && t < chart_->computed_from()) ask(slot);
+}
+
+void StrokeNodes::ask(Index slot) {
+  if (std::exchange(asked_in_[slot], event_) != event_) asked_.push_back(slot);
 }
 
 /// Adds the nodes near the ends that the last event did not compute.
 void StrokeNodes::collect_ends(double end_zone, double others_up_to) {
   const double before_computed = chart_->computed_from();
-  for_each_in_zone(end_zone, before_computed, [this](Index slot) { asked_.push_back(slot); });
+  for_each_in_zone(end_zone, before_computed, [this](Index slot) { ask(slot); });
   // No slot is near the begin for long: only as long as the stroke is short.
   if (others_up_to == -std::numeric_limits<double>::infinity()) return;
   const double to = std::min(end_zone, before_computed);
   for (Index slot = 0; slot < chart().size(); ++slot)
-    if (const double t = t_of(slot); t <= others_up_to && t < to) asked_.push_back(slot);
+    if (const double t = t_of(slot); t <= others_up_to && t < to) ask(slot);
 }
 
 /// Updates pens, half widths and dynamics of the collected nodes, and records which differ.

@@ -78,6 +78,7 @@ class StrokeNodes {
  private:
   void collect(double same_pen_up_to, double end_zone, const StrokeEnds& ends);
   void collect_ends(double end_zone, double others_up_to);
+  void ask(Index slot);
   void compare_pens(const SurfaceCurve& curve);
   void compare_end_distances(const EndDistances& ends);
   void add_stale(Index slot);
@@ -102,7 +103,8 @@ class StrokeNodes {
   bool altered_listed_ = false;  ///< changes_ has the vertices that the chart's last event altered
   std::uint32_t event_ = 0;
   std::vector<std::uint32_t> stale_in_, vertex_in_;  ///< [slot], [local index]: event that added it last
-  std::vector<Index> asked_;                         ///< slots whose values may differ
+  std::vector<Index> asked_;                         ///< slots whose values may differ, each once
+  std::vector<std::uint32_t> asked_in_;              ///< [slot] event that asked for it last
   std::vector<std::uint8_t> differs_;                ///< [i of asked_]
 };
 
