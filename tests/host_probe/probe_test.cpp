@@ -122,7 +122,8 @@ TEST(Probe, FindsNothingWrongInReplays) {
       {"--dabs", "0.5"},
       {"--closed", "yes", "--pressure-width", "0.5", "--cap", "butt"},
       {"--param", "passes=1", "--accumulate", "current", "--dynamic", "height=pressure:0,0,1,1"},
-      {"--follow", "1", "--join", "overlap"}};
+      {"--follow", "1", "--join", "overlap"},
+      {"--isolate"}};
   for (const auto& options : all_options) {
     const std::string report = of_replay("org.burin.probe", options);
     EXPECT_EQ(rules(report, "BROKEN"), Names()) << options[0] << "\n" << report;
