@@ -96,7 +96,10 @@ void add_settings(Json& settings, Draws& draws) {
     settings["overlap"] = draws.one_of({"strongest", "latest", "max", "min", "add", "average"});
   if (draws.once_in(8)) settings["clamp"] = true;
   if (draws.once_in(8)) settings["dabs"] = draws.between(0.1, 2);
+  if (draws.once_in(8)) settings["accumulate"] = "current";
   if (draws.once_in(8)) settings["mirror"] = draws.one_of({"x", "y", "xy"});
+  if (draws.once_in(12)) settings["radial"] = 2 + draws.below(3);
+  if (draws.once_in(12)) settings["stabilise"] = draws.one_of({"string:0.05", "exponential:0.02"});
   if (draws.once_in(2)) settings["show_every"] = 1 + draws.below(5);
 }
 
