@@ -106,11 +106,9 @@ Tally draw_all(const Drawing& drawing) {
 
 constexpr double all_relief = 1, own_scale = 0;
 
-// The target is no hole at all; one in a million vertices is reached. The holes are at the rim, where a
-// distance that is slightly too long exceeds the radius.
 void expect_right(const Tally& tally) {
   EXPECT_GT(tally.errors.vertices, 100'000U);
-  EXPECT_LE(tally.errors.holes, 1U);
+  EXPECT_EQ(tally.errors.holes, 0U);
   EXPECT_LE(10'000 * tally.errors.off_2, tally.errors.vertices);
   EXPECT_EQ(tally.errors.off_10, 0U);
 }

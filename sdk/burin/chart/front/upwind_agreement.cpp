@@ -56,19 +56,17 @@ UpwindFrames::LaneFlags UpwindFrames::keep_agreeing(bool near_ends) {
   return left_out;
 }
 
-/// Whether one does not count.
-bool UpwindFrames::keep_agreeing(Eigen::Index lane, bool near_ends) {
+/// The edge that places x nearest to the stroke; leaves the frames that the edges give in propagated_.
+std::size_t UpwindFrames::find_nearest(Eigen::Index lane, bool near_ends) {
   const std::size_t count = edge_count_[static_cast<std::size_t>(lane)];
-  std::vector<ChartFrame>& propagated = propagated_;
-  propagated.clear();
-  bool some_left_out = false;
+  propagated_.clear();
   float least = unreached;
   std::size_t nearest = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    propagated.push_back(propagated_along(edges_[i], lane, near_ends));
-    const double t = origin_[static_cast<std::size_t>(lane)] + propagated[i].t;
+    propagated_.push_back(propagated_along(edges_[i], lane, near_ends));
+    const double t = origin_[static_cast<std::size_t>(lane)] + propagated_[i].t;
     const auto at =
-        static_cast<float>(path_->distance(t, static_cast<double>(propagated[i].d), position_.get(lane)));
+        static_cast<float>(path_->distance(t, static_cast<double>(propagated_[i].d), position_.get(lane)));
     const float turn = (normal_.get(lane) - edges_[i].normal.get(lane)).norm();
     const float doubtful_length = std::min(turn / rough_turn, 1.0F) * edges_[i].length[lane];
     const float distance = distance_along(edges_[i].g[lane], edges_[i].shortfall[lane], doubtful_length, at);
@@ -76,6 +74,15 @@ bool UpwindFrames::keep_agreeing(Eigen::Index lane, bool near_ends) {
     least = distance;
     nearest = i;
   }
+  return nearest_[static_cast<std::size_t>(lane)] = nearest;
+}
+
+/// Whether one does not count.
+bool UpwindFrames::keep_agreeing(Eigen::Index lane, bool near_ends) {
+  const std::size_t count = edge_count_[static_cast<std::size_t>(lane)];
+  const std::size_t nearest = find_nearest(lane, near_ends);
+  const std::vector<ChartFrame>& propagated = propagated_;
+  bool some_left_out = false;
   for (std::size_t i = 0; i < count; ++i) {
     const float reach = edges_[i].length[lane] + edges_[nearest].length[lane];
     const float otherwise = (1 - propagated[i].e1.dot(propagated[nearest].e1)) / other_direction;
@@ -94,6 +101,26 @@ bool UpwindFrames::keep_agreeing(Eigen::Index lane, bool near_ends) {
   // Repeats of an edge that is left out have no say in what is near a focal point either.
   for (std::size_t i = count; i < most_edges_; ++i) leave_out(i, lane);
   return some_left_out;
+}
+
+/// Whether a frame is farther from the stroke than the best edge of its node allows: edges agree roughly
+/// only, and where one of two leads around a corner or an end of the stroke their mean may be beyond both. On
+/// rough ground it is g that is left to chance.
+bool UpwindFrames::tells_too_far(const ChartFrame& frame, Eigen::Index lane) const {
+  constexpr double most_doubts = 7;
+  const double told = path_->chart_distance(frame.t, static_cast<double>(frame.d));
+  if (!(told > static_cast<double>(g_[lane]) + most_doubts * path_->doubt())) return false;
+  for (std::size_t i = 0; i < edge_count_[static_cast<std::size_t>(lane)]; ++i)
+    if ((normal_.get(lane) - edges_[i].normal.get(lane)).norm() > rough_turn) return false;
+  return true;
+}
+
+ChartFrame UpwindFrames::of_nearest(Eigen::Index lane, bool near_ends) {
+  std::size_t nearest = nearest_[static_cast<std::size_t>(lane)];
+  if (nearest == no_edge) nearest = find_nearest(lane, near_ends);
+  ChartFrame frame = propagated_along(edges_[nearest], lane, near_ends);
+  frame.t += origin_[static_cast<std::size_t>(lane)];
+  return frame;
 }
 
 void UpwindFrames::leave_out(std::size_t edge, Eigen::Index lane) {

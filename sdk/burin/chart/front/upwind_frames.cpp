@@ -44,6 +44,7 @@ void UpwindFrames::add_node(const FrontNode& x) {
   position_.set(lane, x.position);
   normal_.set(lane, x.normal);
   gauss_[lane] = x.gauss;
+  g_[lane] = x.g();
 }
 
 void UpwindFrames::add_edge(const FrontNode& q, double t) {
@@ -333,6 +334,7 @@ UpwindFrames::Result UpwindFrames::compute() {
   for (std::size_t i = 0; i < most_edges_; ++i) walk(edges_[i]);
   const Lanes farthest = farthest_t();
   const Ends ends = find_ends();
+  nearest_.fill(no_edge);
   const LaneFlags left_out = keep_agreeing(ends.near);
   const Frames found = order_ == 1 ? first_order() : second_order(ends);
   Result result;
@@ -341,6 +343,10 @@ UpwindFrames::Result UpwindFrames::compute() {
     result.frames[lane] = {origin_[lane] + static_cast<double>(found.t[l]), found.d[l], found.e1.get(l),
                            found.shapes.curvature[l], found.shapes.stretch[l]};
     result.contested[lane] = found.focal[lane] || left_out[lane];
+    if (order_ == 2 && tells_too_far(result.frames[lane], l)) {
+      result.frames[lane] = of_nearest(l, ends.near);
+      result.contested[lane] = true;
+    }
     result.depends_to[lane] = origin_[lane] + static_cast<double>(farthest[l]) + path_->spacing();
   }
   return result;

@@ -66,6 +66,7 @@ class UpwindFrames {
  private:
   /// An edge is about 1/32 of the radius, and epsilon the rounding of the radius.
   static constexpr int log2_edge_over_epsilon = 16;
+  static constexpr std::size_t no_edge = static_cast<std::size_t>(-1);
 
   using Lanes = Eigen::Array<float, static_cast<int>(capacity), 1>;
   struct Lanes3 {
@@ -169,6 +170,7 @@ class UpwindFrames {
   // (4) Edges that do not agree with the best one count for less, or not. Returns where some do not count.
   LaneFlags keep_agreeing(bool near_ends);
   bool keep_agreeing(Eigen::Index lane, bool near_ends);
+  std::size_t find_nearest(Eigen::Index lane, bool near_ends);
   void leave_out(std::size_t edge, Eigen::Index lane);
   // (5) Means of first order, with which that order ends.
   Frames first_order() const;
@@ -193,6 +195,9 @@ class UpwindFrames {
                             Lanes& t, Lanes& d);
   // (9) Instead of (6) to (8), the frames of nodes near a corner or a focal point.
   void find_on_circles(Eigen::Index lane, const PassedEnds& passed, Frames& frames) const;
+  // (10) Means that are farther from the stroke than the node's g give way to the nearest edge.
+  bool tells_too_far(const ChartFrame& frame, Eigen::Index lane) const;
+  ChartFrame of_nearest(Eigen::Index lane, bool near_ends);
   // (4), (7), (9) The frame that an edge by itself gives.
   ChartFrame propagated_along(const Edges& edges, Eigen::Index lane, bool near_ends) const;
 
@@ -207,7 +212,8 @@ class UpwindFrames {
   std::array<std::size_t, capacity> edge_count_{};
   std::array<double, capacity> origin_{};  ///< t of the first edge; the others' are floats relative to it
   Lanes3 position_, normal_;               ///< of the nodes
-  Lanes gauss_;
+  Lanes gauss_, g_;
+  std::array<std::size_t, capacity> nearest_{};  ///< the edge with the best place of its node, or no_edge
   std::vector<Edges> edges_;
 
   std::vector<ChartFrame> propagated_;  ///< scratch: [edge] of one node
