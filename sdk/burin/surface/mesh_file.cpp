@@ -63,6 +63,18 @@ void check_faces(const fs::path& path, const PolygonMesh& mesh) {
   }
 }
 
+/// Joins the equal positions of a soup of triangles, and tells how many have no three corners then.
+PolygonMesh joined(PolygonMesh soup) {
+  const std::size_t faces = soup.face_sizes.size();
+  const std::vector<Index> vertex_of = find_welds(soup, 0);
+  PolygonMesh mesh = weld(std::move(soup), vertex_of);
+  const std::size_t left_out = faces - mesh.face_sizes.size();
+  if (left_out > 0)
+    mesh.not_used += fmt::format("{}{} {} of fewer than three places", mesh.not_used.empty() ? "" : ", ",
+                                 left_out, left_out == 1 ? "triangle" : "triangles");
+  return mesh;
+}
+
 }  // namespace
 
 PolygonMesh read_mesh(const fs::path& path) {
@@ -74,8 +86,7 @@ PolygonMesh read_mesh(const fs::path& path) {
   check_positions(path, mesh);
   check_faces(path, mesh);
   if (extension_of(path) != ".stl") return mesh;
-  const std::vector<Index> vertex_of = find_welds(mesh, 0);
-  return weld(std::move(mesh), vertex_of);
+  return joined(std::move(mesh));
 }
 
 bool holds_points(const fs::path& path) {

@@ -82,6 +82,22 @@ TEST(PlyPaint, TakesEveryTypeOfChannel) {
       (Colours::value_type{0, 0, 0, 51}));
 }
 
+TEST(PlyPaint, TakesRealChannelsThatCountTo255) {
+  const Colours expected = {{255, 0, 51, 255}, {0, 255, 0, 255}, {1, 2, 3, 255}};
+  EXPECT_EQ(paint_of(rgb("float"), {"255.0 0.0 51.0", "0 255 0", "1 2 3"}).colours, expected);
+  EXPECT_EQ(paint_of(rgb("double"), {"254.7 0 50.9", "0 255 0", "1.2 2 3"}).colours, expected);
+  EXPECT_EQ(paint_of(rgb("float"), {"1 0 1", "0 2 0", "0 0 0"}).colours,
+            (Colours{{1, 0, 1, 255}, {0, 2, 0, 255}, {0, 0, 0, 255}}));
+  const std::string alpha = "property float alpha\n";
+  EXPECT_EQ(paint_of(rgb("float") + alpha, {"9 0 0 1", "0 9 0 .2", "0 0 9 0"}).colours,
+            (Colours{{9, 0, 0, 255}, {0, 9, 0, 51}, {0, 0, 9, 0}}));
+  EXPECT_EQ(paint_of(rgb("float") + alpha, {"1 0 0 255", "0 1 0 51", "0 0 1 0"}).colours,
+            (Colours{{255, 0, 0, 255}, {0, 255, 0, 51}, {0, 0, 255, 0}}));
+  EXPECT_EQ(validation_error(rgb("float"), "0.5 1.5 1"), "vertex 2: its green is 1.5, not from 0 to 1")
+      << "light of high dynamic range";
+  EXPECT_EQ(validation_error(rgb("float"), "256 0 0"), "vertex 2: its red is 256, not from 0 to 1");
+}
+
 TEST(PlyPaint, TakesTheNamesOfOlderPrograms) {
   EXPECT_EQ(
       paint_of("property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar diffuse_blue\n",

@@ -88,14 +88,14 @@ TEST(ReadPly, ReadsEveryTypeInBothByteOrdersAndSkipsTheRest) {
                                "element note 1",
                                "property uchar a",
                                "element vertex 3",
-                               "property short x",
-                               "property double y",
-                               "property list uchar int skipped",
+                               "property SHORT x",
+                               "property Float64 y",
+                               "property list uint8 int64 skipped",
                                "property float z",
                                "element face 1",
-                               "property list ushort uint vertex_index"};
+                               "property list uint64 uint vertex_index"};
   for (const bool big : {false, true}) {
-    std::string header = "ply\r\ncomment\r\n";
+    std::string header = "ply\r\ncomment\r\nCreated by Blender3D 247 - www.blender.org, source file: \r\n";
     for (const std::string& line : names) {
       header += line;
       if (line == "format") header += big ? " binary_big_endian 1.0" : " binary_little_endian 1.0";
@@ -114,10 +114,10 @@ TEST(ReadPly, ReadsEveryTypeInBothByteOrdersAndSkipsTheRest) {
       put(static_cast<std::int16_t>(-300 * i));
       put(0.25 * i);
       put(std::uint8_t{1});
-      put(std::int32_t{99});
+      put(std::int64_t{99});
       put(static_cast<float>(i * i));
     }
-    put(std::uint16_t{3});
+    put(std::uint64_t{3});
     for (const std::uint32_t vertex : {2u, 1u, 0u}) put(vertex);
     const PolygonMesh mesh = read_mesh(MeshFile("a.ply", header + data).path());
     EXPECT_EQ(mesh.positions, (std::vector<Vec3f>{{0, 0, 0}, {-300, 0.25f, 1}, {-600, 0.5f, 4}}));

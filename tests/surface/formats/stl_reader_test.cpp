@@ -133,5 +133,19 @@ TEST(ReadStl, ReadsBinaryFilesThatAreLongerThanTheySay) {
   }
 }
 
+TEST(ReadStl, CountsTrianglesOfFewerThanThreePlaces) {
+  const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex ",
+                    end = "\nendloop\nendfacet\n";
+  const auto not_used = [&](const std::string& facets) {
+    const PolygonMesh mesh = read_mesh(MeshFile("a.stl", "solid a\n" + facets + "endsolid a\n").path());
+    EXPECT_EQ(mesh.face_sizes.size(), 1u);
+    return mesh.not_used;
+  };
+  const std::string whole = facet + "0 1 0" + end, thin = facet + "1 0 0" + end;
+  EXPECT_EQ(not_used(whole), "1 normal");
+  EXPECT_EQ(not_used(whole + thin), "2 normals, 1 triangle of fewer than three places");
+  EXPECT_EQ(not_used(thin + whole + thin), "3 normals, 2 triangles of fewer than three places");
+}
+
 }  // namespace
 }  // namespace burin

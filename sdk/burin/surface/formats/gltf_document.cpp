@@ -147,8 +147,10 @@ void GltfDocument::read_glb(std::string bytes) {
 
 void GltfDocument::check_extensions() const {
   // These extensions describe appearance only, or are supported; shapes are complete without the former.
-  constexpr std::string_view known[] = {"KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_",
-                                        "KHR_lights_punctual",   "KHR_texture_basisu",    "EXT_texture_webp"};
+  constexpr std::string_view known[] = {
+      "KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_",   "KHR_lights_punctual",
+      "KHR_texture_basisu",    "EXT_texture_webp",      "EXT_texture_avif", "MSFT_texture_dds",
+      "KHR_technique",         "KHR_animation_pointer", "KHR_xmp"};
   for (const Json& name : json_.value("extensionsRequired", Json::array())) {
     const auto text = name.get<std::string>();
     if (text == "KHR_draco_mesh_compression")

@@ -1,5 +1,6 @@
 // Parses the header of a PLY file [Turk 1994] line by line.
 #include <burin/base/error.h>
+#include <burin/base/text/lower_case.h>
 #include <burin/base/text/quoted_word.h>
 #include <burin/surface/files/text_lines.h>
 #include <burin/surface/formats/ply_header.h>
@@ -12,12 +13,12 @@ namespace burin {
 namespace {
 
 constexpr std::pair<std::string_view, PlyType> type_names[] = {
-    {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
-    {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
-    {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
-    {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
-    {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
-    {"float64", PlyType::float64}};
+    {"char", PlyType::int8},       {"int8", PlyType::int8},      {"uchar", PlyType::uint8},
+    {"uint8", PlyType::uint8},     {"short", PlyType::int16},    {"int16", PlyType::int16},
+    {"ushort", PlyType::uint16},   {"uint16", PlyType::uint16},  {"int", PlyType::int32},
+    {"int32", PlyType::int32},     {"uint", PlyType::uint32},    {"uint32", PlyType::uint32},
+    {"int64", PlyType::int64},     {"uint64", PlyType::uint64},  {"float", PlyType::float32},
+    {"float32", PlyType::float32}, {"double", PlyType::float64}, {"float64", PlyType::float64}};
 
 class HeaderReader {
  public:
@@ -52,6 +53,7 @@ class HeaderReader {
   void read_line(std::string_view line) {
     const std::string_view keyword = next_word(line);
     if (keyword.empty() || keyword == "comment" || keyword == "obj_info") return;
+    if (keyword == "Created") return;  // by Blender 2.4, which forgot to call it a comment
     if (keyword == "format") return read_format(line);
     if (keyword == "element") return read_element(line);
     if (keyword == "property") return read_property(line);
@@ -97,8 +99,9 @@ class HeaderReader {
   }
 
   PlyType type_named(std::string_view name) const {
+    const std::string small = in_lower_case(std::string(name));
     for (const auto& [known, type] : type_names)
-      if (known == name) return type;
+      if (known == small) return type;
     fail(fmt::format("{} is not a PLY type", quoted_word(name)));
   }
 

@@ -10,7 +10,8 @@ namespace burin {
 
 enum class PlyFormat { ascii, little_endian, big_endian };
 
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+/// Those of [Turk 1994] and the whole numbers of 64 bits that some programs of today write.
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
 struct PlyProperty {
   std::string name;

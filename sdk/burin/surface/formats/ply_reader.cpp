@@ -137,6 +137,10 @@ class PlyReader {
           file_.places.push_back(place);
           if (axes_of_normal == 3) normals_.push_back(normal.cast<float>());
         });
+    if (const auto fault = painted.settle_reals()) {
+      row_ = fault->vertex;
+      fail(fault->message);
+    }
     file_.mesh.paint = painted.finish();
   }
 

@@ -12,7 +12,7 @@ namespace burin {
 namespace {
 
 std::size_t size_of(PlyType type) {
-  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   return sizes[static_cast<std::size_t>(type)];
 }
 
@@ -30,6 +30,10 @@ double value_of(PlyType type, std::uint64_t bits) {
       return static_cast<std::int32_t>(bits);
     case PlyType::uint32:
       return static_cast<std::uint32_t>(bits);
+    case PlyType::int64:
+      return static_cast<double>(static_cast<std::int64_t>(bits));
+    case PlyType::uint64:
+      return static_cast<double>(bits);
     case PlyType::float32:
       return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
     case PlyType::float64:
