@@ -32,21 +32,69 @@ Bytes& add_id(Bytes& bytes, std::uint64_t index, std::uint64_t number) {
   return bytes.add_varint(index << 4 | 15).add(std::uint8_t{1}).add_varint(number);
 }
 
-std::string line_block(std::uint64_t own, std::uint64_t left, const std::string& line) {
+std::string id(std::uint64_t index, std::uint64_t number) {
   Bytes bytes;
-  add_id(bytes, 1, 99);
-  add_id(bytes, 2, own);
-  add_id(bytes, 3, left);
-  add_id(bytes, 4, 0);
-  bytes.add_varint(5 << 4 | 4).add(0U);
-  if (!line.empty())
-    bytes.add_varint(6 << 4 | 12).add(static_cast<std::uint32_t>(line.size())).add_text(line);
-  const std::string content = bytes.text();
-  Bytes block;
-  block.add(static_cast<std::uint32_t>(content.size()))
-      .add_text(std::string_view("\0\1\2\5", 4))
-      .add_text(content);
-  return block.text();
+  return add_id(bytes, index, number).text();
+}
+
+/// A part of version 6 with its tag.
+std::string part(std::uint64_t index, const std::string& content) {
+  Bytes bytes;
+  bytes.add_varint(index << 4 | 12).add(static_cast<std::uint32_t>(content.size()));
+  return bytes.add_text(content).text();
+}
+
+std::string block(char type, const std::string& content) {
+  Bytes bytes;
+  bytes.add(static_cast<std::uint32_t>(content.size())).add_text(std::string_view("\0\1\2", 3));
+  return bytes.add(type).add_text(content).text();
+}
+
+std::string item_block(char type, const std::string& parent, std::uint64_t own, std::uint64_t left,
+                       const std::string& content) {
+  Bytes bytes;
+  bytes.add_text(parent + id(2, own) + id(3, left) + id(4, 0)).add_varint(5 << 4 | 4).add(0U);
+  return block(type, bytes.text() + (content.empty() ? "" : part(6, content)));
+}
+
+/// A line of a layer or group, or what a deleted one left.
+std::string line_block(std::uint64_t own, std::uint64_t left, const std::string& line,
+                       std::uint64_t layer = 99) {
+  return item_block(5, id(1, layer), own, left, line);
+}
+
+/// An item that puts a group into another one.
+std::string group_item(std::uint64_t own, std::uint64_t left, std::uint64_t group,
+                       const std::string& parent) {
+  return item_block(4, parent, own, left, "\2" + id(2, group));
+}
+
+/// The root of a page, whose author is 0.
+const std::string root("\x1f\0\1", 3);
+
+/// A group whose coordinates begin at x, beside a character of the typed text.
+std::string anchored_group(std::uint64_t group, std::uint64_t character, float x) {
+  Bytes real;
+  real.add_varint(2 << 4 | 4).add(x);
+  const std::string set_by = id(1, 500);
+  return block(2, id(1, group) + part(7, set_by + id(2, character)) + part(10, set_by + real.text()));
+}
+
+/// A piece of typed text, whose characters have the ids from `own` on.
+std::string piece(std::uint64_t own, std::uint64_t left, const std::string& text) {
+  Bytes characters;
+  characters.add_varint(text.size()).add(std::uint8_t{1}).add_text(text);
+  return part(0, id(2, own) + id(3, left) + id(4, 0) + part(6, characters.text()));
+}
+
+/// The typed text of two pieces at y = 200, with a bullet behind the line end 203.
+std::string text_block(const std::string& first, const std::string& second) {
+  Bytes style, place;
+  style.add(std::uint8_t{1}).add_varint(203);
+  const std::string styles = "\1" + style.text() + id(1, 7) + part(2, "\x11\x04");
+  place.add(-400.0).add(200.0);
+  return block(7, id(1, 0) + part(2, part(1, part(1, "\2" + first + second)) + part(2, part(1, styles))) +
+                      part(3, place.text()));
 }
 
 /// The value of a line with one small point.
@@ -81,6 +129,49 @@ TEST(ReadRemarkable, OrdersLinesByTheirNeighbours) {
   EXPECT_EQ(places(file.strokes[1]), "3 2");
   EXPECT_EQ(file.strokes[0].samples[0].pen.pressure, 51 / 255.F);
   EXPECT_EQ(file.strokes[0].widths, std::vector<float>{1.5F});
+}
+
+TEST(ReadRemarkable, FollowsLayersFromTheRoot) {
+  const PenFile file =
+      PenFileFolder().read(head('6') + line_block(10, 0, line_at(1), 30) + line_block(11, 0, line_at(2), 31) +
+                           line_block(12, 0, line_at(3), 32) + group_item(20, 21, 30, root) +
+                           group_item(21, 0, 31, root) + group_item(22, 0, 32, id(1, 31)));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "2 2");
+  EXPECT_EQ(file.strokes[0].layer, 1u);
+  EXPECT_EQ(places(file.strokes[1]), "3 2") << "of a group within the layer";
+  EXPECT_EQ(file.strokes[1].layer, 1u);
+  EXPECT_EQ(places(file.strokes[2]), "1 2");
+  EXPECT_EQ(file.strokes[2].layer, 2u);
+}
+
+TEST(ReadRemarkable, PutsGroupsBesideTheirText) {
+  // "ab", a bullet "c", and "d", whose piece comes first.
+  const std::string text = text_block(piece(300, 205, "d"), piece(201, 0, "ab\nc\n"));
+  const auto place_beside = [&](std::uint64_t character) {
+    return places(PenFileFolder()
+                      .read(head('6') + text + anchored_group(32, character, -464) +
+                            group_item(21, 0, 31, root) + group_item(22, 0, 32, id(1, 31)) +
+                            line_block(12, 0, line_at(3), 32))
+                      .strokes.at(0));
+  };
+  EXPECT_EQ(place_beside(202), "-461 184") << "88 above the text, a line of 70 below that";
+  EXPECT_EQ(place_beside(203), "-461 184") << "the end of the line";
+  EXPECT_EQ(place_beside(204), "-461 219") << "35 lower";
+  EXPECT_EQ(place_beside(300), "-461 289");
+  EXPECT_EQ(place_beside(999), "-461 2") << "a character that is not there";
+}
+
+TEST(ReadRemarkable, RefusesEndlessGroups) {
+  std::string groups = group_item(1000, 0, 1001, root);
+  for (std::uint64_t group = 1001; group < 1110; ++group)
+    groups += group_item(group + 1000, 0, group + 1, id(1, group));
+  EXPECT_EQ(PenFileFolder().complaint(head('6') + groups),
+            "byte " + std::to_string(43 + groups.size()) + ": groups within more than 100 others");
+  const PenFile file =
+      PenFileFolder().read(head('6') + group_item(20, 0, 31, id(1, 32)) + group_item(21, 0, 32, id(1, 31)) +
+                           line_block(12, 0, line_at(3), 32));
+  EXPECT_EQ(file.strokes.size(), 1u) << "within each other";
 }
 
 TEST(ReadRemarkable, NamesTheByteOfAFault) {

@@ -1,55 +1,14 @@
-// Reads lines from the blocks of reMarkable's version 6. Values have a tag: their index, and how they are
-// written. A line tells its neighbours by ids, which order the lines; deleted ones stay as neighbours only.
+// Reads lines from the blocks of reMarkable's version 6. A line tells its neighbours by ids, which order the
+// lines; deleted ones stay as neighbours only.
 #include <burin/ink/decode/remarkable_blocks.h>
-#include <burin/ink/decode/remarkable_order.h>
+#include <burin/ink/decode/remarkable_scene.h>
+#include <burin/ink/decode/remarkable_tagged.h>
+#include <burin/ink/decode/remarkable_text.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <utility>
-#include <vector>
 
 namespace burin {
 namespace {
-
-enum Written : std::uint8_t { one_byte = 1, four_bytes = 4, eight_bytes = 8, part = 12, id = 15 };
-
-/// A tagged value, of which only what its kind has is set.
-struct Tagged {
-  std::uint64_t index = 0;
-  RemarkableId id;
-  std::uint64_t number = 0;
-  ByteReader content;
-};
-
-RemarkableId take_id(ByteReader& bytes) {
-  const auto author = bytes.take<std::uint8_t>();
-  return {author, bytes.varint()};
-}
-
-Tagged take_tagged(ByteReader& bytes) {
-  const std::uint64_t tag = bytes.varint();
-  Tagged value{.index = tag >> 4, .id = {}, .content = {{}, bytes.path(), bytes.place()}};
-  switch (tag & 0xF) {
-    case Written::one_byte:
-      value.number = bytes.take<std::uint8_t>();
-      break;
-    case Written::four_bytes:
-      value.number = bytes.take<std::uint32_t>();
-      break;
-    case Written::eight_bytes:
-      value.number = bytes.take<std::uint64_t>();
-      break;
-    case Written::part:
-      value.content = bytes.part(bytes.take<std::uint32_t>());
-      break;
-    case Written::id:
-      value.id = take_id(bytes);
-      break;
-    default:
-      bytes.reject("no tagged value");
-  }
-  return value;
-}
 
 /// Reads the value of a line item behind its heads.
 PenStroke read_line(ByteReader bytes, RemarkablePoints points) {
@@ -58,28 +17,30 @@ PenStroke read_line(ByteReader bytes, RemarkablePoints points) {
   PenStroke stroke;
   if (bytes.take<std::uint8_t>() != item_of_line) bytes.reject("no line in a line item");
   while (!bytes.empty()) {
-    const Tagged value = take_tagged(bytes);
+    const RemarkableValue value = take_remarkable_value(bytes);
     if (value.index == pen_index) set_remarkable_pen(static_cast<std::uint32_t>(value.number), stroke);
     if (value.index == points_index) add_remarkable_points(value.content, points, stroke);
   }
   return stroke;
 }
 
-/// An item of a layer: a line, or what a deleted one left.
-struct LineItem {
-  RemarkableId layer;
-  RemarkableNeighbours neighbours;
-  PenStroke stroke;
-};
+/// Reads the value of a group item behind its heads.
+RemarkableId read_group(ByteReader bytes) {
+  constexpr std::uint8_t item_of_group = 2;
+  if (bytes.take<std::uint8_t>() != item_of_group) bytes.reject("no group in a group item");
+  return take_remarkable_value(bytes).id;
+}
 
-LineItem read_item(ByteReader bytes, RemarkablePoints points) {
-  enum Index : std::uint8_t { layer = 1, own, left, right, deleted, line };
-  LineItem item;
+/// Reads the heads of an item, and its value by `read`.
+template <class Read>
+RemarkableItem read_item(ByteReader bytes, const Read& read) {
+  enum Index : std::uint8_t { parent = 1, own, left, right, deleted, content };
+  RemarkableItem item;
   while (!bytes.empty()) {
-    const Tagged value = take_tagged(bytes);
+    const RemarkableValue value = take_remarkable_value(bytes);
     switch (value.index) {
-      case Index::layer:
-        item.layer = value.id;
+      case Index::parent:
+        item.parent = value.id;
         break;
       case Index::own:
         item.neighbours.own = value.id;
@@ -90,8 +51,8 @@ LineItem read_item(ByteReader bytes, RemarkablePoints points) {
       case Index::right:
         item.neighbours.right = value.id;
         break;
-      case Index::line:
-        item.stroke = read_line(value.content, points);
+      case Index::content:
+        read(value.content, item);
         break;
       default:
         break;
@@ -100,18 +61,30 @@ LineItem read_item(ByteReader bytes, RemarkablePoints points) {
   return item;
 }
 
-std::vector<LineItem> read_items(ByteReader bytes) {
-  constexpr std::uint8_t type_of_line_item = 5;
-  std::vector<LineItem> items;
+/// Reads what a block tells of a layer or group, which may be tied to text.
+void read_node(ByteReader bytes, RemarkableScene& scene) {
+  enum Index : std::uint8_t { node = 1, anchor = 7, anchor_x = 10 };
+  RemarkableId id;
   while (!bytes.empty()) {
-    const auto length = bytes.take<std::uint32_t>();
-    bytes.take_bytes(2);  // nothing, and the least version that reads the block
-    const auto version = bytes.take<std::uint8_t>(), type = bytes.take<std::uint8_t>();
-    const ByteReader block = bytes.part(length);
-    if (type == type_of_line_item)
-      items.push_back(read_item(block, version < 2 ? RemarkablePoints::floats : RemarkablePoints::small));
+    const RemarkableValue value = take_remarkable_value(bytes);
+    if (value.index == Index::node) id = value.id;
+    if (value.index == Index::anchor) scene.anchors[id].character = last_set_value(value.content).id;
+    if (value.index == Index::anchor_x) scene.anchors[id].x = real_of(last_set_value(value.content));
   }
-  return items;
+}
+
+void read_block(std::uint8_t type, std::uint8_t version, const ByteReader& block, RemarkableScene& scene) {
+  enum Type : std::uint8_t { node = 2, group = 4, line = 5, text = 7 };
+  const auto points = version < 2 ? RemarkablePoints::floats : RemarkablePoints::small;
+  if (type == Type::node) read_node(block, scene);
+  if (type == Type::text) scene.text_lines = remarkable_text_lines(block);
+  if (type == Type::group)
+    scene.items.push_back(read_item(
+        block, [](const ByteReader& value, RemarkableItem& item) { item.group = read_group(value); }));
+  if (type == Type::line)
+    scene.items.push_back(read_item(block, [points](const ByteReader& value, RemarkableItem& item) {
+      item.stroke = read_line(value, points);
+    }));
 }
 
 }  // namespace
@@ -146,24 +119,14 @@ void set_remarkable_pen(std::uint32_t pen, PenStroke& stroke) {
 }
 
 void read_remarkable_blocks(ByteReader bytes, PenFile& content) {
-  std::vector<LineItem> items = read_items(bytes);
-  std::vector<RemarkableId> layers;
-  for (const LineItem& item : items)
-    if (std::ranges::find(layers, item.layer) == layers.end()) layers.push_back(item.layer);
-  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-    std::vector<LineItem*> of_layer;
-    std::vector<RemarkableNeighbours> neighbours;
-    for (LineItem& item : items) {
-      if (item.layer != layers[layer]) continue;
-      of_layer.push_back(&item);
-      neighbours.push_back(item.neighbours);
-    }
-    for (const std::size_t i : order_of(neighbours)) {
-      if (of_layer[i]->stroke.samples.empty()) continue;
-      of_layer[i]->stroke.layer = layer + 1;
-      content.strokes.push_back(std::move(of_layer[i]->stroke));
-    }
+  RemarkableScene scene;
+  while (!bytes.empty()) {
+    const auto length = bytes.take<std::uint32_t>();
+    bytes.take_bytes(2);  // nothing, and the least version that reads the block
+    const auto version = bytes.take<std::uint8_t>(), type = bytes.take<std::uint8_t>();
+    read_block(type, version, bytes.part(length), scene);
   }
+  scene.add_lines_to(content, bytes);
 }
 
 }  // namespace burin

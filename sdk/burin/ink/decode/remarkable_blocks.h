@@ -20,8 +20,8 @@ void add_remarkable_points(ByteReader bytes, RemarkablePoints points, PenStroke&
 /// Whether a line's pen number is that of an eraser.
 void set_remarkable_pen(std::uint32_t pen, PenStroke& stroke);
 
-/// Reads the blocks of version 6, behind the head of the file. Layers are numbered in the order in which
-/// lines name them, and lines in the order that their ids tell, whatever that of the blocks.
+/// Reads the blocks of version 6, behind the head of the file. Layers without lines do not count; layers and
+/// lines have the order that their ids tell, whatever that of the blocks.
 void read_remarkable_blocks(ByteReader bytes, PenFile& content);
 
 }  // namespace burin
