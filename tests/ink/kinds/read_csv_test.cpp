@@ -53,6 +53,34 @@ TEST(ReadCsv, PartsStrokesByTextsToo) {
   EXPECT_EQ(places(file.strokes[3]), "9 9, 8 8");
 }
 
+TEST(ReadCsv, TakesLineEndsWithinQuotes) {
+  const PenFileFolder folder;
+  const PenFile file = folder.read(
+      "x,note,y\r\n1,\"two\r\n\r\nlines, \"\"quoted\"\"\r\n# no comment\",2\r\n3,5\" "
+      "wide,4\r\n5,\"\"\"\",6\r\n"
+      "7,\"\n\n\",8\r\n");
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4, 5 6, 7 8");
+  EXPECT_EQ(folder.complaint("x,y,note\n1,2,\"a\nb\n"), " ends within the quotes of a cell");
+  EXPECT_EQ(folder.complaint("x,y,note\n1,2,\"a\nb\"\n1,z,3\n"), "4: expected a number, found 'z'");
+  EXPECT_EQ(folder.complaint("x,y,note\n1,2,\"" + std::string(1'000'001, '\n')),
+            "999998: quotes of a cell that are not closed within 1 MB");
+}
+
+TEST(ReadCsv, KnowsTheNamesOfTheUniversalInkLibrary) {
+  const PenFile file = PenFileFolder().read(
+      "idx,SPLINE_X,SPLINE_Y,SENSOR_TIMESTAMP,SENSOR_PRESSURE,SENSOR_ALTITUDE,SENSOR_AZIMUTH\n"
+      "0,1,2,1722443386312.5,0.5,0.785398163,0\n1,3,4,1722443386500.5,0.25,1.570796327,0\n");
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(file.unit, "px");
+  EXPECT_EQ(places(file.strokes[0]), "1 2");
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true, .tilt = true}));
+  EXPECT_NEAR(file.strokes[0].samples[0].pen.tilt_x, std::numbers::pi / 4, 1e-6);
+  EXPECT_NEAR(file.strokes[1].samples[0].time - file.strokes[0].samples[0].time, 0.188, 1e-6);
+  EXPECT_TRUE(file.not_used.empty());
+  EXPECT_EQ(PenFileFolder().read("idx,x,y\n0,1,2\n1,3,4\n").strokes.size(), 1u) << "an index of rows";
+}
+
 TEST(ReadCsv, LeavesOutColumnsOfUnknownUnits) {
   const PenFile file = PenFileFolder().read("x_px,y_px,time (min),timestamp,timestamp_us\n1,2,3,4,5000000\n");
   EXPECT_EQ(file.not_used, (std::vector<std::string>{"time (min)", "timestamp"}));

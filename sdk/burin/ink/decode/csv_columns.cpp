@@ -20,28 +20,24 @@ struct Name {
   std::string_view unit;  ///< of a column that tells none
 };
 
-constexpr std::array names = {Name{"x", CsvCell::x, ""},
-                              Name{"y", CsvCell::y, ""},
-                              Name{"z", CsvCell::z, ""},
-                              Name{"time", CsvCell::time, "s"},
-                              Name{"t", CsvCell::time, "s"},
-                              Name{"timestamp", CsvCell::time, "no unit"},
-                              Name{"pressure", CsvCell::pressure, ""},
-                              Name{"p", CsvCell::pressure, ""},
-                              Name{"tilt_x", CsvCell::tilt_x, "rad"},
-                              Name{"tilt_y", CsvCell::tilt_y, "rad"},
-                              Name{"tiltx", CsvCell::tilt_x, "deg"},
-                              Name{"tilty", CsvCell::tilt_y, "deg"},
-                              Name{"azimuth", CsvCell::azimuth, "no unit"},
-                              Name{"altitude", CsvCell::altitude, "no unit"},
-                              Name{"twist", CsvCell::twist, "rad"},
-                              Name{"contact", CsvCell::contact, ""},
-                              Name{"pen_down", CsvCell::contact, ""},
-                              Name{"pendown", CsvCell::contact, ""},
-                              Name{"stroke", CsvCell::stroke, ""},
-                              Name{"stroke_id", CsvCell::stroke, ""},
-                              Name{"strokeid", CsvCell::stroke, ""},
-                              Name{"eraser", CsvCell::eraser, ""}};
+constexpr std::string_view spline_x = "spline_x";
+
+constexpr std::array names = {
+    Name{"x", CsvCell::x, ""}, Name{"y", CsvCell::y, ""}, Name{"z", CsvCell::z, ""},
+    Name{"time", CsvCell::time, "s"}, Name{"t", CsvCell::time, "s"},
+    Name{"timestamp", CsvCell::time, "no unit"}, Name{"pressure", CsvCell::pressure, ""},
+    Name{"p", CsvCell::pressure, ""}, Name{"tilt_x", CsvCell::tilt_x, "rad"},
+    Name{"tilt_y", CsvCell::tilt_y, "rad"}, Name{"tiltx", CsvCell::tilt_x, "deg"},
+    Name{"tilty", CsvCell::tilt_y, "deg"}, Name{"azimuth", CsvCell::azimuth, "no unit"},
+    Name{"altitude", CsvCell::altitude, "no unit"}, Name{"twist", CsvCell::twist, "rad"},
+    Name{"contact", CsvCell::contact, ""}, Name{"pen_down", CsvCell::contact, ""},
+    Name{"pendown", CsvCell::contact, ""}, Name{"stroke", CsvCell::stroke, ""},
+    Name{"stroke_id", CsvCell::stroke, ""}, Name{"strokeid", CsvCell::stroke, ""},
+    Name{"eraser", CsvCell::eraser, ""},
+    // Of Wacom's Universal Ink Library.
+    Name{spline_x, CsvCell::x, "px"}, Name{"spline_y", CsvCell::y, "px"},
+    Name{"sensor_timestamp", CsvCell::time, "ms"}, Name{"sensor_pressure", CsvCell::pressure, ""},
+    Name{"sensor_altitude", CsvCell::altitude, "rad"}, Name{"sensor_azimuth", CsvCell::azimuth, "rad"}};
 
 enum class Measure { length, time, angle, share };
 
@@ -107,6 +103,17 @@ CsvColumn column_of(std::string_view cell) {
   return column;
 }
 
+/// Where quotes are closed within which a text is from `begin` on; its size if they are not. Two in a row are
+/// one of the cell.
+std::size_t end_of_quotes(std::string_view text, std::size_t begin) {
+  for (std::size_t i = begin; i < text.size(); ++i) {
+    if (text[i] != '"') continue;
+    if (!text.substr(i + 1).starts_with('"')) return i;
+    ++i;
+  }
+  return text.size();
+}
+
 }  // namespace
 
 bool is_position(CsvCell cell) { return cell == CsvCell::x || cell == CsvCell::y || cell == CsvCell::z; }
@@ -117,10 +124,24 @@ char csv_separator_of(std::string_view header) {
   return ' ';
 }
 
+bool ends_within_quotes(std::string_view line, char separator, bool within) {
+  if (within) {
+    const std::size_t close = end_of_quotes(line, 0);
+    if (close == line.size()) return true;
+    line.remove_prefix(std::min(line.find(separator, close), line.size() - 1) + 1);
+  }
+  while (!line.empty()) {
+    const std::size_t begin = std::min(line.find_first_not_of(" \r"), line.size());
+    if (line.substr(begin).starts_with('"') && end_of_quotes(line, begin + 1) == line.size()) return true;
+    take_csv_cell(line, separator);
+  }
+  return false;
+}
+
 std::string_view take_csv_cell(std::string_view& line, char separator) {
   const std::size_t begin = std::min(line.find_first_not_of(" \r"), line.size());
   const bool quoted = line.substr(begin).starts_with('"');
-  const std::size_t close = quoted ? std::min(line.find('"', begin + 1), line.size()) : 0;
+  const std::size_t close = quoted ? end_of_quotes(line, begin + 1) : 0;
   const std::size_t end = std::min(line.find(separator, std::max(begin, close)), line.size());
   const std::string_view cell = quoted ? line.substr(begin + 1, close - begin - 1) : line.substr(0, end);
   line.remove_prefix(std::min(end + 1, line.size()));
@@ -132,6 +153,12 @@ std::vector<CsvColumn> csv_columns_of(std::string_view header) {
   const char separator = csv_separator_of(header);
   std::vector<CsvColumn> named;
   while (!header.empty()) named.push_back(column_of(take_csv_cell(header, separator)));
+  // The Universal Ink Library numbers strokes so; elsewhere an index is that of the row.
+  const auto is = [](std::string_view name) {
+    return [name](const CsvColumn& column) { return in_lower_case(column.name) == name; };
+  };
+  const auto index = std::ranges::find_if(named, is("idx"));
+  if (index != named.end() && std::ranges::any_of(named, is(spline_x))) index->cell = CsvCell::stroke;
   // One angle without the other tells no tilt.
   for (const auto& [one, other] :
        {std::pair(CsvCell::azimuth, CsvCell::altitude), std::pair(CsvCell::altitude, CsvCell::azimuth)})

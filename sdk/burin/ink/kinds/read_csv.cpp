@@ -187,6 +187,19 @@ class Rows {
   std::string stroke_name_;
 };
 
+/// Adds a line to the row that is begun, if the row goes on behind it or was begun before it. Returns whether
+/// it goes on.
+bool continues(std::string& begun, std::string_view line, char separator) {
+  constexpr std::size_t longest = 1'000'000;
+  const bool within = !begun.empty();
+  if (!within && line.starts_with(comment_mark)) return false;
+  const bool goes_on = ends_within_quotes(line, separator, within);
+  if (within) begun += '\n';
+  if (within || goes_on) begun += line;
+  if (begun.size() > longest) throw Error("quotes of a cell that are not closed within 1 MB");
+  return goes_on;
+}
+
 }  // namespace
 
 bool is_csv(std::string_view text) {
@@ -208,9 +221,13 @@ PenFile read_csv(const PenFileText& file) {
   std::vector<CsvColumn> named;
   char separator = ',';
   Rows rows;
+  std::string begun;  // lines of a row whose cells have line ends in quotes
   for_each_line_of(file, [&](std::string_view line) {
-    if (line.find_first_not_of(blanks) == line.npos) return;
+    if (begun.empty() && line.find_first_not_of(blanks) == line.npos) return;
     if (line.ends_with('\r')) line.remove_suffix(1);
+    if (!named.empty() && continues(begun, line, separator)) return;
+    const std::string row = std::exchange(begun, {});
+    if (!row.empty()) line = row;
     if (named.empty()) {
       named = header_columns(line);
       separator = csv_separator_of(line);
@@ -219,6 +236,7 @@ PenFile read_csv(const PenFileText& file) {
       rows.take(row_of(line, separator, named));
     }
   });
+  if (!begun.empty()) throw FileError(file.path.string(), "ends within the quotes of a cell");
   PenFile content = rows.finish();
   for (const CsvColumn& column : named) {
     if (column.cell == CsvCell::unknown) content.not_used.push_back(column.name);
