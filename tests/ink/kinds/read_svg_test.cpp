@@ -55,6 +55,28 @@ TEST(ReadSvg, FollowsSkewsAndViews) {
       "10 20, 12 24");
 }
 
+TEST(ReadSvg, FollowsTransformsOfCss) {
+  const auto placed = [&](const std::string& transform) {
+    return places(
+        PenFileFolder().read("<svg><g " + transform + "><path d=\"M0 0L1 2\"/></g></svg>").strokes.at(0));
+  };
+  EXPECT_EQ(placed(R"svg(style="fill:none; transform: translate(1in, -2.5px) scale(2,3) !important")svg"),
+            "96 -2.5, 98 3.5");
+  EXPECT_EQ(placed(R"svg(style="transform:rotate(0.25turn)" transform="scale(9)")svg"), "0 0, -2 1")
+      << "instead of the attribute";
+  EXPECT_EQ(placed(R"svg(style="transform:translateX(4px)translateY(5px)skew(45deg)")svg"), "4 5, 7 7");
+  EXPECT_EQ(placed(R"svg(style="transform:scaleX(2) scaleY(-1);transform-origin:1px 2px")svg"), "-1 4, 1 2");
+  EXPECT_EQ(placed(R"svg(style="transform:none" transform="scale(9)")svg"), "0 0, 1 2");
+  EXPECT_EQ(placed(R"svg(transform="translate(3-4)rotate(90 1,1)")svg"), "5 -4, 3 -3");
+  const PenFileFolder folder;
+  EXPECT_EQ(folder.complaint(svg(R"svg(<g style="transform:translate(50%)"/>)svg")),
+            "4: expected a number, found '50%'");
+  EXPECT_EQ(folder.complaint(svg(R"svg(<g style="transform:rotateX(3deg)"/>)svg")),
+            "4: a transform that is not known: 'rotateX'");
+  EXPECT_EQ(folder.complaint(svg(R"svg(<g style="transform:scale(2);transform-origin:center"/>)svg")),
+            "4: a transform-origin that is no length: 'center'");
+}
+
 TEST(ReadSvg, LeavesOutWhatIsInvisible) {
   const PenFile file = PenFileFolder().read(svg(R"svg(<g visibility="hidden"><path d="M1 2L3 4"/>
     <path visibility="visible" d="M5 6L7 8"/></g><g style="visibility:collapse"><line x2="1"/></g>
@@ -93,7 +115,7 @@ TEST(ReadSvg, NamesTheLineOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(svg("<path d=\"M0 0L1\"/>")), "4: expected a number in a path, found ''");
   EXPECT_EQ(folder.complaint(svg("\n<path d=\"M0 0X\"/>")), "5: no command of a path: 'X'");
-  EXPECT_EQ(folder.complaint(svg("<g transform=\"skew(3)\"/>")), "4: a transform that is not known: 'skew'");
+  EXPECT_EQ(folder.complaint(svg("<g transform=\"spin(3)\"/>")), "4: a transform that is not known: 'spin'");
   EXPECT_EQ(folder.complaint(svg("<g transform=\"rotate(3 a)\"/>")), "4: expected a number, found 'a'");
 }
 

@@ -6,15 +6,13 @@
 #include <burin/ink/decode/svg_path.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/ink/parse/svg_transform.h>
 #include <burin/ink/parse/xml.h>
 #include <burin/ink/pen_file.h>
-#include <burin/math/elementary.h>
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,75 +23,6 @@ namespace burin {
 namespace {
 
 using Affine = Eigen::Affine2d;
-
-/// One of the functions of a transform, "rotate" for instance.
-Affine transform_of(std::string_view name, const std::vector<double>& n) {
-  constexpr double degree = std::numbers::pi / 180;
-  Affine made = Affine::Identity();
-  if (name == "matrix" && n.size() == 6) {
-    made.matrix() << n[0], n[2], n[4], n[1], n[3], n[5], 0, 0, 1;
-  } else if (name == "translate" && (n.size() == 1 || n.size() == 2)) {
-    made.translate(Eigen::Vector2d(n[0], n.size() == 2 ? n[1] : 0));
-  } else if (name == "scale" && (n.size() == 1 || n.size() == 2)) {
-    made.scale(Eigen::Vector2d(n[0], n.back()));
-  } else if (name == "rotate" && (n.size() == 1 || n.size() == 3)) {
-    const Eigen::Vector2d centre = n.size() == 3 ? Eigen::Vector2d(n[1], n[2]) : Eigen::Vector2d::Zero();
-    const double cos = math::cos(n[0] * degree), sin = math::sin(n[0] * degree);
-    made.linear() << cos, -sin, sin, cos;
-    made.translation() = centre - made.linear() * centre;
-  } else if ((name == "skewX" || name == "skewY") && n.size() == 1) {
-    const double slope = math::tan(n[0] * degree);
-    made.linear()(name == "skewX" ? 0 : 1, name == "skewX" ? 1 : 0) = slope;
-  } else {
-    throw Error(fmt::format("a transform that is not known: {}", quoted_word(name)));
-  }
-  return made;
-}
-
-/// Numbers between blanks and commas, up to the end of a text. Throws Error for anything else.
-std::vector<double> numbers_of(std::string_view text) {
-  std::vector<double> numbers;
-  for (;;) {
-    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n,"), text.size()));
-    if (text.empty()) return numbers;
-    double number = 0;
-    if (!take_number(text, number))
-      throw Error(fmt::format("expected a number, found {}", quoted_word(text.substr(0, 20))));
-    numbers.push_back(number);
-  }
-}
-
-/// All functions of a transform attribute.
-Affine parse_transform(std::string_view text) {
-  Affine all = Affine::Identity();
-  for (;;) {
-    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n,"), text.size()));
-    if (text.empty()) return all;
-    const std::size_t open = text.find('('), close = text.find(')');
-    if (open == text.npos || close == text.npos || close < open)
-      throw Error("a transform without its brackets");
-    const std::string_view name = text.substr(0, std::min(text.find_first_of(" \t\r\n("), open));
-    all = all * transform_of(name, numbers_of(text.substr(open + 1, close - open - 1)));
-    text.remove_prefix(close + 1);
-  }
-}
-
-/// A length in pixels; nothing if it is a share of what is around, or none.
-std::optional<double> pixels(std::string_view length) {
-  struct Unit {
-    std::string_view name;
-    double pixels;
-  };
-  static constexpr std::array units = {Unit{"", 1},           Unit{"px", 1},         Unit{"in", 96},
-                                       Unit{"cm", 96 / 2.54}, Unit{"mm", 96 / 25.4}, Unit{"pt", 96. / 72},
-                                       Unit{"pc", 16},        Unit{"Q", 96 / 101.6}};
-  double number = 0;
-  skip_blanks(length);
-  if (!take_number(length, number)) return std::nullopt;
-  length = length.substr(0, length.find_last_not_of(blanks) + 1);
-  const auto unit = std::ranges::find(units, length, &Unit::name);
-  return unit == units.end() ? std::nullopt : std::optional(number * unit->pixels);
-}
 
 /// Where preserveAspectRatio has one axis: at the start, the middle or the end of what is left over.
 double share_before(std::string_view aspect, char axis) {
@@ -133,7 +62,31 @@ std::string_view property_of(const pugi::xml_node& node, std::string_view name) 
     declaration.remove_prefix(name.size());
     if (take_character(declaration, ':')) value = declaration;
   }
+  return value;
+}
+
+/// The same of a property that is one word.
+std::string_view word_of(const pugi::xml_node& node, std::string_view name) {
+  std::string_view value = property_of(node, name);
   return take_word(value);
+}
+
+/// The transform of an element, about its origin, which is that of the coordinates unless CSS says other.
+Affine transform_of(const pugi::xml_node& node) {
+  std::string_view text = property_of(node, "transform");
+  const std::string_view important = text.substr(0, text.find("!important"));
+  std::string_view word = important;
+  if (take_word(word) == "none") return Affine::Identity();
+  const Affine transform = parse_transform(important);
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+  std::string_view place = property_of(node, "transform-origin");
+  for (double& coordinate : origin) {
+    const std::string_view length = take_word(place);
+    const auto known = length.empty() ? std::optional(0.0) : pixels(length);
+    if (!known) throw Error(fmt::format("a transform-origin that is no length: {}", quoted_word(length)));
+    coordinate = *known;
+  }
+  return Eigen::Translation2d(origin) * transform * Eigen::Translation2d(-origin);
 }
 
 class SvgReader {
@@ -158,14 +111,14 @@ class SvgReader {
 /// element says otherwise.
 void SvgReader::read_element(const pugi::xml_node& node, Affine transform, bool visible) {
   const std::string_view name = local_name(node.name());
-  if (property_of(node, "display") == "none") return;
-  if (const std::string_view own = property_of(node, "visibility"); !own.empty() && own != "inherit")
+  if (word_of(node, "display") == "none") return;
+  if (const std::string_view own = word_of(node, "visibility"); !own.empty() && own != "inherit")
     visible = own == "visible";
   if (name == "defs" || name == "clipPath" || name == "symbol" || name == "marker" || name == "mask" ||
       name == "pattern")
     return;
   try {
-    transform = transform * parse_transform(attribute(node, "transform").value());
+    transform = transform * transform_of(node);
     if (name == "svg") transform = transform * view_of(node);
     if (visible) add_shape(node, transform);
   } catch (const FileError&) {
