@@ -38,6 +38,53 @@ TEST(ReadPointers, ReadsListsOfListsOfPoints) {
   EXPECT_EQ(file.strokes[1].fields, PenFields());
 }
 
+TEST(ReadPointers, ReadsAStrokeOfEachLine) {
+  const PenFileFolder folder;
+  const PenFile file = folder.read(
+      "{\"id\": 1, \"points\": [{\"x\": 1, \"y\": 2, \"t\": 5}, {\"x\": 3, \"y\": 4, \"t\": 6}]}\r\n\r\n"
+      "{\"x\": [5, 6], \"y\": [7, 8]}\r\n{\r\n\"pointers\": [{\"x\": 9, \"y\": 9}]}\r\n");
+  EXPECT_EQ(file.kind, "pointers");
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4");
+  EXPECT_EQ(places(file.strokes[1]), "5 7, 6 8");
+  EXPECT_EQ(places(file.strokes[2]), "9 9");
+  EXPECT_EQ(folder.complaint("{\"points\": [{\"x\": 1, \"y\": 2}]}\n{\"points\": [{\"x\": 1}]}\n"),
+            "2: points[0]: lacks 'y'");
+  EXPECT_EQ(folder.complaint("{\"points\": [{\"x\": 1, \"y\": 2}]}\n{\"points\": [{\"x\": 1,"),
+            "2: malformed JSON at column 21");
+}
+
+TEST(ReadPointers, ReadsAnEventOfEachLine) {
+  const PenFileFolder folder;
+  const std::string down = R"({"type":"pointerdown","x":1,"y":2,"pressure":0.5,"timeStamp":8})",
+                    move = R"({"type":"pointermove","x":3,"y":4,"pressure":0.75,"timeStamp":16})",
+                    up = R"({"type":"pointerup","x":3,"y":4,"pressure":0,"timeStamp":24})";
+  const PenFile file = folder.read(down + "\n" + move + "\n" + up + "\n" + down + "\n");
+  EXPECT_EQ(file.kind, "pointer");
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4");
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
+  EXPECT_EQ(folder.complaint(down + "\n" + R"({"type":"pointermove","x":3})" + "\n"), "2: lacks 'y'");
+  EXPECT_EQ(folder.complaint(down + "\n" + move.substr(0, 30)), "2: malformed JSON at column 31");
+}
+
+TEST(ReadPointers, ReadsDrawingsAsPages) {
+  const PenFileFolder folder;
+  const std::string cat = R"({"word":"cat","drawing":[[[1,3],[2,4],[0,250]],[[5],[6],[500]]]})",
+                    dog = R"({"word":"dog","drawing":[[[7,8],[9,10]]]})";
+  const PenFile file = folder.read(cat + "\n" + dog + "\n");
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4");
+  EXPECT_EQ(file.strokes[0].samples[1].time, 0.25);
+  EXPECT_EQ(file.strokes[1].page, 1u);
+  EXPECT_EQ(places(file.strokes[2]), "7 9, 8 10");
+  EXPECT_EQ(file.strokes[2].page, 2u);
+  EXPECT_EQ(file.strokes[2].fields, PenFields());
+  EXPECT_EQ(folder.read(dog).strokes.size(), 1u);
+  EXPECT_EQ(folder.complaint(cat + "\n" + R"({"drawing":[[[7,8],[9]]]})"),
+            "2: drawing[0]: lists that differ in their count");
+}
+
 TEST(ReadPointers, ReadsPointsInWhateverShapeAlike) {
   const PenFileFolder folder;
   const std::string points[] = {R"({"x": 1, "y": -2.5, "t": 1500, "pressure": 0.5, "p": 1, "tiltX": 90)",

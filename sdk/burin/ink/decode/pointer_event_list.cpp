@@ -181,10 +181,23 @@ PenFile EventList::finish() {
   return content;
 }
 
+PenFile read_event_lines(const PenFileText& file) {
+  EventList events;
+  const auto take_plain = [&](std::string_view text) {
+    const auto plain = plain_event(text);
+    if (plain) events.take(*plain);
+    return plain.has_value();
+  };
+  for_each_json_value(file, take_plain, [&](const JsonValue& value) { events.take(event_of(value)); });
+  return events.finish();
+}
+
 }  // namespace
 
 bool begins_as_event_list(std::string_view text) {
-  if (!take_character(text, '[') || !take_character(text, '{')) return false;
+  TextWindow window(text);
+  if (!take_character(text, '[') && !begins_as_json_lines(window)) return false;
+  if (!take_character(text, '{')) return false;
   const std::size_t end = text.find('}');
   text = text.substr(0, end);
   return end != text.npos && text.find('[') == text.npos &&
@@ -192,6 +205,7 @@ bool begins_as_event_list(std::string_view text) {
 }
 
 PenFile read_event_list(const PenFileText& file) {
+  if (file.text.find('{') < file.text.find('[')) return read_event_lines(file);
   auto by_events = pen_file_by_parts(file, [&](TextWindow& text, PenFile& content) {
     EventList events;
     const bool read = for_each_json_part(text, [&](std::string_view, TextWindow& json) {

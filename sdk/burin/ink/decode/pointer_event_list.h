@@ -5,7 +5,8 @@
 
 namespace burin {
 
-/// Whether a text begins as a list of flat objects with an x: PointerEvents as they came.
+/// Whether a text begins as a list of flat objects with an x, or has one in each line: PointerEvents as they
+/// came.
 bool begins_as_event_list(std::string_view text);
 
 /// Reads a list of PointerEvents. One of each run in which a pointer touches is a stroke; whether it does is

@@ -1,7 +1,9 @@
 // Reads strokes of web programs from JSON: a list of strokes, or an object that has one as "strokes",
 // "events" or "pointers", or in groups as "strokeGroups". A stroke has its points as a list of objects,
 // {"pointers": [{"x", "y", "t", "p"}]} or the list alone, or as lists of numbers, {"x": [], "y": [], "t": [],
-// "p": []}. Positions are CSS pixels, times milliseconds, tilts and twist degrees, as PointerEvent has them.
+// "p": []}. Each line may have a stroke instead, or a drawing of Quick, Draw!
+// [github.com/googlecreativelab/quickdraw-dataset], {"drawing": [[[x...], [y...], [t...]]]}. Positions are
+// CSS pixels, times milliseconds, tilts and twist degrees, as PointerEvent has them.
 //
 // "p" is what programs make of the speed and call pressure, "pressure" what a device reports.
 #include <burin/base/error.h>
@@ -14,6 +16,7 @@
 #include <burin/ink/pen_file.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -139,10 +142,84 @@ bool read_by_strokes(const PenFileText& file, TextWindow& text, PenFile& content
   return read && !content.strokes.empty();
 }
 
+/// Reads a drawing, each stroke of which is its list of x, that of y and, unless it was simplified, that of
+/// the times.
+void read_drawing(const JsonValue& drawing, std::size_t page, PenFile& content) {
+  for (const JsonValue& one : drawing.items()) {
+    const std::vector<JsonValue> lists = one.items();
+    if (lists.size() < 2) one.reject("no lists of x and y");
+    PenStroke stroke;
+    stroke.page = page;
+    const std::vector<double> x = lists[0].numbers(), y = lists[1].numbers();
+    const std::vector<double> times = lists.size() > 2 ? lists[2].numbers() : std::vector<double>();
+    stroke.fields.time = !times.empty();
+    if (x.size() != y.size() || (stroke.fields.time && times.size() != x.size()))
+      one.reject("lists that differ in their count");
+    constexpr double millisecond = 1e-3;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      Sample& sample = stroke.samples.emplace_back();
+      sample.position = {x[i], y[i], 0};
+      if (stroke.fields.time) sample.time = millisecond * times[i];
+    }
+    add(std::move(stroke), content);
+  }
+}
+
+std::optional<JsonValue> drawing_of(const JsonValue& line) {
+  return line.is_object() ? line.find("drawing") : std::nullopt;
+}
+
+/// Reads strokes, or drawings of a page each, that follow each other.
+PenFile read_lines(const PenFileText& file) {
+  PenFile content;
+  std::size_t pages = 0;
+  const auto take_plain = [&](std::string_view text) {
+    auto plain = plain_pointer_stroke(text);
+    if (!plain || plain->samples.empty()) return false;
+    add(std::move(*plain), content);
+    return true;
+  };
+  for_each_json_value(file, take_plain, [&](const JsonValue& value) {
+    if (const auto drawing = drawing_of(value))
+      read_drawing(*drawing, ++pages, content);
+    else
+      add(stroke_of(value), content);
+  });
+  return content;
+}
+
+void read_whole(const JsonValue& root, PenFile& content) {
+  const auto list = root.is_array() ? std::optional(root) : list_of_strokes(root);
+  if (list)
+    read_strokes_of(*list, content);
+  else if (const auto groups = root.find("strokeGroups"))
+    for (const JsonValue& group : groups->items()) read_strokes_of(group.member("strokes"), content);
+  else if (const auto drawing = drawing_of(root))
+    read_drawing(*drawing, 1, content);
+  else
+    read_points(root.member("pointers"), content.strokes.emplace_back());
+}
+
 /// What a text has before its first object or list within the outermost list or object.
 bool has_key_early(std::string_view text, std::string_view key) {
   constexpr std::size_t early = 4096;
   return text.substr(0, early).find(key) != text.npos;
+}
+
+/// Members of objects that are all of a file.
+constexpr std::array<std::string_view, 3> lists_of_strokes = {"strokes", "events", "strokeGroups"};
+
+/// Whether a text begins as lines that each have a stroke or a drawing.
+bool begins_as_lines_of_strokes(std::string_view text) {
+  TextWindow window(text);
+  if (!begins_as_json_lines(window, lists_of_strokes)) return false;
+  constexpr std::string_view x = "\"x\"";
+  const std::string_view first = text.substr(0, text.size() - window.text().size());
+  const std::size_t at_x = first.find(x);
+  std::string_view behind_x = at_x == first.npos ? std::string_view() : first.substr(at_x + x.size());
+  const auto has = [&](std::string_view name) { return first.find(name) != first.npos; };
+  return has("\"points\"") || has("\"pointers\"") || has("\"drawing\"") ||
+         (take_character(behind_x, ':') && take_character(behind_x, '['));
 }
 
 /// Whether a text begins as a list of lists of objects with an x.
@@ -159,27 +236,24 @@ bool begins_with_lists_of_points(std::string_view text) {
 
 bool is_pointers(std::string_view text) {
   skip_blanks(text);
-  if (begins_with_lists_of_points(text)) return true;
+  if (begins_with_lists_of_points(text) || begins_as_lines_of_strokes(text)) return true;
   if (text.starts_with('[')) return has_key_early(text, "\"pointers\"") || has_key_early(text, "\"points\"");
   return text.starts_with('{') &&
          (has_key_early(text, "\"strokes\"") || has_key_early(text, "\"pointers\"") ||
+          has_key_early(text, "\"drawing\"") ||
           (has_key_early(text, "\"events\"") && has_key_early(text, "\"points\"")));
 }
 
 PenFile read_pointers(const PenFileText& file) {
   PenFile content;
   const auto read = [&](TextWindow& text, PenFile& to) { return read_by_strokes(file, text, to); };
-  if (auto strokes = pen_file_by_parts(file, read)) {
+  TextWindow window(file);
+  if (begins_as_json_lines(window, lists_of_strokes)) {
+    content = read_lines(file);
+  } else if (auto strokes = pen_file_by_parts(file, read)) {
     content = std::move(*strokes);
   } else {
-    const JsonValue root = pen_json(file);
-    const auto list = root.is_array() ? std::optional(root) : list_of_strokes(root);
-    if (list)
-      read_strokes_of(*list, content);
-    else if (const auto groups = root.find("strokeGroups"))
-      for (const JsonValue& group : groups->items()) read_strokes_of(group.member("strokes"), content);
-    else
-      read_points(root.member("pointers"), content.strokes.emplace_back());
+    read_whole(pen_json(file), content);
   }
   content.unit = "px";
   return content;

@@ -1,7 +1,10 @@
 // Bounds JSON before it is parsed: a short text can make a tree of many times its size.
 #include <burin/base/error.h>
+#include <burin/ink/parse/json_parts.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/unpack.h>
+
+#include <algorithm>
 
 namespace burin {
 namespace {
@@ -44,6 +47,32 @@ void check_json_bounds(const PenFileText& file) { check_bounds(file.text, file.p
 JsonValue pen_json_part(const PenFileText& file, std::string_view part) {
   check_bounds(part, file.path.string());
   return JsonValue::parse(part, file.path.string());
+}
+
+bool begins_as_json_lines(TextWindow& text, std::span<const std::string_view> whole) {
+  if (!text.skip_blanks() || !text.text().starts_with('{')) return false;
+  const bool one = for_each_json_part(text, [&](std::string_view name, TextWindow& json) {
+    if (std::ranges::find(whole, name) != whole.end()) return false;
+    take_json_value(json);
+    return true;
+  });
+  return one && text.skip_blanks() && text.text().starts_with('{');
+}
+
+void for_each_json_value(const PenFileText& file, const std::function<bool(std::string_view text)>& take,
+                         const std::function<void(const JsonValue& value)>& take_parsed) {
+  const std::string path = file.path.string();
+  for (TextWindow text(file); text.skip_blanks();) {
+    const std::uintmax_t place = text.place();
+    const std::string_view value = take_json_value(text);
+    if (!value.empty() && take(value)) continue;
+    try {
+      take_parsed(pen_json_part(file, value));
+    } catch (const FileError&) {
+      take_parsed(JsonValue::parse_line(value, path, line_of(file, place)));
+      throw;
+    }
+  }
 }
 
 std::optional<PenFile> pen_file_by_parts(
