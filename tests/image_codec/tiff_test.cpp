@@ -3,6 +3,7 @@
 #include <burin/stamp/files/stamp_file.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 #include "stamp/files/stamp_files.h"
@@ -57,6 +58,40 @@ TEST_F(TiffFiles, HasFractionsOfTheLargestNumberOfAnyBits) {
         EXPECT_NEAR(texels[i], inverted ? 1 - share : share, 1e-7) << bits << " bits, texel " << i;
       }
     }
+}
+
+/// A TIFF of bits in one strip that relies on the default of BitsPerSample, 1: 12 texels a row, 2 bytes each.
+std::string tiff_of_untold_bits(std::uint16_t meaning, std::uint16_t channels, const std::string& rows) {
+  const auto size = static_cast<std::uint32_t>(rows.size());
+  const std::vector<std::array<std::uint32_t, 2>> tags = {{TIFFTAG_IMAGEWIDTH, 12},
+                                                          {TIFFTAG_IMAGELENGTH, size / 2},
+                                                          {TIFFTAG_PHOTOMETRIC, meaning},
+                                                          {TIFFTAG_STRIPOFFSETS, 8 + 2 + 7 * 12 + 4},
+                                                          {TIFFTAG_SAMPLESPERPIXEL, channels},
+                                                          {TIFFTAG_ROWSPERSTRIP, size / 2},
+                                                          {TIFFTAG_STRIPBYTECOUNTS, size}};
+  constexpr std::uint16_t long_number = 4;
+  std::string bytes = std::string("II*\0", 4) + bytes_of<std::uint32_t>({8}) + bytes_of<std::uint16_t>({7});
+  for (const auto& [tag, value] : tags)
+    bytes += bytes_of<std::uint16_t>({static_cast<std::uint16_t>(tag), long_number}) +
+             bytes_of<std::uint32_t>({1, value});
+  return bytes + bytes_of<std::uint32_t>({0}) + rows;
+}
+
+TEST_F(TiffFiles, ReadsBitsWhoseNumberIsNotTold) {
+  const auto file = [&](std::uint16_t meaning, std::uint16_t channels) {
+    const std::string bytes = tiff_of_untold_bits(meaning, channels, "\x50\xf0\x8f\x10");
+    write_file_whole(path("bits.tif"), [&](std::ostream& out) { out << bytes; });
+    return path("bits.tif");
+  };
+  const std::vector<float> black_is_zero = {0, 1, 0, 1, 0, 0, 0, 0, 1, 1, 1, 1,
+                                            1, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 1};
+  EXPECT_EQ(read_stamp(file(PHOTOMETRIC_MINISBLACK, 1)).texels, black_is_zero);
+  std::vector<float> inverted = black_is_zero;
+  for (float& texel : inverted) texel = 1 - texel;
+  EXPECT_EQ(read_stamp(file(PHOTOMETRIC_MINISWHITE, 1)).texels, inverted);
+  EXPECT_EQ(complaint(file(PHOTOMETRIC_RGB, 3)),
+            ": holds bits in tiles or several channels without the tag BitsPerSample, which is not read");
 }
 
 TEST_F(TiffFiles, HasBlackAsZeroInTilesToo) {
@@ -212,6 +247,12 @@ TEST_F(TiffFiles, RefusesWhatTheLibraryMisreads) {
             ": holds numbers of 24 bits, which is not read");
   EXPECT_EQ(complaint(write_tiff(4, 1, 24, std::string(12, '\x3f'))),
             ": holds numbers of 24 bits, which is not read");
+  const std::string wide = bytes_of<std::uint64_t>({1, 2, 3, 4});
+  EXPECT_EQ(complaint(write_tiff(2, 2, 64, wide)), ": holds whole numbers of 64 bits, which is not read");
+  EXPECT_EQ(complaint(write_tiff(
+                2, 2, 64, wide,
+                [](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_COMPLEXIEEEFP); })),
+            ": holds complex numbers, which is not read");
   const std::string row = ": holds numbers of 64 bits in tiles, planes or a single row, which is not read";
   EXPECT_EQ(complaint(write_tiff(2, 1, 64, bytes_of<double>({1, 2}), hold_doubles)), row);
   EXPECT_EQ(complaint(write_tiff(16, 16, 64, bytes_of<double>(std::vector<double>(256, 0.5)),

@@ -196,6 +196,14 @@ void round_to_bits(unsigned bits, std::vector<float>& values) {
   for (float& value : values) value = std::round(value * most) / most;
 }
 
+/// The values of an image of bits, in which 0 is black or, if `white_is_zero`, white.
+std::vector<float> values_of_bits(const std::filesystem::path& path, bool white_is_zero) {
+  std::vector<float> values = read_bits(path);
+  for (float& value : values)
+    if (white_is_zero) value = 1 - value;
+  return values;
+}
+
 StoredImage read_tiff(const ImageFileFormat& file, const StampOptions& options) {
   const std::string path = file.path.string();
   const TiffInfo facts = read_tiff_facts(file.path, file.size);
@@ -207,6 +215,7 @@ StoredImage read_tiff(const ImageFileFormat& file, const StampOptions& options) 
   ImageFile opened(file);
   StoredImage image = read_chosen(opened, options);
   expect_texels_that_decode(file.path);
+  if (facts.untold_bits) image.image.texels = values_of_bits(file.path, facts.white_is_zero);
   if (facts.odd_bits > 0) round_to_bits(facts.odd_bits, image.image.texels);
   if (facts.white_is_zero) make_black_zero(image);
   image.no_data = facts.no_data;

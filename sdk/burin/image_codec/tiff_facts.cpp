@@ -73,11 +73,23 @@ bool has_palette_of_bytes(TIFF* tiff, std::uint16_t bits) {
   return greatest > 0 && greatest < 256;
 }
 
+/// Whether the file relies on the default of BitsPerSample, 1, which the format allows; OpenImageIO takes 8.
+bool bits_are_untold(TIFF* tiff) {
+  std::uint16_t bits = 0;
+  return TIFFGetField(tiff, TIFFTAG_BITSPERSAMPLE, &bits) == 0;
+}
+
 /// What OpenImageIO would give wrong numbers for without a word: 24 bits, whatever they mean, and 64 bits
 /// unless they lie in strips of several rows, all channels of a texel together. Empty for other texels.
 std::string misread_texels(TIFF* tiff, std::uint16_t meaning) {
   const auto bits = field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE, 1);
   if (bits == 24) return "numbers of 24 bits";
+  const auto format = field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
+  if (format == SAMPLEFORMAT_COMPLEXINT || format == SAMPLEFORMAT_COMPLEXIEEEFP) return "complex numbers";
+  if (bits == 64 && format != SAMPLEFORMAT_IEEEFP) return "whole numbers of 64 bits";
+  if (bits_are_untold(tiff) &&
+      (TIFFIsTiled(tiff) || field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL, 1) != std::uint16_t{1}))
+    return "bits in tiles or several channels without the tag BitsPerSample";
   const bool planes = field<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG) !=
                       std::uint16_t{PLANARCONFIG_CONTIG};
   if (bits == 64 && (TIFFIsTiled(tiff) || planes || field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH, 1) < 2))
@@ -131,6 +143,21 @@ void expect_texels_that_decode(const std::filesystem::path& path) {
                                          std::to_string(piece + 1) + " cannot be decoded");
 }
 
+std::vector<float> read_bits(const std::filesystem::path& path) {
+  const Tiff tiff = open(path);
+  const auto width = field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGEWIDTH, 0),
+             height = field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGELENGTH, 0);
+  std::vector<unsigned char> row(static_cast<std::size_t>(TIFFScanlineSize(tiff.get())));
+  std::vector<float> bits;
+  for (std::uint32_t y = 0; y < height; ++y) {
+    if (TIFFReadScanline(tiff.get(), row.data(), y) < 0)
+      throw FileError(path.string(), "is damaged: row " + std::to_string(y + 1) + " cannot be decoded");
+    for (std::uint32_t x = 0; x < width; ++x)
+      bits.push_back(static_cast<float>(row[x / 8] >> (7 - x % 8) & 1));
+  }
+  return bits;
+}
+
 TiffInfo read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_bytes) {
   const Tiff tiff = open(path);
   TiffInfo facts;
@@ -139,6 +166,7 @@ TiffInfo read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_
   facts.white_is_zero = meaning == PHOTOMETRIC_MINISWHITE;
   facts.odd_bits = odd_bits(tiff.get(), meaning);
   facts.misread = misread_texels(tiff.get(), meaning);
+  facts.untold_bits = bits_are_untold(tiff.get());
   facts.numbers = meaning <= PHOTOMETRIC_PALETTE || meaning == PHOTOMETRIC_YCBCR;
   facts.greatest = greatest_number(tiff.get());
   // That of a palette would be the number of a colour.
