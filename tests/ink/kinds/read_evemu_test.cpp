@@ -62,6 +62,31 @@ TEST(ReadEvemu, EndsAStrokeWhereEventsWereLost) {
   EXPECT_EQ(places(file.strokes[1]), "40 20");
 }
 
+TEST(ReadEvemu, PartsTouchesBySlots) {
+  const std::string screen =
+      "# EVEMU 1.3\nA: 00 0 4000 0 0 20\nA: 01 0 3000 0 0 20\nA: 2f 0 9 0 0 0\n"
+      "A: 35 100 4000 0 0 20\nA: 36 0 3000 0 0 20\nA: 39 0 65535 0 0\nA: 3a 0 255 0 0\n";
+  const PenFile file =
+      PenFileFolder().read(screen +
+                           frame("1", {"0003 0039 7", "0003 0035 100", "0003 0036 200", "0003 003a 51",
+                                       "0001 014a 1", "0003 0000 100", "0003 0001 200"}) +
+                           frame("2", {"0003 002f 1", "0003 0039 8", "0003 0035 2100", "0003 0036 2000"}) +
+                           frame("3", {"0003 002f 0", "0003 0039 -1", "0003 0000 2100", "0003 0001 2000"}) +
+                           frame("4", {"0003 002f 1", "0003 0036 2020", "0003 0001 2020"}) +
+                           frame("5", {"0003 002f 0", "0003 0039 9", "0003 0035 140"}) +
+                           frame("6", {"0003 0039 -1", "0003 002f 1", "0003 0039 -1", "0001 014a 0"}));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "0 10, 0 10");
+  EXPECT_EQ(places(file.strokes[1]), "100 100, 100 100, 100 101, 100 101");
+  EXPECT_EQ(places(file.strokes[2]), "2 10") << "the slot keeps what does not change";
+  EXPECT_EQ(file.strokes[0].tool, "touch");
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
+  EXPECT_EQ(file.strokes[0].samples[0].pen.pressure, 0.2F);
+  EXPECT_EQ(file.strokes[1].fields, (PenFields{.time = true}));
+  EXPECT_EQ(file.unit, "mm");
+  EXPECT_EQ(file.hovering, 1u);
+}
+
 TEST(ReadEvemu, TakesTheDescriptionBesideTheRecording) {
   const PenFileFolder folder;
   folder.write("pen.desc", "# EVEMU 1.0\nN: Short\n");

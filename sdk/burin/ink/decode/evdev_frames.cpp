@@ -33,6 +33,7 @@ void EvdevFrames::take(const EvdevEvent& event) {
     // What the kernel threw away is unknown until the next frame, and the pen may have been lifted.
     lost_ = true;
     down_ = false;
+    touches_.part_strokes();
   } else if (event.code == syn_report) {
     end_frame(event.time);
   }
@@ -43,7 +44,9 @@ void EvdevFrames::end_frame(double time) {
   for (const EvdevEvent& event : frame_) apply(event);
   frame_.clear();
   const bool lost = std::exchange(lost_, false);
-  if (leaves || lost || !touches()) {
+  if (touches_.any()) {
+    if (!touches_.end_frame(time, content_)) ++content_.hovering;
+  } else if (leaves || lost || !touches()) {
     down_ = false;
     ++content_.hovering;
   } else {
@@ -57,7 +60,10 @@ bool EvdevFrames::pen_leaves() const {
 }
 
 void EvdevFrames::apply(const EvdevEvent& event) {
-  if (event.type == ev_abs) values_[event.code] = event.value;
+  if (event.type == ev_abs && EvdevTouches::is_of_touches(event.code))
+    touches_.take(event.code, event.value);
+  else if (event.type == ev_abs)
+    values_[event.code] = event.value;
   if (event.type == ev_key && event.code == touch_code) touch_ = event.value != 0;
   if (!is_tool(event)) return;
   sends_tools_ = true;
@@ -83,12 +89,9 @@ void EvdevFrames::add_sample(double time) {
   PenStroke& stroke = content_.strokes.back();
   Sample& sample = stroke.samples.emplace_back();
   sample.time = time;
-  sample.position = {position(abs_x), position(abs_y), 0};
-  if (stroke.fields.pressure) {
-    const EvdevAxis& range = *axis(abs_pressure);
-    const double share = (values_[abs_pressure] - range.least) / (range.most - range.least);
-    sample.pen.pressure = static_cast<float>(std::clamp(share, 0., 1.));
-  }
+  sample.position = EvdevPlane(axes_, abs_x, abs_y).position(values_[abs_x], values_[abs_y]);
+  if (stroke.fields.pressure)
+    sample.pen.pressure = static_cast<float>(share_of(*axis(abs_pressure), values_[abs_pressure]));
   if (stroke.fields.tilt) {
     sample.pen.tilt_x = static_cast<float>(tilt(abs_tilt_x));
     sample.pen.tilt_y = static_cast<float>(tilt(abs_tilt_y));
@@ -101,23 +104,6 @@ void EvdevFrames::set_fields(PenStroke& stroke) const {
   stroke.fields.pressure = values_.contains(abs_pressure) && axis(abs_pressure);
   stroke.fields.tilt =
       values_.contains(abs_tilt_x) && values_.contains(abs_tilt_y) && axis(abs_tilt_x) && axis(abs_tilt_y);
-}
-
-/// An axis whose range is known.
-const EvdevAxis* EvdevFrames::axis(unsigned code) const {
-  const auto found = axes_.find(code);
-  return found != axes_.end() && found->second.most > found->second.least ? &found->second : nullptr;
-}
-
-bool EvdevFrames::has_millimetres() const {
-  const EvdevAxis *x = axis(abs_x), *y = axis(abs_y);
-  return x && y && x->resolution > 0 && y->resolution > 0;
-}
-
-/// Millimetres from the left or top of the tablet where the device tells them, else its own units.
-double EvdevFrames::position(unsigned code) const {
-  const double value = values_.at(code);
-  return has_millimetres() ? (value - axis(code)->least) / axis(code)->resolution : value;
 }
 
 /// Radians. A resolution of 57 per radian means degrees, one of 5730 hundredths; without one it is degrees
@@ -135,7 +121,7 @@ double EvdevFrames::tilt(unsigned code) const {
 }
 
 PenFile EvdevFrames::finish() {
-  if (has_millimetres()) content_.unit = "mm";
+  if (EvdevPlane(axes_, abs_x, abs_y).has_millimetres()) content_.unit = "mm";
   return std::move(content_);
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <burin/ink/decode/evdev_touches.h>
+#include <burin/ink/parse/evdev_axes.h>
 #include <burin/ink/pen_file.h>
 
 #include <array>
@@ -9,14 +11,6 @@
 #include <vector>
 
 namespace burin {
-
-/// The range of an axis of a tablet, as its driver tells it.
-struct EvdevAxis {
-  double least = 0, most = 0;
-  double resolution = 0;  ///< values per mm, or per radian; 0: unknown
-};
-
-using EvdevAxes = std::map<unsigned, EvdevAxis>;  ///< by the code of the axis
 
 /// An event of the kernel's input system.
 struct EvdevEvent {
@@ -29,7 +23,9 @@ struct EvdevEvent {
 /// they came in it; a frame has only what changed.
 class EvdevFrames {
  public:
-  explicit EvdevFrames(EvdevAxes axes) : axes_(std::move(axes)) {}
+  explicit EvdevFrames(EvdevAxes axes) : axes_(std::move(axes)), touches_(axes_) {}
+  EvdevFrames(const EvdevFrames&) = delete;
+  EvdevFrames& operator=(const EvdevFrames&) = delete;
 
   void take(const EvdevEvent& event);
 
@@ -42,13 +38,12 @@ class EvdevFrames {
   void apply(const EvdevEvent& event);
   bool touches() const;
   void add_sample(double time);
-  const EvdevAxis* axis(unsigned code) const;
-  double position(unsigned code) const;
+  const EvdevAxis* axis(unsigned code) const { return axis_of(axes_, code); }
   double tilt(unsigned code) const;
-  bool has_millimetres() const;
   void set_fields(PenStroke& stroke) const;
 
   EvdevAxes axes_;
+  EvdevTouches touches_;
   std::vector<EvdevEvent> frame_;
   std::map<unsigned, int> values_;  ///< of axes, as last sent
   std::optional<unsigned> tool_;    ///< the code of the tool that is near
