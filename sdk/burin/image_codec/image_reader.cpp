@@ -207,11 +207,11 @@ std::vector<float> values_of_bits(const std::filesystem::path& path, bool white_
 StoredImage read_tiff(const ImageFileFormat& file, const StampOptions& options) {
   const std::string path = file.path.string();
   const TiffInfo facts = read_tiff_facts(file.path, file.size);
+  if (!facts.misread.empty()) throw FileError(path, "holds " + facts.misread + ", which is not read");
   if (facts.cut_off) throw FileError(path, "is cut off: texels lie beyond its end");
   if (facts.more_images) throw FileError(path, "holds several images; a stamp is one");
   if (!facts.numbers)
     throw FileError(path, "holds colours other than grey and RGB; a stamp is made of numbers");
-  if (!facts.misread.empty()) throw FileError(path, "holds " + facts.misread + ", which is not read");
   ImageFile opened(file);
   StoredImage image = read_chosen(opened, options);
   expect_texels_that_decode(file.path);
