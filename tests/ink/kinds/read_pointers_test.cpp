@@ -171,6 +171,20 @@ TEST(ReadPointers, TakesStrokesOfGroups) {
             " strokeGroups[0].strokes: must");
 }
 
+TEST(ReadPointers, TakesAPressureThatIsAlways0ForNone) {
+  const auto strokes = [](const char* last) {
+    return PenFileFolder()
+        .read(
+            std::string(R"([{"points": [{"x": 1, "y": 2, "pressure": 0}]}, {"points": [{"x": 3, "y": 4, )") +
+            R"("pressure": )" + last + "}]}]")
+        .strokes;
+  };
+  EXPECT_EQ(strokes("0").at(1).fields, PenFields());
+  EXPECT_EQ(strokes("0").at(1).samples.at(0).pen.pressure, Pen().pressure);
+  EXPECT_EQ(strokes("0.5").at(0).fields, (PenFields{.pressure = true}));
+  EXPECT_EQ(strokes("0.5").at(0).samples.at(0).pen.pressure, 0);
+}
+
 TEST(ReadPointers, TakesNullForAbsent) {
   const PenFile file = PenFileFolder().read(
       R"([{"pointers": [{"x": 1, "y": 2, "t": 0, "p": null}, {"x": 3, "y": 4, "t": 8, "p": 0.5}]}])");

@@ -206,6 +206,20 @@ bool has_key_early(std::string_view text, std::string_view key) {
   return text.substr(0, early).find(key) != text.npos;
 }
 
+/// Takes a pressure that is 0 at every sample for none: so do touches of devices that measure it not.
+void leave_out_dead_pressure(PenFile& content) {
+  const auto is_dead = [](const PenStroke& stroke) {
+    return !stroke.fields.pressure ||
+           std::ranges::all_of(stroke.samples, [](const Sample& sample) { return sample.pen.pressure == 0; });
+  };
+  if (!std::ranges::all_of(content.strokes, is_dead)) return;
+  for (PenStroke& stroke : content.strokes) {
+    if (!stroke.fields.pressure) continue;
+    stroke.fields.pressure = stroke.made_pressure = false;
+    for (Sample& sample : stroke.samples) sample.pen.pressure = Pen().pressure;
+  }
+}
+
 /// Members of objects that are all of a file.
 constexpr std::array<std::string_view, 3> lists_of_strokes = {"strokes", "events", "strokeGroups"};
 
@@ -256,6 +270,7 @@ PenFile read_pointers(const PenFileText& file) {
     read_whole(pen_json(file), content);
   }
   content.unit = "px";
+  leave_out_dead_pressure(content);
   return content;
 }
 
