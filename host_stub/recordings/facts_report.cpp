@@ -90,7 +90,8 @@ std::string facts_text(const std::string& path, const PenFile& file) {
   text += time_text(facts) + pressure_text(facts) + tilt_text(facts);
   return file.not_used.empty()
              ? text
-             : text + fmt::format("  not used: the columns {}\n", fmt::join(file.not_used, ", "));
+             : text + fmt::format("  not used: {}{}\n", file.kind == "csv" ? "the columns " : "",
+                                  fmt::join(file.not_used, ", "));
 }
 
 }  // namespace burin::command

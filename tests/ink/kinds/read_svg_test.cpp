@@ -55,6 +55,13 @@ TEST(ReadSvg, FollowsSkewsAndViews) {
       "10 20, 12 24");
 }
 
+TEST(ReadSvg, NamesOtherShapes) {
+  const PenFile file = PenFileFolder().read(svg(R"svg(<text>a</text><rect width="9" height="9"/>
+    <path d="M1 2L3 4"/><rect/><circle r="3" style="display:none"/><defs><image/></defs>)svg"));
+  EXPECT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(file.not_used, (std::vector<std::string>{"rect", "text"}));
+}
+
 TEST(ReadSvg, FollowsTransformsOfCss) {
   const auto placed = [&](const std::string& transform) {
     return places(

@@ -2,8 +2,8 @@
 // lines; deleted ones stay as neighbours only.
 #include <burin/ink/decode/remarkable_blocks.h>
 #include <burin/ink/decode/remarkable_scene.h>
-#include <burin/ink/decode/remarkable_tagged.h>
 #include <burin/ink/decode/remarkable_text.h>
+#include <burin/ink/parse/remarkable_tagged.h>
 
 #include <cstdint>
 

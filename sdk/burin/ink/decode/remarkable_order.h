@@ -1,17 +1,10 @@
 #pragma once
-#include <compare>
+#include <burin/ink/parse/remarkable_tagged.h>
+
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace burin {
-
-/// Names an item of a page: who made it, and a count.
-struct RemarkableId {
-  std::uint8_t author = 0;
-  std::uint64_t number = 0;
-  auto operator<=>(const RemarkableId&) const = default;
-};
 
 /// The items that an item lies between. An id of no item stands for an end of the list.
 struct RemarkableNeighbours {

@@ -1,8 +1,8 @@
 // Reads the typed text of a reMarkable page of version 6: pieces of text, ordered by the ids of neighbouring
 // characters, the styles of paragraphs, and a place. An id names a piece's first character; the others have
 // the ids that follow.
-#include <burin/ink/decode/remarkable_tagged.h>
 #include <burin/ink/decode/remarkable_text.h>
+#include <burin/ink/parse/remarkable_tagged.h>
 
 #include <algorithm>
 #include <cstdint>

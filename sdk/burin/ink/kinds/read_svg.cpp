@@ -13,7 +13,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -89,12 +91,19 @@ Affine transform_of(const pugi::xml_node& node) {
   return Eigen::Translation2d(origin) * transform * Eigen::Translation2d(-origin);
 }
 
+/// Whether elements show something that is no line of a pen.
+bool is_other_shape(std::string_view name) {
+  constexpr std::array<std::string_view, 6> others = {"circle", "ellipse", "image", "rect", "text", "use"};
+  return std::ranges::find(others, name) != others.end();
+}
+
 class SvgReader {
  public:
   explicit SvgReader(const PenFileText& file) : xml_(file) { content_.unit = "px"; }
 
   PenFile read() {
     read_element(xml_.root(), Affine::Identity(), true);
+    content_.not_used.assign(others_.begin(), others_.end());
     return std::move(content_);
   }
 
@@ -104,6 +113,7 @@ class SvgReader {
   void add_path(std::string_view data, const Affine& transform);
 
   XmlFile xml_;
+  std::set<std::string> others_;  ///< names of elements that show something else
   PenFile content_;
 };
 
@@ -121,6 +131,7 @@ void SvgReader::read_element(const pugi::xml_node& node, Affine transform, bool 
     transform = transform * transform_of(node);
     if (name == "svg") transform = transform * view_of(node);
     if (visible) add_shape(node, transform);
+    if (visible && is_other_shape(name)) others_.insert(std::string(name));
   } catch (const FileError&) {
     throw;
   } catch (const Error& error) {

@@ -1,5 +1,5 @@
 // Takes the tagged values of reMarkable's version 6 one by one.
-#include <burin/ink/decode/remarkable_tagged.h>
+#include <burin/ink/parse/remarkable_tagged.h>
 
 #include <bit>
 

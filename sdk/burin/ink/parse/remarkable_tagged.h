@@ -1,10 +1,17 @@
 #pragma once
-#include <burin/ink/decode/remarkable_order.h>
 #include <burin/ink/parse/byte_reader.h>
 
+#include <compare>
 #include <cstdint>
 
 namespace burin {
+
+/// Names an item of a page: who made it, and a count.
+struct RemarkableId {
+  std::uint8_t author = 0;
+  std::uint64_t number = 0;
+  auto operator<=>(const RemarkableId&) const = default;
+};
 
 /// A value of reMarkable's version 6 with the tag before it: its index, and how it is written. Only what its
 /// kind has is set.
