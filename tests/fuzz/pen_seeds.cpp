@@ -70,6 +70,42 @@ std::string remarkable_5() {
   return bytes.text();
 }
 
+/// A part of reMarkable's version 6 with its tag.
+std::string remarkable_part(std::uint64_t index, const std::string& content) {
+  Bytes bytes;
+  bytes.add_varint(index << 4 | 12).add(static_cast<std::uint32_t>(content.size()));
+  return bytes.add_text(content).text();
+}
+
+std::string remarkable_id(std::uint64_t index, std::uint64_t number) {
+  Bytes bytes;
+  return bytes.add_varint(index << 4 | 15).add(std::uint8_t{0}).add_varint(number).text();
+}
+
+std::string remarkable_block(char type, const std::string& content) {
+  Bytes bytes;
+  bytes.add(static_cast<std::uint32_t>(content.size())).add_text(std::string_view("\0\1\2", 3));
+  return bytes.add(type).add_text(content).text();
+}
+
+/// A group beside typed text, in a layer.
+std::string remarkable_text() {
+  Bytes real, style, place;
+  real.add_varint(2 << 4 | 4).add(-464.F);
+  style.add(std::uint8_t{0}).add_varint(21);
+  place.add(-400.0).add(200.0);
+  const auto id = remarkable_id;
+  const auto part = remarkable_part;
+  const std::string piece = part(0, id(2, 20) + id(3, 0) + id(4, 0) + part(6, "\3\1a\nb")),
+                    styles = part(2, part(1, "\1" + style.text() + id(1, 7) + part(2, "\x11\x04"))),
+                    heads = id(2, 12) + id(3, 0) + id(4, 0);
+  return remarkable_block(
+             7, id(1, 0) + part(2, part(1, part(1, "\1" + piece)) + styles) + part(3, place.text())) +
+         remarkable_block(2, id(1, 0) + part(7, id(1, 5) + id(2, 22)) + part(10, id(1, 5) + real.text())) +
+         remarkable_block(4, id(1, 1) + heads + part(6, "\2" + id(2, 30))) +
+         remarkable_block(4, id(1, 30) + heads + part(6, "\2" + id(2, 0)));
+}
+
 std::string remarkable_6() {
   Bytes line;
   line.add(std::uint8_t{3}).add_varint(1 << 4 | 4).add(15U).add_varint(5 << 4 | 12).add(14U);
@@ -113,6 +149,7 @@ std::vector<PenSeed> all_seeds() {
       {"isf", isf()},
       {"remarkable", remarkable_5()},
       {"remarkable", remarkable_6()},
+      {"remarkable", remarkable_6() + remarkable_text()},
       {"excalidraw",
        R"({"type":"excalidraw","elements":[{"type":"freedraw","x":10,"y":20,"angle":1.5,"points":)"
        R"([[0,0],[4,0]],"pressures":[0.25,0]}]})"},
@@ -126,10 +163,21 @@ std::vector<PenSeed> all_seeds() {
       {"xournal",
        R"(<xournal><page width="9" height="9"><layer><stroke tool="pen" width="1 2">1 2 3 4</stroke>)"
        R"(</layer></page></xournal>)"},
+      {"svg",
+       R"svg(<svg><defs><path id="a" d="M1 2l3 4"/></defs><g style="transform:rotate(1rad)translateX(2px);)svg"
+       R"svg(transform-origin:1px 2px"><use href="#a" x="5"/><rect/></g></svg>)svg"},
       {"svg", R"svg(<svg><g transform="scale(2)"><path d="M1 2 l3 4 C1 2 3 4 5 6 z"/></g></svg>)svg"},
       {"evemu",
        "# EVEMU 1.2\nN: A\nA: 00 0 100 0 0 10\nA: 01 0 100 0 0 10\nE: 0.01 0003 0000 20\nE: 0.01 0003 0001 "
        "20\nE: 0.01 0001 014a 1\nE: 0.01 0000 0000 0\n"},
+      {"evemu",
+       "# EVEMU 1.3\nA: 35 0 100 0 0 10\nA: 36 0 100 0 0 10\nA: 3a 0 9 0 0\nE: 0.01 0003 0039 1\nE: 0.01 "
+       "0003 0035 "
+       "20\nE: 0.01 0003 0036 20\nE: 0.01 0003 003a 5\nE: 0.01 0000 0000 0\nE: 0.02 0003 002f 1\nE: 0.02 "
+       "0003 0039 "
+       "2\nE: 0.02 0003 0035 7\nE: 0.02 0003 0036 8\nE: 0.02 0000 0000 0\nE: 0.03 0003 0039 -1\nE: 0.03 0000 "
+       "0000 0\n"},
+      {"pointers", "{\"points\":[{\"x\":1,\"y\":2}]}\n{\"drawing\":[[[1,2],[3,4],[0,8]]]}\n"},
       {"pointers", R"([{"pointers":[{"x":1,"y":2,"t":1500,"p":0.5},{"x":3,"y":4,"t":1516,"p":1}]}])"},
       {"uim_json",
        R"({"inputData": {"inputContextData": {"sensorContexts": [{"sensorChannelsContext": [{"channels": [)"
@@ -157,6 +205,7 @@ std::vector<PenSeed> all_seeds() {
       {"brush_stroke",
        R"(f(stroke=[{"name":'it\'s', "location":(0.1, 0.2, 0.3), "mouse":(10, 20), "pressure":0.5, "size":25,)"
        R"("pen_flip":False, "time":1.5, "is_start":True}, {'location':(0, 1, 2), "x_tilt": 0.5, 'y_tilt': 0,}]))"},
+      {"csv", "idx,SPLINE_X,SPLINE_Y,SENSOR_TIMESTAMP,note\n0,1,2,3,\"a\nb\"\"\"\n1,5,6,7,\n"},
       {"csv", "stroke,x,y,time,pressure\n1,1,2,0,0.5\n2,3,4,8,1\n"},
   };
 }

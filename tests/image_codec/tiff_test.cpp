@@ -135,6 +135,15 @@ TEST_F(TiffFiles, RefusesATiffWhoseTexelsDoNotDecode) {
             ": is damaged, or compressed in a way that is not read: strip or tile 1 cannot be decoded");
 }
 
+TEST_F(TiffFiles, RefusesATiffWithoutTexels) {
+  std::string bytes = tiff_of_untold_bits(PHOTOMETRIC_MINISBLACK, 1, "\x50\xf0");
+  constexpr std::size_t byte_count = 8 + 2 + 6 * 12 + 8, offset = 8 + 2 + 3 * 12 + 8;
+  for (const std::size_t at : {byte_count, offset}) bytes.replace(at, 4, 4, '\0');
+  write_file_whole(path("empty.tif"), [&](std::ostream& out) { out << bytes; });
+  EXPECT_EQ(complaint(path("empty.tif")),
+            ": holds no texels: its program did not get as far as to write them");
+}
+
 TEST_F(TiffFiles, TurnsATiffUpright) {
   const auto turned = [](TIFF* tiff) { TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_RIGHTTOP); };
   StampFile file;
@@ -247,6 +256,8 @@ TEST_F(TiffFiles, RefusesWhatTheLibraryMisreads) {
             ": holds numbers of 24 bits, which is not read");
   EXPECT_EQ(complaint(write_tiff(4, 1, 24, std::string(12, '\x3f'))),
             ": holds numbers of 24 bits, which is not read");
+  EXPECT_EQ(complaint(write_tiff(8, 1, 7, std::string(7, '\x3f'))),
+            ": holds numbers of 7 bits, which is not read");
   const std::string wide = bytes_of<std::uint64_t>({1, 2, 3, 4});
   EXPECT_EQ(complaint(write_tiff(2, 2, 64, wide)), ": holds whole numbers of 64 bits, which is not read");
   EXPECT_EQ(complaint(write_tiff(

@@ -4,6 +4,7 @@
 #include <tiffio.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <memory>
 #include <string>
@@ -79,11 +80,13 @@ bool bits_are_untold(TIFF* tiff) {
   return TIFFGetField(tiff, TIFFTAG_BITSPERSAMPLE, &bits) == 0;
 }
 
-/// What OpenImageIO would give wrong numbers for without a word: 24 bits, whatever they mean, and 64 bits
-/// unless they lie in strips of several rows, all channels of a texel together. Empty for other texels.
+/// What OpenImageIO does not read, or gives wrong numbers for without a word, as for 24 bits, whatever they
+/// mean, and for 64 bits unless they lie in strips of several rows, all channels of a texel together. Empty
+/// for other texels.
 std::string misread_texels(TIFF* tiff, std::uint16_t meaning) {
   const auto bits = field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE, 1);
-  if (bits == 24) return "numbers of 24 bits";
+  constexpr std::array<std::uint16_t, 11> read = {1, 2, 4, 6, 8, 10, 12, 14, 16, 32, 64};
+  if (std::ranges::find(read, bits) == read.end()) return "numbers of " + std::to_string(bits) + " bits";
   const auto format = field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
   if (format == SAMPLEFORMAT_COMPLEXINT || format == SAMPLEFORMAT_COMPLEXIEEEFP) return "complex numbers";
   if (bits == 64 && format != SAMPLEFORMAT_IEEEFP) return "whole numbers of 64 bits";
@@ -137,6 +140,11 @@ void expect_texels_that_decode(const std::filesystem::path& path) {
   const Tiff tiff = open(path);
   const tmsize_t size = TIFFIsTiled(tiff.get()) ? TIFFTileSize(tiff.get()) : TIFFStripSize(tiff.get());
   std::vector<unsigned char> texels(static_cast<std::size_t>(std::max<tmsize_t>(size, 0)));
+  std::uint64_t bytes = 0;
+  for (std::uint32_t piece = 0; piece < count_pieces(tiff.get()); ++piece)
+    bytes += TIFFGetStrileByteCount(tiff.get(), piece);
+  if (bytes == 0)
+    throw FileError(path.string(), "holds no texels: its program did not get as far as to write them");
   for (std::uint32_t piece = 0; piece < count_pieces(tiff.get()); ++piece)
     if (!decodes(tiff.get(), piece, texels))
       throw FileError(path.string(), "is damaged, or compressed in a way that is not read: strip or tile " +

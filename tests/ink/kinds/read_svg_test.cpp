@@ -55,6 +55,29 @@ TEST(ReadSvg, FollowsSkewsAndViews) {
       "10 20, 12 24");
 }
 
+TEST(ReadSvg, ShowsAgainWhatIsUsed) {
+  const std::string defs = R"svg(<defs><path id="a" transform="scale(2)" d="M1 2L3 4"/><symbol id="s"><g>
+    <line x2="1"/></g></symbol><g id="both"><use href="#a"/><use xlink:href="#s" x="5px"/></g></defs>)svg";
+  const PenFile file = PenFileFolder().read(svg(defs + R"svg(<use href="#a" x="10" transform="scale(3)"/>
+    <g visibility="hidden"><use href="#a"/></g><use href="#both" y="1"/><use href="#none"/>)svg"));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "36 12, 48 24");
+  EXPECT_EQ(places(file.strokes[1]), "2 5, 6 9");
+  EXPECT_EQ(places(file.strokes[2]), "5 1, 6 1");
+}
+
+TEST(ReadSvg, RefusesUsesWithoutEnd) {
+  const PenFileFolder folder;
+  EXPECT_EQ(folder.complaint(svg(R"svg(<g id="a"><use href="#a"/></g>)svg")),
+            "4: elements that show each other again and again");
+  std::string bomb = "<g id=\"g0\"><path d=\"M0 0L1 1\"/></g>";
+  for (int i = 0; i < 30; ++i) {
+    const std::string use = "<use href=\"#g" + std::to_string(i) + "\"/>";
+    bomb += "<g id=\"g" + std::to_string(i + 1) + "\">" + use + use + "</g>";
+  }
+  EXPECT_EQ(folder.complaint(svg(bomb)), "4: more points than a file of this size may show");
+}
+
 TEST(ReadSvg, NamesOtherShapes) {
   const PenFile file = PenFileFolder().read(svg(R"svg(<text>a</text><rect width="9" height="9"/>
     <path d="M1 2L3 4"/><rect/><circle r="3" style="display:none"/><defs><image/></defs>)svg"));

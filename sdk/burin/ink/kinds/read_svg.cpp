@@ -14,6 +14,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -93,13 +94,16 @@ Affine transform_of(const pugi::xml_node& node) {
 
 /// Whether elements show something that is no line of a pen.
 bool is_other_shape(std::string_view name) {
-  constexpr std::array<std::string_view, 6> others = {"circle", "ellipse", "image", "rect", "text", "use"};
+  constexpr std::array<std::string_view, 5> others = {"circle", "ellipse", "image", "rect", "text"};
   return std::ranges::find(others, name) != others.end();
 }
 
 class SvgReader {
  public:
-  explicit SvgReader(const PenFileText& file) : xml_(file) { content_.unit = "px"; }
+  explicit SvgReader(const PenFileText& file)
+      : xml_(file), most_samples_(always_samples + samples_a_byte * file.text.size()) {
+    content_.unit = "px";
+  }
 
   PenFile read() {
     read_element(xml_.root(), Affine::Identity(), true);
@@ -108,12 +112,19 @@ class SvgReader {
   }
 
  private:
+  // What `use` repeats could be without end.
+  static constexpr std::size_t always_samples = 1'000'000, samples_a_byte = 16, deepest_use = 100;
+
   void read_element(const pugi::xml_node& node, Affine transform, bool visible);
+  void read_used(const pugi::xml_node& node, Affine transform, bool visible);
+  pugi::xml_node element_of(std::string_view id);
   void add_shape(const pugi::xml_node& node, const Affine& transform);
   void add_path(std::string_view data, const Affine& transform);
 
   XmlFile xml_;
-  std::set<std::string> others_;  ///< names of elements that show something else
+  std::size_t most_samples_, samples_ = 0, uses_ = 0, depth_of_uses_ = 0;
+  std::map<std::string_view, pugi::xml_node> elements_;  ///< by id, once one is used
+  std::set<std::string> others_;                         ///< names of elements that show something else
   PenFile content_;
 };
 
@@ -132,12 +143,40 @@ void SvgReader::read_element(const pugi::xml_node& node, Affine transform, bool 
     if (name == "svg") transform = transform * view_of(node);
     if (visible) add_shape(node, transform);
     if (visible && is_other_shape(name)) others_.insert(std::string(name));
+    if (name == "use") read_used(node, transform, visible);
   } catch (const FileError&) {
     throw;
   } catch (const Error& error) {
     xml_.reject(node, error.what());
   }
   for (const pugi::xml_node& child : node.children()) read_element(child, transform, visible);
+}
+
+/// Takes the element that a `use` shows again, moved to its x and y.
+void SvgReader::read_used(const pugi::xml_node& node, Affine transform, bool visible) {
+  const std::string_view reference = attribute(node, "href").value();
+  const pugi::xml_node used = reference.starts_with('#') ? element_of(reference.substr(1)) : pugi::xml_node();
+  if (!used) return;
+  if (++uses_ > most_samples_ || depth_of_uses_ >= deepest_use)
+    throw Error("elements that show each other again and again");
+  ++depth_of_uses_;
+  const auto coordinate = [&](const char* axis) { return pixels(attribute(node, axis).value()).value_or(0); };
+  transform.translate(Eigen::Vector2d(coordinate("x"), coordinate("y")));
+  if (local_name(used.name()) == "symbol")
+    for (const pugi::xml_node& child : used.children()) read_element(child, transform, visible);
+  else
+    read_element(used, transform, visible);
+  --depth_of_uses_;
+}
+
+pugi::xml_node SvgReader::element_of(std::string_view id) {
+  if (elements_.empty())
+    xml_.root().find_node([this](const pugi::xml_node& node) {
+      elements_.try_emplace(node.attribute("id").value(), node);
+      return false;
+    });
+  const auto found = elements_.find(id);
+  return found == elements_.end() ? pugi::xml_node() : found->second;
 }
 
 void SvgReader::add_shape(const pugi::xml_node& node, const Affine& transform) {
@@ -157,6 +196,7 @@ void SvgReader::add_path(std::string_view data, const Affine& transform) {
   follow_svg_path(
       data, [&] { content_.strokes.emplace_back(); },
       [&](const Eigen::Vector2d& point) {
+        if (++samples_ > most_samples_) throw Error("more points than a file of this size may show");
         Sample& sample = content_.strokes.back().samples.emplace_back();
         sample.position.head<2>() = transform * point;
       });
