@@ -50,6 +50,14 @@ std::uint32_t count_pieces(TIFF* tiff) {
   return TIFFIsTiled(tiff) ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
 }
 
+/// Throws FileError for a file whose program ended, or failed, before it wrote texels.
+void expect_texels_at_all(TIFF* tiff, const std::filesystem::path& path) {
+  std::uint64_t bytes = 0;
+  for (std::uint32_t i = 0; i < count_pieces(tiff); ++i) bytes += TIFFGetStrileByteCount(tiff, i);
+  if (bytes == 0)
+    throw FileError(path.string(), "holds no texels: its program did not get as far as to write them");
+}
+
 bool is_cut_off(TIFF* tiff, std::uintmax_t file_bytes) {
   for (std::uint32_t i = 0; i < count_pieces(tiff); ++i) {
     const std::uint64_t begin = TIFFGetStrileOffset(tiff, i), size = TIFFGetStrileByteCount(tiff, i);
@@ -140,11 +148,6 @@ void expect_texels_that_decode(const std::filesystem::path& path) {
   const Tiff tiff = open(path);
   const tmsize_t size = TIFFIsTiled(tiff.get()) ? TIFFTileSize(tiff.get()) : TIFFStripSize(tiff.get());
   std::vector<unsigned char> texels(static_cast<std::size_t>(std::max<tmsize_t>(size, 0)));
-  std::uint64_t bytes = 0;
-  for (std::uint32_t piece = 0; piece < count_pieces(tiff.get()); ++piece)
-    bytes += TIFFGetStrileByteCount(tiff.get(), piece);
-  if (bytes == 0)
-    throw FileError(path.string(), "holds no texels: its program did not get as far as to write them");
   for (std::uint32_t piece = 0; piece < count_pieces(tiff.get()); ++piece)
     if (!decodes(tiff.get(), piece, texels))
       throw FileError(path.string(), "is damaged, or compressed in a way that is not read: strip or tile " +
@@ -168,6 +171,7 @@ std::vector<float> read_bits(const std::filesystem::path& path) {
 
 TiffInfo read_tiff_facts(const std::filesystem::path& path, std::uintmax_t file_bytes) {
   const Tiff tiff = open(path);
+  expect_texels_at_all(tiff.get(), path);
   TiffInfo facts;
   std::uint16_t meaning = PHOTOMETRIC_MINISBLACK;
   TIFFGetField(tiff.get(), TIFFTAG_PHOTOMETRIC, &meaning);

@@ -49,6 +49,36 @@ TEST(ReadHid, TakesRadiansWhereTheDescriptorHasThem) {
   EXPECT_EQ(file.strokes[0].samples[0].pen.tilt_y, -1);
 }
 
+/// The lines of a tablet that tells of two touches at a time: their number, then the id, tip switch, x and y
+/// of each, in 1/40 mm. Its usages are those of Wacom's page of touch.
+std::string touches(const std::vector<std::string>& reports) {
+  const std::string touch =
+      "09 22 a1 02 09 51 65 00 55 00 15 00 26 ff 00 75 08 95 01 81 02 09 42 25 01 75 01 81 02 95 07 81 03 0a "
+      "30 01 "
+      "65 11 55 0d 35 00 46 80 57 26 00 23 75 10 95 01 81 02 0a 31 01 46 d0 39 26 20 17 81 02 c0 ";
+  const std::string bytes =
+      "06 00 ff 09 05 a1 01 85 21 09 54 15 00 26 ff 00 75 08 95 01 81 02 " + touch + touch + "c0";
+  std::string text = "R: " + std::to_string((bytes.size() + 1) / 3) + " " + bytes + "\nN: Touch\n";
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    text += "E: " + std::to_string(i) + " 14 21 " + reports[i] + "\n";
+  return text;
+}
+
+TEST(ReadHid, PartsTouchesByTheirIds) {
+  const std::string none = " 00 00 00 00 00 00", first = " 00 01 90 01 20 03";
+  const PenFile file = PenFileFolder().read(
+      touches({"01" + first + none, "02 00 01 b8 01 20 03 03 01 a0 0f 90 01",
+               "02" + none + " 03 01 c8 0f 90 01", "01 03 00 c8 0f 90 01" + none, "01" + first + none}));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "10 20, 11 20");
+  EXPECT_EQ(places(file.strokes[1]), "100 10, 101 10");
+  EXPECT_EQ(places(file.strokes[2]), "10 20");
+  EXPECT_EQ(file.strokes[0].tool, "touch");
+  EXPECT_EQ(file.strokes[0].fields, PenFields{.time = true});
+  EXPECT_EQ(file.unit, "mm");
+  EXPECT_EQ(file.hovering, 1u);
+}
+
 TEST(ReadHid, CutsReportsByTheDescriptorOfTheirDevice) {
   const std::string pad = "D:1\nR: 16 05 0d 09 42 15 00 25 01 75 08 95 01 81 02 c0 c0\nN: A Pad\n";
   const PenFile file = PenFileFolder().read("D:0\n" + descriptor + pad +

@@ -2,19 +2,17 @@
 // "E: time n bytes" are cut into fields.
 //
 // Contact is the tip switch or the eraser switch. Reports that lack the position belong to something else:
-// the battery, or the tablet's buttons.
+// the battery, or the tablet's buttons. Reports of several touches are read by decode/hid_touches.h.
 #include <burin/base/error.h>
-#include <burin/ink/decode/hid_descriptor.h>
+#include <burin/ink/decode/hid_touches.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/hid_descriptor.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/text_window.h>
 #include <burin/ink/pen_file.h>
-#include <burin/math/elementary.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <iterator>
 #include <map>
 #include <numbers>
@@ -30,9 +28,8 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::uint32_t usage_x = 0x010030, usage_y = 0x010031, usage_pressure = 0x0d0030,
-                        usage_tilt_x = 0x0d003d, usage_tilt_y = 0x0d003e, usage_twist = 0x0d0041,
-                        usage_tip = 0x0d0042, usage_eraser = 0x0d0045;
+constexpr std::uint32_t usage_pressure = 0x0d0030, usage_tilt_x = 0x0d003d, usage_tilt_y = 0x0d003e,
+                        usage_twist = 0x0d0041, usage_eraser = 0x0d0045;
 
 /// "n bytes", the bytes in hexadecimal.
 Bytes parse_bytes(std::string_view rest) {
@@ -45,25 +42,10 @@ Bytes parse_bytes(std::string_view rest) {
   return bytes;
 }
 
-/// What a value means: the physical range for the logical one, times the exponent.
-double physical(const HidField& field, std::int32_t value) {
-  const double span = field.physical_most - field.physical_least, logical = field.most - field.least;
-  double meant = value;
-  if (span > 0 && logical > 0) meant = field.physical_least + (meant - field.least) / logical * span;
-  const double unit = math::pow(10., std::abs(field.exponent));
-  return field.exponent < 0 ? meant / unit : meant * unit;
-}
-
-/// Millimetres in the unit of a field, or 0 if that is no length.
-double millimetres(const HidField& field) {
-  constexpr std::uint32_t centimetre = 0x11, inch = 0x13;
-  return field.unit == centimetre ? 10 : field.unit == inch ? 25.4 : 0;
-}
-
 /// Reads the reports of a device.
 class HidPen {
  public:
-  explicit HidPen(std::vector<HidField> fields) : fields_(std::move(fields)) {}
+  explicit HidPen(std::vector<HidField> fields) : fields_(std::move(fields)), touches_(fields_) {}
 
   void take(double time, const Bytes& report);
   PenFile finish() { return std::move(content_); }
@@ -76,6 +58,7 @@ class HidPen {
   void add_sample(double time, const Bytes& report, bool eraser);
 
   std::vector<HidField> fields_;
+  HidTouches touches_;
   bool down_ = false;
   PenFile content_;
 };
@@ -97,6 +80,7 @@ std::optional<std::int32_t> HidPen::value(std::uint32_t usage, const Bytes& repo
 }
 
 void HidPen::take(double time, const Bytes& report) {
+  if (touches_.take(time, report, content_)) return;
   if (!find(usage_x, report) || !find(usage_y, report) || !find(usage_tip, report)) return;
   const bool tip = value(usage_tip, report).value_or(0) != 0;
   const bool eraser = value(usage_eraser, report).value_or(0) != 0;
@@ -109,16 +93,16 @@ void HidPen::take(double time, const Bytes& report) {
 
 double HidPen::position(const HidField& field, const Bytes& report) {
   const std::int32_t raw = *value(field.usage, report);
-  const double unit = millimetres(field);
+  const double unit = hid_millimetres(field);
   if (unit > 0) content_.unit = "mm";
-  return unit > 0 ? physical(field, raw) * unit : raw;
+  return unit > 0 ? hid_physical(field, raw) * unit : raw;
 }
 
 float HidPen::angle(std::uint32_t usage, const Bytes& report) const {
   const HidField& field = *find(usage, report);
   constexpr std::uint32_t radians = 0x12;
   const double by = field.unit == radians ? 1 : std::numbers::pi / 180;
-  return static_cast<float>(physical(field, *value(usage, report)) * by);
+  return static_cast<float>(hid_physical(field, *value(usage, report)) * by);
 }
 
 void HidPen::add_sample(double time, const Bytes& report, bool eraser) {

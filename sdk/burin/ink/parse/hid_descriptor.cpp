@@ -1,10 +1,13 @@
 // Reads HID report descriptors: short items, of which global ones hold until they change and local ones until
 // the next main item ("Device Class Definition for HID 1.11", section 6.2.2).
 #include <burin/base/error.h>
-#include <burin/ink/decode/hid_descriptor.h>
+#include <burin/ink/parse/hid_descriptor.h>
+#include <burin/math/elementary.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace burin {
@@ -12,10 +15,10 @@ namespace {
 
 constexpr std::size_t most_report_bits = 8 * 4096;
 
-/// A usage of Wacom's own page as the standard usage that it stands for: 0xff0d0042 is the digitizer's tip
-/// switch, 0xff0d0130 the generic desktop's X.
+/// A usage of Wacom's own pages, of pens and of touch, as the standard usage that it stands for: 0xff0d0042
+/// is the digitizer's tip switch, 0xff000130 the generic desktop's X.
 std::uint32_t standard_usage(std::uint32_t usage) {
-  if (usage >> 16 != 0xff0d) return usage;
+  if (usage >> 16 != 0xff0d && usage >> 16 != 0xff00) return usage;
   const std::uint32_t page = (usage & 0xff00) >> 8;
   return (page == 0 ? 0x0d0000 : page << 16) | (usage & 0xff);
 }
@@ -145,6 +148,19 @@ std::vector<HidField> hid_fields(std::span<const std::uint8_t> descriptor) {
     descriptor = descriptor.subspan(1 + bytes);
   }
   return std::move(parsed.fields);
+}
+
+double hid_physical(const HidField& field, std::int32_t value) {
+  const double span = field.physical_most - field.physical_least, logical = field.most - field.least;
+  double meant = value;
+  if (span > 0 && logical > 0) meant = field.physical_least + (meant - field.least) / logical * span;
+  const double unit = math::pow(10., std::abs(field.exponent));
+  return field.exponent < 0 ? meant / unit : meant * unit;
+}
+
+double hid_millimetres(const HidField& field) {
+  constexpr std::uint32_t centimetre = 0x11, inch = 0x13;
+  return field.unit == centimetre ? 10 : field.unit == inch ? 25.4 : 0;
 }
 
 std::int32_t hid_value(const HidField& field, std::span<const std::uint8_t> report) {

@@ -6,6 +6,10 @@
 
 namespace burin {
 
+// Usages, page << 16 | usage, of pens and of touches.
+inline constexpr std::uint32_t usage_x = 0x010030, usage_y = 0x010031, usage_tip = 0x0d0042,
+                               usage_contact_id = 0x0d0051, usage_contact_count = 0x0d0054;
+
 /// A field of the input reports of a HID device.
 struct HidField {
   std::uint8_t report = 0;     ///< id of the report; 0 if the device has only one
@@ -22,6 +26,12 @@ struct HidField {
 /// The variable input fields that a report descriptor describes. Throws Error for one that is cut off or
 /// counts more bits than a report can have.
 std::vector<HidField> hid_fields(std::span<const std::uint8_t> descriptor);
+
+/// What a value means: the physical range for the logical one, times the exponent.
+double hid_physical(const HidField& field, std::int32_t value);
+
+/// Millimetres in the unit of a field, or 0 if that is no length.
+double hid_millimetres(const HidField& field);
 
 /// The value of a field in a report, without its id byte. The report must have all bits of it.
 std::int32_t hid_value(const HidField& field, std::span<const std::uint8_t> report);

@@ -1,0 +1,44 @@
+#pragma once
+#include <burin/ink/parse/hid_descriptor.h>
+#include <burin/ink/pen_file.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// Makes a stroke of each touch of a device whose reports have several, each with its id.
+class HidTouches {
+ public:
+  explicit HidTouches(const std::vector<HidField>& fields);
+
+  /// Takes a report, with its id byte if the device has several; returns whether it is one of several
+  /// touches.
+  bool take(double time, std::span<const std::uint8_t> report, PenFile& content);
+
+ private:
+  /// Where a report has one of its touches.
+  struct Place {
+    HidField tip, id, x, y;
+  };
+  struct Report {
+    std::vector<Place> places;
+    std::vector<HidField> count;  ///< of touches in the report; none or one
+  };
+  struct Touch {
+    std::int32_t id;
+    Vec3d position;
+  };
+
+  void end(const std::vector<std::int32_t>& ended, const std::vector<Touch>& down);
+  void add(const Touch& touch, double time, PenFile& content);
+
+  std::map<std::uint8_t, Report> reports_;       ///< by id
+  std::map<std::int32_t, std::size_t> strokes_;  ///< that go on, of the content, by the id of the touch
+};
+
+}  // namespace burin
