@@ -97,13 +97,14 @@ std::string remarkable_text() {
   const auto id = remarkable_id;
   const auto part = remarkable_part;
   const std::string piece = part(0, id(2, 20) + id(3, 0) + id(4, 0) + part(6, "\3\1a\nb")),
-                    styles = part(2, part(1, "\1" + style.text() + id(1, 7) + part(2, "\x11\x04"))),
+                    styles =
+                        part(2, part(1, std::string("\1") + style.text() + id(1, 7) + part(2, "\x11\x04"))),
                     heads = id(2, 12) + id(3, 0) + id(4, 0);
-  return remarkable_block(
-             7, id(1, 0) + part(2, part(1, part(1, "\1" + piece)) + styles) + part(3, place.text())) +
+  return remarkable_block(7, id(1, 0) + part(2, part(1, part(1, std::string("\1") + piece)) + styles) +
+                                 part(3, place.text())) +
          remarkable_block(2, id(1, 0) + part(7, id(1, 5) + id(2, 22)) + part(10, id(1, 5) + real.text())) +
-         remarkable_block(4, id(1, 1) + heads + part(6, "\2" + id(2, 30))) +
-         remarkable_block(4, id(1, 30) + heads + part(6, "\2" + id(2, 0)));
+         remarkable_block(4, id(1, 1) + heads + part(6, std::string("\2") + id(2, 30))) +
+         remarkable_block(4, id(1, 30) + heads + part(6, std::string("\2") + id(2, 0)));
 }
 
 std::string remarkable_6() {

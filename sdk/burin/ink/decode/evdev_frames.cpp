@@ -44,8 +44,8 @@ void EvdevFrames::end_frame(double time) {
   for (const EvdevEvent& event : frame_) apply(event);
   frame_.clear();
   const bool lost = std::exchange(lost_, false);
-  if (touches_.any()) {
-    if (!touches_.end_frame(time, content_)) ++content_.hovering;
+  if (touches_.end_frame(time, content_)) {
+    down_ = false;
   } else if (leaves || lost || !touches()) {
     down_ = false;
     ++content_.hovering;

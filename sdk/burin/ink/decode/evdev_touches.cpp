@@ -26,7 +26,6 @@ void EvdevTouches::take(unsigned code, int value) {
   }
   slot.down = value >= 0;
   slot.stroke.reset();
-  any_ = any_ || slot.down;
 }
 
 bool EvdevTouches::end_frame(double time, PenFile& content) {

@@ -23,9 +23,6 @@ class EvdevTouches {
   /// Takes an event of such an axis.
   void take(unsigned code, int value);
 
-  /// Whether there has been a touch.
-  bool any() const { return any_; }
-
   /// Adds a sample to the stroke of each touch. Returns whether there is one.
   bool end_frame(double time, PenFile& content);
 
@@ -44,7 +41,6 @@ class EvdevTouches {
   const EvdevAxes& axes_;
   std::map<int, Slot> slots_;
   int slot_ = 0;
-  bool any_ = false;
 };
 
 }  // namespace burin
