@@ -113,7 +113,7 @@ class SvgReader {
 
  private:
   // What `use` repeats could be without end.
-  static constexpr std::size_t always_samples = 1'000'000, samples_a_byte = 16, deepest_use = 100;
+  static constexpr std::size_t always_samples = 100'000, samples_a_byte = 16, deepest_use = 100;
 
   void read_element(const pugi::xml_node& node, Affine transform, bool visible);
   void read_used(const pugi::xml_node& node, Affine transform, bool visible);
