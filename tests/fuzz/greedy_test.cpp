@@ -28,6 +28,16 @@ std::string repeated(std::string_view text, std::size_t times) {
   return all;
 }
 
+/// SVG whose groups each show the one before twice.
+std::string doubled_uses(int groups) {
+  std::string text = "<svg><g id=\"g0\"><path d=\"M0 0L1 1\"/></g>";
+  for (int i = 0; i < groups; ++i) {
+    const std::string use = "<use href=\"#g" + std::to_string(i) + "\"/>";
+    text += "<g id=\"g" + std::to_string(i + 1) + "\">" + use + use + "</g>";
+  }
+  return text + "</svg>";
+}
+
 const Greedy greedy_files[] = {
     {"ply", "ply\nformat binary_little_endian 1.0\nelement vertex 4294967295\n" + ply_vertices +
                 "element face 4294967295\nproperty list uint int vertex_indices\nend_header\n"},
@@ -60,11 +70,13 @@ const Greedy greedy_files[] = {
     {"brush_stroke", "f(stroke=[" + repeated("{'mouse':", 200'000)},
     {"inkml", "<ink>" + repeated("<a>", 1'000'000)},
     {"inkml", "<ink>" + repeated("<a>", 300)},
+    {"svg", doubled_uses(60)},
     {"svg", "<svg" + repeated(" a=''", 3'000'000) + ">"},
     {"xournal", "<xournal>" + repeated("<page/>", 1'000'000)},
     {"inkml", "<!DOCTYPE ink [<!ENTITY a \"" + std::string(1000, '1') + "\"><!ENTITY b \"" +
                   repeated("&a;", 1000) + "\">]><ink><trace>&b; 2</trace></ink>"},
     {"csv", "x,y\n1,nan\n"},
+    {"csv", "x,y,note\n1,2,\"" + std::string(3'000'000, '\n')},
     {"csv", "x,y\n1," + std::string(3'000'000, '9') + "\n"},
     {"libinput", "libinput:\ndevices: " + repeated("[", 200'000)},
     {"hid", "R: 4000000000 05 0d\n"},
