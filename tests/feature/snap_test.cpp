@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "feature/known_lines.h"
+#include "support/sanitized.h"
 #include "support/shapes.h"
 
 namespace burin::test {
@@ -388,9 +389,7 @@ TEST(Snap, MayBeCalledWhileThePenDraws) {
 }
 
 TEST(Snap, TakesAboutTwiceTheTimeOfOneChart) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers slow different work down differently";
-#endif
+  if (test::sanitized) GTEST_SKIP() << "sanitizers slow different work down differently";
   const double r = 18;
   const KnownLine known = ridge_on_sphere(5, 2.5, 150, 0.9, r, 195, 3);
   SnapScene scene(known.mesh);

@@ -1,4 +1,5 @@
 #include "sessions.h"
+#include "support/sanitized.h"
 #include "support/shared_data.h"
 
 #include <burin/host/replay.h>
@@ -194,7 +195,7 @@ TEST(StrokeRecorder, TakesAFewMicrosecondsASample) {
   const double median = microseconds[microseconds.size() / 2];
   std::cout << "median " << median << " us, 99 of 100 within " << microseconds[microseconds.size() / 100 * 99]
             << " us\n";
-  EXPECT_LT(median, 20) << "1.5 when little else runs";
+  if (!test::sanitized) EXPECT_LT(median, 20) << "1.5 when little else runs";
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "markdown.h"
+#include "support/sanitized.h"
 #include "support/shared_data.h"
 
 namespace burin::test {
@@ -177,9 +178,7 @@ TEST(EmbeddingPage, ShowsTheSampleApplication) {
 }
 
 TEST(CHostsPage, RunsAsItSays) {
-#if defined(BURIN_SANITIZED)
-  GTEST_SKIP() << "programs without sanitizers cannot load a library with them";
-#endif
+  if (test::sanitized) GTEST_SKIP() << "programs without sanitizers cannot load a library with them";
   const Checkout checkout;
   const auto scripts = fenced_blocks(page_text("c_hosts"), "sh");
   ASSERT_EQ(scripts.size(), 1u);

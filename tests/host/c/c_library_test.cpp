@@ -14,6 +14,7 @@
 #include "c_host.h"
 #include "house/all_matches.h"
 #include "support/process.h"
+#include "support/sanitized.h"
 #include "support/shared_data.h"
 #include "tbb_arrivals.h"
 
@@ -142,9 +143,7 @@ fs::path file_of_tbb() {
 }
 
 TEST(CLibraryFile, LivesInAProcessWithAnotherOneTBB) {
-#if defined(BURIN_SANITIZED)
-  GTEST_SKIP() << "sanitizers do not allow RTLD_DEEPBIND";
-#endif
+  if (test::sanitized) GTEST_SKIP() << "sanitizers do not allow RTLD_DEEPBIND";
   const TemporaryFolder folder;
   const fs::path tbb = folder.path() / "libtbo.so.12", burin = folder.path() / "a.so";
   copy_renamed(file_of_tbb(), tbb, "libtbb.so.12", "libtbo.so.12");

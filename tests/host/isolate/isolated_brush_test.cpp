@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "host/stock_brush_uses.h"
+#include "support/sanitized.h"
 #include "support/shared_data.h"
 
 namespace burin {
@@ -206,9 +207,7 @@ TEST_F(FailingBrush, MayTakeSoLongOnly) {
 }
 
 TEST_F(FailingBrush, MayTakeSoMuchMemoryOnly) {
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "the sanitizer has memory of its own";
-#endif
+  if (test::sanitized) GTEST_SKIP() << "the sanitizer has memory of its own";
   load({.batch_seconds = 20, .memory = std::uint64_t{100} << 20});
   expect_failure(failure("evaluate:allocate"),
                  "crashed: segmentation fault at address 0x0 in allocate_here, ");
@@ -367,7 +366,7 @@ TEST_F(FailingBrush, LeavesTheSurfaceAsItWasWheneverItIsKilled) {
                            seed, failed, static_cast<double>(whole_time.count()) / 1000, whole,
                            (static_cast<long>(resident()) - static_cast<long>(resident_before)) / 1024);
   EXPECT_GT(failed, kills / 4) << "representative";
-  EXPECT_LT(resident(), resident_before + (std::size_t{64} << 20));
+  if (!test::sanitized) EXPECT_LT(resident(), resident_before + (std::size_t{64} << 20));
   // The last process may have been killed after its stroke, and still be ending when the next one begins.
   if (error_of(draw) == "none") EXPECT_TRUE(session_->undo());
   draw_well();
