@@ -65,7 +65,7 @@ PathLookup::PathLookup(const Surface& surface, const Chart& chart, const Sampled
 
 std::optional<SurfacePoint> PathLookup::at(double t, double row) const {
   const ChartGrid& grid = sampled_.level().grid;
-  if (const auto point = sampled_.point_at(grid.x(t), row)) return point;
+  if (auto point = sampled_.point_at(grid.x(t), row)) return point;
   const auto found = lookup_.find(t, grid.d(row));
   return found ? std::optional(found->at) : std::nullopt;
 }

@@ -1,21 +1,13 @@
 // Moves shown vertices and computes the normals of these and of their neighbours again; after the stroke also
 // the Gauss curvature of the neighbours' neighbours.
+#include <burin/deform/shown/same_bits.h>
 #include <burin/deform/shown/shown_surface.h>
 #include <burin/surface/geometry/curvature.h>
 #include <burin/surface/geometry/normals.h>
 
 #include <cstddef>
-#include <cstring>
 
 namespace burin {
-namespace {
-
-/// Compares bits instead of values: if -0 and 0 counted as equal, results would depend on history.
-bool same_bits(const Vec3f& a, const Vec3f& b) {
-  return std::memcmp(a.data(), b.data(), 3 * sizeof(float)) == 0;
-}
-
-}  // namespace
 
 ShownSurface::ShownSurface(const Surface& base)
     : positions_(base.positions),

@@ -1,9 +1,9 @@
 #pragma once
+#include <burin/deform/shown/same_bits.h>
 #include <burin/host/c/placement.h>
 #include <burin/surface/surface.h>
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -22,8 +22,7 @@ class ObjectSpace {
   /// The position in the object of a vertex of the original mesh that is at `world`.
   Vec3f position(Index source, const Vec3f& world) const {
     const Vec3f there = placement_.to_world(given_[source]);
-    const bool as_given = std::memcmp(there.data(), world.data(), sizeof(float) * 3) == 0;
-    return as_given ? given_[source] : placement_.to_object(world);
+    return same_bits(there, world) ? given_[source] : placement_.to_object(world);
   }
 
   Vec3f normal(const Vec3f& world) const { return placement_.normal_to_object(world); }
@@ -40,7 +39,7 @@ class ObjectSpace {
   /// Takes a position that the owner gave to a vertex of the original mesh; returns whether it has other bits
   /// than the one given before.
   bool take(Index source, const Vec3f& position) {
-    const bool same = std::memcmp(given_[source].data(), position.data(), sizeof(float) * 3) == 0;
+    const bool same = same_bits(given_[source], position);
     given_[source] = position;
     return !same;
   }

@@ -104,11 +104,11 @@ std::string from_percents(const std::string& text) {
 }  // namespace
 
 GltfDocument::GltfDocument(const std::filesystem::path& path) : path_(path) {
-  std::string bytes = read_mesh_bytes(path);
+  const std::string bytes = read_mesh_bytes(path);
   size_ = bytes.size();
   try {
     if (bytes.starts_with("glTF")) {
-      read_glb(std::move(bytes));
+      read_glb(bytes);
     } else {
       json_ = Json::parse(bytes);
     }
@@ -131,7 +131,7 @@ void GltfDocument::fail(std::string_view place, std::string_view what) const {
   throw FileError(path_.string(), place, what);
 }
 
-void GltfDocument::read_glb(std::string bytes) {
+void GltfDocument::read_glb(const std::string& bytes) {
   if (bytes.size() < 20 || little_endian(bytes, 4) != 2) throw Error("is not GLB of version 2");
   constexpr std::uint32_t json_chunk = 0x4e4f534a, binary_chunk = 0x004e4942;
   for (std::size_t at = 12; at + 8 <= bytes.size();) {

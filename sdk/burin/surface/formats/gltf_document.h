@@ -39,7 +39,7 @@ class GltfDocument {
   [[noreturn]] void fail(std::string_view place, std::string_view what) const;
 
  private:
-  void read_glb(std::string bytes);
+  void read_glb(const std::string& bytes);
   void check_extensions() const;
   void load_buffers();
   std::string buffer_of_uri(const std::string& uri, std::size_t buffer) const;
