@@ -122,6 +122,12 @@ function(burin_brush_plugin name)
   burin_install_brush(burin_brush_${name})
 endfunction()
 
+# How long a test may run. With the address sanitizer tests of merged solids take minutes of processor time.
+set(burin_test_seconds 300)
+if(BURIN_SANITIZE)
+  set(burin_test_seconds 1800)
+endif()
+
 # burin_test(NAME LINK ... [LABELS ...] [COST n] [PRECOMPILED name]): the *_test.cpp of the folder and its rooms as one
 # GoogleTest program NAME_test, one CTest entry a test. CTest starts tests of higher cost (0 unless given) first: long
 # ones belong there, so that none is left to run alone. The precompiled headers are burin_test_headers unless given.
@@ -151,5 +157,5 @@ function(burin_test folder)
     ${ARG_LINK} burin_test_support GTest::gtest_main burin_build_flags burin_test_flags)
   add_dependencies(${name} burin_images)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES
-    TIMEOUT 300 COST ${ARG_COST} LABELS "${ARG_LABELS};${folder}")
+    TIMEOUT ${burin_test_seconds} COST ${ARG_COST} LABELS "${ARG_LABELS};${folder}")
 endfunction()
