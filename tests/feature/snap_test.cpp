@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "feature/known_lines.h"
-#include "support/sanitized.h"
+#include "sanitizers/sanitized.h"
 #include "support/shapes.h"
 
 namespace burin::test {

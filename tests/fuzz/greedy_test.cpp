@@ -10,7 +10,7 @@
 
 #include "peak_memory.h"
 #include "readers.h"
-#include "support/sanitized.h"
+#include "sanitizers/sanitized.h"
 #include "support/shared_data.h"
 
 namespace burin::fuzz {

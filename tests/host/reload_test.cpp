@@ -4,8 +4,8 @@
 
 #include <fstream>
 
+#include "sanitizers/sanitized.h"
 #include "sessions.h"
-#include "support/sanitized.h"
 #include "support/shared_data.h"
 
 namespace burin {

@@ -1,5 +1,5 @@
+#include "sanitizers/sanitized.h"
 #include "sessions.h"
-#include "support/sanitized.h"
 #include "support/shared_data.h"
 
 #include <burin/host/replay.h>

@@ -9,7 +9,7 @@
 #include <iostream>
 
 #include "ink/pen_files.h"
-#include "support/sanitized.h"
+#include "sanitizers/sanitized.h"
 
 namespace burin {
 namespace {

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "markdown.h"
-#include "support/sanitized.h"
+#include "sanitizers/sanitized.h"
 #include "support/shared_data.h"
 
 namespace burin::test {

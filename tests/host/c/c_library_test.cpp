@@ -13,8 +13,8 @@
 
 #include "c_host.h"
 #include "house/all_matches.h"
+#include "sanitizers/sanitized.h"
 #include "support/process.h"
-#include "support/sanitized.h"
 #include "support/shared_data.h"
 #include "tbb_arrivals.h"
 

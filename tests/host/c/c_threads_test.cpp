@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "c_host.h"
-#include "support/sanitized.h"
+#include "sanitizers/sanitized.h"
 #include "tbb_arrivals.h"
 
 namespace burin::test {

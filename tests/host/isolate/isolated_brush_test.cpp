@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "host/stock_brush_uses.h"
-#include "support/sanitized.h"
+#include "sanitizers/sanitized.h"
 #include "support/shared_data.h"
 
 namespace burin {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "host_stub/run_command.h"
-#include "support/sanitized.h"
+#include "sanitizers/sanitized.h"
 #include "support/shapes.h"
 
 namespace burin::test {
