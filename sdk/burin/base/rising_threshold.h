@@ -16,9 +16,9 @@ class RisingThreshold {
   /// `slack`: how far the threshold may fall from one call to the next without a visit to all slots.
   explicit RisingThreshold(double slack) : slack_(slack) {}
 
-  /// Returns all slots below `count` whose value(slot) is `threshold` or more, and those within the slack
-  /// below it. `changed` must contain all slots whose values changed since the last call, new slots included.
-  /// The span is valid until the next call.
+  /// Returns all slots below `count` whose value(slot) is `threshold` or more, and perhaps some within the
+  /// slack below it. `changed` must contain all slots whose values changed since the last call, new slots
+  /// included. The span is valid until the next call.
   template <class Value>
   std::span<const Index> find(double threshold, std::span<const Index> changed, Index count,
                               const Value& value) {

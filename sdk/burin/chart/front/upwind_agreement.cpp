@@ -74,7 +74,8 @@ std::size_t UpwindFrames::find_nearest(Eigen::Index lane, bool near_ends) {
     least = distance;
     nearest = i;
   }
-  return nearest_[static_cast<std::size_t>(lane)] = nearest;
+  nearest_[static_cast<std::size_t>(lane)] = nearest;
+  return nearest;
 }
 
 /// Whether one does not count.
