@@ -39,6 +39,20 @@ std::string doubled_uses(int groups) {
   return text + "</svg>";
 }
 
+/// SVG that uses an element often.
+std::string used(const std::string& element, std::size_t times) {
+  return "<svg><defs>" + element + "</defs>" + repeated("<use href=\"#a\"/>", times) + "</svg>";
+}
+
+/// SVG whose groups, of many others one within the other, each show the next.
+std::string chained_uses(int groups) {
+  std::string text = "<svg><defs>";
+  for (int i = 0; i < groups; ++i)
+    text += "<g id=\"g" + std::to_string(i) + "\">" + repeated("<g>", 190) + "<use href=\"#g" +
+            std::to_string(i + 1) + "\"/>" + repeated("</g>", 191);
+  return text + "</defs><use href=\"#g0\"/></svg>";
+}
+
 const Greedy greedy_files[] = {
     {"ply", "ply\nformat binary_little_endian 1.0\nelement vertex 4294967295\n" + ply_vertices +
                 "element face 4294967295\nproperty list uint int vertex_indices\nend_header\n"},
@@ -72,6 +86,9 @@ const Greedy greedy_files[] = {
     {"inkml", "<ink>" + repeated("<a>", 1'000'000)},
     {"inkml", "<ink>" + repeated("<a>", 300)},
     {"svg", doubled_uses(60)},
+    {"svg", chained_uses(100)},
+    {"svg", used("<g id=\"a\">" + repeated("<g/>", 4000) + "</g>", 4000)},
+    {"svg", used("<path id=\"a\" d=\"" + repeated("M0 0", 20000) + "\"/>", 3000)},
     {"svg", "<svg" + repeated(" a=''", 3'000'000) + ">"},
     {"xournal", "<xournal>" + repeated("<page/>", 1'000'000)},
     {"inkml", "<!DOCTYPE ink [<!ENTITY a \"" + std::string(1000, '1') + "\"><!ENTITY b \"" +

@@ -11,6 +11,12 @@ std::string svg(const std::string& content) {
          content + "</svg:svg>\n";
 }
 
+std::string repeated(std::string_view text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
 TEST(ReadSvg, FollowsLines) {
   const PenFile file = PenFileFolder().read(svg(R"svg(<svg:g transform="translate(10,20) scale(2)">
     <path transform="rotate(90)" d="M1-2.5l1.5.5 2,3 H7v-1z m1 1 2 2M9 9"/></svg:g>
@@ -69,13 +75,44 @@ TEST(ReadSvg, ShowsAgainWhatIsUsed) {
 TEST(ReadSvg, RefusesUsesWithoutEnd) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(svg(R"svg(<g id="a"><use href="#a"/></g>)svg")),
-            "4: elements that show each other again and again");
+            "4: nested deeper than 300 elements, with those that use shows");
   std::string bomb = "<g id=\"g0\"><path d=\"M0 0L1 1\"/></g>";
   for (int i = 0; i < 30; ++i) {
     const std::string use = "<use href=\"#g" + std::to_string(i) + "\"/>";
     bomb += "<g id=\"g" + std::to_string(i + 1) + "\">" + use + use + "</g>";
   }
-  EXPECT_EQ(folder.complaint(svg(bomb)), "4: more points than a file of this size may show");
+  EXPECT_EQ(folder.complaint(svg(bomb)), "4: more elements shown again than a file of this size may have");
+}
+
+TEST(ReadSvg, BoundsTheDepthThroughUses) {
+  const auto nested = [](int groups) {
+    std::string text = "<defs>";
+    for (int i = 0; i < 20; ++i) {
+      text += "<g id=\"g" + std::to_string(i) + "\">" + repeated("<g>", groups);
+      text += "<use href=\"#g" + std::to_string(i + 1) + "\"/>" + repeated("</g>", groups + 1);
+    }
+    return svg(text + "<path id=\"g20\" d=\"M0 0L1 1\"/></defs><use href=\"#g0\"/>");
+  };
+  const PenFileFolder folder;
+  EXPECT_EQ(folder.read(nested(12)).strokes.size(), 1u);
+  EXPECT_EQ(folder.complaint(nested(13)), "4: nested deeper than 300 elements, with those that use shows");
+}
+
+TEST(ReadSvg, BoundsTheWorkOfUses) {
+  const auto used = [](const std::string& element, int times) {
+    return svg("<defs>" + element + "</defs>" + repeated("<use href=\"#a\"/>", times));
+  };
+  const std::string groups = "<g id=\"a\">" + repeated("<g/>", 1000) + "</g>",
+                    moves = "<path id=\"a\" d=\"" + repeated("M0 0", 5000) + "\"/>";
+  const PenFileFolder folder;
+  for (const std::string& element : {groups, moves}) {
+    EXPECT_EQ(folder.read(used(element, 100)).strokes.size(), 0u);
+    EXPECT_EQ(folder.complaint(used(element, 300)),
+              "4: more elements shown again than a file of this size may have");
+  }
+  const std::string curves = "<path id=\"a\" d=\"M0 0" + repeated("t1 1", 1000) + "\"/>";
+  EXPECT_EQ(folder.read(used(curves, 20)).strokes.size(), 20u);
+  EXPECT_EQ(folder.complaint(used(curves, 100)), "4: more points than a file of this size may show");
 }
 
 TEST(ReadSvg, NamesOtherShapes) {

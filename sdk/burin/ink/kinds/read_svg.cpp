@@ -98,75 +98,94 @@ bool is_other_shape(std::string_view name) {
   return std::ranges::find(others, name) != others.end();
 }
 
+/// Where and how an element is shown.
+struct Shown {
+  Affine transform = Affine::Identity();
+  bool visible = true;    ///< unless the element says otherwise
+  std::size_t depth = 0;  ///< within other elements, through those that `use` shows
+};
+
 class SvgReader {
  public:
   explicit SvgReader(const PenFileText& file)
-      : xml_(file), most_samples_(always_samples + samples_a_byte * file.text.size()) {
+      : xml_(file),
+        most_samples_(always_samples + samples_a_byte * file.text.size()),
+        most_work_(always_work + work_a_byte * file.text.size()) {
     content_.unit = "px";
   }
 
   PenFile read() {
-    read_element(xml_.root(), Affine::Identity(), true);
+    read_element(xml_.root(), Shown());
     content_.not_used.assign(others_.begin(), others_.end());
     return std::move(content_);
   }
 
  private:
-  // What `use` repeats could be without end.
-  static constexpr std::size_t always_samples = 100'000, samples_a_byte = 16, deepest_use = 100;
+  // What `use` repeats could be without end: points, and the work of reading elements once more, in bytes.
+  static constexpr std::size_t always_samples = 100'000, samples_a_byte = 16, always_work = 2'000'000,
+                               work_a_byte = 32, deepest = 300;
 
-  void read_element(const pugi::xml_node& node, Affine transform, bool visible);
-  void read_used(const pugi::xml_node& node, Affine transform, bool visible);
+  void charge(const pugi::xml_node& node, std::size_t depth);
+  void read_element(const pugi::xml_node& node, Shown shown);
+  void read_used(const pugi::xml_node& node, Shown shown);
   pugi::xml_node element_of(std::string_view id);
   void add_shape(const pugi::xml_node& node, const Affine& transform);
   void add_path(std::string_view data, const Affine& transform);
 
   XmlFile xml_;
-  std::size_t most_samples_, samples_ = 0, uses_ = 0, depth_of_uses_ = 0;
+  std::size_t most_samples_, samples_ = 0, most_work_, work_ = 0;
   std::map<std::string_view, pugi::xml_node> elements_;  ///< by id, once one is used
   std::set<std::string> others_;                         ///< names of elements that show something else
   PenFile content_;
 };
 
-/// Takes an element and those in it. What only serves others by reference is no stroke. `visible`: unless the
-/// element says otherwise.
-void SvgReader::read_element(const pugi::xml_node& node, Affine transform, bool visible) {
+/// Counts an element that is read. Throws Error for too much.
+void SvgReader::charge(const pugi::xml_node& node, std::size_t depth) {
+  constexpr std::size_t tag = 16;  // takes as long as this many bytes of a path
+  if (depth > deepest)
+    throw Error(fmt::format("nested deeper than {} elements, with those that use shows", deepest));
+  work_ += tag;
+  for (const pugi::xml_attribute& attribute : node.attributes())
+    work_ += tag + std::string_view(attribute.value()).size();
+  if (work_ > most_work_) throw Error("more elements shown again than a file of this size may have");
+}
+
+/// Takes an element and those in it. What only serves others by reference is no stroke.
+void SvgReader::read_element(const pugi::xml_node& node, Shown shown) {
   const std::string_view name = local_name(node.name());
-  if (word_of(node, "display") == "none") return;
-  if (const std::string_view own = word_of(node, "visibility"); !own.empty() && own != "inherit")
-    visible = own == "visible";
-  if (name == "defs" || name == "clipPath" || name == "symbol" || name == "marker" || name == "mask" ||
-      name == "pattern")
-    return;
   try {
-    transform = transform * transform_of(node);
-    if (name == "svg") transform = transform * view_of(node);
-    if (visible) add_shape(node, transform);
-    if (visible && is_other_shape(name)) others_.insert(std::string(name));
-    if (name == "use") read_used(node, transform, visible);
+    charge(node, shown.depth);
+    if (word_of(node, "display") == "none") return;
+    if (const std::string_view own = word_of(node, "visibility"); !own.empty() && own != "inherit")
+      shown.visible = own == "visible";
+    if (name == "defs" || name == "clipPath" || name == "symbol" || name == "marker" || name == "mask" ||
+        name == "pattern")
+      return;
+    shown.transform = shown.transform * transform_of(node);
+    if (name == "svg") shown.transform = shown.transform * view_of(node);
+    if (shown.visible) add_shape(node, shown.transform);
+    if (shown.visible && is_other_shape(name)) others_.insert(std::string(name));
+    ++shown.depth;
+    if (name == "use") read_used(node, shown);
   } catch (const FileError&) {
     throw;
   } catch (const Error& error) {
     xml_.reject(node, error.what());
   }
-  for (const pugi::xml_node& child : node.children()) read_element(child, transform, visible);
+  for (const pugi::xml_node& child : node.children()) read_element(child, shown);
 }
 
 /// Takes the element that a `use` shows again, moved to its x and y.
-void SvgReader::read_used(const pugi::xml_node& node, Affine transform, bool visible) {
+void SvgReader::read_used(const pugi::xml_node& node, Shown shown) {
   const std::string_view reference = attribute(node, "href").value();
   const pugi::xml_node used = reference.starts_with('#') ? element_of(reference.substr(1)) : pugi::xml_node();
   if (!used) return;
-  if (++uses_ > most_samples_ || depth_of_uses_ >= deepest_use)
-    throw Error("elements that show each other again and again");
-  ++depth_of_uses_;
   const auto coordinate = [&](const char* axis) { return pixels(attribute(node, axis).value()).value_or(0); };
-  transform.translate(Eigen::Vector2d(coordinate("x"), coordinate("y")));
+  shown.transform.translate(Eigen::Vector2d(coordinate("x"), coordinate("y")));
   if (local_name(used.name()) == "symbol")
-    for (const pugi::xml_node& child : used.children()) read_element(child, transform, visible);
+    for (const pugi::xml_node& child : used.children()) read_element(child, shown);
   else
-    read_element(used, transform, visible);
-  --depth_of_uses_;
+    read_element(used, shown);
 }
 
 pugi::xml_node SvgReader::element_of(std::string_view id) {
