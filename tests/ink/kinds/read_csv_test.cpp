@@ -61,10 +61,11 @@ TEST(ReadCsv, TakesLineEndsWithinQuotes) {
       "7,\"\n\n\",8\r\n");
   ASSERT_EQ(file.strokes.size(), 1u);
   EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4, 5 6, 7 8");
-  EXPECT_EQ(folder.complaint("x,y,note\n1,2,\"a\nb\n"), " ends within the quotes of a cell");
+  EXPECT_EQ(folder.complaint("x,y,note\n1,2,\"a\nb\"\n3,4,\"inch\n5,6,b\n7,8,c\n"),
+            "4: begins a row whose quotes are not closed");
   EXPECT_EQ(folder.complaint("x,y,note\n1,2,\"a\nb\"\n1,z,3\n"), "4: expected a number, found 'z'");
   EXPECT_EQ(folder.complaint("x,y,note\n1,2,\"" + std::string(1'000'001, '\n')),
-            "999998: quotes of a cell that are not closed within 1 MB");
+            "2: begins a row whose quotes are not closed within 1 MB");
 }
 
 TEST(ReadCsv, KnowsTheNamesOfTheUniversalInkLibrary) {

@@ -190,13 +190,11 @@ class Rows {
 /// Adds a line to the row that is begun, if the row goes on behind it or was begun before it. Returns whether
 /// it goes on.
 bool continues(std::string& begun, std::string_view line, char separator) {
-  constexpr std::size_t longest = 1'000'000;
   const bool within = !begun.empty();
   if (!within && line.starts_with(comment_mark)) return false;
   const bool goes_on = ends_within_quotes(line, separator, within);
   if (within) begun += '\n';
   if (within || goes_on) begun += line;
-  if (begun.size() > longest) throw Error("quotes of a cell that are not closed within 1 MB");
   return goes_on;
 }
 
@@ -221,11 +219,20 @@ PenFile read_csv(const PenFileText& file) {
   std::vector<CsvColumn> named;
   char separator = ',';
   Rows rows;
-  std::string begun;  // lines of a row whose cells have line ends in quotes
+  std::string begun;                   // lines of a row whose cells have line ends in quotes
+  std::size_t number = 0, begins = 0;  // of the line, and of the first one of its row
+  const auto reject_row = [&](std::string_view what) {
+    throw FileError(file.path.string(), std::to_string(begins), what);
+  };
   for_each_line_of(file, [&](std::string_view line) {
+    ++number;
+    if (begun.empty()) begins = number;
     if (begun.empty() && line.find_first_not_of(blanks) == line.npos) return;
     if (line.ends_with('\r')) line.remove_suffix(1);
-    if (!named.empty() && continues(begun, line, separator)) return;
+    const bool goes_on = !named.empty() && continues(begun, line, separator);
+    constexpr std::size_t longest = 1'000'000;
+    if (begun.size() > longest) reject_row("begins a row whose quotes are not closed within 1 MB");
+    if (goes_on) return;
     const std::string row = std::exchange(begun, {});
     if (!row.empty()) line = row;
     if (named.empty()) {
@@ -236,7 +243,7 @@ PenFile read_csv(const PenFileText& file) {
       rows.take(row_of(line, separator, named));
     }
   });
-  if (!begun.empty()) throw FileError(file.path.string(), "ends within the quotes of a cell");
+  if (!begun.empty()) reject_row("begins a row whose quotes are not closed");
   PenFile content = rows.finish();
   for (const CsvColumn& column : named) {
     if (column.cell == CsvCell::unknown) content.not_used.push_back(column.name);
