@@ -141,7 +141,12 @@ TEST(ReadSvg, FollowsTransformsOfCss) {
   EXPECT_EQ(folder.complaint(svg(R"svg(<g style="transform:rotateX(3deg)"/>)svg")),
             "4: a transform that is not known: 'rotateX'");
   EXPECT_EQ(folder.complaint(svg(R"svg(<g style="transform:scale(2);transform-origin:center"/>)svg")),
-            "4: a transform-origin that is no length: 'center'");
+            "4: a transform-origin that is not two lengths: 'center'");
+  EXPECT_EQ(folder.complaint(svg(R"svg(<g style="transform:scale(2);transform-origin:10px"/>)svg")),
+            "4: a transform-origin that is not two lengths: '10px'");
+  EXPECT_EQ(placed(R"svg(style="transform-origin:center")svg"), "0 0, 1 2") << "of no transform";
+  EXPECT_EQ(placed(R"svg(style="transform:none;transform-origin:center")svg"), "0 0, 1 2");
+  EXPECT_EQ(placed(R"svg(style="transform:scale(2);transform-origin:1px 2px !important")svg"), "-1 -2, 1 2");
 }
 
 TEST(ReadSvg, LeavesOutWhatIsInvisible) {

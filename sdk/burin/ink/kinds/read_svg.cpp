@@ -74,21 +74,32 @@ std::string_view word_of(const pugi::xml_node& node, std::string_view name) {
   return take_word(value);
 }
 
-/// The transform of an element, about its origin, which is that of the coordinates unless CSS says other.
-Affine transform_of(const pugi::xml_node& node) {
-  std::string_view text = property_of(node, "transform");
-  const std::string_view important = text.substr(0, text.find("!important"));
-  std::string_view word = important;
-  if (take_word(word) == "none") return Affine::Identity();
-  const Affine transform = parse_transform(important);
+/// The origin of an element's transform, that of the coordinates unless CSS says other. Behind one length CSS
+/// takes the centre of what is shown for the other.
+Eigen::Vector2d transform_origin(const pugi::xml_node& node) {
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   std::string_view place = property_of(node, "transform-origin");
+  place = place.substr(0, place.find("!important"));
+  skip_blanks(place);
+  if (place.empty()) return origin;
+  const std::string quoted = quoted_word(place);
   for (double& coordinate : origin) {
-    const std::string_view length = take_word(place);
-    const auto known = length.empty() ? std::optional(0.0) : pixels(length);
-    if (!known) throw Error(fmt::format("a transform-origin that is no length: {}", quoted_word(length)));
+    const auto known = pixels(take_word(place));
+    if (!known) throw Error(fmt::format("a transform-origin that is not two lengths: {}", quoted));
     coordinate = *known;
   }
+  return origin;
+}
+
+/// The transform of an element, about its origin.
+Affine transform_of(const pugi::xml_node& node) {
+  std::string_view text = property_of(node, "transform");
+  text = text.substr(0, text.find("!important"));
+  std::string_view rest = text;
+  const std::string_view word = take_word(rest);
+  if (word.empty() || word == "none") return Affine::Identity();
+  const Affine transform = parse_transform(text);
+  const Eigen::Vector2d origin = transform_origin(node);
   return Eigen::Translation2d(origin) * transform * Eigen::Translation2d(-origin);
 }
 
