@@ -72,6 +72,16 @@ TEST(ReadSvg, ShowsAgainWhatIsUsed) {
   EXPECT_EQ(places(file.strokes[2]), "5 1, 6 1");
 }
 
+TEST(ReadSvg, ShowsNothingForUsesOfNothing) {
+  const std::string path = R"svg(<path id="a" d="M0 0L1 1"/>)svg";
+  const PenFile file = PenFileFolder().read(svg(path + R"svg(<use href="#"/><use href="a"/><use/>)svg"));
+  EXPECT_EQ(file.strokes.size(), 1u);
+  const PenFile within =
+      PenFileFolder().read(svg(path + R"svg(<use href="#a" x="2"><path d="M5 5L6 6"/></use>)svg"));
+  ASSERT_EQ(within.strokes.size(), 2u) << "what is in a use is not drawn";
+  EXPECT_EQ(places(within.strokes[1]), "2 0, 3 1");
+}
+
 TEST(ReadSvg, RefusesUsesWithoutEnd) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(svg(R"svg(<g id="a"><use href="#a"/></g>)svg")),

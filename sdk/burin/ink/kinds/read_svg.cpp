@@ -145,8 +145,8 @@ class SvgReader {
 
   XmlFile xml_;
   std::size_t most_samples_, samples_ = 0, most_work_, work_ = 0;
-  std::map<std::string_view, pugi::xml_node> elements_;  ///< by id, once one is used
-  std::set<std::string> others_;                         ///< names of elements that show something else
+  std::optional<std::map<std::string_view, pugi::xml_node>> elements_;  ///< by id, once one is used
+  std::set<std::string> others_;  ///< names of elements that show something else
   PenFile content_;
 };
 
@@ -177,7 +177,7 @@ void SvgReader::read_element(const pugi::xml_node& node, Shown shown) {
     if (shown.visible) add_shape(node, shown.transform);
     if (shown.visible && is_other_shape(name)) others_.insert(std::string(name));
     ++shown.depth;
-    if (name == "use") read_used(node, shown);
+    if (name == "use") return read_used(node, shown);
   } catch (const FileError&) {
     throw;
   } catch (const Error& error) {
@@ -186,7 +186,7 @@ void SvgReader::read_element(const pugi::xml_node& node, Shown shown) {
   for (const pugi::xml_node& child : node.children()) read_element(child, shown);
 }
 
-/// Takes the element that a `use` shows again, moved to its x and y.
+/// Takes the element that a `use` shows again, moved to its x and y, instead of those in the `use`.
 void SvgReader::read_used(const pugi::xml_node& node, Shown shown) {
   const std::string_view reference = attribute(node, "href").value();
   const pugi::xml_node used = reference.starts_with('#') ? element_of(reference.substr(1)) : pugi::xml_node();
@@ -200,13 +200,16 @@ void SvgReader::read_used(const pugi::xml_node& node, Shown shown) {
 }
 
 pugi::xml_node SvgReader::element_of(std::string_view id) {
-  if (elements_.empty())
+  if (!elements_) {
+    elements_.emplace();
     xml_.root().find_node([this](const pugi::xml_node& node) {
-      elements_.try_emplace(node.attribute("id").value(), node);
+      if (const std::string_view own = node.attribute("id").value(); !own.empty())
+        elements_->try_emplace(own, node);
       return false;
     });
-  const auto found = elements_.find(id);
-  return found == elements_.end() ? pugi::xml_node() : found->second;
+  }
+  const auto found = elements_->find(id);
+  return found == elements_->end() ? pugi::xml_node() : found->second;
 }
 
 void SvgReader::add_shape(const pugi::xml_node& node, const Affine& transform) {
