@@ -54,6 +54,20 @@ TEST(ReadPointers, ReadsAStrokeOfEachLine) {
             "2: malformed JSON at column 21");
 }
 
+TEST(ReadPointers, ReadsManyStrokesOfALine) {
+  const PenFileFolder folder;
+  const std::string one = R"({"points":[{"x":1,"y":2}]})", other = R"({"points":[{"x":3,"y":4}]})";
+  for (const std::string& line :
+       {"{\"strokes\":[" + one + "," + other + "]}", "{\"events\":[" + one + "," + other + "]}",
+        "{\"strokeGroups\":[{\"strokes\":[" + one + "]},{\"strokes\":[" + other + "]}]}"}) {
+    const PenFile file = folder.read(one + "\n" + line + "\n");
+    ASSERT_EQ(file.strokes.size(), 3u) << line;
+    EXPECT_EQ(places(file.strokes[2]), "3 4") << line;
+  }
+  EXPECT_EQ(folder.complaint(one + "\n{\"strokes\":[{\"points\":[{\"x\":1}]}]}\n"),
+            "2: strokes[0].points[0]: lacks 'y'");
+}
+
 TEST(ReadPointers, ReadsAnEventOfEachLine) {
   const PenFileFolder folder;
   const std::string down = R"({"type":"pointerdown","x":1,"y":2,"pressure":0.5,"timeStamp":8})",

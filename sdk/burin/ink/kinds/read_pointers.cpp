@@ -169,6 +169,27 @@ std::optional<JsonValue> drawing_of(const JsonValue& line) {
   return line.is_object() ? line.find("drawing") : std::nullopt;
 }
 
+void read_whole(const JsonValue& root, PenFile& content) {
+  const auto list = root.is_array() ? std::optional(root) : list_of_strokes(root);
+  if (list)
+    read_strokes_of(*list, content);
+  else if (const auto groups = root.find("strokeGroups"))
+    for (const JsonValue& group : groups->items()) read_strokes_of(group.member("strokes"), content);
+  else if (const auto drawing = drawing_of(root))
+    read_drawing(*drawing, 1, content);
+  else
+    read_points(root.member("pointers"), content.strokes.emplace_back());
+}
+
+/// Members of objects that have many strokes, and are mostly all of a file.
+constexpr std::array<std::string_view, 3> lists_of_strokes = {"strokes", "events", "strokeGroups"};
+
+bool has_list_of_strokes(const JsonValue& line) {
+  return line.is_object() && std::ranges::any_of(lists_of_strokes, [&](std::string_view name) {
+           return line.find(std::string(name)).has_value();
+         });
+}
+
 /// Reads strokes, or drawings of a page each, that follow each other.
 PenFile read_lines(const PenFileText& file) {
   PenFile content;
@@ -182,22 +203,12 @@ PenFile read_lines(const PenFileText& file) {
   for_each_json_value(file, take_plain, [&](const JsonValue& value) {
     if (const auto drawing = drawing_of(value))
       read_drawing(*drawing, ++pages, content);
+    else if (PenStroke stroke = stroke_of(value); stroke.samples.empty() && has_list_of_strokes(value))
+      read_whole(value, content);
     else
-      add(stroke_of(value), content);
+      add(std::move(stroke), content);
   });
   return content;
-}
-
-void read_whole(const JsonValue& root, PenFile& content) {
-  const auto list = root.is_array() ? std::optional(root) : list_of_strokes(root);
-  if (list)
-    read_strokes_of(*list, content);
-  else if (const auto groups = root.find("strokeGroups"))
-    for (const JsonValue& group : groups->items()) read_strokes_of(group.member("strokes"), content);
-  else if (const auto drawing = drawing_of(root))
-    read_drawing(*drawing, 1, content);
-  else
-    read_points(root.member("pointers"), content.strokes.emplace_back());
 }
 
 /// What a text has before its first object or list within the outermost list or object.
@@ -219,9 +230,6 @@ void leave_out_dead_pressure(PenFile& content) {
     for (Sample& sample : stroke.samples) sample.pen.pressure = Pen().pressure;
   }
 }
-
-/// Members of objects that are all of a file.
-constexpr std::array<std::string_view, 3> lists_of_strokes = {"strokes", "events", "strokeGroups"};
 
 /// Whether a text begins as lines that each have a stroke or a drawing.
 bool begins_as_lines_of_strokes(std::string_view text) {
