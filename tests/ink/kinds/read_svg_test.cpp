@@ -72,6 +72,25 @@ TEST(ReadSvg, ShowsAgainWhatIsUsed) {
   EXPECT_EQ(places(file.strokes[2]), "5 1, 6 1");
 }
 
+TEST(ReadSvg, ShowsSymbolsInTheSizeOfTheirUse) {
+  const auto placed = [](const std::string& symbol, const std::string& use) {
+    const std::string path = R"svg(<path d="M0 0L1 2"/>)svg";
+    const PenFile file =
+        PenFileFolder().read(svg("<" + symbol + ">" + path + "</" + symbol.substr(0, symbol.find(' ')) + ">" +
+                                 "<use href=\"#a\" " + use + "/>"));
+    return file.strokes.empty() ? "none" : places(file.strokes.back());
+  };
+  const std::string box = R"svg( id="a" viewBox="0 0 10 10")svg", size = R"svg( width="20" height="20")svg";
+  EXPECT_EQ(placed("symbol" + box, R"svg(x="5" width="100" height="100")svg"), "5 0, 15 20");
+  EXPECT_EQ(placed("symbol" + box + size, ""), "0 0, 2 4");
+  EXPECT_EQ(placed("symbol" + box + size, R"svg(width="40")svg"), "10 0, 12 4")
+      << "in the middle of the width";
+  EXPECT_EQ(placed("symbol" + box, ""), "0 0, 1 2") << "of an unknown size";
+  EXPECT_EQ(placed("svg" + box + size, R"svg(width="100" height="100")svg"), "0 0, 10 20");
+  EXPECT_EQ(placed(R"svg(symbol id="a" transform="scale(5)")svg", R"svg(x="1")svg"), "1 0, 6 10");
+  EXPECT_EQ(placed(R"svg(symbol id="a" display="none")svg", ""), "none");
+}
+
 TEST(ReadSvg, ShowsNothingForUsesOfNothing) {
   const std::string path = R"svg(<path id="a" d="M0 0L1 1"/>)svg";
   const PenFile file = PenFileFolder().read(svg(path + R"svg(<use href="#"/><use href="a"/><use/>)svg"));

@@ -35,13 +35,17 @@ double share_before(std::string_view aspect, char axis) {
   return has("Min") ? 0 : has("Max") ? 1 : 0.5;
 }
 
-/// Maps the viewBox of an `svg` element to its place (section 8.2). Without either it is the identity.
-Affine view_of(const pugi::xml_node& svg) {
+/// Maps the viewBox of an `svg` or `symbol` element to its place (section 8.2). Without either it is the
+/// identity. `use`: that shows it and may tell another size; an empty one if none does.
+Affine view_of(const pugi::xml_node& svg, const pugi::xml_node& use) {
   Affine view = Affine::Identity();
   view.translate(Eigen::Vector2d(pixels(attribute(svg, "x").value()).value_or(0),
                                  pixels(attribute(svg, "y").value()).value_or(0)));
-  const auto width = pixels(attribute(svg, "width").value()),
-             height = pixels(attribute(svg, "height").value());
+  const auto size = [&](const char* name) {
+    const pugi::xml_attribute told = attribute(use, name);
+    return pixels((told ? told : attribute(svg, name)).value());
+  };
+  const auto width = size("width"), height = size("height");
   const std::vector<double> box = numbers_of(attribute(svg, "viewBox").value());
   if (box.size() != 4 || !width || !height || !(box[2] > 0) || !(box[3] > 0)) return view;
   const std::string_view aspect = attribute(svg, "preserveAspectRatio").value();
@@ -109,11 +113,18 @@ bool is_other_shape(std::string_view name) {
   return std::ranges::find(others, name) != others.end();
 }
 
+bool serves_by_reference(std::string_view name) {
+  constexpr std::array<std::string_view, 6> names = {"clipPath", "defs",    "marker",
+                                                     "mask",     "pattern", "symbol"};
+  return std::ranges::find(names, name) != names.end();
+}
+
 /// Where and how an element is shown.
 struct Shown {
   Affine transform = Affine::Identity();
   bool visible = true;    ///< unless the element says otherwise
   std::size_t depth = 0;  ///< within other elements, through those that `use` shows
+  pugi::xml_node use;     ///< whose reference is to this very element; an empty one if none is
 };
 
 class SvgReader {
@@ -169,11 +180,10 @@ void SvgReader::read_element(const pugi::xml_node& node, Shown shown) {
     if (word_of(node, "display") == "none") return;
     if (const std::string_view own = word_of(node, "visibility"); !own.empty() && own != "inherit")
       shown.visible = own == "visible";
-    if (name == "defs" || name == "clipPath" || name == "symbol" || name == "marker" || name == "mask" ||
-        name == "pattern")
-      return;
+    if (serves_by_reference(name) && !(name == "symbol" && shown.use)) return;
     shown.transform = shown.transform * transform_of(node);
-    if (name == "svg") shown.transform = shown.transform * view_of(node);
+    if (name == "svg" || name == "symbol") shown.transform = shown.transform * view_of(node, shown.use);
+    shown.use = {};
     if (shown.visible) add_shape(node, shown.transform);
     if (shown.visible && is_other_shape(name)) others_.insert(std::string(name));
     ++shown.depth;
@@ -193,10 +203,8 @@ void SvgReader::read_used(const pugi::xml_node& node, Shown shown) {
   if (!used) return;
   const auto coordinate = [&](const char* axis) { return pixels(attribute(node, axis).value()).value_or(0); };
   shown.transform.translate(Eigen::Vector2d(coordinate("x"), coordinate("y")));
-  if (local_name(used.name()) == "symbol")
-    for (const pugi::xml_node& child : used.children()) read_element(child, shown);
-  else
-    read_element(used, shown);
+  shown.use = node;
+  read_element(used, shown);
 }
 
 pugi::xml_node SvgReader::element_of(std::string_view id) {
