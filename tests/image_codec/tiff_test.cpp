@@ -140,8 +140,7 @@ TEST_F(TiffFiles, RefusesATiffWithoutTexels) {
   constexpr std::size_t byte_count = 8 + 2 + 6 * 12 + 8, offset = 8 + 2 + 3 * 12 + 8;
   for (const std::size_t at : {byte_count, offset}) bytes.replace(at, 4, 4, '\0');
   write_file_whole(path("empty.tif"), [&](std::ostream& out) { out << bytes; });
-  EXPECT_EQ(complaint(path("empty.tif")),
-            ": holds no texels: its program did not get as far as to write them");
+  EXPECT_EQ(complaint(path("empty.tif")), ": holds no texels");
 }
 
 TEST_F(TiffFiles, TurnsATiffUpright) {

@@ -50,12 +50,12 @@ std::uint32_t count_pieces(TIFF* tiff) {
   return TIFFIsTiled(tiff) ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
 }
 
-/// Throws FileError for a file whose program ended, or failed, before it wrote texels.
+/// Throws FileError for a file that has no bytes of texels: its program did not get as far as to write them,
+/// or left all of them out, as GDAL does where all values are the same.
 void expect_texels_at_all(TIFF* tiff, const std::filesystem::path& path) {
   std::uint64_t bytes = 0;
   for (std::uint32_t i = 0; i < count_pieces(tiff); ++i) bytes += TIFFGetStrileByteCount(tiff, i);
-  if (bytes == 0)
-    throw FileError(path.string(), "holds no texels: its program did not get as far as to write them");
+  if (bytes == 0) throw FileError(path.string(), "holds no texels");
 }
 
 bool is_cut_off(TIFF* tiff, std::uintmax_t file_bytes) {
