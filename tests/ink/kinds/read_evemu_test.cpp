@@ -62,10 +62,12 @@ TEST(ReadEvemu, EndsAStrokeWhereEventsWereLost) {
   EXPECT_EQ(places(file.strokes[1]), "40 20");
 }
 
+/// A screen that has slots, and a pen too.
+const std::string screen =
+    "# EVEMU 1.3\nA: 00 0 4000 0 0 20\nA: 01 0 3000 0 0 20\nA: 2f 0 9 0 0 0\n"
+    "A: 35 100 4000 0 0 20\nA: 36 0 3000 0 0 20\nA: 39 0 65535 0 0\nA: 3a 0 255 0 0\n";
+
 TEST(ReadEvemu, PartsTouchesBySlots) {
-  const std::string screen =
-      "# EVEMU 1.3\nA: 00 0 4000 0 0 20\nA: 01 0 3000 0 0 20\nA: 2f 0 9 0 0 0\n"
-      "A: 35 100 4000 0 0 20\nA: 36 0 3000 0 0 20\nA: 39 0 65535 0 0\nA: 3a 0 255 0 0\n";
   const PenFile file =
       PenFileFolder().read(screen +
                            frame("1", {"0003 0039 7", "0003 0035 100", "0003 0036 200", "0003 003a 51",
@@ -76,8 +78,8 @@ TEST(ReadEvemu, PartsTouchesBySlots) {
                            frame("5", {"0003 002f 0", "0003 0039 9", "0003 0035 140"}) +
                            frame("6", {"0003 0039 -1", "0003 002f 1", "0003 0039 -1", "0001 014a 0"}));
   ASSERT_EQ(file.strokes.size(), 3u);
-  EXPECT_EQ(places(file.strokes[0]), "0 10, 0 10");
-  EXPECT_EQ(places(file.strokes[1]), "100 100, 100 100, 100 101, 100 101");
+  EXPECT_EQ(places(file.strokes[0]), "0 10") << "none where only the other touch moves";
+  EXPECT_EQ(places(file.strokes[1]), "100 100, 100 101");
   EXPECT_EQ(places(file.strokes[2]), "2 10") << "the slot keeps what does not change";
   EXPECT_EQ(file.strokes[0].tool, "touch");
   EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
@@ -85,6 +87,81 @@ TEST(ReadEvemu, PartsTouchesBySlots) {
   EXPECT_EQ(file.strokes[1].fields, (PenFields{.time = true}));
   EXPECT_EQ(file.unit, "mm");
   EXPECT_EQ(file.hovering, 1u);
+}
+
+TEST(ReadEvemu, PassesOverSlotsBeyondAnyDevice) {
+  const PenFile file = PenFileFolder().read(
+      screen + frame("1", {"0003 002f 64", "0003 0039 1", "0003 0035 300", "0003 0036 20", "0003 002f -1",
+                           "0003 0039 2", "0003 0035 300", "0003 0036 20", "0003 002f 63", "0003 0039 3",
+                           "0003 0035 500", "0003 0036 20"}));
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "20 1");
+}
+
+TEST(ReadEvemu, EndsTouchesWhereEventsWereLost) {
+  const PenFile file = PenFileFolder().read(
+      screen + frame("1", {"0003 0039 5", "0003 0035 300", "0003 0036 20"}) + "E: 2 0000 0003 0\n" +
+      frame("2", {"0003 0035 900"}) + frame("3", {"0004 0004 1"}) + frame("4", {"0003 0035 500"}) +
+      frame("5", {"0003 0039 -1"}) + frame("6", {"0003 0035 700"}));
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(places(file.strokes[0]), "10 1");
+  EXPECT_EQ(places(file.strokes[1]), "20 1") << "a place tells that the touch goes on";
+  EXPECT_EQ(file.hovering, 4u);
+}
+
+TEST(ReadEvemu, FollowsThePointerOfADeviceWithoutSlots) {
+  std::string without_slots = screen;
+  without_slots.erase(without_slots.find("A: 2f"), std::string_view("A: 2f 0 9 0 0 0\n").size());
+  const auto touch = [](const std::string& time, const char* touch_x, const char* x) {
+    return frame(time,
+                 {"0003 0039 5", touch_x, "0003 0036 50", "0000 0002 0", "0001 014a 1", x, "0003 0001 40"});
+  };
+  const PenFile file = PenFileFolder().read(without_slots + touch("1", "0003 0035 100", "0003 0000 100") +
+                                            touch("2", "0003 0035 120", "0003 0000 120") +
+                                            frame("3", {"0000 0002 0", "0001 014a 0"}));
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "5 2, 6 2");
+}
+
+TEST(ReadEvemu, FindsSlotsThatNoDescriptionHas) {
+  const PenFile file = PenFileFolder().read(
+      "# EVEMU 1.3\n" + frame("1", {"0003 002f 0", "0003 0039 5", "0003 0035 7", "0003 0036 8"}));
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(file.strokes[0].tool, "touch");
+}
+
+TEST(ReadEvemu, GoesOnWithATouchWhoseIdIsSentAgain) {
+  const PenFile file =
+      PenFileFolder().read(screen + frame("1", {"0003 0039 5", "0003 0035 300", "0003 0036 20"}) +
+                           frame("2", {"0003 0039 5", "0003 0035 500"}) + frame("3", {"0003 0039 6"}));
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(places(file.strokes[0]), "10 1, 20 1");
+}
+
+TEST(ReadEvemu, KeepsThePenBesideAPalm) {
+  const PenFile file = PenFileFolder().read(
+      screen + frame("1", {"0003 0039 5", "0003 0035 300", "0003 0036 20"}) +
+      frame("2", {"0001 0140 1", "0003 0000 1000", "0003 0001 1000"}) + frame("3", {"0001 014a 1"}) +
+      frame("4", {"0003 002f 1", "0003 0039 6", "0003 0035 500", "0003 0036 20"}) +
+      frame("5", {"0003 0000 1100"}) + frame("6", {"0001 014a 0", "0001 0140 0"}) +
+      frame("7", {"0001 0145 1", "0001 014a 1", "0003 0000 300"}));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "10 1");
+  EXPECT_EQ(places(file.strokes[1]), "50 50, 50 50, 55 50") << "no finger's place";
+  EXPECT_EQ(file.strokes[1].tool, "") << "the pen";
+  EXPECT_EQ(places(file.strokes[2]), "20 1");
+  EXPECT_EQ(file.hovering, 0u) << "the palm rests";
+}
+
+TEST(ReadEvemu, LeavesOutFingersAboveTheScreen) {
+  const PenFile file = PenFileFolder().read(
+      screen + frame("1", {"0003 0039 5", "0003 0035 300", "0003 0036 20", "0003 003b 1"}) +
+      frame("2", {"0003 0035 500"}) + frame("3", {"0003 003b 0"}) + frame("4", {"0003 003b 1"}) +
+      frame("5", {"0003 003b 0", "0003 0035 700"}) + frame("6", {"0003 0039 -1"}));
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(places(file.strokes[0]), "20 1");
+  EXPECT_EQ(places(file.strokes[1]), "30 1");
+  EXPECT_EQ(file.hovering, 4u);
 }
 
 TEST(ReadEvemu, TakesTheDescriptionBesideTheRecording) {

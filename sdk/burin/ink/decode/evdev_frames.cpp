@@ -17,8 +17,8 @@ namespace {
 constexpr unsigned ev_syn = 0, ev_key = 1, ev_abs = 3;
 constexpr unsigned syn_report = 0, syn_dropped = 3;
 constexpr unsigned abs_x = 0x00, abs_y = 0x01, abs_pressure = 0x18, abs_tilt_x = 0x1a, abs_tilt_y = 0x1b;
-constexpr unsigned first_tool = 0x140, tool_rubber = 0x141, tool_mouse = 0x146, tool_lens = 0x147,
-                   touch_code = 0x14a;
+constexpr unsigned first_tool = 0x140, tool_rubber = 0x141, tool_finger = 0x145, tool_mouse = 0x146,
+                   tool_lens = 0x147, touch_code = 0x14a;
 
 bool is_tool(const EvdevEvent& event) {
   return event.type == ev_key && event.code >= first_tool && event.code <= tool_lens;
@@ -30,10 +30,7 @@ void EvdevFrames::take(const EvdevEvent& event) {
   if (event.type != ev_syn) {
     frame_.push_back(event);
   } else if (event.code == syn_dropped) {
-    // What the kernel threw away is unknown until the next frame, and the pen may have been lifted.
     lost_ = true;
-    down_ = false;
-    touches_.part_strokes();
   } else if (event.code == syn_report) {
     end_frame(event.time);
   }
@@ -43,15 +40,16 @@ void EvdevFrames::end_frame(double time) {
   const bool leaves = pen_leaves();
   for (const EvdevEvent& event : frame_) apply(event);
   frame_.clear();
+  // What the kernel threw away is unknown until the next frame, and pen and fingers may have been lifted.
   const bool lost = std::exchange(lost_, false);
-  if (touches_.end_frame(time, content_)) {
-    down_ = false;
-  } else if (leaves || lost || !touches()) {
-    down_ = false;
-    ++content_.hovering;
-  } else {
+  if (lost) touches_.part_strokes();
+  const bool fingers = touches_.end_frame(time, content_);
+  const bool pen = !leaves && !lost && touches() && (!fingers || pen_is_near());
+  if (pen)
     add_sample(time);
-  }
+  else
+    stroke_.reset();
+  if (!pen && !fingers) ++content_.hovering;
 }
 
 bool EvdevFrames::pen_leaves() const {
@@ -73,6 +71,9 @@ void EvdevFrames::apply(const EvdevEvent& event) {
     tool_.reset();
 }
 
+/// Of devices for fingers too, which send the position of one as if it were a pen.
+bool EvdevFrames::pen_is_near() const { return tool_ && *tool_ < tool_finger; }
+
 bool EvdevFrames::touches() const {
   const bool placed = values_.contains(abs_x) && values_.contains(abs_y);
   const bool puck = tool_ == tool_mouse || tool_ == tool_lens;
@@ -81,12 +82,12 @@ bool EvdevFrames::touches() const {
 
 void EvdevFrames::add_sample(double time) {
   const bool rubber = tool_ == tool_rubber;
-  if (!down_ || content_.strokes.back().eraser != rubber) {
+  if (!stroke_ || content_.strokes[*stroke_].eraser != rubber) {
+    stroke_ = content_.strokes.size();
     content_.strokes.emplace_back().eraser = rubber;
     set_fields(content_.strokes.back());
   }
-  down_ = true;
-  PenStroke& stroke = content_.strokes.back();
+  PenStroke& stroke = content_.strokes[*stroke_];
   Sample& sample = stroke.samples.emplace_back();
   sample.time = time;
   sample.position = EvdevPlane(axes_, abs_x, abs_y).position(values_[abs_x], values_[abs_y]);

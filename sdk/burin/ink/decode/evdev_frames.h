@@ -3,8 +3,7 @@
 #include <burin/ink/parse/evdev_axes.h>
 #include <burin/ink/pen_file.h>
 
-#include <array>
-#include <cstdint>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <utility>
@@ -36,6 +35,7 @@ class EvdevFrames {
   void end_frame(double time);
   bool pen_leaves() const;
   void apply(const EvdevEvent& event);
+  bool pen_is_near() const;
   bool touches() const;
   void add_sample(double time);
   const EvdevAxis* axis(unsigned code) const { return axis_of(axes_, code); }
@@ -48,7 +48,7 @@ class EvdevFrames {
   std::map<unsigned, int> values_;  ///< of axes, as last sent
   std::optional<unsigned> tool_;    ///< the code of the tool that is near
   bool sends_tools_ = false, touch_ = false, lost_ = false;
-  bool down_ = false;  ///< the last stroke of `content_` goes on
+  std::optional<std::size_t> stroke_;  ///< of `content_`, that goes on
   PenFile content_;
 };
 
