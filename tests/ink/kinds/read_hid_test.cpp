@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <numbers>
 
 #include "ink/pen_files.h"
@@ -79,6 +81,28 @@ TEST(ReadHid, PartsTouchesByTheirIds) {
   EXPECT_EQ(file.hovering, 1u);
 }
 
+TEST(ReadHid, CountsTouchesOverTheReportsOfAFrame) {
+  const std::string none = " 00 00 00 00 00 00", first = " 01 01 90 01 20 03", second = " 02 01 a0 0f 90 01",
+                    third = " 03 01 b8 01 20 03", third_ends = " 03 00 b8 01 20 03";
+  const PenFile file =
+      PenFileFolder().read(touches({"03" + first + second, "00" + third + none, "03" + first + second,
+                                    "00" + third_ends + none, "03" + first + second, "00" + third + none}));
+  ASSERT_EQ(file.strokes.size(), 4u);
+  EXPECT_EQ(places(file.strokes[0]), "10 20, 10 20, 10 20");
+  EXPECT_EQ(places(file.strokes[2]), "11 20");
+  EXPECT_EQ(places(file.strokes[3]), "11 20") << "lifted in a report without a count";
+}
+
+TEST(ReadHid, TakesNoMoreTouchesThanDevicesHave) {
+  // 104 tip switches of a bit, then as many ids, x and y of a byte.
+  const std::string descriptor_of_104 =
+      "R: 28 05 0d 15 00 75 01 95 68 09 42 81 02 75 08 09 51 81 02 05 01 09 30 81 02 09 31 81 02\n";
+  std::string report = "E: 0 325";
+  for (int i = 0; i < 13; ++i) report += " ff";
+  for (int i = 0; i < 312; ++i) report += fmt::format(" {:02x}", i % 104);
+  EXPECT_EQ(PenFileFolder().read(descriptor_of_104 + report + "\n").strokes.size(), 64u);
+}
+
 TEST(ReadHid, CutsReportsByTheDescriptorOfTheirDevice) {
   const std::string pad = "D:1\nR: 16 05 0d 09 42 15 00 25 01 75 08 95 01 81 02 c0 c0\nN: A Pad\n";
   const PenFile file = PenFileFolder().read("D:0\n" + descriptor + pad +
@@ -102,6 +126,9 @@ TEST(ReadHid, NamesTheLineOfAFault) {
   EXPECT_EQ(folder.complaint("R: 2 26 ff\n"), "1: the descriptor is cut off");
   EXPECT_EQ(folder.complaint("R: 14 05 0d 09 42 77 ff ff ff 7f 95 01 81 02 c0\n"),
             "1: the descriptor's reports are longer than any report");
+  EXPECT_EQ(folder.complaint("R: 26 05 0d 09 99 75 01 96 ff 7f 85 01 81 02 85 02 09 99 81 02 85 03 09 99 "
+                             "81 02 c0\n"),
+            "1: the descriptor has more fields than any device");
   EXPECT_EQ(folder.complaint("R: 1 b4\n"), "1: the descriptor pops what was not pushed");
 }
 

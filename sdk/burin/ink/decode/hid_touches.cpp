@@ -1,39 +1,55 @@
-// Follows touches by their ids. A report has room for some of them, and tells how many are in it; what room
-// is left holds zeros. More touches than there is room for come in reports that follow.
+// Follows touches by their ids. A report has room for some of them, and tells how many there are; what room
+// is left holds zeros. More touches than there is room for come in reports that follow, whose count is 0.
 #include <burin/ink/decode/hid_touches.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace burin {
 namespace {
 
-std::vector<HidField> of_usage(const std::vector<HidField>& fields, std::uint8_t report,
-                               std::uint32_t usage) {
-  std::vector<HidField> found;
-  std::ranges::copy_if(fields, std::back_inserter(found),
-                       [&](const HidField& field) { return field.report == report && field.usage == usage; });
-  return found;
-}
+constexpr std::size_t most_touches = 64;  // in a report; more than any device has
 
-double position(const HidField& field, std::int32_t value) {
-  const double unit = hid_millimetres(field);
-  return unit > 0 ? hid_physical(field, value) * unit : value;
+/// Fields of touches in a report, in its order.
+struct TouchFields {
+  std::vector<HidField> tips, ids, x, y, counts;
+
+  std::vector<HidField>* of(std::uint32_t usage) {
+    switch (usage) {
+      case usage_tip:
+        return &tips;
+      case usage_contact_id:
+        return &ids;
+      case usage_x:
+        return &x;
+      case usage_y:
+        return &y;
+      case usage_contact_count:
+        return &counts;
+      default:
+        return nullptr;
+    }
+  }
+};
+
+std::map<std::uint8_t, TouchFields> fields_by_report(const std::vector<HidField>& fields) {
+  std::map<std::uint8_t, TouchFields> reports;
+  for (const HidField& field : fields) {
+    std::vector<HidField>* same = reports[field.report].of(field.usage);
+    if (same && same->size() < most_touches) same->push_back(field);
+  }
+  return reports;
 }
 
 }  // namespace
 
 HidTouches::HidTouches(const std::vector<HidField>& fields) {
-  for (const HidField& field : fields) {
-    if (reports_.contains(field.report)) continue;
-    const auto of = [&](std::uint32_t usage) { return of_usage(fields, field.report, usage); };
-    const std::vector<HidField> tips = of(usage_tip), ids = of(usage_contact_id), x = of(usage_x),
-                                y = of(usage_y);
-    Report report;
-    const std::size_t touches = std::min({tips.size(), ids.size(), x.size(), y.size()});
+  for (auto& [id, of] : fields_by_report(fields)) {
+    Report& report = reports_[id];
+    const std::size_t touches = std::min({of.tips.size(), of.ids.size(), of.x.size(), of.y.size()});
     for (std::size_t i = 0; touches > 1 && i < touches; ++i)
-      report.places.push_back({tips[i], ids[i], x[i], y[i]});
-    report.count = of(usage_contact_count);
-    reports_.emplace(field.report, std::move(report));
+      report.places.push_back({of.tips[i], of.ids[i], of.x[i], of.y[i]});
+    report.count = std::move(of.counts);
   }
 }
 
@@ -41,36 +57,39 @@ bool HidTouches::take(double time, std::span<const std::uint8_t> report, PenFile
   const bool has_ids = !reports_.contains(0);
   const auto known = reports_.find(has_ids && !report.empty() ? report.front() : std::uint8_t{0});
   if (known == reports_.end() || known->second.places.empty()) return false;
-  const auto bytes = report.subspan(has_ids ? 1 : 0);
-  const auto value = [&](const HidField& field) {
-    return field.bit + field.bits <= 8 * bytes.size() ? hid_value(field, bytes) : 0;
-  };
-  const Report& fields = known->second;
-  const std::size_t count = fields.count.empty()
-                                ? fields.places.size()
-                                : static_cast<std::size_t>(std::max(value(fields.count.front()), 0));
-  std::vector<std::int32_t> ended;
-  std::vector<Touch> down;
-  for (std::size_t i = 0; i < fields.places.size(); ++i) {
-    const Place& place = fields.places[i];
-    if (value(place.tip) != 0) {
-      down.push_back(
-          {value(place.id), {position(place.x, value(place.x)), position(place.y, value(place.y)), 0}});
-    } else if (i < count) {
-      ended.push_back(value(place.id));
-    }
-  }
-  if (hid_millimetres(fields.places.front().x) > 0) content.unit = "mm";
-  end(ended, down);
-  for (const Touch& touch : down) add(touch, time, content);
-  if (down.empty()) ++content.hovering;
+  const Touches touches = touches_in(known->second, report.subspan(has_ids ? 1 : 0));
+  if (hid_millimetres(known->second.places.front().x) > 0) content.unit = "mm";
+  end(touches);
+  for (const Touch& touch : touches.down) add(touch, time, content);
+  if (touches.down.empty()) ++content.hovering;
   return true;
 }
 
+HidTouches::Touches HidTouches::touches_in(const Report& report, std::span<const std::uint8_t> bytes) {
+  const auto value = [&](const HidField& field) {
+    return field.bit + field.bits <= 8 * bytes.size() ? hid_value(field, bytes) : 0;
+  };
+  const std::int32_t count =
+      report.count.empty() ? static_cast<std::int32_t>(most_touches) : value(report.count.front());
+  if (count > 0) left_ = static_cast<std::size_t>(count);
+  Touches touches;
+  for (const Place& place : report.places) {
+    const bool counts = left_ > 0;
+    if (counts) --left_;
+    if (value(place.tip) != 0)
+      touches.down.push_back(
+          {value(place.id),
+           {hid_position(place.x, value(place.x)), hid_position(place.y, value(place.y)), 0}});
+    else if (counts)
+      touches.ended.push_back(value(place.id));
+  }
+  return touches;
+}
+
 /// Ends touches, unless the same report has them down: rooms without a touch have an id too.
-void HidTouches::end(const std::vector<std::int32_t>& ended, const std::vector<Touch>& down) {
-  for (const std::int32_t id : ended)
-    if (std::ranges::find(down, id, &Touch::id) == down.end()) strokes_.erase(id);
+void HidTouches::end(const Touches& touches) {
+  for (const std::int32_t id : touches.ended)
+    if (std::ranges::find(touches.down, id, &Touch::id) == touches.down.end()) strokes_.erase(id);
 }
 
 void HidTouches::add(const Touch& touch, double time, PenFile& content) {

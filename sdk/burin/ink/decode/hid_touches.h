@@ -2,7 +2,6 @@
 #include <burin/ink/parse/hid_descriptor.h>
 #include <burin/ink/pen_file.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -33,11 +32,18 @@ class HidTouches {
     std::int32_t id;
     Vec3d position;
   };
+  /// What a report tells of touches.
+  struct Touches {
+    std::vector<Touch> down;
+    std::vector<std::int32_t> ended;  ///< by id
+  };
 
-  void end(const std::vector<std::int32_t>& ended, const std::vector<Touch>& down);
+  Touches touches_in(const Report& report, std::span<const std::uint8_t> bytes);
+  void end(const Touches& touches);
   void add(const Touch& touch, double time, PenFile& content);
 
   std::map<std::uint8_t, Report> reports_;       ///< by id
+  std::size_t left_ = 0;                         ///< touches of a frame that reports have yet to tell
   std::map<std::int32_t, std::size_t> strokes_;  ///< that go on, of the content, by the id of the touch
 };
 

@@ -12,6 +12,7 @@
 #include <burin/ink/pen_file.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <map>
@@ -30,6 +31,8 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::uint32_t usage_pressure = 0x0d0030, usage_tilt_x = 0x0d003d, usage_tilt_y = 0x0d003e,
                         usage_twist = 0x0d0041, usage_eraser = 0x0d0045;
+constexpr std::array pen_usages{usage_x,      usage_y,      usage_tip,   usage_pressure,
+                                usage_tilt_x, usage_tilt_y, usage_twist, usage_eraser};
 
 /// "n bytes", the bytes in hexadecimal.
 Bytes parse_bytes(std::string_view rest) {
@@ -45,7 +48,7 @@ Bytes parse_bytes(std::string_view rest) {
 /// Reads the reports of a device.
 class HidPen {
  public:
-  explicit HidPen(std::vector<HidField> fields) : fields_(std::move(fields)), touches_(fields_) {}
+  explicit HidPen(const std::vector<HidField>& fields);
 
   void take(double time, const Bytes& report);
   PenFile finish() { return std::move(content_); }
@@ -57,20 +60,26 @@ class HidPen {
   float angle(std::uint32_t usage, const Bytes& report) const;
   void add_sample(double time, const Bytes& report, bool eraser);
 
-  std::vector<HidField> fields_;
+  std::map<std::pair<std::uint8_t, std::uint32_t>, HidField> fields_;  ///< the first of a report and a usage
   HidTouches touches_;
   bool down_ = false;
   PenFile content_;
 };
 
-/// The field of this usage in the report.
+HidPen::HidPen(const std::vector<HidField>& fields) : touches_(fields) {
+  for (const HidField& field : fields)
+    if (std::ranges::find(pen_usages, field.usage) != pen_usages.end())
+      fields_.try_emplace({field.report, field.usage}, field);
+}
+
+/// The field of this usage in the report, which begins with its id if the device has several.
 const HidField* HidPen::find(std::uint32_t usage, const Bytes& report) const {
-  const auto found = std::ranges::find_if(fields_, [&](const HidField& field) {
-    const std::size_t id_bytes = field.report != 0 ? 1 : 0;
-    const bool same = id_bytes == 0 || (!report.empty() && report.front() == field.report);
-    return same && field.usage == usage && field.bit + field.bits <= 8 * (report.size() - id_bytes);
-  });
-  return found == fields_.end() ? nullptr : &*found;
+  auto found = fields_.find({report.empty() ? std::uint8_t{0} : report.front(), usage});
+  if (found == fields_.end()) found = fields_.find({0, usage});
+  if (found == fields_.end()) return nullptr;
+  const HidField& field = found->second;
+  const std::size_t id_bytes = field.report != 0 ? 1 : 0;
+  return field.bit + field.bits <= 8 * (report.size() - id_bytes) ? &field : nullptr;
 }
 
 std::optional<std::int32_t> HidPen::value(std::uint32_t usage, const Bytes& report) const {
@@ -92,10 +101,8 @@ void HidPen::take(double time, const Bytes& report) {
 }
 
 double HidPen::position(const HidField& field, const Bytes& report) {
-  const std::int32_t raw = *value(field.usage, report);
-  const double unit = hid_millimetres(field);
-  if (unit > 0) content_.unit = "mm";
-  return unit > 0 ? hid_physical(field, raw) * unit : raw;
+  if (hid_millimetres(field) > 0) content_.unit = "mm";
+  return hid_position(field, *value(field.usage, report));
 }
 
 float HidPen::angle(std::uint32_t usage, const Bytes& report) const {

@@ -13,7 +13,7 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t most_report_bits = 8 * 4096;
+constexpr std::size_t most_report_bits = 8 * 4096, most_fields = 65'536;
 
 /// A usage of Wacom's own pages, of pens and of touch, as the standard usage that it stands for: 0xff0d0042
 /// is the digitizer's tip switch, 0xff000130 the generic desktop's X.
@@ -124,6 +124,7 @@ void Descriptor::take_input(std::uint32_t flags) {
   const bool constant = flags & 1, variable = flags & 2;
   for (std::uint32_t i = 0; i < now_.count; ++i) {
     if (!constant && variable && !usages_.empty() && now_.field.bits >= 1 && now_.field.bits <= 32) {
+      if (fields.size() == most_fields) throw Error("the descriptor has more fields than any device");
       HidField& field = fields.emplace_back(now_.field);
       field.bit = bit;
       field.usage = standard_usage(usages_[std::min<std::size_t>(i, usages_.size() - 1)]);
@@ -161,6 +162,11 @@ double hid_physical(const HidField& field, std::int32_t value) {
 double hid_millimetres(const HidField& field) {
   constexpr std::uint32_t centimetre = 0x11, inch = 0x13;
   return field.unit == centimetre ? 10 : field.unit == inch ? 25.4 : 0;
+}
+
+double hid_position(const HidField& field, std::int32_t value) {
+  const double unit = hid_millimetres(field);
+  return unit > 0 ? hid_physical(field, value) * unit : value;
 }
 
 std::int32_t hid_value(const HidField& field, std::span<const std::uint8_t> report) {

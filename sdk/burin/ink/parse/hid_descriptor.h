@@ -23,8 +23,8 @@ struct HidField {
   int exponent = 0;  ///< of 10, on the unit
 };
 
-/// The variable input fields that a report descriptor describes. Throws Error for one that is cut off or
-/// counts more bits than a report can have.
+/// The variable input fields that a report descriptor describes. Throws Error for one that is cut off,
+/// counts more bits than a report can have, or has more than 65,536 fields.
 std::vector<HidField> hid_fields(std::span<const std::uint8_t> descriptor);
 
 /// What a value means: the physical range for the logical one, times the exponent.
@@ -32,6 +32,9 @@ double hid_physical(const HidField& field, std::int32_t value);
 
 /// Millimetres in the unit of a field, or 0 if that is no length.
 double hid_millimetres(const HidField& field);
+
+/// A position in millimetres where the unit of the field is a length, else the value.
+double hid_position(const HidField& field, std::int32_t value);
 
 /// The value of a field in a report, without its id byte. The report must have all bits of it.
 std::int32_t hid_value(const HidField& field, std::span<const std::uint8_t> report);
