@@ -162,6 +162,33 @@ TEST(ReadRemarkable, PutsGroupsBesideTheirText) {
   EXPECT_EQ(place_beside(999), "-461 2") << "a character that is not there";
 }
 
+/// A piece whose characters were deleted.
+std::string deleted_piece(std::uint64_t own, std::uint64_t left, std::uint32_t count) {
+  Bytes bytes;
+  bytes.add_varint(5 << 4 | 4).add(count);
+  return part(0, id(2, own) + id(3, left) + id(4, 0) + bytes.text());
+}
+
+/// Where a line is that is beside the character in the text blocks.
+std::string place_beside(std::uint64_t character, const std::string& text) {
+  return places(PenFileFolder()
+                    .read(head('6') + text + anchored_group(32, character, 0) + group_item(21, 0, 31, root) +
+                          group_item(22, 0, 32, id(1, 31)) + line_block(12, 0, line_at(3), 32))
+                    .strokes.at(0));
+}
+
+TEST(ReadRemarkable, ReadsTheFirstTextOfAPage) {
+  const std::string first = text_block(piece(201, 0, "ab\n"), piece(300, 203, "c"));
+  EXPECT_EQ(place_beside(300, first), "3 219");
+  EXPECT_EQ(place_beside(300, first + text_block(piece(300, 0, "c"), piece(201, 300, "ab"))), "3 219");
+}
+
+TEST(ReadRemarkable, CountsNoMoreDeletedCharactersThanAreOfUse) {
+  const std::string text = text_block(deleted_piece(1000, 0, 4'000'000'000), piece(999, 0, "\n"));
+  EXPECT_EQ(place_beside(10'999, text), "3 254") << "behind the line end";
+  EXPECT_EQ(place_beside(11'000, text), "3 2") << "a character that is not there";
+}
+
 TEST(ReadRemarkable, RefusesEndlessGroups) {
   std::string groups = group_item(1000, 0, 1001, root);
   for (std::uint64_t group = 1001; group < 1110; ++group)

@@ -77,7 +77,8 @@ void read_block(std::uint8_t type, std::uint8_t version, const ByteReader& block
   enum Type : std::uint8_t { node = 2, group = 4, line = 5, text = 7 };
   const auto points = version < 2 ? RemarkablePoints::floats : RemarkablePoints::small;
   if (type == Type::node) read_node(block, scene);
-  if (type == Type::text) scene.text_lines = remarkable_text_lines(block);
+  // A page has one text, whose lines are never none.
+  if (type == Type::text && scene.text_lines.empty()) scene.text_lines = remarkable_text_lines(block);
   if (type == Type::group)
     scene.items.push_back(read_item(
         block, [](const ByteReader& value, RemarkableItem& item) { item.group = read_group(value); }));
