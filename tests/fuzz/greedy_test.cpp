@@ -53,6 +53,47 @@ std::string chained_uses(int groups) {
   return text + "</defs><use href=\"#g0\"/></svg>";
 }
 
+/// EVEMU of as many touches at rest as slots, `frames` long, and a line that is none.
+std::string resting_touches(int slots, std::size_t frames) {
+  std::string text = "# EVEMU 1.3\nA: 2f 0 99999 0 0 0\n";
+  for (int i = 0; i < slots; ++i)
+    text += "E: 1 3 2f " + std::to_string(i) + "\nE: 1 3 39 1\nE: 1 3 35 1\nE: 1 3 36 1\n";
+  return text + repeated("E: 1 0 0 0\n", frames) + "E: x\n";
+}
+
+/// hid-recorder's descriptor of a device with as many reports of 32,767 fields each, below 256, and a line
+/// that is no report.
+std::string reports_of_fields(unsigned reports) {
+  std::string bytes = "05 0d 75 01 96 ff 7f";
+  for (unsigned i = 1; i <= reports; ++i) {
+    constexpr char digits[] = "0123456789abcdef";
+    bytes += std::string(" 85 ") + digits[i / 16] + digits[i % 16] + " 09 99 81 02";
+  }
+  return "R: " + std::to_string((bytes.size() + 1) / 3) + " " + bytes + "\nE: x\n";
+}
+
+/// A part of reMarkable's version 6 with its tag.
+std::string remarkable_part(char index, const std::string& content) {
+  const auto size = static_cast<std::uint32_t>(content.size());
+  std::string text(1, static_cast<char>(index << 4 | 12));
+  for (int shift = 0; shift < 32; shift += 8) text += static_cast<char>(size >> shift & 0xff);
+  return text + content;
+}
+
+/// reMarkable's head and as many blocks of text, each of 10 pieces of 10,000 deleted characters, and a byte
+/// that begins no block.
+std::string deleted_texts(std::size_t blocks) {
+  std::string pieces = "\x0a";
+  for (char i = 1; i <= 10; ++i)
+    pieces += remarkable_part(0, std::string("\x2f\1\x80\x80", 4) + i + std::string("\x54\x10\x27\0\0", 5));
+  const std::string text =
+      remarkable_part(2, remarkable_part(1, remarkable_part(1, pieces)) +
+                             remarkable_part(2, remarkable_part(1, std::string(1, '\0'))));
+  const std::string length = remarkable_part(0, text).substr(1, 4);
+  return "reMarkable .lines file, version=6          " +
+         repeated(length + std::string("\0\1\2\7", 4) + text, blocks) + "x";
+}
+
 const Greedy greedy_files[] = {
     {"ply", "ply\nformat binary_little_endian 1.0\nelement vertex 4294967295\n" + ply_vertices +
                 "element face 4294967295\nproperty list uint int vertex_indices\nend_header\n"},
@@ -98,6 +139,10 @@ const Greedy greedy_files[] = {
     {"csv", "x,y\n1," + std::string(3'000'000, '9') + "\n"},
     {"libinput", "libinput:\ndevices: " + repeated("[", 200'000)},
     {"hid", "R: 4000000000 05 0d\n"},
+    {"hid", reports_of_fields(40)},
+    {"remarkable", deleted_texts(40)},
+    {"evemu", resting_touches(64, 30'000)},
+    {"evemu", resting_touches(40'000, 30'000)},
     {"pointer", R"({"x":[1e308],"y":[1],"time":[0],"pointerId":[4294967295]})"},
 };
 
