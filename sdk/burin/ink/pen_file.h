@@ -28,12 +28,14 @@ struct PenStroke {
 
 /// What a pen file holds: the samples as recorded, in the order of the file.
 struct PenFile {
-  std::string_view kind;              ///< PenFileKind::name
-  std::string device;                 ///< as the file names it; empty if it does not
-  std::string unit;                   ///< of positions: "mm", "px", "pt" (1/72 inch), "dm"; empty if unknown
-  double millimetres = 0;             ///< that a unit stands for; 0 if unknown
-  std::size_t hovering = 0;           ///< samples left out since the pen did not touch
-  std::vector<std::string> not_used;  ///< names of the columns that are not known, in the file's order
+  std::string_view kind;     ///< PenFileKind::name
+  std::string device;        ///< as the file names it; empty if it does not
+  std::string unit;          ///< of positions: "mm", "px", "pt" (1/72 inch), "dm"; empty if unknown
+  double millimetres = 0;    ///< that a unit stands for; 0 if unknown
+  std::size_t hovering = 0;  ///< samples left out since the pen did not touch
+  /// What is not used: names of the columns of CSV that are not known, in the file's order, or of the
+  /// elements of SVG that are other shapes, sorted.
+  std::vector<std::string> not_used;
   std::vector<PenStroke> strokes;
 };
 

@@ -68,8 +68,9 @@ std::vector<double> arguments_of(std::string_view name, std::string_view text) {
   return numbers;
 }
 
+constexpr double degree = std::numbers::pi / 180;
+
 Affine rotation(const std::vector<double>& n) {
-  constexpr double degree = std::numbers::pi / 180;
   const Eigen::Vector2d centre = n.size() == 3 ? Eigen::Vector2d(n[1], n[2]) : Eigen::Vector2d::Zero();
   const double cos = math::cos(n[0] * degree), sin = math::sin(n[0] * degree);
   Affine made = Affine::Identity();
@@ -79,7 +80,6 @@ Affine rotation(const std::vector<double>& n) {
 }
 
 Affine skewing(double x, double y) {
-  constexpr double degree = std::numbers::pi / 180;
   Affine made = Affine::Identity();
   made.linear() << 1, math::tan(x * degree), math::tan(y * degree), 1;
   return made;

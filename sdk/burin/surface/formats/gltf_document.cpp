@@ -146,7 +146,8 @@ void GltfDocument::read_glb(const std::string& bytes) {
 }
 
 void GltfDocument::check_extensions() const {
-  // These extensions describe appearance only, or are supported; shapes are complete without the former.
+  // These extensions describe appearance, animation or metadata only, or are supported; shapes are complete
+  // without the former.
   constexpr std::string_view known[] = {
       "KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_",   "KHR_lights_punctual",
       "KHR_texture_basisu",    "EXT_texture_webp",      "EXT_texture_avif", "MSFT_texture_dds",
