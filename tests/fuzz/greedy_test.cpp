@@ -140,7 +140,7 @@ const Greedy greedy_files[] = {
     {"libinput", "libinput:\ndevices: " + repeated("[", 200'000)},
     {"hid", "R: 4000000000 05 0d\n"},
     {"hid", reports_of_fields(40)},
-    {"remarkable", deleted_texts(40)},
+    {"remarkable", deleted_texts(200)},
     {"evemu", resting_touches(64, 30'000)},
     {"evemu", resting_touches(40'000, 30'000)},
     {"pointer", R"({"x":[1e308],"y":[1],"time":[0],"pointerId":[4294967295]})"},

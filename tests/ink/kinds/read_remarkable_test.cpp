@@ -87,14 +87,18 @@ std::string piece(std::uint64_t own, std::uint64_t left, const std::string& text
   return part(0, id(2, own) + id(3, left) + id(4, 0) + part(6, characters.text()));
 }
 
-/// The typed text of two pieces at y = 200, with a bullet behind the line end 203.
-std::string text_block(const std::string& first, const std::string& second) {
+/// The typed text of so many pieces at y = 200, with a bullet behind the line end 203.
+std::string text_block(char count, const std::string& pieces) {
   Bytes style, place;
   style.add(std::uint8_t{1}).add_varint(203);
   const std::string styles = "\1" + style.text() + id(1, 7) + part(2, "\x11\x04");
   place.add(-400.0).add(200.0);
-  return block(7, id(1, 0) + part(2, part(1, part(1, "\2" + first + second)) + part(2, part(1, styles))) +
+  return block(7, id(1, 0) + part(2, part(1, part(1, count + pieces)) + part(2, part(1, styles))) +
                       part(3, place.text()));
+}
+
+std::string text_block(const std::string& first, const std::string& second) {
+  return text_block(2, first + second);
 }
 
 /// The value of a line with one small point.
@@ -187,6 +191,14 @@ TEST(ReadRemarkable, CountsNoMoreDeletedCharactersThanAreOfUse) {
   const std::string text = text_block(deleted_piece(1000, 0, 4'000'000'000), piece(999, 0, "\n"));
   EXPECT_EQ(place_beside(10'999, text), "3 254") << "behind the line end";
   EXPECT_EQ(place_beside(11'000, text), "3 2") << "a character that is not there";
+}
+
+TEST(ReadRemarkable, LeavesOutCharactersBeyondAnyText) {
+  std::string pieces;
+  for (std::uint64_t i = 1; i <= 10; ++i) pieces += deleted_piece(20'000 * i, 0, 10'000);
+  const std::string text = text_block(11, pieces + piece(400'000, 0, "a"));
+  EXPECT_EQ(place_beside(209'999, text), "3 184");
+  EXPECT_EQ(place_beside(400'000, text), "3 2") << "the character behind 100,000";
 }
 
 TEST(ReadRemarkable, RefusesEndlessGroups) {
