@@ -56,7 +56,13 @@ UpwindFrames::LaneFlags UpwindFrames::keep_agreeing(bool near_ends) {
   return left_out;
 }
 
-/// The edge that places x nearest to the stroke; leaves the frames that the edges give in propagated_.
+/// How much the normals turn along an edge, about radians.
+float UpwindFrames::turn_along(std::size_t edge, Eigen::Index lane) const {
+  return (normal_.get(lane) - edges_[edge].normal.get(lane)).norm();
+}
+
+/// Of the edges that count, the one that places x nearest to the stroke; leaves the frames that the edges
+/// give in propagated_.
 std::size_t UpwindFrames::find_nearest(Eigen::Index lane, bool near_ends) {
   const std::size_t count = edge_count_[static_cast<std::size_t>(lane)];
   propagated_.clear();
@@ -64,17 +70,16 @@ std::size_t UpwindFrames::find_nearest(Eigen::Index lane, bool near_ends) {
   std::size_t nearest = 0;
   for (std::size_t i = 0; i < count; ++i) {
     propagated_.push_back(propagated_along(edges_[i], lane, near_ends));
+    if (!(edges_[i].counts[lane] > 0)) continue;
     const double t = origin_[static_cast<std::size_t>(lane)] + propagated_[i].t;
     const auto at =
         static_cast<float>(path_->distance(t, static_cast<double>(propagated_[i].d), position_.get(lane)));
-    const float turn = (normal_.get(lane) - edges_[i].normal.get(lane)).norm();
-    const float doubtful_length = std::min(turn / rough_turn, 1.0F) * edges_[i].length[lane];
+    const float doubtful_length = std::min(turn_along(i, lane) / rough_turn, 1.0F) * edges_[i].length[lane];
     const float distance = distance_along(edges_[i].g[lane], edges_[i].shortfall[lane], doubtful_length, at);
     if (distance >= least) continue;
     least = distance;
     nearest = i;
   }
-  nearest_[static_cast<std::size_t>(lane)] = nearest;
   return nearest;
 }
 
@@ -112,14 +117,12 @@ bool UpwindFrames::tells_too_far(const ChartFrame& frame, Eigen::Index lane) con
   const double told = path_->chart_distance(frame.t, static_cast<double>(frame.d));
   if (!(told > static_cast<double>(g_[lane]) + most_doubts * path_->doubt())) return false;
   for (std::size_t i = 0; i < edge_count_[static_cast<std::size_t>(lane)]; ++i)
-    if ((normal_.get(lane) - edges_[i].normal.get(lane)).norm() > rough_turn) return false;
+    if (turn_along(i, lane) > rough_turn) return false;
   return true;
 }
 
 ChartFrame UpwindFrames::of_nearest(Eigen::Index lane, bool near_ends) {
-  std::size_t nearest = nearest_[static_cast<std::size_t>(lane)];
-  if (nearest == no_edge) nearest = find_nearest(lane, near_ends);
-  ChartFrame frame = propagated_along(edges_[nearest], lane, near_ends);
+  ChartFrame frame = propagated_[find_nearest(lane, near_ends)];
   frame.t += origin_[static_cast<std::size_t>(lane)];
   return frame;
 }

@@ -41,9 +41,9 @@ UpwindFrames::End UpwindFrames::find_end(double t, float outward, bool round) co
   end.least = unreached;
   for (std::size_t i = 0; i < most_edges_; ++i) {
     const Edges& edges = edges_[i];
-    const Lanes before = outward * (edges.t - end.t), reach = reach_of(edges);
-    end.most = end.most.max(before + reach);
-    end.least = end.least.min(before - reach);
+    const Lanes before = outward * (edges.t - end.t);
+    end.most = end.most.max(before + edges.reach);
+    end.least = end.least.min(before - edges.reach);
   }
   return end;
 }

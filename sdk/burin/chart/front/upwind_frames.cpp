@@ -139,16 +139,17 @@ void UpwindFrames::walk_exactly(Edges& edges, Eigen::Index lane) const {
   edges.carried.set(lane, e1);
 }
 
-UpwindFrames::Lanes UpwindFrames::reach_of(const Edges& edges) {
-  constexpr float quarter = std::numbers::pi_v<float> / 2;
-  return quarter * edges.length / edges.stretch;
-}
-
-/// The greatest t at which an edge may place its node, relative to the node's origin. Edges are held against
-/// the stroke there, and against its end.
-UpwindFrames::Lanes UpwindFrames::farthest_t() const {
-  Lanes farthest = edges_[0].t + reach_of(edges_[0]);
-  for (std::size_t i = 1; i < most_edges_; ++i) farthest = farthest.max(edges_[i].t + reach_of(edges_[i]));
+/// Returns the greatest t at which an edge may place its node, relative to the node's origin. Edges are held
+/// against the stroke there, and against its end.
+UpwindFrames::Lanes UpwindFrames::find_reach() {
+  Lanes farthest = Lanes::Constant(-unreached);
+  for (std::size_t i = 0; i < most_edges_; ++i) {
+    Edges& edges = edges_[i];
+    // However a step turns, it does not go farther.
+    constexpr float quarter = std::numbers::pi_v<float> / 2;
+    edges.reach = quarter * edges.length / edges.stretch;
+    farthest = farthest.max(edges.t + edges.reach);
+  }
   return farthest;
 }
 
@@ -332,9 +333,8 @@ UpwindFrames::Frames UpwindFrames::second_order(const Ends& ends) {
 UpwindFrames::Result UpwindFrames::compute() {
   fill_up();
   for (std::size_t i = 0; i < most_edges_; ++i) walk(edges_[i]);
-  const Lanes farthest = farthest_t();
+  const Lanes farthest = find_reach();
   const Ends ends = find_ends();
-  nearest_.fill(no_edge);
   const LaneFlags left_out = keep_agreeing(ends.near);
   const Frames found = order_ == 1 ? first_order() : second_order(ends);
   Result result;

@@ -66,7 +66,6 @@ class UpwindFrames {
  private:
   /// An edge is about 1/32 of the radius, and epsilon the rounding of the radius.
   static constexpr int log2_edge_over_epsilon = 16;
-  static constexpr std::size_t no_edge = static_cast<std::size_t>(-1);
 
   using Lanes = Eigen::Array<float, static_cast<int>(capacity), 1>;
   struct Lanes3 {
@@ -100,6 +99,9 @@ class UpwindFrames {
     Lanes length;    ///< |x - q|, object units
     Lanes u, v;      ///< the step from q to x in the basis (e1, e2) of q
     Lanes3 carried;  ///< e1 of q transported to x
+
+    // find_reach()
+    Lanes reach;  ///< how far along the stroke the edge may lead
 
     // find_ends()
     Lanes across, out;  ///< the parts of the step across the ray of q and along it
@@ -159,9 +161,7 @@ class UpwindFrames {
   // (2) Steps from q to x.
   void walk(Edges& edges) const;
   void walk_exactly(Edges& edges, Eigen::Index lane) const;
-  /// How far along the stroke the edges may lead: however a step turns, it does not go farther.
-  static Lanes reach_of(const Edges& edges);
-  Lanes farthest_t() const;
+  Lanes find_reach();
   // (3) How near the ends of the stroke are, and the rays of edges that are beyond one.
   Ends find_ends();
   End find_end(double t, float outward, bool round) const;
@@ -171,6 +171,7 @@ class UpwindFrames {
   LaneFlags keep_agreeing(bool near_ends);
   bool keep_agreeing(Eigen::Index lane, bool near_ends);
   std::size_t find_nearest(Eigen::Index lane, bool near_ends);
+  float turn_along(std::size_t edge, Eigen::Index lane) const;
   void leave_out(std::size_t edge, Eigen::Index lane);
   // (5) Means of first order, with which that order ends.
   Frames first_order() const;
@@ -213,7 +214,6 @@ class UpwindFrames {
   std::array<double, capacity> origin_{};  ///< t of the first edge; the others' are floats relative to it
   Lanes3 position_, normal_;               ///< of the nodes
   Lanes gauss_, g_;
-  std::array<std::size_t, capacity> nearest_{};  ///< the edge with the best place of its node, or no_edge
   std::vector<Edges> edges_;
 
   std::vector<ChartFrame> propagated_;  ///< scratch: [edge] of one node

@@ -13,7 +13,7 @@ constexpr float least_turn = 0.1F;
 
 Visits::Found Visits::find(Index sample, Index floor) const {
   const Index count = samples_->size();
-  Index begin = run_begin(sample, floor), most = count, decided_by = no_index;
+  Index begin = run_begin(sample, floor), most = samples_->closed() ? count : no_index, decided_by = no_index;
   for (;;) {
     const Visit visit = from(begin, most);
     if (samples_->steps(begin, sample) < visit.length) return {visit, decided_by};
@@ -51,7 +51,7 @@ Visit Visits::from(Index begin, Index most) const {
   for (;; ++length) {
     const float turn = least_turn * samples_->disc(at);
     const bool went_away = high - low >= turn, comes_back = went_away && last < high;
-    if (samples_->closed() && length == most) return {begin, length, true, decided_by};
+    if (length == most) return {begin, length, true, decided_by};
     if (++at == count) {
       if (!samples_->closed()) return {begin, length, false, comes_back ? count : decided_by};
       at = 0;

@@ -36,7 +36,7 @@ class Visits {
   /// `floor` at most, which is 0 or the start of an earlier visit; closed strokes ignore it.
   Found find(Index sample, Index floor) const;
 
-  /// The visit that starts with this sample, of a closed stroke one of at most `most` samples.
+  /// The visit that starts with this sample and has at most `most` samples.
   Visit from(Index begin, Index most = no_index) const;
 
  private:
