@@ -74,13 +74,19 @@ std::optional<PenFile> read_or_refused(const PenFileText& file, std::string_view
 void load_pen_file_of(const fs::path& path, std::string_view kind) {
   const PenFileText pieces = open_pen_file(path, {.head = 64, .block = 16}), whole = whole_pen_file(path);
   if (kind.empty()) kind = kind_of_pen_file(pieces);
-  if (pieces.rest_at != 0) {
-    const std::optional<PenFile> by_pieces = read_or_refused(pieces, kind),
-                                 expected = read_or_refused(whole, kind);
-    if (by_pieces.has_value() != expected.has_value() || (expected && !same(*by_pieces, *expected)))
+  const auto compare = [&](const PenFile* expected) {
+    if (pieces.rest_at == 0) return;
+    const std::optional<PenFile> by_pieces = read_or_refused(pieces, kind);
+    if (by_pieces.has_value() != (expected != nullptr) || (expected && !same(*by_pieces, *expected)))
       throw std::logic_error("a file read in pieces differs from the same read as a whole");
+  };
+  try {
+    const PenFile expected = read_pen_file(whole, kind);
+    compare(&expected);
+  } catch (const FileError&) {
+    compare(nullptr);
+    throw;
   }
-  read_pen_file(whole, kind);
 }
 
 void load_pen_file(const fs::path& path) { load_pen_file_of(path, {}); }
