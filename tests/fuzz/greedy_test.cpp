@@ -119,7 +119,7 @@ const Greedy greedy_files[] = {
     {"remarkable", "reMarkable .lines file, version=6          \xff\xff\xff\xff"},
     {"scap", "#1 1\n@1\n{\nnan 1 0\n"},
     {"excalidraw", R"({"type":"excalidraw","elements":)" + repeated("[", 3'000'000)},
-    {"excalidraw", R"({"type":"excalidraw","elements":[)" + repeated("{\"a\":0},", 600'000) + "0]}"},
+    {"excalidraw", R"({"type":"excalidraw","elements":[)" + repeated("{\"a\":0},", 1'000'000) + "0]}"},
     {"pointers", "[" + repeated("[],", 2'000'000) + "[]]"},
     {"uim_json", R"({"inputData":{"a":[)" + repeated("0,", 6'000'000) + "0]}}"},
     {"point_lists", R"({"a":[)" + repeated("[1,2],", 900'000) + "[]]}"},

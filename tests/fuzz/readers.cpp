@@ -69,27 +69,23 @@ std::optional<PenFile> read_or_refused(const PenFileText& file, std::string_view
   }
 }
 
-/// Reads a pen file as a whole and, in pieces so small that it has many, as long files are read: what it
-/// holds must not depend on that.
-void load_pen_file_of(const fs::path& path, std::string_view kind) {
+/// Reads a pen file as a whole and in pieces so small that it has many, as long files are read: what it holds
+/// must not depend on that. `kind`: as read_pen_file() takes it.
+void compare_pieces(const fs::path& path, std::string_view kind) {
   const PenFileText pieces = open_pen_file(path, {.head = 64, .block = 16}), whole = whole_pen_file(path);
+  if (pieces.rest_at == 0) return;
   if (kind.empty()) kind = kind_of_pen_file(pieces);
-  const auto compare = [&](const PenFile* expected) {
-    if (pieces.rest_at == 0) return;
-    const std::optional<PenFile> by_pieces = read_or_refused(pieces, kind);
-    if (by_pieces.has_value() != (expected != nullptr) || (expected && !same(*by_pieces, *expected)))
-      throw std::logic_error("a file read in pieces differs from the same read as a whole");
-  };
-  try {
-    const PenFile expected = read_pen_file(whole, kind);
-    compare(&expected);
-  } catch (const FileError&) {
-    compare(nullptr);
-    throw;
-  }
+  const std::optional<PenFile> by_pieces = read_or_refused(pieces, kind),
+                               expected = read_or_refused(whole, kind);
+  if (by_pieces.has_value() != expected.has_value() || (expected && !same(*by_pieces, *expected)))
+    throw std::logic_error("a file read in pieces differs from the same read as a whole");
 }
 
-void load_pen_file(const fs::path& path) { load_pen_file_of(path, {}); }
+/// Of files that their first bytes tell.
+constexpr Reader pen_reader(const char* name) {
+  return {name, ".pen", [](const fs::path& path) { read_pen_file(path); },
+          [](const fs::path& path) { compare_pieces(path, {}); }};
+}
 
 constexpr Reader all[] = {
     {"obj", ".obj", load_mesh},
@@ -99,27 +95,30 @@ constexpr Reader all[] = {
     {"gltf", ".gltf", load_mesh},
     {"glb", ".glb", load_mesh},
     {"stroke", ".stroke", [](const fs::path& path) { read_strokes(path); }},
-    {"pointer", ".json", [](const fs::path& path) { load_pen_file_of(path, "pointer"); }},
-    {"svc", ".svc", [](const fs::path& path) { load_pen_file_of(path, "svc"); }},
-    {"mypaint", ".dat", [](const fs::path& path) { load_pen_file_of(path, "mypaint"); }},
-    {"uim", ".pen", load_pen_file},
-    {"will", ".pen", load_pen_file},
-    {"tilt", ".pen", load_pen_file},
-    {"isf", ".pen", load_pen_file},
-    {"remarkable", ".pen", load_pen_file},
-    {"excalidraw", ".pen", load_pen_file},
-    {"point_lists", ".pen", load_pen_file},
-    {"scap", ".pen", load_pen_file},
-    {"inkml", ".pen", load_pen_file},
-    {"xournal", ".pen", load_pen_file},
-    {"svg", ".pen", load_pen_file},
-    {"evemu", ".pen", load_pen_file},
-    {"pointers", ".pen", load_pen_file},
-    {"csv", ".pen", load_pen_file},
-    {"uim_json", ".pen", load_pen_file},
-    {"hid", ".pen", load_pen_file},
-    {"libinput", ".pen", load_pen_file},
-    {"brush_stroke", ".pen", load_pen_file},
+    {"pointer", ".json", [](const fs::path& path) { read_pen_file(open_pen_file(path), "pointer"); },
+     [](const fs::path& path) { compare_pieces(path, "pointer"); }},
+    {"svc", ".svc", [](const fs::path& path) { read_pen_file(open_pen_file(path), "svc"); },
+     [](const fs::path& path) { compare_pieces(path, "svc"); }},
+    {"mypaint", ".dat", [](const fs::path& path) { read_pen_file(open_pen_file(path), "mypaint"); },
+     [](const fs::path& path) { compare_pieces(path, "mypaint"); }},
+    pen_reader("uim"),
+    pen_reader("will"),
+    pen_reader("tilt"),
+    pen_reader("isf"),
+    pen_reader("remarkable"),
+    pen_reader("excalidraw"),
+    pen_reader("point_lists"),
+    pen_reader("scap"),
+    pen_reader("inkml"),
+    pen_reader("xournal"),
+    pen_reader("svg"),
+    pen_reader("evemu"),
+    pen_reader("pointers"),
+    pen_reader("csv"),
+    pen_reader("uim_json"),
+    pen_reader("hid"),
+    pen_reader("libinput"),
+    pen_reader("brush_stroke"),
     {"exr", ".exr", load_stamp},
     {"png", ".png", load_stamp},
     {"tiff", ".tif", load_stamp},
@@ -142,6 +141,15 @@ bool accepts(const Reader& reader, const fs::path& path) {
     return false;
   }
   return true;
+}
+
+bool accepts_however_read(const Reader& reader, const fs::path& path) {
+  try {
+    if (reader.compare) reader.compare(path);
+  } catch (const Error&) {
+    // It is refused before it is read.
+  }
+  return accepts(reader, path);
 }
 
 }  // namespace burin::fuzz
