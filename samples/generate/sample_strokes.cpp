@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "pen_motion.h"
+#include "smoothstep.h"
 
 namespace burin::samples {
 
@@ -22,11 +23,6 @@ using std::numbers::pi;
 namespace fs = std::filesystem;
 
 constexpr PenFields tablet{.time = true, .pressure = true, .tilt = true};
-
-double smoothstep(double x) {
-  const double s = std::clamp(x, 0., 1.);
-  return s * s * (3 - 2 * s);
-}
 
 /// A value rounded to a multiple of 1 / per_unit, so that files stay small.
 double rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }

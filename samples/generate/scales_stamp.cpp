@@ -14,9 +14,9 @@ namespace burin::samples {
 
 namespace {
 
-constexpr int size = 256;        // texels each way
-constexpr int period = 64;       // texels
-constexpr int oversampling = 4;  // each way, since the edges of scales are steps
+constexpr int size = 256;               // texels each way
+constexpr int period = 64;              // texels
+constexpr int scales_oversampling = 4;  // each way, since the edges of scales are steps
 
 constexpr double scale_radius = .64;  // periods
 
@@ -44,10 +44,11 @@ double pattern_height(double u, double v) {
 
 double texel_height(int x, int y) {
   double sum = 0;
-  for (int i = 0; i < oversampling; ++i)
-    for (int j = 0; j < oversampling; ++j)
-      sum += pattern_height((x + (i + .5) / oversampling) / period, (y + (j + .5) / oversampling) / period);
-  return sum / (oversampling * oversampling);
+  for (int i = 0; i < scales_oversampling; ++i)
+    for (int j = 0; j < scales_oversampling; ++j)
+      sum += pattern_height((x + (i + .5) / scales_oversampling) / period,
+                            (y + (j + .5) / scales_oversampling) / period);
+  return sum / (scales_oversampling * scales_oversampling);
 }
 
 /// The heights of one period, scaled to 0..1.

@@ -15,7 +15,7 @@ namespace burin::samples {
 
 namespace {
 
-constexpr int size = 96;  // texels each way
+constexpr int thorn_size = 96;  // texels each way
 
 // Lengths are in halves of the stamp's width.
 constexpr double foot = .96;  // radius of the disc that is moved
@@ -44,14 +44,14 @@ std::array<double, 3> on_thorn(double x, double y) {
 
 void write_thorn(const std::filesystem::path& path) {
   std::vector<float> texels;
-  for (int row = 0; row < size; ++row)
-    for (int column = 0; column < size; ++column) {
-      const double x = 2 * (column + .5) / size - 1, y = 1 - 2 * (row + .5) / size;
+  for (int row = 0; row < thorn_size; ++row)
+    for (int column = 0; column < thorn_size; ++column) {
+      const double x = 2 * (column + .5) / thorn_size - 1, y = 1 - 2 * (row + .5) / thorn_size;
       const auto place = on_thorn(x, y);
       for (const double moved : {place[0] - x, place[1] - y, place[2]})
         texels.push_back(static_cast<float>(moved));
     }
-  write_exr(path, size, size, {"R", "G", "B"}, texels);
+  write_exr(path, thorn_size, thorn_size, {"R", "G", "B"}, texels);
 }
 
 }  // namespace burin::samples

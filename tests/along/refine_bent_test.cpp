@@ -14,8 +14,8 @@
 namespace burin {
 namespace {
 
-constexpr double chord = 0.001;
-constexpr BendTolerance tolerance{chord, 1e-4, 1000000};
+constexpr double bent_chord = 0.001;
+constexpr BendTolerance tolerance{bent_chord, 1e-4, 1000000};
 
 LaidMesh laid_pipe(std::size_t copies) {
   const SourcePart part(test::pipe(1, 0.2, 0.2), {});
@@ -44,7 +44,7 @@ TEST(RefineBent, KeepsEveryEdgeNearTheBend) {
       const Index a = t[i], b = t[(i + 1) % 3];
       for (double share = 0.1; share < 1; share += 0.1) {
         const Vec3d bent = around((1 - share) * laid.points[a] + share * laid.points[b]);
-        EXPECT_LT((bent - (1 - share) * places[a] - share * places[b]).norm(), 1.05 * chord);
+        EXPECT_LT((bent - (1 - share) * places[a] - share * places[b]).norm(), 1.05 * bent_chord);
       }
     }
   }
@@ -103,10 +103,10 @@ TEST(RefineBent, SplitsCopiesAlikeWhereTheyMeet) {
 TEST(RefineBent, SplitsNoShortEdgesAndTakesNotTooMany) {
   const auto torn = [](const Vec3d& p) { return Vec3d(p.x() > 0.3 ? p + Vec3d(0, 0, 1) : p); };
   LaidMesh laid = laid_pipe(1);
-  refine_bent(laid, torn, {chord, 0.01, 1000000});
+  refine_bent(laid, torn, {bent_chord, 0.01, 1000000});
   EXPECT_LT(laid.triangles.size(), 3000u);
   LaidMesh more = laid_pipe(1);
-  EXPECT_THROW(refine_bent(more, torn, {chord, 1e-6, 3000}), Error);
+  EXPECT_THROW(refine_bent(more, torn, {bent_chord, 1e-6, 3000}), Error);
 }
 
 TEST(RefineBent, HasTheSameBitsOnOneThread) {

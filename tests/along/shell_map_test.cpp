@@ -21,7 +21,7 @@ namespace {
 using std::numbers::pi;
 using test::Laid;
 
-constexpr double radius = 0.2;
+constexpr double shell_radius = 0.2;
 
 /// A stroke whose coordinates are known: the surface by its edges, and the place of (t, d, h).
 struct Known {
@@ -100,12 +100,12 @@ struct Errors {
 };
 
 Errors errors_of(const Known& known, double edge) {
-  const Laid laid(known.mesh(edge), radius, test::sampled(200, known.stroke), known.closed);
+  const Laid laid(known.mesh(edge), shell_radius, test::sampled(200, known.stroke), known.closed);
   const ShellMap map(laid.ground());
   Errors errors;
   int count = 0;
   for (double t = 0.02; t < laid.chart.length - 0.02; t += 0.017)
-    for (double d = -0.95 * radius; d < radius; d += 0.11 * radius)
+    for (double d = -0.95 * shell_radius; d < shell_radius; d += 0.11 * shell_radius)
       for (const double h : {-0.1, 0., 0.15}) {
         const double error = (map(t, d, h) - known.place(t, d, h)).norm();
         errors.mean += error;
@@ -133,7 +133,7 @@ TEST_P(ShellMapOf, IsRightToSecondOrder) {
 TEST(ShellMap, EndsAtTheFocalPointOfABend) {
   constexpr double narrow = 0.1, edge = 0.02;
   const Laid laid(
-      test::plane(0.6, edge, 7), radius,
+      test::plane(0.6, edge, 7), shell_radius,
       test::sampled(
           200,
           [](double s) { return Vec3d(narrow * std::cos(2 * pi * s), narrow * std::sin(2 * pi * s), 0); }),
@@ -158,7 +158,7 @@ TEST(ShellMap, MitresTheInsideOfACorner) {
   std::vector<Vec3d> samples;
   for (int i = 0; i <= 25; ++i) samples.emplace_back(-0.5 + 0.02 * i, 0, 0);
   for (int i = 1; i <= 25; ++i) samples.emplace_back(0, 0.02 * i, 0);
-  const Laid laid(test::plane(0.8, edge, 7), radius, samples);
+  const Laid laid(test::plane(0.8, edge, 7), shell_radius, samples);
   const ShellMap map(laid.ground());
   const double corner = laid.chart.length / 2;
   int mitred = 0;
@@ -181,7 +181,7 @@ TEST(ShellMap, MitresTheInsideOfACorner) {
 
 TEST(ShellMap, EndsAtTheBorderOfTheSurface) {
   const double edge = 0.02, border = 0.5;
-  const Laid laid(test::plane(border, edge, 7), radius,
+  const Laid laid(test::plane(border, edge, 7), shell_radius,
                   test::sampled(30, [](double s) { return Vec3d(0.8 * s - 0.4, 0.4, 0); }));
   const ShellMap map(laid.ground());
   for (double t = 0.05; t < 0.75; t += 0.013) {
@@ -201,7 +201,7 @@ TEST(ShellMap, UsesTheSheetOfEachT) {
     samples.emplace_back(0.6 + 0.6 * std::sin(angle), 0.6 - 0.6 * std::cos(angle), 0);
   }
   for (int i = 0; i <= 30; ++i) samples.emplace_back(0, 0.6 - 0.04 * i, 0);
-  const Laid laid(test::plane(1.5, 0.02, 7), radius, samples);
+  const Laid laid(test::plane(1.5, 0.02, 7), shell_radius, samples);
   const ShellMap map(laid.ground());
   for (double from = -0.3; from <= 0.3; from += 0.02) {
     for (const double d : {-0.18, -0.07, 0., 0.1, 0.19}) {
@@ -218,7 +218,7 @@ TEST(ShellMap, LiesAtTheNearerSideOfAGap) {
   std::erase_if(mesh.triangles, [&](const Triangle& t) {
     return std::ranges::any_of(t, [&](Index v) { return std::abs(mesh.positions[v].x()) < 0.03F; });
   });
-  const Laid laid(mesh, radius, test::sampled(30, [](double s) { return Vec3d(s - 0.5, 0.02, 0); }));
+  const Laid laid(mesh, shell_radius, test::sampled(30, [](double s) { return Vec3d(s - 0.5, 0.02, 0); }));
   const ShellMap map(laid.ground());
   for (double t = 0.3; t < laid.chart.length - 0.3; t += 0.004) {
     const Vec3d at = map(t, 0.1, 0.1);
@@ -230,7 +230,7 @@ TEST(ShellMap, LiesAtTheNearerSideOfAGap) {
 }
 
 TEST(ShellMap, NeedsTriangles) {
-  const Laid laid(test::plane(0.8, 0.1, 7), radius, {Vec3d(0, 0, 0)});
+  const Laid laid(test::plane(0.8, 0.1, 7), shell_radius, {Vec3d(0, 0, 0)});
   SolidGround ground = laid.ground();
   const Chart none;
   EXPECT_THROW(ShellMap({ground.surface, none, ground.position}), Error);

@@ -5,10 +5,12 @@
 #include <random>
 #include <vector>
 
+#include "support/uniform.h"
+
 namespace burin {
 namespace {
 
-double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.; }
+using test::uniform;
 
 TEST(BoxGrid, NamesEveryBoxThatHoldsAPlace) {
   const std::uint32_t seed = 91;

@@ -14,28 +14,23 @@
 #include "support/point_shapes.h"
 #include "support/shapes.h"
 #include "support/traced.h"
+#include "support/uniform.h"
 
 namespace burin {
 namespace {
 
-std::vector<Vec3d> sampled(int count, const std::function<Vec3d(double)>& curve) {
-  std::vector<Vec3d> samples;
-  for (int i = 0; i < count; ++i) samples.push_back(curve(static_cast<double>(i) / (count - 1)));
-  return samples;
-}
-
-double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.; }
+using test::sampled;
 
 /// The chart of a stroke, round caps, and its lookup.
-struct Scene {
+struct LookupScene {
   Surface surface;
   Picker picker;
   SurfaceCurve curve;
   Chart chart;
   ChartLookup lookup;
 
-  Scene(TriangleMesh mesh, double radius, const std::vector<Vec3d>& samples, bool closed = false,
-        int order = 2)
+  LookupScene(TriangleMesh mesh, double radius, const std::vector<Vec3d>& samples, bool closed = false,
+              int order = 2)
       : surface(make_surface(std::move(mesh))),
         picker(surface),
         curve(test::traced(surface, picker, radius, samples)),
@@ -47,7 +42,7 @@ struct Scene {
 };
 
 /// Every node that is the corner of a triangle is found at its own coordinates, on its own sheet.
-void expect_nodes_found(const Scene& scene, double off) {
+void expect_nodes_found(const LookupScene& scene, double off) {
   std::vector<bool> corner(scene.chart.size(), false);
   for (const ChartTriangle& triangle : chart_triangles(scene.surface, scene.chart)) {
     for (const Index node : triangle.nodes) corner[node] = true;
@@ -61,17 +56,18 @@ void expect_nodes_found(const Scene& scene, double off) {
   }
 }
 
-Scene straight_on_plane() {
+LookupScene straight_on_plane() {
   return {test::shuffled(test::plane(1, 0.02, 7), 8), 0.2, {{-0.5, -0.31, 0}, {0.62, 0.27, 0}}};
 }
 
 TEST(ChartLookup, GoesBackFromStraightStrokesOnAPlaneExactly) {
-  const Scene scene = straight_on_plane();
+  const LookupScene scene = straight_on_plane();
   const Vec3f from(-0.5F, -0.31F, 0), along = Vec3f(1.12F, 0.58F, 0).normalized();
   const Vec3f left(-along.y(), along.x(), 0);
   std::mt19937 random(3);
   for (int i = 0; i < 3000; ++i) {
-    const double t = (scene.curve.length() + 0.2) * uniform(random) - 0.1, d = 0.28 * uniform(random) - 0.14;
+    const double t = (scene.curve.length() + 0.2) * test::uniform(random) - 0.1,
+                 d = 0.28 * test::uniform(random) - 0.14;
     const auto place = scene.lookup.find(t, d);
     ASSERT_TRUE(place.has_value()) << t << " " << d;
     const Vec3f exact = from + static_cast<float>(t) * along + static_cast<float>(d) * left;
@@ -89,7 +85,7 @@ TEST(ChartLookup, GoesBackFromStraightStrokesOnAPlaneExactly) {
 }
 
 TEST(ChartLookup, LosesNoPlaceBetweenTwoTriangles) {
-  const Scene scene = straight_on_plane();
+  const LookupScene scene = straight_on_plane();
   std::size_t inner = 0;
   for (const ChartTriangle& triangle : chart_triangles(scene.surface, scene.chart)) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -107,7 +103,7 @@ TEST(ChartLookup, LosesNoPlaceBetweenTwoTriangles) {
 }
 
 TEST(ChartLookup, FindsNothingOutside) {
-  const Scene scene = straight_on_plane();
+  const LookupScene scene = straight_on_plane();
   const double length = scene.curve.length(), infinity = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(scene.lookup.find(length / 2, 0).has_value());
   EXPECT_FALSE(scene.lookup.find(length / 2, 0.201).has_value());
@@ -132,7 +128,7 @@ TEST(ChartLookup, FindsNothingOutside) {
 }
 
 TEST(ChartLookup, RefusesTheChartOfAnotherSurface) {
-  const Scene scene = straight_on_plane();
+  const LookupScene scene = straight_on_plane();
   EXPECT_THROW(ChartLookup(make_surface(test::plane(1, 0.5, 1)), scene.chart), ContractError);
 }
 
@@ -140,12 +136,12 @@ TEST(ChartLookup, RefusesTheChartOfAnotherSurface) {
 /// that are found there, along the equator of a sphere.
 double error_on_sphere(int levels) {
   const double radius = 0.3, length = 2;
-  const Scene scene(test::shuffled(test::sphere(levels, 0.15, 11), 12), radius,
-                    sampled(120, [](double s) { return Vec3d(std::cos(2 * s), std::sin(2 * s), 0); }));
+  const LookupScene scene(test::shuffled(test::sphere(levels, 0.15, 11), 12), radius,
+                          sampled(120, [](double s) { return Vec3d(std::cos(2 * s), std::sin(2 * s), 0); }));
   std::mt19937 random(5);
   double largest = 0;
   for (int i = 0; i < 4000; ++i) {
-    const double t = 0.2 + (length - 0.4) * uniform(random), d = 0.4 * uniform(random) - 0.2;
+    const double t = 0.2 + (length - 0.4) * test::uniform(random), d = 0.4 * test::uniform(random) - 0.2;
     const auto place = scene.lookup.find(t, d);
     EXPECT_TRUE(place.has_value());
     if (!place) continue;
@@ -166,7 +162,7 @@ TEST(ChartLookup, ConvergesOnASphereWithTheSquareOfTheEdge) {
 }
 
 /// A helix up the cylinder of radius 1 by one for every turn of one radian; lines of constant d are helices.
-Scene helix_on_cylinder() {
+LookupScene helix_on_cylinder() {
   return {test::shuffled(test::cylinder(1, 1.2, 0.03, 0.3, 5), 6), 0.3, sampled(90, [](double s) {
             const double angle = 1.4 * s - 0.7;
             return Vec3d(std::cos(angle), std::sin(angle), angle);
@@ -174,10 +170,10 @@ Scene helix_on_cylinder() {
 }
 
 TEST(ChartLookup, GoesBackFromAHelix) {
-  const Scene scene = helix_on_cylinder();
+  const LookupScene scene = helix_on_cylinder();
   std::mt19937 random(6);
   for (int i = 0; i < 2000; ++i) {
-    const double t = scene.curve.length() * uniform(random), d = 0.4 * uniform(random) - 0.2;
+    const double t = scene.curve.length() * test::uniform(random), d = 0.4 * test::uniform(random) - 0.2;
     const auto place = scene.lookup.find(t, d);
     ASSERT_TRUE(place.has_value()) << t << " " << d;
     const Vec3f& x = place->at.position;
@@ -190,13 +186,13 @@ TEST(ChartLookup, GoesBackFromAHelix) {
 }
 
 /// The field is orthonormal, tangent, and along `exact` at random places of the surface in the chart.
-void expect_field(const Scene& scene, const std::function<Vec3d(const Vec3d&)>& exact, double angle) {
+void expect_field(const LookupScene& scene, const std::function<Vec3d(const Vec3d&)>& exact, double angle) {
   std::mt19937 random(8);
   std::size_t held = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Vec3f near =
-        scene.vertex(random() % scene.chart.size()) +
-        0.02F * Vec3f(static_cast<float>(uniform(random)), 0, static_cast<float>(uniform(random)));
+    const Vec3f near = scene.vertex(random() % scene.chart.size()) +
+                       0.02F * Vec3f(static_cast<float>(test::uniform(random)), 0,
+                                     static_cast<float>(test::uniform(random)));
     const auto point = scene.picker.closest(near, 1);
     const auto place = scene.lookup.field(*point);
     if (!place) continue;
@@ -224,14 +220,14 @@ TEST(ChartLookup, HasTheFieldOfAHelix) {
 }
 
 TEST(ChartLookup, HasTheFieldOfAGreatCircle) {
-  const Scene scene(test::shuffled(test::sphere(5, 0.15, 11), 12), 0.3,
-                    sampled(120, [](double s) { return Vec3d(std::cos(2 * s), std::sin(2 * s), 0); }));
+  const LookupScene scene(test::shuffled(test::sphere(5, 0.15, 11), 12), 0.3,
+                          sampled(120, [](double s) { return Vec3d(std::cos(2 * s), std::sin(2 * s), 0); }));
   expect_field(
       scene, [](const Vec3d& x) { return Vec3d(Vec3d(-x.y(), x.x(), 0).normalized()); }, 0.004);
 }
 
 // A stroke that runs from the left through the origin, around, and down through the origin.
-Scene crossing_itself() {
+LookupScene crossing_itself() {
   std::vector<Vec3d> samples = {{-0.7, 0, 0}, {-0.35, 0, 0}, {0, 0, 0}};
   for (int i = 0; i <= 18; ++i) {
     const double angle = std::numbers::pi * (-0.5 + i / 12.);
@@ -242,7 +238,7 @@ Scene crossing_itself() {
 }
 
 TEST(ChartLookup, HasBothSheetsOfACrossing) {
-  const Scene scene = crossing_itself();
+  const LookupScene scene = crossing_itself();
   const auto crossing = scene.picker.closest(Vec3f::Zero(), 0.1F);
   const auto places = scene.lookup.at(*crossing);
   ASSERT_EQ(places.size(), 2U);
@@ -270,13 +266,13 @@ TEST(ChartLookup, HasBothSheetsOfACrossing) {
 }
 
 TEST(ChartLookup, GoesAcrossTheSeamOfAClosedStroke) {
-  const Scene scene(test::shuffled(test::cylinder(1, 1, 0.04, 0.3, 5), 6), 0.3,
-                    sampled(80,
-                            [](double s) {
-                              const double angle = 2 * std::numbers::pi * s;
-                              return Vec3d(std::cos(angle), std::sin(angle), 0);
-                            }),
-                    true);
+  const LookupScene scene(test::shuffled(test::cylinder(1, 1, 0.04, 0.3, 5), 6), 0.3,
+                          sampled(80,
+                                  [](double s) {
+                                    const double angle = 2 * std::numbers::pi * s;
+                                    return Vec3d(std::cos(angle), std::sin(angle), 0);
+                                  }),
+                          true);
   const double length = scene.chart.length;
   ASSERT_TRUE(scene.chart.closed);
   ASSERT_NEAR(length, 2 * std::numbers::pi, 2e-3);
@@ -303,19 +299,19 @@ TEST(ChartLookup, GoesAcrossTheSeamOfAClosedStroke) {
 // the two sides end where these meet.
 TEST(ChartLookup, EndsWhereTheRunsOfATightBendMeet) {
   for (const int order : {1, 2}) {
-    const Scene scene(test::shuffled(test::plane(1, 0.02, 31), 32), 0.25,
-                      {{-0.6, 0.12, 0},
-                       {0, 0.12, 0},
-                       {0.4, 0.12, 0},
-                       {0.52, 0, 0},
-                       {0.4, -0.12, 0},
-                       {0, -0.12, 0},
-                       {-0.6, -0.12, 0}},
-                      false, order);
+    const LookupScene scene(test::shuffled(test::plane(1, 0.02, 31), 32), 0.25,
+                            {{-0.6, 0.12, 0},
+                             {0, 0.12, 0},
+                             {0.4, 0.12, 0},
+                             {0.52, 0, 0},
+                             {0.4, -0.12, 0},
+                             {0, -0.12, 0},
+                             {-0.6, -0.12, 0}},
+                            false, order);
     std::mt19937 random(9);
     std::size_t found = 0, outer = 0;
     for (int i = 0; i < 6000; ++i) {
-      const double t = scene.curve.length() * uniform(random), d = 0.42 * uniform(random) - 0.21;
+      const double t = scene.curve.length() * test::uniform(random), d = 0.42 * test::uniform(random) - 0.21;
       const auto place = scene.lookup.find(t, d);
       outer += d > 0;
       EXPECT_TRUE(place.has_value() || d < 0) << t << " " << d;

@@ -50,7 +50,7 @@ std::vector<Vec3f> accumulated(const Surface& surface, const Chart& chart, test:
   return places;
 }
 
-float at(const burin_floats& floats, std::size_t i) { return floats.data[i * floats.stride]; }
+using test::at;
 
 constexpr std::uint64_t read = BURIN_INPUT_T | BURIN_INPUT_POSITION;
 

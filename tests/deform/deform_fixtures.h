@@ -124,4 +124,6 @@ class TestBrush {
   Evaluate evaluate_;
 };
 
+inline float at(const burin_floats& floats, std::size_t i) { return floats.data[i * floats.stride]; }
+
 }  // namespace burin::test

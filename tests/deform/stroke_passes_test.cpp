@@ -14,7 +14,7 @@ namespace {
 constexpr float share = 0.5f;
 constexpr std::uint32_t passes = 6;
 
-float at(const burin_floats& floats, std::size_t i) { return floats.data[i * floats.stride]; }
+using test::at;
 Vec3f at(const burin_vectors& vectors, std::size_t i) {
   return {at(vectors.x, i), at(vectors.y, i), at(vectors.z, i)};
 }

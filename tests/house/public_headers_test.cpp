@@ -14,23 +14,23 @@ namespace burin::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Names = std::set<std::string>;
+using HeaderNames = std::set<std::string>;
 
 const fs::path root = BURIN_SOURCE_FOLDER;
 
 /// "FOLDER/FILE.h".
-Names public_headers() {
+HeaderNames public_headers() {
   static const std::regex line(R"(\n  ([\w/]+\.h))");
-  return all_matches<Names>(read_file(root / "cmake/PublicHeaders.cmake"), line);
+  return all_matches<HeaderNames>(read_file(root / "cmake/PublicHeaders.cmake"), line);
 }
 
-Names included_by(const std::string& header) {
+HeaderNames included_by(const std::string& header) {
   static const std::regex include(R"(#include <burin/([^>]+)>)");
-  return all_matches<Names>(read_file(root / "sdk/burin" / header), include);
+  return all_matches<HeaderNames>(read_file(root / "sdk/burin" / header), include);
 }
 
 /// A header and all that it includes of Burin.
-void collect(const std::string& header, Names& all) {
+void collect(const std::string& header, HeaderNames& all) {
   if (!all.insert(header).second) return;
   for (const std::string& next : included_by(header)) collect(next, all);
 }
@@ -40,7 +40,7 @@ bool is_public_folder(const std::string& header) {
 }
 
 TEST(PublicHeaders, IncludeNothingThatIsNotInstalled) {
-  const Names headers = public_headers();
+  const HeaderNames headers = public_headers();
   EXPECT_GE(headers.size(), 40u);
   EXPECT_LE(headers.size(), 56u);
   for (const std::string& header : headers) {
@@ -56,7 +56,7 @@ TEST(PublicHeaders, StandAtTheTopOfTheirFolders) {
 }
 
 TEST(PublicHeaders, OfASessionAreFew) {
-  Names headers;
+  HeaderNames headers;
   collect("host/session.h", headers);
   EXPECT_TRUE(headers.contains("base/error.h"));
   EXPECT_LE(headers.size(), 25u);

@@ -21,7 +21,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double rod_radius = 0.05;
+constexpr double merged_rod_radius = 0.05;
 
 using test::Ground;
 
@@ -37,7 +37,7 @@ std::vector<Vec3d> ring(double radius) {
 /// A closed rod whose middle runs along the stroke, half sunk.
 Ground half_sunk(TriangleMesh mesh, double ring_radius, double voxel) {
   Ground ground(std::move(mesh), ring(ring_radius), true);
-  ground.lay(test::rod(ground.chart, rod_radius, 0), -rod_radius, rod_radius, voxel);
+  ground.lay(test::rod(ground.chart, merged_rod_radius, 0), -merged_rod_radius, merged_rod_radius, voxel);
   return ground;
 }
 
@@ -45,7 +45,7 @@ Ground half_sunk(TriangleMesh mesh, double ring_radius, double voxel) {
 /// ball that touches both has its middle at the height of its radius, and at the sum of both radii from the
 /// rod's middle.
 double section_outside(double blend) {
-  const double r = rod_radius, x = std::sqrt(r * (r + 2 * blend)), angle = std::atan2(blend, x);
+  const double r = merged_rod_radius, x = std::sqrt(r * (r + 2 * blend)), angle = std::atan2(blend, x);
   const double fillet = x * blend / 2 - r * r * angle / 2 - blend * blend * (pi / 2 - angle) / 2;
   return pi * r * r / 2 + 2 * fillet;
 }
@@ -56,10 +56,10 @@ double rod_beside_sphere(bool outside) {
   const int steps = 20000;
   double volume = 0;
   for (int i = 0; i < steps; ++i) {
-    const double h = (i + 0.5) / steps * rod_radius * (outside ? 1 : -1);
-    volume += (1 + h) * (1 + h) * 2 * std::sin(std::sqrt(rod_radius * rod_radius - h * h));
+    const double h = (i + 0.5) / steps * merged_rod_radius * (outside ? 1 : -1);
+    volume += (1 + h) * (1 + h) * 2 * std::sin(std::sqrt(merged_rod_radius * merged_rod_radius - h * h));
   }
-  return 2 * pi * volume * rod_radius / steps;
+  return 2 * pi * volume * merged_rod_radius / steps;
 }
 
 void expect_good(const char* what, const Ground& ground, const SurfacePatch& patch, double volume,
@@ -81,7 +81,7 @@ void expect_good(const char* what, const Ground& ground, const SurfacePatch& pat
 // Measured: within 0.25 %.
 TEST(Merge, HasTheVolumeOfARingOnAPlane) {
   for (const double blend : {0., 0.02, 0.04}) {
-    const Ground ground = half_sunk(test::plane(1, 0.02, 7), 0.5, rod_radius / 5);
+    const Ground ground = half_sunk(test::plane(1, 0.02, 7), 0.5, merged_rod_radius / 5);
     const std::size_t open = test::edges_of(ground.before()).open;
     const double volume = pi * section_outside(blend);
     expect_good("union", ground, ground.merged(SolidOperation::unite, blend), volume, open, 0);
@@ -90,7 +90,7 @@ TEST(Merge, HasTheVolumeOfARingOnAPlane) {
 }
 
 TEST(Merge, HasTheVolumeOfARingAroundASphere) {
-  const Ground ground = half_sunk(test::sphere(6, 0.2, 4), 1, rod_radius / 5);
+  const Ground ground = half_sunk(test::sphere(6, 0.2, 4), 1, merged_rod_radius / 5);
   expect_good("union", ground, ground.merged(SolidOperation::unite, 0), rod_beside_sphere(true), 0, 0);
   expect_good("difference", ground, ground.merged(SolidOperation::difference, 0), -rod_beside_sphere(false),
               0, 0);
@@ -99,14 +99,15 @@ TEST(Merge, HasTheVolumeOfARingAroundASphere) {
 /// A closed rod that rests on the surface, sunk by a fifth of its radius.
 Ground resting(TriangleMesh mesh, double ring_radius, double voxel) {
   Ground ground(std::move(mesh), ring(ring_radius), true);
-  ground.lay(test::rod(ground.chart, rod_radius, 0.8 * rod_radius), 0, 2 * rod_radius, voxel);
+  ground.lay(test::rod(ground.chart, merged_rod_radius, 0.8 * merged_rod_radius), 0, 2 * merged_rod_radius,
+             voxel);
   return ground;
 }
 
 // The gap beside the line in which both meet is narrower than voxels: nothing of it may be left as a ragged
 // edge or as tunnels.
 TEST(Merge, ClosesGapsThatVoxelsCannotHold) {
-  for (const double voxel : {rod_radius / 4, rod_radius / 7}) {
+  for (const double voxel : {merged_rod_radius / 4, merged_rod_radius / 7}) {
     const Ground ground = resting(test::sphere(6, 0.2, 4), 1, voxel);
     for (const auto operation : {SolidOperation::unite, SolidOperation::difference}) {
       const SurfacePatch patch = ground.merged(operation, 0);
@@ -133,7 +134,7 @@ TEST(Merge, MakesNoSliversWhateverTheSurfacesEdges) {
 
 // What is left is the inner half of the rod.
 TEST(Merge, LeavesTheIntersection) {
-  const Ground ground = half_sunk(test::sphere(6, 0.2, 4), 1, rod_radius / 5);
+  const Ground ground = half_sunk(test::sphere(6, 0.2, 4), 1, merged_rod_radius / 5);
   const TriangleMesh after = ground.after(ground.merged(SolidOperation::intersection, 0));
   EXPECT_NEAR(test::extent_of(after).volume, rod_beside_sphere(false), 0.005 * rod_beside_sphere(false));
   const test::Edges edges = test::edges_of(after);
@@ -166,7 +167,7 @@ TEST(Merge, AHandleAddsOneToTheGenus) {
 }
 
 TEST(Merge, KeepsVerticesFarFromTheSolid) {
-  const double voxel = rod_radius / 5, blend = 0.02;
+  const double voxel = merged_rod_radius / 5, blend = 0.02;
   const Ground ground = half_sunk(test::sphere(6, 0.2, 4), 1, voxel);
   const PatchedSurface result = patched(ground.charted.surface, ground.merged(SolidOperation::unite, blend));
   std::vector<bool> kept(ground.charted.surface.vertex_count(), false);
@@ -179,7 +180,7 @@ TEST(Merge, KeepsVerticesFarFromTheSolid) {
   std::size_t far = 0;
   for (Index v = 0; v < kept.size(); ++v) {
     const Vec3d p = ground.charted.surface.positions[v].cast<double>();
-    if (std::abs(std::asin(p.z())) - rod_radius < blend + 2 * voxel) continue;
+    if (std::abs(std::asin(p.z())) - merged_rod_radius < blend + 2 * voxel) continue;
     ++far;
     EXPECT_TRUE(kept[v]) << p.transpose();
   }
@@ -200,7 +201,7 @@ TEST(Merge, CutsIntoLargeTriangles) {
     cube.triangles.push_back({a, c, d});
   }
   ASSERT_NEAR(test::extent_of(cube).volume, 8, 1e-6);
-  Ground fine = half_sunk(test::plane(1, 0.02, 7), 0.5, rod_radius / 4);
+  Ground fine = half_sunk(test::plane(1, 0.02, 7), 0.5, merged_rod_radius / 4);
   const Surface surface = make_surface(cube);
   const Picker picker(surface);
   const SurfacePatch patch = merge_solid({surface, picker, *fine.solid, SolidOperation::difference, 0}).patch;
@@ -215,7 +216,7 @@ TEST(Merge, RefusesASurfaceThatIsOpenThere) {
   std::vector<Vec3d> samples;
   for (int i = 0; i <= 40; ++i) samples.push_back({0.5 + i / 80., 0.1, 0});
   Ground ground(test::plane(1, 0.02, 7), samples, false);
-  ground.lay(test::rod(ground.chart, rod_radius, 0), -rod_radius, rod_radius, 0.01);
+  ground.lay(test::rod(ground.chart, merged_rod_radius, 0), -merged_rod_radius, merged_rod_radius, 0.01);
   try {
     ground.merged(SolidOperation::unite, 0);
     FAIL() << "an open surface was taken";
@@ -258,7 +259,7 @@ TEST(Merge, FillsWhatIsTooThinForVoxels) {
 }
 
 TEST(Merge, RefusesABlendThatNeedsTooMuchMemory) {
-  const Ground ground = half_sunk(test::sphere(5, 0.2, 4), 1, rod_radius / 3);
+  const Ground ground = half_sunk(test::sphere(5, 0.2, 4), 1, merged_rod_radius / 3);
   try {
     ground.merged(SolidOperation::unite, 20);
     FAIL() << "a blend of 20 was taken";
@@ -268,7 +269,7 @@ TEST(Merge, RefusesABlendThatNeedsTooMuchMemory) {
 }
 
 TEST(Merge, HasTheSameBitsForAnyNumberOfThreads) {
-  const Ground ground = half_sunk(test::sphere(5, 0.2, 4), 1, rod_radius / 3);
+  const Ground ground = half_sunk(test::sphere(5, 0.2, 4), 1, merged_rod_radius / 3);
   const SurfacePatch all = ground.merged(SolidOperation::unite, 0.02);
   const ThreadLimit one(1);
   const SurfacePatch alone = ground.merged(SolidOperation::unite, 0.02);

@@ -21,7 +21,7 @@
 namespace burin {
 namespace {
 
-constexpr double rod_radius = 0.06;
+constexpr double random_rod_radius = 0.06;
 
 /// A sphere with bumps, of edges about 0.035 long.
 TriangleMesh bumpy() {
@@ -94,8 +94,8 @@ Tally merge_strokes(const TriangleMesh& mesh, int strokes, int samples, bool clo
   for (int i = 0; i < strokes; ++i) {
     test::Ground ground(mesh, wanderer.stroke(samples, 0.02), closed);
     const double height = 0.03 * static_cast<double>(i % 4) - 0.03;
-    ground.lay(test::rod(ground.chart, rod_radius, height), height - rod_radius, height + rod_radius,
-               rod_radius / 4);
+    ground.lay(test::rod(ground.chart, random_rod_radius, height), height - random_rod_radius,
+               height + random_rod_radius, random_rod_radius / 4);
     const SolidOperation operation = i % 2 == 0 ? SolidOperation::unite : SolidOperation::difference;
     try {
       const SurfacePatch patch = ground.merged(operation, i % 3 == 0 ? 0 : 0.02);

@@ -15,18 +15,18 @@
 namespace burin {
 namespace {
 
-constexpr double stroke_radius = 0.2, rod_radius = 0.05, voxel = 0.01;
+constexpr double file_stroke_radius = 0.2, file_rod_radius = 0.05, voxel = 0.01;
 
 /// A rod along x from -0.5 to 0.5, whose height over the plane is told in halves, so that its distances in
 /// the stroke's coordinates are not those in space.
 StrokeSolid slanted_rod(double stretched) {
   test::Charted charted(test::plane(1, 0.04, 7));
-  const Chart chart = charted.chart({.radius = stroke_radius},
+  const Chart chart = charted.chart({.radius = file_stroke_radius},
                                     test::sampled(30, [](double s) { return Vec3d(s - 0.5, 0, 0); }));
   const SolidGround ground{charted.surface, chart, [&](Index v) { return charted.surface.positions[v]; }};
   const SolidExtent extent{
-      .h_min = -rod_radius, .h_max = rod_radius, .radius = stroke_radius, .voxel = voxel};
-  const DistanceToSolid exact = test::rod(chart, rod_radius, 0);
+      .h_min = -file_rod_radius, .h_max = file_rod_radius, .radius = file_stroke_radius, .voxel = voxel};
+  const DistanceToSolid exact = test::rod(chart, file_rod_radius, 0);
   return {ground, extent, [&](std::span<const ShellPoint> points, std::span<float> distances) {
             exact(points, distances);
             for (float& distance : distances) distance *= static_cast<float>(stretched);
@@ -53,7 +53,7 @@ TEST(VdbFile, HoldsDistancesInSpace) {
     for (auto value = grid->cbeginValueOn(); value; ++value) {
       const openvdb::Vec3d at = grid->indexToWorld(value.getCoord());
       const double beyond = at.x() - std::clamp(at.x(), -0.5, 0.5);
-      const double exact = std::sqrt(beyond * beyond + at.y() * at.y() + at.z() * at.z()) - rod_radius;
+      const double exact = std::sqrt(beyond * beyond + at.y() * at.y() + at.z() * at.z()) - file_rod_radius;
       worst = std::max(worst, std::abs(static_cast<double>(*value) - exact));
     }
     EXPECT_GT(grid->activeVoxelCount(), 10000u);

@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-Vec3d same(const Vec3d& p) { return p; }
+using test::same;
 
 constexpr double tolerance = 0.1;
 

@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-Vec3d same(const Vec3d& p) { return p; }
+using test::same;
 
 TEST(BorderSides, AreThoseOfOneTriangleAlone) {
   const PatchMesh patch = test::flat_patch(3);

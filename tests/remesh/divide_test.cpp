@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-Vec3d same(const Vec3d& p) { return p; }
+using test::same;
 
 double beyond_circle(const Vec3d& p) { return (p - Vec3d(4, 4, 0)).norm() - 2.3; }
 

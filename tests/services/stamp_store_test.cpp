@@ -9,10 +9,10 @@
 namespace burin {
 namespace {
 
-constexpr const char* rock = "stamps/Rock035_height_1024_half_zip.exr";
+constexpr const char* stored_rock = "stamps/Rock035_height_1024_half_zip.exr";
 
 TEST(StampStore, HoldsAFileOnceUntilItsLastClose) {
-  BURIN_SHARED_DATA_OR_SKIP(path, rock);
+  BURIN_SHARED_DATA_OR_SKIP(path, stored_rock);
   StampStore store;
   const std::uint64_t first = store.open(path).handle,
                       second = store.open(path.parent_path() / "." / path.filename()).handle;
@@ -35,7 +35,7 @@ TEST(StampStore, SaysWhyAFileCannotBeRead) {
 }
 
 TEST(StampStore, HoldsAFileApartForOtherOptions) {
-  BURIN_SHARED_DATA_OR_SKIP(path, rock);
+  BURIN_SHARED_DATA_OR_SKIP(path, stored_rock);
   StampStore store;
   const std::uint64_t tile = store.open(path).handle,
                       single = store.open(path, {.wrap_u = Wrap::black}).handle;

@@ -12,7 +12,7 @@ namespace {
 
 using test::extended, test::image_of, test::random_image, test::texel;
 
-constexpr unsigned seed = 20050101;
+constexpr unsigned pyramid_seed = 20050101;
 
 double mean(const StampImage& image, int channel) {
   double sum = 0;
@@ -38,7 +38,7 @@ TEST(MipPyramid, OfAConstantIsThatConstant) {
 }
 
 TEST(MipPyramid, KeepsTheMeanOfEveryChannel) {
-  std::mt19937 random(seed);
+  std::mt19937 random(pyramid_seed);
   for (const auto& [width, height] : {std::pair{64, 64}, {63, 65}, {100, 7}, {1, 33}, {127, 129}}) {
     const MipPyramid pyramid = make_mip_pyramid(random_image(width, height, 3, random));
     for (const MipLevel& level : pyramid.levels)
@@ -63,7 +63,7 @@ double cut_mean(const StampImage& image, double x0, double x1, double y0, double
 
 // 60 is a multiple of 1 to 6, so no part is cut by a texel of the level above.
 TEST(MipPyramid, OfAnOddSizeAveragesAreas) {
-  std::mt19937 random(seed);
+  std::mt19937 random(pyramid_seed);
   const MipPyramid pyramid = make_mip_pyramid(random_image(11, 9, 1, random));
   const StampImage& level = pyramid.levels[1].image;
   ASSERT_EQ(level.width, 5);
@@ -77,7 +77,7 @@ TEST(MipPyramid, OfAnOddSizeAveragesAreas) {
 // An oracle without borders: the pyramid of the image with a whole image around it, whose texels lie as
 // those of the image's own pyramid.
 TEST(MipPyramid, GoesOnBeyondTheBorderAsTheImageDoes) {
-  std::mt19937 random(seed);
+  std::mt19937 random(pyramid_seed);
   for (const Wrap u : {Wrap::periodic, Wrap::mirror, Wrap::clamp, Wrap::black})
     for (const Wrap v : {Wrap::periodic, Wrap::mirror, Wrap::clamp, Wrap::black}) {
       StampImage image = random_image(16, 32, 2, random);

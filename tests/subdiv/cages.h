@@ -9,6 +9,9 @@
 
 namespace burin::test {
 
+inline constexpr auto catmull_clark = SubdivisionScheme::catmull_clark;
+inline constexpr auto loop = SubdivisionScheme::loop;
+
 inline PolygonMesh tetrahedron() {
   PolygonMesh cage;
   cage.positions = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};

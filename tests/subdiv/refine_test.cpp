@@ -19,8 +19,7 @@ namespace {
 
 using test::shared_mesh, test::tetrahedron;
 
-constexpr auto catmull_clark = SubdivisionScheme::catmull_clark;
-constexpr auto loop = SubdivisionScheme::loop;
+using test::catmull_clark, test::loop;
 
 double distance_to_nearest(const Vec3f& point, const std::vector<Vec3f>& points) {
   double nearest = std::numeric_limits<double>::infinity();

@@ -18,8 +18,7 @@ namespace {
 
 using test::plate, test::shared_mesh, test::tetrahedron;
 
-constexpr auto catmull_clark = SubdivisionScheme::catmull_clark;
-constexpr auto loop = SubdivisionScheme::loop;
+using test::catmull_clark, test::loop;
 
 using Positions = std::vector<Vec3f>;
 

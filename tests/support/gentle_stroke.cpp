@@ -8,7 +8,7 @@
 namespace burin::test {
 namespace {
 
-double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967295.; }
+double uniform_in_unit(std::mt19937& random) { return static_cast<double>(random()) / 4294967295.; }
 
 /// The point where a random ray from outside meets the surface, which is never inside a shell.
 std::optional<SurfacePoint> random_outer_place(const Surface& surface, const Picker& picker,
@@ -16,8 +16,9 @@ std::optional<SurfacePoint> random_outer_place(const Surface& surface, const Pic
   Eigen::AlignedBox3f box;
   for (const Vec3f& position : surface.positions) box.extend(position);
   const auto in_box = [&] {
-    const auto x = static_cast<float>(uniform(random)), y = static_cast<float>(uniform(random));
-    const auto z = static_cast<float>(uniform(random));
+    const auto x = static_cast<float>(uniform_in_unit(random)),
+               y = static_cast<float>(uniform_in_unit(random));
+    const auto z = static_cast<float>(uniform_in_unit(random));
     return Vec3f(box.min() + Vec3f(x, y, z).cwiseProduct(box.sizes()));
   };
   const Vec3f target = in_box(), direction = (box.center() - in_box()).normalized();
@@ -43,7 +44,8 @@ double mean_edge(const Surface& surface) {
 
 SurfaceCurve gentle_stroke(const Surface& surface, const Picker& picker, double radius, double length,
                            std::mt19937& random) {
-  const double step = radius / 8, sharpest = 1 / (2 * radius), phase = 2 * std::numbers::pi * uniform(random);
+  const double step = radius / 8, sharpest = 1 / (2 * radius),
+               phase = 2 * std::numbers::pi * uniform_in_unit(random);
   CurveTracer tracer(surface, picker, radius);
   const auto begin = random_outer_place(surface, picker, random);
   if (!begin) return {};
@@ -53,7 +55,7 @@ SurfaceCurve gentle_stroke(const Surface& surface, const Picker& picker, double 
     if (!at || (s > 0 && !tracer.connects(*at))) break;
     tracer.add(*at, s, {});
     const Vec3f n = normal_at(surface, *at);
-    if (s == 0) direction = turned(n.unitOrthogonal(), n, 2 * std::numbers::pi * uniform(random));
+    if (s == 0) direction = turned(n.unitOrthogonal(), n, 2 * std::numbers::pi * uniform_in_unit(random));
     direction = turned(direction, n, step * sharpest * std::cos(phase + s / (2 * radius)));
     place = at->position + static_cast<float>(step) * direction;
   }

@@ -11,8 +11,9 @@
 namespace burin::test {
 namespace {
 
-/// A uniform random number in [-1, 1], the same on every platform (unlike std::uniform_real_distribution).
-double uniform(std::mt19937& random) { return static_cast<double>(random()) / 2147483647.5 - 1; }
+/// A uniform random number in [-1, 1], the same on every platform (unlike
+/// std::uniform_real_distribution).
+double uniform_signed(std::mt19937& random) { return static_cast<double>(random()) / 2147483647.5 - 1; }
 
 template <class T>
 void shuffle(std::vector<T>& items, std::mt19937& random) {
@@ -61,7 +62,8 @@ TriangleMesh patch(const PatchGrid& grid, const std::function<Vec3d(double, doub
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
       const bool free_u = grid.wrap_u || (i > 0 && i < grid.cells_u), free_v = j > 0 && j < grid.cells_v;
-      const double move_u = grid.jitter_u * uniform(random), move_v = grid.jitter_v * uniform(random);
+      const double move_u = grid.jitter_u * uniform_signed(random),
+                   move_v = grid.jitter_v * uniform_signed(random);
       mesh.positions.push_back(
           map(grid.u_min + du * (i + (free_u ? move_u : 0)), grid.v_min + dv * (j + (free_v ? move_v : 0)))
               .cast<float>());
@@ -100,7 +102,7 @@ TriangleMesh sphere(int levels, double jitter, std::uint32_t seed) {
   std::mt19937 random(seed);
   const double edge = 1.1 / (1 << levels);
   for (Vec3f& p : mesh.positions) {
-    const Vec3d move(uniform(random), uniform(random), uniform(random));
+    const Vec3d move(uniform_signed(random), uniform_signed(random), uniform_signed(random));
     p = (p.cast<double>() + jitter * edge * move).normalized().cast<float>();
   }
   return mesh;

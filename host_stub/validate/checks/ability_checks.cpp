@@ -222,7 +222,7 @@ void check_curve_filter(const Subject& subject) {
       });
 }
 
-constexpr Check checks[] = {
+constexpr Check ability_list[] = {
     {"ability.plan", 1, "brush.h: passes >= 1, end_influence >= 0", "Looks at the plan of a stroke.",
      check_plan},
     {"ability.passes", 2, "brush.h: evaluate runs over the whole stroke once per pass",
@@ -249,6 +249,6 @@ constexpr Check checks[] = {
 
 }  // namespace
 
-std::span<const Check> ability_checks() { return checks; }
+std::span<const Check> ability_checks() { return ability_list; }
 
 }  // namespace burin::validate

@@ -230,7 +230,7 @@ void check_same(const Subject& subject) {
   require(in_process(all) == in_process(all), "two processes are told different descriptors");
 }
 
-constexpr Check checks[] = {
+constexpr Check descriptor_list[] = {
     {"descriptor.ids", 1, "brush.h: id, reverse DNS, unique among all brushes",
      "Reads the ids of all brushes.", check_ids},
     {"descriptor.texts", 2, "brush.h, param.h: ids and texts are UTF-8",
@@ -269,6 +269,6 @@ constexpr Check checks[] = {
 
 }  // namespace
 
-std::span<const Check> descriptor_checks() { return checks; }
+std::span<const Check> descriptor_checks() { return descriptor_list; }
 
 }  // namespace burin::validate

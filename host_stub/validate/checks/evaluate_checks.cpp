@@ -175,7 +175,7 @@ void check_short(const Subject& subject) {
   });
 }
 
-constexpr Check checks[] = {
+constexpr Check evaluate_list[] = {
     {"evaluate.bounded", 1, "stroke.h: a displacement is at most 1000 radii long",
      "Measures displacements of 1999 nodes.", check_bounded},
     {"evaluate.batch-sizes", 2, "stroke.h: count, at least 1",
@@ -200,6 +200,6 @@ constexpr Check checks[] = {
 
 }  // namespace
 
-std::span<const Check> evaluate_checks() { return checks; }
+std::span<const Check> evaluate_checks() { return evaluate_list; }
 
 }  // namespace burin::validate

@@ -170,7 +170,7 @@ void check_older_batch(const Subject& subject) {
   });
 }
 
-constexpr Check checks[] = {
+constexpr Check host_list[] = {
     {"host.unknown-extension", 1, "brush.h: get_extension returns the interface with this id, or null",
      "Asks brushes for interfaces that there are not.", check_unknown_extension},
     {"host.unknown-brush", 1, "plugin.h: create fails for an id that is none of its brushes",
@@ -190,6 +190,6 @@ constexpr Check checks[] = {
 
 }  // namespace
 
-std::span<const Check> host_checks() { return checks; }
+std::span<const Check> host_checks() { return host_list; }
 
 }  // namespace burin::validate

@@ -199,7 +199,7 @@ void check_outside(const Subject& subject) {
                            : fmt::format("begin takes some of {}", fmt::join(taken, ", ")));
 }
 
-void check_texts(const Subject& subject) {
+void check_text_values(const Subject& subject) {
   try_texts(subject, BURIN_PARAM_TEXT,
             {"", "A", std::string(5000, 'm'), "\xC3\xA9\xE4\xB8\xAD", "\xFF\xFE", "%s%n", " "});
 }
@@ -225,7 +225,7 @@ void check_end_after_failure(const Subject& subject) {
   });
 }
 
-constexpr Check checks[] = {
+constexpr Check life_list[] = {
     {"life.begin-default", 1, "brush.h: begin; stroke.h: every value written must be finite",
      "Draws with the defaults of all parameters.", check_default},
     {"life.begin-least", 2, "param.h: values lie within the hard range, its ends included",
@@ -238,7 +238,7 @@ constexpr Check checks[] = {
      "param.h: hosts pass no values outside the hard range; with such a brush may fail but should not crash",
      "Draws with numbers and colours beyond their ranges, infinite, and that are none.", check_outside},
     {"life.text-values", 3, "param.h: TEXT, a line of UTF-8, may be empty; brush.h: begin checks parameters",
-     "Begins with empty, long and damaged texts.", check_texts},
+     "Begins with empty, long and damaged texts.", check_text_values},
     {"life.file-values", 3, "param.h: FILE, a path; brush.h: begin checks parameters, opens files",
      "Begins with no file, missing ones, a folder, damaged names.", check_files},
     {"life.brushes-freed", 3, "brush.h: destroy frees the brush", "Creates and destroys 1000 brushes.",
@@ -255,6 +255,6 @@ constexpr Check checks[] = {
 
 }  // namespace
 
-std::span<const Check> life_checks() { return checks; }
+std::span<const Check> life_checks() { return life_list; }
 
 }  // namespace burin::validate

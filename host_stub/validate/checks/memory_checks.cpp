@@ -137,7 +137,7 @@ void check_system_calls(const Subject& subject) {
   });
 }
 
-constexpr Check checks[] = {
+constexpr Check memory_list[] = {
     {"memory.reads-within", 2, "stroke.h: count elements",
      "Puts pages that nobody may touch on both sides of all inputs.", check_reads},
     {"memory.writes-within", 2, "stroke.h: count elements",
@@ -153,6 +153,6 @@ constexpr Check checks[] = {
 
 }  // namespace
 
-std::span<const Check> memory_checks() { return checks; }
+std::span<const Check> memory_checks() { return memory_list; }
 
 }  // namespace burin::validate

@@ -159,7 +159,7 @@ void check_unloads(const Subject& subject) {
   require(signal_handlers() == handlers, "leaves a signal handler after its last deinit");
 }
 
-constexpr Check checks[] = {
+constexpr Check module_list[] = {
     {"module.loads", 1, "plugin.h: a module is a shared library named NAME.burin that exports burin_plugin",
      "Loads and initialises the module with RTLD_NOW and RTLD_LOCAL.", check_loads},
     {"module.exports", 2, "plugin.h: it should export nothing else but weak symbols",
@@ -185,6 +185,6 @@ constexpr Check checks[] = {
 
 }  // namespace
 
-std::span<const Check> module_checks() { return checks; }
+std::span<const Check> module_checks() { return module_list; }
 
 }  // namespace burin::validate

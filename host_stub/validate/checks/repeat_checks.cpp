@@ -153,7 +153,7 @@ void check_locale(const Subject& subject) {
   });
 }
 
-constexpr Check checks[] = {
+constexpr Check repeat_list[] = {
     {"repeat.split", 4, "brush.h: the host may split nodes into batches as it likes",
      "Compares one batch with many.", check_split},
     {"repeat.order", 4, "brush.h: evaluate is a pure function of batch elements, in any order",
@@ -175,6 +175,6 @@ constexpr Check checks[] = {
 
 }  // namespace
 
-std::span<const Check> repeat_checks() { return checks; }
+std::span<const Check> repeat_checks() { return repeat_list; }
 
 }  // namespace burin::validate

@@ -119,7 +119,7 @@ void check_mirrored(const Subject& subject) {
   });
 }
 
-constexpr Check checks[] = {
+constexpr Check shape_list[] = {
     {"shape.rim", 2, "brush.h: rim_slope", "Measures displacements near the rim and around both caps.",
      check_rim},
     {"shape.seam", 2, "stroke.h: on closed strokes t and t + length are one place",
@@ -134,6 +134,6 @@ constexpr Check checks[] = {
 
 }  // namespace
 
-std::span<const Check> shape_checks() { return checks; }
+std::span<const Check> shape_checks() { return shape_list; }
 
 }  // namespace burin::validate

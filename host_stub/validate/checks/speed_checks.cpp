@@ -27,7 +27,7 @@ void check_budget(const Subject& subject) {
   });
 }
 
-void check_growth(const Subject& subject) {
+void check_growth_with_batch(const Subject& subject) {
   each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
     ProbeBrush brush(plugin, descriptor, subject);
     ProbeStroke stroke(brush);
@@ -52,18 +52,18 @@ void check_denormals(const Subject& subject) {
   });
 }
 
-constexpr Check checks[] = {
+constexpr Check speed_list[] = {
     {"speed.budget", 5, "ext/bench_budget.h: evaluate takes no longer than promised",
      "Compares with copying the declared inputs.", check_budget},
     {"speed.batch-growth", 5,
      "brush.h: a brush is a pointwise function: its time grows as the number of nodes",
-     "Compares batches of 1024 and 16384 nodes.", check_growth},
+     "Compares batches of 1024 and 16384 nodes.", check_growth_with_batch},
     {"speed.denormals", 5, "brush.h: a brush is a pointwise function: no node takes much longer than others",
      "Evaluates nodes whose t and d are denormal.", check_denormals},
 };
 
 }  // namespace
 
-std::span<const Check> speed_checks() { return checks; }
+std::span<const Check> speed_checks() { return speed_list; }
 
 }  // namespace burin::validate

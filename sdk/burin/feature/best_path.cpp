@@ -1,6 +1,7 @@
 // The globally best path across an image, by dynamic programming: the best score up to each pixel of a column
 // is that of the best of five pixels of the column before.
 #include <burin/feature/best_path.h>
+#include <burin/feature/median.h>
 #include <burin/math/elementary.h>
 
 #include <algorithm>
@@ -19,12 +20,6 @@ std::vector<float> known_values(const LevelImage& level, int column) {
   for (int row = 0; row < level.grid.rows; ++row)
     if (!std::isnan(level.at(column, row))) values.push_back(level.at(column, row));
   return values;
-}
-
-float median(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 /// The distance, in pixels, from the zero crossing of the plane that touches the level at a pixel.

@@ -1,4 +1,5 @@
 // Significance of a path: contrast over noise. Costs O(pixels).
+#include <burin/feature/median.h>
 #include <burin/feature/significance.h>
 
 #include <algorithm>
@@ -10,11 +11,8 @@
 namespace burin {
 namespace {
 
-std::optional<double> median(std::vector<float>& values) {
-  if (values.empty()) return std::nullopt;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return static_cast<double>(*middle);
+std::optional<double> median_of_any(std::vector<float>& values) {
+  return values.empty() ? std::nullopt : std::optional<double>(static_cast<double>(median(values)));
 }
 
 /// The greatest difference of known levels.
@@ -42,7 +40,7 @@ double noise_of(const LevelImage& level, int apart) {
   // The variance of these differences of values whose correlation over k such distances is exp(-k^2).
   constexpr double variance = 20 - 30 * 0.36788 + 12 * 0.01832 - 2 * 0.00012;
   constexpr double least_share = 1e-5;
-  return std::max(median(differences).value_or(0) * deviations_per_median / std::sqrt(variance),
+  return std::max(median_of_any(differences).value_or(0) * deviations_per_median / std::sqrt(variance),
                   least_share * range_of(level));
 }
 
@@ -62,7 +60,7 @@ std::optional<double> side_of(const LevelImage& level, int column, double from, 
   const int end = static_cast<int>(std::min(std::ceil(to), static_cast<double>(level.grid.rows)));
   for (int row = static_cast<int>(std::max(std::ceil(from), 0.)); row < end; ++row)
     if (!std::isnan(level.at(column, row))) values.push_back(level.at(column, row));
-  return values.size() < fewest ? std::nullopt : median(values);
+  return values.size() < fewest ? std::nullopt : median_of_any(values);
 }
 
 double crest_contrast(const LevelImage& level, int column, double row, const ContrastWindow& window) {

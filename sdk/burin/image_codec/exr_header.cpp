@@ -53,7 +53,7 @@ class HeaderReader {
 };
 
 /// The sizes of one part (image) of the file.
-struct Part {
+struct PartSizes {
   std::uint64_t width = 0, height = 0, tile_width = 0, tile_height = 0, channels = 1, chunks = 0;
   std::uint8_t compression = 0;
 
@@ -79,7 +79,7 @@ std::uint64_t count_channels(HeaderReader& in) {
   return channels;
 }
 
-void read_value(HeaderReader& in, const std::string& name, const std::string& type, Part& part) {
+void read_value(HeaderReader& in, const std::string& name, const std::string& type, PartSizes& part) {
   if (name == "dataWindow" && type == "box2i") {
     const std::uint32_t left = in.number(), top = in.number(), right = in.number(), bottom = in.number();
     part.width = extent(left, right);
@@ -148,7 +148,7 @@ void expect_inner_sizes(HeaderReader& in, const std::string& type, std::uint64_t
 
 /// Reads the attributes of one part, up to the empty name that ends them. Returns false if there are none,
 /// which ends the headers of a file of several parts.
-bool read_part(HeaderReader& in, std::uint64_t file_bytes, Part& part) {
+bool read_part(HeaderReader& in, std::uint64_t file_bytes, PartSizes& part) {
   bool any = false;
   for (std::string name = in.text(); !name.empty(); name = in.text(), any = true) {
     const std::string type = in.text();
@@ -164,7 +164,7 @@ bool read_part(HeaderReader& in, std::uint64_t file_bytes, Part& part) {
   return any;
 }
 
-void expect_part(const std::string& path, const Part& part, std::uint64_t file_bytes) {
+void expect_part(const std::string& path, const PartSizes& part, std::uint64_t file_bytes) {
   const bool tiled = part.tile_width > 0;
   const std::uint64_t across = tiled ? (part.width + part.tile_width - 1) / part.tile_width : 1;
   const std::uint64_t rows = tiled ? part.tile_height : part.rows();
@@ -183,7 +183,7 @@ void check_exr_header(const std::filesystem::path& path, std::uint64_t file_byte
   HeaderReader in(path);
   in.number();
   const bool several = (in.number() & several_parts) != 0;
-  for (Part part; read_part(in, file_bytes, part); part = {}) {
+  for (PartSizes part; read_part(in, file_bytes, part); part = {}) {
     expect_part(path.string(), part, file_bytes);
     if (!several) break;
   }

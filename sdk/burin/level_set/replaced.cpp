@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t triangles_a_block = 4096;
 
-Vec3d corner_of(const Surface& surface, const Triangle& triangle, std::size_t i) {
+Vec3d corner_position(const Surface& surface, const Triangle& triangle, std::size_t i) {
   return surface.positions[triangle[i]].cast<double>();
 }
 
@@ -56,8 +56,9 @@ std::vector<Index> near_triangles(const Replacement& in) {
   return chosen(in.candidates.size(), [&](Index i) {
     const Index t = in.candidates[i];
     const Triangle& triangle = in.surface.triangles[t];
-    const bool near = is_near(in, corner_of(in.surface, triangle, 0), corner_of(in.surface, triangle, 1),
-                              corner_of(in.surface, triangle, 2));
+    const bool near =
+        is_near(in, corner_position(in.surface, triangle, 0), corner_position(in.surface, triangle, 1),
+                corner_position(in.surface, triangle, 2));
     return near ? t : no_index;
   });
 }
@@ -81,7 +82,8 @@ void grow(const Replacement& in, std::vector<Index>& triangles) {
     const Triangle triangle = in.surface.triangles[triangles[i]];
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
-      const Vec3d from = corner_of(in.surface, triangle, k), to = corner_of(in.surface, triangle, next);
+      const Vec3d from = corner_position(in.surface, triangle, k),
+                  to = corner_position(in.surface, triangle, next);
       if ((to - from).norm() <= too_long * least_size(in.size, from, to)) continue;
       for (const Index other : with_side(in.surface, triangle[next], triangle[k])) {
         if (chosen[other]) continue;

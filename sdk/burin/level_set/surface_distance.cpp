@@ -16,7 +16,7 @@ Vec3d edge(const Surface& surface, Index from, Index to) {
   return surface.positions[to].cast<double>() - surface.positions[from].cast<double>();
 }
 
-Vec3d unit_normal(const Surface& surface, const Triangle& t) {
+Vec3d triangle_normal(const Surface& surface, const Triangle& t) {
   return edge(surface, t[0], t[1]).cross(edge(surface, t[0], t[2])).stableNormalized();
 }
 
@@ -27,7 +27,7 @@ Vec3d at_vertex(const Surface& surface, Index vertex) {
     const std::size_t corner = corner_of(t, vertex);
     const Vec3d a = edge(surface, vertex, t[(corner + 1) % 3]),
                 b = edge(surface, vertex, t[(corner + 2) % 3]);
-    sum += math::atan2(a.cross(b).norm(), a.dot(b)) * unit_normal(surface, t);
+    sum += math::atan2(a.cross(b).norm(), a.dot(b)) * triangle_normal(surface, t);
   }
   return sum;
 }
@@ -37,7 +37,7 @@ Vec3d at_edge(const Surface& surface, Index a, Index b) {
   Vec3d sum = Vec3d::Zero();
   for (const Index number : surface.incident[a]) {
     const Triangle& t = surface.triangles[number];
-    if (std::ranges::find(t, b) != t.end()) sum += unit_normal(surface, t);
+    if (std::ranges::find(t, b) != t.end()) sum += triangle_normal(surface, t);
   }
   return sum;
 }
@@ -51,7 +51,7 @@ Vec3d pseudonormal(const Surface& surface, const Triangle& t, const std::array<d
     if (weights[i] > none) corners[count++] = t[i];
   if (count == 1) return at_vertex(surface, corners[0]);
   if (count == 2) return at_edge(surface, corners[0], corners[1]);
-  return unit_normal(surface, t);
+  return triangle_normal(surface, t);
 }
 
 /// The closest point of a triangle, and the pseudonormal there.

@@ -44,7 +44,7 @@ void BURIN_CALL close(const burin_host* host, burin_vdb_stamp stamp) {
   vdb_stamps_of(host).close(stamp.handle);
 }
 
-double at(const burin_floats& floats, std::size_t i) {
+double coordinate(const burin_floats& floats, std::size_t i) {
   return static_cast<double>(floats.data[i * floats.stride]);
 }
 
@@ -55,9 +55,10 @@ burin_status BURIN_CALL sample(const burin_host* host, burin_vdb_stamp stamp, st
   if (!opened) return BURIN_NOT_FOUND;
   const bool distances = opened->field->kind() == VoxelField::Kind::level_set;
   for (std::size_t i = 0; i < count; ++i) {
-    const double edge = at(voxel, i);
+    const double edge = coordinate(voxel, i);
     if (!(edge > 0)) return BURIN_INVALID_ARGUMENT;
-    const float value = opened->field->at(Vec3d(at(x, i), at(y, i), at(z, i)) / edge, opened->periodic);
+    const float value = opened->field->at(Vec3d(coordinate(x, i), coordinate(y, i), coordinate(z, i)) / edge,
+                                          opened->periodic);
     if (!std::isfinite(value)) return BURIN_INVALID_ARGUMENT;
     values.data[i * values.stride] = distances ? value * static_cast<float>(edge) : value;
   }

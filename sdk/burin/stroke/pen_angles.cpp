@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 
 /// Whether the tilts differ by less than 0.1 radians. Interpolating such tilts as numbers gives the same
 /// direction to second order and is faster, which matters since every node interpolates a pen.
@@ -29,7 +29,7 @@ Vec3d upper_end(const Pen& pen) {
 }
 
 void set_upper_end(Pen& pen, const Vec3d& direction) {
-  constexpr double least_slope = 0.05 / 360 * turn;
+  constexpr double least_slope = 0.05 / 360 * full_turn;
   const double up = std::max(direction.z(), least_slope * direction.head<2>().norm());
   pen.tilt_x = static_cast<float>(math::atan2(direction.x(), up));
   pen.tilt_y = static_cast<float>(math::atan2(direction.y(), up));
@@ -39,13 +39,13 @@ bool same_tilt(const Pen& a, const Pen& b) { return a.tilt_x == b.tilt_x && a.ti
 
 double twist_near(double twist, double near) {
   const double off = twist - near;
-  return std::abs(off) <= turn / 2 ? twist : twist - turn * std::round(off / turn);
+  return std::abs(off) <= full_turn / 2 ? twist : twist - full_turn * std::round(off / full_turn);
 }
 
 float wrap_twist(double twist) {
-  const auto within =
-      static_cast<float>(twist >= 0 && twist < turn ? twist : twist - turn * std::floor(twist / turn));
-  return double{within} < turn ? within : 0;
+  const auto within = static_cast<float>(
+      twist >= 0 && twist < full_turn ? twist : twist - full_turn * std::floor(twist / full_turn));
+  return double{within} < full_turn ? within : 0;
 }
 
 Pen pen_between(const Pen& a, const Pen& b, float share) {

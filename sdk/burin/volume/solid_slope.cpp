@@ -8,15 +8,15 @@
 namespace burin {
 namespace {
 
-constexpr int side = VoxelBlock::side;
+constexpr int block_side = VoxelBlock::side;
 
 /// Appends the slopes, per voxel's edge, of the voxels whose neighbours are in the block and in the band.
 void append_slopes(const VoxelBlock& block, float band, std::vector<float>& slopes) {
-  constexpr int strides[] = {side * side, side, 1};
-  for (int i = 1; i < side - 1; ++i)
-    for (int j = 1; j < side - 1; ++j)
-      for (int k = 1; k < side - 1; ++k) {
-        const float* at = &block.values[static_cast<std::size_t>((i * side + j) * side + k)];
+  constexpr int strides[] = {block_side * block_side, block_side, 1};
+  for (int i = 1; i < block_side - 1; ++i)
+    for (int j = 1; j < block_side - 1; ++j)
+      for (int k = 1; k < block_side - 1; ++k) {
+        const float* at = &block.values[static_cast<std::size_t>((i * block_side + j) * block_side + k)];
         float squared = 0;
         bool known = true;
         for (const int stride : strides) {

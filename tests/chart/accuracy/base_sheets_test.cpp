@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-constexpr double radius = 1;
+constexpr double sheet_radius = 1;
 
 /// A plate |x| <= 4, |y| <= half_width whose upper side is at z = 0, joined around its long borders with the
 /// lower one at z = -thickness; open at the short ones.
@@ -61,28 +61,28 @@ TEST(BasePlates, HaveTwoSidesHoweverThin) {
   for (const double thickness : {0.3, 0.1, 0.02}) {
     const Plate plate{2.5, thickness};
     test::Charted on(plate.mesh(0.05));
-    const Chart chart = on.chart({.radius = radius, .follow = 0}, along_x(0));
+    const Chart chart = on.chart({.radius = sheet_radius, .follow = 0}, along_x(0));
     ASSERT_NE(on.builder.base(), nullptr);
     std::size_t upper = 0;
     for (std::size_t i = 0; i < chart.size(); ++i) {
       const Vec3f& at = on.surface.positions[chart.vertex[i]];
       ASSERT_EQ(at.z(), 0) << "thickness " << thickness;
       ASSERT_GT(chart.normal[i].z(), 0.999F);
-      if (chart.t[i] < radius / 3 || chart.t[i] > on.curve.length() - radius / 3) continue;
+      if (chart.t[i] < sheet_radius / 3 || chart.t[i] > on.curve.length() - sheet_radius / 3) continue;
       ++upper;
-      EXPECT_NEAR(chart.d[i], at.y(), 0.002 * radius);
-      EXPECT_NEAR(chart.t[i], at.x() + 2.5, 0.002 * radius);
+      EXPECT_NEAR(chart.d[i], at.y(), 0.002 * sheet_radius);
+      EXPECT_NEAR(chart.t[i], at.x() + 2.5, 0.002 * sheet_radius);
     }
     EXPECT_GT(upper, 3000U);
   }
 }
 
-// The stroke runs beside a sharp rim. It covers the upper side, and the lower one up to the radius measured
-// around the rim.
+// The stroke runs beside a sharp rim. It covers the upper side, and the lower one up to the radius
+// measured around the rim.
 TEST(BasePlates, AreGoneAroundAtTheirRims) {
   const Plate plate{2, 0.3};
   test::Charted on(plate.mesh(0.05));
-  const Chart chart = on.chart({.radius = radius, .follow = 0}, along_x(1.6));
+  const Chart chart = on.chart({.radius = sheet_radius, .follow = 0}, along_x(1.6));
   std::vector<std::size_t> node_of(on.surface.vertex_count(), chart.size());
   for (std::size_t i = 0; i < chart.size(); ++i) node_of[chart.vertex[i]] = i;
   std::size_t inside = 0, missing = 0, strayed = 0;
@@ -92,14 +92,14 @@ TEST(BasePlates, AreGoneAroundAtTheirRims) {
     const Vec3f& at = on.surface.positions[v];
     const double d = plate.way_of(at) - 1.6;
     const bool in_middle = std::abs(at.x()) < 2;
-    if (node_of[v] < chart.size() && std::abs(d) > 1.2 * radius) ++strayed;
-    if (!in_middle || std::abs(d) > 0.8 * radius) continue;
+    if (node_of[v] < chart.size() && std::abs(d) > 1.2 * sheet_radius) ++strayed;
+    if (!in_middle || std::abs(d) > 0.8 * sheet_radius) continue;
     ++inside;
     if (node_of[v] == chart.size()) {
       ++missing;
       continue;
     }
-    const double error = std::abs(static_cast<double>(chart.d[node_of[v]]) - d) / radius;
+    const double error = std::abs(static_cast<double>(chart.d[node_of[v]]) - d) / sheet_radius;
     (at.z() > -1e-6F ? upper_error : other_error) += error;
     ++(at.z() > -1e-6F ? uppers : others);
   }
@@ -113,10 +113,10 @@ TEST(BasePlates, AreGoneAroundAtTheirRims) {
 // The stroke runs along a ruling; t and d are the distances along and around the unrolled tube. Heights are
 // averaged over more than the width of the thinnest tube, which makes its base surface thinner.
 TEST(BaseTubes, MayBeThinnerThanTheBrush) {
-  constexpr double reach = 0.55 * radius / 2;  // see BaseSurface
+  constexpr double reach = 0.55 * sheet_radius / 2;  // see BaseSurface
   for (const double tube : {1.5, 0.7, 0.5, 0.25}) {
     test::Charted on(test::shuffled(test::cylinder(tube, 4, 0.05, 0.3, 2), 3));
-    const Chart chart = on.chart({.radius = radius, .follow = 0},
+    const Chart chart = on.chart({.radius = sheet_radius, .follow = 0},
                                  test::sampled(100, [=](double s) { return Vec3d(tube, 0, -2.5 + 5 * s); }));
     ASSERT_NE(on.builder.base(), nullptr);
     std::vector<std::size_t> node_of(on.surface.vertex_count(), chart.size());
@@ -126,8 +126,8 @@ TEST(BaseTubes, MayBeThinnerThanTheBrush) {
     for (Index v = 0; v < on.surface.vertex_count(); ++v) {
       const Vec3f& at = on.surface.positions[v];
       const double d = tube * std::abs(std::atan2(at.y(), at.x())), t = at.z() + 2.5;
-      if (node_of[v] < chart.size() && d > 1.05 * radius) ++strayed;
-      if (t < 0.5 || t > 4.5 || d > 0.95 * radius) continue;
+      if (node_of[v] < chart.size() && d > 1.05 * sheet_radius) ++strayed;
+      if (t < 0.5 || t > 4.5 || d > 0.95 * sheet_radius) continue;
       ++inside;
       if (node_of[v] == chart.size()) {
         ++missing;
@@ -140,8 +140,8 @@ TEST(BaseTubes, MayBeThinnerThanTheBrush) {
     EXPECT_GT(inside, 1000U);
     EXPECT_EQ(missing, 0U) << "tube of " << tube;
     EXPECT_EQ(strayed, 0U) << "tube of " << tube;
-    EXPECT_LE(t_sum / found, 0.01 * radius) << "tube of " << tube;
-    EXPECT_LE(d_sum / found, (tube < reach ? 0.025 : 0.01) * radius) << "tube of " << tube;
+    EXPECT_LE(t_sum / found, 0.01 * sheet_radius) << "tube of " << tube;
+    EXPECT_LE(d_sum / found, (tube < reach ? 0.025 : 0.01) * sheet_radius) << "tube of " << tube;
   }
 }
 
@@ -155,7 +155,7 @@ TEST(BaseParts, AreNotJoinedByContact) {
     mesh.triangles.push_back({a + offset, c + offset, b + offset});
   test::Charted on(test::shuffled(mesh, 6));
   const Chart chart =
-      on.chart({.radius = radius, .follow = 0},
+      on.chart({.radius = sheet_radius, .follow = 0},
                test::sampled(60, [](double s) { return Vec3d(-1.5 + 3 * s, 0.3 * std::sin(4 * s), 0.01); }));
   ASSERT_GT(chart.size(), 3000U);
   for (std::size_t i = 0; i < chart.size(); ++i) {

@@ -20,7 +20,7 @@ namespace burin {
 namespace {
 
 /// Vertices of which nothing is asked at the rim, where half an edge decides: share of the radius.
-constexpr double asked = 0.97;
+constexpr double asked_of_strokes = 0.97;
 
 double exact_distance(const test::ExactShape& shape, const SurfaceCurve& curve, const Vec3d& x, double most) {
   const auto place = [&](std::size_t i) { return Vec3d(curve.points[i].at.position.cast<double>()); };
@@ -44,7 +44,7 @@ test::ToldErrors compare(const test::ExactShape& shape, const Surface& surface, 
     const Vec3d x = surface.positions[vertex].cast<double>();
     if (box.squaredExteriorDistance(x) > radius * radius) continue;
     const double exact = exact_distance(shape, curve, x, radius);
-    if (exact > asked * radius) continue;
+    if (exact > asked_of_strokes * radius) continue;
     errors.add(told, vertex, exact, radius);
   }
   return errors;
@@ -68,26 +68,26 @@ struct Drawing {
   Join join = Join::round;
 };
 
-struct Tally {
+struct StrokeTally {
   std::size_t strokes = 0;
   test::ToldErrors errors;
 
-  void add(const Tally& other) {
+  void add(const StrokeTally& other) {
     strokes += other.strokes;
     errors.add(other.errors);
   }
 };
 
-std::ostream& operator<<(std::ostream& out, const Tally& tally) {
+std::ostream& operator<<(std::ostream& out, const StrokeTally& tally) {
   return out << tally.strokes << " strokes, " << tally.errors;
 }
 
-Tally draw_all(const Drawing& drawing) {
+StrokeTally draw_all(const Drawing& drawing) {
   test::Charted charted(drawing.shape->mesh(drawing.edge, drawing.reach, drawing.seed));
   std::mt19937 random(drawing.seed);
-  Tally all;
+  StrokeTally all;
   for (const std::string_view kind : test::drawn_kinds()) {
-    Tally of_kind;
+    StrokeTally of_kind;
     for (int i = 0; i < drawing.strokes_a_kind; ++i) {
       const double share = static_cast<double>(random()) / 4294967296.;
       const double radius =
@@ -106,7 +106,7 @@ Tally draw_all(const Drawing& drawing) {
 
 constexpr double all_relief = 1, own_scale = 0;
 
-void expect_right(const Tally& tally) {
+void expect_right(const StrokeTally& tally) {
   EXPECT_GT(tally.errors.vertices, 100'000U);
   EXPECT_EQ(tally.errors.holes, 0U);
   EXPECT_LE(10'000 * tally.errors.off_2, tally.errors.vertices);
@@ -115,7 +115,7 @@ void expect_right(const Tally& tally) {
 
 // Radii of 3 to 12 edges, and of 12 to 60.
 TEST(DrawnStrokes, HaveExactDistancesOnThePlane) {
-  Tally all;
+  StrokeTally all;
   all.add(draw_all({test::exact_plane(), all_relief, 0.02, 1.05, 0.06, 0.24, 30, 11}));
   all.add(draw_all({test::exact_plane(), all_relief, 0.005, 1.25, 0.06, 0.3, 10, 12}));
   EXPECT_GE(all.strokes, 500U);
@@ -124,19 +124,19 @@ TEST(DrawnStrokes, HaveExactDistancesOnThePlane) {
 
 // Radii of 3 to 16 edges, and of 14 to 50.
 TEST(DrawnStrokes, HaveExactDistancesOnACylinder) {
-  Tally all = draw_all({test::exact_cylinder(), all_relief, 0.015, 1.05, 0.05, 0.24, 10, 13});
+  StrokeTally all = draw_all({test::exact_cylinder(), all_relief, 0.015, 1.05, 0.05, 0.24, 10, 13});
   all.add(draw_all({test::exact_cylinder(), all_relief, 0.005, 1.05, 0.07, 0.25, 4, 16}));
   expect_right(all);
 }
 
 TEST(DrawnStrokes, HaveExactDistancesOnACone) {
-  Tally all = draw_all({test::exact_cone(), all_relief, 0.015, 1.05, 0.05, 0.24, 10, 14});
+  StrokeTally all = draw_all({test::exact_cone(), all_relief, 0.015, 1.05, 0.05, 0.24, 10, 14});
   all.add(draw_all({test::exact_cone(), all_relief, 0.005, 1.05, 0.07, 0.25, 4, 17}));
   expect_right(all);
 }
 
 TEST(DrawnStrokes, HaveExactDistancesOnASphere) {
-  Tally all = draw_all({test::exact_sphere(), all_relief, 0.017, 1.05, 0.05, 0.24, 10, 15});
+  StrokeTally all = draw_all({test::exact_sphere(), all_relief, 0.017, 1.05, 0.05, 0.24, 10, 15});
   all.add(draw_all({test::exact_sphere(), all_relief, 0.0045, 1.05, 0.07, 0.25, 4, 18}));
   expect_right(all);
 }
@@ -146,7 +146,7 @@ class JoinedStrokes : public testing::TestWithParam<Join> {};
 // Where a smooth or mitered stroke bends, distances are others than to the stroke, but each vertex within the
 // radius of the stroke has a node, whatever the join. With overlap, distances are those to the stroke.
 TEST_P(JoinedStrokes, HaveNoHoles) {
-  Tally all = draw_all({test::exact_plane(), all_relief, 0.02, 1.05, 0.06, 0.24, 15, 51, GetParam()});
+  StrokeTally all = draw_all({test::exact_plane(), all_relief, 0.02, 1.05, 0.06, 0.24, 15, 51, GetParam()});
   all.add(draw_all({test::exact_plane(), all_relief, 0.005, 1.25, 0.06, 0.3, 3, 52, GetParam()}));
   all.add(draw_all({test::exact_sphere(), all_relief, 0.034, 1.05, 0.1, 0.24, 4, 53, GetParam()}));
   all.add(draw_all({test::exact_plane(), own_scale, 0.01, 1.15, 0.12, 0.27, 4, 54, GetParam()}));
@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(DrawnStrokes, JoinedStrokes,
                          [](const auto& joined) { return std::string(name_of(named_joins, joined.param)); });
 
 TEST(DrawnStrokes, HaveExactDistancesAtTheBrushesOwnScale) {
-  Tally all;
+  StrokeTally all;
   all.add(draw_all({test::exact_plane(), own_scale, 0.01, 1.15, 0.12, 0.27, 25, 21}));
   all.add(draw_all({test::exact_cylinder(), own_scale, 0.01, 1.15, 0.12, 0.27, 4, 22}));
   all.add(draw_all({test::exact_cone(), own_scale, 0.01, 1.15, 0.12, 0.27, 4, 23}));

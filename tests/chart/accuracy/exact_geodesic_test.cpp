@@ -14,10 +14,10 @@
 namespace burin {
 namespace {
 
-struct Scene {
+struct GeodesicScene {
   Surface surface;
   Picker picker;
-  explicit Scene(TriangleMesh mesh) : surface(make_surface(std::move(mesh))), picker(surface) {}
+  explicit GeodesicScene(TriangleMesh mesh) : surface(make_surface(std::move(mesh))), picker(surface) {}
 
   SurfaceCurve traced(double radius, const std::vector<Vec3d>& samples) const {
     return test::traced(surface, picker, radius, samples);
@@ -56,7 +56,7 @@ Foot foot_on_chords(const SurfaceCurve& curve, const Vec3d& x) {
 
 TEST(ExactGeodesic, IsTheDistanceInThePlane) {
   const double radius = 0.2;
-  const Scene scene(test::shuffled(test::plane(0.6, 0.01, 7), 8));
+  const GeodesicScene scene(test::shuffled(test::plane(0.6, 0.01, 7), 8));
   std::vector<Vec3d> samples;
   for (double x = -0.3; x < 0.3; x += 0.02) samples.emplace_back(x, 0.03 * std::sin(8 * x), 0);
   const SurfaceCurve curve = scene.traced(radius, samples);
@@ -78,7 +78,7 @@ TEST(ExactGeodesic, IsTheDistanceInThePlane) {
 // The shortest path from ruling to ruling is straight across the facets between them.
 TEST(ExactGeodesic, IsTheDistanceAroundAPrism) {
   const double radius = 0.5, pi = std::numbers::pi, half_side = pi / std::round(2 * pi / 0.025);
-  const Scene scene(test::shuffled(test::cylinder(1, 0.6, 0.025, 0, 5), 6));
+  const GeodesicScene scene(test::shuffled(test::cylinder(1, 0.6, 0.025, 0, 5), 6));
   std::vector<Vec3d> samples;
   for (double z = -0.55; z < 0.56; z += 0.05) samples.emplace_back(1, 0, z);
   const SurfaceCurve curve = scene.traced(radius, samples);
@@ -95,8 +95,8 @@ TEST(ExactGeodesic, IsTheDistanceAroundAPrism) {
 }
 
 TEST(ExactGeodesic, HasNothingToSayWhereThreeTrianglesShareAnEdge) {
-  const Scene scene({{{0, 0, 0}, {1, 0, 0}, {0.5F, 0.2F, 0}, {0.5F, -0.2F, 0}, {0.5F, 0, 0.2F}},
-                     {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}});
+  const GeodesicScene scene({{{0, 0, 0}, {1, 0, 0}, {0.5F, 0.2F, 0}, {0.5F, -0.2F, 0}, {0.5F, 0, 0.2F}},
+                             {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}});
   const SurfaceCurve curve = scene.traced(0.5, {{0.2, 0.1, 0}, {0.8, 0.1, 0}});
   const Chart chart = scene.chart(curve, 0.5);
   const auto inner = inner_nodes(chart, curve, 0.05);

@@ -10,7 +10,7 @@
 namespace burin {
 namespace {
 
-constexpr double radius = 0.3;
+constexpr double unscaled_radius = 0.3;
 constexpr double scales[] = {1e-12, 1e-9, 1e-6, 1, 1e6, 1e9, 1e12};
 
 TriangleMesh scaled_plane(double scale) {
@@ -30,9 +30,9 @@ std::vector<Vec3d> wave(double height, double scale) {
 TEST(Scale, LeavesRelativeErrorsAsTheyAre) {
   for (const double scale : scales) {
     test::Charted charted(scaled_plane(scale));
-    const Chart chart = charted.chart({.radius = radius * scale}, wave(0, scale));
-    const auto error = test::error_against(charted.surface, chart, charted.curve.length(), radius * scale, 0,
-                                           [&](const Vec3d& x) {
+    const Chart chart = charted.chart({.radius = unscaled_radius * scale}, wave(0, scale));
+    const auto error = test::error_against(charted.surface, chart, charted.curve.length(),
+                                           unscaled_radius * scale, 0, [&](const Vec3d& x) {
                                              return test::Coordinates{x.x() + 0.6 * scale, x.y()};
                                            });
     EXPECT_GT(error.count, 400U) << scale;
@@ -45,7 +45,7 @@ TEST(Scale, LeavesChartsOfCurvedStrokesAsTheyAre) {
   std::map<Index, float> at_one;
   for (const double scale : {1.0, 1e-12, 1e-9, 1e-6, 1e6, 1e9, 1e12}) {
     test::Charted charted(scaled_plane(scale));
-    const Chart chart = charted.chart({.radius = radius * scale}, wave(0.2, scale));
+    const Chart chart = charted.chart({.radius = unscaled_radius * scale}, wave(0.2, scale));
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < chart.size(); ++i) {
       const Index source = charted.surface.source_vertex[chart.vertex[i]];
@@ -56,7 +56,7 @@ TEST(Scale, LeavesChartsOfCurvedStrokesAsTheyAre) {
       ++count;
     }
     EXPECT_GT(count, 0.98 * static_cast<double>(at_one.size())) << scale;
-    EXPECT_LT(sum / count, 2e-3 * radius) << scale;
+    EXPECT_LT(sum / count, 2e-3 * unscaled_radius) << scale;
   }
 }
 

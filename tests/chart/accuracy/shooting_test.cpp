@@ -14,7 +14,7 @@
 namespace burin {
 namespace {
 
-constexpr double radius = 0.3;
+constexpr double smooth_radius = 0.3;
 
 using test::ChartErrors;
 using test::Height;
@@ -34,8 +34,8 @@ class Shooting : public testing::TestWithParam<Height (*)(double, double)> {
     builder.begin(options);
     EXPECT_EQ(builder.base() != nullptr, options.follow < 1);
     const CurveGround ground(surface, picker, builder.base());
-    const Chart chart = builder.draw(test::traced(ground, picker, radius, samples)).sorted();
-    return test::errors_of(chart, oracle, radius, [&](Index vertex) {
+    const Chart chart = builder.draw(test::traced(ground, picker, smooth_radius, samples)).sorted();
+    return test::errors_of(chart, oracle, smooth_radius, [&](Index vertex) {
       const Vec3f& x = surface.positions[vertex];
       return Vec2d(x.x(), x.y());
     });
@@ -43,7 +43,7 @@ class Shooting : public testing::TestWithParam<Height (*)(double, double)> {
 };
 
 TEST_P(Shooting, SecondOrderIsWithinItsBounds) {
-  const ChartErrors second = errors(radius / 20, {.radius = radius});
+  const ChartErrors second = errors(smooth_radius / 20, {.radius = smooth_radius});
   EXPECT_LE(second.d.mean(), 0.002);
   EXPECT_LE(second.d.p99(), 0.01);
   EXPECT_LE(second.t.mean(), 0.02);
@@ -55,7 +55,7 @@ TEST_P(Shooting, SecondOrderIsWithinItsBounds) {
 // Charts over the base surface, interpolated to the vertices, have errors within their bounds.
 TEST_P(Shooting, ChartsOfTheBaseSurfaceAreWithinTheirBounds) {
   for (const int edges : {16, 20, 34, 40}) {
-    const ChartErrors carried = errors(radius / edges, {.radius = radius, .follow = 0});
+    const ChartErrors carried = errors(smooth_radius / edges, {.radius = smooth_radius, .follow = 0});
     EXPECT_LE(carried.d.mean(), 0.005) << edges << " edges a radius";
     EXPECT_LE(carried.d.p99(), 0.03) << edges << " edges a radius";
     EXPECT_LE(carried.t.mean(), 0.03) << edges << " edges a radius";
@@ -64,8 +64,8 @@ TEST_P(Shooting, ChartsOfTheBaseSurfaceAreWithinTheirBounds) {
 }
 
 TEST_P(Shooting, SecondOrderIsFarBetterThanFirst) {
-  const ChartErrors first = errors(radius / 20, {.radius = radius, .order = 1}),
-                    second = errors(radius / 20, {.radius = radius});
+  const ChartErrors first = errors(smooth_radius / 20, {.radius = smooth_radius, .order = 1}),
+                    second = errors(smooth_radius / 20, {.radius = smooth_radius});
   EXPECT_LE(second.d.mean(), first.d.mean() / 20);
   EXPECT_LE(second.t.mean(), first.t.mean() / 10);
   EXPECT_LE(second.d.sorted.back(), first.d.sorted.back());
@@ -73,9 +73,9 @@ TEST_P(Shooting, SecondOrderIsFarBetterThanFirst) {
 }
 
 TEST_P(Shooting, HalvingTheEdgeHalvesTheMeanErrors) {
-  ChartErrors coarse = errors(radius / 8, {.radius = radius});
+  ChartErrors coarse = errors(smooth_radius / 8, {.radius = smooth_radius});
   for (const int edges : {16, 32, 64}) {
-    const ChartErrors fine = errors(radius / edges, {.radius = radius});
+    const ChartErrors fine = errors(smooth_radius / edges, {.radius = smooth_radius});
     EXPECT_LE(fine.d.mean(), coarse.d.mean() / 2) << edges << " edges a radius";
     EXPECT_LE(fine.t.mean(), coarse.t.mean() / 2) << edges << " edges a radius";
     coarse = fine;

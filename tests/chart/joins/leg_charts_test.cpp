@@ -14,9 +14,9 @@
 namespace burin {
 namespace {
 
-constexpr double radius = 0.2, edge = 0.01;
+constexpr double leg_radius = 0.2, leg_edge = 0.01;
 
-TriangleMesh ground() { return test::shuffled(test::plane(1, edge, 5), 6); }
+TriangleMesh ground() { return test::shuffled(test::plane(1, leg_edge, 5), 6); }
 
 /// Once around the square with the corners (+-0.4, +-0.4), counterclockwise from the middle of a side:
 /// number 0 is the lower one.
@@ -31,7 +31,7 @@ SurfaceCurve square(const test::Charted& scene, int side) {
                               : Vec2d(-0.4, -along);
     samples.emplace_back(x.x(), x.y(), 0);
   }
-  SurfaceCurve curve = test::traced(scene.surface, scene.picker, radius, samples);
+  SurfaceCurve curve = test::traced(scene.surface, scene.picker, leg_radius, samples);
   test::close(curve);
   return curve;
 }
@@ -41,7 +41,7 @@ class ClosedJoins : public testing::TestWithParam<Join> {};
 // Where a closed stroke begins makes no difference but to t, by what the beginning moved.
 TEST_P(ClosedJoins, DoNotDependOnTheBeginning) {
   test::Charted scene(ground());
-  const ChartOptions options{.radius = radius, .join = GetParam()};
+  const ChartOptions options{.radius = leg_radius, .join = GetParam()};
   std::map<Index, std::pair<double, double>> first;
   const Chart chart = scene.builder.chart(square(scene, 0), options);
   for (std::size_t i = 0; i < chart.size(); ++i)
@@ -52,12 +52,12 @@ TEST_P(ClosedJoins, DoNotDependOnTheBeginning) {
     for (std::size_t i = 0; i < other.size(); ++i) {
       const Vec2d x = scene.surface.positions[other.vertex[i]].head<2>().cast<double>();
       const double off_diagonal = std::abs(std::abs(x.x()) - std::abs(x.y())) / std::sqrt(2.);
-      if (off_diagonal < 2 * edge || std::abs(std::abs(other.d[i]) - radius) < edge) continue;
+      if (off_diagonal < 2 * leg_edge || std::abs(std::abs(other.d[i]) - leg_radius) < leg_edge) continue;
       const auto at = first.find(other.vertex[i]);
       ASSERT_NE(at, first.end()) << x.transpose();
       const double ways = other.t[i] + 0.8 * side - at->second.first;
-      EXPECT_NEAR(std::remainder(ways, 3.2), 0, 0.06 * radius) << x.transpose();
-      EXPECT_NEAR(static_cast<double>(other.d[i]), at->second.second, 0.03 * radius) << x.transpose();
+      EXPECT_NEAR(std::remainder(ways, 3.2), 0, 0.06 * leg_radius) << x.transpose();
+      EXPECT_NEAR(static_cast<double>(other.d[i]), at->second.second, 0.03 * leg_radius) << x.transpose();
       ++compared;
     }
     EXPECT_GT(compared, 8000U);

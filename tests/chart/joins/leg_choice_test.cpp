@@ -5,7 +5,7 @@
 namespace burin {
 namespace {
 
-constexpr double radius = 1;
+constexpr double choice_radius = 1;
 
 std::vector<LegEnds> two_legs(bool continued) {
   const Corner corner{.first = 10, .second = 10, .first_past = 0, .second_past = 0, .turn = 1.5, .span = 4};
@@ -18,7 +18,7 @@ LegNode node(Index leg, double t, float d, double distance) {
 }
 
 std::vector<double> kept(std::vector<LegNode> nodes, bool continued = true) {
-  choose_at_corners(nodes, two_legs(continued), radius);
+  choose_at_corners(nodes, two_legs(continued), choice_radius);
   std::erase_if(nodes, [](const LegNode& each) { return each.dropped; });
   std::vector<double> t;
   for (const LegNode& each : nodes) t.push_back(each.frame.t);

@@ -12,7 +12,7 @@
 namespace burin {
 namespace {
 
-constexpr double radius = 1;
+constexpr double visit_radius = 1;
 
 SurfaceCurve curve_through(const std::vector<Vec2d>& places, bool closed = false) {
   SurfaceCurve curve;
@@ -34,7 +34,7 @@ SurfaceCurve curve_through(const std::vector<Vec2d>& places, bool closed = false
 
 StrokeSamples samples_of(const std::vector<Vec2d>& places, bool closed = false) {
   StrokeSamples samples;
-  samples.update(curve_through(places, closed), radius, 1e-6, {}, 0);
+  samples.update(curve_through(places, closed), visit_radius, 1e-6, {}, 0);
   return samples;
 }
 

@@ -13,12 +13,6 @@
 namespace burin::test {
 namespace {
 
-const std::vector<const char*> groove = {"brush=org.burin.groove", "radius=0.15"};
-/// Moves, paints and masks.
-const std::vector<const char*> every_input = {"brush=org.burin.test.every-input", "radius=0.15"};
-/// Rises to infinity where the surface is upright.
-const std::vector<const char*> raise_to = {"brush=org.burin.test.raise-to", "radius=0.15"};
-
 struct Attribute {
   burin_attribute name;
   std::size_t size;

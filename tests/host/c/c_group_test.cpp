@@ -10,10 +10,6 @@
 namespace burin::test {
 namespace {
 
-const std::vector<const char*> groove = {"brush=org.burin.groove", "radius=0.15"};
-/// Rises to infinity where the surface is upright.
-const std::vector<const char*> raise_to = {"brush=org.burin.test.raise-to", "radius=0.15"};
-
 /// The plane, moved.
 TriangleMesh plane_at(double x, double z) {
   TriangleMesh mesh = shuffled(plane(1, 0.04, 4), 5);

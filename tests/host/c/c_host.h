@@ -191,4 +191,11 @@ inline std::vector<burin_sample> in_c(const std::vector<Sample>& samples) {
   return made;
 }
 
+// Settings of strokes.
+inline const std::vector<const char*> groove = {"brush=org.burin.groove", "radius=0.15"};
+/// Moves, paints and masks.
+inline const std::vector<const char*> every_input = {"brush=org.burin.test.every-input", "radius=0.15"};
+/// Rises to infinity where the surface is upright.
+inline const std::vector<const char*> raise_to = {"brush=org.burin.test.raise-to", "radius=0.15"};
+
 }  // namespace burin::test

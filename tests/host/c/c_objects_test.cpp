@@ -15,9 +15,6 @@
 namespace burin::test {
 namespace {
 
-const std::vector<const char*> groove = {"brush=org.burin.groove", "radius=0.15"};
-const std::vector<const char*> every_input = {"brush=org.burin.test.every-input", "radius=0.15"};
-
 Vec3f place_of(const std::vector<float>& values, std::size_t vertex) {
   return {values[3 * vertex], values[3 * vertex + 1], values[3 * vertex + 2]};
 }

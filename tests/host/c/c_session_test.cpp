@@ -14,10 +14,6 @@
 namespace burin::test {
 namespace {
 
-const std::vector<const char*> groove = {"brush=org.burin.groove", "radius=0.15"};
-/// Moves, paints and masks.
-const std::vector<const char*> every_input = {"brush=org.burin.test.every-input", "radius=0.15"};
-
 TriangleMesh rough_plane() { return shuffled(plane(1, 0.02, 4), 5); }
 
 /// What a session of C++ makes of the wave.

@@ -8,13 +8,10 @@
 namespace burin::test {
 namespace {
 
-/// Moves, paints and masks.
-const std::vector<const char*> every_input = {"brush=org.burin.test.every-input", "radius=0.15"};
-const std::vector<const char*> groove = {"brush=org.burin.groove", "radius=0.15"};
 const std::vector<const char*> small_groove = {"brush=org.burin.groove", "radius=0.06"};
 constexpr const char* other_state = "the surface is not in the state that the step belongs to";
 
-TriangleMesh rough_plane() { return shuffled(plane(1, 0.03, 4), 5); }
+TriangleMesh rough_coarse_plane() { return shuffled(plane(1, 0.03, 4), 5); }
 
 /// The wave, moved along y.
 std::vector<burin_sample> wave_at(double y) {
@@ -73,7 +70,7 @@ class Step {
 };
 
 TEST(CSteps, UndoAndMakeAgainToTheBitInTheOrderOfStrokes) {
-  CSession session(rough_plane()), own(rough_plane());
+  CSession session(rough_coarse_plane()), own(rough_coarse_plane());
   std::vector<Step> steps;
   std::vector<Shown> states{Shown(session)};
   for (const auto* settings : {&groove, &every_input, &groove}) {
@@ -105,7 +102,7 @@ TEST(CSteps, UndoAndMakeAgainToTheBitInTheOrderOfStrokes) {
 }
 
 TEST(CSteps, AreRefusedInAnyOtherState) {
-  CSession session(rough_plane());
+  CSession session(rough_coarse_plane());
   session.draw(small_groove, wave_at(-0.6));
   Step first(session);
   session.draw(small_groove, wave_at(0.6));
@@ -158,7 +155,7 @@ TEST(CSteps, AreRefusedInAnyOtherState) {
 }
 
 TEST(CSteps, AreRefusedByAnotherMesh) {
-  CSession session(rough_plane()), smaller(plane(0.5, 0.03, 4));
+  CSession session(rough_coarse_plane()), smaller(plane(0.5, 0.03, 4));
   session.draw(groove, wave_at(0.1));
   Step step(session);
   EXPECT_EQ(step.try_apply(smaller), BURIN_INVALID_ARGUMENT);
@@ -166,7 +163,7 @@ TEST(CSteps, AreRefusedByAnotherMesh) {
 }
 
 TEST(CSteps, OutliveTheirSessionInADocument) {
-  const TriangleMesh mesh = rough_plane();
+  const TriangleMesh mesh = rough_coarse_plane();
   std::vector<char> saved;
   TriangleMesh sculpted = mesh;
   std::vector<float> flat, drawn, colours;
@@ -248,7 +245,7 @@ TEST(CSteps, AreRefusedWhereTheirBytesAreDamaged) {
 }
 
 TEST(CSteps, OfTheSessionItselfAreBoundedOldestFirst) {
-  CSession session(rough_plane());
+  CSession session(rough_coarse_plane());
   for (const double y : {-0.6, -0.2, 0.2, 0.6}) session.draw(groove, wave_at(y));
   const burin_session_info before = session.info();
   EXPECT_EQ(before.undo_count, 4u);

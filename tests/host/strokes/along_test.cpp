@@ -42,8 +42,8 @@ std::vector<Sample> straight(double length, float pressure_at_end = 1) {
   return samples;
 }
 
-void draw(Session& session, const StrokeSettings& settings, const std::vector<Sample>& samples,
-          Closure closure = Closure::open) {
+void draw_bent(Session& session, const StrokeSettings& settings, const std::vector<Sample>& samples,
+               Closure closure = Closure::open) {
   session.begin_stroke(settings);
   for (const Sample& sample : samples) session.add_sample(sample.position, sample.time, sample.pen);
   session.end_stroke(closure);
@@ -53,7 +53,7 @@ TEST(Along, LiesBesideTheSurfaceAndIsUndone) {
   Session session = plane_session();
   const std::uint64_t before = session.result_hash();
   const std::vector<Vec3f> positions(session.positions().begin(), session.positions().end());
-  draw(session, boxes(), straight(1.2));
+  draw_bent(session, boxes(), straight(1.2));
   ASSERT_EQ(session.bent_meshes().size(), 1u);
   EXPECT_TRUE(std::ranges::equal(session.positions(), positions));
   const TriangleMesh& mesh = session.bent_meshes()[0];
@@ -61,9 +61,9 @@ TEST(Along, LiesBesideTheSurfaceAndIsUndone) {
   EXPECT_NEAR(extent_of(mesh).volume, 1.2 * 0.02, 1e-5);
   const std::uint64_t one = session.result_hash();
   EXPECT_NE(one, before);
-  draw(session, settings("org.burin.groove"), straight(1));
+  draw_bent(session, settings("org.burin.groove"), straight(1));
   EXPECT_EQ(session.bent_meshes().size(), 1u);
-  draw(session, boxes(0.05), straight(1));
+  draw_bent(session, boxes(0.05), straight(1));
   EXPECT_EQ(session.bent_meshes().size(), 2u);
   EXPECT_TRUE(session.undo());
   EXPECT_TRUE(session.undo());
@@ -94,7 +94,7 @@ TEST(Along, IsAsWideAsThePenPresses) {
   StrokeSettings pressed = boxes();
   pressed.fields.pressure = true;
   pressed.pressure_width = 1;
-  draw(session, pressed, straight(1.2, 0.5F));
+  draw_bent(session, pressed, straight(1.2, 0.5F));
   ASSERT_EQ(session.bent_meshes().size(), 1u);
   float at_start = 0, at_end = 0;
   for (const Vec3f& p : session.bent_meshes()[0].positions) {
@@ -138,7 +138,7 @@ TEST(Along, GoesAroundClosedStrokes) {
     sample.position = Vec3d(0.5 * std::cos(angle), 0.5 * std::sin(angle), 0);
     samples.push_back(sample);
   }
-  draw(session, boxes(), samples, Closure::closed);
+  draw_bent(session, boxes(), samples, Closure::closed);
   ASSERT_EQ(session.bent_meshes().size(), 1u);
   const double volume = std::numbers::pi * 0.02;
   EXPECT_NEAR(extent_of(session.bent_meshes()[0]).volume, volume, 0.003 * volume);

@@ -14,9 +14,9 @@
 namespace burin {
 namespace {
 
-constexpr double radius = 0.3, depth = 0.25 * radius;
+constexpr double hard_radius = 0.3, hard_depth = 0.25 * hard_radius;
 
-StrokeSettings groove(double of_radius = radius) {
+StrokeSettings groove(double of_radius = hard_radius) {
   StrokeSettings settings = test::settings("org.burin.groove", of_radius);
   settings.params = {{"depth", 0.25}};
   return settings;
@@ -31,12 +31,13 @@ test::Pens pens_above() {
   return pens;
 }
 
-/// A square |x|, |y| <= 1.2 at this height with bumps of this height, in shares of the radius, that faces up
-/// or down.
+/// A square |x|, |y| <= 1.2 at this height with bumps of this height, in shares of the radius, that
+/// faces up or down.
 TriangleMesh sheet(double z, double bumps, bool up, std::uint32_t seed) {
-  TriangleMesh mesh = test::plane(1.2, radius / 20, seed);
+  TriangleMesh mesh = test::plane(1.2, hard_radius / 20, seed);
   for (Vec3f& at : mesh.positions)
-    at.z() = static_cast<float>(z + bumps * radius * test::egg_crate(at.x() / radius, at.y() / radius));
+    at.z() = static_cast<float>(z + bumps * hard_radius *
+                                        test::egg_crate(at.x() / hard_radius, at.y() / hard_radius));
   if (!up)
     for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
   return mesh;
@@ -77,14 +78,14 @@ TEST(FollowHard, LeavesTheOtherSideOfAPlateAlone) {
     const std::vector<Vec3d> expected = test::added(alone, groove(), pens_above());
     const auto vertices = static_cast<std::ptrdiff_t>(expected.size());
     for (const double thickness : {0.5, 0.25, 0.12}) {
-      Session session(make_surface(plate(upper, sheet(-thickness * radius, bumps, false, 4))),
+      Session session(make_surface(plate(upper, sheet(-thickness * hard_radius, bumps, false, 4))),
                       test::brushes());
       const std::vector<Vec3d> moves = test::added(session, groove(), pens_above());
       EXPECT_TRUE(std::all_of(moves.begin() + vertices, moves.end(),
                               [](const Vec3d& move) { return move.isZero(0); }));
       const test::MoveError error = test::move_error({moves.begin(), moves.begin() + vertices}, expected);
       EXPECT_GT(error.moved, 3000U);
-      EXPECT_LE(100 / depth * error.rms, bumps > 0 ? 1 : 0.1)
+      EXPECT_LE(100 / hard_depth * error.rms, bumps > 0 ? 1 : 0.1)
           << "bumps " << bumps << ", thickness " << thickness;
     }
   }
@@ -100,13 +101,13 @@ TEST(FollowHard, LeavesWhatItsPartTouchesAlone) {
   EXPECT_TRUE(
       std::all_of(moves.begin() + vertices, moves.end(), [](const Vec3d& move) { return move.isZero(0); }));
   const test::MoveError error = test::move_error({moves.begin(), moves.begin() + vertices}, expected);
-  EXPECT_LE(100 / depth * error.rms, 0.1);
+  EXPECT_LE(100 / hard_depth * error.rms, 0.1);
 }
 
 // The pen jumps over a gap of three radii between two sheets in one plane, and goes on beyond it.
 TEST(FollowHard, BreaksAtAGap) {
   TriangleMesh right = sheet(0, 0, true, 5);
-  for (Vec3f& at : right.positions) at.x() += static_cast<float>(2.4 + 3 * radius);
+  for (Vec3f& at : right.positions) at.x() += static_cast<float>(2.4 + 3 * hard_radius);
   for (const double follow : {0., 1.}) {
     Session session(make_surface(together(sheet(0, 0, true, 4), right)), test::brushes());
     StrokeSettings settings = groove();
@@ -143,8 +144,8 @@ TEST(FollowHard, DoesNotShakeWhereThePensPlacesAreBesideTheRelief) {
     moves[with_places.surface().source_vertex[v]] = (with_places.positions()[v] - before[v]).cast<double>();
   const test::MoveError error = test::move_error(moves, expected);
   EXPECT_GT(error.moved, 3000U);
-  EXPECT_LE(100 / depth * error.rms, 1);
-  EXPECT_NEAR(with_places.curve().length(), with_rays.curve().length(), 0.005 * radius);
+  EXPECT_LE(100 / hard_depth * error.rms, 1);
+  EXPECT_NEAR(with_places.curve().length(), with_rays.curve().length(), 0.005 * hard_radius);
 }
 
 /// Strokes across scans with holes, wrong orientation, edges of three triangles, loose points.

@@ -10,7 +10,7 @@
 namespace burin {
 namespace {
 
-constexpr double radius = 0.3, depth = 0.25 * radius;
+constexpr double shape_radius = 0.3, shape_depth = 0.25 * shape_radius;
 
 /// A place of a shape and its outward normal, over (x, y) in object units.
 struct Place {
@@ -31,7 +31,7 @@ Place on_sphere(double x, double y) {
 
 /// An egg crate of six radii, whose crests bend like a ball of 2.3 radii.
 Place on_waves(double x, double y) {
-  const double k = 2 * std::numbers::pi / (6 * radius), a = 0.4 * radius;
+  const double k = 2 * std::numbers::pi / (6 * shape_radius), a = 0.4 * shape_radius;
   const double sx = std::sin(k * x), cx = std::cos(k * x), sy = std::sin(k * y), cy = std::cos(k * y);
   return {{x, y, a * sx * sy}, Vec3d(-a * k * cx * sy, -a * k * sx * cy, 1).normalized()};
 }
@@ -48,7 +48,8 @@ Session session_on(const Shape& shape, test::Relief relief, double height) {
               {.u_min = -1.5, .u_max = 1.5, .v_min = -0.75, .v_max = 0.75, .cells_u = 200, .cells_v = 100},
               [&](double x, double y) {
                 const Place place = shape.at(x, y);
-                const double up = height > 0 ? height * radius * relief(x / radius, y / radius) : 0;
+                const double up =
+                    height > 0 ? height * shape_radius * relief(x / shape_radius, y / shape_radius) : 0;
                 return Vec3d(place.position + up * place.normal);
               }),
           3)),
@@ -61,13 +62,14 @@ test::Pens pens_on(const Shape& shape) {
   for (int i = 0; i < 150; ++i) {
     const double x = -1 + 2. * i / 149;
     const Place place = shape.at(x, 0.15 * std::sin(3 * x));
-    pens.push_back({(place.position + radius * place.normal).cast<float>(), (-place.normal).cast<float>()});
+    pens.push_back(
+        {(place.position + shape_radius * place.normal).cast<float>(), (-place.normal).cast<float>()});
   }
   return pens;
 }
 
 StrokeSettings settings_of(const char* brush, double follow) {
-  StrokeSettings settings = test::settings(brush, radius);
+  StrokeSettings settings = test::settings(brush, shape_radius);
   settings.follow = follow;
   settings.params = {{std::string(brush) == "org.burin.groove" ? "depth" : "height", 0.25}};
   return settings;
@@ -76,8 +78,8 @@ StrokeSettings settings_of(const char* brush, double follow) {
 constexpr Shape shapes[] = {{"cylinder", &on_cylinder}, {"sphere", &on_sphere}, {"waves", &on_waves}};
 constexpr const char* drawing_brushes[] = {"org.burin.groove", "org.burin.bead"};
 
-using Case = std::tuple<Shape, const char*, test::Relief>;
-class FollowShapes : public testing::TestWithParam<Case> {};
+using ShapeCase = std::tuple<Shape, const char*, test::Relief>;
+class FollowShapes : public testing::TestWithParam<ShapeCase> {};
 
 // Root mean square over the vertices that either stroke moves, in percent of the depth.
 TEST_P(FollowShapes, AddsToReliefWhatItAddsToTheBareShape) {
@@ -89,9 +91,9 @@ TEST_P(FollowShapes, AddsToReliefWhatItAddsToTheBareShape) {
     const std::vector<Vec3d> moves = test::added(bumpy, settings_of(brush, 0), pens_on(shape));
     const test::MoveError error = test::move_error(moves, expected);
     ASSERT_GT(error.moved, 3000U);
-    EXPECT_LT(100 / depth * error.rms, percent) << shape.name << ", bumps of " << height;
-    EXPECT_LT(error.farthest, 2 * depth) << shape.name << ", bumps of " << height;
-    RecordProperty("percent_" + std::to_string(height), std::to_string(100 / depth * error.rms));
+    EXPECT_LT(100 / shape_depth * error.rms, percent) << shape.name << ", bumps of " << height;
+    EXPECT_LT(error.farthest, 2 * shape_depth) << shape.name << ", bumps of " << height;
+    RecordProperty("percent_" + std::to_string(height), std::to_string(100 / shape_depth * error.rms));
   }
 }
 
@@ -113,7 +115,7 @@ TEST(FollowShapes, FeelsTheShapeItself) {
           test::move_error(test::added(own_scale, settings_of(brush, 0), pens_on(shape)),
                            test::added(all, settings_of(brush, 1), pens_on(shape)));
       ASSERT_GT(error.moved, 3000U);
-      EXPECT_LT(100 / depth * error.rms, 0.5) << shape.name << ", " << brush;
+      EXPECT_LT(100 / shape_depth * error.rms, 0.5) << shape.name << ", " << brush;
     }
   }
 }

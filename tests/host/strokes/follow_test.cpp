@@ -9,16 +9,19 @@
 namespace burin {
 namespace {
 
-constexpr double radius = 0.4, depth = 0.25 * radius;
+constexpr double follow_radius = 0.4, follow_depth = 0.25 * follow_radius;
 
-/// A rectangle with edges of a twentieth of the radius and bumps of this height, in shares of the radius.
+/// A rectangle with edges of a twentieth of the radius and bumps of this height, in shares of the
+/// radius.
 Session bumpy_session(test::Relief bumps, double height) {
   return Session(
       make_surface(test::shuffled(
           test::patch(
               {.u_min = -1.6, .u_max = 1.6, .v_min = -0.9, .v_max = 0.9, .cells_u = 160, .cells_v = 90},
               [=](double x, double y) {
-                return Vec3d(x, y, height > 0 ? height * radius * bumps(x / radius, y / radius) : 0);
+                return Vec3d(
+                    x, y,
+                    height > 0 ? height * follow_radius * bumps(x / follow_radius, y / follow_radius) : 0);
               }),
           3)),
       test::brushes());
@@ -26,7 +29,7 @@ Session bumpy_session(test::Relief bumps, double height) {
 
 /// A brush that moves places by about a quarter of the radius.
 StrokeSettings settings_of(const std::string& brush) {
-  StrokeSettings settings = test::settings(brush, radius);
+  StrokeSettings settings = test::settings(brush, follow_radius);
   if (brush == "org.burin.groove") settings.params = {{"depth", 0.25}};
   if (brush == "org.burin.bead") settings.params = {{"height", 0.25}};
   return settings;
@@ -45,7 +48,8 @@ std::vector<Vec3d> added(Session& session, const StrokeSettings& settings) {
 using Case = std::tuple<const char*, test::Relief>;
 class Follow : public testing::TestWithParam<Case> {};
 
-// Root mean square over the vertices that either stroke moves, at least so many, in percent of the depth.
+// Root mean square over the vertices that either stroke moves, at least so many, in percent of the
+// depth.
 void expect_same_over_bumps(const StrokeSettings& settings, test::Relief bumps, std::size_t fewest_moved) {
   Session bare = bumpy_session(bumps, 0);
   const std::vector<Vec3d> expected = added(bare, settings);
@@ -53,8 +57,8 @@ void expect_same_over_bumps(const StrokeSettings& settings, test::Relief bumps, 
     Session bumpy = bumpy_session(bumps, height);
     const test::MoveError error = test::move_error(added(bumpy, settings), expected);
     ASSERT_GT(error.moved, fewest_moved);
-    EXPECT_LT(100 / depth * error.rms, percent) << "bumps of " << height;
-    EXPECT_LT(error.farthest, 2 * depth) << "bumps of " << height;
+    EXPECT_LT(100 / follow_depth * error.rms, percent) << "bumps of " << height;
+    EXPECT_LT(error.farthest, 2 * follow_depth) << "bumps of " << height;
   }
 }
 
@@ -89,7 +93,7 @@ struct Heights {
 Heights heights_under(const std::string& brush, const ParamSettings& params, double bumps) {
   Session session = bumpy_session(test::egg_crate, bumps);
   const std::vector<Vec3f> before(session.positions().begin(), session.positions().end());
-  StrokeSettings settings = test::settings(brush, radius);
+  StrokeSettings settings = test::settings(brush, follow_radius);
   settings.params = params;
   session.begin_stroke(settings);
   for (int i = 0; i < 100; ++i)
@@ -99,12 +103,12 @@ Heights heights_under(const std::string& brush, const ParamSettings& params, dou
   Heights squares{0, 0};
   double count = 0;
   for (std::size_t v = 0; v < before.size(); ++v) {
-    if (std::abs(before[v].x()) > 0.6F || std::abs(before[v].y()) > 0.4 * radius) continue;
+    if (std::abs(before[v].x()) > 0.6F || std::abs(before[v].y()) > 0.4 * follow_radius) continue;
     squares.before += std::pow(before[v].z(), 2);
     squares.after += std::pow(session.positions()[v].z(), 2);
     ++count;
   }
-  const double unit = bumps * radius;
+  const double unit = bumps * follow_radius;
   return {std::sqrt(squares.before / count) / unit, std::sqrt(squares.after / count) / unit};
 }
 
@@ -135,7 +139,7 @@ TEST(FollowedRelief, StaysOnWhatIsMovedToAPlane) {
   for (const double bumps : {0.05, 0.12}) {
     Session session = bumpy_session(test::egg_crate, bumps);
     const std::vector<Vec3f> before(session.positions().begin(), session.positions().end());
-    StrokeSettings settings = test::settings("org.burin.test.raise-to", radius);
+    StrokeSettings settings = test::settings("org.burin.test.raise-to", follow_radius);
     session.begin_stroke(settings);
     for (int i = 0; i < 50; ++i)
       session.add_sample(Ray{.origin = {-1 + 0.04F * static_cast<float>(i), 0, 5}, .direction = {0, 0, -1}},
@@ -143,8 +147,8 @@ TEST(FollowedRelief, StaysOnWhatIsMovedToAPlane) {
     session.end_stroke();
     std::size_t count = 0;
     for (std::size_t v = 0; v < before.size(); ++v) {
-      if (std::abs(before[v].x()) > 0.8F || std::abs(before[v].y()) > 0.8 * radius) continue;
-      ASSERT_NEAR(session.positions()[v].z() - before[v].z(), 0.1, 0.1 * bumps * radius);
+      if (std::abs(before[v].x()) > 0.8F || std::abs(before[v].y()) > 0.8 * follow_radius) continue;
+      ASSERT_NEAR(session.positions()[v].z() - before[v].z(), 0.1, 0.1 * bumps * follow_radius);
       ++count;
     }
     EXPECT_GT(count, 2000U);
@@ -164,7 +168,7 @@ test::Pens pens_from(const Vec3f& direction) {
 // Bumps seen at an angle hide places behind them and shift where rays meet the surface, by their height and
 // more.
 TEST(FollowedRelief, LeavesThePenOnItsWayFromWhereverItIsSeen) {
-  const StrokeSettings groove = test::settings("org.burin.groove", radius);
+  const StrokeSettings groove = test::settings("org.burin.groove", follow_radius);
   for (const Vec3f& view : {Vec3f(0, 0, -1), Vec3f(0, 0.7F, -0.7F), Vec3f(0.75F, 0.3F, -0.6F)}) {
     Session bare = bumpy_session(test::egg_crate, 0);
     test::added(bare, groove, pens_from(view));
@@ -174,8 +178,8 @@ TEST(FollowedRelief, LeavesThePenOnItsWayFromWhereverItIsSeen) {
       EXPECT_NEAR(bumpy.curve().length() / bare.curve().length(), 1, 1e-3) << "bumps of " << bumps;
       for (const CurvePoint& point : bumpy.curve().points) {
         const Vec3f& at = point.at.position;
-        ASSERT_NEAR(at.z(), 0, 0.05 * bumps * radius);
-        ASSERT_NEAR(at.y(), 0.45F + 0.15F * std::sin(3 * at.x()), 0.1 * bumps * radius);
+        ASSERT_NEAR(at.z(), 0, 0.05 * bumps * follow_radius);
+        ASSERT_NEAR(at.y(), 0.45F + 0.15F * std::sin(3 * at.x()), 0.1 * bumps * follow_radius);
       }
     }
   }
@@ -183,14 +187,14 @@ TEST(FollowedRelief, LeavesThePenOnItsWayFromWhereverItIsSeen) {
 
 // The egg crate is no mirror image of itself, what is added to it is one.
 TEST(FollowedRelief, LeavesImagesOnTheirWayToo) {
-  StrokeSettings groove = test::settings("org.burin.groove", radius);
+  StrokeSettings groove = test::settings("org.burin.groove", follow_radius);
   groove.symmetry.mirror_y = true;
   const test::Pens pens = pens_from({0, 0, -1});
   Session bare = bumpy_session(test::egg_crate, 0), bumpy = bumpy_session(test::egg_crate, 0.12);
   const std::vector<Vec3d> expected = test::added(bare, groove, pens);
   const test::MoveError error = test::move_error(test::added(bumpy, groove, pens), expected);
   ASSERT_GT(error.moved, 5000U);
-  EXPECT_LT(100 / depth * error.rms, 2);
+  EXPECT_LT(100 / follow_depth * error.rms, 2);
 }
 
 TEST(Follow, RefusesSharesBeyondOne) {

@@ -13,7 +13,7 @@ namespace {
 
 using test::BrushUse;
 
-constexpr double radius = 0.2;
+constexpr double mirrored_radius = 0.2;
 
 Vec3f mirrored(const Vec3f& place) { return {-place.x(), place.y(), place.z()}; }
 
@@ -48,7 +48,7 @@ class Mirrored : public testing::TestWithParam<BrushUse> {
   }
 
   StrokeSettings stroke(bool mirror) const {
-    StrokeSettings settings = test::settings(GetParam().id, radius);
+    StrokeSettings settings = test::settings(GetParam().id, mirrored_radius);
     settings.params = GetParam().params;
     settings.symmetry.mirror_x = mirror;
     return settings;
@@ -77,7 +77,7 @@ class Mirrored : public testing::TestWithParam<BrushUse> {
     for (const Way& way : ways) {
       const Result result = drawn(settings, way.places);
       EXPECT_GT(result.farthest, 1e-4) << how << ' ' << way.name;
-      EXPECT_LE(result.asymmetry, 1e-5 * radius) << how << ' ' << way.name;
+      EXPECT_LE(result.asymmetry, 1e-5 * mirrored_radius) << how << ' ' << way.name;
     }
     const std::vector<Vec3d>& on_plane = ways.back().places;
     const double with = drawn(settings, on_plane).farthest;

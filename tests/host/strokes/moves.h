@@ -48,4 +48,11 @@ inline MoveError move_error(const std::vector<Vec3d>& moves, const std::vector<V
   return error;
 }
 
+/// 41 points at even distances.
+inline std::vector<Vec3d> line(const Vec3d& from, const Vec3d& to) {
+  std::vector<Vec3d> places;
+  for (int i = 0; i <= 40; ++i) places.push_back(from + i / 40. * (to - from));
+  return places;
+}
+
 }  // namespace burin::test

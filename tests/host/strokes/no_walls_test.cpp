@@ -11,12 +11,13 @@
 #include <string_view>
 
 #include "host/stock_brush_uses.h"
+#include "host/strokes/moves.h"
 #include "support/drawn_strokes.h"
 
 namespace burin {
 namespace {
 
-using test::BrushUse;
+using test::BrushUse, test::line;
 
 constexpr double radius = 0.2;
 
@@ -28,12 +29,6 @@ TriangleMesh rippled_square() {
   TriangleMesh mesh = test::plane(1, 0.025, 4);
   for (Vec3f& p : mesh.positions) p.z() += 0.004f * std::sin(25 * p.x()) * std::sin(25 * p.y() + 1);
   return mesh;
-}
-
-std::vector<Vec3d> line(const Vec3d& from, const Vec3d& to) {
-  std::vector<Vec3d> places;
-  for (int i = 0; i <= 40; ++i) places.push_back(from + i / 40. * (to - from));
-  return places;
 }
 
 /// One round of a closed way, of this parameter from 0 to 2 pi, and some of the next.

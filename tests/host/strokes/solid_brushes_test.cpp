@@ -12,18 +12,13 @@
 #include <numbers>
 
 #include "host/stock_brush_uses.h"
+#include "host/strokes/moves.h"
 #include "support/rods.h"
 
 namespace burin {
 namespace {
 
-using test::BrushUse;
-
-std::vector<Vec3d> line(const Vec3d& from, const Vec3d& to) {
-  std::vector<Vec3d> places;
-  for (int i = 0; i <= 40; ++i) places.push_back(from + i / 40. * (to - from));
-  return places;
-}
+using test::BrushUse, test::line;
 
 std::vector<Vec3d> circle(double radius) {
   std::vector<Vec3d> places;
@@ -41,8 +36,8 @@ StrokeSettings settings_of(const BrushUse& use, double radius = 0.2) {
 }
 
 /// Draws one stroke, and returns the part that it made.
-const StrokeSolid& draw(Session& session, const StrokeSettings& settings, const std::vector<Vec3d>& places,
-                        Closure closure = Closure::open) {
+const StrokeSolid& draw_solid(Session& session, const StrokeSettings& settings,
+                              const std::vector<Vec3d>& places, Closure closure = Closure::open) {
   session.begin_stroke(settings);
   double time = 0;
   for (const Vec3d& place : places) session.add_sample(place, time += 0.01, {});
@@ -76,8 +71,8 @@ TEST_P(SolidBrushes, MakeClosedMeshesOfGoodTriangles) {
   Session session(make_surface(test::plane(1, 0.025, 4)), test::brushes());
   for (const bool closed : {false, true}) {
     const StrokeSolid& solid =
-        closed ? draw(session, settings_of(GetParam()), circle(0.5), Closure::closed)
-               : draw(session, settings_of(GetParam()), line({-0.6, -0.1, 0}, {0.6, 0.1, 0}));
+        closed ? draw_solid(session, settings_of(GetParam()), circle(0.5), Closure::closed)
+               : draw_solid(session, settings_of(GetParam()), line({-0.6, -0.1, 0}, {0.6, 0.1, 0}));
     const TriangleMesh mesh = mesh_of(solid);
     const test::Edges edges = test::edges_of(mesh);
     const std::vector<double> angles = test::angles_of(mesh);
@@ -96,7 +91,7 @@ TEST_P(SolidBrushes, LeaveTheSurfaceAlone) {
   const test::Snapshot untouched(session);
   std::vector<Vec3d> places;
   for (int i = 0; i <= 60; ++i) places.emplace_back(std::cos(0.03 * i), std::sin(0.03 * i), 0.2);
-  draw(session, settings_of(GetParam()), places);
+  draw_solid(session, settings_of(GetParam()), places);
   EXPECT_TRUE(test::Snapshot(session) == untouched);
 }
 
@@ -119,8 +114,9 @@ TEST(Chain, HasLinksThatHangTogetherAndDoNotTouch) {
   Session session(make_surface(test::plane(1, 0.025, 4)), test::brushes());
   for (const bool closed : {false, true}) {
     const StrokeSolid& solid =
-        closed ? draw(session, settings_of({"org.burin.chain", {}}), circle(0.5), Closure::closed)
-               : draw(session, settings_of({"org.burin.chain", {}}), line({-0.7, -0.1, 0}, {0.7, 0.1, 0}));
+        closed
+            ? draw_solid(session, settings_of({"org.burin.chain", {}}), circle(0.5), Closure::closed)
+            : draw_solid(session, settings_of({"org.burin.chain", {}}), line({-0.7, -0.1, 0}, {0.7, 0.1, 0}));
     const TriangleMesh mesh = mesh_of(solid);
     const std::size_t links = components(mesh);
     std::cout << links << " links\n";
@@ -137,7 +133,7 @@ TEST(Tube, HasTheVolumeOfAPipe) {
   Session session(make_surface(test::plane(1, 0.025, 4)), test::brushes());
   const BrushUse pipe{"org.burin.tube",
                       {{"width", 0.3}, {"wall", 0.4}, {"ends", std::string("flat")}, {"height", 1.5}}};
-  const StrokeSolid& solid = draw(session, settings_of(pipe), circle(0.5), Closure::closed);
+  const StrokeSolid& solid = draw_solid(session, settings_of(pipe), circle(0.5), Closure::closed);
   const double outer = 0.3 * 0.2, inner = 0.6 * outer;
   const double exact = std::numbers::pi * (outer * outer - inner * inner) * session.chart().length;
   EXPECT_NEAR(test::extent_of(mesh_of(solid)).volume, exact, 0.003 * exact);
@@ -150,7 +146,7 @@ TEST(Tube, EndsFlatWhereTheStrokeEnds) {
       settings_of({"org.burin.tube", {{"width", 0.3}, {"ends", std::string("flat")}, {"height", 1.5}}});
   settings.voxel = 0.01;
   const double end = 0.6033;
-  const TriangleMesh mesh = mesh_of(draw(session, settings, line({-end, 0, 0}, {end, 0, 0})));
+  const TriangleMesh mesh = mesh_of(draw_solid(session, settings, line({-end, 0, 0}, {end, 0, 0})));
   const double radius = 0.3 * 0.2, height = 1.5 * radius;
   int on_faces = 0;
   for (const Vec3f& position : mesh.positions) {
@@ -168,7 +164,7 @@ TEST(Tube, EndsFlatWhereTheStrokeEnds) {
 std::string message(const StrokeSettings& settings) {
   Session session(make_surface(test::plane(1, 0.04, 4)), test::brushes());
   try {
-    draw(session, settings, line({-0.5, 0, 0}, {0.5, 0, 0}));
+    draw_solid(session, settings, line({-0.5, 0, 0}, {0.5, 0, 0}));
   } catch (const Error& error) {
     EXPECT_TRUE(session.parts().empty());
     return error.what();
@@ -187,7 +183,7 @@ TEST(Carve, HasTheVolumeOfItsSection) {
     StrokeSettings settings = settings_of(
         {"org.burin.carve", {{"profile", profile}, {"width", 0.3}, {"depth", 0.4}, {"undercut", 0.5}}});
     settings.voxel = depth / 20;
-    const TriangleMesh mesh = mesh_of(draw(session, settings, circle(0.5), Closure::closed));
+    const TriangleMesh mesh = mesh_of(draw_solid(session, settings, circle(0.5), Closure::closed));
     const double exact = area * session.chart().length;
     EXPECT_NEAR(test::extent_of(mesh).volume, exact, 0.01 * exact) << profile;
     EXPECT_EQ(components(mesh), 1u);
@@ -206,8 +202,9 @@ TEST(Zipper, HasTwoRowsOfTeethThatInterlockAndDoNotTouch) {
   Session session(make_surface(test::plane(1, 0.025, 4)), test::brushes());
   for (const bool closed : {false, true}) {
     const StrokeSettings settings = settings_of({"org.burin.zipper", {}});
-    const TriangleMesh mesh = mesh_of(closed ? draw(session, settings, circle(0.5), Closure::closed)
-                                             : draw(session, settings, line({-0.7, -0.1, 0}, {0.7, 0.1, 0})));
+    const TriangleMesh mesh =
+        mesh_of(closed ? draw_solid(session, settings, circle(0.5), Closure::closed)
+                       : draw_solid(session, settings, line({-0.7, -0.1, 0}, {0.7, 0.1, 0})));
     EXPECT_EQ(components(mesh), 2u) << "each row hangs together";
     // Of a closed one, both rows are rings. The teeth of both reach across the middle.
     EXPECT_EQ(test::edges_of(mesh).euler, closed ? 0 : 4);
@@ -241,7 +238,7 @@ double stamp_volume() {
 TEST(VdbTrail, RepeatsTheStampAWholeNumberOfTimesAroundAClosedStroke) {
   Session session(make_surface(test::plane(1, 0.025, 4)), test::brushes());
   const BrushUse rail{"org.burin.vdb-trail", {{"stamp", std::string(BURIN_SAMPLES "/solids/rail.vdb")}}};
-  const TriangleMesh mesh = mesh_of(draw(session, settings_of(rail), circle(0.5), Closure::closed));
+  const TriangleMesh mesh = mesh_of(draw_solid(session, settings_of(rail), circle(0.5), Closure::closed));
   const double voxel = 0.2 / 30, length = session.chart().length;
   const double exact = stamp_volume() / 32 * voxel * voxel * length;
   EXPECT_NEAR(test::extent_of(mesh).volume, exact, 0.01 * exact);
@@ -262,9 +259,9 @@ TEST(SolidStrokes, AreUndoneOneByOne) {
   Session session(make_surface(test::plane(1, 0.04, 4)), test::brushes());
   const std::uint64_t bare = session.result_hash();
   const StrokeSettings settings = settings_of({"org.burin.tube", {}});
-  draw(session, settings, line({-0.5, 0, 0}, {0.5, 0, 0}));
+  draw_solid(session, settings, line({-0.5, 0, 0}, {0.5, 0, 0}));
   const std::uint64_t one = session.result_hash();
-  draw(session, settings, line({0, -0.5, 0}, {0, 0.5, 0}));
+  draw_solid(session, settings, line({0, -0.5, 0}, {0, 0.5, 0}));
   EXPECT_EQ(session.parts().size(), 2u);
   const std::uint64_t two = session.result_hash();
   for (int i = 0; i < 2; ++i) EXPECT_TRUE(session.undo());

@@ -32,7 +32,7 @@ StrokeSettings tube(SolidOperation operation) {
   return settings;
 }
 
-void draw(Session& session, const StrokeSettings& settings, const std::vector<Vec3d>& places) {
+void draw_along(Session& session, const StrokeSettings& settings, const std::vector<Vec3d>& places) {
   session.begin_stroke(settings);
   double time = 0;
   for (const Vec3d& place : places) session.add_sample(place, time += 0.01, {});
@@ -49,10 +49,10 @@ TriangleMesh mesh_of(const Session& session) {
 
 TEST(SolidMerge, IsUndoneExactly) {
   Session session = sphere_session();
-  draw(session, test::settings("org.burin.bead", 0.2), arc(2, 3));
+  draw_along(session, test::settings("org.burin.bead", 0.2), arc(2, 3));
   const std::uint64_t before = session.result_hash();
   const std::vector<Triangle> triangles = session.surface().triangles;
-  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  draw_along(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
   EXPECT_NE(session.result_hash(), before);
   EXPECT_EQ(session.generation(), 1u);
   EXPECT_EQ(session.changed().size(), session.surface().vertex_count());
@@ -70,7 +70,7 @@ TEST(SolidMerge, IsUndoneExactly) {
 TEST(SolidMerge, IsMadeAgainExactly) {
   const auto drawn = [](bool again) {
     Session session = sphere_session();
-    draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+    draw_along(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
     if (again) {
       const std::uint64_t united = session.result_hash();
       const std::vector<Triangle> triangles = session.surface().triangles;
@@ -84,7 +84,7 @@ TEST(SolidMerge, IsMadeAgainExactly) {
         EXPECT_EQ(session.changed().size(), session.surface().vertex_count());
       }
     }
-    draw(session, test::settings("org.burin.bead", 0.15), arc(-0.3, 0.3));
+    draw_along(session, test::settings("org.burin.bead", 0.15), arc(-0.3, 0.3));
     return session.result_hash();
   };
   EXPECT_EQ(drawn(true), drawn(false)) << "the next stroke runs on the same ground";
@@ -92,14 +92,14 @@ TEST(SolidMerge, IsMadeAgainExactly) {
 
 TEST(SolidMerge, GoesOnFromTheResult) {
   Session session = sphere_session();
-  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  draw_along(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
   const double united = test::extent_of(mesh_of(session)).volume;
   // Across the tube, and along it once more.
-  draw(session, test::settings("org.burin.bead", 0.15), arc(-0.3, 0.3));
+  draw_along(session, test::settings("org.burin.bead", 0.15), arc(-0.3, 0.3));
   EXPECT_GT(test::extent_of(mesh_of(session)).volume, united);
   const std::uint64_t beaded = session.result_hash();
   const double with_bead = test::extent_of(mesh_of(session)).volume;
-  draw(session, tube(SolidOperation::difference), arc(-0.2, 0.8));
+  draw_along(session, tube(SolidOperation::difference), arc(-0.2, 0.8));
   EXPECT_LT(test::extent_of(mesh_of(session)).volume, with_bead);
   const test::Edges edges = test::edges_of(mesh_of(session));
   EXPECT_EQ(edges.open + edges.multi, 0u);
@@ -122,14 +122,14 @@ TEST(SolidMerge, IsTheSameFromSampleToSampleAndAtOnce) {
 // At each of the calls in turn.
 TEST(SolidMerge, IsCancelledByItsProgressAndLeavesTheSurfaceAsItWas) {
   Session session = sphere_session();
-  draw(session, test::settings("org.burin.bead", 0.2), arc(2, 3));
+  draw_along(session, test::settings("org.burin.bead", 0.2), arc(2, 3));
   const std::uint64_t before = session.result_hash();
   std::vector<std::string> stages;
   session.set_progress([&](std::string_view stage, double done) {
     EXPECT_TRUE(done >= 0 && done <= 1) << stage;
     stages.emplace_back(stage);
   });
-  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  draw_along(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
   const std::uint64_t merged = session.result_hash();
   session.undo();
   const std::set<std::string> different(stages.begin(), stages.end());
@@ -140,12 +140,12 @@ TEST(SolidMerge, IsCancelledByItsProgressAndLeavesTheSurfaceAsItWas) {
     session.set_progress([&](std::string_view, double) {
       if (calls++ == last) throw Cancel{};
     });
-    EXPECT_THROW(draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5)), Cancel) << stages[last];
+    EXPECT_THROW(draw_along(session, tube(SolidOperation::unite), arc(-0.5, 0.5)), Cancel) << stages[last];
     EXPECT_EQ(session.result_hash(), before) << stages[last];
     EXPECT_TRUE(session.merges().empty());
   }
   session.set_progress({});
-  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  draw_along(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
   EXPECT_EQ(session.result_hash(), merged);
 }
 
@@ -155,7 +155,7 @@ TEST(SolidMerge, CarriesPaint) {
   for (const Vec3f& p : session.surface().positions)
     paint.colour.push_back({1, 0, 0, p.z() > 0 ? 1.0F : 0.0F});
   session.set_paint(paint);
-  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  draw_along(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
   const Surface& surface = session.surface();
   ASSERT_EQ(session.paint().colour.size(), surface.vertex_count());
   for (Index v = 0; v < surface.vertex_count(); ++v) {
@@ -176,7 +176,7 @@ TEST(SolidMerge, CarriesTextureCoordinates) {
         {uv_of(mesh.positions[t[0]]), uv_of(mesh.positions[t[1]]), uv_of(mesh.positions[t[2]])});
   Session session(make_surface(mesh), test::brushes(), merge_solid);
   const std::vector<TriangleUv> before = session.surface().triangle_uv;
-  draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+  draw_along(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
   const Surface& surface = session.surface();
   ASSERT_EQ(surface.triangle_uv.size(), surface.triangles.size());
   std::size_t on_sphere = 0;
@@ -202,9 +202,9 @@ TEST(SolidMerge, LeavesWhatWasStretchedFine) {
   const auto drawn = [&](bool first) {
     Session session(make_surface(test::sphere(4, 0.2, 3)), test::brushes(), merge_solid);
     const std::uint64_t before = session.result_hash();
-    if (first) draw(session, bead, arc(-0.4, 1));
-    draw(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
-    draw(session, bead, arc(-0.6, 0.9));
+    if (first) draw_along(session, bead, arc(-0.4, 1));
+    draw_along(session, tube(SolidOperation::unite), arc(-0.5, 0.5));
+    draw_along(session, bead, arc(-0.6, 0.9));
     std::size_t added = 0;
     for (const RefineReport& report : session.refinements()) added += report.triangles_added;
     if (first) added -= session.refinements()[0].triangles_added;
@@ -226,7 +226,7 @@ TEST(SolidMerge, RefusesAndLeavesTheSurfaceAsItWas) {
   EXPECT_THROW(plain.end_stroke(), Error);
   EXPECT_EQ(plain.result_hash(), before);
   EXPECT_FALSE(plain.undo());
-  draw(plain, test::settings("org.burin.bead", 0.2), arc(0, 1));
+  draw_along(plain, test::settings("org.burin.bead", 0.2), arc(0, 1));
   EXPECT_NE(plain.result_hash(), before);
 }
 

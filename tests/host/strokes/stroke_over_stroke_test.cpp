@@ -43,11 +43,11 @@ TEST(StrokeOverStroke, IsOnePieceAndAddsToTheRelief) {
   EXPECT_LE(farthest, 1.5 * amplitudes);
 }
 
-constexpr double radius = 0.3;
+constexpr double over_radius = 0.3;
 
 /// The square |x|, |y| <= 1.2 with 20 edges in the radius.
 Session square() {
-  return Session(make_surface(test::shuffled(test::plane(1.2, radius / 20, 4), 5)), test::brushes());
+  return Session(make_surface(test::shuffled(test::plane(1.2, over_radius / 20, 4), 5)), test::brushes());
 }
 
 /// A pen from above that swings to and fro from a random place.
@@ -67,14 +67,14 @@ test::Pens random_pens(std::mt19937& random) {
 
 /// Adds or takes away a round ridge, at most 6 % of the radius high.
 StrokeSettings random_settings(std::mt19937& random) {
-  StrokeSettings stroke = settings("org.burin.groove", radius);
+  StrokeSettings stroke = settings("org.burin.groove", over_radius);
   stroke.params = {{"depth", 0.12 * static_cast<double>(random()) / 4294967296. - 0.06}};
   return stroke;
 }
 
 /// Has the session forget what it knows of the surface at the brush's scale.
 void touch_with_another_radius(Session& session, const test::Pens& pens) {
-  session.begin_stroke(settings("org.burin.groove", 1.02 * radius));
+  session.begin_stroke(settings("org.burin.groove", 1.02 * over_radius));
   session.add_sample(pens[0], 0, {});
   session.cancel_stroke();
 }
@@ -102,8 +102,8 @@ TEST(StrokeOverStroke, KeepsNothingStaleBetweenFiftyStrokes) {
   }
 }
 
-// Kept data stay correct on a surface that ropes as high as the radius have folded, where pieces may break
-// off.
+// Kept data stay correct on a surface that ropes as high as the radius have folded, where pieces may
+// break off.
 TEST(StrokeOverStroke, KeepsNothingStaleOfAFoldedSurface) {
   const std::uint32_t seed = 5;
   SCOPED_TRACE(seed);
@@ -113,7 +113,7 @@ TEST(StrokeOverStroke, KeepsNothingStaleOfAFoldedSurface) {
     const test::Pens pens = random_pens(random);
     touch_with_another_radius(forgetful, pens);
     for (Session* session : {&kept, &forgetful}) {
-      session->begin_stroke(settings(stroke % 3 == 1 ? "org.burin.bead" : "org.burin.rope", radius));
+      session->begin_stroke(settings(stroke % 3 == 1 ? "org.burin.bead" : "org.burin.rope", over_radius));
       for (std::size_t i = 0; i < pens.size(); ++i)
         session->add_sample(pens[i], static_cast<double>(i) / 240, {}, Show::later);
       session->end_stroke();
@@ -154,13 +154,13 @@ TEST(StrokeOverStroke, PilesUpReliefAsHighAsTheBrush) {
   int pieces = 0;
   constexpr int strokes = 12;
   for (int stroke = 0; stroke < strokes; ++stroke)
-    pieces += drawn_in_pieces(session, settings("org.burin.bead", radius), random_pens(random));
+    pieces += drawn_in_pieces(session, settings("org.burin.bead", over_radius), random_pens(random));
   EXPECT_LE(pieces, 18);
   double highest = 0;
   for (const Vec3f& at : session.positions())
     highest = std::max(highest, static_cast<double>(std::abs(at.z())));
-  EXPECT_GE(highest, 0.8 * radius * strokes / 2);
-  EXPECT_LE(highest, 0.81 * radius * strokes);
+  EXPECT_GE(highest, 0.8 * over_radius * strokes / 2);
+  EXPECT_LE(highest, 0.81 * over_radius * strokes);
 }
 
 // A session that has sculpted for long charts as one that starts with the sculpted surface, but for what
@@ -176,19 +176,19 @@ TEST(StrokeOverStroke, ChartsAsAFreshSessionAfterFiftyStrokes) {
   }
   float highest = 0;
   for (const Vec3f& at : session.positions()) highest = std::max(highest, std::abs(at.z()));
-  EXPECT_GT(highest, 0.1 * radius);
+  EXPECT_GT(highest, 0.1 * over_radius);
   Session fresh(Surface(session.surface()), test::brushes());
   const test::Pens pens = random_pens(random);
-  test::added(session, settings("org.burin.bead", radius), pens);
-  test::added(fresh, settings("org.burin.bead", radius), pens);
-  ASSERT_NEAR(session.chart().length, fresh.chart().length, 0.005 * radius);
+  test::added(session, settings("org.burin.bead", over_radius), pens);
+  test::added(fresh, settings("org.burin.bead", over_radius), pens);
+  ASSERT_NEAR(session.chart().length, fresh.chart().length, 0.005 * over_radius);
   std::vector<std::size_t> node_of(session.surface().vertex_count(), fresh.chart().size());
   for (std::size_t i = 0; i < fresh.chart().size(); ++i) node_of[fresh.chart().vertex[i]] = i;
   double t_sum = 0, d_sum = 0;
   std::size_t found = 0, missing = 0;
   for (std::size_t i = 0; i < session.chart().size(); ++i) {
     const std::size_t node = node_of[session.chart().vertex[i]];
-    if (std::abs(session.chart().d[i]) > 0.95F * static_cast<float>(radius)) continue;
+    if (std::abs(session.chart().d[i]) > 0.95F * static_cast<float>(over_radius)) continue;
     if (node == fresh.chart().size()) {
       ++missing;
       continue;
@@ -199,8 +199,8 @@ TEST(StrokeOverStroke, ChartsAsAFreshSessionAfterFiftyStrokes) {
   }
   EXPECT_GT(found, 2000U);
   EXPECT_LE(missing, found / 200);
-  EXPECT_LE(t_sum / static_cast<double>(found), 0.005 * radius);
-  EXPECT_LE(d_sum / static_cast<double>(found), 0.005 * radius);
+  EXPECT_LE(t_sum / static_cast<double>(found), 0.005 * over_radius);
+  EXPECT_LE(d_sum / static_cast<double>(found), 0.005 * over_radius);
 }
 
 }  // namespace

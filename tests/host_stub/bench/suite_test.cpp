@@ -31,10 +31,10 @@ TEST_P(BenchSuiteErrors, NameFileAndPlaceInOneLine) {
   EXPECT_EQ(folder.content(), before);
 }
 
-const json made = {{"samples", 20}, {"from", {0, 0, 1}}, {"towards", {1, 0, 1}}, {"length_radii", 4}};
+const json made_stroke = {{"samples", 20}, {"from", {0, 0, 1}}, {"towards", {1, 0, 1}}, {"length_radii", 4}};
 
 json made_with(const json& members) {
-  json stroke = made;
+  json stroke = made_stroke;
   stroke.merge_patch(members);
   return {{"strokes", nullptr}, {"brush", "org.burin.groove"}, {"radius", 0.2}, {"stroke", stroke}};
 }
@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadSuite{"NoStroke", {{"strokes", {"a.stroke", "b.stroke"}}}, ".strokes[1]: there is no file "},
         BadSuite{"EmptyStrokes", {{"strokes", json::array()}}, ".strokes: names no file"},
         BadSuite{"NeitherStroke", {{"strokes", nullptr}}, ": takes either 'strokes' or 'stroke'"},
-        BadSuite{"BothStrokes", {{"stroke", made}}, ": takes either 'strokes' or 'stroke'"},
+        BadSuite{"BothStrokes", {{"stroke", made_stroke}}, ": takes either 'strokes' or 'stroke'"},
         BadSuite{"TextForNumber", {{"radius", "wide"}}, ".radius: must be a number above 0"},
         BadSuite{"NegativeRadius", {{"radius", -1}}, ".radius: must be a number above 0"},
         BadSuite{"TwoRadii", {{"radius", 1}, {"radius_edges", 5}}, ": takes either 'radius' or"},

@@ -5,7 +5,7 @@
 namespace burin {
 namespace {
 
-enum Pattern { hatch, cross_hatch, checker, dots, hexagons };
+enum FillPattern { hatch, cross_hatch, checker, fill_dots, hexagons };
 
 class PatternedFill : public test::InkBrush {
  protected:
@@ -53,7 +53,7 @@ bool in_rows(double x, double y, double pitch, const Inside& inside) {
 }
 
 TEST_F(PatternedFill, PacksDotsAndHexagons) {
-  expect_pattern(dots, [](double x, double y) {
+  expect_pattern(fill_dots, [](double x, double y) {
     return in_rows(x, y, 0.5, [](double u, double v) { return std::hypot(u, v) < 0.3; });
   });
   expect_pattern(hexagons, [](double x, double y) {
@@ -65,7 +65,7 @@ TEST_F(PatternedFill, PacksDotsAndHexagons) {
 
 TEST_F(PatternedFill, DrawsAnOutlineAroundTheBand) {
   stroke_.params.set("border", 0.1f);
-  stroke_.params.set("pattern", dots);
+  stroke_.params.set("pattern", fill_dots);
   stroke_.params.set("fill", 0.01f);
   expect_inside([&](double t, double d) {
     const double distance = std::hypot(std::max({-t, t - 10, 0.0}), d);
@@ -78,7 +78,7 @@ TEST_F(PatternedFill, DrawsAnOutlineAroundTheBand) {
 TEST_F(PatternedFill, TakesWholeCellsAroundALoop) {
   stroke_.params.set("cell", 0.45f);  // 10 / 0.45: 22 cells
   stroke_.context.flags |= BURIN_STROKE_CLOSED;
-  for (const float pattern : {hatch, cross_hatch, checker, dots, hexagons}) {
+  for (const float pattern : {hatch, cross_hatch, checker, fill_dots, hexagons}) {
     stroke_.params.set("pattern", pattern);
     test::Nodes nodes, further;
     for (float d = -0.75f; d < 0.8f; d += 0.0503f)

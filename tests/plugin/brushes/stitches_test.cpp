@@ -9,7 +9,7 @@ namespace {
 using test::Nodes;
 using test::steps;
 
-enum Pattern { straight, cross, zigzag };
+enum StitchPattern { straight, cross, zigzag };
 
 class Stitches : public test::StockBrush {
  protected:

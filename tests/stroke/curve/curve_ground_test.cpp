@@ -10,20 +10,21 @@
 namespace burin {
 namespace {
 
-constexpr double radius = 0.3, height = 0.02;
+constexpr double ground_radius = 0.3, height = 0.02;
 
 /// A square in the plane z = 0 with bumps, which its base surface hardly has.
 TriangleMesh bumpy_square() {
   TriangleMesh mesh = test::plane(1, 0.015, 7);
   for (Vec3f& at : mesh.positions) {
-    const double x = static_cast<double>(at.x()) / radius, y = static_cast<double>(at.y()) / radius;
+    const double x = static_cast<double>(at.x()) / ground_radius,
+                 y = static_cast<double>(at.y()) / ground_radius;
     at.z() = static_cast<float>(height * test::egg_crate(x, y));
   }
   return mesh;
 }
 
 struct Bumps {
-  Bumps() { EXPECT_TRUE(base.set_radius(radius)); }
+  Bumps() { EXPECT_TRUE(base.set_radius(ground_radius)); }
 
   Surface surface = make_surface(bumpy_square());
   Picker picker{surface};

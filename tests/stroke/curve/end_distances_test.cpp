@@ -11,7 +11,8 @@
 namespace burin {
 namespace {
 
-constexpr double pi = std::numbers::pi, radius = 1, most = 2;
+using std::numbers::pi;
+constexpr double brush_radius = 1, most = 2;
 
 using Way = std::function<Vec2d(double)>;
 
@@ -43,7 +44,7 @@ float at(const EndDistances& ends, double t, double d, const Vec2d& direction = 
 
 TEST(EndDistances, BesideALineAreThoseOfT) {
   const double length = 20;
-  const EndDistances ends(curve_of(length, along_x), radius, most);
+  const EndDistances ends(curve_of(length, along_x), brush_radius, most);
   for (const double d : {-1., -0.3, 0., 0.7})
     for (const double t : {0., 0.03, 0.4, 1.9, 2.5, 10.}) {
       EXPECT_FLOAT_EQ(at(ends, t, d), static_cast<float>(std::min(t, most)));
@@ -52,7 +53,7 @@ TEST(EndDistances, BesideALineAreThoseOfT) {
 }
 
 TEST(EndDistances, AreTheSameWhereTheStrokeBendsFartherOff) {
-  const EndDistances ends(curve_of(20, corner_far_off, 2000), radius, most);
+  const EndDistances ends(curve_of(20, corner_far_off, 2000), brush_radius, most);
   ASSERT_TRUE(ends.begin_bends());
   for (const double d : {-1., -0.3, -0.01, 0., 0.1, 0.7, 1.})
     for (const double t : {0., 0.03, 0.4, 1., 1.2, 1.9})
@@ -61,7 +62,7 @@ TEST(EndDistances, AreTheSameWhereTheStrokeBendsFartherOff) {
 
 TEST(EndDistances, AreZeroBehindTheEnds) {
   for (const Way& way : {Way(along_x), Way(corner_far_off)}) {
-    const EndDistances ends(curve_of(20, way, 2000), radius, most);
+    const EndDistances ends(curve_of(20, way, 2000), brush_radius, most);
     for (const double d : {-0.6, 0., 0.3})
       for (const double t : {-0.01, -0.3, -0.7}) EXPECT_NEAR(at(ends, t, d), 0, 1e-5) << t << ' ' << d;
   }
@@ -69,18 +70,18 @@ TEST(EndDistances, AreZeroBehindTheEnds) {
 
 // The minimum of t and 1 - t, less (1/2 - |2 t - 1|)^2 / 2 where these differ by less than 1/2.
 TEST(EndDistances, AreRoundedInTheMiddleOfShortStrokes) {
-  const EndDistances ends(curve_of(1, along_x), radius, most);
+  const EndDistances ends(curve_of(1, along_x), brush_radius, most);
   EXPECT_FLOAT_EQ(at(ends, 0, 0.3), 0);
   EXPECT_FLOAT_EQ(at(ends, 0.25, 0.3), 0.25f);
   EXPECT_FLOAT_EQ(at(ends, 0.375, 0.3), 0.34375f);
   EXPECT_FLOAT_EQ(at(ends, 0.5, 0), 0.375f);
   EXPECT_FLOAT_EQ(at(ends, 0.75, 0.3), 0.25f);
-  const EndDistances longer(curve_of(4, along_x), radius, most);
+  const EndDistances longer(curve_of(4, along_x), brush_radius, most);
   EXPECT_FLOAT_EQ(at(longer, 1.9, 0.3), 1.9f) << "nothing depends on the length farther back than `most`";
 }
 
 TEST(EndDistances, OfATapAreZero) {
-  const EndDistances tap(curve_of(0, along_x), radius, most);
+  const EndDistances tap(curve_of(0, along_x), brush_radius, most);
   EXPECT_EQ(at(tap, 0, 0), 0);
 }
 
@@ -89,7 +90,7 @@ TEST(EndDistances, AreTheGreatestWithoutEnds) {
   circle.points.pop_back();
   circle.closed = true;
   circle.closing_length = 2 * pi / 400;
-  EXPECT_EQ(at(EndDistances(circle, radius, most), 0.1, 0), 2);
+  EXPECT_EQ(at(EndDistances(circle, brush_radius, most), 0.1, 0), 2);
   EXPECT_EQ(at(EndDistances(2), 0, 0.3), 2);
   EXPECT_TRUE(std::isfinite(at(EndDistances(std::numeric_limits<double>::infinity()), 0, 0.3)));
 }
@@ -99,7 +100,7 @@ struct Steps {
   double distance = 0, t = 0;
 };
 Steps greatest(const SurfaceCurve& curve) {
-  const EndDistances ends(curve, radius, most);
+  const EndDistances ends(curve, brush_radius, most);
   EXPECT_TRUE(ends.begin_bends());
   constexpr double step = 0.01;
   const auto told = [&](const Vec2d& position) {
@@ -154,7 +155,7 @@ TEST(EndDistances, OfOtherVisitsDoNotCount) {
                                        return Vec2d(2 + 0.3 * std::sin(turn), 0.3 - 0.3 * std::cos(turn));
                                      return Vec2d(2 - (t - 2 - 0.3 * pi), 0.6);
                                    }),
-                          radius, most);
+                          brush_radius, most);
   EXPECT_TRUE(ends.begin_bends());
   EXPECT_LT(at(ends, 0, 0), 0.01f);
 }
@@ -162,10 +163,10 @@ TEST(EndDistances, OfOtherVisitsDoNotCount) {
 TEST(EndDistances, DoNotDependOnWhatLiesFartherThanTheirReach) {
   const std::uint32_t seed = 5;
   std::mt19937 random(seed);
-  const double seen = most + EndDistances::reach(radius, most);
+  const double seen = most + EndDistances::reach(brush_radius, most);
   const auto wave = [](double t) { return Vec2d(0.8 * t, 0.6 * std::sin(3 * t)); };
-  const EndDistances shorter(curve_of(seen + 2.5, wave, 4250), radius, most),
-      longer(curve_of(2 * (seen + 2.5), wave, 8500), radius, most);
+  const EndDistances shorter(curve_of(seen + 2.5, wave, 4250), brush_radius, most),
+      longer(curve_of(2 * (seen + 2.5), wave, 8500), brush_radius, most);
   ASSERT_TRUE(shorter.begin_bends());
   int inside = 0;
   for (int i = 0; i < 1000; ++i) {

@@ -12,12 +12,13 @@
 namespace burin {
 namespace {
 
-constexpr double pi = std::numbers::pi, radius = 0.2;
+using std::numbers::pi;
+constexpr double radius = 0.2;
 
-struct Ground {
+struct Plane {
   Surface surface;
   Picker picker;
-  explicit Ground(const TriangleMesh& mesh) : surface(make_surface(mesh)), picker(surface) {}
+  explicit Plane(const TriangleMesh& mesh) : surface(make_surface(mesh)), picker(surface) {}
 
   CurveTracer trace(const std::vector<Vec3d>& places) const {
     CurveTracer tracer(surface, picker, radius);
@@ -27,8 +28,8 @@ struct Ground {
   }
 };
 
-const Ground& flat() {
-  static const Ground ground(test::plane(1, 0.02, 1));
+const Plane& flat() {
+  static const Plane ground(test::plane(1, 0.02, 1));
   return ground;
 }
 
@@ -168,7 +169,7 @@ TEST(MovedCurve, IsTheSameHoweverItWasDrawn) {
 }
 
 TEST(MovedCurve, MovesAlongGeodesicsOfASphere) {
-  const Ground ball(test::sphere(6, 0.2, 3));
+  const Plane ball(test::sphere(6, 0.2, 3));
   const CurveTracer tracer =
       ball.trace(test::sampled(40, [](double s) { return Vec3d(std::cos(1.5 * s), std::sin(1.5 * s), 0); }));
   const SurfaceCurve curve = moved(tracer, by_t([](double) { return CurveOffset{0, 0.7F}; }));
@@ -193,7 +194,7 @@ TEST(MovedCurve, StopsWhereTheSurfaceEnds) {
 }
 
 TEST(MovedCurve, TurnsOverAnEdge) {
-  const Ground step(
+  const Plane step(
       test::patch({.u_min = -0.5,
                    .u_max = 0.5,
                    .v_min = -0.5,

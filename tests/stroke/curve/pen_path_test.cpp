@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-constexpr double radius = 1, least_step = 0.0005;
+constexpr double path_radius = 1, least_step = 0.0005;
 
 PenKnot at(double x, double y, double time = 0, float pressure = 1) {
   PenKnot sample;
@@ -23,7 +23,7 @@ PenKnot at(double x, double y, double time = 0, float pressure = 1) {
 
 /// A pen and the knots that its samples left.
 struct Drawn {
-  PenPath path{radius, least_step};
+  PenPath path{path_radius, least_step};
   std::vector<PenKnot> knots;
 
   PenPath::Change to(const PenKnot& sample) { return path.add(knots, sample); }

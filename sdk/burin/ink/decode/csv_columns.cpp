@@ -2,16 +2,14 @@
 #include <burin/base/text/lower_case.h>
 #include <burin/ink/decode/csv_columns.h>
 #include <burin/ink/parse/scan.h>
+#include <burin/math/degree.h>
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <utility>
 
 namespace burin {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// A name that a column may have.
 struct Name {
@@ -56,8 +54,8 @@ constexpr std::array units = {Unit{"mm", Measure::length, 1},
                               Unit{"us", Measure::time, 1e-6},
                               Unit{"\u00b5s", Measure::time, 1e-6},
                               Unit{"ns", Measure::time, 1e-9},
-                              Unit{"deg", Measure::angle, degree},
-                              Unit{"\u00b0", Measure::angle, degree},
+                              Unit{"deg", Measure::angle, math::degree},
+                              Unit{"\u00b0", Measure::angle, math::degree},
                               Unit{"rad", Measure::angle, 1},
                               Unit{"%", Measure::share, 0.01}};
 

@@ -4,10 +4,10 @@
 // to 0 in the frame that takes the tool away: that frame is no sample. Pucks with a lens touch all the time
 // and make no strokes.
 #include <burin/ink/decode/evdev_frames.h>
+#include <burin/math/degree.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace burin {
@@ -110,15 +110,14 @@ void EvdevFrames::set_fields(PenStroke& stroke) const {
 /// Radians. A resolution of 57 per radian means degrees, one of 5730 hundredths; without one it is degrees
 /// from the middle of the range.
 double EvdevFrames::tilt(unsigned code) const {
-  constexpr double degree = std::numbers::pi / 180;
   const EvdevAxis& range = *axis(code);
   const double value = values_.at(code);
   if (range.resolution > 0) {
-    const double per_degree = range.resolution * degree;
+    const double per_degree = range.resolution * math::degree;
     const bool power_of_ten = std::abs(per_degree - 1) < 0.01 || std::abs(per_degree - 100) < 1;
-    return power_of_ten ? value * degree / std::round(per_degree) : value / range.resolution;
+    return power_of_ten ? value * math::degree / std::round(per_degree) : value / range.resolution;
   }
-  return (value - std::ceil((range.least + range.most) / 2)) * degree;
+  return (value - std::ceil((range.least + range.most) / 2)) * math::degree;
 }
 
 PenFile EvdevFrames::finish() {

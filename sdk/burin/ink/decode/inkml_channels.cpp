@@ -4,18 +4,16 @@
 // the units of the channel hold, divided by its resolution if it has one.
 #include <burin/base/error.h>
 #include <burin/ink/decode/inkml_channels.h>
+#include <burin/math/degree.h>
 #include <burin/math/elementary.h>
 #include <burin/stroke/pen_angles.h>
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <span>
 
 namespace burin {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 struct NamedScale {
   std::string_view unit;
@@ -141,7 +139,7 @@ double InkmlChannels::value(At at, const InkmlValues& values) const {
 double InkmlChannels::angle(At at, const InkmlValues& values) const {
   const InkmlChannel& of = channel(at);
   const double told = value(at, values) / (of.resolution > 0 ? of.resolution : 1);
-  return of.units == "rad" ? told : told * degree;
+  return of.units == "rad" ? told : told * math::degree;
 }
 
 float InkmlChannels::pressure(double force) const {

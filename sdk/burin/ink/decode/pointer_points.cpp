@@ -2,20 +2,14 @@
 #include <burin/base/text/lower_case.h>
 #include <burin/ink/decode/pointer_points.h>
 #include <burin/ink/decode/tilt_angles.h>
+#include <burin/math/degree.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 #include <utility>
 
 namespace burin {
-
-namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-
-}  // namespace
 
 const std::array<PointerChannel, 5> pointer_channels = {
     PointerChannel{{"t", "time", "timestamp", "timeStamp"},
@@ -25,13 +19,13 @@ const std::array<PointerChannel, 5> pointer_channels = {
                    [](Sample& s, double v) { s.pen.pressure = static_cast<float>(v); },
                    &PenFields::pressure},
     PointerChannel{{"tiltX"},
-                   [](Sample& s, double v) { s.pen.tilt_x = static_cast<float>(v * degree); },
+                   [](Sample& s, double v) { s.pen.tilt_x = static_cast<float>(v * math::degree); },
                    &PenFields::tilt},
     PointerChannel{{"tiltY"},
-                   [](Sample& s, double v) { s.pen.tilt_y = static_cast<float>(v * degree); },
+                   [](Sample& s, double v) { s.pen.tilt_y = static_cast<float>(v * math::degree); },
                    &PenFields::tilt},
     PointerChannel{{"twist"},
-                   [](Sample& s, double v) { s.pen.twist = static_cast<float>(v * degree); },
+                   [](Sample& s, double v) { s.pen.twist = static_cast<float>(v * math::degree); },
                    &PenFields::twist}};
 
 namespace {
@@ -195,7 +189,7 @@ std::optional<JsonValue> channel_of(const JsonValue& value, const PointerChannel
 std::array<double, 2> tilts_of(double altitude, double azimuth) {
   Pen pen;
   set_tilt(pen, azimuth, altitude);
-  return {pen.tilt_x / degree, pen.tilt_y / degree};
+  return {pen.tilt_x / math::degree, pen.tilt_y / math::degree};
 }
 
 void keep_channels(PenStroke& stroke, const std::array<bool, pointer_channels.size()>& whole) {

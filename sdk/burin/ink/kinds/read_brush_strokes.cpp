@@ -53,19 +53,19 @@ bool gives_stroke(std::string_view text) {
 }
 
 /// What one element of a list says. Places have two or three numbers.
-struct Element {
+struct ListElement {
   std::optional<Vec3d> mouse, location;
   std::optional<double> time, pressure, x_tilt, y_tilt, size;
   bool is_start = false, pen_flip = false;
 };
 
 /// The member that a name stands for; null for others.
-std::optional<double> Element::*number_named(std::string_view name) {
-  if (name == "time") return &Element::time;
-  if (name == "pressure") return &Element::pressure;
-  if (name == "x_tilt") return &Element::x_tilt;
-  if (name == "y_tilt") return &Element::y_tilt;
-  return name == "size" ? &Element::size : nullptr;
+std::optional<double> ListElement::*number_named(std::string_view name) {
+  if (name == "time") return &ListElement::time;
+  if (name == "pressure") return &ListElement::pressure;
+  if (name == "x_tilt") return &ListElement::x_tilt;
+  if (name == "y_tilt") return &ListElement::y_tilt;
+  return name == "size" ? &ListElement::size : nullptr;
 }
 
 std::optional<Vec3d> place_in(const JsonValue& element, const char* name, std::size_t needed) {
@@ -79,8 +79,8 @@ std::optional<Vec3d> place_in(const JsonValue& element, const char* name, std::s
 }
 
 /// Reads an element. `mouse`: whether the places are those of the mouse.
-Element element_of(const JsonValue& json, bool mouse) {
-  Element element;
+ListElement element_of(const JsonValue& json, bool mouse) {
+  ListElement element;
   (mouse ? element.mouse : element.location) =
       mouse ? place_in(json, "mouse", 2) : place_in(json, "location", 3);
   if (!element.mouse && !element.location) json.member("location");
@@ -96,7 +96,7 @@ Element element_of(const JsonValue& json, bool mouse) {
 }
 
 /// Reads a member of an element without a tree of JSON values. Returns false if it is not as it should be.
-bool take_member(std::string_view name, std::string_view part, Element& element) {
+bool take_member(std::string_view name, std::string_view part, ListElement& element) {
   if (const auto number = number_named(name)) {
     double value = 0;
     if (!take_number(part, value) || !part.empty()) return false;
@@ -115,7 +115,7 @@ bool take_member(std::string_view name, std::string_view part, Element& element)
   return true;
 }
 
-Sample sample_of(const Element& element, bool mouse) {
+Sample sample_of(const ListElement& element, bool mouse) {
   Sample sample;
   sample.position = mouse ? Vec3d(element.mouse->x(), -element.mouse->y(), 0) : *element.location;
   sample.time = element.time.value_or(0);
@@ -133,7 +133,7 @@ class ListOfElements {
   ListOfElements(bool mouse, PenFile& content)
       : mouse_(mouse), first_(content.strokes.size()), content_(content) {}
 
-  void take(const Element& element);
+  void take(const ListElement& element);
   void finish();
 
  private:
@@ -144,7 +144,7 @@ class ListOfElements {
   PenFile& content_;
 };
 
-void ListOfElements::take(const Element& element) {
+void ListOfElements::take(const ListElement& element) {
   if (content_.strokes.size() == first_ || element.is_start)
     content_.strokes.emplace_back().eraser = element.pen_flip;
   PenStroke& stroke = content_.strokes.back();
@@ -189,7 +189,7 @@ bool append_list(const PenFileText& file, TextWindow& text, bool mouse, PenFile&
   bool placed = true;
   const auto take = [&](std::string_view, TextWindow& json) {
     const std::uintmax_t place = json.skip_blanks() ? json.place() : 0;
-    Element element;
+    ListElement element;
     ++number;
     const auto take_part = [&](std::string_view name, TextWindow& part) {
       return take_member(name, take_json_value(part), element);

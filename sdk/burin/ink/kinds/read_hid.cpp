@@ -10,13 +10,13 @@
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/text_window.h>
 #include <burin/ink/pen_file.h>
+#include <burin/math/degree.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <iterator>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -108,7 +108,7 @@ double HidPen::position(const HidField& field, const Bytes& report) {
 float HidPen::angle(std::uint32_t usage, const Bytes& report) const {
   const HidField& field = *find(usage, report);
   constexpr std::uint32_t radians = 0x12;
-  const double by = field.unit == radians ? 1 : std::numbers::pi / 180;
+  const double by = field.unit == radians ? 1 : math::degree;
   return static_cast<float>(hid_physical(field, *value(usage, report)) * by);
 }
 

@@ -8,11 +8,11 @@
 #include <burin/ink/decode/tilt_angles.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/pen_file.h>
+#include <burin/math/degree.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -70,7 +70,7 @@ double radians_of_one(const Metrics& metrics, std::uint64_t property) {
   const auto metric = metrics.find(property);
   if (metric == metrics.end() || !(metric->second.precision > 0)) return 0;
   if (metric->second.unit == radians) return 1 / double{metric->second.precision};
-  return metric->second.unit == degrees ? std::numbers::pi / 180 / metric->second.precision : 0;
+  return metric->second.unit == degrees ? math::degree / metric->second.precision : 0;
 }
 
 void set_tilts(const Columns& columns, const Metrics& metrics, PenStroke& stroke) {

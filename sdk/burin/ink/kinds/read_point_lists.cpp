@@ -86,7 +86,7 @@ class ListedStroke {
   PenStroke stroke_;
 };
 
-PenStroke stroke_of(const JsonValue& list) {
+PenStroke listed_stroke(const JsonValue& list) {
   ListedStroke stroke;
   for (const JsonValue& value : list.items()) stroke.add(point_of(value));
   return stroke.finish();
@@ -124,13 +124,13 @@ PenFile read_point_lists(const PenFileText& file) {
     return for_each_json_part(text, [&](std::string_view name, TextWindow& json) {
       const std::string_view part = take_json_value(json);
       auto plain = plain_stroke(part);
-      strokes.emplace(name, plain ? std::move(*plain) : stroke_of(pen_json_part(file, part)));
+      strokes.emplace(name, plain ? std::move(*plain) : listed_stroke(pen_json_part(file, part)));
       return true;
     });
   });
   if (!content) {
     strokes.clear();
-    for (const auto& [name, list] : pen_json(file).members()) strokes.emplace(name, stroke_of(list));
+    for (const auto& [name, list] : pen_json(file).members()) strokes.emplace(name, listed_stroke(list));
     content.emplace();
   }
   for (auto& [name, stroke] : strokes)

@@ -13,7 +13,7 @@
 namespace burin {
 namespace {
 
-constexpr std::string_view magic = "reMarkable .lines file, version=";
+constexpr std::string_view head_text = "reMarkable .lines file, version=";
 constexpr std::size_t head_size = 43;
 
 PenStroke read_line(ByteReader& bytes, char version) {
@@ -43,14 +43,14 @@ void read_layers(ByteReader bytes, char version, PenFile& content) {
 
 }  // namespace
 
-bool is_remarkable(std::string_view text) { return text.starts_with(magic); }
+bool is_remarkable(std::string_view text) { return text.starts_with(head_text); }
 
 PenFile read_remarkable(const PenFileText& file) {
   PenFile content;
   content.unit = "px";
   content.millimetres = 25.4 / 226;
   ByteReader bytes(file.text, file.path);
-  const char version = bytes.take_bytes(head_size)[magic.size()];
+  const char version = bytes.take_bytes(head_size)[head_text.size()];
   if (version == '6')
     read_remarkable_blocks(bytes, content);
   else if (version == '3' || version == '5')

@@ -16,7 +16,7 @@
 namespace burin {
 namespace {
 
-constexpr std::string_view magic = "tilT";
+constexpr std::string_view tilt_magic = "tilT";
 constexpr std::string_view sketch_magic = "\xcd\xa5\x76\xc5";
 constexpr unsigned mask_bits = 32, short_bits = 16;
 
@@ -85,7 +85,7 @@ void read_sketch(ByteReader bytes, PenFile& content) {
 
 }  // namespace
 
-bool is_tilt(std::string_view text) { return text.starts_with(magic) || text.starts_with(sketch_magic); }
+bool is_tilt(std::string_view text) { return text.starts_with(tilt_magic) || text.starts_with(sketch_magic); }
 
 PenFile read_tilt(const PenFileText& file) {
   PenFile content;
@@ -96,7 +96,7 @@ PenFile read_tilt(const PenFileText& file) {
     read_sketch({text, file.path}, content);
   } else {
     ByteReader head(text, file.path);
-    head.take_bytes(magic.size());
+    head.take_bytes(tilt_magic.size());
     const auto head_size = head.take<std::uint16_t>();
     head.take_bytes(std::max<std::size_t>(head_size, head.place()) - head.place());
     const std::string sketch = zip_member(file.path, head.bytes(), sketch_member);

@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-constexpr int deepest = 200;
+constexpr int deepest_json = 200;
 constexpr std::size_t most_tree_bytes = 56'000'000;
 // What nlohmann::json and the JsonValue of each item take, as measured.
 constexpr std::size_t value_bytes = 24, member_bytes = 100, container_bytes = 100;
@@ -28,7 +28,7 @@ void check_bounds(std::string_view text, const std::string& path) {
       continue;
     } else if (c == '[' || c == '{') {
       tree += container_bytes;
-      if (++depth > deepest) throw FileError(path, "JSON nested deeper than 200 levels");
+      if (++depth > deepest_json) throw FileError(path, "JSON nested deeper than 200 levels");
     } else if (c == ']' || c == '}') {
       --depth;
     } else if (c == ',') {

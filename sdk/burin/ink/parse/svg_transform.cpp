@@ -4,6 +4,7 @@
 #include <burin/base/text/quoted_word.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/svg_transform.h>
+#include <burin/math/degree.h>
 #include <burin/math/elementary.h>
 #include <fmt/format.h>
 
@@ -68,11 +69,9 @@ std::vector<double> arguments_of(std::string_view name, std::string_view text) {
   return numbers;
 }
 
-constexpr double degree = std::numbers::pi / 180;
-
 Affine rotation(const std::vector<double>& n) {
   const Eigen::Vector2d centre = n.size() == 3 ? Eigen::Vector2d(n[1], n[2]) : Eigen::Vector2d::Zero();
-  const double cos = math::cos(n[0] * degree), sin = math::sin(n[0] * degree);
+  const double cos = math::cos(n[0] * math::degree), sin = math::sin(n[0] * math::degree);
   Affine made = Affine::Identity();
   made.linear() << cos, -sin, sin, cos;
   made.translation() = centre - made.linear() * centre;
@@ -81,7 +80,7 @@ Affine rotation(const std::vector<double>& n) {
 
 Affine skewing(double x, double y) {
   Affine made = Affine::Identity();
-  made.linear() << 1, math::tan(x * degree), math::tan(y * degree), 1;
+  made.linear() << 1, math::tan(x * math::degree), math::tan(y * math::degree), 1;
   return made;
 }
 

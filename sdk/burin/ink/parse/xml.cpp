@@ -17,14 +17,14 @@ std::ptrdiff_t most_marks(std::size_t bytes) {
   return static_cast<std::ptrdiff_t>(std::max(always, bytes / bytes_a_mark));
 }
 
-constexpr int deepest = 200;
+constexpr int deepest_xml = 200;
 
 /// An element deeper than that, or an empty one.
 pugi::xml_node too_deep(const pugi::xml_node& root) {
   struct Walker : pugi::xml_tree_walker {
     pugi::xml_node found;
     bool for_each(pugi::xml_node& node) override {
-      if (depth() >= deepest) found = node;
+      if (depth() >= deepest_xml) found = node;
       return !found;
     }
   } walker;

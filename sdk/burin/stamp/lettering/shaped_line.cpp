@@ -21,7 +21,7 @@ struct Destroyer {
   }
 };
 using Blob = std::unique_ptr<hb_blob_t, Destroyer<hb_blob_destroy>>;
-using Face = std::unique_ptr<hb_face_t, Destroyer<hb_face_destroy>>;
+using HbFace = std::unique_ptr<hb_face_t, Destroyer<hb_face_destroy>>;
 using Font = std::unique_ptr<hb_font_t, Destroyer<hb_font_destroy>>;
 using Buffer = std::unique_ptr<hb_buffer_t, Destroyer<hb_buffer_destroy>>;
 
@@ -41,7 +41,7 @@ void expect_line(std::string_view text) {
 Font open_font(const std::filesystem::path& path, std::string_view bytes) {
   const Blob blob(hb_blob_create(bytes.data(), static_cast<unsigned>(bytes.size()), HB_MEMORY_MODE_READONLY,
                                  nullptr, nullptr));
-  const Face face(hb_face_create(blob.get(), 0));
+  const HbFace face(hb_face_create(blob.get(), 0));
   if (hb_face_get_glyph_count(face.get()) == 0) throw FileError(path.string(), "is no font");
   return Font(hb_font_create(face.get()));
 }

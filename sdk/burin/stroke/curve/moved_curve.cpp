@@ -17,7 +17,7 @@ constexpr double longest_step = 0.25;
 /// The way that may be missing at the end of a move, in radii.
 constexpr double exact_enough = 1e-5;
 
-PenAt pen_of(const CurvePoint& drawn) {
+PenAt drawn_pen(const CurvePoint& drawn) {
   return {.pen = drawn.pen, .time = drawn.time, .speed = drawn.speed, .t = drawn.t};
 }
 
@@ -100,7 +100,7 @@ void MovedCurve::trace(const SurfaceCurve& drawn) {
       static_cast<std::size_t>(std::ranges::lower_bound(knots_, settled_, {}, &Knot::drawn) - knots_.begin());
   if (knots_.size() == 1) {
     const CurvePoint& point = drawn.points[knots_[0].drawn];
-    append(knots_[0].ground_point, point.tangent.cast<double>(), pen_of(point));
+    append(knots_[0].ground_point, point.tangent.cast<double>(), drawn_pen(point));
   }
   const std::size_t segments = knots_.size() - (curve_.closed ? 0 : 1);
   for (std::size_t segment = final_segments_; segment < segments; ++segment) {
@@ -125,7 +125,7 @@ void MovedCurve::trace_segment(const SurfaceCurve& drawn, std::size_t k) {
                      after ? &place_after : nullptr, KnotSpacing::chordal);
   const double t_from = drawn.points[from.drawn].t;
   const double t_to = &to == &knots_[0] ? drawn.length() : drawn.points[to.drawn].t;
-  if (k == 0) append(from.ground_point, spline.velocity(0), pen_of(drawn.points[from.drawn]));
+  if (k == 0) append(from.ground_point, spline.velocity(0), drawn_pen(drawn.points[from.drawn]));
   const double chord = (to.position() - from.position()).norm();
   const double pieces = std::max(1.0, std::round(chord / tracer_->spacing(from.ground_point.at)));
   for (double piece = 1; piece < pieces; ++piece) {
@@ -134,7 +134,7 @@ void MovedCurve::trace_segment(const SurfaceCurve& drawn, std::size_t k) {
                                               curve_.points.back().at);
     if (at) append(*at, spline.velocity(s), pen_at(drawn, t_from + s * (t_to - t_from)));
   }
-  append(to.ground_point, spline.velocity(1), pen_of(drawn.points[to.drawn]));
+  append(to.ground_point, spline.velocity(1), drawn_pen(drawn.points[to.drawn]));
 }
 
 /// The knot so many steps after or before; null beyond the ends of an open curve.

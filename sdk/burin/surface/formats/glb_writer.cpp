@@ -14,7 +14,7 @@
 namespace burin {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 void put(std::string& bytes, std::uint32_t value) {
   for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(value >> shift & 0xff));
@@ -60,14 +60,14 @@ SplitVertices split(const TriangleMesh& mesh) {
 /// The one buffer of the file, and the JSON that describes it.
 class Contents {
  public:
-  Json json = {{"asset", {{"version", "2.0"}, {"generator", "Burin"}}},
-               {"scene", 0},
-               {"scenes", {{{"nodes", {0}}}}},
-               {"nodes", {{{"mesh", 0}}}},
-               {"meshes", Json::array()},
-               {"accessors", Json::array()},
-               {"bufferViews", Json::array()},
-               {"buffers", Json::array()}};
+  OrderedJson json = {{"asset", {{"version", "2.0"}, {"generator", "Burin"}}},
+                      {"scene", 0},
+                      {"scenes", {{{"nodes", {0}}}}},
+                      {"nodes", {{{"mesh", 0}}}},
+                      {"meshes", OrderedJson::array()},
+                      {"accessors", OrderedJson::array()},
+                      {"bufferViews", OrderedJson::array()},
+                      {"buffers", OrderedJson::array()}};
   std::string bytes;
 
   /// Adds an accessor over the bytes that `put_all` appends; returns its index.
@@ -88,12 +88,12 @@ class Contents {
   static constexpr int unsigned_byte = 5121, unsigned_int = 5125, floating = 5126;
 };
 
-Json bounds(const Vec3f& corner) { return {corner.x(), corner.y(), corner.z()}; }
+OrderedJson bounds(const Vec3f& corner) { return {corner.x(), corner.y(), corner.z()}; }
 
-Json attributes(Contents& contents, const TriangleMesh& mesh, const VertexPaint& paint,
-                const SplitVertices& vertices) {
+OrderedJson attributes(Contents& contents, const TriangleMesh& mesh, const VertexPaint& paint,
+                       const SplitVertices& vertices) {
   const std::size_t count = vertices.source.size();
-  Json attributes;
+  OrderedJson attributes;
   const auto add = [&](const char* name, const char* type, const auto& put_one) {
     attributes[name] = contents.add(type, Contents::floating, count, [&] {
       for (std::size_t i = 0; i < count; ++i) put_one(i);
@@ -105,7 +105,7 @@ Json attributes(Contents& contents, const TriangleMesh& mesh, const VertexPaint&
     box.extend(position);
     for (const float coordinate : position) put(contents.bytes, coordinate);
   });
-  Json& positions = contents.json["accessors"].back();
+  OrderedJson& positions = contents.json["accessors"].back();
   positions["min"] = bounds(box.min());
   positions["max"] = bounds(box.max());
   const std::vector<Vec3f> normals = smooth_normals(mesh);
@@ -152,12 +152,12 @@ void write_glb(const std::filesystem::path& path, const TriangleMesh& mesh, cons
   constexpr std::size_t most_bytes = 0xffffff00;
   const SplitVertices vertices = split(mesh);
   Contents contents;
-  Json primitive = {{"attributes", attributes(contents, mesh, paint, vertices)}};
+  OrderedJson primitive = {{"attributes", attributes(contents, mesh, paint, vertices)}};
   primitive["indices"] = contents.add("SCALAR", Contents::unsigned_int, 3 * vertices.triangles.size(), [&] {
     for (const Triangle& triangle : vertices.triangles)
       for (const Index vertex : triangle) put(contents.bytes, vertex);
   });
-  contents.json["meshes"].push_back({{"primitives", Json::array({primitive})}});
+  contents.json["meshes"].push_back({{"primitives", OrderedJson::array({primitive})}});
   contents.json["buffers"].push_back({{"byteLength", contents.bytes.size()}});
   if (!origin.isZero(0)) contents.json["nodes"][0]["translation"] = {origin.x(), origin.y(), origin.z()};
   const std::string text = contents.json.dump();

@@ -12,17 +12,17 @@ namespace burin {
 namespace {
 
 /// The property names in the order of Slot.
-constexpr const char* names[] = {"red",       "green",    "blue",      "alpha", "ink_red",
-                                 "ink_green", "ink_blue", "ink_alpha", "mask"};
+constexpr const char* paint_names[] = {"red",       "green",    "blue",      "alpha", "ink_red",
+                                       "ink_green", "ink_blue", "ink_alpha", "mask"};
 
 /// Older programs write colour channels as "diffuse_red", or "r".
 std::string_view channel_name(std::string_view name) {
   constexpr std::string_view initials = "rgba";
-  if (name.size() == 1 && initials.find(name) != initials.npos) return names[initials.find(name)];
+  if (name.size() == 1 && initials.find(name) != initials.npos) return paint_names[initials.find(name)];
   constexpr std::string_view older_prefix = "diffuse_";
   if (!name.starts_with(older_prefix)) return name;
   const std::string_view channel = name.substr(older_prefix.size());
-  const auto channels = std::span(names).first(4);
+  const auto channels = std::span(paint_names).first(4);
   return std::ranges::find(channels, channel) == channels.end() ? name : channel;
 }
 
@@ -70,9 +70,9 @@ PlyPaint::PlyPaint(const PlyElement& vertices)
                      has(vertices, "ink_blue") && has(vertices, "ink_alpha");
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const PlyProperty& property = vertices.properties[i];
-    const auto name = std::ranges::find(names, channel_name(property.name)) - names;
+    const auto name = std::ranges::find(paint_names, channel_name(property.name)) - paint_names;
     const auto slot = static_cast<Slot>(name);
-    if (name == std::ssize(names) || property.count_type) continue;
+    if (name == std::ssize(paint_names) || property.count_type) continue;
     if (slot != Slot::mask && !(slot < Slot::ink_red ? coloured : inked)) continue;
     slots_[i] = slot;
   }

@@ -6,7 +6,7 @@
 namespace burin {
 namespace {
 
-constexpr std::string_view names[][2] = {
+constexpr std::string_view coordinate_names[][2] = {
     {"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
 
 using Slots = std::vector<PlyTexture::Slot>;
@@ -14,7 +14,7 @@ using Slots = std::vector<PlyTexture::Slot>;
 /// Marks the first pair of names that the element has as lists, or as single numbers. Returns whether it has
 /// one.
 bool mark_pair(const PlyElement& element, bool lists, Slots& slots) {
-  for (const auto& pair : names) {
+  for (const auto& pair : coordinate_names) {
     const PlyProperty* found[] = {find_property(element, pair[0]), find_property(element, pair[1])};
     const auto fits = [&](const PlyProperty* p) { return p && p->count_type.has_value() == lists; };
     if (!fits(found[0]) || !fits(found[1])) continue;

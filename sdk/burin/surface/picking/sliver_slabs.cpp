@@ -22,7 +22,7 @@ constexpr std::size_t runs_per_block = 4096;
 /// Slabs are wider by this share of their coordinates, so that rounding does not put a triangle outside.
 constexpr double rounding = 1e-12;
 
-std::array<Vec3d, 3> corners_of(const Surface& surface, Index triangle) {
+std::array<Vec3d, 3> corner_positions(const Surface& surface, Index triangle) {
   const Triangle& t = surface.triangles[triangle];
   return {surface.positions[t[0]].cast<double>(), surface.positions[t[1]].cast<double>(),
           surface.positions[t[2]].cast<double>()};
@@ -59,7 +59,7 @@ bool SliverSlabs::box_fits(std::size_t run) const {
   Eigen::AlignedBox3d box;
   double area = 0;
   for_triangles(run, [&](Index triangle) {
-    for (const Vec3d& corner : corners_of(*surface_, triangle)) box.extend(corner);
+    for (const Vec3d& corner : corner_positions(*surface_, triangle)) box.extend(corner);
     area += area_vector(surface_->positions, surface_->triangles[triangle]).norm() / 2;
   });
   return area >= least_area * box.diagonal().squaredNorm();
@@ -69,10 +69,10 @@ SliverSlabs::Slab SliverSlabs::slab_of(std::size_t run) const {
   if (box_fits(run)) return {};
   const auto first = static_cast<Index>(run * run_length_);
   const Vec3d normal = area_vector(surface_->positions, surface_->triangles[first]);
-  const Vec3d across = normal.cross(longest_edge(corners_of(*surface_, first))).stableNormalized();
+  const Vec3d across = normal.cross(longest_edge(corner_positions(*surface_, first))).stableNormalized();
   double least = std::numeric_limits<double>::infinity(), most = -least, farthest = 0;
   for_triangles(run, [&](Index triangle) {
-    for (const Vec3d& corner : corners_of(*surface_, triangle)) {
+    for (const Vec3d& corner : corner_positions(*surface_, triangle)) {
       least = std::min(least, across.dot(corner));
       most = std::max(most, across.dot(corner));
       farthest = std::max(farthest, corner.cwiseAbs().maxCoeff());
