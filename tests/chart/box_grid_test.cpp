@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "support/uniform.h"
+#include "chart/uniform.h"
 
 namespace burin {
 namespace {

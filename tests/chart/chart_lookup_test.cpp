@@ -10,11 +10,11 @@
 #include <numbers>
 #include <random>
 
+#include "chart/uniform.h"
 #include "support/closed_curve.h"
 #include "support/point_shapes.h"
 #include "support/shapes.h"
 #include "support/traced.h"
-#include "support/uniform.h"
 
 namespace burin {
 namespace {

@@ -1,8 +1,8 @@
 // The globally best path across an image, by dynamic programming: the best score up to each pixel of a column
 // is that of the best of five pixels of the column before.
 #include <burin/feature/best_path.h>
-#include <burin/feature/median.h>
 #include <burin/math/elementary.h>
+#include <burin/math/median.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,7 @@ LevelImage crest_score(const LevelImage& level) {
   for (int column = 0; column < level.grid.columns; ++column) {
     std::vector<float> values = known_values(level, column);
     if (values.empty()) continue;
-    const float middle = median(values);
+    const float middle = math::median(values);
     sum += static_cast<double>(std::ranges::max(values) - middle);
     ++count;
     for (int row = 0; row < level.grid.rows; ++row) result.values[level.grid.pixel(column, row)] -= middle;

@@ -1,6 +1,6 @@
 // Significance of a path: contrast over noise. Costs O(pixels).
-#include <burin/feature/median.h>
 #include <burin/feature/significance.h>
+#include <burin/math/median.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace burin {
 namespace {
 
 std::optional<double> median_of_any(std::vector<float>& values) {
-  return values.empty() ? std::nullopt : std::optional<double>(static_cast<double>(median(values)));
+  return values.empty() ? std::nullopt : std::optional<double>(static_cast<double>(math::median(values)));
 }
 
 /// The greatest difference of known levels.

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace burin {
+namespace burin::math {
 
 /// The median of one or more values, the upper one of an even number of them. Reorders the values.
 inline float median(std::vector<float>& values) {
@@ -12,4 +12,4 @@ inline float median(std::vector<float>& values) {
   return *middle;
 }
 
-}  // namespace burin
+}  // namespace burin::math
