@@ -7,7 +7,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 sys.path.append(str(Path(__file__).parents[1] / "python"))
 part = sys.argv[sys.argv.index("--") + 1]
-if part == "draw":
+if "--enable-event-simulate" in sys.argv:
     import windowed
 
     windowed.start(f"test_{part}")

@@ -15,7 +15,7 @@ PASSED = "passed"
 """A file that tests leave which passed: what a timer raises does not end Blender."""
 SIZE = os.environ.get("BURIN_WINDOW", "640x480").split("x")
 """Of the window, pixels: what is drawn is drawn by the processor."""
-WINDOW = ("draw",)
+WINDOW = ("draw", "preview")
 """Parts that want a window."""
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from support import ADDON, hilly_grid, make_object, positions_of
 
 addon_utils.enable(ADDON)
-from burin_brushes import mesh_io  # noqa: E402
+from burin_brushes import mesh_io, mesh_parts  # noqa: E402
 
 
 class Arrays(unittest.TestCase):
@@ -34,6 +34,40 @@ class Arrays(unittest.TestCase):
         mesh_io.write_positions(made.data, moved)
         evaluated = made.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
         np.testing.assert_array_equal(mesh_io.read_positions(evaluated), moved)
+
+
+class Parts(unittest.TestCase):
+    """Of a strip of 100 triangles: triangle i has the vertices i, i + 1 and i + 2."""
+
+    def setUp(self):
+        self.triangles = (np.arange(100)[:, None] + np.arange(3)).astype(np.uint32)
+        self.mesh = mesh_parts.MeshParts(self.triangles, vertex_count=200, most=30)
+
+    def test_have_all_triangles_once(self):
+        self.assertEqual([len(part.triangles) for part in self.mesh.parts], [30, 30, 30, 10])
+        again = np.concatenate([part.vertices[part.triangles] for part in self.mesh.parts])
+        np.testing.assert_array_equal(again, self.triangles)
+        self.assertEqual(self.mesh.parts[1].vertices.tolist(), list(range(30, 62)))
+
+    def test_are_touched_where_they_have_a_vertex_that_changed(self):
+        for ranges, touched in (
+            ([(5, 6)], [0]),
+            ([(30, 31)], [0, 1]),
+            ([(31, 32)], [0, 1]),
+            ([(32, 33)], [1]),
+            ([(0, 1), (91, 95)], [0, 2, 3]),
+            ([(0, 102)], [0, 1, 2, 3]),
+            ([(102, 200)], []),
+            ([], []),
+        ):
+            self.assertEqual(self.mesh.touched(ranges).tolist(), touched, ranges)
+
+    def test_may_have_scattered_vertices(self):
+        shuffled = np.random.default_rng(3).permutation(200).astype(np.uint32)
+        mesh = mesh_parts.MeshParts(shuffled[self.triangles], vertex_count=200, most=30)
+        again = np.concatenate([part.vertices[part.triangles] for part in mesh.parts])
+        np.testing.assert_array_equal(again, shuffled[self.triangles])
+        self.assertEqual(mesh.touched([(shuffled[31], shuffled[31] + 1)]).tolist(), [0, 1])
 
 
 class Changes(unittest.TestCase):

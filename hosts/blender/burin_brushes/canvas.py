@@ -8,7 +8,7 @@ import bpy
 import burin
 import numpy as np
 
-from . import brushes, mesh_io, object_session
+from . import brushes, mesh_io, object_session, preview
 
 
 def _objects(context: Any) -> list[Any]:
@@ -39,6 +39,20 @@ class Canvas:
         sessions = [kept.session for kept in self._kept]
         self.pen: burin.Session | burin.Group = sessions[0] if len(sessions) == 1 else burin.Group(sessions)
         """What draws."""
+        self._previewed: set[Any] = set()
+        self._preview: preview.Preview | None = None
+
+    def preview(self, space: Any) -> None:
+        """From now on large objects are shown without Blender's evaluation, until what was drawn is kept or cancelled."""
+        large = [(object, kept.parts) for kept, object, _ in self._each() if preview.is_wanted(object, space)]
+        if large:
+            self._previewed = {object for object, _ in large}
+            self._preview = preview.Preview(large)
+
+    def _end_preview(self) -> None:
+        if self._preview:
+            self._preview.close()
+        self._preview = None
 
     def _check_meshes(self) -> None:
         users: dict[Any, Any] = {}
@@ -62,11 +76,16 @@ class Canvas:
     def show(self) -> None:
         """Shows what was drawn since."""
         for kept, object, shown in self._each():
-            if kept.drawn(shown):
+            if not kept.drawn(shown):
+                continue
+            if object in self._previewed:
+                preview.redraw()
+            else:
                 mesh_io.write_positions(object.data, shown)
 
     def keep(self) -> None:
         """Shows what was drawn, which then is the objects' own, and adds objects for solids."""
+        self._end_preview()
         solids = self._take_solids()
         for kept, object, shown in self._each():
             kept.drawn(shown)
@@ -88,6 +107,7 @@ class Canvas:
 
     def cancel(self) -> None:
         """Takes the open stroke back, also after a failure, which has dropped it."""
+        self._end_preview()
         self.pen.cancel()
         for kept, object, _ in self._each():
             kept.drop(object)

@@ -13,7 +13,7 @@ import burin
 import bpy
 import numpy as np
 
-from . import mesh_io
+from . import mesh_io, preview
 
 
 class Refused(Exception):
@@ -35,6 +35,7 @@ class ObjectSession:
         """False after what may have changed or hidden faces and left their number as it was."""
         self._drawn = False
         self._solid_count = 0
+        self._parts: preview.ShownParts | None = None
         self._is_world = np.array_equal(self.matrix, np.eye(4))
         if not len(self._faces.sizes):
             raise Refused(f"{object.name}: there is no face to draw on")
@@ -63,6 +64,7 @@ class ObjectSession:
         hidden = mesh_io.read_hidden(object.data)
         if not np.array_equal(self._hidden, hidden):
             self.session.hide(hidden)
+            self._parts = None
         self._hidden, self.faces_are_known = hidden, True
 
     def take_moved(self, object: Any) -> None:
@@ -71,17 +73,32 @@ class ObjectSession:
         self._take(local)
 
     def _take(self, local: mesh_io.Floats) -> None:
-        for begin, end in mesh_io.changed_ranges(self.local, local):
+        ranges = mesh_io.changed_ranges(self.local, local)
+        for begin, end in ranges:
             self.session.write("positions", local[begin:end], begin)
         self.session.update("positions")
         self.local = local
+        self._send(local, ranges)
+
+    @property
+    def parts(self) -> preview.ShownParts:
+        """The triangles on the graphics card, which from now on is sent what changes."""
+        if self._parts is None:
+            self._parts = preview.ShownParts(self.session)
+            self._send(self.local, ())
+        return self._parts
+
+    def _send(self, positions: mesh_io.Floats, ranges: Any) -> None:
+        if self._parts:
+            self._parts.send(positions, ranges)
 
     def drawn(self, shown: mesh_io.Floats) -> bool:
         """Writes what changed since the last call to the positions `shown`, and tells whether anything did."""
-        ranges = self.session.update("positions")
+        ranges = self.session.update("positions", most=1024)
         positions = self.session.values("positions")
         for begin, end in ranges:
             shown[begin:end] = positions[begin:end]
+        self._send(shown, ranges)
         self._drawn |= len(ranges) > 0
         return len(ranges) > 0
 
@@ -105,7 +122,7 @@ class ObjectSession:
         """Shows the mesh as it was before the stroke that was cancelled or has failed."""
         if self._drawn:
             mesh_io.write_positions(object.data, self.local)
-        self.session.update("positions")
+        self._send(self.local, self.session.update("positions"))
         self._drawn = False
 
 

@@ -45,6 +45,7 @@ class PenStroke:
         self._camera = view_rays.drawing_camera(view.view_matrix, view.window_matrix, size, corners)
         fields = "time pressure tilt" if event.is_tablet else "time"
         self._open(context.scene.burin, fields, context.object.matrix_world.translation)
+        self._canvas.preview(context.space_data)
 
     def _open(self, chosen: Any, fields: str, origin: Any) -> None:
         given = settings.stroke_settings(chosen, pressure="pressure" in fields)
