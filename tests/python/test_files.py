@@ -201,6 +201,19 @@ class Meshes(unittest.TestCase):
         del mesh
         np.testing.assert_array_equal(positions, expected)
 
+    def test_have_their_texture_coordinates(self):
+        positions, triangles = grid(6, 3)
+        uv = np.random.default_rng(1).integers(0, 256, (len(triangles), 3, 2)).astype(np.float32) / 256
+        with folder() as work:
+            for name in ("a.obj", "a.ply", "a.glb"):
+                burin.write_mesh(Path(work, name), positions, triangles, uv=uv)
+                mesh = burin.read_mesh(Path(work, name))
+                np.testing.assert_array_equal(mesh.positions[mesh.triangles], positions[triangles].astype(np.float32))
+                np.testing.assert_array_equal(mesh.uv, uv)
+            with self.assertRaises(burin.InvalidArgument):
+                burin.write_mesh(Path(work, "b.obj"), positions, triangles, uv=uv[1:])
+        self.assertIsNone(burin.read_mesh(EWER).uv)
+
     def test_are_refined(self):
         coarse, fine = burin.read_mesh(EWER), burin.read_mesh(EWER, target_triangles=5000)
         self.assertGreaterEqual(len(fine.triangles), 5000)

@@ -290,6 +290,7 @@ class MeshValues(Sized):
         ("colours", c_void_p),
         ("masks", c_void_p),
         ("origin", c_double * 3),
+        ("uv", c_void_p),
     ]
 
 

@@ -31,6 +31,8 @@ class Mesh:
     """Shape (n,), 0 = protected .. 1 = free; None: all are free."""
     origin: tuple[float, float, float]
     """Zero unless a file's positions are so far from its own origin that floats would round them."""
+    uv: NDArray[np.float32] | None = None
+    """Shape (m, 3, 2), texture coordinates of the corners of each triangle, from the lower left; None: there are none."""
 
 
 class Triangles:
@@ -55,6 +57,7 @@ class Triangles:
             floats(values.colours, (4,)),
             floats(values.masks, ()),
             (values.origin[0], values.origin[1], values.origin[2]),
+            view(values.uv, (mesh.face_count, 3, 2), owner=self) if values.uv else None,
         )
 
 
@@ -109,14 +112,19 @@ def write_mesh(
     colours: ArrayLike | None = None,
     masks: ArrayLike | None = None,
     origin: tuple[float, float, float] = (0, 0, 0),
+    uv: ArrayLike | None = None,
 ) -> None:
-    """Writes a mesh, wholly or not at all: .ply, .glb, .obj or .off. Arrays are those of Session, colours and masks those of
-    Mesh; larger faces are cut into triangles. Raises Error, which names the file."""
+    """Writes a mesh, wholly or not at all: .ply, .glb, .obj or .off. Arrays are those of Session, colours, masks and uv those
+    of Mesh; larger faces are cut into triangles, and have no uv. Raises Error, which names the file."""
     arrays = MeshArrays(positions, faces, face_sizes, "caller")
     values = _c.MeshValues(origin=origin)
     count = len(arrays.positions)
-    kept = [_floats(colours, (count, 4), "colours"), _floats(masks, (count,), "masks")]
-    values.colours, values.masks = (None if one is None else one.ctypes.data for one in kept)
+    kept = [
+        _floats(colours, (count, 4), "colours"),
+        _floats(masks, (count,), "masks"),
+        _floats(uv, (arrays.mesh.face_count, 3, 2), "uv"),
+    ]
+    values.colours, values.masks, values.uv = (None if one is None else one.ctypes.data for one in kept)
     _c.call("burin_mesh_write", os.fsencode(path), arrays.mesh, values)
 
 

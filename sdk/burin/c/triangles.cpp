@@ -82,6 +82,19 @@ VertexPaint paint_of(const burin_mesh_values& values, std::size_t vertices) {
   return paint;
 }
 
+std::vector<TriangleUv> uv_of(const burin_mesh_values& values, const burin_mesh& mesh) {
+  if (!values.uv) return {};
+  if (mesh.face_sizes || mesh.face_size != 3) reject("texture coordinates are of triangles");
+  std::vector<TriangleUv> uv(mesh.face_count);
+  const float* given = values.uv;
+  for (TriangleUv& triangle : uv)
+    for (Vec2f& corner : triangle) {
+      corner = Vec2f(given[0], given[1]);
+      given += 2;
+    }
+  return uv;
+}
+
 }  // namespace
 }  // namespace burin::c
 
@@ -119,7 +132,9 @@ burin_status burin_triangles_get(const burin_triangles* triangles, burin_mesh* m
         .reserved = 0,
         .colours = triangles->colours.empty() ? nullptr : triangles->colours.front().data(),
         .masks = triangles->masks.empty() ? nullptr : triangles->masks.data(),
-        .origin = {triangles->origin.x(), triangles->origin.y(), triangles->origin.z()}};
+        .origin = {triangles->origin.x(), triangles->origin.y(), triangles->origin.z()},
+        .uv = triangles->mesh.triangle_uv.empty() ? nullptr
+                                                  : triangles->mesh.triangle_uv.front().front().data()};
     c::give(known, values, BURIN_HAS(values, burin_mesh_values, origin), "values");
   });
 }
@@ -131,7 +146,8 @@ burin_status burin_mesh_write(const char* path, const burin_mesh* mesh, const bu
     const burin_mesh known = c::known_mesh(mesh);
     burin_mesh_values with{};
     if (values) with = c::known_members(values, BURIN_HAS(values, burin_mesh_values, origin), "values");
-    const TriangleMesh read = c::read_arrays(known);
+    TriangleMesh read = c::read_arrays(known);
+    read.triangle_uv = c::uv_of(with, known);
     write_mesh(path, read, c::paint_of(with, read.positions.size()),
                Vec3d(with.origin[0], with.origin[1], with.origin[2]));
   });

@@ -271,6 +271,36 @@ TEST(CMeshFiles, KeepWhatIsPainted) {
   EXPECT_EQ(IN_C(burin_triangles_read)("/no/such.obj", nullptr, &none, &error), BURIN_ERROR);
 }
 
+TEST(CMeshFiles, KeepTextureCoordinatesOfTriangles) {
+  const TemporaryFolder folder;
+  const TriangleMesh mesh = plane(1, 0.5, 4);
+  std::vector<float> uv;  // another island for each triangle
+  for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i) {
+    uv.push_back(static_cast<float>(i) / 1024);
+    uv.push_back(1 - static_cast<float>(i * i) / 65536);
+  }
+  auto values = sized<burin_mesh_values>();
+  values.uv = uv.data();
+  burin_mesh arrays = arrays_of(mesh);
+  CText error;
+  for (const char* name : {"a.obj", "a.ply", "a.glb"}) {
+    const fs::path path = folder.path() / name;
+    ASSERT_EQ(IN_C(burin_mesh_write)(path.c_str(), &arrays, &values, &error), BURIN_OK) << error.str();
+    const CMeshFile read(path, sized<burin_refinement>());
+    ASSERT_EQ(read.mesh.face_count, mesh.triangles.size()) << name;
+    ASSERT_NE(read.values.uv, nullptr) << name;
+    EXPECT_TRUE(std::equal(uv.begin(), uv.end(), read.values.uv)) << name;
+  }
+  const CMeshFile without(ewer, sized<burin_refinement>());
+  EXPECT_EQ(without.values.uv, nullptr);
+  arrays.face_size = 4;
+  arrays.face_count = mesh.triangles.size() * 3 / 4;
+  EXPECT_EQ(IN_C(burin_mesh_write)((folder.path() / "b.obj").c_str(), &arrays, &values, &error),
+            BURIN_INVALID_ARGUMENT);
+  EXPECT_NE(error.str().find("texture coordinates are of triangles"), std::string::npos) << error.str();
+  EXPECT_FALSE(fs::exists(folder.path() / "b.obj"));
+}
+
 TEST(CSnapping, MovesSamplesToALineAsTheSnapperDoes) {
   TriangleMesh mesh = plane(1, 0.02, 4);
   for (Vec3f& at : mesh.positions) at.z() = 0.1f / (1 + 60 * at.y() * at.y());  // a ridge along y = 0

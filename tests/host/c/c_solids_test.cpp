@@ -190,13 +190,25 @@ TEST(CSolids, AndMeshesThatAreBentAreParts) {
   const TriangleMesh box_mesh = box({1, 0.5f, 0.5f});
   const burin_mesh box_arrays = arrays_of(box_mesh);
   CText error;
-  ASSERT_EQ(IN_C(burin_mesh_write)(link.c_str(), &box_arrays, nullptr, &error), BURIN_OK) << error.str();
+  const std::vector<float> uv(6 * box_mesh.triangles.size(), 0.25f);
+  auto values = sized<burin_mesh_values>();
+  values.uv = uv.data();
+  ASSERT_EQ(IN_C(burin_mesh_write)(link.c_str(), &box_arrays, &values, &error), BURIN_OK) << error.str();
   CSession session(sphere(4, 0.2, 3));
   draw(session, {"radius=0.2", ("along_mesh=" + link.string()).c_str()}, arc(-0.3, 0.3));
   ASSERT_EQ(session.info().bent_mesh_count, 1u);
   const TriangleMesh bent = part(session, IN_C(burin_session_read_bent_mesh), 0);
   EXPECT_GE(bent.triangles.size(), 12u);
   for (const Vec3f& p : bent.positions) EXPECT_NEAR(p.norm(), 1, 0.4) << p.transpose();
+
+  burin_triangles* with_uv = nullptr;
+  session.check(IN_C(burin_session_read_bent_mesh)(session, 0, &with_uv, &session.error));
+  auto mesh = sized<burin_mesh>();
+  session.check(IN_C(burin_triangles_get)(with_uv, &mesh, &values, &session.error));
+  ASSERT_NE(values.uv, nullptr);
+  EXPECT_EQ(std::count(values.uv, values.uv + 6 * mesh.face_count, 0.25f),
+            std::ptrdiff_t(6 * mesh.face_count));
+  IN_C(burin_triangles_destroy)(with_uv);
 }
 
 TEST(CSolids, WantTheirModuleOnlyWhenTheyAreShown) {

@@ -40,7 +40,7 @@ extern "C" {
 /* Functions and structs are added with a new minor version, never changed: a program that was built with this
  * header runs with every later library of the same major version, which is that of libburin.so.0. */
 #define BURIN_C_MAJOR 0u
-#define BURIN_C_MINOR 4u
+#define BURIN_C_MINOR 5u
 
 /* What a library is. */
 typedef struct burin_version_info {
@@ -659,6 +659,8 @@ typedef struct burin_mesh_values {
   const float* colours; /* as BURIN_COLOURS, of all vertices; null: none */
   const float* masks;   /* as BURIN_MASKS; null: none */
   double origin[3];     /* is added to all positions, which are floats near it, object units */
+  const float* uv; /* since 0.5: texture coordinates, u and v from the lower left corner of the picture, of
+                      the three corners of each triangle, 6 numbers; null: none. Of triangles only */
 } burin_mesh_values;
 
 /* Reads and refines a mesh as `burin replay` does: OBJ, PLY, STL, OFF, glTF or GLB, which the extension
