@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <string_view>
 
@@ -45,20 +46,53 @@ bool has_failed(const Result& result) {
 
 namespace {
 
-/// Where a brush cannot draw with its defaults, each check that draws fails, and none tells why but those of
-/// memory: the others are skipped.
+bool is_failure_of(const Result& result, std::string_view name) {
+  return result.check->name == name && has_failed(result);
+}
+
+/// The topic of a check, "life" of "life.begin-default".
+std::string_view topic_of(const Result& result) {
+  const std::string_view name = result.check->name;
+  return name.substr(0, name.find('.'));
+}
+
+/// Checks that compare two drawings which should be the same, besides those of `shape` and `repeat`.
+bool compares(const Result& result) {
+  constexpr std::array<std::string_view, 11> names = {
+      "life.many-strokes",       "life.two-brushes",     "host.newer",           "host.older",
+      "host.older-batch",        "evaluate.batch-sizes", "evaluate.stride-zero", "evaluate.wide-strides",
+      "evaluate.output-strides", "process.lent",         "ability.end-influence"};
+  const std::string_view topic = topic_of(result);
+  return topic == "shape" || topic == "repeat" || std::ranges::find(names, result.check->name) != names.end();
+}
+
+/// A fault that makes other checks fail, which then tell nothing new and are skipped.
+struct Cause {
+  std::string_view check;
+  const char* text;
+  bool (*explains)(const Result& failure);
+};
+
+/// A brush that cannot draw with its defaults fails in each check that draws, and only those of memory may
+/// tell why. One that draws otherwise each time fails wherever drawings are compared.
+constexpr std::array<Cause, 2> causes = {
+    {{"life.begin-default", "a brush does not draw with its defaults, see life.begin-default",
+      [](const Result& failure) {
+        const std::string_view topic = topic_of(failure);
+        return topic != "module" && topic != "descriptor" && topic != "memory";
+      }},
+     {"repeat.runs", "a brush draws otherwise each time, see repeat.runs",
+      [](const Result& failure) { return failure.verdict == Verdict::fail && compares(failure); }}}};
+
 void skip_what_follows(std::vector<Result>& results) {
-  constexpr std::string_view cause = "life.begin-default";
-  const bool draws = std::ranges::none_of(
-      results, [](const Result& result) { return result.check->name == cause && has_failed(result); });
-  if (draws) return;
-  for (Result& result : results) {
-    const std::string_view name = result.check->name, topic = name.substr(0, name.find('.'));
-    if (!has_failed(result) || name == cause || topic == "module" || topic == "descriptor" ||
-        topic == "memory")
+  for (const Cause& cause : causes) {
+    if (std::ranges::none_of(results, [&](const Result& r) { return is_failure_of(r, cause.check); }))
       continue;
-    result.verdict = Verdict::skip;
-    result.text = "a brush does not draw with its defaults, see life.begin-default";
+    for (Result& result : results) {
+      if (!has_failed(result) || result.check->name == cause.check || !cause.explains(result)) continue;
+      result.verdict = Verdict::skip;
+      result.text = cause.text;
+    }
   }
 }
 

@@ -32,8 +32,8 @@ struct RunOptions {
 /// The time after which a check is ended, seconds.
 inline constexpr double time_limit = 20;
 
-/// Runs checks; results are in their order. If the module cannot be loaded all others are skipped, and if a
-/// brush cannot draw with its defaults those that fail for that reason.
+/// Runs checks; results are in their order. If the module cannot be loaded all others are skipped; and if a
+/// brush cannot draw with its defaults, or draws otherwise each time, those that fail for that reason.
 std::vector<Result> run_checks(const Subject& subject, std::span<const Check* const> checks,
                                const RunOptions& options);
 

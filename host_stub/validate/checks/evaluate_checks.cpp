@@ -144,7 +144,15 @@ void check_odd_numbers(const Subject& subject) {
         Nodes odd = nodes;
         std::fill(odd.columns[column].begin(), odd.columns[column].end(), number);
         std::vector<Row> rows(odd.size());
-        stroke.call(batch_of(odd, 0, odd.size(), stroke.params()), outputs_of(rows));
+        const burin_status status =
+            stroke.call(batch_of(odd, 0, odd.size(), stroke.params()), outputs_of(rows));
+        // Of t and d, which pass 0 and numbers near it wherever a stroke goes, this must be fine.
+        const bool usual = column < 2 && std::abs(number) < 1;
+        for (const Row& row : rows)
+          for (const float result : row)
+            require(!usual || (status == BURIN_OK && std::isfinite(result)),
+                    fmt::format("where {} is {} it fails or writes a number that is not finite",
+                                column == 0 ? "t" : "d", number));
       }
   });
 }
@@ -191,7 +199,9 @@ constexpr Check evaluate_list[] = {
     {"evaluate.declared-outputs", 2, "stroke.h: outputs_written", "Looks whether others are written.",
      check_declared_outputs},
     {"evaluate.odd-numbers", 3,
-     "stroke.h: with inputs that are not finite a brush may fail but must not crash",
+     "stroke.h: with inputs that are not finite a brush may fail but must not crash; every value written "
+     "must be "
+     "finite",
      "Fills each input with NaN, infinities, denormals, huge numbers and 0.", check_odd_numbers},
     {"evaluate.dab", 2, "stroke.h: BURIN_STROKE_DAB", "Draws a dab.", check_dab},
     {"evaluate.lengths", 2, "stroke.h: length of the stroke so far",

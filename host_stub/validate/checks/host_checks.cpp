@@ -2,13 +2,17 @@
 #include <burin/abi/ext/lettering.h>
 #include <burin/abi/ext/log.h>
 #include <burin/abi/ext/stamps.h>
+#include <burin/abi/ext/state.h>
 #include <burin/abi/ext/vdb_stamps.h>
+#include <burin/host/plugin/descriptor_check.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <functional>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -36,19 +40,62 @@ void check_unknown_brush(const Subject& subject) {
             fmt::format("creates a brush '{}'", id));
 }
 
-/// Lets create fail and looks at the bytes around the text.
-void check_text_capacity(const Subject& subject) {
-  const Plugin plugin(subject);
-  const ProbeHost host;
+/// Lets a call fail with texts of several capacities, and looks at the bytes around them. `fails` returns
+/// whether the call failed.
+void look_at_texts(const char* of, const std::function<bool(burin_text*)>& fails) {
+  if (!fails(nullptr)) return;
   for (const std::uint32_t capacity : {0u, 1u, 16u, 200u}) {
-    std::vector<char> bytes(300, '#');
+    std::vector<char> bytes(1000, '#');
     burin_text text{sizeof text, capacity, bytes.data()};
-    if (plugin.factory().create(&plugin.factory(), host.abi(), "org.burin.nobody", &text)) continue;
-    require(std::string(bytes.begin() + capacity, bytes.end()) == std::string(300 - capacity, '#'),
-            fmt::format("writes beyond a text of {} bytes", capacity));
-    require(capacity == 0 || std::memchr(bytes.data(), 0, capacity),
-            fmt::format("does not end a text of {} bytes", capacity));
+    if (!fails(&text)) continue;
+    require(std::ranges::all_of(bytes.begin() + capacity, bytes.end(), [](char c) { return c == '#'; }),
+            fmt::format("{} writes beyond a text of {} bytes", of, capacity));
+    if (capacity == 0) continue;
+    require(std::memchr(bytes.data(), 0, capacity),
+            fmt::format("{} does not end a text of {} bytes", of, capacity));
+    require(!bytes[0] || is_text(bytes.data()),
+            fmt::format("{} cuts its text within a character, or it is no UTF-8", of));
   }
+}
+
+/// Fails where a number is none; brushes may take that, too.
+void look_at_texts_of_begin(ProbeBrush& brush) {
+  for (std::uint32_t i = 0; i < brush.descriptor.param_count; ++i)
+    if (brush.descriptor.params[i]->type == BURIN_PARAM_FLOAT)
+      brush.values.set_number(i, std::numeric_limits<float>::quiet_NaN());
+  const burin_stroke_context context = empty_stroke_context();
+  look_at_texts("begin", [&](burin_text* text) {
+    burin_stroke_plan plan{sizeof plan, 1, 0};
+    void* stroke = nullptr;
+    const burin_status status =
+        brush.abi().begin(&brush.abi(), &context, &brush.values.abi(), &plan, &stroke, text);
+    if (status == BURIN_OK) brush.abi().end(&brush.abi(), stroke);
+    return status != BURIN_OK;
+  });
+}
+
+void look_at_texts_of_load(const ProbeBrush& brush) {
+  const auto* state = brush.interface<burin_state>(BURIN_EXT_STATE);
+  if (!state) return;
+  const std::array<char, 3> bytes{};
+  look_at_texts("load", [&](burin_text* text) {
+    return state->load(&brush.abi(), state->version, bytes.data(), bytes.size(), text) != BURIN_OK;
+  });
+}
+
+void check_text_capacity(const Subject& subject) {
+  {
+    const Plugin plugin(subject);
+    const ProbeHost host;
+    look_at_texts("create", [&](burin_text* text) {
+      return !plugin.factory().create(&plugin.factory(), host.abi(), "org.burin.nobody", text);
+    });
+  }
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    ProbeBrush brush(plugin, descriptor, subject);
+    look_at_texts_of_load(brush);
+    look_at_texts_of_begin(brush);
+  });
 }
 
 /// Draws with a host that lacks `withheld`; a refusal with a text is fine.
@@ -176,8 +223,10 @@ constexpr Check host_list[] = {
     {"host.unknown-brush", 1, "plugin.h: create fails for an id that is none of its brushes",
      "Asks for brushes that there are not.", check_unknown_brush},
     {"host.text-capacity", 2,
-     "base.h: the callee writes at most `capacity` bytes including the terminating zero",
-     "Lets create fail, with texts of 0, 1, 16 and 200 bytes.", check_text_capacity},
+     "base.h: the callee writes at most `capacity` bytes including the terminating zero and cuts between "
+     "characters; the text may be null",
+     "Lets create, begin and load fail, without a text and with texts of 0, 1, 16 and 200 bytes.",
+     check_text_capacity},
     {"host.missing-services", 3, "host.h: get_extension returns null when the host does not have a service",
      "Draws with hosts that lack some services, in each way.", check_services},
     {"host.newer", 2, "base.h: structs may grow at their end", "Draws with a host whose structs are larger.",

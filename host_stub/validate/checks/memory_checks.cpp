@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "validate/probe/guarded.h"
+#include "validate/probe/refused_calls.h"
 #include "validate/probe/repeat.h"
 #include "validate/probe/stroke.h"
 #include "validate/probe/traced_calls.h"
@@ -119,21 +120,17 @@ void check_calls(const Subject& subject) {
 }
 
 void check_system_calls(const Subject& subject) {
-  each_sound_stroke(subject, [&](const Plugin&, const Brush&, const ProbeStroke& stroke) {
+  each_sound_stroke(subject, [&](const Plugin& plugin, const Brush&, const ProbeStroke& stroke) {
     const Nodes nodes = random_nodes(300, subject.seed);
-    // The process that is refused system calls cannot tell, so it is judged by how it ends.
-    const auto evaluate = [&]() -> std::string {
-      std::vector<Row> rows(nodes.size());
-      const burin_batch batch = batch_of(nodes, 0, nodes.size(), stroke.params());
-      const burin_outputs outputs = outputs_of(rows);
-      without_system_calls([&] { stroke.call(batch, outputs); });
-      return {};
-    };
-    try {
-      in_process(evaluate);
-    } catch (const Failed&) {
-      throw Failed("evaluate opens, reads or writes a file, sleeps, or starts a thread or process");
-    }
+    std::vector<Row> rows(nodes.size());
+    const burin_batch batch = batch_of(nodes, 0, nodes.size(), stroke.params());
+    const burin_outputs outputs = outputs_of(rows);
+    const std::string call = refused_call(&plugin.entry(), [&] { stroke.call(batch, outputs); });
+    require(
+        call.empty(),
+        fmt::format("evaluate opens, reads or writes a file, sleeps, or starts a thread or process: it calls "
+                    "{} (addr2line -fCe {} tells the lines)",
+                    call, subject.module.string()));
   });
 }
 
@@ -146,7 +143,7 @@ constexpr Check memory_list[] = {
      "stroke.h: an array is null if the brush did not declare it in inputs_read",
      "Evaluates without each of the inputs that are not declared.", check_undeclared_inputs},
     {"memory.allocations", 4, "base.h: what is marked concurrent should neither allocate memory nor lock",
-     "Counts the module's calls of malloc, new, mutexes and fopen.", check_calls},
+     "Counts calls of malloc, new, mutexes and fopen by the module and its libraries.", check_calls},
     {"memory.system-calls", 4, "base.h: what is marked concurrent must not open files or write to streams",
      "Evaluates where the system refuses such calls.", check_system_calls},
 };

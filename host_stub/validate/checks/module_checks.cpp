@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <csignal>
 #include <filesystem>
 #include <set>
 #include <string_view>
 
 #include "validate/probe/elf.h"
 #include "validate/probe/plugin.h"
+#include "validate/probe/process_state.h"
 
 namespace burin::validate {
 namespace {
@@ -138,16 +138,6 @@ std::set<std::string> open_files() {
     if (!error && !file.string().ends_with("/fd")) files.insert(name + " " + file.string());
   }
   return files;
-}
-
-std::array<std::uintptr_t, 32> signal_handlers() {
-  std::array<std::uintptr_t, 32> handlers{};
-  for (int signal = 1; signal < 32; ++signal) {
-    struct sigaction action {};
-    if (sigaction(signal, nullptr, &action) == 0)
-      handlers[static_cast<std::size_t>(signal)] = reinterpret_cast<std::uintptr_t>(action.sa_handler);
-  }
-  return handlers;
 }
 
 void check_unloads(const Subject& subject) {

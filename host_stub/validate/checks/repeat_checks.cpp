@@ -2,16 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <chrono>
-#include <clocale>
 #include <numeric>
 #include <random>
 #include <string>
 #include <thread>
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
 
 #include "validate/probe/repeat.h"
 #include "validate/probe/stroke.h"
@@ -129,30 +124,6 @@ void check_seed(const Subject& subject) {
   });
 }
 
-void check_float_modes(const Subject& subject) {
-  each_stroke(subject, [&](ProbeStroke& stroke, const Nodes& nodes) {
-    const int rounding = std::fegetround();
-#if defined(__SSE__)
-    const unsigned flags = _mm_getcsr() & ~0x3Fu;
-#endif
-    stroke.evaluate(nodes, 0, 1000);
-    const bool kept = std::fegetround() == rounding;
-    std::fesetround(rounding);
-    require(kept, "evaluate changes the rounding mode");
-#if defined(__SSE__)
-    require((_mm_getcsr() & ~0x3Fu) == flags, "evaluate changes whether denormals are flushed");
-#endif
-  });
-}
-
-void check_locale(const Subject& subject) {
-  const std::string before = std::setlocale(LC_ALL, nullptr);
-  each_stroke(subject, [&](ProbeStroke& stroke, const Nodes& nodes) {
-    stroke.evaluate(nodes);
-    require(std::setlocale(LC_ALL, nullptr) == before, "changes the locale");
-  });
-}
-
 constexpr Check repeat_list[] = {
     {"repeat.split", 4, "brush.h: the host may split nodes into batches as it likes",
      "Compares one batch with many.", check_split},
@@ -160,17 +131,12 @@ constexpr Check repeat_list[] = {
      "Compares with shuffled nodes.", check_order},
     {"repeat.threads", 4, "brush.h: evaluate may run on many threads at once for one stroke",
      "Compares with four threads.", check_threads},
-    {"repeat.runs", 4, "brush.h: evaluate is a pure function of context, parameters and batch",
+    {"repeat.runs", 2, "brush.h: evaluate is a pure function of context, parameters and batch",
      "Draws three times.", check_runs},
     {"repeat.processes", 4, "brush.h: evaluate is a pure function of context, parameters and batch",
      "Draws in two processes.", check_processes},
     {"repeat.seed", 4, "stroke.h: seed, so that a stroke drawn again is the same",
      "Draws a stroke of another seed in between.", check_seed},
-    {"repeat.float-modes", 2,
-     "base.h: a call leaves rounding mode and the flushing of denormals as they were",
-     "Compares them before and after evaluate.", check_float_modes},
-    {"repeat.locale", 2, "base.h: a call leaves the locale as it was",
-     "Compares it before and after a stroke.", check_locale},
 };
 
 }  // namespace

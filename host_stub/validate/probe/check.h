@@ -66,6 +66,7 @@ std::span<const Check> host_checks();
 std::span<const Check> evaluate_checks();
 std::span<const Check> memory_checks();
 std::span<const Check> shape_checks();
+std::span<const Check> process_checks();
 std::span<const Check> repeat_checks();
 std::span<const Check> ability_checks();
 std::span<const Check> speed_checks();

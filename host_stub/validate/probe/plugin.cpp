@@ -17,8 +17,9 @@ const burin_plugin_entry& entry_of(const Module& module) {
   return *entry;
 }
 
-Plugin::Plugin(const Subject& subject) : module_(subject.module), entry_(&entry_of(module_)) {
-  require(entry_->init(subject.module.c_str(), nullptr) == BURIN_OK, "init fails");
+Plugin::Plugin(const Subject& subject, const char* path)
+    : module_(subject.module), entry_(&entry_of(module_)) {
+  require(entry_->init(path ? path : subject.module.c_str(), nullptr) == BURIN_OK, "init fails");
   factory_ = static_cast<const burin_brush_factory*>(entry_->get_factory(BURIN_BRUSH_FACTORY));
   const bool whole = factory_ && BURIN_HAS(factory_, burin_brush_factory, create) && factory_->create &&
                      (factory_->brushes || factory_->brush_count == 0);

@@ -15,8 +15,8 @@ namespace burin::validate {
 /// needs, so that a fault is found by the one check whose business it is.
 class Plugin {
  public:
-  /// Throws Failed.
-  explicit Plugin(const Subject& subject);
+  /// `path` is what init is told, the module's file unless given. Throws Failed.
+  explicit Plugin(const Subject& subject, const char* path = nullptr);
   ~Plugin();
   Plugin(const Plugin&) = delete;
   Plugin& operator=(const Plugin&) = delete;

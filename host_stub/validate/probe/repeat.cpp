@@ -12,20 +12,26 @@
 namespace burin::validate {
 namespace {
 
-[[noreturn]] void send(int pipe, const std::function<std::string()>& work) {
+/// How a process ended that could tell.
+constexpr int whole = 0, failed = 1, skipped = 3;
+
+[[noreturn]] void send(int pipe, const std::string& text, int end) {
+  std::size_t sent = 0;
+  while (sent < text.size()) {
+    const ssize_t bytes = write(pipe, text.data() + sent, text.size() - sent);
+    if (bytes <= 0) _exit(failed);
+    sent += static_cast<std::size_t>(bytes);
+  }
+  _exit(end);
+}
+
+[[noreturn]] void work_and_send(int pipe, const std::function<std::string()>& work) {
   try {
-    const std::string text = work();
-    std::size_t sent = 0;
-    while (sent < text.size()) {
-      const ssize_t bytes = write(pipe, text.data() + sent, text.size() - sent);
-      if (bytes <= 0) _exit(2);
-      sent += static_cast<std::size_t>(bytes);
-    }
-    _exit(0);
-  } catch (const Skipped&) {
-    _exit(3);
-  } catch (const std::exception&) {
-    _exit(1);
+    send(pipe, work(), whole);
+  } catch (const Skipped& reason) {
+    send(pipe, reason.what(), skipped);
+  } catch (const std::exception& error) {
+    send(pipe, error.what(), failed);
   }
 }
 
@@ -35,7 +41,7 @@ std::string in_process(const std::function<std::string()>& work) {
   std::array<int, 2> ends{};
   require(pipe(ends.data()) == 0, "no pipe can be made");
   const pid_t process = fork();
-  if (process == 0) send(ends[1], work);
+  if (process == 0) work_and_send(ends[1], work);
   close(ends[1]);
   std::string text;
   std::array<char, 4096> part{};
@@ -44,9 +50,9 @@ std::string in_process(const std::function<std::string()>& work) {
   close(ends[0]);
   int status = 0;
   waitpid(process, &status, 0);
-  if (process > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 3)
-    throw Skipped("this machine cannot check it");
-  require(process > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0, "a second process fails");
+  const int end = process > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (end == skipped) throw Skipped(text);
+  require(end == whole, end == failed && !text.empty() ? text : "a second process fails");
   return text;
 }
 

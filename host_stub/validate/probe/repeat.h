@@ -5,7 +5,7 @@
 namespace burin::validate {
 
 /// What `work` returns in a process of its own, a copy of this one. Throws Failed if the process does not
-/// come to its end, and Skipped if `work` does.
+/// come to its end, and Failed or Skipped, with its text, if `work` does.
 std::string in_process(const std::function<std::string()>& work);
 
 }  // namespace burin::validate
