@@ -46,10 +46,6 @@ bool has_failed(const Result& result) {
 
 namespace {
 
-bool is_failure_of(const Result& result, std::string_view name) {
-  return result.check->name == name && has_failed(result);
-}
-
 /// The topic of a check, "life" of "life.begin-default".
 std::string_view topic_of(const Result& result) {
   const std::string_view name = result.check->name;
@@ -66,27 +62,43 @@ bool compares(const Result& result) {
   return topic == "shape" || topic == "repeat" || std::ranges::find(names, result.check->name) != names.end();
 }
 
+/// Whether a check draws strokes, and could crash with others.
+bool draws(const Result& result) {
+  const std::string_view topic = topic_of(result);
+  return topic != "module" && topic != "descriptor" && topic != "memory";
+}
+
 /// A fault that makes other checks fail, which then tell nothing new and are skipped.
 struct Cause {
   std::string_view check;
+  std::string_view told;  ///< a part of what it tells then
   const char* text;
   bool (*explains)(const Result& failure);
 };
 
 /// A brush that cannot draw with its defaults fails in each check that draws, and only those of memory may
-/// tell why. One that draws otherwise each time fails wherever drawings are compared.
-constexpr std::array<Cause, 2> causes = {
-    {{"life.begin-default", "a brush does not draw with its defaults, see life.begin-default",
+/// tell why. One without room for large batches crashes wherever there are some, and one that draws otherwise
+/// each time fails wherever drawings are compared.
+constexpr std::array<Cause, 3> causes = {
+    {{"life.begin-default", "", "a brush does not draw with its defaults, see life.begin-default", draws},
+     {"evaluate.batch-sizes", "crashes with a batch of",
+      "a brush crashes with some sizes of batches, see evaluate.batch-sizes",
       [](const Result& failure) {
-        const std::string_view topic = topic_of(failure);
-        return topic != "module" && topic != "descriptor" && topic != "memory";
+        const bool crashed =
+            failure.verdict == Verdict::crash || failure.text.find("process crashes") != failure.text.npos;
+        return draws(failure) && crashed;
       }},
-     {"repeat.runs", "a brush draws otherwise each time, see repeat.runs",
+     {"repeat.runs", "", "a brush draws otherwise each time, see repeat.runs",
       [](const Result& failure) { return failure.verdict == Verdict::fail && compares(failure); }}}};
+
+bool is_there(const Cause& cause, const Result& result) {
+  return result.check->name == cause.check && has_failed(result) &&
+         result.text.find(cause.told) != result.text.npos;
+}
 
 void skip_what_follows(std::vector<Result>& results) {
   for (const Cause& cause : causes) {
-    if (std::ranges::none_of(results, [&](const Result& r) { return is_failure_of(r, cause.check); }))
+    if (std::ranges::none_of(results, [&](const Result& result) { return is_there(cause, result); }))
       continue;
     for (Result& result : results) {
       if (!has_failed(result) || result.check->name == cause.check || !cause.explains(result)) continue;

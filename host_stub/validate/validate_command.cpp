@@ -65,7 +65,9 @@ void validate_module(const ValidateOptions& options) {
   keep_plugins_off_standard_output();
   const std::vector<Result> results = run_checks(subject, chosen_checks(options), options.run);
   const Counts counts = count(results);
-  write_result(options.json    ? json_text(json_report(subject, results, options.level))
+  // A level is that of all its checks.
+  const int highest = options.only.empty() ? options.level : 0;
+  write_result(options.json    ? json_text(json_report(subject, results, highest))
                : options.quiet ? short_report(subject, results)
                                : text_report(subject, results));
   if (!options.junit.empty()) write_text(options.junit, junit_report(subject, results));

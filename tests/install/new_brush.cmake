@@ -83,6 +83,11 @@ foreach(name all_features all_c)
   run(${CMAKE_COMMAND} --preset release -S ${WORK}/${name} -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK}/prefix
     -DBURIN_PROGRAM=${BURIN_COMMAND} WORKING_DIRECTORY ${WORK}/${name})
   run(${CMAKE_COMMAND} --build ${build})
+  # Same bits whatever the processor, also in projects of C alone, and one symbol only.
+  file(READ ${build}/compile_commands.json commands)
+  if(NOT commands MATCHES "-ffp-contract=off" OR NOT commands MATCHES "-fvisibility=hidden")
+    message(FATAL_ERROR "new_brush: flags of ${name}: ${commands}")
+  endif()
   run(${CMAKE_CTEST_COMMAND} --test-dir ${build} --no-tests=error --output-on-failure)
   run(${CMAKE_COMMAND} --install ${build} --prefix ${WORK}/installed)
   if(NOT EXISTS ${build}/${name}.png OR NOT EXISTS ${WORK}/installed/lib/burin/brushes/${name}.burin)

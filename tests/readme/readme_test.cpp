@@ -131,6 +131,19 @@ TEST(Guide, RunsAsItSaysWithWhatIsInstalled) {
   EXPECT_TRUE(fs::exists(project / "installed/lib/burin/brushes/wavy_line.burin"));
 }
 
+/// Pages whose commands need nothing but a build.
+constexpr std::array other_pages = {"validate", "watch", "probe"};
+
+TEST(Guide, RunsAsItSaysWithWhatIsBuilt) {
+  const Checkout checkout;
+  for (const char* page : other_pages) {
+    const auto blocks = fenced_blocks(page_text(page), "sh");
+    EXPECT_FALSE(blocks.empty()) << page;
+    for (const std::string& block : blocks) EXPECT_EQ(checkout.run(at_test_size(block)), 0) << block;
+  }
+  EXPECT_TRUE(fs::exists(checkout.path() / "probe.txt"));
+}
+
 TEST(Guide, ShowsBrushesThatKeepToTheAbi) {
   const Checkout checkout;
   std::string lists =

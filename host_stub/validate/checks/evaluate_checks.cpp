@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "validate/probe/repeat.h"
 #include "validate/probe/stroke.h"
 
 namespace burin::validate {
@@ -28,9 +29,22 @@ void check_bounded(const Subject& subject) {
   });
 }
 
+/// Evaluates so many nodes in another process, for which a brush may have no room.
+void try_size(const ProbeStroke& stroke, const Nodes& nodes, std::size_t size) {
+  try {
+    in_process([&] {
+      stroke.evaluate(nodes, 0, size);
+      return std::string();
+    });
+  } catch (const Crashed&) {
+    throw Failed(fmt::format("crashes with a batch of {} nodes; hosts may pass any number", size));
+  }
+}
+
 void check_sizes(const Subject& subject) {
   each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
     const Nodes nodes = random_nodes(65536, subject.seed);
+    for (const std::size_t size : {1, 255, 256, 257, 4096, 65536}) try_size(stroke, nodes, size);
     const auto all = stroke.evaluate(nodes);
     for (const std::size_t size : {1, 255, 256, 257, 4096}) {
       auto part = stroke.evaluate(nodes, 0, size);
@@ -186,7 +200,7 @@ void check_short(const Subject& subject) {
 constexpr Check evaluate_list[] = {
     {"evaluate.bounded", 1, "stroke.h: a displacement is at most 1000 radii long",
      "Measures displacements of 1999 nodes.", check_bounded},
-    {"evaluate.batch-sizes", 2, "stroke.h: count, at least 1",
+    {"evaluate.batch-sizes", 2, "stroke.h: count, usually 256 .. 4096, at least 1, at most 2^31",
      "Evaluates batches of 1, 255, 256, 257, 4096 and 65536 nodes.", check_sizes},
     {"evaluate.stride-zero", 2, "base.h: stride 0 gives one value for all elements",
      "Compares with arrays of one value.", check_stride_zero},

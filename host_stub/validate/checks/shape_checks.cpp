@@ -64,8 +64,9 @@ void check_seam(const Subject& subject) {
   });
 }
 
-/// Compares the result with that on a surface that `change` makes, divided by `factor`.
-void compare(const Subject& subject, const char* exception, float factor,
+/// Compares the result with that on a surface that `change` makes, divided by `factor`. `where` is that in
+/// words.
+void compare(const Subject& subject, const char* exception, const char* where, float factor,
              const std::function<void(Nodes&, burin_stroke_context&)>& change) {
   each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
     if (excepted(descriptor, exception)) throw Skipped(std::string("it is excepted by ") + exception);
@@ -87,36 +88,40 @@ void compare(const Subject& subject, const char* exception, float factor,
           ++different;
           break;
         }
-    require(different <= 5, fmt::format("{} of 500 nodes have another result", different));
+    require(different <= 5, fmt::format("{} {} of 500 nodes have another result", where, different));
   });
 }
 
 void check_scaled(const Subject& subject) {
-  compare(subject, BURIN_FEATURE_FIXED_SCALE, 4, [](Nodes& nodes, burin_stroke_context& context) {
-    scale(nodes, 4);
-    context.length *= 4;
-    context.radius_min *= 4;
-    context.radius_max *= 4;
-    context.object_scale *= 4;
-  });
+  compare(subject, BURIN_FEATURE_FIXED_SCALE,
+          "with surface and radius four times as large, lengths divided by four,", 4,
+          [](Nodes& nodes, burin_stroke_context& context) {
+            scale(nodes, 4);
+            context.length *= 4;
+            context.radius_min *= 4;
+            context.radius_max *= 4;
+            context.object_scale *= 4;
+          });
 }
 
 void check_moved(const Subject& subject) {
-  compare(subject, BURIN_FEATURE_FIXED_PLACE, 1, [](Nodes& nodes, burin_stroke_context&) {
-    // A turn about an oblique axis, exact in floats.
-    constexpr std::array<float, 9> matrix = {0, 0, 1, 0.6f, 0.8f, 0, -0.8f, 0.6f, 0};
-    constexpr std::array<float, 3> move = {3, -2, 5};
-    turn(nodes, matrix, move);
-  });
+  compare(subject, BURIN_FEATURE_FIXED_PLACE, "on a surface that is turned and moved", 1,
+          [](Nodes& nodes, burin_stroke_context&) {
+            // A turn about an oblique axis, exact in floats.
+            constexpr std::array<float, 9> matrix = {0, 0, 1, 0.6f, 0.8f, 0, -0.8f, 0.6f, 0};
+            constexpr std::array<float, 3> move = {3, -2, 5};
+            turn(nodes, matrix, move);
+          });
 }
 
 void check_mirrored(const Subject& subject) {
-  compare(subject, BURIN_FEATURE_ONE_HANDED, 1, [](Nodes& nodes, burin_stroke_context& context) {
-    constexpr std::array<float, 9> matrix = {1, 0, 0, 0, -1, 0, 0, 0, 1};
-    constexpr std::array<float, 3> move{};
-    turn(nodes, matrix, move);
-    context.flags |= BURIN_STROKE_MIRRORED;
-  });
+  compare(subject, BURIN_FEATURE_ONE_HANDED, "in the mirror image", 1,
+          [](Nodes& nodes, burin_stroke_context& context) {
+            constexpr std::array<float, 9> matrix = {1, 0, 0, 0, -1, 0, 0, 0, 1};
+            constexpr std::array<float, 3> move{};
+            turn(nodes, matrix, move);
+            context.flags |= BURIN_STROKE_MIRRORED;
+          });
 }
 
 constexpr Check shape_list[] = {

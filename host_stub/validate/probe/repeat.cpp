@@ -7,8 +7,6 @@
 #include <array>
 #include <exception>
 
-#include "validate/probe/check.h"
-
 namespace burin::validate {
 namespace {
 
@@ -52,7 +50,8 @@ std::string in_process(const std::function<std::string()>& work) {
   waitpid(process, &status, 0);
   const int end = process > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   if (end == skipped) throw Skipped(text);
-  require(end == whole, end == failed && !text.empty() ? text : "a second process fails");
+  if (end == failed && !text.empty()) throw Failed(text);
+  if (end != whole) throw Crashed("a second process crashes");
   return text;
 }
 

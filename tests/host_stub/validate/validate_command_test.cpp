@@ -181,6 +181,49 @@ TEST(ValidateCommand, TellsWhereAModuleAllocates) {
   EXPECT_TRUE(run_process({"addr2line", "-fe", module, place[1]}).out.starts_with("evaluate\n"));
 }
 
+TEST(ValidateCommand, TellsWhereALibraryAllocatesForAModule) {
+  const std::string module = bad_plugin("memory.allocations.cpp");
+  const std::string out = burin({"validate", module, "--only", "memory.allocations"}).out;
+  EXPECT_TRUE(
+      std::regex_search(out, std::regex("evaluate calls operator new [0-9]+ times, first at 0x[0-9a-f]+")))
+      << out;
+}
+
+TEST(ValidateCommand, TellsTheSystemCallAndItsPlace) {
+  const std::string module = bad_plugin("memory.system-calls");
+  const std::string out = burin({"validate", module, "--only", "memory.system-calls"}).out;
+  std::smatch place;
+  ASSERT_TRUE(std::regex_search(out, place, std::regex("it calls openat at (0x[0-9a-f]+) \\("))) << out;
+  EXPECT_TRUE(run_process({"addr2line", "-fe", module, place[1]}).out.starts_with("evaluate\n"));
+}
+
+TEST(ValidateCommand, SkipsComparisonsOfABrushThatDrawsOtherwiseEachTime) {
+  const nlohmann::json found = report(bad_plugin("repeat.runs.cpp"), "2");
+  EXPECT_EQ(failed_checks(found), Names{"repeat.runs"});
+  for (const auto& check : found["checks"])
+    if (check["name"] == "evaluate.stride-zero") {
+      EXPECT_EQ(check["text"], "a brush draws otherwise each time, see repeat.runs");
+    }
+}
+
+TEST(ValidateCommand, TellsOneFailureWhereLargeBatchesHaveNoRoom) {
+  const nlohmann::json found = report(bad_plugin("evaluate.batch-sizes.cpp"), "4");
+  EXPECT_EQ(failed_checks(found), Names{"evaluate.batch-sizes"});
+  for (const auto& check : found["checks"]) {
+    if (check["name"] == "evaluate.batch-sizes") {
+      EXPECT_EQ(check["text"],
+                "org.example.good: crashes with a batch of 4096 nodes; hosts may pass any number");
+    }
+    if (check["name"] == "repeat.split") {
+      EXPECT_EQ(check["text"], "a brush crashes with some sizes of batches, see evaluate.batch-sizes");
+    }
+  }
+}
+
+TEST(ValidateCommand, TellsNoLevelOfOneCheck) {
+  EXPECT_EQ(burin_json({"validate", bad_plugin("good"), "--only", "shape.seam", "--json"})["level"], 0);
+}
+
 TEST(ValidateCommand, FailsOnWhatIsNoModule) {
   const CommandFolder folder;
   const ProcessResult result = burin({"validate", folder.write("text.burin", "not a library")});

@@ -1,4 +1,5 @@
-// Counts nodes in 16 bits.
-#define AT_NODE \
-  if (i >= static_cast<std::uint16_t>(in.size())) up[i] = 0
+// Has room for 1024 nodes, and notices others by an exception that nobody catches.
+#include <exception>
+#define IN_EVALUATE \
+  if (in.size() > 1024) std::terminate()
 #include "../good_cpp.h"
