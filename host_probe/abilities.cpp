@@ -15,6 +15,7 @@
 #include "checks/check_batch.h"
 #include "checks/check_values.h"
 #include "descriptors.h"
+#include "error_text.h"
 #include "rules.h"
 #include "strokes.h"
 
@@ -130,11 +131,11 @@ burin_status BURIN_CALL save(const burin_brush* abi, void* data, std::uint64_t c
 burin_status BURIN_CALL load(const burin_brush* abi, std::uint32_t version, const void* data,
                              std::uint64_t size, burin_text* error) {
   Brush* brush = check_state_call(abi, Call::load, error);
-  if (version != 1) return BURIN_UNSUPPORTED;
+  if (version != 1) return say(error, "no such version of the state"), BURIN_UNSUPPORTED;
   if (!expect(Rule::state_data, data || size == 0, "size", static_cast<double>(size)) || !brush)
     return BURIN_INVALID_ARGUMENT;
   std::uint32_t state = 0;
-  if (size != sizeof state) return BURIN_ERROR;
+  if (size != sizeof state) return say(error, "the state has another size"), BURIN_ERROR;
   std::memcpy(&state, data, sizeof state);
   brush->state = state;
   return BURIN_OK;

@@ -81,9 +81,16 @@ void draw(const Brush& brush, const Stroke& stroke, const burin_stroke_context& 
 }
 
 bool check_sizes(const burin_batch* batch, const burin_outputs* outputs) {
-  const bool whole = batch && outputs && BURIN_HAS(batch, burin_batch, end_distance) &&
+  const bool whole = batch && outputs && BURIN_HAS(batch, burin_batch, fine_mean_curvature) &&
                      BURIN_HAS(outputs, burin_outputs, colour) && batch->count > 0 && batch->params;
   return expect(Rule::batch_size, whole && outputs->count == batch->count, "count", batch ? batch->count : 0);
+}
+
+/// The batch of a host of any version, without the arrays that an older one does not know.
+burin_batch whole_batch(const burin_batch& batch) {
+  burin_batch whole{};
+  std::memcpy(&whole, &batch, std::min<std::size_t>(batch.struct_size, sizeof whole));
+  return whole;
 }
 
 burin_status evaluate_open(const Brush& brush, Stroke& stroke, const burin_stroke_context& context,
@@ -113,7 +120,7 @@ burin_status BURIN_CALL evaluate(const burin_brush* abi, void* handle, const bur
   note_call(Call::evaluate, stroke->number, batch->count);
   ++stroke->evaluated;
   if (context->flags & BURIN_STROKE_FINAL) stroke->final_seen = true;
-  const burin_status status = evaluate_open(*brush, *stroke, *context, *batch, *outputs);
+  const burin_status status = evaluate_open(*brush, *stroke, *context, whole_batch(*batch), *outputs);
   --stroke->running;
   return status;
 }

@@ -11,6 +11,7 @@
 #include "checks/check_host.h"
 #include "checks/check_values.h"
 #include "descriptors.h"
+#include "error_text.h"
 #include "report.h"
 #include "rules.h"
 
@@ -24,10 +25,6 @@ const burin_brush* BURIN_CALL create(const burin_brush_factory* factory, const b
                                      const char* brush_id, burin_text* error);
 
 constexpr burin_brush_factory factory_table{sizeof(burin_brush_factory), brush_count, descriptors, create};
-
-void say(burin_text* text, const char* line) {
-  if (text && text->data && text->capacity > 0) std::snprintf(text->data, text->capacity, "%s", line);
-}
 
 const burin_brush_descriptor* find_descriptor(const char* id) {
   for (const burin_brush_descriptor* descriptor : descriptors)

@@ -185,14 +185,19 @@ TEST(Probe, FindsNothingWrongInASessionThatMergesASolid) {
   EXPECT_TRUE(rules(report, "kept").contains("solid.points"));
 }
 
+TEST(Probe, HasNoFaultThatTheValidatorFinds) {
+  const ProcessResult result = test::run_process({BURIN_COMMAND, "validate", probe.string(), "--quiet"});
+  EXPECT_EQ(result.exit_code, 0) << result.out;
+}
+
 // The checks fill arrays that a brush did not declare, so that one who reads or writes them fails in one
 // check instead of crashing in all.
 TEST(Probe, FindsNothingElseWrongInTheValidator) {
   const Names on_purpose = {"batch.undeclared", "outputs.declared", "param.text"};
-  for (const char* check :
-       {"life.begin-random", "life.file-values", "life.many-strokes", "host.older", "host.newer",
-        "host.missing-services", "evaluate.batch-sizes", "evaluate.dab", "repeat.seed", "repeat.threads",
-        "ability.passes", "ability.state", "ability.volume", "ability.curve-filter"}) {
+  for (const char* check : {"life.begin-random", "life.file-values", "life.many-strokes", "process.state",
+                            "process.float-modes", "host.older", "host.newer", "host.missing-services",
+                            "evaluate.batch-sizes", "evaluate.dab", "repeat.seed", "repeat.threads",
+                            "ability.passes", "ability.state", "ability.volume", "ability.curve-filter"}) {
     const std::string report = ProbeReport().of({BURIN_COMMAND, "validate", probe.string(), "--only", check});
     EXPECT_GT(rules(report, "kept").size(), 5u) << check;
     EXPECT_EQ(together(rules(report, "BROKEN"), on_purpose), on_purpose) << check;
