@@ -61,6 +61,7 @@ const Check* find_check(std::string_view name);
 // The checks of each topic.
 std::span<const Check> module_checks();
 std::span<const Check> descriptor_checks();
+std::span<const Check> struct_checks();
 std::span<const Check> life_checks();
 std::span<const Check> host_checks();
 std::span<const Check> evaluate_checks();
