@@ -227,7 +227,7 @@ void check_lent(const Subject& subject) {
   if (!ran) throw Skipped(reason);
 }
 
-constexpr Check checks[] = {
+constexpr Check process_list[] = {
     {"process.state", 2,
      "base.h: a call leaves the process as it was: standard streams, signal handlers, working directory, "
      "environment",
@@ -245,6 +245,6 @@ constexpr Check checks[] = {
 
 }  // namespace
 
-std::span<const Check> process_checks() { return checks; }
+std::span<const Check> process_checks() { return process_list; }
 
 }  // namespace burin::validate

@@ -55,7 +55,7 @@ void check_struct_sizes(const Subject& subject) {
   });
 }
 
-constexpr Check checks[] = {
+constexpr Check struct_list[] = {
     {"descriptor.struct-sizes", 1,
      "base.h: every struct that may grow starts with struct_size, at least that of version 1.0",
      "Reads the sizes of descriptors, parameters, brushes and interfaces.", check_struct_sizes},
@@ -63,6 +63,6 @@ constexpr Check checks[] = {
 
 }  // namespace
 
-std::span<const Check> struct_checks() { return checks; }
+std::span<const Check> struct_checks() { return struct_list; }
 
 }  // namespace burin::validate

@@ -5,7 +5,7 @@
  *  - Every struct that may grow starts with `uint32_t struct_size`, set by whoever fills the struct.
  *    A reader reads a member only if struct_size covers it (BURIN_HAS). A missing member has the default
  *    that its comment states, else zero or null. Structs marked FROZEN never grow. The least struct_size is
- *    that of version 1.0; a reader refuses a smaller one.
+ *    that of version 1.0: hosts give no smaller one, and refuse smaller ones of plugins.
  *  - Whoever allocates memory frees it. Buffers belong to the caller; text that a call returns lives until
  *    the object that returned it is destroyed.
  *  - Enumerations are int32_t or bit masks in uint64_t; the value 0 of an enumeration means "unknown".
