@@ -62,10 +62,13 @@ TEST(ReadCsv, TakesLineEndsWithinQuotes) {
   ASSERT_EQ(file.strokes.size(), 1u);
   EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4, 5 6, 7 8");
   EXPECT_EQ(folder.complaint("x,y,note\n1,2,\"a\nb\"\n3,4,\"inch\n5,6,b\n7,8,c\n"),
-            "4: begins a row whose quotes are not closed");
+            "4: opens quotes that are not closed");
+  EXPECT_EQ(folder.complaint("x,y,note,more\n1,2,\"a\nb\nc\",\"d\ne\n\n"),
+            "4: opens quotes that are not closed")
+      << "a line within the row";
   EXPECT_EQ(folder.complaint("x,y,note\n1,2,\"a\nb\"\n1,z,3\n"), "4: expected a number, found 'z'");
   EXPECT_EQ(folder.complaint("x,y,note\n1,2,\"" + std::string(1'000'001, '\n')),
-            "2: begins a row whose quotes are not closed within 1 MB");
+            "2: opens quotes that are not closed within 1 MB");
 }
 
 TEST(ReadCsv, KnowsTheNamesOfTheUniversalInkLibrary) {

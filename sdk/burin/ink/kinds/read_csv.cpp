@@ -1,14 +1,14 @@
 // Reads CSV whose first line names the columns, as write_pen_csv() does and as spreadsheets and recorders of
 // all sorts do. Columns part by commas, semicolons, tabs or, where all names are known, blanks. x and y must
-// be there; the names that are known are in decode/csv_columns.cpp, others are left out. A name may have a
+// be there; the names that are known are in parse/csv_columns.cpp, others are left out. A name may have a
 // unit: "time_ms", "x (mm)". An empty cell is absent. Lines that begin with '#' are comments; the first line
 // may begin so too, as NumPy writes it.
 #include <burin/base/error.h>
 #include <burin/base/text/lower_case.h>
 #include <burin/base/text/quoted_word.h>
-#include <burin/ink/decode/csv_columns.h>
 #include <burin/ink/decode/tilt_angles.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/csv_columns.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/text_window.h>
 #include <burin/ink/pen_file.h>
@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -187,16 +188,46 @@ class Rows {
   std::string stroke_name_;
 };
 
-/// Adds a line to the row that is begun, if the row goes on behind it or was begun before it. Returns whether
-/// it goes on.
-bool continues(std::string& begun, std::string_view line, char separator) {
-  const bool within = !begun.empty();
-  if (!within && line.starts_with(comment_mark)) return false;
-  const bool goes_on = ends_within_quotes(line, separator, within);
-  if (within) begun += '\n';
-  if (within || goes_on) begun += line;
-  return goes_on;
-}
+/// Puts rows together whose cells have line ends in quotes.
+class QuotedRows {
+ public:
+  explicit QuotedRows(const std::filesystem::path& path) : path_(path) {}
+
+  /// Takes the next line of the file. Returns whether it ends a row, which is then `line`. Throws FileError
+  /// for quotes that are not closed within 1 MB, and names the line that opens them.
+  bool take(std::string_view& line, char separator, std::size_t number) {
+    const bool joined = within();
+    if (!joined && line.starts_with(comment_mark)) return true;
+    if (joined)
+      row_ += '\n';
+    else
+      row_.clear();
+    open_ = quotes_behind(line, separator, open_);
+    if (open_ == OpenQuotes::here) opened_at_ = number;
+    if (!joined && !within()) return true;
+    row_ += line;
+    line = row_;
+    constexpr std::size_t longest = 1'000'000;
+    if (row_.size() > longest) reject("opens quotes that are not closed within 1 MB");
+    return !within();
+  }
+
+  bool within() const { return open_ != OpenQuotes::none; }
+
+  void finish() const {
+    if (within()) reject("opens quotes that are not closed");
+  }
+
+ private:
+  [[noreturn]] void reject(std::string_view what) const {
+    throw FileError(path_.string(), std::to_string(opened_at_), what);
+  }
+
+  const std::filesystem::path& path_;
+  std::string row_;  ///< what is there of it
+  OpenQuotes open_ = OpenQuotes::none;
+  std::size_t opened_at_ = 0;
+};
 
 }  // namespace
 
@@ -219,31 +250,21 @@ PenFile read_csv(const PenFileText& file) {
   std::vector<CsvColumn> named;
   char separator = ',';
   Rows rows;
-  std::string begun;                   // lines of a row whose cells have line ends in quotes
-  std::size_t number = 0, begins = 0;  // of the line, and of the first one of its row
-  const auto reject_row = [&](std::string_view what) {
-    throw FileError(file.path.string(), std::to_string(begins), what);
-  };
+  QuotedRows quoted(file.path);
+  std::size_t number = 0;
   for_each_line_of(file, [&](std::string_view line) {
     ++number;
-    if (begun.empty()) begins = number;
-    if (begun.empty() && line.find_first_not_of(blanks) == line.npos) return;
+    if (!quoted.within() && line.find_first_not_of(blanks) == line.npos) return;
     if (line.ends_with('\r')) line.remove_suffix(1);
-    const bool goes_on = !named.empty() && continues(begun, line, separator);
-    constexpr std::size_t longest = 1'000'000;
-    if (begun.size() > longest) reject_row("begins a row whose quotes are not closed within 1 MB");
-    if (goes_on) return;
-    const std::string row = std::exchange(begun, {});
-    if (!row.empty()) line = row;
     if (named.empty()) {
       named = header_columns(line);
       separator = csv_separator_of(line);
       if (named.empty() && !may_come_first(line)) throw Error("names no columns x and y");
-    } else if (!line.starts_with(comment_mark)) {
+    } else if (quoted.take(line, separator, number) && !line.starts_with(comment_mark)) {
       rows.take(row_of(line, separator, named));
     }
   });
-  if (!begun.empty()) reject_row("begins a row whose quotes are not closed");
+  quoted.finish();
   PenFile content = rows.finish();
   for (const CsvColumn& column : named) {
     if (column.cell == CsvCell::unknown) content.not_used.push_back(column.name);

@@ -1,6 +1,6 @@
 // Knows the columns of tables of samples by their names, and the units that these tell.
 #include <burin/base/text/lower_case.h>
-#include <burin/ink/decode/csv_columns.h>
+#include <burin/ink/parse/csv_columns.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/math/degree.h>
 
@@ -122,18 +122,19 @@ char csv_separator_of(std::string_view header) {
   return ' ';
 }
 
-bool ends_within_quotes(std::string_view line, char separator, bool within) {
-  if (within) {
+OpenQuotes quotes_behind(std::string_view line, char separator, OpenQuotes before) {
+  if (before != OpenQuotes::none) {
     const std::size_t close = end_of_quotes(line, 0);
-    if (close == line.size()) return true;
+    if (close == line.size()) return OpenQuotes::before;
     line.remove_prefix(std::min(line.find(separator, close), line.size() - 1) + 1);
   }
   while (!line.empty()) {
     const std::size_t begin = std::min(line.find_first_not_of(" \r"), line.size());
-    if (line.substr(begin).starts_with('"') && end_of_quotes(line, begin + 1) == line.size()) return true;
+    if (line.substr(begin).starts_with('"') && end_of_quotes(line, begin + 1) == line.size())
+      return OpenQuotes::here;
     take_csv_cell(line, separator);
   }
-  return false;
+  return OpenQuotes::none;
 }
 
 std::string_view take_csv_cell(std::string_view& line, char separator) {

@@ -36,9 +36,12 @@ bool is_position(CsvCell cell);
 /// What parts the cells of the lines of a table, by the one that names its columns.
 char csv_separator_of(std::string_view header);
 
-/// Whether quotes around a cell are not closed at the end of a line, so that the next one belongs to it.
-/// `within`: the line begins within them.
-bool ends_within_quotes(std::string_view line, char separator, bool within);
+/// Quotes around a cell that are not closed at the end of a line, so that the next one belongs to it: whether
+/// the line opens them, or one before it.
+enum class OpenQuotes { none, here, before };
+
+/// Those behind a line. `before`: those behind the line before it.
+OpenQuotes quotes_behind(std::string_view line, char separator, OpenQuotes before);
 
 /// Removes the next cell and its separator from the front of a line. Quotes around a cell keep separators in
 /// it, and are removed.
