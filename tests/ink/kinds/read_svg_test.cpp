@@ -187,6 +187,29 @@ TEST(ReadSvg, LeavesOutWhatIsInvisible) {
   EXPECT_EQ(places(file.strokes[1]), "1 2, 10 0");
 }
 
+TEST(ReadSvg, ShowsTheFirstBranchOfASwitchThatApplies) {
+  const auto shown = [](const std::string& branches) {
+    std::string lines;
+    for (const PenStroke& stroke : PenFileFolder().read(svg(branches)).strokes)
+      lines += places(stroke) + "; ";
+    return lines;
+  };
+  const std::string a = "<path d=\"M1 2L3 4\"/>", b = "<path d=\"M5 6L7 8\"/>";
+  EXPECT_EQ(shown("<switch> some text " + a + b + "</switch>"), "1 2, 3 4; ");
+  // As illustration programs write it, with what they alone read in front.
+  EXPECT_EQ(shown("<switch><foreignObject requiredExtensions=\"http://ns.adobe.com/x/\" width=\"1\">" + a +
+                  "</foreignObject><g>" + b + b + "</g></switch>"),
+            "5 6, 7 8; 5 6, 7 8; ");
+  EXPECT_EQ(shown("<switch><g systemLanguage=\"de, fr\">" + a + "</g><g systemLanguage=\"de,EN-gb\">" + b +
+                  "</g><g>" + a + "</g></switch>"),
+            "5 6, 7 8; ");
+  EXPECT_EQ(shown("<switch><g display=\"none\">" + a + "</g>" + b + "</switch>" + a), "1 2, 3 4; ")
+      << "the first applies, and shows nothing";
+  EXPECT_EQ(shown("<g systemLanguage=\"de\">" + a + "</g><g systemLanguage=\"en\">" + b + "</g>" + a),
+            "5 6, 7 8; 1 2, 3 4; ")
+      << "outside a switch too";
+}
+
 // As illustration programs write it.
 TEST(ReadSvg, PassesOverTheTypeOfTheDocument) {
   const PenFile file = PenFileFolder().read(
