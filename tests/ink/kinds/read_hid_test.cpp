@@ -93,6 +93,15 @@ TEST(ReadHid, CountsTouchesOverTheReportsOfAFrame) {
   EXPECT_EQ(places(file.strokes[3]), "11 20") << "lifted in a report without a count";
 }
 
+TEST(ReadHid, ReadsReportsThatHaveNoId) {
+  const PenFile file = PenFileFolder().read(
+      "R: 29 05 0d 09 42 15 00 25 01 75 08 95 01 81 02 05 01 09 30 09 31 26 ff 00 75 08 95 02 81 02\n"
+      "E: 0 3 01 07 09\nE: 1 3 01 08 09\nE: 2 0\nE: 3 3 00 08 09\n");
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "7 9, 8 9");
+  EXPECT_EQ(file.hovering, 1u);
+}
+
 TEST(ReadHid, TakesNoMoreTouchesThanDevicesHave) {
   // 104 tip switches of a bit, then as many ids, x and y of a byte.
   const std::string descriptor_of_104 =

@@ -53,11 +53,10 @@ HidTouches::HidTouches(const std::vector<HidField>& fields) {
   }
 }
 
-bool HidTouches::take(double time, std::span<const std::uint8_t> report, PenFile& content) {
-  const bool has_ids = !reports_.contains(0);
-  const auto known = reports_.find(has_ids && !report.empty() ? report.front() : std::uint8_t{0});
+bool HidTouches::take(double time, const HidReport& report, PenFile& content) {
+  const auto known = reports_.find(report.id);
   if (known == reports_.end() || known->second.places.empty()) return false;
-  const Touches touches = touches_in(known->second, report.subspan(has_ids ? 1 : 0));
+  const Touches touches = touches_in(known->second, report);
   if (hid_millimetres(known->second.places.front().x) > 0) content.unit = "mm";
   end(touches);
   for (const Touch& touch : touches.down) add(touch, time, content);
@@ -65,15 +64,13 @@ bool HidTouches::take(double time, std::span<const std::uint8_t> report, PenFile
   return true;
 }
 
-HidTouches::Touches HidTouches::touches_in(const Report& report, std::span<const std::uint8_t> bytes) {
-  const auto value = [&](const HidField& field) {
-    return field.bit + field.bits <= 8 * bytes.size() ? hid_value(field, bytes) : 0;
-  };
+HidTouches::Touches HidTouches::touches_in(const Report& kind, const HidReport& report) {
+  const auto value = [&](const HidField& field) { return report.has(field) ? hid_value(field, report) : 0; };
   const std::int32_t count =
-      report.count.empty() ? static_cast<std::int32_t>(most_touches) : value(report.count.front());
+      kind.count.empty() ? static_cast<std::int32_t>(most_touches) : value(kind.count.front());
   if (count > 0) left_ = static_cast<std::size_t>(count);
   Touches touches;
-  for (const Place& place : report.places) {
+  for (const Place& place : kind.places) {
     const bool counts = left_ > 0;
     if (counts) --left_;
     if (value(place.tip) != 0)

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <span>
 #include <vector>
 
 namespace burin {
@@ -15,9 +14,8 @@ class HidTouches {
  public:
   explicit HidTouches(const std::vector<HidField>& fields);
 
-  /// Takes a report, with its id byte if the device has several; returns whether it is one of several
-  /// touches.
-  bool take(double time, std::span<const std::uint8_t> report, PenFile& content);
+  /// Takes a report; returns whether it is one of several touches.
+  bool take(double time, const HidReport& report, PenFile& content);
 
  private:
   /// Where a report has one of its touches.
@@ -38,7 +36,7 @@ class HidTouches {
     std::vector<std::int32_t> ended;  ///< by id
   };
 
-  Touches touches_in(const Report& report, std::span<const std::uint8_t> bytes);
+  Touches touches_in(const Report& kind, const HidReport& report);
   void end(const Touches& touches);
   void add(const Touch& touch, double time, PenFile& content);
 

@@ -18,7 +18,6 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -50,45 +49,42 @@ class HidPen {
  public:
   explicit HidPen(const std::vector<HidField>& fields);
 
-  void take(double time, const Bytes& report);
+  void take(double time, const Bytes& bytes);
   PenFile finish() { return std::move(content_); }
 
  private:
-  const HidField* find(std::uint32_t usage, const Bytes& report) const;
-  std::optional<std::int32_t> value(std::uint32_t usage, const Bytes& report) const;
-  double position(const HidField& field, const Bytes& report);
-  float angle(std::uint32_t usage, const Bytes& report) const;
-  void add_sample(double time, const Bytes& report, bool eraser);
+  const HidField* find(std::uint32_t usage, const HidReport& report) const;
+  std::optional<std::int32_t> value(std::uint32_t usage, const HidReport& report) const;
+  double position(const HidField& field, const HidReport& report);
+  float angle(std::uint32_t usage, const HidReport& report) const;
+  void add_sample(double time, const HidReport& report, bool eraser);
 
+  bool has_ids_;
   std::map<std::pair<std::uint8_t, std::uint32_t>, HidField> fields_;  ///< the first of a report and a usage
   HidTouches touches_;
   bool down_ = false;
   PenFile content_;
 };
 
-HidPen::HidPen(const std::vector<HidField>& fields) : touches_(fields) {
+HidPen::HidPen(const std::vector<HidField>& fields) : has_ids_(have_report_ids(fields)), touches_(fields) {
   for (const HidField& field : fields)
     if (std::ranges::find(pen_usages, field.usage) != pen_usages.end())
       fields_.try_emplace({field.report, field.usage}, field);
 }
 
-/// The field of this usage in the report, which begins with its id if the device has several.
-const HidField* HidPen::find(std::uint32_t usage, const Bytes& report) const {
-  auto found = fields_.find({report.empty() ? std::uint8_t{0} : report.front(), usage});
-  if (found == fields_.end()) found = fields_.find({0, usage});
-  if (found == fields_.end()) return nullptr;
-  const HidField& field = found->second;
-  const std::size_t id_bytes = field.report != 0 ? 1 : 0;
-  return field.bit + field.bits <= 8 * (report.size() - id_bytes) ? &field : nullptr;
+/// The field of this usage in the report.
+const HidField* HidPen::find(std::uint32_t usage, const HidReport& report) const {
+  const auto found = fields_.find({report.id, usage});
+  return found != fields_.end() && report.has(found->second) ? &found->second : nullptr;
 }
 
-std::optional<std::int32_t> HidPen::value(std::uint32_t usage, const Bytes& report) const {
+std::optional<std::int32_t> HidPen::value(std::uint32_t usage, const HidReport& report) const {
   const HidField* field = find(usage, report);
-  if (!field) return std::nullopt;
-  return hid_value(*field, std::span(report).subspan(field->report != 0 ? 1 : 0));
+  return field ? std::optional(hid_value(*field, report)) : std::nullopt;
 }
 
-void HidPen::take(double time, const Bytes& report) {
+void HidPen::take(double time, const Bytes& bytes) {
+  const HidReport report = hid_report(bytes, has_ids_);
   if (touches_.take(time, report, content_)) return;
   if (!find(usage_x, report) || !find(usage_y, report) || !find(usage_tip, report)) return;
   const bool tip = value(usage_tip, report).value_or(0) != 0;
@@ -100,19 +96,19 @@ void HidPen::take(double time, const Bytes& report) {
   down_ = tip || eraser;
 }
 
-double HidPen::position(const HidField& field, const Bytes& report) {
+double HidPen::position(const HidField& field, const HidReport& report) {
   if (hid_millimetres(field) > 0) content_.unit = "mm";
   return hid_position(field, *value(field.usage, report));
 }
 
-float HidPen::angle(std::uint32_t usage, const Bytes& report) const {
+float HidPen::angle(std::uint32_t usage, const HidReport& report) const {
   const HidField& field = *find(usage, report);
   constexpr std::uint32_t radians = 0x12;
   const double by = field.unit == radians ? 1 : math::degree;
   return static_cast<float>(hid_physical(field, *value(usage, report)) * by);
 }
 
-void HidPen::add_sample(double time, const Bytes& report, bool eraser) {
+void HidPen::add_sample(double time, const HidReport& report, bool eraser) {
   const HidField* pressure = find(usage_pressure, report);
   const bool tilt = find(usage_tilt_x, report) && find(usage_tilt_y, report);
   if (!down_ || content_.strokes.back().eraser != eraser) {

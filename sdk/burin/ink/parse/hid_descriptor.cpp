@@ -151,6 +151,15 @@ std::vector<HidField> hid_fields(std::span<const std::uint8_t> descriptor) {
   return std::move(parsed.fields);
 }
 
+bool have_report_ids(std::span<const HidField> fields) {
+  return std::ranges::any_of(fields, [](const HidField& field) { return field.report != 0; });
+}
+
+HidReport hid_report(std::span<const std::uint8_t> bytes, bool has_id) {
+  if (!has_id || bytes.empty()) return {0, bytes};
+  return {bytes.front(), bytes.subspan(1)};
+}
+
 double hid_physical(const HidField& field, std::int32_t value) {
   const double span = field.physical_most - field.physical_least, logical = field.most - field.least;
   double meant = value;
@@ -169,11 +178,11 @@ double hid_position(const HidField& field, std::int32_t value) {
   return unit > 0 ? hid_physical(field, value) * unit : value;
 }
 
-std::int32_t hid_value(const HidField& field, std::span<const std::uint8_t> report) {
+std::int32_t hid_value(const HidField& field, const HidReport& report) {
   std::uint64_t value = 0;
   const std::size_t first = field.bit / 8, last = (field.bit + field.bits - 1) / 8;
   for (std::size_t byte = first; byte <= last; ++byte)
-    value |= std::uint64_t{report[byte]} << (8 * (byte - first));
+    value |= std::uint64_t{report.bytes[byte]} << (8 * (byte - first));
   value = value >> field.bit % 8 & ((std::uint64_t{1} << field.bits) - 1);
   const bool negative = field.least < 0 && value >> (field.bits - 1) & 1;
   if (negative) value -= std::uint64_t{1} << field.bits;

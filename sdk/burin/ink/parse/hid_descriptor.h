@@ -27,6 +27,19 @@ struct HidField {
 /// counts more bits than a report can have, or has more than 65,536 fields.
 std::vector<HidField> hid_fields(std::span<const std::uint8_t> descriptor);
 
+/// A report without the byte of its id.
+struct HidReport {
+  std::uint8_t id = 0;  ///< 0 if the device has only one report, which then has no such byte
+  std::span<const std::uint8_t> bytes;
+
+  bool has(const HidField& field) const { return field.bit + field.bits <= 8 * bytes.size(); }
+};
+
+/// Whether the reports of the device that has these fields begin with the byte of their id.
+bool have_report_ids(std::span<const HidField> fields);
+
+HidReport hid_report(std::span<const std::uint8_t> bytes, bool has_id);
+
 /// What a value means: the physical range for the logical one, times the exponent.
 double hid_physical(const HidField& field, std::int32_t value);
 
@@ -36,7 +49,7 @@ double hid_millimetres(const HidField& field);
 /// A position in millimetres where the unit of the field is a length, else the value.
 double hid_position(const HidField& field, std::int32_t value);
 
-/// The value of a field in a report, without its id byte. The report must have all bits of it.
-std::int32_t hid_value(const HidField& field, std::span<const std::uint8_t> report);
+/// The value of a field in a report, which must have all bits of it.
+std::int32_t hid_value(const HidField& field, const HidReport& report);
 
 }  // namespace burin
