@@ -109,18 +109,83 @@ TEST(ReadEvemu, EndsTouchesWhereEventsWereLost) {
   EXPECT_EQ(file.hovering, 4u);
 }
 
-TEST(ReadEvemu, FollowsThePointerOfADeviceWithoutSlots) {
-  std::string without_slots = screen;
-  without_slots.erase(without_slots.find("A: 2f"), std::string_view("A: 2f 0 9 0 0 0\n").size());
-  const auto touch = [](const std::string& time, const char* touch_x, const char* x) {
-    return frame(time,
-                 {"0003 0039 5", touch_x, "0003 0036 50", "0000 0002 0", "0001 014a 1", x, "0003 0001 40"});
+/// A screen of the kernel's multi-touch protocol of type A, as evemu-record writes it.
+const std::string anonymous =
+    "# EVEMU 1.3\n# Kernel: 2.6.38\n# Input device name: \"Anonymous Touchscreen\"\nN: Anonymous "
+    "Touchscreen\n"
+    "I: 0018 0eef 0001 0100\nP: 02 00 00 00 00 00 00 00\nB: 00 0b 00 00 00 00 00 00 00\n"
+    "A: 30 0 255 0 0 0\nA: 35 0 4095 0 0 20\nA: 36 0 4095 0 0 20\nA: 3a 0 255 0 0 0\n";
+
+const char* const packet_end = "0000 0002 0000\t# ++++++++++++ SYN_MT_REPORT (0) ++++++++++";
+
+// The sequences are those of the protocol's example: a packet for each touch, the rest after one is lifted,
+// an empty packet after the last.
+TEST(ReadEvemu, FollowsTouchesOfFramesThatTellAllAnewByTheirPlaces) {
+  const PenFile file = PenFileFolder().read(
+      anonymous +
+      frame("1",
+            {"0003 0035 100", "0003 0036 200", packet_end, "0003 0035 3000", "0003 0036 2000", packet_end}) +
+      frame("2",
+            {"0003 0035 2980", "0003 0036 2000", packet_end, "0003 0035 120", "0003 0036 200", packet_end}) +
+      frame("3", {"0003 0035 2960", "0003 0036 2000", packet_end}) + frame("4", {packet_end}) +
+      frame("5", {"0003 0035 2940", "0003 0036 2000", packet_end}));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "5 10, 6 10") << "in whatever order the packets come";
+  EXPECT_EQ(places(file.strokes[1]), "150 100, 149 100, 148 100");
+  EXPECT_EQ(places(file.strokes[2]), "147 100") << "all were lifted before";
+  EXPECT_EQ(file.strokes[0].tool, "touch");
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true}));
+  EXPECT_EQ(file.unit, "mm");
+  EXPECT_EQ(file.hovering, 1u);
+}
+
+TEST(ReadEvemu, FollowsTouchesWithoutSlotsByTheirIds) {
+  const auto touch = [](const char* id, const char* x) {
+    return std::vector<const char*>{id, x, "0003 0036 200", "0003 003a 51", packet_end};
   };
-  const PenFile file = PenFileFolder().read(without_slots + touch("1", "0003 0035 100", "0003 0000 100") +
+  const auto frame_of = [&](const std::string& time, std::vector<std::vector<const char*>> touches) {
+    std::string text;
+    for (const auto& events : touches)
+      for (const char* event : events) text += "E: " + time + " " + event + "\n";
+    return text + "E: " + time + " 0000 0000 0\n";
+  };
+  const PenFile file = PenFileFolder().read(
+      anonymous +
+      frame_of("1", {touch("0003 0039 0", "0003 0035 100"), touch("0003 0039 1", "0003 0035 200")}) +
+      frame_of("2", {touch("0003 0039 0", "0003 0035 200"), touch("0003 0039 1", "0003 0035 100")}) +
+      frame_of("3", {touch("0003 0039 2", "0003 0035 200")}));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "5 10, 10 10") << "the ids tell that they crossed";
+  EXPECT_EQ(places(file.strokes[1]), "10 10, 5 10");
+  EXPECT_EQ(places(file.strokes[2]), "10 10");
+  EXPECT_EQ(file.strokes[0].samples[0].pen.pressure, 0.2F);
+}
+
+TEST(ReadEvemu, EndsTouchesWithoutSlotsWhereNoPacketTellsSo) {
+  const char* const x = "0003 0035 100";
+  const char* const y = "0003 0036 200";
+  const PenFile file = PenFileFolder().read(
+      anonymous + frame("1", {x, y, packet_end, "0001 014a 1"}) + frame("2", {"0001 0066 1"}) +
+      frame("3", {x, y, packet_end}) + frame("4", {"0001 014a 0"}) + frame("5", {x, y, packet_end}) +
+      frame("6", {"0003 0018 0"}) + frame("7", {x, y, packet_end}) +
+      frame("8", {"0003 0030 0", x, y, packet_end}) + frame("9", {x, y, "0003 003b 3", packet_end}) +
+      frame("10", {x, packet_end}) + frame("11", {x, y, packet_end}) + "E: 12 0000 0003 0\n" +
+      frame("12", {packet_end}) + frame("13", {x, y, packet_end}));
+  ASSERT_EQ(file.strokes.size(), 5u);
+  EXPECT_EQ(file.strokes[0].samples.size(), 2u) << "a key ends no touch";
+  for (std::size_t i = 1; i < 5; ++i) EXPECT_EQ(file.strokes[i].samples.size(), 1u) << i;
+}
+
+TEST(ReadEvemu, LeavesTheOnePointerToTouchesWithoutSlots) {
+  const auto touch = [](const std::string& time, const char* touch_x, const char* x) {
+    return frame(time, {touch_x, "0003 0036 200", packet_end, "0001 014a 1", x, "0003 0001 40"});
+  };
+  const PenFile file = PenFileFolder().read(anonymous + "A: 00 0 4095 0 0 20\nA: 01 0 4095 0 0 20\n" +
+                                            touch("1", "0003 0035 100", "0003 0000 100") +
                                             touch("2", "0003 0035 120", "0003 0000 120") +
-                                            frame("3", {"0000 0002 0", "0001 014a 0"}));
+                                            frame("3", {packet_end, "0001 014a 0"}));
   ASSERT_EQ(file.strokes.size(), 1u);
-  EXPECT_EQ(places(file.strokes[0]), "5 2, 6 2");
+  EXPECT_EQ(places(file.strokes[0]), "5 10, 6 10");
 }
 
 TEST(ReadEvemu, FindsSlotsThatNoDescriptionHas) {

@@ -15,7 +15,7 @@ namespace {
 
 // Names and numbers are those of linux/input-event-codes.h.
 constexpr unsigned ev_syn = 0, ev_key = 1, ev_abs = 3;
-constexpr unsigned syn_report = 0, syn_dropped = 3;
+constexpr unsigned syn_report = 0, syn_mt_report = 2, syn_dropped = 3;
 constexpr unsigned abs_x = 0x00, abs_y = 0x01, abs_pressure = 0x18, abs_tilt_x = 0x1a, abs_tilt_y = 0x1b;
 constexpr unsigned first_tool = 0x140, tool_rubber = 0x141, tool_finger = 0x145, tool_mouse = 0x146,
                    tool_lens = 0x147, touch_code = 0x14a;
@@ -27,7 +27,7 @@ bool is_tool(const EvdevEvent& event) {
 }  // namespace
 
 void EvdevFrames::take(const EvdevEvent& event) {
-  if (event.type != ev_syn) {
+  if (event.type != ev_syn || event.code == syn_mt_report) {
     frame_.push_back(event);
   } else if (event.code == syn_dropped) {
     lost_ = true;
@@ -42,8 +42,12 @@ void EvdevFrames::end_frame(double time) {
   frame_.clear();
   // What the kernel threw away is unknown until the next frame, and pen and fingers may have been lifted.
   const bool lost = std::exchange(lost_, false);
-  if (lost) touches_.part_strokes();
-  const bool fingers = touches_.end_frame(time, content_);
+  if (lost) {
+    touches_.part_strokes();
+    packets_.part_strokes();
+  }
+  const bool in_slots = touches_.end_frame(time, content_), in_packets = packets_.end_frame(time, content_);
+  const bool fingers = in_slots || in_packets;
   const bool pen = !leaves && !lost && touches() && (!fingers || pen_is_near());
   if (pen)
     add_sample(time);
@@ -58,17 +62,28 @@ bool EvdevFrames::pen_leaves() const {
 }
 
 void EvdevFrames::apply(const EvdevEvent& event) {
-  if (event.type == ev_abs && EvdevTouches::is_of_touches(event.code))
-    touches_.take(event.code, event.value);
-  else if (event.type == ev_abs)
-    values_[event.code] = event.value;
-  if (event.type == ev_key && event.code == touch_code) touch_ = event.value != 0;
+  if (event.type == ev_syn) packets_.end_packet();
+  if (event.type == ev_abs) set_axis(event.code, event.value);
+  if (event.type == ev_key && event.code == touch_code) {
+    touch_ = event.value != 0;
+    if (!touch_) packets_.lift();
+  }
   if (!is_tool(event)) return;
   sends_tools_ = true;
   if (event.value != 0)
     tool_ = event.code;
   else if (tool_ == event.code)
     tool_.reset();
+}
+
+void EvdevFrames::set_axis(unsigned code, int value) {
+  if (EvdevTouches::is_of_touches(code)) {
+    touches_.take(code, value);
+    packets_.take(code, value);
+  } else {
+    values_[code] = value;
+    if (code == abs_pressure && value == 0) packets_.lift();
+  }
 }
 
 /// Of devices for fingers too, which send the position of one as if it were a pen.

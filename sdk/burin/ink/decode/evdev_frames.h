@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/ink/decode/evdev_packets.h>
 #include <burin/ink/decode/evdev_touches.h>
 #include <burin/ink/parse/evdev_axes.h>
 #include <burin/ink/pen_file.h>
@@ -22,7 +23,7 @@ struct EvdevEvent {
 /// they came in it; a frame has only what changed.
 class EvdevFrames {
  public:
-  explicit EvdevFrames(EvdevAxes axes) : axes_(std::move(axes)), touches_(axes_) {}
+  explicit EvdevFrames(EvdevAxes axes) : axes_(std::move(axes)), touches_(axes_), packets_(axes_) {}
   EvdevFrames(const EvdevFrames&) = delete;
   EvdevFrames& operator=(const EvdevFrames&) = delete;
 
@@ -35,6 +36,7 @@ class EvdevFrames {
   void end_frame(double time);
   bool pen_leaves() const;
   void apply(const EvdevEvent& event);
+  void set_axis(unsigned code, int value);
   bool pen_is_near() const;
   bool touches() const;
   void add_sample(double time);
@@ -44,9 +46,10 @@ class EvdevFrames {
 
   EvdevAxes axes_;
   EvdevTouches touches_;
+  EvdevPackets packets_;
   std::vector<EvdevEvent> frame_;
-  std::map<unsigned, int> values_;  ///< of axes, as last sent
-  std::optional<unsigned> tool_;    ///< the code of the tool that is near
+  EvdevValues values_;
+  std::optional<unsigned> tool_;               ///< the code of the tool that is near
   bool sends_tools_ = false, touch_ = false, lost_ = false;
   std::optional<std::size_t> stroke_;  ///< of `content_`, that goes on
   PenFile content_;

@@ -4,13 +4,33 @@
 #include <utility>
 
 namespace burin {
-namespace {
 
-// Names and numbers are those of linux/input-event-codes.h.
-constexpr unsigned abs_mt_slot = 0x2f, abs_mt_last = 0x3d, abs_mt_position_x = 0x35, abs_mt_position_y = 0x36,
-                   abs_mt_tracking_id = 0x39, abs_mt_pressure = 0x3a, abs_mt_distance = 0x3b;
+bool is_on_surface(const EvdevValues& values) {
+  const auto distance = values.find(abs_mt_distance);
+  return values.contains(abs_mt_position_x) && values.contains(abs_mt_position_y) &&
+         (distance == values.end() || distance->second <= 0);
+}
 
-}  // namespace
+void add_touch_sample(const EvdevAxes& axes, const EvdevValues& values, double time,
+                      std::optional<std::size_t>& stroke, PenFile& content) {
+  const EvdevAxis* pressure = axis_of(axes, abs_mt_pressure);
+  const auto pressed = values.find(abs_mt_pressure);
+  if (!stroke) {
+    stroke = content.strokes.size();
+    PenStroke& made = content.strokes.emplace_back();
+    made.tool = "touch";
+    made.fields.time = true;
+    made.fields.pressure = pressure && pressed != values.end();
+  }
+  PenStroke& drawn = content.strokes[*stroke];
+  Sample& sample = drawn.samples.emplace_back();
+  sample.time = time;
+  const EvdevPlane plane(axes, abs_mt_position_x, abs_mt_position_y);
+  sample.position = plane.position(values.at(abs_mt_position_x), values.at(abs_mt_position_y));
+  if (plane.has_millimetres()) content.unit = "mm";
+  if (drawn.fields.pressure && pressed != values.end())
+    sample.pen.pressure = static_cast<float>(share_of(*pressure, pressed->second));
+}
 
 EvdevTouches::EvdevTouches(const EvdevAxes& axes) : axes_(axes), has_slots_(axes.contains(abs_mt_slot)) {}
 
@@ -38,11 +58,7 @@ void EvdevTouches::Slot::take(unsigned code, int value) {
   }
 }
 
-bool EvdevTouches::Slot::touches() const {
-  const auto distance = values.find(abs_mt_distance);
-  return contact == Contact::down && values.contains(abs_mt_position_x) &&
-         values.contains(abs_mt_position_y) && (distance == values.end() || distance->second <= 0);
-}
+bool EvdevTouches::Slot::touches() const { return contact == Contact::down && is_on_surface(values); }
 
 bool EvdevTouches::end_frame(double time, PenFile& content) {
   bool touches = false;
@@ -53,28 +69,9 @@ bool EvdevTouches::end_frame(double time, PenFile& content) {
       continue;
     }
     touches = true;
-    if (changed) add_sample(slot, time, content);
+    if (changed) add_touch_sample(axes_, slot.values, time, slot.stroke, content);
   }
   return touches;
-}
-
-void EvdevTouches::add_sample(Slot& slot, double time, PenFile& content) {
-  const EvdevAxis* pressure = axis_of(axes_, abs_mt_pressure);
-  if (!slot.stroke) {
-    slot.stroke = content.strokes.size();
-    PenStroke& made = content.strokes.emplace_back();
-    made.tool = "touch";
-    made.fields.time = true;
-    made.fields.pressure = pressure && slot.values.contains(abs_mt_pressure);
-  }
-  PenStroke& stroke = content.strokes[*slot.stroke];
-  Sample& sample = stroke.samples.emplace_back();
-  sample.time = time;
-  const EvdevPlane plane(axes_, abs_mt_position_x, abs_mt_position_y);
-  sample.position = plane.position(slot.values[abs_mt_position_x], slot.values[abs_mt_position_y]);
-  if (plane.has_millimetres()) content.unit = "mm";
-  if (stroke.fields.pressure)
-    sample.pen.pressure = static_cast<float>(share_of(*pressure, slot.values[abs_mt_pressure]));
 }
 
 void EvdevTouches::part_strokes() {

@@ -9,9 +9,23 @@
 
 namespace burin {
 
+// Axes of touches, as linux/input-event-codes.h has them.
+inline constexpr unsigned abs_mt_slot = 0x2f, abs_mt_touch_major = 0x30, abs_mt_position_x = 0x35,
+                          abs_mt_position_y = 0x36, abs_mt_tracking_id = 0x39, abs_mt_pressure = 0x3a,
+                          abs_mt_distance = 0x3b, abs_mt_last = 0x3d;
+
+using EvdevValues = std::map<unsigned, int>;  ///< of axes, as last sent
+
+/// Whether these tell a place, and no distance from the surface.
+bool is_on_surface(const EvdevValues& values);
+
+/// Adds a sample of a touch to its stroke, which is begun if there is none.
+void add_touch_sample(const EvdevAxes& axes, const EvdevValues& values, double time,
+                      std::optional<std::size_t>& stroke, PenFile& content);
+
 /// Makes a stroke of each touch of a device that follows several at a time: the kernel's multi-touch protocol
-/// with slots. Such devices also send the position of one touch as if it were a pen, which jumps when that
-/// one ends. Events of devices without slots are passed over: these send all touches one after the other.
+/// with slots, type B. Such devices also send the position of one touch as if it were a pen, which jumps when
+/// that one ends. Events of devices without slots are passed over: see EvdevPackets.
 class EvdevTouches {
  public:
   /// `axes` must outlive the object.
@@ -36,13 +50,11 @@ class EvdevTouches {
     bool touches() const;
 
     Contact contact = Contact::unknown;
-    int id = -1;                        ///< of the touch; -1: none
-    bool changed = false;               ///< in the frame
-    std::map<unsigned, int> values;     ///< of axes, as last sent
+    int id = -1;           ///< of the touch; -1: none
+    bool changed = false;  ///< in the frame
+    EvdevValues values;
     std::optional<std::size_t> stroke;  ///< of the content
   };
-
-  void add_sample(Slot& slot, double time, PenFile& content);
 
   const EvdevAxes& axes_;
   std::array<Slot, 64> slots_;  ///< far more than devices have; those beyond are passed over
