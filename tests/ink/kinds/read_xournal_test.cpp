@@ -27,6 +27,39 @@ TEST(ReadXournal, HasPositionsAndWidths) {
   EXPECT_EQ(file.unit, "pt");
 }
 
+// The form of Xournal++ 1.2 and 1.3: sound, fills, dashes and names of layers, and what is no stroke, whose
+// places later versions tell by a matrix.
+TEST(ReadXournal, ReadsWhatXournalppWrites) {
+  const PenFile file = PenFileFolder().read(
+      R"(<?xml version="1.0" standalone="no"?>
+<xournal creator="xournalpp 1.3.7" fileversion="5">
+<title>Xournal++ document</title>
+<preview>iVBORw0KGgo=</preview>
+<audio fn="pen.mp3"/>
+<page width="595.27559" height="841.88976">
+<background type="solid" color="#ffffffff" style="isometric_graph" config="f1=1"/>
+<layer name="Drawn">
+<timestamp ts="40" fn="pen.mp3"/>
+<stroke tool="pen" ts="1000ll" fn="pen.mp3" color="#000000ff" width="2.26 1.13 2.0" capStyle="round">1.5 2 3 4.25 5 6</stroke>
+<stroke tool="highlighter" color="#ffff007f" width="8.5" fill="128" style="cust: 6 3" capStyle="butt">7 8 9 10</stroke>
+<stroke tool="eraser" color="#ffffffff" width="9" capStyle="square">1e1 -2.5e0 11 12</stroke>
+<text font="Sans" size="12" x="74" y="51" color="#000000ff" ts="0ll" fn="" wrap="120" align="center">1 2 &amp; 3</text>
+<text font="Sans" size="12" matrix="1 0 0 1 32 31" color="#000000ff">b</text>
+<image left="1" top="2" right="3" bottom="4">iVBORw0KGgo=</image>
+<image left="1" top="2" right="3" bottom="4"><attachment path="a.png"/></image>
+<teximage text="x^2" matrix="1 0 0 1 3 4">JVBERi0=</teximage>
+<link align="left" font="Sans" size="12" matrix="1 0 0 1 32 31" url="https://example.org">Link</link>
+</layer></page></xournal>
+)");
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "1.5 2, 3 4.25, 5 6");
+  EXPECT_EQ(file.strokes[0].widths, (std::vector<float>{1.13F, 2, 2}));
+  EXPECT_EQ(places(file.strokes[1]), "7 8, 9 10");
+  EXPECT_EQ(places(file.strokes[2]), "10 -2.5, 11 12");
+  EXPECT_FALSE(file.strokes[2].eraser) << "white paint";
+  EXPECT_EQ(file.not_used, (std::vector<std::string>{"image", "link", "teximage", "text"}));
+}
+
 TEST(ReadXournal, UnpacksGzipAndXz) {
   const PenFileFolder folder;
   for (const char* program : {"gzip", "xz"}) {

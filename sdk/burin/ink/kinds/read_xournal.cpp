@@ -9,6 +9,7 @@
 #include <burin/ink/pen_file.h>
 #include <fmt/format.h>
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -61,6 +62,20 @@ PenStroke stroke_of(const XmlFile& xml, const pugi::xml_node& node) try {
   xml.reject(node, error.what());
 }
 
+/// Adds a stroke, or the name of another element that shows something: text, images, formulas, links.
+void add_element(const XmlFile& xml, const pugi::xml_node& node, std::size_t page, std::size_t layer,
+                 PenFile& content, std::set<std::string>& others) {
+  constexpr std::string_view of_sound = "timestamp";
+  const std::string_view name = node.name();
+  if (node.type() == pugi::node_element && name != "stroke" && name != of_sound) others.emplace(name);
+  if (name != "stroke") return;
+  PenStroke stroke = stroke_of(xml, node);
+  if (stroke.samples.empty()) return;
+  stroke.page = page;
+  stroke.layer = layer;
+  content.strokes.push_back(std::move(stroke));
+}
+
 }  // namespace
 
 bool is_xournal(std::string_view text) { return begins_with_element(text, "xournal"); }
@@ -70,20 +85,17 @@ PenFile read_xournal(const PenFileText& file) {
   PenFile content;
   content.unit = "pt";
   std::size_t page = 0;
+  std::set<std::string> others;
   for (const pugi::xml_node& of_page : xml.root().children("page")) {
     ++page;
     std::size_t layer = 0;
     for (const pugi::xml_node& of_layer : of_page.children("layer")) {
       ++layer;
-      for (const pugi::xml_node& node : of_layer.children("stroke")) {
-        PenStroke stroke = stroke_of(xml, node);
-        if (stroke.samples.empty()) continue;
-        stroke.page = page;
-        stroke.layer = layer;
-        content.strokes.push_back(std::move(stroke));
-      }
+      for (const pugi::xml_node& node : of_layer.children())
+        add_element(xml, node, page, layer, content, others);
     }
   }
+  content.not_used.assign(others.begin(), others.end());
   return content;
 }
 
