@@ -10,6 +10,7 @@
 
 #include "ink/pen_files.h"
 #include "sanitizers/sanitized.h"
+#include "support/process.h"
 
 namespace burin {
 namespace {
@@ -62,8 +63,14 @@ struct Cost {
   bool right = false;
 };
 
-/// Reads the file in a child process, whose memory is all its own.
-Cost cost_of_reading(const std::filesystem::path& path) {
+bool is_million(const PenFile& file) {
+  const Sample &last = file.strokes.back().samples.back(), expected = numbered(most_samples - 1);
+  return file.strokes.size() == 1000 && last.position == expected.position && last.time == expected.time;
+}
+
+/// Calls `read_right`, which returns whether all went right, in a child process, whose memory is all its own.
+template <class ReadRight>
+Cost cost_of(const ReadRight& read_right) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("pipe");
   const pid_t child = fork();
@@ -72,14 +79,11 @@ Cost cost_of_reading(const std::filesystem::path& path) {
     getrusage(RUSAGE_SELF, &usage);
     const long before = usage.ru_maxrss;
     const std::clock_t start = std::clock();  // of the processor, whatever else runs
-    const PenFile file = read_pen_file(path);
     Cost cost;
+    cost.right = read_right();
     cost.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     getrusage(RUSAGE_SELF, &usage);
     cost.megabytes = static_cast<double>(usage.ru_maxrss - before) / 1024;
-    const Sample &last = file.strokes.back().samples.back(), expected = numbered(most_samples - 1);
-    cost.right =
-        file.strokes.size() == 1000 && last.position == expected.position && last.time == expected.time;
     const bool told = write(ends[1], &cost, sizeof cost) == sizeof cost;
     _exit(told ? 0 : 1);
   }
@@ -96,12 +100,31 @@ void expect_cheap(std::string (*text)()) {
   const test::PenFileFolder folder;
   const std::filesystem::path path = folder.write("million", text());
   malloc_trim(0);
-  const Cost cost = cost_of_reading(path);
+  const Cost cost = cost_of([&] { return is_million(read_pen_file(path)); });
   std::cout << cost.seconds << " s, " << cost.megabytes << " MB\n";
   EXPECT_TRUE(cost.right);
   if (test::sanitized) return;
   EXPECT_LT(cost.seconds, 2) << "below 1 when nothing else runs";
-  EXPECT_LT(cost.megabytes, 150) << "the samples are 48 MB";
+  EXPECT_LT(cost.megabytes, 150) << "the samples are 56 MB";
+}
+
+TEST(PenFileCost, OfWhatUnpacksToTooMuchIsTiny) {
+  const test::PenFileFolder folder;
+  const auto path = folder.write("a.xopp", "<xournal>" + std::string(300'000'000, ' '));
+  ASSERT_EQ(test::run_process({"gzip", "-1", path.string()}).exit_code, 0);
+  malloc_trim(0);
+  const Cost cost = cost_of([&] {
+    try {
+      read_pen_file(path.string() + ".gz");
+      return false;
+    } catch (const FileError&) {
+      return true;
+    }
+  });
+  EXPECT_TRUE(cost.right);
+  if (test::sanitized) return;
+  EXPECT_LT(cost.seconds, 1);
+  EXPECT_LT(cost.megabytes, 20) << "of what is unpacked nothing is kept";
 }
 
 TEST(PenFileCost, OfAMillionSamplesOfCsvIsSmall) { expect_cheap(csv_text); }

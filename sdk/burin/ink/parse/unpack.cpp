@@ -9,7 +9,9 @@
 #include <array>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -45,24 +47,20 @@ class Archive {
   /// The name of the member of a zip that find_content() found last.
   const std::string& name() const { return name_; }
 
-  std::string content() {
-    std::string text;
-    append_content(text);
-    return text;
-  }
-
-  void append_content(std::string& text) {
+  /// Calls `take` with the content, block by block, and adds its bytes to `unpacked`.
+  template <class Take>
+  void read_content(std::size_t& unpacked, const Take& take) {
     std::array<char, 1 << 16> block{};
     for (;;) {
       const la_ssize_t got = archive_read_data(archive_.get(), block.data(), block.size());
       if (got < 0) fail();
       if (got == 0) return;
+      unpacked += static_cast<std::size_t>(got);
       // Of the bytes so far, so that what unpacks to much is found before all of it is unpacked.
       const auto taken = static_cast<std::size_t>(archive_filter_bytes(archive_.get(), -1));
-      const std::size_t most = most_unpacked_bytes(taken);
-      if (text.size() + static_cast<std::size_t>(got) > most)
+      if (const std::size_t most = most_unpacked_bytes(taken); unpacked > most)
         throw FileError(path_.string(), fmt::format("unpacks to more than {} MB", most / 1'000'000));
-      text.append(block.data(), static_cast<std::size_t>(got));
+      take(std::string_view(block.data(), static_cast<std::size_t>(got)));
     }
   }
 
@@ -87,6 +85,34 @@ bool holds_paths(std::string_view name) { return name.ends_with(".protobuf"); }
 bool holds_strokes(std::string_view name) {
   return name == "content.xml" || name.ends_with(".will") || holds_paths(name) ||
          name.ends_with(sketch_member);
+}
+
+/// Calls `take` with the blocks of the members that `fit`: the first one, and all lists of paths of WILL,
+/// which make one list when they stand one behind the other. Returns their bytes, or nothing if no member
+/// fits.
+template <class Fits, class Take>
+std::optional<std::size_t> read_members(const std::filesystem::path& path, std::string_view bytes,
+                                        const Fits& fits, const Take& take) {
+  Archive archive(path, bytes);
+  if (!archive.find_content(fits)) return std::nullopt;
+  std::size_t unpacked = 0;
+  archive.read_content(unpacked, take);
+  while (holds_paths(archive.name()) && archive.find_content(holds_paths))
+    archive.read_content(unpacked, take);
+  return unpacked;
+}
+
+/// The members that `fit`. They are unpacked twice, the first time without being kept: what unpacks to too
+/// much is refused before it takes memory.
+template <class Fits>
+std::optional<std::string> unpacked_members(const std::filesystem::path& path, std::string_view bytes,
+                                            const Fits& fits) {
+  const auto size = read_members(path, bytes, fits, [](std::string_view) {});
+  if (!size) return std::nullopt;
+  std::string text;
+  text.reserve(*size);
+  read_members(path, bytes, fits, [&](std::string_view block) { text += block; });
+  return text;
 }
 
 /// Refuses XML, JSON and UTF-16 that are too long, by their first character.
@@ -115,10 +141,9 @@ bool is_packed(std::string_view bytes) {
 }
 
 std::string zip_member(const std::filesystem::path& path, std::string_view bytes, std::string_view name) {
-  Archive archive(path, bytes);
-  if (!is_packed(bytes) || !archive.find_content([&](std::string_view member) { return member == name; }))
-    throw FileError(path.string(), fmt::format("a zip without {}", name));
-  return archive.content();
+  auto member = unpacked_members(path, bytes, [&](std::string_view one) { return one == name; });
+  if (!is_packed(bytes) || !member) throw FileError(path.string(), fmt::format("a zip without {}", name));
+  return std::move(*member);
 }
 
 std::string unpacked_pen_file(const std::filesystem::path& path) {
@@ -128,13 +153,9 @@ std::string unpacked_pen_file(const std::filesystem::path& path) {
   check_length(path);
   std::string bytes = read_file(path);
   if (!is_packed(bytes)) return bytes;
-  Archive archive(path, bytes);
-  if (!archive.find_content(holds_strokes))
-    throw FileError(path.string(), "a zip without content.xml, .will, .protobuf or data.sketch");
-  std::string text = archive.content();
-  // Lists of paths make one list when they stand one behind the other.
-  while (holds_paths(archive.name()) && archive.find_content(holds_paths)) archive.append_content(text);
-  return text;
+  auto text = unpacked_members(path, bytes, holds_strokes);
+  if (!text) throw FileError(path.string(), "a zip without content.xml, .will, .protobuf or data.sketch");
+  return std::move(*text);
 }
 
 }  // namespace burin
