@@ -121,6 +121,13 @@ TEST(PenFile, NamesWhatIsKnownForWhatIsNot) {
   EXPECT_NE(folder.complaint(""), "accepted");
 }
 
+TEST(PenFile, RefusesTimesBeforeItsClockBegan) {
+  const test::PenFileFolder folder;
+  EXPECT_EQ(folder.complaint(R"([{"pointers":[{"x":1,"y":2,"t":0},{"x":1,"y":2,"t":-1}]}])"),
+            " stroke 1, sample 2: time is negative");
+  EXPECT_EQ(folder.complaint("x,y,time\n1,2,-1\n"), "accepted") << "a clock that began whenever it did";
+}
+
 // Packed bytes may have what a kind begins with.
 TEST(PenFile, IsNotReadByPiecesWherePackedOrInUtf16) {
   const test::PenFileFolder folder;

@@ -52,12 +52,19 @@ std::optional<PenFileText> opened_by_pieces(const std::filesystem::path& path, c
   return file;
 }
 
+/// Whether times of a kind count from any moment; others count from when a device, a program or 1970 began.
+bool has_times_from_anywhere(const PenFile& content) {
+  return content.kind == "csv" || content.kind == "inkml";
+}
+
 /// Refuses what no sample may have.
 void check(const PenFileText& file, const PenFile& content) {
   for (std::size_t stroke = 0; stroke < content.strokes.size(); ++stroke)
     for (std::size_t i = 0; i < content.strokes[stroke].samples.size(); ++i) {
       const Sample& sample = content.strokes[stroke].samples[i];
-      const std::string_view fault = validation_error(sample);
+      const bool negative =
+          content.strokes[stroke].fields.time && sample.time < 0 && !has_times_from_anywhere(content);
+      const std::string_view fault = negative ? "time is negative" : validation_error(sample);
       if (!fault.empty())
         throw FileError(file.path.string(),
                         fmt::format("stroke {}, sample {}: {}", stroke + 1, i + 1, fault));
