@@ -15,6 +15,16 @@ Json json_of(const std::optional<ValueRange>& range) {
   return {range->least, range->most};
 }
 
+std::string position_text(const PenFileFacts& facts, const std::string& unit) {
+  return fmt::format("  x {:.6g} to {:.6g}, y {:.6g} to {:.6g} {}{}\n", facts.x->least, facts.x->most,
+                     facts.y->least, facts.y->most, unit.empty() ? "of an unknown unit" : unit,
+                     facts.estimated_y > 0
+                         ? fmt::format("; y of {} strokes beside typed text is estimated, since the file "
+                                       "does not tell the heights of its lines",
+                                       facts.estimated_y)
+                         : "");
+}
+
 std::string time_text(const PenFileFacts& facts) {
   if (!facts.interval) return "  no time\n";
   constexpr double ms = 1000;
@@ -61,6 +71,7 @@ Json facts_json(const std::string& path, const PenFile& file) {
                {"y", json_of(facts.y)},
                {"pressure", json_of(facts.pressure)},
                {"pressure_made_strokes", facts.made_pressure},
+               {"y_estimated_strokes", facts.estimated_y},
                {"contact_without_pressure", facts.without_pressure},
                {"tilt_x_rad", json_of(facts.tilt_x)},
                {"tilt_y_rad", json_of(facts.tilt_y)},
@@ -85,9 +96,7 @@ std::string facts_text(const std::string& path, const PenFile& file) {
       path, file.kind, facts.strokes, facts.samples, facts.shortest, facts.longest, facts.pages, facts.layers,
       file.hovering, facts.duplicates);
   if (facts.samples == 0) return text;
-  text += fmt::format("  x {:.6g} to {:.6g}, y {:.6g} to {:.6g} {}\n", facts.x->least, facts.x->most,
-                      facts.y->least, facts.y->most, file.unit.empty() ? "of an unknown unit" : file.unit);
-  text += time_text(facts) + pressure_text(facts) + tilt_text(facts);
+  text += position_text(facts, file.unit) + time_text(facts) + pressure_text(facts) + tilt_text(facts);
   return file.not_used.empty()
              ? text
              : text + fmt::format("  not used: {}{}\n", file.kind == "csv" ? "the columns " : "",

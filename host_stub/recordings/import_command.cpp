@@ -60,7 +60,8 @@ void print_result(const ImportOptions& options, const Recording& recording, cons
                             {"events", counts.events},
                             {"events_lifted", counts.lifted},
                             {"times_raised", counts.times_raised},
-                            {"pressures_dropped", counts.pressures_dropped}}));
+                            {"pressures_dropped", counts.pressures_dropped},
+                            {"y_estimated_strokes", counts.estimated_y}}));
   } else {
     write_result(fmt::format("{}: {} strokes, {} samples of {} events; {} left out, the pen lifted\n",
                              options.out, recording.strokes.size(), samples, counts.events, counts.lifted));
@@ -74,6 +75,15 @@ void warn_of_changes(const ImportCounts& counts) {
     warn(fmt::format("strokes whose pressure is 0 although the pen touches the tablet, taken as without: {}",
                      counts.pressures_dropped));
   }
+}
+
+/// What the file does not tell.
+void warn_of_estimates(const ImportCounts& counts) {
+  if (counts.estimated_y == 0) return;
+  warn(
+      fmt::format("strokes beside typed text, whose y is estimated since the file does not tell the heights "
+                  "of its lines: {}",
+                  counts.estimated_y));
 }
 
 void list(const ImportOptions& options) {
@@ -92,6 +102,7 @@ void import(const ImportOptions& options) {
   write_stroke_file(options.out, recording);
   print_result(options, recording, counts);
   warn_of_changes(counts);
+  warn_of_estimates(counts);
 }
 
 void run(ImportOptions& options) {

@@ -98,6 +98,8 @@ Import import_pen_file(const std::filesystem::path& path, PenFile file, const Pe
   const bool object_units = file.unit.empty();
   Import import;
   import.counts.lifted = import.counts.events = file.hovering;
+  import.counts.estimated_y =
+      static_cast<std::size_t>(std::ranges::count(file.strokes, true, &PenStroke::estimated_y));
   Recording& recording = import.recording = recording_of(std::move(file));
   recording.camera = camera;
   for (const RecordedStroke& stroke : recording.strokes) import.counts.events += stroke.samples.size();

@@ -31,6 +31,7 @@ struct ImportCounts {
   std::size_t times_raised = 0;  ///< samples whose time was raised since it fell within a stroke
   /// Strokes that lost their pressure since the file has pressure 0 in contact everywhere.
   std::size_t pressures_dropped = 0;
+  std::size_t estimated_y = 0;  ///< strokes whose y the file does not tell, see PenStroke::estimated_y
 };
 
 /// An imported recording.

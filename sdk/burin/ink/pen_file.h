@@ -20,6 +20,7 @@ struct PenStroke {
   std::string_view tool = {};  ///< "pen", "touch", "mouse" or "controller"; empty if the file does not tell
   bool made_pressure = false;  ///< the program made the pressure from the speed; no device measured it
   std::size_t page = 1, layer = 1;  ///< from 1
+  bool estimated_y = false;  ///< lies beside typed text, whose lines have heights that the file does not tell
   /// Positions in PenFile::unit; in a plane y down, in space y up and z towards the viewer. Times in seconds,
   /// from any start, up to those of 1970. Tilts in radians from upright, towards +x and +y. Pressure 0..1.
   std::vector<Sample> samples;
@@ -34,7 +35,7 @@ struct PenFile {
   double millimetres = 0;    ///< that a unit stands for; 0 if unknown
   std::size_t hovering = 0;  ///< samples left out since the pen did not touch
   /// What is not used: names of the columns of CSV that are not known, in the file's order, or of the
-  /// elements of SVG that are other shapes, sorted.
+  /// elements of SVG and Xournal++ that are no strokes, sorted.
   std::vector<std::string> not_used;
   std::vector<PenStroke> strokes;
 };

@@ -77,6 +77,7 @@ PenFileFacts facts_of(const PenFile& file) {
     facts.layers = std::max(facts.layers, stroke.layer);
     lengths.push_back(stroke.samples.size());
     if (stroke.made_pressure) ++facts.made_pressure;
+    if (stroke.estimated_y) ++facts.estimated_y;
     add_ranges(stroke, facts);
     add_steps(stroke, facts, intervals);
   }

@@ -21,6 +21,7 @@ struct PenFileFacts {
   std::size_t gaps = 0;                ///< intervals longer than 5 times the median one
   std::size_t without_pressure = 0;    ///< samples in contact whose pressure is 0
   std::size_t made_pressure = 0;       ///< strokes whose pressure the program made
+  std::size_t estimated_y = 0;         ///< strokes whose y is an estimate
   double ink_seconds = 0;              ///< from the first sample of each stroke to its last, summed
   double rate = 0;                     ///< samples per second within strokes; 0 without times
   double median_interval = 0;          ///< seconds

@@ -1,3 +1,5 @@
+#include <burin/ink/pen_file_facts.h>
+
 #include "ink/kinds/bytes.h"
 #include "ink/pen_files.h"
 
@@ -164,6 +166,25 @@ TEST(ReadRemarkable, PutsGroupsBesideTheirText) {
   EXPECT_EQ(place_beside(204), "-461 219") << "35 lower";
   EXPECT_EQ(place_beside(300), "-461 289");
   EXPECT_EQ(place_beside(999), "-461 2") << "a character that is not there";
+}
+
+TEST(ReadRemarkable, TellsWhichPlacesAreEstimates) {
+  const PenFile file =
+      PenFileFolder().read(head('6') + text_block(1, piece(201, 0, "ab\n")) + anchored_group(32, 202, -464) +
+                           group_item(21, 0, 31, root) + group_item(22, 0, 32, id(1, 31)) +
+                           group_item(23, 0, 33, id(1, 32)) + line_block(11, 0, line_at(1), 31) +
+                           line_block(12, 0, line_at(3), 32) + line_block(13, 0, line_at(5), 33));
+  ASSERT_EQ(file.strokes.size(), 3u);
+  std::string estimated;
+  for (const PenStroke& stroke : file.strokes) {
+    estimated += places(stroke) + (stroke.estimated_y ? " estimated; " : " exact; ");
+    EXPECT_EQ(stroke.samples[0].pen.pressure, 51 / 255.F) << "nothing else is";
+    EXPECT_EQ(stroke.widths, std::vector<float>{1.5F});
+  }
+  EXPECT_NE(estimated.find("-461 184 estimated; "), estimated.npos) << estimated;
+  EXPECT_NE(estimated.find("-459 184 estimated; "), estimated.npos) << "in a group in it: " << estimated;
+  EXPECT_NE(estimated.find("1 2 exact; "), estimated.npos) << estimated;
+  EXPECT_EQ(facts_of(file).estimated_y, 2u);
 }
 
 /// A piece whose characters were deleted.

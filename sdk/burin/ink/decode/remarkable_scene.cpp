@@ -15,6 +15,12 @@ constexpr std::size_t deepest = 100;
 
 /// What a walk has found.
 struct RemarkableScene::Walk {
+  /// Where the coordinates of a group begin.
+  struct Place {
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+    bool beside_text = false;
+  };
+
   RemarkableScene& scene;
   PenFile& content;
   const ByteReader& end;
@@ -33,27 +39,29 @@ struct RemarkableScene::Walk {
     return order;
   }
 
-  /// Adds the lines of a layer, or of a group at `depth` groups in it, whose coordinates begin at `origin`.
-  void add_group(RemarkableId group, Eigen::Vector2d origin, std::size_t depth) {
+  /// Adds the lines of a layer, or of a group at `depth` groups in it, in `around`.
+  void add_group(RemarkableId group, Place around, std::size_t depth) {
     if (!seen.insert(group).second) return;
     if (depth > deepest) end.reject("groups within more than 100 others");
-    origin += scene.origin_of(group);
+    around.origin += scene.origin_of(group);
+    around.beside_text = around.beside_text || scene.anchors.contains(group);
     for (const std::size_t i : in_order(group)) {
       RemarkableItem& item = scene.items[i];
-      if (item.group) add_group(*item.group, origin, depth + 1);
-      if (!item.stroke.samples.empty()) add_line(std::move(item.stroke), origin);
+      if (item.group) add_group(*item.group, around, depth + 1);
+      if (!item.stroke.samples.empty()) add_line(std::move(item.stroke), around);
     }
   }
 
-  void add_line(PenStroke stroke, const Eigen::Vector2d& origin) {
-    for (Sample& sample : stroke.samples) sample.position.head<2>() += origin;
+  void add_line(PenStroke stroke, const Place& place) {
+    for (Sample& sample : stroke.samples) sample.position.head<2>() += place.origin;
+    stroke.estimated_y = place.beside_text;
     stroke.layer = layers + 1;
     content.strokes.push_back(std::move(stroke));
   }
 
   void add_layer(RemarkableId layer) {
     const std::size_t before = content.strokes.size();
-    add_group(layer, Eigen::Vector2d::Zero(), 0);
+    add_group(layer, Place(), 0);
     layers += content.strokes.size() > before;
   }
 };
