@@ -18,6 +18,7 @@ std::vector<std::string> fields_of(const PenStroke& stroke) {
   if (stroke.fields.pressure) fields.emplace_back(stroke.made_pressure ? "made pressure" : "pressure");
   if (stroke.fields.tilt) fields.emplace_back("tilt");
   if (stroke.fields.twist) fields.emplace_back("twist");
+  if (stroke.has_barrel) fields.emplace_back("barrel");
   if (stroke.has_z) fields.emplace_back("z");
   if (!stroke.widths.empty()) fields.emplace_back("width");
   return fields;

@@ -16,13 +16,15 @@ inline bool same_bits(const Sample& a, const Sample& b) {
   return bits(a.time) == bits(b.time) && bits(a.position.x()) == bits(b.position.x()) &&
          bits(a.position.y()) == bits(b.position.y()) && bits(a.position.z()) == bits(b.position.z()) &&
          bits(a.pen.pressure) == bits(b.pen.pressure) && bits(a.pen.tilt_x) == bits(b.pen.tilt_x) &&
-         bits(a.pen.tilt_y) == bits(b.pen.tilt_y) && bits(a.pen.twist) == bits(b.pen.twist);
+         bits(a.pen.tilt_y) == bits(b.pen.tilt_y) && bits(a.pen.twist) == bits(b.pen.twist) &&
+         a.barrel == b.barrel;
 }
 
 inline bool same_bits(const RecordedStroke& a, const RecordedStroke& b) {
   auto of_a = nlohmann::ordered_json::object(), of_b = of_a;
   write_settings(a.settings, of_a);
   write_settings(b.settings, of_b);
+  if (a.has_barrel != b.has_barrel || a.eraser != b.eraser || a.tool != b.tool) return false;
   if (of_a != of_b || a.fields != b.fields || a.samples.size() != b.samples.size()) return false;
   for (std::size_t i = 0; i < a.samples.size(); ++i)
     if (!same_bits(a.samples[i], b.samples[i])) return false;

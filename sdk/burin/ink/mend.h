@@ -16,7 +16,7 @@ std::vector<std::string> mend(Recording& recording);
 std::vector<std::string> split(Recording& recording, double gap);
 
 /// Joins strokes that begin at most `gap` seconds after the end of the one before, if both have the same
-/// fields; the settings are those of the first. Returns a line for each joined stroke.
+/// fields and tool; the settings are those of the first. Returns a line for each joined stroke.
 std::vector<std::string> join(Recording& recording, double gap);
 
 /// Replaces samples by those at even times, `rate` to the second from the first sample on, and the last one;

@@ -25,6 +25,7 @@ Sample between(const Sample& a, const Sample& b, double share) {
   made.pen.tilt_x = a.pen.tilt_x + part * (b.pen.tilt_x - a.pen.tilt_x);
   made.pen.tilt_y = a.pen.tilt_y + part * (b.pen.tilt_y - a.pen.tilt_y);
   made.pen.twist = a.pen.twist + part * turned;
+  made.barrel = a.barrel;
   return made;
 }
 
@@ -43,6 +44,11 @@ std::vector<Sample> at_even_times(const std::vector<Sample>& samples, double rat
   }
   made.push_back(samples.back());
   return made;
+}
+
+/// Whether the samples of one stroke can go on with those of the other.
+bool same_kind(const RecordedStroke& a, const RecordedStroke& b) {
+  return a.fields == b.fields && a.has_barrel == b.has_barrel && a.eraser == b.eraser && a.tool == b.tool;
 }
 
 void check_times(const RecordedStroke& stroke, std::size_t number) {
@@ -86,7 +92,7 @@ std::vector<std::string> join(Recording& recording, double gap) {
   std::vector<RecordedStroke> strokes;
   for (std::size_t number = 1; number <= recording.strokes.size(); ++number) {
     RecordedStroke& stroke = recording.strokes[number - 1];
-    const bool follows = !strokes.empty() && stroke.fields.time && stroke.fields == strokes.back().fields &&
+    const bool follows = !strokes.empty() && stroke.fields.time && same_kind(stroke, strokes.back()) &&
                          !stroke.samples.empty() && !strokes.back().samples.empty();
     const double pause = follows ? stroke.samples.front().time - strokes.back().samples.back().time : -1;
     if (pause < 0 || pause > gap) {

@@ -17,10 +17,11 @@ struct PenStroke {
   PenFields fields;            ///< what `samples` have beside x and y
   bool has_z = false;          ///< lies in space; else z is 0
   bool eraser = false;         ///< drawn with the pen's eraser, or an eraser tool
+  bool has_barrel = false;     ///< the samples tell of the button at the pen's side
   std::string_view tool = {};  ///< "pen", "touch", "mouse" or "controller"; empty if the file does not tell
   bool made_pressure = false;  ///< the program made the pressure from the speed; no device measured it
-  std::size_t page = 1, layer = 1;  ///< from 1
   bool estimated_y = false;  ///< lies beside typed text, whose lines have heights that the file does not tell
+  std::size_t page = 1, layer = 1;  ///< from 1
   /// Positions in PenFile::unit; in a plane y down, in space y up and z towards the viewer. Times in seconds,
   /// from any start, up to those of 1970. Tilts in radians from upright, towards +x and +y. Pressure 0..1.
   std::vector<Sample> samples;

@@ -17,8 +17,9 @@ namespace {
 struct WrittenChannel {
   const char* csv;
   const char* inkml;  ///< the attributes of the channel
-  bool (*given)(const Recording& recording, const PenFields& fields);
+  bool (*given)(const Recording& recording, const RecordedStroke& stroke);
   void (*append)(std::string& line, const Sample& sample);
+  void (*append_inkml)(std::string& line, const Sample& sample) = append;  ///< to a trace
 };
 
 template <class Number>
@@ -27,28 +28,34 @@ void append(std::string& line, Number value) {
 }
 
 constexpr std::array channels = {
-    WrittenChannel{"x", R"(name="X" type="decimal")", [](const Recording&, const PenFields&) { return true; },
+    WrittenChannel{"x", R"(name="X" type="decimal")",
+                   [](const Recording&, const RecordedStroke&) { return true; },
                    [](std::string& line, const Sample& s) { append(line, s.position.x()); }},
-    WrittenChannel{"y", R"(name="Y" type="decimal")", [](const Recording&, const PenFields&) { return true; },
+    WrittenChannel{"y", R"(name="Y" type="decimal")",
+                   [](const Recording&, const RecordedStroke&) { return true; },
                    [](std::string& line, const Sample& s) { append(line, s.position.y()); }},
     WrittenChannel{"z", R"(name="Z" type="decimal")",
-                   [](const Recording& r, const PenFields&) { return r.space == StrokeSpace::object; },
+                   [](const Recording& r, const RecordedStroke&) { return r.space == StrokeSpace::object; },
                    [](std::string& line, const Sample& s) { append(line, s.position.z()); }},
     WrittenChannel{"time", R"(name="T" type="decimal" units="s")",
-                   [](const Recording&, const PenFields& f) { return f.time; },
+                   [](const Recording&, const RecordedStroke& s) { return s.fields.time; },
                    [](std::string& line, const Sample& s) { append(line, s.time); }},
     WrittenChannel{"pressure", R"(name="F" type="decimal" min="0" max="1" units="dev")",
-                   [](const Recording&, const PenFields& f) { return f.pressure; },
+                   [](const Recording&, const RecordedStroke& s) { return s.fields.pressure; },
                    [](std::string& line, const Sample& s) { append(line, s.pen.pressure); }},
     WrittenChannel{"tilt_x", R"(name="OTx" type="decimal" units="rad")",
-                   [](const Recording&, const PenFields& f) { return f.tilt; },
+                   [](const Recording&, const RecordedStroke& s) { return s.fields.tilt; },
                    [](std::string& line, const Sample& s) { append(line, s.pen.tilt_x); }},
     WrittenChannel{"tilt_y", R"(name="OTy" type="decimal" units="rad")",
-                   [](const Recording&, const PenFields& f) { return f.tilt; },
+                   [](const Recording&, const RecordedStroke& s) { return s.fields.tilt; },
                    [](std::string& line, const Sample& s) { append(line, s.pen.tilt_y); }},
     WrittenChannel{"twist", R"(name="OR" type="decimal" units="rad")",
-                   [](const Recording&, const PenFields& f) { return f.twist; },
-                   [](std::string& line, const Sample& s) { append(line, s.pen.twist); }}};
+                   [](const Recording&, const RecordedStroke& s) { return s.fields.twist; },
+                   [](std::string& line, const Sample& s) { append(line, s.pen.twist); }},
+    WrittenChannel{"barrel", R"(name="B1" type="boolean")",
+                   [](const Recording&, const RecordedStroke& s) { return s.has_barrel; },
+                   [](std::string& line, const Sample& s) { line += s.barrel ? "1" : "0"; },
+                   [](std::string& line, const Sample& s) { line += s.barrel ? "T" : "F"; }}};
 
 constexpr std::size_t z_channel = 2;
 
@@ -56,9 +63,8 @@ using Given = std::array<bool, channels.size()>;
 
 Given given_in(const Recording& recording, const RecordedStroke& stroke) {
   Given given{};
-  std::ranges::transform(channels, given.begin(), [&](const WrittenChannel& channel) {
-    return channel.given(recording, stroke.fields);
-  });
+  std::ranges::transform(channels, given.begin(),
+                         [&](const WrittenChannel& channel) { return channel.given(recording, stroke); });
   return given;
 }
 
@@ -85,7 +91,7 @@ void write_trace(const RecordedStroke& stroke, std::size_t context, const Given&
     for (std::size_t i = 0; i < channels.size(); ++i) {
       if (!given[i]) continue;
       if (line.back() != '\n') line += ' ';
-      channels[i].append(line, sample);
+      channels[i].append_inkml(line, sample);
     }
     out << line;
   }
@@ -115,13 +121,15 @@ void write_inkml(std::span<const Recording> recordings, std::ostream& out) {
 
 void write_pen_csv(std::span<const Recording> recordings, std::ostream& out) {
   Given any{};
-  for_each_stroke(recordings, [&](const RecordedStroke&, const Given& given) {
+  bool erasers = false;
+  for_each_stroke(recordings, [&](const RecordedStroke& stroke, const Given& given) {
     std::ranges::transform(any, given, any.begin(), std::logical_or());
+    erasers |= stroke.eraser;
   });
   out << "stroke";
   for (std::size_t i = 0; i < channels.size(); ++i)
     if (any[i]) out << ',' << channels[i].csv;
-  out << '\n';
+  out << (erasers ? ",eraser\n" : "\n");
   std::size_t number = 0;
   std::string line;
   for_each_stroke(recordings, [&](const RecordedStroke& stroke, const Given& given) {
@@ -133,6 +141,7 @@ void write_pen_csv(std::span<const Recording> recordings, std::ostream& out) {
         line += ',';
         if (given[i]) channels[i].append(line, sample);
       }
+      if (erasers) line += stroke.eraser ? ",1" : ",0";
       out << line << '\n';
     }
   });

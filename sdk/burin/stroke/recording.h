@@ -20,6 +20,7 @@ struct Sample {
   double time = 0;  ///< seconds
   Vec3d position = Vec3d::Zero();
   Pen pen;
+  bool barrel = false;  ///< a button at the pen's side is held
 };
 
 /// One stroke of a recording. Settings that the file does not have are not given; the caller must supply
@@ -28,6 +29,9 @@ struct RecordedStroke {
   GivenSettings settings;  ///< the rows of the setting table marked as recorded
   PenFields fields;
   std::vector<Sample> samples;  ///< finite as floats, pressure 0..1, time not falling
+  bool has_barrel = false;      ///< the samples tell of the button at the pen's side
+  bool eraser = false;          ///< drawn with the pen's eraser, or an eraser tool
+  std::string tool = {};        ///< "pen", "touch", "mouse" or the like; empty if unknown
 };
 
 /// The content of a `.stroke` file.

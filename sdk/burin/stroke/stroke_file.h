@@ -37,7 +37,7 @@ class StrokeWriter {
   StrokeWriter(const std::filesystem::path& path, StrokeSpace space, const std::optional<Camera>& camera,
                std::string_view device = {}, PassLines pass_lines = PassLines::at_once);
 
-  /// Begins a stroke with the settings and fields of `stroke`. Does not write its samples.
+  /// Begins a stroke with what holds for `stroke` as a whole. Does not write its samples.
   void begin(const RecordedStroke& stroke);
   void add(const Sample& sample);
   void end();  ///< ends the stroke
@@ -53,7 +53,8 @@ class StrokeWriter {
   StrokeSpace space_;
   PassLines pass_lines_;
   PenFields fields_;
-  bool open_ = false;  ///< within a stroke
+  bool has_barrel_ = false;  ///< of the open stroke
+  bool open_ = false;        ///< within a stroke
   double last_time_ = 0;
 };
 

@@ -53,6 +53,15 @@ TEST(ReadCsv, PartsStrokesByTextsToo) {
   EXPECT_EQ(places(file.strokes[3]), "9 9, 8 8");
 }
 
+TEST(ReadCsv, TellsOfTheButtonAtThePensSide) {
+  const PenFile file = PenFileFolder().read("stroke,x,y,barrel\n1,2,3,0\n1,3,4,1\n2,4,5,\n");
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_TRUE(file.strokes[0].has_barrel);
+  EXPECT_FALSE(file.strokes[0].samples[0].barrel);
+  EXPECT_TRUE(file.strokes[0].samples[1].barrel);
+  EXPECT_FALSE(file.strokes[1].has_barrel);
+}
+
 TEST(ReadCsv, TakesLineEndsWithinQuotes) {
   const PenFileFolder folder;
   const PenFile file = folder.read(

@@ -62,6 +62,19 @@ TEST(ReadEvemu, EndsAStrokeWhereEventsWereLost) {
   EXPECT_EQ(places(file.strokes[1]), "40 20");
 }
 
+TEST(ReadEvemu, TellsOfTheButtonsAtThePensSide) {
+  const PenFile file = PenFileFolder().read(
+      tablet + frame("1", {"0003 0000 200", "0003 0001 400", "0001 0140 1", "0001 014a 1"}) +
+      frame("2", {"0001 014a 0"}) + frame("3", {"0001 014a 1"}) + frame("4", {"0001 014b 1"}) +
+      frame("5", {"0003 0000 300"}) + frame("6", {"0001 014b 0"}) + frame("7", {"0001 014c 1"}));
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_FALSE(file.strokes[0].has_barrel) << "none was sent yet";
+  EXPECT_TRUE(file.strokes[1].has_barrel);
+  std::string held;
+  for (const Sample& sample : file.strokes[1].samples) held += sample.barrel ? '1' : '0';
+  EXPECT_EQ(held, "01101");
+}
+
 /// A screen that has slots, and a pen too.
 const std::string screen =
     "# EVEMU 1.3\nA: 00 0 4000 0 0 20\nA: 01 0 3000 0 0 20\nA: 2f 0 9 0 0 0\n"

@@ -41,6 +41,9 @@ TEST(ReadHid, CutsReportsByTheDescriptor) {
   EXPECT_NEAR(sample.pen.tilt_x, 10 * std::numbers::pi / 180, 1e-6);
   EXPECT_NEAR(sample.pen.tilt_y, -10 * std::numbers::pi / 180, 1e-6);
   EXPECT_DOUBLE_EQ(sample.time, 0.005);
+  EXPECT_TRUE(file.strokes[0].has_barrel);
+  EXPECT_FALSE(sample.barrel);
+  EXPECT_TRUE(file.strokes[0].samples[1].barrel) << "the second bit";
 }
 
 TEST(ReadHid, TakesRadiansWhereTheDescriptorHasThem) {

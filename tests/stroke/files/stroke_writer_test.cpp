@@ -97,6 +97,24 @@ TEST(StrokeWriter, WritesOnlyTheFieldsThatAreThere) {
   EXPECT_TRUE(test::same_bits(read_strokes(folder.path() / "a.stroke"), recording));
 }
 
+TEST(StrokeWriter, WritesToolEraserAndTheButtonAtThePensSide) {
+  const test::TemporaryFolder folder;
+  Recording recording;
+  RecordedStroke& stroke = recording.strokes.emplace_back();
+  stroke.has_barrel = stroke.eraser = true;
+  stroke.tool = "pen";
+  stroke.samples.resize(2);
+  stroke.samples[1].barrel = true;
+  recording.strokes.emplace_back().samples.resize(1);
+  write(folder.path() / "a.stroke", recording);
+  EXPECT_EQ(read_file(folder.path() / "a.stroke"),
+            "{\"burin_stroke\":1,\"space\":\"object\"}\n"
+            "{\"begin\":{},\"fields\":[\"x\",\"y\",\"z\",\"barrel\"],\"tool\":\"pen\",\"eraser\":true}\n"
+            "[0,0,0,0]\n[0,0,0,1]\n{\"end\":true}\n"
+            "{\"begin\":{},\"fields\":[\"x\",\"y\",\"z\"]}\n[0,0,0]\n{\"end\":true}\n");
+  EXPECT_TRUE(test::same_bits(read_strokes(folder.path() / "a.stroke"), recording));
+}
+
 TEST(StrokeWriter, HasEveryLineOnDiskBeforeItReturns) {
   test::TemporaryFolder folder;
   const auto path = folder.path() / "a.stroke";

@@ -18,7 +18,7 @@ constexpr unsigned ev_syn = 0, ev_key = 1, ev_abs = 3;
 constexpr unsigned syn_report = 0, syn_mt_report = 2, syn_dropped = 3;
 constexpr unsigned abs_x = 0x00, abs_y = 0x01, abs_pressure = 0x18, abs_tilt_x = 0x1a, abs_tilt_y = 0x1b;
 constexpr unsigned first_tool = 0x140, tool_rubber = 0x141, tool_finger = 0x145, tool_mouse = 0x146,
-                   tool_lens = 0x147, touch_code = 0x14a;
+                   tool_lens = 0x147, touch_code = 0x14a, stylus_code = 0x14b, stylus2_code = 0x14c;
 
 bool is_tool(const EvdevEvent& event) {
   return event.type == ev_key && event.code >= first_tool && event.code <= tool_lens;
@@ -68,6 +68,8 @@ void EvdevFrames::apply(const EvdevEvent& event) {
     touch_ = event.value != 0;
     if (!touch_) packets_.lift();
   }
+  if (event.type == ev_key && (event.code == stylus_code || event.code == stylus2_code))
+    stylus_[event.code - stylus_code] = event.value != 0;
   if (!is_tool(event)) return;
   sends_tools_ = true;
   if (event.value != 0)
@@ -105,6 +107,9 @@ void EvdevFrames::add_sample(double time) {
   PenStroke& stroke = content_.strokes[*stroke_];
   Sample& sample = stroke.samples.emplace_back();
   sample.time = time;
+  // Only changes are sent: before the first one no button was held.
+  stroke.has_barrel |= stylus_[0].has_value() || stylus_[1].has_value();
+  sample.barrel = stylus_[0].value_or(false) || stylus_[1].value_or(false);
   sample.position = EvdevPlane(axes_, abs_x, abs_y).position(values_[abs_x], values_[abs_y]);
   if (stroke.fields.pressure)
     sample.pen.pressure = static_cast<float>(share_of(*axis(abs_pressure), values_[abs_pressure]));

@@ -4,6 +4,7 @@
 #include <burin/ink/parse/evdev_axes.h>
 #include <burin/ink/pen_file.h>
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -50,6 +51,7 @@ class EvdevFrames {
   std::vector<EvdevEvent> frame_;
   EvdevValues values_;
   std::optional<unsigned> tool_;               ///< the code of the tool that is near
+  std::array<std::optional<bool>, 2> stylus_;  ///< buttons at the pen's side; empty: none was sent
   bool sends_tools_ = false, touch_ = false, lost_ = false;
   std::optional<std::size_t> stroke_;  ///< of `content_`, that goes on
   PenFile content_;

@@ -79,7 +79,8 @@ InkmlChannels::InkmlChannels(const InkmlFormat& format, bool office, bool in_spa
       azimuth_(find("OA")),
       elevation_(find("OE")),
       rotation_(find("OR")),
-      tip_(find("S")) {
+      tip_(find("S")),
+      barrel_(find("B1")) {
   if (!has_position()) return;
   scale_ = {position_scale(channel(x_), office), position_scale(channel(y_), office), 0};
   if (z_) scale_.z() = position_scale(channel(z_), office);
@@ -87,6 +88,7 @@ InkmlChannels::InkmlChannels(const InkmlFormat& format, bool office, bool in_spa
   // Without a greatest force, values are no shares of it.
   if (force_ && !channel(force_).most) force_.reset();
   if (tip_ && !channel(tip_).boolean) tip_.reset();
+  if (barrel_ && !channel(barrel_).boolean) barrel_.reset();
 }
 
 InkmlChannels::At InkmlChannels::find(std::string_view name) const {
@@ -97,6 +99,7 @@ InkmlChannels::At InkmlChannels::find(std::string_view name) const {
 PenStroke InkmlChannels::empty_stroke() const {
   PenStroke stroke;
   stroke.has_z = z_.has_value();
+  stroke.has_barrel = barrel_.has_value();
   stroke.fields = {.time = time_.has_value(),
                    .pressure = force_.has_value(),
                    .tilt = (tilt_x_ && tilt_y_) || (azimuth_ && elevation_),
@@ -120,6 +123,7 @@ void InkmlChannels::drop_unknown(PenStroke& stroke, const InkmlValues& held) con
   fields.tilt &=
       (known(tilt_x_, held) && known(tilt_y_, held)) || (known(azimuth_, held) && known(elevation_, held));
   fields.twist &= known(rotation_, held);
+  stroke.has_barrel &= known(barrel_, held);
   for (Sample& sample : stroke.samples) {
     if (!fields.time) sample.time = 0;
     if (!fields.pressure) sample.pen.pressure = Pen{}.pressure;
@@ -163,6 +167,7 @@ Sample InkmlChannels::sample(const InkmlValues& values, double begin) const {
     const double level = math::cos(up);
     set_upper_end(sample.pen, {level * math::cos(around), level * math::sin(around), math::sin(up)});
   }
+  if (barrel_) sample.barrel = value(barrel_, values) != 0;
   if (rotation_) sample.pen.twist = static_cast<float>(angle(rotation_, values));
   return sample;
 }

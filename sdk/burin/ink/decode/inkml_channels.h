@@ -47,7 +47,7 @@ class InkmlChannels {
   const InkmlChannel& channel(At at) const { return format_.channels[*at]; }
 
   const InkmlFormat& format_;
-  At x_, y_, z_, time_, force_, tilt_x_, tilt_y_, azimuth_, elevation_, rotation_, tip_;
+  At x_, y_, z_, time_, force_, tilt_x_, tilt_y_, azimuth_, elevation_, rotation_, tip_, barrel_;
   Vec3d scale_ = Vec3d::Zero();  ///< millimetres per value; 0: unknown
 };
 

@@ -53,7 +53,7 @@ std::vector<CsvColumn> header_columns(std::string_view line) {
 struct Row {
   Sample sample;
   PenFields fields;
-  bool has_x = false, has_y = false, has_z = false, contact = true, eraser = false;
+  bool has_x = false, has_y = false, has_z = false, contact = true, eraser = false, has_barrel = false;
   std::optional<double> azimuth, altitude;  ///< from +x towards +y, and above the plane, radians
   double stroke = 0;
   std::string_view stroke_name;  ///< where that is no number; empty else
@@ -109,6 +109,10 @@ void set(Row& row, CsvCell cell, double value) {
       break;
     case CsvCell::eraser:
       row.eraser = value != 0;
+      break;
+    case CsvCell::barrel:
+      sample.barrel = value != 0;
+      row.has_barrel = true;
       break;
     case CsvCell::unknown:
       break;
@@ -171,6 +175,7 @@ class Rows {
       stroke.fields = row.fields;
       stroke.has_z = row.has_z;
       stroke.eraser = row.eraser;
+      stroke.has_barrel = row.has_barrel;
     }
     down_ = true;
     stroke_ = row.stroke;

@@ -29,9 +29,10 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::uint32_t usage_pressure = 0x0d0030, usage_tilt_x = 0x0d003d, usage_tilt_y = 0x0d003e,
-                        usage_twist = 0x0d0041, usage_eraser = 0x0d0045;
-constexpr std::array pen_usages{usage_x,      usage_y,      usage_tip,   usage_pressure,
-                                usage_tilt_x, usage_tilt_y, usage_twist, usage_eraser};
+                        usage_twist = 0x0d0041, usage_eraser = 0x0d0045, usage_barrel = 0x0d0044,
+                        usage_barrel2 = 0x0d005a;
+constexpr std::array pen_usages{usage_x,      usage_y,     usage_tip,    usage_pressure, usage_tilt_x,
+                                usage_tilt_y, usage_twist, usage_eraser, usage_barrel,   usage_barrel2};
 
 /// "n bytes", the bytes in hexadecimal.
 Bytes parse_bytes(std::string_view rest) {
@@ -114,6 +115,7 @@ void HidPen::add_sample(double time, const HidReport& report, bool eraser) {
   if (!down_ || content_.strokes.back().eraser != eraser) {
     PenStroke& stroke = content_.strokes.emplace_back();
     stroke.eraser = eraser;
+    stroke.has_barrel = find(usage_barrel, report) != nullptr;
     stroke.fields = {.time = true,
                      .pressure = pressure && pressure->most > pressure->least,
                      .tilt = tilt,
@@ -122,6 +124,8 @@ void HidPen::add_sample(double time, const HidReport& report, bool eraser) {
   PenStroke& stroke = content_.strokes.back();
   Sample& sample = stroke.samples.emplace_back();
   sample.time = time;
+  sample.barrel =
+      value(usage_barrel, report).value_or(0) != 0 || value(usage_barrel2, report).value_or(0) != 0;
   sample.position = {position(*find(usage_x, report), report), position(*find(usage_y, report), report), 0};
   if (stroke.fields.pressure && pressure) {
     const double span = pressure->most - pressure->least;

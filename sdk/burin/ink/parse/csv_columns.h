@@ -20,6 +20,7 @@ enum class CsvCell {
   contact,
   stroke,
   eraser,
+  barrel,
   unknown
 };
 

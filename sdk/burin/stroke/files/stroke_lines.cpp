@@ -16,14 +16,15 @@
 namespace burin {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Column>, 8> column_names{{{"time", Column::time},
+constexpr std::array<std::pair<std::string_view, Column>, 9> column_names{{{"time", Column::time},
                                                                            {"x", Column::x},
                                                                            {"y", Column::y},
                                                                            {"z", Column::z},
                                                                            {"pressure", Column::pressure},
                                                                            {"tilt_x", Column::tilt_x},
                                                                            {"tilt_y", Column::tilt_y},
-                                                                           {"twist", Column::twist}}};
+                                                                           {"twist", Column::twist},
+                                                                           {"barrel", Column::barrel}}};
 
 void reject_fault(const JsonValue& value, std::string_view fault) {
   if (!fault.empty()) value.reject(fault);
@@ -102,9 +103,17 @@ void set(Sample& sample, Column column, double value) {
     case Column::twist:
       sample.pen.twist = static_cast<float>(value);
       break;
+    case Column::barrel:
+      sample.barrel = value != 0;
+      break;
     case Column::unknown:
       break;
   }
+}
+
+bool boolean_of(const JsonValue& value) {
+  if (!value.is_boolean()) value.reject_type("true or false");
+  return value.boolean();
 }
 
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
@@ -150,6 +159,9 @@ BeginLine parse_begin(const JsonValue& line, StrokeSpace space) {
   fields.pressure = has(begin.columns, Column::pressure);
   fields.tilt = has(begin.columns, Column::tilt_x) || has(begin.columns, Column::tilt_y);
   fields.twist = has(begin.columns, Column::twist);
+  begin.stroke.has_barrel = has(begin.columns, Column::barrel);
+  if (const auto eraser = line.find("eraser")) begin.stroke.eraser = boolean_of(*eraser);
+  if (const auto tool = line.find("tool")) begin.stroke.tool = tool->text();
   return begin;
 }
 

@@ -18,7 +18,7 @@ struct HeaderLine {
 HeaderLine parse_header(const JsonValue& line);
 
 /// The member of Sample that a number of a sample line belongs to.
-enum class Column { unknown, time, x, y, z, pressure, tilt_x, tilt_y, twist };
+enum class Column { unknown, time, x, y, z, pressure, tilt_x, tilt_y, twist, barrel };
 
 struct BeginLine {
   RecordedStroke stroke;  ///< without samples

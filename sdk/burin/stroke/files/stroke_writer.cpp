@@ -38,7 +38,8 @@ Json settings_json(const GivenSettings& given) {
   return settings;
 }
 
-std::vector<std::string> field_names(const PenFields& fields, StrokeSpace space) {
+std::vector<std::string> field_names(const RecordedStroke& stroke, StrokeSpace space) {
+  const PenFields& fields = stroke.fields;
   std::vector<std::string> names;
   if (fields.time) names.insert(names.end(), {"time"});
   names.insert(names.end(), {"x", "y"});
@@ -46,6 +47,7 @@ std::vector<std::string> field_names(const PenFields& fields, StrokeSpace space)
   if (fields.pressure) names.insert(names.end(), {"pressure"});
   if (fields.tilt) names.insert(names.end(), {"tilt_x", "tilt_y"});
   if (fields.twist) names.insert(names.end(), {"twist"});
+  if (stroke.has_barrel) names.insert(names.end(), {"barrel"});
   return names;
 }
 
@@ -102,9 +104,12 @@ StrokeWriter::StrokeWriter(const std::filesystem::path& path, StrokeSpace space,
 
 void StrokeWriter::begin(const RecordedStroke& stroke) {
   if (open_) throw ContractError("stroke file: begin within a stroke");
-  write_line(
-      dump({{"begin", settings_json(stroke.settings)}, {"fields", field_names(stroke.fields, space_)}}));
+  Json line = {{"begin", settings_json(stroke.settings)}, {"fields", field_names(stroke, space_)}};
+  if (!stroke.tool.empty()) line["tool"] = stroke.tool;
+  if (stroke.eraser) line["eraser"] = true;
+  write_line(dump(line));
   fields_ = stroke.fields;
+  has_barrel_ = stroke.has_barrel;
   last_time_ = -std::numeric_limits<double>::infinity();
   open_ = true;
 }
@@ -124,6 +129,7 @@ void StrokeWriter::add(const Sample& sample) {
     append(line, sample.pen.tilt_y);
   }
   if (fields_.twist) append(line, sample.pen.twist);
+  if (has_barrel_) line += sample.barrel ? "1," : "0,";
   line.back() = ']';
   write_line(std::move(line));
   last_time_ = sample.time;
