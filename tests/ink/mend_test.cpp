@@ -106,6 +106,19 @@ TEST(Mend, RemovesWildSamples) {
   EXPECT_EQ(did, Lines{"stroke 1, sample 21: far beside the way; left out"});
 }
 
+TEST(Mend, NumbersSamplesAsTheRecordingDoes) {
+  RecordedStroke stroke = wave();
+  stroke.samples.insert(stroke.samples.begin() + 20, sample_at(0.195, 400, -300));
+  stroke.samples.insert(stroke.samples.begin() + 5, stroke.samples[5]);
+  std::swap(stroke.samples[2], stroke.samples[3]);
+  Lines did;
+  EXPECT_TRUE(gives_the_wave(stroke, did));
+  EXPECT_EQ(did,
+            (Lines{"stroke 1, sample 4: its time 0.02 is before that of the one before; it goes to place 3",
+                   "stroke 1, sample 7: a duplicate of the one before; left out",
+                   "stroke 1, sample 22: far beside the way; left out"}));
+}
+
 TEST(Mend, RemovesHooksOfThePenThatLandsAndLifts) {
   RecordedStroke stroke = wave();
   for (Sample& sample : stroke.samples) sample.time += 0.02;

@@ -11,7 +11,7 @@ std::vector<std::string> mend(Recording& recording) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < recording.strokes.size(); ++i) {
     RecordedStroke& stroke = recording.strokes[i];
-    MendLog did(i + 1);
+    MendLog did(i + 1, stroke.samples.size());
     mend_order(stroke, did);
     remove_duplicates(stroke, did);
     mend_packets(stroke, did);

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,21 +10,33 @@ namespace burin {
 /// What was mended in a stroke, a line each.
 class MendLog {
  public:
-  /// `stroke`: its number, from 1.
-  explicit MendLog(std::size_t stroke) : place_("stroke " + std::to_string(stroke)) {}
+  /// `stroke`: its number, from 1. `samples`: how many it has.
+  MendLog(std::size_t stroke, std::size_t samples)
+      : place_("stroke " + std::to_string(stroke)), numbers_(samples) {
+    std::iota(numbers_.begin(), numbers_.end(), 1);
+  }
 
-  /// Samples are counted from 1, as they are when the line is written.
-  void add(std::size_t first, std::size_t last, const std::string& what) {
-    const std::string samples = first == last
-                                    ? "sample " + std::to_string(first)
-                                    : "samples " + std::to_string(first) + " to " + std::to_string(last);
+  /// `begin` to `last`: places, from 0, in the stroke as it is now. The line has the numbers that the samples
+  /// had in the recording, from 1.
+  void add(std::size_t begin, std::size_t last, const std::string& what) {
+    const std::size_t from = numbers_[begin], to = numbers_[last];
+    const std::string samples = from == to ? "sample " + std::to_string(from)
+                                           : "samples " + std::to_string(from) + " to " + std::to_string(to);
     lines_.push_back(place_ + ", " + samples + ": " + what);
+  }
+
+  /// Takes it that the stroke has only the samples at these places now, in this order.
+  void keep(const std::vector<std::size_t>& places) {
+    std::vector<std::size_t> kept;
+    for (const std::size_t place : places) kept.push_back(numbers_[place]);
+    numbers_ = std::move(kept);
   }
 
   std::vector<std::string> lines() && { return std::move(lines_); }
 
  private:
   std::string place_;
+  std::vector<std::size_t> numbers_;  ///< [place] of the sample in the recording
   std::vector<std::string> lines_;
 };
 

@@ -57,17 +57,23 @@ void remove_wild_samples(RecordedStroke& stroke, MendLog& log) {
   constexpr double far = 10;
   std::vector<Sample>& samples = stroke.samples;
   const double usual = median_step(samples);
-  std::vector<std::size_t> wild;
-  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+  const auto is_wild = [&](std::size_t i) {
+    if (i == 0 || i + 1 == samples.size()) return false;
     const double nearest = std::min(step(samples[i - 1], samples[i]), step(samples[i], samples[i + 1]));
-    if (nearest <= far * std::max(usual, step(samples[i - 1], samples[i + 1]))) continue;
-    log.add(i + 1, i + 1, "far beside the way; left out");
-    wild.push_back(i);
+    return nearest > far * std::max(usual, step(samples[i - 1], samples[i + 1]));
+  };
+  std::vector<Sample> kept;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (is_wild(i)) {
+      log.add(i, i, "far beside the way; left out");
+      continue;
+    }
+    kept.push_back(samples[i]);
+    places.push_back(i);
   }
-  while (!wild.empty()) {
-    samples.erase(samples.begin() + static_cast<std::ptrdiff_t>(wild.back()));
-    wild.pop_back();
-  }
+  log.keep(places);
+  samples = std::move(kept);
 }
 
 void remove_hooks(RecordedStroke& stroke, MendLog& log) {
@@ -78,8 +84,8 @@ void remove_hooks(RecordedStroke& stroke, MendLog& log) {
   const std::size_t at_end = hook_at_start(samples, way, usual);
   std::ranges::reverse(samples);
   if (at_end > 0)
-    log.add(samples.size() - at_end + 1, samples.size(), "a hook of the pen that lifts; left out");
-  if (at_start > 0) log.add(1, at_start, "a hook of the pen that lands; left out");
+    log.add(samples.size() - at_end, samples.size() - 1, "a hook of the pen that lifts; left out");
+  if (at_start > 0) log.add(0, at_start - 1, "a hook of the pen that lands; left out");
   samples.erase(samples.end() - static_cast<std::ptrdiff_t>(at_end), samples.end());
   samples.erase(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(at_start));
 }

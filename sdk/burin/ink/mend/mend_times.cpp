@@ -14,28 +14,38 @@ namespace {
 
 bool time_falls(const Sample& before, const Sample& sample) { return sample.time < before.time; }
 
+/// The places of the samples in the order of their times.
+std::vector<std::size_t> order_of_times(const std::vector<Sample>& samples) {
+  std::vector<std::size_t> order(samples.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](std::size_t place) { return samples[place].time; });
+  return order;
+}
+
 void put_in_order(std::vector<Sample>& samples, std::vector<Sample> ordered, MendLog& log) {
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (!time_falls(samples[i - 1], samples[i])) continue;
     const auto place = std::ranges::lower_bound(ordered, samples[i].time, {}, &Sample::time);
-    log.add(i + 1, i + 1,
+    log.add(i, i,
             fmt::format("its time {} is before that of the one before; it goes to place {}", samples[i].time,
                         1 + (place - ordered.begin())));
   }
+  log.keep(order_of_times(samples));
   samples = std::move(ordered);
 }
 
 void raise_times(std::vector<Sample>& samples, MendLog& log) {
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (!time_falls(samples[i - 1], samples[i])) continue;
-    log.add(i + 1, i + 1,
-            fmt::format("its time {} falls; raised to {}", samples[i].time, samples[i - 1].time));
+    log.add(i, i, fmt::format("its time {} falls; raised to {}", samples[i].time, samples[i - 1].time));
     samples[i].time = samples[i - 1].time;
   }
 }
 
-bool same(const Pen& a, const Pen& b) {
-  return a.pressure == b.pressure && a.tilt_x == b.tilt_x && a.tilt_y == b.tilt_y && a.twist == b.twist;
+bool repeats(const Sample& sample, const Sample& before) {
+  const Pen &a = sample.pen, &b = before.pen;
+  return sample.position == before.position && sample.time == before.time && a.pressure == b.pressure &&
+         a.tilt_x == b.tilt_x && a.tilt_y == b.tilt_y && a.twist == b.twist && sample.barrel == before.barrel;
 }
 
 }  // namespace
@@ -43,8 +53,8 @@ bool same(const Pen& a, const Pen& b) {
 void mend_order(RecordedStroke& stroke, MendLog& log) {
   std::vector<Sample>& samples = stroke.samples;
   if (!stroke.fields.time || std::ranges::is_sorted(samples, {}, &Sample::time)) return;
-  std::vector<Sample> ordered = samples;
-  std::ranges::stable_sort(ordered, {}, &Sample::time);
+  std::vector<Sample> ordered;
+  for (const std::size_t place : order_of_times(samples)) ordered.push_back(samples[place]);
   if (drawn_length(ordered) <= drawn_length(samples))
     put_in_order(samples, std::move(ordered), log);
   else
@@ -53,14 +63,16 @@ void mend_order(RecordedStroke& stroke, MendLog& log) {
 
 void remove_duplicates(RecordedStroke& stroke, MendLog& log) {
   std::vector<Sample> kept;
+  std::vector<std::size_t> places;
   for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
-    const Sample& sample = stroke.samples[i];
-    if (i > 0 && sample.position == kept.back().position && sample.time == kept.back().time &&
-        same(sample.pen, kept.back().pen))
-      log.add(i + 1, i + 1, "a duplicate of the one before; left out");
-    else
-      kept.push_back(sample);
+    if (i > 0 && repeats(stroke.samples[i], kept.back())) {
+      log.add(i, i, "a duplicate of the one before; left out");
+      continue;
+    }
+    kept.push_back(stroke.samples[i]);
+    places.push_back(i);
   }
+  log.keep(places);
   stroke.samples = std::move(kept);
 }
 
@@ -68,7 +80,7 @@ void mend_packets(RecordedStroke& stroke, MendLog& log) {
   std::vector<Sample>& samples = stroke.samples;
   if (!stroke.fields.time) return;
   if (has_constant_time(samples)) {
-    log.add(1, samples.size(), "all have the same time; times left out");
+    log.add(0, samples.size() - 1, "all have the same time; times left out");
     stroke.fields.time = false;
     for (Sample& sample : samples) sample.time = 0;
     return;
@@ -77,7 +89,7 @@ void mend_packets(RecordedStroke& stroke, MendLog& log) {
     std::size_t end = begin + 1;
     while (end < samples.size() && samples[end].time == samples[begin].time) ++end;
     if (end - begin > 1)
-      log.add(begin + 1, end,
+      log.add(begin, end - 1,
               fmt::format("share the time {}; spread over the time before", samples[begin].time));
     begin = end;
   }
