@@ -163,10 +163,13 @@ std::vector<PenSeed> all_seeds() {
        R"(</ink>)"},
       {"xournal",
        R"(<xournal><page width="9" height="9"><layer><stroke tool="pen" width="1 2">1 2 3 4</stroke>)"
-       R"(</layer></page></xournal>)"},
+       R"(<timestamp ts="1" fn="a"/><text x="1" y="2">a</text><image left="1">QQ==</image></layer></page></xournal>)"},
       {"svg",
        R"svg(<svg><defs><path id="a" d="M1 2l3 4"/></defs><g style="transform:rotate(1rad)translateX(2px);)svg"
        R"svg(transform-origin:1px 2px"><use href="#a" x="5"/><rect/></g></svg>)svg"},
+      {"svg",
+       R"svg(<svg><switch><g requiredExtensions="a"><path d="M1 2l3 4"/></g><g systemLanguage="de, en-GB">)svg"
+       R"svg(<path d="M5 6l7 8"/></g><path d="M9 9"/></switch></svg>)svg"},
       {"svg", R"svg(<svg><g transform="scale(2)"><path d="M1 2 l3 4 C1 2 3 4 5 6 z"/></g></svg>)svg"},
       {"evemu",
        "# EVEMU 1.2\nN: A\nA: 00 0 100 0 0 10\nA: 01 0 100 0 0 10\nE: 0.01 0003 0000 20\nE: 0.01 0003 0001 "
@@ -178,6 +181,12 @@ std::vector<PenSeed> all_seeds() {
        "0003 0039 "
        "2\nE: 0.02 0003 0035 7\nE: 0.02 0003 0036 8\nE: 0.02 0000 0000 0\nE: 0.03 0003 0039 -1\nE: 0.03 0000 "
        "0000 0\n"},
+      {"evemu",
+       "# EVEMU 1.3\nA: 30 0 9 0 0\nA: 35 0 100 0 0 10\nA: 36 0 100 0 0 10\nE: 0.01 0003 0035 20\nE: 0.01 "
+       "0003 "
+       "0036 20\nE: 0.01 0000 0002 0\nE: 0.01 0003 0035 7\nE: 0.01 0003 0036 8\nE: 0.01 0000 0002 0\nE: 0.01 "
+       "0000 0000 0\nE: 0.02 0003 0039 1\nE: 0.02 0003 0035 8\nE: 0.02 0003 0036 8\nE: 0.02 0000 0002 0\nE: "
+       "0.02 0000 0000 0\nE: 0.03 0001 014b 1\nE: 0.03 0000 0002 0\nE: 0.03 0000 0000 0\n"},
       {"pointers", "{\"points\":[{\"x\":1,\"y\":2}]}\n{\"drawing\":[[[1,2],[3,4],[0,8]]]}\n"},
       {"pointers", R"([{"pointers":[{"x":1,"y":2,"t":1500,"p":0.5},{"x":3,"y":4,"t":1516,"p":1}]}])"},
       {"uim_json",
@@ -207,6 +216,7 @@ std::vector<PenSeed> all_seeds() {
        R"(f(stroke=[{"name":'it\'s', "location":(0.1, 0.2, 0.3), "mouse":(10, 20), "pressure":0.5, "size":25,)"
        R"("pen_flip":False, "time":1.5, "is_start":True}, {'location':(0, 1, 2), "x_tilt": 0.5, 'y_tilt': 0,}]))"},
       {"csv", "idx,SPLINE_X,SPLINE_Y,SENSOR_TIMESTAMP,note\n0,1,2,3,\"a\nb\"\"\"\n1,5,6,7,\n"},
+      {"csv", "stroke,x,y,barrel,eraser,note\n1,1,2,1,0,\"a\"\n2,3,4,0,1,\"b\nc\"\n"},
       {"csv", "stroke,x,y,time,pressure\n1,1,2,0,0.5\n2,3,4,8,1\n"},
   };
 }

@@ -43,8 +43,8 @@ class EvdevPackets {
 
   const EvdevAxes& axes_;
   EvdevValues packet_;
-  bool has_packets_ = false;           ///< in the frame, or events that stand for an empty one
-  std::vector<Touch> frame_, touches_; ///< of the frame, and of the one before
+  bool has_packets_ = false;            ///< in the frame, or events that stand for an empty one
+  std::vector<Touch> frame_, touches_;  ///< of the frame, and of the one before
 };
 
 }  // namespace burin

@@ -9,8 +9,8 @@ namespace burin {
 /// language that is English, whose speaker the viewer is taken for.
 bool svg_applies(const pugi::xml_node& node);
 
-/// What an element says of a property that is one word, by its style or else by an attribute; empty if it says
-/// nothing.
+/// What an element says of a property that is one word, by its style or else by an attribute; empty if it
+/// says nothing.
 std::string_view svg_word(const pugi::xml_node& node, std::string_view property);
 
 /// The transform of an element, about its origin. Throws Error for one that is malformed.
