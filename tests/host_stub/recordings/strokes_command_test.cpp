@@ -51,6 +51,38 @@ TEST(StrokesCommand, TellsWhatFilesHold) {
   EXPECT_NE(text.find("not used: the columns timestamp\n"), text.npos) << text;
 }
 
+/// A page of reMarkable's version 6: a line in a group beside typed text.
+std::string line_beside_text() {
+  const std::string group = "\x1f\1\x1e", set_by = "\x1f\1\5";
+  const auto size = [](const std::string& content) {
+    return static_cast<char>(content.size()) + std::string(3, '\0');
+  };
+  const auto part = [&](const std::string& tag, const std::string& content) {
+    return tag + size(content) + content;
+  };
+  const auto block = [&](char type, const std::string& content) {
+    return size(content) + std::string("\0\1\2", 3) + type + content;
+  };
+  const std::string anchor =
+      part("\x7c", set_by + "\x2f\1\x16") + part("\xac\1", set_by + std::string("\x24\0\0\0\0", 5));
+  const std::string line =
+      part("\x6c", std::string("\3\x14\x0f\0\0\0", 6) +
+                       part("\x5c", std::string("\0\0\x80\x3f\0\0\0\x40\0\0\6\0\0\x33", 14)));
+  return "reMarkable .lines file, version=6          " + block(2, group + anchor) +
+         block(5, group + std::string("\x2f\1\x0a\x3f\1\0\x4f\1\0", 9) + line);
+}
+
+TEST(StrokesCommand, TellsThatPlacesBesideTypedTextAreEstimates) {
+  const CommandFolder folder;
+  const std::string page = folder.write("a.rm", line_beside_text());
+  EXPECT_EQ(burin_json({"strokes", page})[0]["y_estimated_strokes"], 1);
+  EXPECT_NE(burin_output({"strokes", page})
+                .find("px; y of 1 strokes beside typed text is estimated, since the file does not tell the "
+                      "heights of "
+                      "its lines\n"),
+            std::string::npos);
+}
+
 TEST(StrokesCommand, RefusesWhatIsNoPenFile) {
   const CommandFolder folder;
   const ProcessResult result = burin({"strokes", folder.write("a", "nothing known\n")});
