@@ -148,6 +148,20 @@ TEST(ReadPointers, ReadsListsOfEvents) {
   EXPECT_EQ(typed.hovering, 2u);
   const PenFile buttons = folder.read(R"([{"x": 1, "y": 2, "buttons": 0}, {"x": 3, "y": 4, "buttons": 1}])");
   EXPECT_EQ(places(buttons.strokes.at(0)), "3 4");
+  const std::string events =
+      R"([{"x":1,"y":2,"buttons":1},{"x":3,"y":4,"buttons":2},{"x":5,"y":6,"buttons":32},{"x":7,"y":8,"buttons":0}])";
+  const std::string arrays = R"({"x":[1,3,5,7],"y":[2,4,6,8],"time":[0,1,2,3],"buttons":[1,2,32,0]})";
+  for (const std::string& text : {events, arrays}) {
+    const PenFile pen = folder.read(text);
+    ASSERT_EQ(pen.strokes.size(), 2u) << text;
+    EXPECT_EQ(places(pen.strokes[0]), "1 2, 3 4");
+    EXPECT_TRUE(pen.strokes[0].has_barrel);
+    EXPECT_FALSE(pen.strokes[0].eraser);
+    EXPECT_FALSE(pen.strokes[0].samples[0].barrel);
+    EXPECT_TRUE(pen.strokes[0].samples[1].barrel) << "the button at the side";
+    EXPECT_TRUE(pen.strokes[1].eraser);
+  }
+  EXPECT_FALSE(folder.read(R"([{"x":1,"y":2,"buttons":2,"pointerType":"mouse"}])").strokes.at(0).has_barrel);
   EXPECT_EQ(places(folder.read(R"([{"x": 1, "y": 2}, {"x": 3, "y": 4}])").strokes.at(0)), "1 2, 3 4");
   EXPECT_EQ(folder.complaint(R"([{"x": 1, "y": 2}, {"x": 3}])"), " [1]: lacks 'y'");
   EXPECT_EQ(places(folder.read(R"({"events": [{"pointers": [{"x": 1, "y": 2}]}]})").strokes.at(0)), "1 2");

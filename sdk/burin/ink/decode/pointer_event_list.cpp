@@ -127,14 +127,17 @@ class EventList {
   PenFile finish();
 
  private:
-  bool touches(const ListedEvent& listed, const PenEvent& event);
+  bool goes_down(const ListedEvent& listed, const PenEvent& event);
+  void set_contact(const ListedEvent& listed, PenEvent& event);
+  bool has_barrel() const { return has_buttons_ && (tool_.empty() || tool_ == "pen"); }
 
   ContactStrokes strokes_;
   std::array<bool, pointer_channels.size()> whole_{};
   std::map<double, bool> down_;  ///< by pointer
   std::string_view tool_;
   bool first_ = true;
-  bool reported_ = true;  ///< a pressure is what a device reports
+  bool has_buttons_ = true;  ///< all events tell them
+  bool reported_ = true;     ///< a pressure is what a device reports
 };
 
 void EventList::take(const ListedEvent& listed) {
@@ -149,13 +152,17 @@ void EventList::take(const ListedEvent& listed) {
   if (listed.pointer_type) tool_ = tool_of_pointer_type(*listed.pointer_type);
   if (first_) reported_ = listed.channels[pressure_channel].rank == 0;
   first_ = false;
-  event.contact = touches(listed, event);
+  set_contact(listed, event);
   strokes_.take(event);
 }
 
-bool EventList::touches(const ListedEvent& listed, const PenEvent& event) {
-  if (listed.buttons) return *listed.buttons != 0;
-  if (!listed.type) return event.sample.pen.pressure > 0;
+void EventList::set_contact(const ListedEvent& listed, PenEvent& event) {
+  has_buttons_ &= listed.buttons.has_value();
+  if (listed.buttons) return set_buttons(event, *listed.buttons);
+  event.contact = listed.type ? goes_down(listed, event) : event.sample.pen.pressure > 0;
+}
+
+bool EventList::goes_down(const ListedEvent& listed, const PenEvent& event) {
   bool& down = down_[event.pointer];
   const std::string& name = *listed.type;
   if (name.ends_with("down") || name.ends_with("start")) down = true;
@@ -170,12 +177,16 @@ PenFile EventList::finish() {
   PenFields fields;
   for (std::size_t i = 0; i < pointer_channels.size(); ++i)
     if (whole_[i]) fields.*pointer_channels[i].field = true;
-  for (std::vector<Sample>& samples : strokes_.take_strokes()) {
+  for (ContactStroke& stroke : strokes_.take_strokes()) {
     PenStroke& made = content.strokes.emplace_back();
     made.fields = fields;
+    made.has_barrel = has_barrel();
+    made.eraser = stroke.eraser;
     made.tool = tool_;
     made.made_pressure = fields.pressure && !reported_;
-    made.samples = std::move(samples);
+    made.samples = std::move(stroke.samples);
+    if (!made.has_barrel)
+      for (Sample& sample : made.samples) sample.barrel = false;  // the right button of a mouse
     keep_channels(made, whole_);
   }
   return content;

@@ -33,14 +33,17 @@ std::size_t take_numbers_of_line(std::string_view& text) {
   return count;
 }
 
-PenFile pen_file_of(ContactStrokes strokes, const PenFields& fields, std::string_view unit) {
+PenFile pen_file_of(ContactStrokes strokes, const PenFields& fields, std::string_view unit,
+                    bool has_barrel = false) {
   PenFile content;
   content.unit = unit;
   content.hovering = strokes.lifted();
-  for (std::vector<Sample>& samples : strokes.take_strokes()) {
+  for (ContactStroke& stroke : strokes.take_strokes()) {
     PenStroke& made = content.strokes.emplace_back();
     made.fields = fields;
-    made.samples = std::move(samples);
+    made.has_barrel = has_barrel;
+    made.eraser = stroke.eraser;
+    made.samples = std::move(stroke.samples);
   }
   return content;
 }
@@ -48,7 +51,7 @@ PenFile pen_file_of(ContactStrokes strokes, const PenFields& fields, std::string
 PenFile pen_file_of(const PenEvents& recorded, std::string_view unit) {
   ContactStrokes strokes;
   for (const PenEvent& event : recorded.events) strokes.take(event);
-  return pen_file_of(std::move(strokes), recorded.fields, unit);
+  return pen_file_of(std::move(strokes), recorded.fields, unit, recorded.has_barrel);
 }
 
 /// Reads one array after the other. Returns false for whatever must be read as a whole.

@@ -17,13 +17,18 @@ namespace burin {
 struct PenEvent {
   Sample sample;
   bool contact = false;  ///< the pen touches the tablet
+  bool eraser = false;   ///< with its eraser
   double pointer = 0;    ///< id of the pointer, for recorders that have several
 };
+
+/// Sets contact, eraser and the button at the pen's side by the `buttons` of an HTML PointerEvent.
+void set_buttons(PenEvent& event, double buttons);
 
 /// The events of a recording.
 struct PenEvents {
   std::vector<PenEvent> events;
   PenFields fields;
+  bool has_barrel = false;  ///< the events tell of the button at the pen's side
 };
 
 /// The event of a line of libmypaint's recordings, `time x y pressure`; pressure 0 means a lifted pen. Throws
@@ -53,17 +58,23 @@ std::size_t svc_count(std::string_view line);
 /// as mypaint_event() does.
 PenEvent svc_event(std::string_view line);
 
+/// What events have made.
+struct ContactStroke {
+  std::vector<Sample> samples;
+  bool eraser = false;
+};
+
 /// Makes strokes of events, in the recorder's units and in the order of their starts: one of each run in
-/// which a pointer touches the tablet.
+/// which a pointer touches the tablet, with its tip or with its eraser.
 class ContactStrokes {
  public:
   void take(const PenEvent& event);
 
   std::size_t lifted() const { return lifted_; }  ///< events in which no pointer touched
-  std::vector<std::vector<Sample>> take_strokes() { return std::move(strokes_); }
+  std::vector<ContactStroke> take_strokes() { return std::move(strokes_); }
 
  private:
-  std::vector<std::vector<Sample>> strokes_;
+  std::vector<ContactStroke> strokes_;
   std::map<double, std::size_t> open_;  ///< the stroke of each pointer that is down
   std::size_t lifted_ = 0;
 };

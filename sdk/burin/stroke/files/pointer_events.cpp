@@ -31,6 +31,7 @@ PenEvents events_of(const PointerColumns& columns, const Reject& reject) {
   PenEvents made;
   made.fields = {
       .time = true, .pressure = pressure != nullptr, .tilt = tilt_x || tilt_y, .twist = twist != nullptr};
+  made.has_barrel = buttons != nullptr;
   made.events.resize(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     PenEvent& event = made.events[i];
@@ -41,7 +42,8 @@ PenEvents events_of(const PointerColumns& columns, const Reject& reject) {
     sample.pen.tilt_x = radians(tilt_x, i);
     sample.pen.tilt_y = radians(tilt_y, i);
     sample.pen.twist = radians(twist, i);
-    event.contact = buttons ? (*buttons)[i] != 0 : sample.pen.pressure > 0;
+    event.contact = sample.pen.pressure > 0;
+    if (buttons) set_buttons(event, (*buttons)[i]);
     if (pointer) event.pointer = (*pointer)[i];
     if (const std::string_view fault = validation_error(sample); !fault.empty()) {
       reject(fmt::format("event {}: {}", i, fault));
