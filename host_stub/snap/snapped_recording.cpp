@@ -74,6 +74,14 @@ std::string followed_text(const SurfaceCurve& before, const TrackStep& step) {
   return text;
 }
 
+/// A stroke like another one, without samples. Those of a moved curve do not tell of the pen's buttons.
+RecordedStroke like(const RecordedStroke& stroke) {
+  RecordedStroke made{stroke.settings, stroke.fields, {}};
+  made.eraser = stroke.eraser;
+  made.tool = stroke.tool;
+  return made;
+}
+
 }  // namespace
 
 SnappedRecording::SnappedRecording(const SnapJob& job, const LoadedSurface& loaded, const Picker& picker,
@@ -117,7 +125,7 @@ void SnappedRecording::follow(const SurfaceCurve& piece, const TrackOptions& how
   say(followed_json(piece, step), followed_text(piece, step));
   snapped_.push_back({piece, {}, std::move(step.snapped.images)});
   for (TrackedLine& line : step.lines) {
-    RecordedStroke part{stroke.settings, stroke.fields, {}};
+    RecordedStroke part = like(stroke);
     if (piece.closed && !line.curve.closed) part.settings[&ReplaySettings::closure] = Closure::open;
     write(part, line.curve);
     snapped_.back().moved.push_back(std::move(line.curve));
@@ -125,7 +133,7 @@ void SnappedRecording::follow(const SurfaceCurve& piece, const TrackOptions& how
 }
 
 void SnappedRecording::write(const RecordedStroke& stroke, const SurfaceCurve& curve) {
-  RecordedStroke result{stroke.settings, stroke.fields, {}};
+  RecordedStroke result = like(stroke);
   for (const CurvePoint& point : curve.points) {
     const Vec3d position = point.at.position.cast<double>() + loaded_.from.origin;
     result.samples.push_back({point.time, position, point.pen});

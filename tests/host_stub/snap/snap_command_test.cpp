@@ -36,7 +36,7 @@ struct RidgeFile {
     text =
         "{\"burin_stroke\":1,\"space\":\"object\"}\n"
         "{\"begin\":{\"brush\":\"org.burin.groove\",\"radius\":12},\"fields\":[\"time\",\"x\",\"y\",\"z\","
-        "\"pressure\"]}\n";
+        "\"pressure\"],\"tool\":\"pen\",\"eraser\":true}\n";
     for (int i = 0; i <= 30; ++i) {
       const double y = 3 + std::sin(i / 3.);
       text += fmt::format("[{},{},{},{},{}]\n", 0.01 * i, i * 2 - 30, y, height(y), 0.2 + 0.02 * i);
@@ -72,6 +72,8 @@ TEST(SnapCommand, WritesStrokesOnRidgesThatReplayDraws) {
   EXPECT_TRUE(stroke.fields.time && stroke.fields.pressure && !stroke.fields.tilt);
   EXPECT_EQ(*stroke.settings.find(&ReplaySettings::brush), "org.burin.groove");
   EXPECT_EQ(*stroke.settings.find(&ReplaySettings::radius), 12);
+  EXPECT_TRUE(stroke.eraser);
+  EXPECT_EQ(stroke.tool, "pen");
   EXPECT_EQ(report["strokes"][0]["points"], stroke.samples.size());
   for (const Sample& sample : stroke.samples)
     EXPECT_NEAR(sample.pen.pressure, 0.2 + 0.02 * (sample.position.x() + 30) / 2, 0.01)
