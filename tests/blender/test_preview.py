@@ -5,9 +5,11 @@ import os
 import shutil
 import sys
 
+import addon_utils
 import bpy
 import numpy as np
 
+from support import ADDON
 from test_draw import PATH, moves, now, prepared
 from windowed import in_view, send, view
 
@@ -43,6 +45,38 @@ def large(work, smooth, **scale):
     for name in ("floor", "axis_x", "axis_y", "outline_selected", "object_origins", "cursor", "text"):
         setattr(space.overlay, f"show_{name}", False)
     return positions
+
+
+def is_drawn_by_blender(work):
+    """Whether the mesh itself is written while the pen is down; Escape takes the stroke back."""
+    before = now()
+    send("MOUSEMOVE", "NOTHING", PATH[0])
+    yield
+    send("LEFTMOUSE", "PRESS", PATH[0])
+    yield from moves(PATH)
+    yield
+    written = not np.array_equal(now(), before)
+    assert bpy.data.objects["Grid"].visible_get() == written
+    send("ESC", "PRESS", PATH[-1])
+    yield
+    send("LEFTMOUSE", "RELEASE", PATH[-1])
+    send("ESC", "RELEASE", PATH[-1])
+    yield
+    np.testing.assert_array_equal(now(), before)
+    return written
+
+
+def test_what_the_preview_cannot_show_is_drawn_by_blender(work):
+    large(work, True)
+    yield
+    mesh, shading = bpy.data.objects["Grid"].data, view()[0].spaces.active.shading
+    assert not (yield from is_drawn_by_blender(work))
+    shading.type = "WIREFRAME"
+    assert (yield from is_drawn_by_blender(work))
+    shading.type = "SOLID"
+    mesh.polygons[0].hide = True
+    sys.modules["burin_brushes.object_session"].doubt_faces()
+    assert (yield from is_drawn_by_blender(work))
 
 
 def differing(a, b):
@@ -103,3 +137,54 @@ def test_escape_shows_the_object_as_it_was(work):
     send("LEFTMOUSE", "RELEASE", PATH[-1])
     send("ESC", "RELEASE", PATH[-1])
     yield
+
+
+def test_nothing_stays_hidden_where_the_addon_is_disabled(work):
+    large(work, True)
+    object = bpy.data.objects["Grid"]
+    yield
+    send("MOUSEMOVE", "NOTHING", PATH[0])
+    yield
+    send("LEFTMOUSE", "PRESS", PATH[0])
+    yield from moves(PATH)
+    assert not object.visible_get()
+    addon_utils.disable(ADDON)
+    yield
+    assert object.visible_get() and object.select_get()
+    send("LEFTMOUSE", "RELEASE", PATH[-1])
+    yield
+
+
+def fails(*_arguments):
+    raise MemoryError
+
+
+def check_fault(work, fault):
+    """`fault`: a class and the name of its function that fails when the pen comes down."""
+    positions = large(work, True)
+    place, name = (getattr(sys.modules[f"burin_brushes.{fault[0]}"], fault[1]), fault[2])
+    object, was = bpy.data.objects["Grid"], getattr(place, name)
+    yield
+    setattr(place, name, fails)
+    send("MOUSEMOVE", "NOTHING", PATH[0])
+    yield
+    send("LEFTMOUSE", "PRESS", PATH[0])
+    yield
+    setattr(place, name, was)
+    send("LEFTMOUSE", "RELEASE", PATH[0])
+    yield
+    assert object.visible_get() and object.select_get() and not sys.modules["burin_brushes.preview"]._open
+    np.testing.assert_array_equal(now(), positions)
+
+
+# Last, since Blender's message of a fault takes the next press of a button.
+def test_nothing_stays_hidden_where_a_stroke_fails(work):
+    yield from check_fault(work, ("pen_stroke", "PenStroke", "show"))
+
+
+def test_nothing_stays_hidden_where_the_preview_fails(work):
+    send("LEFTMOUSE", "PRESS", (0.5, 0.05))
+    yield
+    send("LEFTMOUSE", "RELEASE", (0.5, 0.05))
+    yield
+    yield from check_fault(work, ("preview", "ShownParts", "send"))

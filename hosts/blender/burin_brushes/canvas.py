@@ -42,17 +42,18 @@ class Canvas:
         self._previewed: set[Any] = set()
         self._preview: preview.Preview | None = None
 
-    def preview(self, space: Any) -> None:
+    def preview(self) -> None:
         """From now on large objects are shown without Blender's evaluation, until what was drawn is kept or cancelled."""
-        large = [(object, kept.parts) for kept, object, _ in self._each() if preview.is_wanted(object, space)]
+        whole = [(object, kept) for kept, object, _ in self._each() if not kept.hides_faces]
+        large = [(object, kept.parts) for object, kept in whole if preview.is_wanted(object)]
         if large:
             self._previewed = {object for object, _ in large}
             self._preview = preview.Preview(large)
 
     def _end_preview(self) -> None:
-        if self._preview:
-            self._preview.close()
-        self._preview = None
+        shown, self._preview = self._preview, None
+        if shown:
+            shown.close()
 
     def _check_meshes(self) -> None:
         users: dict[Any, Any] = {}

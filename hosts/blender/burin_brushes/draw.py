@@ -34,10 +34,18 @@ class BURIN_OT_draw(bpy.types.Operator):
         try:
             return step(context, event)
         except (burin.Error, object_session.Refused, OSError) as fault:
-            if self._stroke:
-                self._stroke.cancel()
+            self.cancel(context)
             self.report({"ERROR"}, str(fault))
             return {"CANCELLED"}
+        except BaseException:
+            self.cancel(context)
+            raise
+
+    def cancel(self, _context: Any) -> None:
+        """Takes the stroke back; Blender calls it where it ends operators, as before another file is loaded."""
+        if self._stroke:
+            self._stroke.cancel()
+        self._stroke = None
 
     def _begin(self, context: Any, event: Any) -> set[str]:
         self._stroke = pen_stroke.PenStroke(context, event)
@@ -46,9 +54,9 @@ class BURIN_OT_draw(bpy.types.Operator):
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
 
-    def _go_on(self, _context: Any, event: Any) -> set[str]:
+    def _go_on(self, context: Any, event: Any) -> set[str]:
         if event.type in ("ESC", "RIGHTMOUSE"):
-            self._stroke.cancel()
+            self.cancel(context)
             return {"CANCELLED"}
         if event.type in ("MOUSEMOVE", "INBETWEEN_MOUSEMOVE"):
             self._stroke.add(event)

@@ -81,6 +81,11 @@ class ObjectSession:
         self._send(local, ranges)
 
     @property
+    def hides_faces(self) -> bool:
+        """Whether faces are hidden, which Blender shows in object mode but the session has not."""
+        return bool(self._hidden.any())
+
+    @property
     def parts(self) -> preview.ShownParts:
         """The triangles on the graphics card, which from now on is sent what changes."""
         if self._parts is None:
@@ -89,8 +94,13 @@ class ObjectSession:
         return self._parts
 
     def _send(self, positions: mesh_io.Floats, ranges: Any) -> None:
-        if self._parts:
+        if not self._parts:
+            return
+        try:
             self._parts.send(positions, ranges)
+        except BaseException:
+            self._parts = None  # it is made anew for the next stroke
+            raise
 
     def drawn(self, shown: mesh_io.Floats) -> bool:
         """Writes what changed since the last call to the positions `shown`, and tells whether anything did."""
@@ -122,8 +132,8 @@ class ObjectSession:
         """Shows the mesh as it was before the stroke that was cancelled or has failed."""
         if self._drawn:
             mesh_io.write_positions(object.data, self.local)
-        self._send(self.local, self.session.update("positions"))
         self._drawn = False
+        self._send(self.local, self.session.update("positions"))
 
 
 _sessions: dict[str, ObjectSession] = {}

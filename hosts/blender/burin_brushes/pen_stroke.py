@@ -44,20 +44,20 @@ class PenStroke:
         corners = self._canvas.corners
         self._camera = view_rays.drawing_camera(view.view_matrix, view.window_matrix, size, corners)
         fields = "time pressure tilt" if event.is_tablet else "time"
-        self._open(context.scene.burin, fields, context.object.matrix_world.translation)
-        self._canvas.preview(context.space_data)
+        try:
+            self._open(context.scene.burin, fields, context.object.matrix_world.translation)
+            self._canvas.preview()
+        except BaseException:
+            self.cancel()
+            raise
 
     def _open(self, chosen: Any, fields: str, origin: Any) -> None:
         given = settings.stroke_settings(chosen, pressure="pressure" in fields)
         self._canvas.pen.begin(fields=fields, **given, **settings.symmetry(chosen, origin))
         if chosen.record:
-            try:
-                self._recording = next_recording(chosen.record)
-                self._recorder = burin.Recorder(self._recording, space="screen", device="Blender", camera=self._camera)
-                self._recorder.begin(fields=fields, **given)
-            except (burin.Error, OSError):
-                self.cancel()
-                raise
+            self._recording = next_recording(chosen.record)
+            self._recorder = burin.Recorder(self._recording, space="screen", device="Blender", camera=self._camera)
+            self._recorder.begin(fields=fields, **given)
 
     def add(self, event: Any) -> None:
         """Takes a sample, which show() draws with those before it."""

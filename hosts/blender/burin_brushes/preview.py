@@ -146,8 +146,9 @@ class Preview:
     def __init__(self, objects: list[tuple[Any, ShownParts]]) -> None:
         self._objects = objects
         self._layer = bpy.context.view_layer
-        self._handler = bpy.types.SpaceView3D.draw_handler_add(self._draw, (), "WINDOW", "POST_VIEW")
         self._selected = [object.select_get() for object, _ in objects]  # what is hidden is selected no more
+        self._handler = bpy.types.SpaceView3D.draw_handler_add(self._draw, (), "WINDOW", "POST_VIEW")
+        _open.append(self)
         for object, _ in objects:
             object.hide_set(True)
 
@@ -158,8 +159,15 @@ class Preview:
         gpu.state.depth_test_set("LESS_EQUAL")
         gpu.state.depth_mask_set(True)
         gpu.state.face_culling_set("BACK" if context.space_data.shading.show_backface_culling else "NONE")
-        shader = _shader()
-        space = context.space_data
+        try:
+            self._draw_objects(context)
+        finally:
+            gpu.state.face_culling_set("NONE")
+            gpu.state.depth_mask_set(False)
+            gpu.state.depth_test_set("NONE")
+
+    def _draw_objects(self, context: Any) -> None:
+        shader, space = _shader(), context.space_data
         for object, parts in self._objects:
             if space.local_view and not object.local_view_get(space):
                 continue
@@ -167,17 +175,30 @@ class Preview:
             scene = _scene(object, context)  # the shader keeps no reference
             shader.uniform_block("scene", scene)
             parts.draw(shader)
-        gpu.state.face_culling_set("NONE")
-        gpu.state.depth_mask_set(False)
-        gpu.state.depth_test_set("NONE")
 
     def close(self) -> None:
-        """Shows the objects themselves again."""
+        """Shows the objects themselves again. Those that are gone since are passed over. It may be closed already."""
+        if self not in _open:
+            return
+        _open.remove(self)
         bpy.types.SpaceView3D.draw_handler_remove(self._handler, "WINDOW")
         for (object, _), selected in zip(self._objects, self._selected):
-            object.hide_set(False)
-            object.select_set(selected)
+            try:
+                object.hide_set(False, view_layer=self._layer)
+                object.select_set(selected, view_layer=self._layer)
+            except (ReferenceError, RuntimeError):
+                continue
         redraw()
+
+
+_open: list[Preview] = []
+
+
+@bpy.app.handlers.persistent
+def close_all(*_event: Any) -> None:
+    """Shows all objects themselves, before another file is loaded or the add-on goes."""
+    for shown in list(_open):
+        shown.close()
 
 
 def redraw() -> None:
@@ -188,10 +209,28 @@ def redraw() -> None:
                 area.tag_redraw()
 
 
-def is_wanted(object: Any, space: Any) -> bool:
-    """Whether an object is so large, and the view so plain, that it is drawn from here: Blender lets scripts draw where there
-    are overlays."""
-    if bpy.app.background or space is None or space.type != "VIEW_3D":
+def _views() -> Any:
+    """The 3D views of the view layer: their spaces and what they look at."""
+    for window in bpy.context.window_manager.windows:
+        if window.view_layer == bpy.context.view_layer:
+            yield from (area.spaces.active for area in window.screen.areas if area.type == "VIEW_3D")
+
+
+def _is_plain(space: Any) -> bool:
+    return space.shading.type == "SOLID" and not space.shading.show_xray and not space.region_3d.use_clip_planes
+
+
+def is_wanted(object: Any) -> bool:
+    """Whether an object is so large, and plain in all views that show it, that it is drawn from here."""
+    if bpy.app.background or len(object.data.polygons) < FEWEST_FACES:
         return False
-    plain = space.shading.type == "SOLID" and not space.shading.show_xray and space.overlay.show_overlays
-    return plain and len(object.data.polygons) >= FEWEST_FACES
+    return object.visible_get() and object.display_type in ("SOLID", "TEXTURED") and all(map(_is_plain, _views()))
+
+
+def register() -> None:
+    bpy.app.handlers.load_pre.append(close_all)
+
+
+def unregister() -> None:
+    close_all()
+    bpy.app.handlers.load_pre.remove(close_all)
