@@ -1,5 +1,4 @@
 // Parses the options of a view, and computes cameras that frame a surface or the curves of strokes.
-#include <burin/math/degree.h>
 
 #include "options/view.h"
 
@@ -7,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "options/options.h"
 
@@ -25,7 +25,7 @@ Vec3d up_for(const Vec3d& direction, const ViewOptions& options) {
 
 Camera frame(const Eigen::AlignedBox3d& box, const Vec3d& direction, const ViewOptions& options) {
   return framing_camera(box.min(), box.max(), direction, up_for(direction, options), options.width,
-                        options.height, options.field_of_view * math::degree);
+                        options.height, options.field_of_view * std::numbers::pi / 180);
 }
 
 }  // namespace

@@ -11,16 +11,16 @@
 namespace burin {
 namespace {
 
-constexpr double none = -1;
+constexpr double untold = -1;
 
 /// What is stated of a file, in the units that the reader gives.
 struct Stated : test::StatedCounts {
-  double least_pressure = none, most_pressure = none;
-  double least_altitude = none, most_altitude = none;  ///< radians
-  double ink_seconds = none;                           ///< sum over the strokes
+  double least_pressure = untold, most_pressure = untold;
+  double least_altitude = untold, most_altitude = untold;  ///< radians
+  double ink_seconds = untold;                             ///< sum over the strokes
 };
 
-const Stated stated[] = {
+const Stated stated_of_programs[] = {
     {"uim_30_digital_ink_is_processable.uim", "uim", "px", 2787, 177, 5, 63, 0, 0.96, 0.67, 1.04, 57.7},
     {"uim_31_digital_ink_is_processable.uim", "uim", "px", 2789, 178, 2, 63, 0, 0.96, 0.67, 1.04, 59.0},
     {"uim_31_math_structures.uim", "uim", "px", 893, 50, 2, 139, 0, 0.95, 0.53, 0.67, 15.6},
@@ -29,8 +29,8 @@ const Stated stated[] = {
     {"will_apple.will", "will", "px", 380, 10, 17, 74},
     {"will_elephant.will", "will", "px", 2184, 91, 4, 250},
     {"will_wine.will", "will", "px", 3814, 76, 4, 560},
-    {"tilt_toolkit_sketch1.tilt", "tilt", "dm", 912, 5, 11, 493, 0, 1, none, none, 44.6},
-    {"tilt_perftest_simple.tilt", "tilt", "dm", 32, 3, 7, 13, 0.035, 1, none, none, 0.95},
+    {"tilt_toolkit_sketch1.tilt", "tilt", "dm", 912, 5, 11, 493, 0, 1, untold, untold, 44.6},
+    {"tilt_perftest_simple.tilt", "tilt", "dm", 32, 3, 7, 13, 0.035, 1, untold, untold, 0.95},
     {"excalidraw_despair.excalidrawlib.xz", "excalidraw", "px", 2142, 137, 4, 198, 0, 0.529},
     {"excalidraw_biology.excalidrawlib.xz", "excalidraw", "px", 7490, 173, 2, 353, 0, 0.490},
     {"excalidraw_handdrawn_signs.excalidrawlib", "excalidraw", "px", 102, 3, 23, 43},
@@ -53,10 +53,10 @@ const Stated stated[] = {
 
 /// The range of a value over all samples of strokes that have it.
 template <class Value>
-void expect_range(const PenFile& file, bool PenFields::*field, double least, double most,
-                  const Value& value) {
+void expect_told_range(const PenFile& file, bool PenFields::*field, double least, double most,
+                       const Value& value) {
   const test::Range range = test::range_of(file, field, value);
-  if (least == none) {
+  if (least == untold) {
     EXPECT_GT(range.least, range.most) << "the file has none";
     return;
   }
@@ -80,15 +80,15 @@ TEST_P(PenFileOfProgram, HasWhatIsStatedOfIt) {
   const PenFile file = read_pen_file(path);
   ASSERT_NO_FATAL_FAILURE(test::expect_counts(file, expected));
   if (file.strokes.empty()) return;
-  expect_range(file, &PenFields::pressure, expected.least_pressure, expected.most_pressure,
-               [](const Sample& sample) { return sample.pen.pressure; });
-  expect_range(file, &PenFields::tilt, expected.least_altitude, expected.most_altitude,
-               [](const Sample& sample) { return std::asin(upper_end(sample.pen).z()); });
-  if (expected.ink_seconds == none) return;
+  expect_told_range(file, &PenFields::pressure, expected.least_pressure, expected.most_pressure,
+                    [](const Sample& sample) { return sample.pen.pressure; });
+  expect_told_range(file, &PenFields::tilt, expected.least_altitude, expected.most_altitude,
+                    [](const Sample& sample) { return std::asin(upper_end(sample.pen).z()); });
+  if (expected.ink_seconds == untold) return;
   EXPECT_NEAR(ink_seconds(file), expected.ink_seconds, 0.06);
 }
 
-INSTANTIATE_TEST_SUITE_P(, PenFileOfProgram, testing::ValuesIn(stated), [](const auto& one) {
+INSTANTIATE_TEST_SUITE_P(, PenFileOfProgram, testing::ValuesIn(stated_of_programs), [](const auto& one) {
   std::string name = one.param.file;
   std::ranges::replace_if(
       name, [](char letter) { return std::isalnum(letter) == 0; }, '_');

@@ -213,8 +213,7 @@ constexpr Check evaluate_list[] = {
     {"evaluate.declared-outputs", 2, "stroke.h: outputs_written", "Looks whether others are written.",
      check_declared_outputs},
     {"evaluate.odd-numbers", 3,
-     "stroke.h: with inputs that are not finite a brush may fail but must not crash; every value written "
-     "must be "
+     "stroke.h: with inputs that are not finite a brush may fail but must not crash; values written must be "
      "finite",
      "Fills each input with NaN, infinities, denormals, huge numbers and 0.", check_odd_numbers},
     {"evaluate.dab", 2, "stroke.h: BURIN_STROKE_DAB", "Draws a dab.", check_dab},

@@ -115,7 +115,7 @@ def write_mesh(
     uv: ArrayLike | None = None,
 ) -> None:
     """Writes a mesh, wholly or not at all: .ply, .glb, .obj or .off. Arrays are those of Session, colours, masks and uv those
-    of Mesh; larger faces are cut into triangles, and have no uv. Raises Error, which names the file."""
+    of Mesh; larger faces are cut into triangles, and have no uv, nor have .off files. Raises Error, which names the file."""
     arrays = MeshArrays(positions, faces, face_sizes, "caller")
     values = _c.MeshValues(origin=origin)
     count = len(arrays.positions)

@@ -90,6 +90,7 @@ std::vector<TriangleUv> uv_of(const burin_mesh_values& values, const burin_mesh&
   for (TriangleUv& triangle : uv)
     for (Vec2f& corner : triangle) {
       corner = Vec2f(given[0], given[1]);
+      if (!corner.allFinite()) reject("a texture coordinate is not finite");
       given += 2;
     }
   return uv;

@@ -2,7 +2,6 @@
 #include <burin/chart/path/closed_length.h>
 #include <burin/feature/edge_lines.h>
 #include <burin/feature/smoothed_image.h>
-#include <burin/math/degree.h>
 #include <burin/math/elementary.h>
 #include <burin/surface/geometry/area_vector.h>
 #include <burin/surface/geometry/triangle_shape.h>
@@ -41,7 +40,7 @@ bool belongs(const Surface& surface, Index a, Index b, std::span<const Index> tr
   const bool opposite = leads(surface, triangles[0], a, b) == leads(surface, triangles[1], a, b);
   const Vec3d other = (opposite ? -1 : 1) * area_vector(surface.positions, surface.triangles[triangles[1]]);
   const double angle = math::atan2(one.cross(other).norm(), one.dot(other));
-  return angle >= feature.least_angle * math::degree;
+  return angle >= feature.least_angle * std::numbers::pi / 180;
 }
 
 /// The place of the node of a vertex that is nearest to a place and at most `farthest` pixels away.

@@ -14,7 +14,7 @@ namespace {
 
 using test::VaryingBrush;
 
-const DrivenStroke stroke{.fields = {.pressure = true}, .radius = 1, .seed = 0};
+const DrivenStroke driven_stroke{.fields = {.pressure = true}, .radius = 1, .seed = 0};
 
 PenAt pressed(float pressure) {
   PenAt at;
@@ -26,7 +26,7 @@ PenAt pressed(float pressure) {
 float value(const std::string& target, const std::vector<double>& curve, float pressure) {
   const VaryingBrush brush;
   const std::vector<Dynamic> dynamics{{target, PenSource::pressure, curve}};
-  const ParamDynamics driven(brush.descriptor, brush.params, dynamics, stroke);
+  const ParamDynamics driven(brush.descriptor, brush.params, dynamics, driven_stroke);
   EXPECT_EQ(driven.params().size(), 1u);
   EXPECT_EQ(driven.strength(pressed(pressure), 0), 1);
   return ParamDynamics::value(driven.params().at(0), pressed(pressure), 0);
@@ -51,7 +51,7 @@ TEST(ParamDynamics, StayWithinTheHardRangeAndWhole) {
 TEST(ParamDynamics, TellWhatVaries) {
   const VaryingBrush brush;
   const auto of = [&](const std::vector<Dynamic>& dynamics) {
-    return ParamDynamics(brush.descriptor, brush.params, dynamics, stroke);
+    return ParamDynamics(brush.descriptor, brush.params, dynamics, driven_stroke);
   };
   EXPECT_FALSE(of({}).any());
   EXPECT_FALSE(of({{"radius", PenSource::t, {0, 1}}}).any()) << "the curve's business";
@@ -74,7 +74,7 @@ TEST(ParamDynamics, RefuseWhatDoesNotVary) {
   for (const char* target : {"fixed", "picture", "tint", "mode", "siz", ""}) {
     try {
       ParamDynamics(brush.descriptor, brush.params, std::vector<Dynamic>{{target, PenSource::time, {0, 1}}},
-                    stroke);
+                    driven_stroke);
       ADD_FAILURE() << target;
     } catch (const Error& error) {
       EXPECT_EQ(error.what(), "dynamics of '" + std::string(target) +

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "c_host.h"
 #include "support/shared_data.h"
@@ -299,6 +300,11 @@ TEST(CMeshFiles, KeepTextureCoordinatesOfTriangles) {
             BURIN_INVALID_ARGUMENT);
   EXPECT_NE(error.str().find("texture coordinates are of triangles"), std::string::npos) << error.str();
   EXPECT_FALSE(fs::exists(folder.path() / "b.obj"));
+  arrays = arrays_of(mesh);
+  uv[7] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(IN_C(burin_mesh_write)((folder.path() / "b.obj").c_str(), &arrays, &values, &error),
+            BURIN_INVALID_ARGUMENT);
+  EXPECT_NE(error.str().find("a texture coordinate is not finite"), std::string::npos) << error.str();
 }
 
 TEST(CSnapping, MovesSamplesToALineAsTheSnapperDoes) {

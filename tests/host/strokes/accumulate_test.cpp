@@ -33,7 +33,7 @@ std::vector<Sample> to_and_fro(int times) {
   return samples;
 }
 
-std::vector<Sample> figure_eight() {
+std::vector<Sample> samples_of_an_eight() {
   std::vector<Sample> samples;
   for (int i = 0; i <= 150; ++i) {
     const double angle = 2 * 3.14159265 * i / 150 + 0.8;
@@ -85,7 +85,7 @@ TEST(Accumulate, GrowsToWhatIsDrawnAtOnce) {
   smooth.params = {{"passes", 1.0}};
   for (const StrokeSettings& brush : {ridge(0.3), flatten, smooth}) {
     SCOPED_TRACE(brush.brush);
-    for (const auto& samples : {figure_eight(), to_and_fro(3)}) {
+    for (const auto& samples : {samples_of_an_eight(), to_and_fro(3)}) {
       Session shown = test::plane_session(), held = test::plane_session();
       // Something to flatten and to smooth.
       for (Session* session : {&shown, &held})

@@ -60,6 +60,13 @@ TEST(ReadCsv, TellsOfTheButtonAtThePensSide) {
   EXPECT_FALSE(file.strokes[0].samples[0].barrel);
   EXPECT_TRUE(file.strokes[0].samples[1].barrel);
   EXPECT_FALSE(file.strokes[1].has_barrel);
+
+  const PenFile late = PenFileFolder().read("stroke,x,y,barrel\n1,2,3,\n1,3,4,1\n");
+  EXPECT_TRUE(late.strokes[0].has_barrel) << "told in the second line";
+  const PenFile turned = PenFileFolder().read("stroke,x,y,eraser\n1,2,3,0\n1,3,4,1\n1,4,4,1\n");
+  ASSERT_EQ(turned.strokes.size(), 2u) << "the pen was turned";
+  EXPECT_EQ(places(turned.strokes[1]), "3 4, 4 4");
+  EXPECT_TRUE(turned.strokes[1].eraser);
 }
 
 TEST(ReadCsv, TakesLineEndsWithinQuotes) {

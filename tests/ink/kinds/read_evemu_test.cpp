@@ -152,6 +152,14 @@ TEST(ReadEvemu, FollowsTouchesOfFramesThatTellAllAnewByTheirPlaces) {
   EXPECT_EQ(file.hovering, 1u);
 }
 
+TEST(ReadEvemu, FollowsTouchesOnceWhereADeviceHasSlotsAndEndsPacketsToo) {
+  const PenFile file = PenFileFolder().read(
+      screen + frame("1", {"0003 0039 5", "0003 0035 300", "0003 0036 20", packet_end}) +
+      frame("2", {"0003 0035 500", packet_end}) + frame("3", {"0003 0039 -1", packet_end}));
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "10 1, 20 1");
+}
+
 TEST(ReadEvemu, FollowsTouchesWithoutSlotsByTheirIds) {
   const auto touch = [](const char* id, const char* x) {
     return std::vector<const char*>{id, x, "0003 0036 200", "0003 003a 51", packet_end};

@@ -10,10 +10,10 @@
 namespace burin {
 namespace {
 
-struct Ground {
+struct TracedGround {
   Surface surface;
   Picker picker;
-  explicit Ground(const TriangleMesh& mesh) : surface(make_surface(mesh)), picker(surface) {}
+  explicit TracedGround(const TriangleMesh& mesh) : surface(make_surface(mesh)), picker(surface) {}
 };
 
 std::vector<Vec3d> circle(int samples, double radius, double z) {
@@ -26,7 +26,7 @@ std::vector<Vec3d> circle(int samples, double radius, double z) {
 }
 
 TEST(CurveTracer, FollowsAnArcBetweenSparseSamples) {
-  Ground ground(test::plane(1, 0.02, 1));
+  TracedGround ground(test::plane(1, 0.02, 1));
   const SurfaceCurve curve = test::traced(ground.surface, ground.picker, 0.1, circle(16, 0.7, 0));
   EXPECT_NEAR(curve.length(), 1.5 * 0.7, 1e-3);
   for (const CurvePoint& point : curve.points) {
@@ -39,7 +39,7 @@ TEST(CurveTracer, FollowsAnArcBetweenSparseSamples) {
 }
 
 TEST(CurveTracer, LeavesPointsHalfAnEdgeApart) {
-  Ground ground(test::plane(1, 0.02, 1));
+  TracedGround ground(test::plane(1, 0.02, 1));
   const SurfaceCurve curve = test::traced(ground.surface, ground.picker, 0.2, {{-0.5, 0, 0}, {0.5, 0, 0}});
   EXPECT_NEAR(static_cast<double>(curve.points.size()), 1 / 0.011, 10);
   for (std::size_t i = 1; i < curve.points.size(); ++i) {
@@ -49,7 +49,7 @@ TEST(CurveTracer, LeavesPointsHalfAnEdgeApart) {
 }
 
 TEST(CurveTracer, LiesOnTheSurfaceWithTangentFrames) {
-  Ground ground(test::sphere(5, 0.2, 3));
+  TracedGround ground(test::sphere(5, 0.2, 3));
   const SurfaceCurve curve = test::traced(ground.surface, ground.picker, 0.2, circle(12, 0.9, 0.435));
   ASSERT_GT(curve.points.size(), 50U);
   for (const CurvePoint& point : curve.points) {
@@ -62,7 +62,7 @@ TEST(CurveTracer, LiesOnTheSurfaceWithTangentFrames) {
 }
 
 TEST(CurveTracer, LeavesTheFinalPartAloneWhenSamplesArrive) {
-  Ground ground(test::sphere(4, 0.2, 3));
+  TracedGround ground(test::sphere(4, 0.2, 3));
   CurveTracer tracer(ground.surface, ground.picker, 0.2);
   std::vector<CurvePoint> final_part;
   for (const Vec3d& sample : circle(20, 0.8, 0.6)) {
@@ -80,7 +80,7 @@ TEST(CurveTracer, LeavesTheFinalPartAloneWhenSamplesArrive) {
 }
 
 TEST(CurveTracer, TakesRepeatedSamplesAsOne) {
-  Ground ground(test::plane(1, 0.1, 1));
+  TracedGround ground(test::plane(1, 0.1, 1));
   const std::vector<Vec3d> once = {{-0.5, 0, 0}, {0, 0.2, 0}, {0.5, 0, 0}};
   const std::vector<Vec3d> often = {{-0.5, 0, 0}, {-0.5, 0, 0}, {0, 0.2, 0},
                                     {0, 0.2, 0},  {0, 0.2, 0},  {0.5, 0, 0}};
@@ -96,7 +96,7 @@ TEST(CurveTracer, ConnectsAlongTheSurfaceButNotAcrossAGap) {
   TriangleMesh lower = two;
   for (Vec3f& p : lower.positions) two.positions.emplace_back(p - Vec3f(0, 0, 3));
   for (const auto& [a, b, c] : lower.triangles) two.triangles.push_back({a + count, b + count, c + count});
-  Ground ground(two);
+  TracedGround ground(two);
   CurveTracer tracer(ground.surface, ground.picker, 0.1);
   tracer.add(*ground.picker.closest(Vec3f(0, 0, 0), 1), 0, {});
   EXPECT_TRUE(tracer.connects(*ground.picker.closest(Vec3f(0.9F, 0.3F, 0), 1)));
@@ -104,7 +104,7 @@ TEST(CurveTracer, ConnectsAlongTheSurfaceButNotAcrossAGap) {
 }
 
 TEST(CurveTracer, ConnectsThroughStepsBelowTheRoundingOfPlaces) {
-  const Ground ground(test::shuffled(test::plane(1, 0.05, 3), 5));
+  const TracedGround ground(test::shuffled(test::plane(1, 0.05, 3), 5));
   CurveTracer tracer(ground.surface, ground.picker, 0.2);
   for (int i = 0; i < 5000; ++i) {
     const Vec3f place(0.7F + 1e-7F * static_cast<float>(i), -0.61F, 0);
@@ -116,7 +116,7 @@ TEST(CurveTracer, ConnectsThroughStepsBelowTheRoundingOfPlaces) {
 }
 
 TEST(CurveTracer, SaysWhatASampleChanged) {
-  const Ground ground(test::plane(1, 0.05, 3));
+  const TracedGround ground(test::plane(1, 0.05, 3));
   CurveTracer tracer(ground.surface, ground.picker, 0.2);
   const auto add = [&](float x, float pressure) {
     return tracer.add(*ground.picker.closest(Vec3f(x, 0, 0), 1), 0, {.pressure = pressure});
@@ -129,7 +129,7 @@ TEST(CurveTracer, SaysWhatASampleChanged) {
 }
 
 TEST(CurveTracer, TakesTheWidthFromThePressure) {
-  Ground ground(test::plane(1, 0.02, 1));
+  TracedGround ground(test::plane(1, 0.02, 1));
   CurveTracer tracer(ground.surface, ground.picker, 0.1, StrokeWidth(0.8, {}, {{.pressure = true}}));
   const float pressures[] = {1, 0, 0.5F};
   for (const int i : {0, 1, 2}) {
@@ -146,7 +146,7 @@ TEST(CurveTracer, TakesTheWidthFromThePressure) {
 }
 
 /// A pen along x from -0.7 on, drawn so many times a second: place, pressure and tilt are smooth in time.
-SurfaceCurve smoothly_drawn(const Ground& ground, int rate, double seconds) {
+SurfaceCurve smoothly_drawn(const TracedGround& ground, int rate, double seconds) {
   CurveTracer tracer(ground.surface, ground.picker, 0.1);
   for (int i = 0; i <= rate * seconds; ++i) {
     const double time = static_cast<double>(i) / rate, share = time / seconds;
@@ -159,7 +159,7 @@ SurfaceCurve smoothly_drawn(const Ground& ground, int rate, double seconds) {
 }
 
 TEST(CurveTracer, CarriesThePenSmoothlyBetweenSparseSamples) {
-  const Ground ground(test::plane(1, 0.02, 1));
+  const TracedGround ground(test::plane(1, 0.02, 1));
   const SurfaceCurve curve = smoothly_drawn(ground, 12, 1);
   double squares = 0;
   for (const CurvePoint& point : curve.points) {
@@ -173,7 +173,7 @@ TEST(CurveTracer, CarriesThePenSmoothlyBetweenSparseSamples) {
 }
 
 TEST(CurveTracer, HasTheSameSpeedAtAnyRate) {
-  const Ground ground(test::plane(1, 0.02, 1));
+  const TracedGround ground(test::plane(1, 0.02, 1));
   const SurfaceCurve slow = smoothly_drawn(ground, 60, 1.5), fast = smoothly_drawn(ground, 240, 1.5);
   for (double t = 0; t < 1.4; t += 0.01) {
     const double speed = pen_at(fast, t).speed;
@@ -186,14 +186,14 @@ TEST(CurveTracer, HasTheSameSpeedAtAnyRate) {
 }
 
 TEST(CurveTracer, MakesSenseOfASpeedWithoutTime) {
-  const Ground ground(test::plane(1, 0.1, 1));
+  const TracedGround ground(test::plane(1, 0.1, 1));
   CurveTracer tracer(ground.surface, ground.picker, 0.1);
   for (const float x : {-0.5F, 0.F, 0.5F}) tracer.add(*ground.picker.closest(Vec3f(x, 0, 0), 1), 3, {});
   EXPECT_TRUE(std::isfinite(pen_at(tracer.curve(), 0.7).speed));
 }
 
 TEST(PenAt, InterpolatesPressureTimeAndSpeed) {
-  Ground ground(test::plane(1, 0.1, 1));
+  TracedGround ground(test::plane(1, 0.1, 1));
   CurveTracer tracer(ground.surface, ground.picker, 0.1);
   const auto add = [&](float x, double time, float pressure) {
     tracer.add(*ground.picker.closest(Vec3f(x, 0, 0), 1), time, {pressure, 0, 0, 0});
@@ -216,7 +216,7 @@ TEST(PenAt, InterpolatesPressureTimeAndSpeed) {
 }
 
 TEST(PenAt, TurnsTheBarrelTheShorterWay) {
-  Ground ground(test::plane(1, 0.3, 1));
+  TracedGround ground(test::plane(1, 0.3, 1));
   CurveTracer tracer(ground.surface, ground.picker, 0.5);
   constexpr float degree = std::numbers::pi_v<float> / 180;
   const float degrees[] = {330, 350, 10, 30};

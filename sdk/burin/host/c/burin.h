@@ -660,7 +660,8 @@ typedef struct burin_mesh_values {
   const float* masks;   /* as BURIN_MASKS; null: none */
   double origin[3];     /* is added to all positions, which are floats near it, object units */
   const float* uv; /* since 0.5: texture coordinates, u and v from the lower left corner of the picture, of
-                      the three corners of each triangle, 6 numbers; null: none. Of triangles only */
+                      the three corners of each triangle, 6 numbers; null: none. Only with
+                           burin_mesh.face_size 3; OFF has none */
 } burin_mesh_values;
 
 /* Reads and refines a mesh as `burin replay` does: OBJ, PLY, STL, OFF, glTF or GLB, which the extension

@@ -81,7 +81,7 @@ void EvdevFrames::apply(const EvdevEvent& event) {
 void EvdevFrames::set_axis(unsigned code, int value) {
   if (EvdevTouches::is_of_touches(code)) {
     touches_.take(code, value);
-    packets_.take(code, value);
+    if (!touches_.has_slots()) packets_.take(code, value);
   } else {
     values_[code] = value;
     if (code == abs_pressure && value == 0) packets_.lift();

@@ -34,6 +34,9 @@ class EvdevTouches {
   /// Whether an axis is one of touches.
   static bool is_of_touches(unsigned code);
 
+  /// Whether the device has slots, as far as events tell.
+  bool has_slots() const { return has_slots_; }
+
   /// Takes an event of such an axis.
   void take(unsigned code, int value);
 

@@ -3,7 +3,6 @@
 #include <burin/base/text/quoted_word.h>
 #include <burin/ink/decode/svg_path.h>
 #include <burin/ink/parse/scan.h>
-#include <burin/math/degree.h>
 #include <burin/math/elementary.h>
 #include <fmt/format.h>
 #include <Eigen/Core>
@@ -149,7 +148,7 @@ void PathFollower::take_curve(char kind, const Vec2d& origin) {
 
 void PathFollower::take_arc(const Vec2d& origin) {
   const Vec2d radii = pair(Vec2d::Zero()).cwiseAbs();
-  const double turn = number() * math::degree;
+  const double turn = number() * std::numbers::pi / 180;
   const bool large = flag(), sweep = flag();
   const Vec2d to = pair(origin);
   if (radii.minCoeff() == 0 || to == at_) return go_to(to);

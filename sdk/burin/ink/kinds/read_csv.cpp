@@ -170,17 +170,18 @@ class Rows {
       down_ = false;
       return;
     }
-    if (!down_ || row.stroke != stroke_ || row.stroke_name != stroke_name_) {
+    if (!down_ || row.stroke != stroke_ || row.stroke_name != stroke_name_ ||
+        content_.strokes.back().eraser != row.eraser) {
       PenStroke& stroke = content_.strokes.emplace_back();
       stroke.fields = row.fields;
       stroke.has_z = row.has_z;
       stroke.eraser = row.eraser;
-      stroke.has_barrel = row.has_barrel;
     }
     down_ = true;
     stroke_ = row.stroke;
     stroke_name_ = row.stroke_name;
     PenStroke& stroke = content_.strokes.back();
+    stroke.has_barrel |= row.has_barrel;
     if (row.fields != stroke.fields) throw Error("a line has other cells than the first of its stroke");
     stroke.samples.push_back(row.sample);
   }

@@ -115,7 +115,7 @@ void HidPen::add_sample(double time, const HidReport& report, bool eraser) {
   if (!down_ || content_.strokes.back().eraser != eraser) {
     PenStroke& stroke = content_.strokes.emplace_back();
     stroke.eraser = eraser;
-    stroke.has_barrel = find(usage_barrel, report) != nullptr;
+    stroke.has_barrel = find(usage_barrel, report) || find(usage_barrel2, report);
     stroke.fields = {.time = true,
                      .pressure = pressure && pressure->most > pressure->least,
                      .tilt = tilt,

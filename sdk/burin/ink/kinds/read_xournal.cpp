@@ -19,7 +19,7 @@ namespace burin {
 namespace {
 
 /// Reads numbers to the end of a text. Throws Error for anything else.
-std::vector<double> numbers_of(std::string_view text) {
+std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   for (skip_blanks(text); !text.empty(); skip_blanks(text)) {
     double number = 0;
@@ -49,7 +49,7 @@ std::vector<float> widths_of(std::string_view text, std::size_t points) {
 
 PenStroke stroke_of(const XmlFile& xml, const pugi::xml_node& node) try {
   std::string joined;
-  const std::vector<double> numbers = numbers_of(text_of(node, joined));
+  const std::vector<double> numbers = numbers_in(text_of(node, joined));
   if (numbers.size() % 2 != 0) throw Error("a stroke with an x without y");
   PenStroke stroke;
   for (std::size_t i = 0; i < numbers.size(); i += 2)
@@ -66,8 +66,10 @@ PenStroke stroke_of(const XmlFile& xml, const pugi::xml_node& node) try {
 void add_element(const XmlFile& xml, const pugi::xml_node& node, std::size_t page, std::size_t layer,
                  PenFile& content, std::set<std::string>& others) {
   constexpr std::string_view of_sound = "timestamp";
+  constexpr std::size_t most_told = 20;
   const std::string_view name = node.name();
-  if (node.type() == pugi::node_element && name != "stroke" && name != of_sound) others.emplace(name);
+  if (node.type() == pugi::node_element && name != "stroke" && name != of_sound && others.size() < most_told)
+    others.emplace(name);
   if (name != "stroke") return;
   PenStroke stroke = stroke_of(xml, node);
   if (stroke.samples.empty()) return;

@@ -39,25 +39,25 @@ constexpr std::array names = {
 
 enum class Measure { length, time, angle, share };
 
-struct Unit {
+struct ColumnUnit {
   std::string_view name;
   Measure measure;
   double scale;  ///< to millimetres, seconds, radians, or a share of 1
 };
 
-constexpr std::array units = {Unit{"mm", Measure::length, 1},
-                              Unit{"cm", Measure::length, 10},
-                              Unit{"m", Measure::length, 1000},
-                              Unit{"in", Measure::length, 25.4},
-                              Unit{"s", Measure::time, 1},
-                              Unit{"ms", Measure::time, 1e-3},
-                              Unit{"us", Measure::time, 1e-6},
-                              Unit{"\u00b5s", Measure::time, 1e-6},
-                              Unit{"ns", Measure::time, 1e-9},
-                              Unit{"deg", Measure::angle, math::degree},
-                              Unit{"\u00b0", Measure::angle, math::degree},
-                              Unit{"rad", Measure::angle, 1},
-                              Unit{"%", Measure::share, 0.01}};
+constexpr std::array units = {ColumnUnit{"mm", Measure::length, 1},
+                              ColumnUnit{"cm", Measure::length, 10},
+                              ColumnUnit{"m", Measure::length, 1000},
+                              ColumnUnit{"in", Measure::length, 25.4},
+                              ColumnUnit{"s", Measure::time, 1},
+                              ColumnUnit{"ms", Measure::time, 1e-3},
+                              ColumnUnit{"us", Measure::time, 1e-6},
+                              ColumnUnit{"\u00b5s", Measure::time, 1e-6},
+                              ColumnUnit{"ns", Measure::time, 1e-9},
+                              ColumnUnit{"deg", Measure::angle, math::degree},
+                              ColumnUnit{"\u00b0", Measure::angle, math::degree},
+                              ColumnUnit{"rad", Measure::angle, 1},
+                              ColumnUnit{"%", Measure::share, 0.01}};
 
 std::string_view trimmed(std::string_view text) {
   skip_blanks(text);
@@ -77,7 +77,7 @@ std::pair<std::string, std::string> name_and_unit(std::string_view cell) {
   const std::size_t mark = name.find_last_of('_');
   if (!unit.empty() || mark == name.npos) return {name, unit};
   const std::string suffix = name.substr(mark + 1);
-  if (suffix != "px" && std::ranges::find(units, suffix, &Unit::name) == units.end()) return {name, ""};
+  if (suffix != "px" && std::ranges::find(units, suffix, &ColumnUnit::name) == units.end()) return {name, ""};
   return {name.substr(0, mark), suffix};
 }
 
@@ -88,7 +88,7 @@ CsvColumn column_of(std::string_view cell) {
   CsvColumn column{std::string(cell)};
   if (found == names.end()) return column;
   const std::string_view unit = told.empty() ? found->unit : std::string_view(told);
-  const auto known = std::ranges::find(units, unit, &Unit::name);
+  const auto known = std::ranges::find(units, unit, &ColumnUnit::name);
   const auto in = [&](Measure measure) { return known != units.end() && known->measure == measure; };
   const bool angle = found->cell >= CsvCell::tilt_x && found->cell <= CsvCell::twist;
   if ((found->cell == CsvCell::time && !in(Measure::time)) || (angle && !in(Measure::angle))) return column;

@@ -56,7 +56,7 @@ class Archive {
       if (got < 0) fail();
       if (got == 0) return;
       unpacked += static_cast<std::size_t>(got);
-      // Of the bytes so far, so that what unpacks to much is found before all of it is unpacked.
+      // Of the bytes so far, so that what unpacks to too much is found before all of it is unpacked.
       const auto taken = static_cast<std::size_t>(archive_filter_bytes(archive_.get(), -1));
       if (const std::size_t most = most_unpacked_bytes(taken); unpacked > most)
         throw FileError(path_.string(), fmt::format("unpacks to more than {} MB", most / 1'000'000));

@@ -1,11 +1,11 @@
 // Reads recordings of HTML PointerEvents from JSON.
 #include <burin/base/text/json_value.h>
-#include <burin/math/degree.h>
 #include <burin/stroke/files/pen_events.h>
 #include <burin/stroke/files/recording_faults.h>
 #include <fmt/format.h>
 
 #include <array>
+#include <numbers>
 #include <utility>
 
 namespace burin {
@@ -26,7 +26,7 @@ PenEvents events_of(const PointerColumns& columns, const Reject& reject) {
   const std::vector<double>*pressure = find("pressure"), *buttons = find("buttons"), *tilt_x = find("tiltX"),
         *tilt_y = find("tiltY"), *twist = find("twist"), *pointer = find("pointerId");
   const auto radians = [](const std::vector<double>* degrees, std::size_t i) {
-    return degrees ? static_cast<float>((*degrees)[i] * math::degree) : 0;
+    return degrees ? static_cast<float>((*degrees)[i] * std::numbers::pi / 180) : 0;
   };
   PenEvents made;
   made.fields = {
