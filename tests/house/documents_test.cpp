@@ -16,24 +16,24 @@ namespace burin::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Names = std::vector<std::string>;
+using FileNames = std::vector<std::string>;
 
 /// Paths between backquotes: a folder, and a name with an extension.
-Names named_files(const std::string& text) {
+FileNames named_files(const std::string& text) {
   static const std::regex path(R"(`((?:[\w.]+/)+[\w.]+\.(?:h|cpp|txt|cmake|md|json|obj|stroke|in))`)");
-  return all_matches<Names>(text, path);
+  return all_matches<FileNames>(text, path);
 }
 
-Names linked_files(const std::string& text) {
+FileNames linked_files(const std::string& text) {
   static const std::regex link(R"(\]\(([^)#\s:]+)(?:#[^)]*)?\))");
-  return all_matches<Names>(text, link);
+  return all_matches<FileNames>(text, link);
 }
 
 /// The files that a document names or links to but that do not exist. Names are relative to the root or to
 /// the SDK's folders, links to the document.
-Names missing_files(const fs::path& root, const fs::path& document) {
+FileNames missing_files(const fs::path& root, const fs::path& document) {
   const std::string text = read_file(root / document);
-  Names missing;
+  FileNames missing;
   for (const std::string& name : named_files(text))
     if (!fs::exists(root / name) && !fs::exists(root / "sdk" / name) &&
         !fs::exists(root / "sdk/burin" / name))
@@ -49,7 +49,8 @@ TEST(Documents, NameFilesThatAreThere) {
   for (const auto& entry : fs::directory_iterator(root / "docs"))
     if (entry.path().extension() == ".md") documents.push_back(fs::relative(entry.path(), root));
   EXPECT_GT(documents.size(), 7u);
-  for (const fs::path& document : documents) EXPECT_EQ(missing_files(root, document), Names()) << document;
+  for (const fs::path& document : documents)
+    EXPECT_EQ(missing_files(root, document), FileNames()) << document;
 }
 
 TEST(Documents, OfTheArchitectureNameManyFilesInFewLines) {
@@ -65,7 +66,7 @@ TEST(Documents, CatchFilesThatAreNot) {
   std::ofstream(folder.path() / "sdk/burin/chart/front.h") << "";
   std::ofstream(folder.path() / "docs/a.md") << "`chart/front.h` and `chart/gone.h`, [a](a.md#part), "
                                                 "[b](b.md), [c](https://example.org/x.md), `a.b`\n";
-  EXPECT_EQ(missing_files(folder.path(), "docs/a.md"), Names({"chart/gone.h", "b.md"}));
+  EXPECT_EQ(missing_files(folder.path(), "docs/a.md"), FileNames({"chart/gone.h", "b.md"}));
 }
 
 }  // namespace

@@ -74,9 +74,9 @@ const std::map<std::string, Names> third_party = {
     {"CGAL/", {}},
 };
 
-void collect_allowed(const std::string& folder, Names& allowed) {
+void collect_allowed_folders(const std::string& folder, Names& allowed) {
   if (!allowed.insert(folder).second) return;
-  for (const std::string& next : may_include.at(folder)) collect_allowed(next, allowed);
+  for (const std::string& next : may_include.at(folder)) collect_allowed_folders(next, allowed);
 }
 
 std::optional<std::string> third_party_fault(const Include& include, const std::string& folder) {
@@ -101,7 +101,7 @@ std::optional<std::string> fault(const Include& include) {
   if (!may_include.count(folder)) return "no rule names the folder " + folder;
   if (include.own.empty()) return third_party_fault(include, folder);
   Names allowed;
-  collect_allowed(folder, allowed);
+  collect_allowed_folders(folder, allowed);
   if (allowed.count(house_folder(include.own))) return std::nullopt;
   return folder + " must not include " + include.target;
 }

@@ -14,13 +14,13 @@ namespace {
 constexpr double untold = -1;
 
 /// What is stated of a file, in the units that the reader gives.
-struct Stated : test::StatedCounts {
+struct StatedOfPrograms : test::StatedCounts {
   double least_pressure = untold, most_pressure = untold;
   double least_altitude = untold, most_altitude = untold;  ///< radians
   double ink_seconds = untold;                             ///< sum over the strokes
 };
 
-const Stated stated_of_programs[] = {
+const StatedOfPrograms stated_of_programs[] = {
     {"uim_30_digital_ink_is_processable.uim", "uim", "px", 2787, 177, 5, 63, 0, 0.96, 0.67, 1.04, 57.7},
     {"uim_31_digital_ink_is_processable.uim", "uim", "px", 2789, 178, 2, 63, 0, 0.96, 0.67, 1.04, 59.0},
     {"uim_31_math_structures.uim", "uim", "px", 893, 50, 2, 139, 0, 0.95, 0.53, 0.67, 15.6},
@@ -72,10 +72,10 @@ double ink_seconds(const PenFile& file) {
   return sum;
 }
 
-class PenFileOfProgram : public testing::TestWithParam<Stated> {};
+class PenFileOfProgram : public testing::TestWithParam<StatedOfPrograms> {};
 
 TEST_P(PenFileOfProgram, HasWhatIsStatedOfIt) {
-  const Stated& expected = GetParam();
+  const StatedOfPrograms& expected = GetParam();
   BURIN_SHARED_DATA_OR_SKIP(path, std::string("strokes/") + expected.file);
   const PenFile file = read_pen_file(path);
   ASSERT_NO_FATAL_FAILURE(test::expect_counts(file, expected));

@@ -14,8 +14,8 @@
 namespace burin {
 namespace {
 
-using Tree = openvdb::FloatTree;
-static_assert(Tree::LeafNodeType::DIM == VoxelBlock::side);
+using FieldTree = openvdb::FloatTree;
+static_assert(FieldTree::LeafNodeType::DIM == VoxelBlock::side);
 
 /// Whether every edge is run along as often in one direction as in the other.
 bool is_closed(const TriangleMesh& mesh) {
@@ -73,20 +73,20 @@ openvdb::FloatGrid::Ptr grid_of(const TriangleMesh& mesh, double voxel) {
 }
 
 /// Those that hold something of the solid or its band.
-std::vector<VoxelBlock> blocks_of(const Tree& tree, double voxel) {
+std::vector<VoxelBlock> blocks_of(const FieldTree& tree, double voxel) {
   const auto band = static_cast<float>(VoxelBlock::half_width * voxel);
   std::vector<VoxelBlock> blocks;
   for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf) {
     VoxelBlock block;
     const openvdb::Coord at = leaf->origin();
     block.origin = {at.x(), at.y(), at.z()};
-    for (openvdb::Index i = 0; i < Tree::LeafNodeType::SIZE; ++i)
+    for (openvdb::Index i = 0; i < FieldTree::LeafNodeType::SIZE; ++i)
       block.values[i] = std::clamp(leaf->getValue(i), -band, band);
     if (std::ranges::min(block.values) < band) blocks.push_back(block);
   }
   // What lies deep inside has one value for many voxels.
   auto tile = tree.cbeginValueAll();
-  tile.setMaxDepth(Tree::ValueAllCIter::LEAF_DEPTH - 1);
+  tile.setMaxDepth(FieldTree::ValueAllCIter::LEAF_DEPTH - 1);
   for (; tile; ++tile) {
     if (!(tile.getValue() < 0)) continue;
     const openvdb::CoordBBox box = tile.getBoundingBox();

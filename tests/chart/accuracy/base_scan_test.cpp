@@ -62,7 +62,7 @@ struct Figures {
   double mean, p99;
 };
 
-Figures figures(std::vector<double> errors) {
+Figures mean_and_p99(std::vector<double> errors) {
   std::ranges::sort(errors);
   double sum = 0;
   for (const double error : errors) sum += error;
@@ -101,7 +101,8 @@ TEST_P(BaseScan, IsChartedByTheDistancesOfTheLowPassedScan) {
     ++strokes;
   }
   ASSERT_GT(own_scale.size(), 400U);
-  const Figures own = figures(own_scale), all = figures(all_relief), on_scan = figures(own_scale_on_scan);
+  const Figures own = mean_and_p99(own_scale), all = mean_and_p99(all_relief),
+                on_scan = mean_and_p99(own_scale_on_scan);
   std::cout << GetParam() << ": |d| at the brush's own scale, against the low-passed scan: mean " << own.mean
             << " p99 " << own.p99 << "; against the scan itself: mean " << on_scan.mean << " p99 "
             << on_scan.p99 << "; following all relief, against the scan itself: mean " << all.mean << " p99 "

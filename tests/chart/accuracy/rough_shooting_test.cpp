@@ -16,14 +16,14 @@
 namespace burin {
 namespace {
 
-constexpr double radius = 0.3, edge = radius / 20;
+constexpr double rough_radius = 0.3, edge = rough_radius / 20;
 
 /// The height of a vertex over the smooth surface at (x, y), object units.
 using Roughness = std::function<double(double x, double y)>;
 
 /// An egg crate of six radii, whose crests bend like a ball of 2.3 radii.
 test::Height six_radii(double x, double y) {
-  const double k = 2 * std::numbers::pi / (6 * radius), a = 0.4 * radius;
+  const double k = 2 * std::numbers::pi / (6 * rough_radius), a = 0.4 * rough_radius;
   const double sx = std::sin(k * x), cx = std::cos(k * x), sy = std::sin(k * y), cy = std::cos(k * y);
   return {a * sx * sy,          a * k * cx * sy,     a * k * sx * cy,
           -a * k * k * sx * sy, a * k * k * cx * cy, -a * k * k * sx * sy};
@@ -50,10 +50,10 @@ test::ChartErrors errors(const test::HeightField& field, const Roughness& roughn
     const Vec3d place = oracle.place(i / 199.);
     const test::Height at = field(place.x(), place.y());
     const Vec3d normal = Vec3d(-at.fx, -at.fy, 1).normalized();
-    pens.push_back({(place + radius * normal).cast<float>(), (-normal).cast<float>()});
+    pens.push_back({(place + rough_radius * normal).cast<float>(), (-normal).cast<float>()});
   }
-  const Chart chart = on.chart({.radius = radius, .follow = follow}, pens);
-  return test::errors_of(chart, oracle, radius, [&](Index vertex) {
+  const Chart chart = on.chart({.radius = rough_radius, .follow = follow}, pens);
+  return test::errors_of(chart, oracle, rough_radius, [&](Index vertex) {
     const Vec3f& foot = feet[on.surface.source_vertex[vertex]];
     return Vec2d(foot.x(), foot.y());
   });
@@ -68,7 +68,8 @@ void record(const std::string& name, const test::ChartErrors& errors) {
 
 TEST(RoughShooting, FollowsWavesOfSixRadiiUnderBumps) {
   const auto bumps = [](test::Relief relief) {
-    return [=](double x, double y) { return 0.05 * radius * relief(x / radius, y / radius); };
+    return
+        [=](double x, double y) { return 0.05 * rough_radius * relief(x / rough_radius, y / rough_radius); };
   };
   const test::ChartErrors smooth = errors(
       &six_radii, [](double, double) { return 0; }, 0);

@@ -85,13 +85,13 @@ void measure(const Surface& surface, int stroke, const SurfaceCurve& curve, cons
   }
 }
 
-struct Scan {
+struct GeodesicScan {
   const char* file;
   ErrorFigures limit;  ///< of d
 };
-std::ostream& operator<<(std::ostream& out, const Scan& scan) { return out << scan.file; }
+std::ostream& operator<<(std::ostream& out, const GeodesicScan& scan) { return out << scan.file; }
 
-class ScanGeodesic : public testing::TestWithParam<Scan> {
+class ScanGeodesic : public testing::TestWithParam<GeodesicScan> {
  protected:
   static constexpr int strokes = 8;
 
@@ -143,9 +143,9 @@ TEST_P(ScanGeodesic, IsTheDistanceOfTheChart) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, ScanGeodesic,
-                         testing::Values(Scan{"stanford-bunny.obj", {0.1, 0.8, 3}},
-                                         Scan{"nefertiti-lowres.obj", {0.12, 1.5, 6}},
-                                         Scan{"dragon_vrip.ply", {0.06, 0.8, 2}}),
+                         testing::Values(GeodesicScan{"stanford-bunny.obj", {0.1, 0.8, 3}},
+                                         GeodesicScan{"nefertiti-lowres.obj", {0.12, 1.5, 6}},
+                                         GeodesicScan{"dragon_vrip.ply", {0.06, 0.8, 2}}),
                          [](const auto& scan) { return test::test_name_of(scan.param.file); });
 
 }  // namespace

@@ -20,12 +20,16 @@ void put_little_endian(std::string& bytes, Bits value) {
     bytes.push_back(static_cast<char>(value >> shift & 0xff));
 }
 
-void put(std::string& bytes, float value) { put_little_endian(bytes, std::bit_cast<std::uint32_t>(value)); }
+void put_number(std::string& bytes, float value) {
+  put_little_endian(bytes, std::bit_cast<std::uint32_t>(value));
+}
 
-void put(std::string& bytes, double value) { put_little_endian(bytes, std::bit_cast<std::uint64_t>(value)); }
+void put_number(std::string& bytes, double value) {
+  put_little_endian(bytes, std::bit_cast<std::uint64_t>(value));
+}
 
-void put(std::string& bytes, const Vec2f& uv) {
-  for (const float coordinate : uv) put(bytes, coordinate);
+void put_number(std::string& bytes, const Vec2f& uv) {
+  for (const float coordinate : uv) put_number(bytes, coordinate);
 }
 
 void put_bytes(std::string& bytes, const PaintBytes& colour, std::size_t channels) {
@@ -79,12 +83,12 @@ class PlyContents {
   void put_vertex(std::string& bytes, std::size_t vertex) const {
     for (int axis = 0; axis < 3; ++axis) {
       const float coordinate = mesh_.positions[vertex][axis];
-      is_far() ? put(bytes, coordinate + origin_[axis]) : put(bytes, coordinate);
+      is_far() ? put_number(bytes, coordinate + origin_[axis]) : put_number(bytes, coordinate);
     }
-    if (!vertex_uv_.empty()) put(bytes, vertex_uv_[vertex]);
+    if (!vertex_uv_.empty()) put_number(bytes, vertex_uv_[vertex]);
     if (!paint_.colours.empty()) put_bytes(bytes, bytes_over_clay(paint_.colours[vertex]), 3);
     if (inked_) put_bytes(bytes, paint_.colours[vertex], 4);
-    if (!paint_.masks.empty()) put(bytes, paint_.masks[vertex]);
+    if (!paint_.masks.empty()) put_number(bytes, paint_.masks[vertex]);
   }
 
   void put_face(std::string& bytes, std::size_t triangle) const {
@@ -92,7 +96,7 @@ class PlyContents {
     for (const Index vertex : mesh_.triangles[triangle]) put_little_endian(bytes, vertex);
     if (!has_corner_uv()) return;
     bytes.push_back(6);
-    for (const Vec2f& uv : mesh_.triangle_uv[triangle]) put(bytes, uv);
+    for (const Vec2f& uv : mesh_.triangle_uv[triangle]) put_number(bytes, uv);
   }
 
  private:
