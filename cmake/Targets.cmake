@@ -61,8 +61,8 @@ function(burin_use_precompiled target name)
       $<$<COMPILE_LANG_AND_ID:CXX,GNU>:SHELL:--param ggc-min-heapsize=1000000>)
   endif()
 endfunction()
-# burin_unite(TARGET): compiles the sources of each room of the target together, up to eight at a time, which takes less
-# than half the time: they share templates of others that each would instantiate. So names without linkage are unique in
+# burin_unite(TARGET): compiles the sources of each room of the target together, up to eight at a time, which takes about
+# half the time: they share templates of others that each would instantiate. So names without linkage are unique in
 # a room. A room's batches do not change with other rooms. As with precompiled headers, builds with a compiler launcher
 # and clang-tidy look at each source by itself.
 function(burin_unite target)
