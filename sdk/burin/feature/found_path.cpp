@@ -4,6 +4,7 @@
 #include <burin/feature/found_path.h>
 #include <burin/feature/significance.h>
 #include <burin/feature/smooth_offsets.h>
+#include <burin/math/median.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +18,7 @@ void normalize(std::vector<WeightedValue>& values) {
   for (const WeightedValue& value : values)
     if (value.weight > 0) weights.push_back(value.weight);
   if (weights.empty()) return;
-  const auto middle = weights.begin() + static_cast<std::ptrdiff_t>(weights.size() / 2);
-  std::ranges::nth_element(weights, middle);
-  const double unit = *middle;
+  const double unit = math::median(weights);
   for (WeightedValue& value : values) value.weight /= unit;
 }
 

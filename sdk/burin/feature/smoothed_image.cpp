@@ -2,6 +2,7 @@
 // separable Gaussian blurs; their quotient is the weighted mean.
 #include <burin/feature/smoothed_image.h>
 #include <burin/math/elementary.h>
+#include <burin/math/median.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,9 +64,7 @@ float least_weight(const std::vector<float>& weights) {
   std::vector<float> some;
   std::ranges::copy_if(weights, std::back_inserter(some), [](float weight) { return weight > 0; });
   if (some.empty()) return 0;
-  const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
-  std::ranges::nth_element(some, middle);
-  return least_share * *middle;
+  return least_share * math::median(some);
 }
 
 }  // namespace

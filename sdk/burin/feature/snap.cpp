@@ -13,6 +13,7 @@
 #include <burin/feature/sampled_feature.h>
 #include <burin/feature/snap.h>
 #include <burin/feature/snapped_curve.h>
+#include <burin/math/median.h>
 #include <burin/stroke/curve/surface_curve.h>
 
 #include <algorithm>
@@ -38,9 +39,7 @@ double typical_edge(const Surface& surface, const Chart& chart) {
     if (!neighbours.empty()) edges.push_back(sum / static_cast<double>(neighbours.size()));
   }
   if (edges.empty()) return 0;
-  const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
-  std::ranges::nth_element(edges, middle);
-  return *middle;
+  return math::median(edges);
 }
 
 /// The arc length on the stroke that belongs to one on the current curve. On closed strokes both may go

@@ -1,4 +1,5 @@
 // Spreads the equal time stamps of tablets that deliver samples in packets, in O(samples).
+#include <burin/math/median.h>
 #include <burin/stroke/sample_times.h>
 
 #include <algorithm>
@@ -29,9 +30,7 @@ double median_interval(const std::vector<Packet>& packets) {
   std::vector<double> intervals;
   for (std::size_t i = 1; i < packets.size(); ++i)
     intervals.push_back(interval_within(packets[i - 1], packets[i]));
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::ranges::nth_element(intervals, middle);
-  return *middle;
+  return math::median(intervals);
 }
 
 }  // namespace

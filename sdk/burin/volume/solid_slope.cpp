@@ -1,5 +1,6 @@
 // How steeply the distance to a solid changes in space: by differences over two voxels inside of each block.
 #include <burin/base/parallel.h>
+#include <burin/math/median.h>
 #include <burin/volume/solid.h>
 
 #include <algorithm>
@@ -35,9 +36,7 @@ double median_slope(const StrokeSolid& solid) {
   std::vector<float> slopes;
   for (const VoxelBlock& block : solid.blocks()) append_slopes(block, band, slopes);
   if (slopes.empty()) return 1;
-  const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
-  std::nth_element(slopes.begin(), middle, slopes.end());
-  return static_cast<double>(*middle) / solid.voxel();
+  return static_cast<double>(math::median(slopes)) / solid.voxel();
 }
 
 }  // namespace burin
