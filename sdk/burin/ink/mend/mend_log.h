@@ -1,4 +1,6 @@
 #pragma once
+#include <burin/stroke/recording.h>
+
 #include <cstddef>
 #include <numeric>
 #include <string>
@@ -25,16 +27,23 @@ class MendLog {
     lines_.push_back(place_ + ", " + samples + ": " + what);
   }
 
-  /// Takes it that the stroke has only the samples at these places now, in this order.
-  void keep(const std::vector<std::size_t>& places) {
-    std::vector<std::size_t> kept;
-    for (const std::size_t place : places) kept.push_back(numbers_[place]);
-    numbers_ = std::move(kept);
+  /// Leaves the stroke only those of its samples at these places, in this order.
+  void keep(const std::vector<std::size_t>& places, std::vector<Sample>& samples) {
+    numbers_ = at(places, numbers_);
+    samples = at(places, samples);
   }
 
   std::vector<std::string> lines() && { return std::move(lines_); }
 
  private:
+  template <class Value>
+  static std::vector<Value> at(const std::vector<std::size_t>& places, const std::vector<Value>& values) {
+    std::vector<Value> chosen;
+    chosen.reserve(places.size());
+    for (const std::size_t place : places) chosen.push_back(values[place]);
+    return chosen;
+  }
+
   std::string place_;
   std::vector<std::size_t> numbers_;  ///< [place] of the sample in the recording
   std::vector<std::string> lines_;

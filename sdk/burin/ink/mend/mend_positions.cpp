@@ -2,6 +2,7 @@
 #include <burin/base/vector.h>
 #include <burin/ink/mend/drawn_length.h>
 #include <burin/ink/mend/mend_positions.h>
+#include <burin/math/median.h>
 
 #include <algorithm>
 #include <vector>
@@ -15,9 +16,7 @@ double median_step(const std::vector<Sample>& samples) {
   for (std::size_t i = 1; i < samples.size(); ++i)
     if (const double length = step(samples[i - 1], samples[i]); length > 0) steps.push_back(length);
   if (steps.empty()) return 0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::ranges::nth_element(steps, middle);
-  return *middle;
+  return math::median(steps);
 }
 
 /// Whether the way beyond a sample, to the first sample at least `distance` away from it, turns back by more
@@ -62,18 +61,14 @@ void remove_wild_samples(RecordedStroke& stroke, MendLog& log) {
     const double nearest = std::min(step(samples[i - 1], samples[i]), step(samples[i], samples[i + 1]));
     return nearest > far * std::max(usual, step(samples[i - 1], samples[i + 1]));
   };
-  std::vector<Sample> kept;
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (is_wild(i)) {
+    if (is_wild(i))
       log.add(i, i, "far beside the way; left out");
-      continue;
-    }
-    kept.push_back(samples[i]);
-    places.push_back(i);
+    else
+      kept.push_back(i);
   }
-  log.keep(places);
-  samples = std::move(kept);
+  log.keep(kept, samples);
 }
 
 void remove_hooks(RecordedStroke& stroke, MendLog& log) {

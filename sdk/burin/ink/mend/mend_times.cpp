@@ -22,16 +22,17 @@ std::vector<std::size_t> order_of_times(const std::vector<Sample>& samples) {
   return order;
 }
 
-void put_in_order(std::vector<Sample>& samples, std::vector<Sample> ordered, MendLog& log) {
+/// `order`: places, in the order of times.
+void put_in_order(std::vector<Sample>& samples, const std::vector<std::size_t>& order, MendLog& log) {
+  const auto time_of = [&](std::size_t place) { return samples[place].time; };
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (!time_falls(samples[i - 1], samples[i])) continue;
-    const auto place = std::ranges::lower_bound(ordered, samples[i].time, {}, &Sample::time);
+    const auto place = std::ranges::lower_bound(order, samples[i].time, {}, time_of);
     log.add(i, i,
             fmt::format("its time {} is before that of the one before; it goes to place {}", samples[i].time,
-                        1 + (place - ordered.begin())));
+                        1 + (place - order.begin())));
   }
-  log.keep(order_of_times(samples));
-  samples = std::move(ordered);
+  log.keep(order, samples);
 }
 
 void raise_times(std::vector<Sample>& samples, MendLog& log) {
@@ -53,27 +54,24 @@ bool repeats(const Sample& sample, const Sample& before) {
 void mend_order(RecordedStroke& stroke, MendLog& log) {
   std::vector<Sample>& samples = stroke.samples;
   if (!stroke.fields.time || std::ranges::is_sorted(samples, {}, &Sample::time)) return;
+  const std::vector<std::size_t> order = order_of_times(samples);
   std::vector<Sample> ordered;
-  for (const std::size_t place : order_of_times(samples)) ordered.push_back(samples[place]);
+  for (const std::size_t place : order) ordered.push_back(samples[place]);
   if (drawn_length(ordered) <= drawn_length(samples))
-    put_in_order(samples, std::move(ordered), log);
+    put_in_order(samples, order, log);
   else
     raise_times(samples, log);
 }
 
 void remove_duplicates(RecordedStroke& stroke, MendLog& log) {
-  std::vector<Sample> kept;
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
-    if (i > 0 && repeats(stroke.samples[i], kept.back())) {
+    if (i > 0 && repeats(stroke.samples[i], stroke.samples[kept.back()]))
       log.add(i, i, "a duplicate of the one before; left out");
-      continue;
-    }
-    kept.push_back(stroke.samples[i]);
-    places.push_back(i);
+    else
+      kept.push_back(i);
   }
-  log.keep(places);
-  stroke.samples = std::move(kept);
+  log.keep(kept, stroke.samples);
 }
 
 void mend_packets(RecordedStroke& stroke, MendLog& log) {
