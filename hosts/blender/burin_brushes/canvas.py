@@ -39,7 +39,6 @@ class Canvas:
         sessions = [kept.session for kept in self._kept]
         self.pen: burin.Session | burin.Group = sessions[0] if len(sessions) == 1 else burin.Group(sessions)
         """What draws."""
-        self._previewed: set[Any] = set()
         self._preview: preview.Preview | None = None
 
     def preview(self) -> None:
@@ -47,7 +46,6 @@ class Canvas:
         whole = [(object, kept) for kept, object, _ in self._each() if not kept.hides_faces]
         large = [(object, kept.parts) for object, kept in whole if preview.is_wanted(object)]
         if large:
-            self._previewed = {object for object, _ in large}
             self._preview = preview.Preview(large)
 
     def _end_preview(self) -> None:
@@ -79,7 +77,7 @@ class Canvas:
         for kept, object, shown in self._each():
             if not kept.drawn(shown):
                 continue
-            if object in self._previewed:
+            if self._preview and self._preview.shows(object):
                 preview.redraw()
             else:
                 mesh_io.write_positions(object.data, shown)

@@ -90,7 +90,7 @@ class ObjectSession:
         """The triangles on the graphics card, which from now on is sent what changes."""
         if self._parts is None:
             self._parts = preview.ShownParts(self.session)
-            self._send(self.local, ())
+            self._send(self.local, [(0, len(self.local))])
         return self._parts
 
     def _send(self, positions: mesh_io.Floats, ranges: Any) -> None:

@@ -120,15 +120,14 @@ class ShownParts:
         for name in ("position", "normal"):
             self._format.attr_add(id=name, comp_type="F32", len=3, fetch_mode="FLOAT")
         self._corners = [gpu.types.GPUIndexBuf(type="TRIS", seq=part.triangles) for part in self._mesh.parts]
-        self._batches: list[Any] = [None] * len(self._mesh.parts)
+        self._batches: list[Any] = [None] * len(self._mesh.parts)  # until all vertices were sent once
 
     def send(self, positions: mesh_io.Floats, ranges: Any) -> None:
         """Sends the positions and normals of all vertices in ranges, and of those around whose normals changed."""
         turned = self._session.update("normals", most=1024)
         normals = self._session.values("normals")
-        missing = [number for number, batch in enumerate(self._batches) if batch is None]
         changed = np.concatenate([np.asarray(some, np.uint64).reshape(-1, 2) for some in (ranges, turned)])
-        for number in {*missing, *self._mesh.touched(changed).tolist()}:
+        for number in self._mesh.touched(changed):
             vertices = self._mesh.parts[number].vertices
             buffer = gpu.types.GPUVertBuf(self._format, len(vertices))
             buffer.attr_fill("position", positions[vertices])
@@ -175,6 +174,10 @@ class Preview:
             scene = _scene(object, context)  # the shader keeps no reference
             shader.uniform_block("scene", scene)
             parts.draw(shader)
+
+    def shows(self, object: Any) -> bool:
+        """Whether an object is drawn from here, until the preview is closed."""
+        return self in _open and any(own == object for own, _ in self._objects)
 
     def close(self) -> None:
         """Shows the objects themselves again. Those that are gone since are passed over. It may be closed already."""
