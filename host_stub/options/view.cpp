@@ -1,5 +1,4 @@
 // Parses the options of a view, and computes cameras that frame a surface or the curves of strokes.
-
 #include "options/view.h"
 
 #include <CLI/CLI.hpp>

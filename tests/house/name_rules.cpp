@@ -23,7 +23,8 @@ std::optional<std::string> defined_name(const std::string& line) {
   std::smatch found;
   for (const std::regex* form : {&type, &alias, &constant})
     if (std::regex_match(line, found, *form)) return found[1];
-  if (line.starts_with("TEST") || line.starts_with("INSTANTIATE") || line.starts_with("using ")) return std::nullopt;
+  if (line.starts_with("TEST") || line.starts_with("INSTANTIATE") || line.starts_with("using "))
+    return std::nullopt;
   if (!std::regex_match(line, found, function)) return std::nullopt;
   return found.str(1) + "(" + std::regex_replace(found.str(2), parameter_name, "") + ")";
 }
@@ -47,12 +48,15 @@ std::string key_of(const std::string& name) { return name.substr(0, name.find(" 
 }  // namespace
 
 std::vector<std::string> repeated_names(const fs::path& repository) {
-  std::map<std::string, std::map<std::string, std::map<std::string, std::string>>> sources;  // by room, key, file
-  for (const char* folder : {"sdk", "host_stub", "host_probe", "brush_process", "samples/generate", "tests"}) {
+  std::map<std::string, std::map<std::string, std::map<std::string, std::string>>>
+      sources;  // by room, key, file
+  for (const char* folder :
+       {"sdk", "host_stub", "host_probe", "brush_process", "samples/generate", "tests"}) {
     if (!fs::exists(repository / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(repository / folder)) {
       const std::string room = entry.path().parent_path().lexically_relative(repository).generic_string();
-      if (entry.path().extension() != ".cpp" || room.find("bad_plugins") != room.npos || room.ends_with("/modules"))
+      if (entry.path().extension() != ".cpp" || room.find("bad_plugins") != room.npos ||
+          room.ends_with("/modules"))
         continue;
       for (const std::string& name : hidden_names(entry.path()))
         sources[room][key_of(name)][entry.path().filename().string()] = name;

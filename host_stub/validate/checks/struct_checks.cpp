@@ -3,6 +3,7 @@
 #include <burin/abi/ext/curve_filter.h>
 #include <burin/abi/ext/state.h>
 #include <burin/abi/ext/volume.h>
+#include <burin/host/plugin/brush_module.h>
 #include <fmt/format.h>
 
 #include "validate/probe/stroke.h"
@@ -26,8 +27,7 @@ void check_param_sizes(const burin_brush_descriptor& brush) {
 /// Of a brush that is made, which is whole then.
 void check_brush_size(const burin_brush& brush) {
   require_size(BURIN_HAS(&brush, burin_brush, end), "its burin_brush", brush.struct_size, sizeof brush);
-  require(brush.destroy && brush.get_extension && brush.begin && brush.evaluate && brush.end,
-          "its burin_brush lacks a function");
+  require(is_whole(brush), "its burin_brush lacks a function");
 }
 
 template <class Interface, class Member>
