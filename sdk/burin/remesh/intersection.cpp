@@ -88,8 +88,14 @@ class Meeting {
   Meeting(const Crossings& crossings, const Boxes& items, Index at, std::vector<std::atomic<char>>& marks)
       : crossings_(crossings), items_(items), at_(at), own_(items.boxes[items.order[at]]), marks_(marks) {}
 
-  double nearest(const Box& box) const { return box.intersects(own_) ? 0 : 1; }
-  bool reaches(double distance) const { return distance == 0; }
+  /// 0 for boxes that have a point in common with the triangle's own, else more.
+  BoxLanes::Lane nearest(const BoxLanes& boxes) const {
+    BoxLanes::Lane apart = BoxLanes::Lane::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+      apart = apart.max(boxes.low(axis) - own_.max()[axis]).max(own_.min()[axis] - boxes.high(axis));
+    return apart;
+  }
+  bool reaches(float distance) const { return distance == 0; }
 
   void meet(Index begin, Index end) {
     const Index own = items_.order[at_];

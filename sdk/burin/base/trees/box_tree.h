@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/base/parallel.h>
+#include <burin/base/trees/box_lanes.h>
 #include <burin/base/vector.h>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ class BoxTree {
   using Box = Eigen::AlignedBox3f;
 
   /// The number of items in a run, and of nodes in a node.
-  static constexpr std::size_t fan = 8;
+  static constexpr std::size_t fan = BoxLanes::count;
 
   explicit BoxTree(Items items);
 
@@ -37,10 +38,11 @@ class BoxTree {
   const Items& items() const { return items_; }
 
   /// The bounding box of all items.
-  const Box& box() const { return levels_.back().front(); }
+  const Box& box() const { return box_; }
 
-  /// Calls query.meet(begin, end) for the runs of items in boxes with query.reaches(query.nearest(box)),
-  /// nearer boxes first.
+  /// Calls query.meet(begin, end) for the runs of items in boxes that the query reaches, nearer ones first:
+  /// query.nearest(BoxLanes) tells a lower bound of the distance of each of eight boxes, at least 0, and
+  /// query.reaches(distance) whether an item as near as that may be asked for.
   template <class Query>
   void search(Query& query) const;
 
@@ -50,8 +52,8 @@ class BoxTree {
   static constexpr std::size_t boxes_per_block = 4096;
 
   struct Node {
-    double nearest;
-    std::size_t level, index;
+    float nearest;
+    Index level, index;
   };
   /// A stack deep enough for 2^32 items.
   using Stack = std::array<Node, 10 * fan>;
@@ -61,35 +63,38 @@ class BoxTree {
   std::size_t push_children(const Node& parent, const Query& query, Stack& stack, std::size_t size) const;
 
   Items items_;
-  std::vector<std::vector<Box>> levels_;  ///< leaves first, the last level one box
+  std::vector<std::size_t> sizes_;  ///< [level] number of nodes; leaves first, the last level has one
+  std::vector<std::vector<BoxLanes>> levels_;  ///< [level] the boxes of the nodes, eight by eight
+  Box box_;
   std::vector<Index> touched_;            ///< nodes of one level to be updated
   std::vector<std::uint8_t> is_touched_;  ///< [leaf] all 0 between updates
 };
 
 template <class Items>
 BoxTree<Items>::BoxTree(Items items) : items_(std::move(items)) {
-  std::size_t below = items_.size();
+  const auto runs = [](std::size_t count) { return (count + fan - 1) / fan; };
+  std::size_t nodes = items_.size();
   do {
-    below = (below + fan - 1) / fan;
-    levels_.emplace_back(below);
-    parallel_blocks(below, boxes_per_block, [&](std::size_t begin, std::size_t end) {
+    nodes = runs(nodes);
+    sizes_.push_back(nodes);
+    levels_.emplace_back(runs(nodes));
+    parallel_blocks(nodes, boxes_per_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t index = begin; index < end; ++index) fit(levels_.size() - 1, index);
     });
-  } while (below > 1);
-  is_touched_.resize(levels_.front().size());
+  } while (nodes > 1);
+  box_ = levels_.back().front().whole();
+  is_touched_.resize(sizes_.front());
 }
 
 template <class Items>
 void BoxTree<Items>::fit(std::size_t level, std::size_t index) {
   Box box;
-  const std::size_t count = level == 0 ? items_.size() : levels_[level - 1].size();
-  for (std::size_t i = index * fan; i < std::min((index + 1) * fan, count); ++i) {
-    if (level == 0)
+  if (level > 0)
+    box = levels_[level - 1][index].whole();
+  else
+    for (std::size_t i = index * fan; i < std::min((index + 1) * fan, items_.size()); ++i)
       items_.extend(box, static_cast<Index>(i));
-    else
-      box.extend(levels_[level - 1][i]);
-  }
-  levels_[level][index] = box;
+  levels_[level][index / fan].set(index % fan, box);
 }
 
 template <class Items>
@@ -110,19 +115,20 @@ void BoxTree<Items>::update(const Changed& changed) {
     for (Index& node : touched_) node = static_cast<Index>(node / fan);
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   }
+  box_ = levels_.back().front().whole();
 }
 
 template <class Items>
 template <class Query>
 void BoxTree<Items>::search(Query& query) const {
   Stack stack;
-  std::size_t size = 1;
-  stack[0] = {query.nearest(box()), levels_.size() - 1, 0};
+  // The node above the last level has no box of its own.
+  std::size_t size = push_children({0, static_cast<Index>(levels_.size()), 0}, query, stack, 0);
   while (size > 0) {
     const Node node = stack[--size];
     if (!query.reaches(node.nearest)) continue;
     if (node.level == 0) {
-      const std::size_t begin = node.index * fan;
+      const std::size_t begin = std::size_t{node.index} * fan;
       query.meet(static_cast<Index>(begin), static_cast<Index>(std::min(begin + fan, items_.size())));
     } else {
       size = push_children(node, query, stack, size);
@@ -135,14 +141,16 @@ template <class Items>
 template <class Query>
 std::size_t BoxTree<Items>::push_children(const Node& parent, const Query& query, Stack& stack,
                                           std::size_t size) const {
-  const std::vector<Box>& boxes = levels_[parent.level - 1];
-  const std::size_t first = parent.index * fan, bottom = size;
-  for (std::size_t index = first; index < std::min(first + fan, boxes.size()); ++index) {
-    const double nearest = query.nearest(boxes[index]);
-    if (!query.reaches(nearest)) continue;
+  const Index level = parent.level - 1;
+  const BoxLanes::Lane nearest = query.nearest(levels_[level][parent.index]);
+  const std::size_t first = std::size_t{parent.index} * fan, bottom = size,
+                    count = std::min(fan, sizes_[level] - first);
+  for (std::size_t i = 0; i < count; ++i) {
+    const float own = nearest[static_cast<Eigen::Index>(i)];
+    if (!query.reaches(own)) continue;
     std::size_t at = size++;
-    for (; at > bottom && stack[at - 1].nearest < nearest; --at) stack[at] = stack[at - 1];
-    stack[at] = {nearest, parent.level - 1, index};
+    for (; at > bottom && stack[at - 1].nearest < own; --at) stack[at] = stack[at - 1];
+    stack[at] = {own, level, static_cast<Index>(first + i)};
   }
   return size;
 }

@@ -31,7 +31,7 @@ class NearestHit {
   NearestHit(const Surface& surface, const Box& whole, const Ray& ray)
       : surface_(surface), boxes_(whole, ray), ray_(ray) {}
 
-  double nearest(const Box& box) const { return boxes_.nearest(box); }
+  BoxLanes::Lane nearest(const BoxLanes& boxes) const { return boxes_.nearest(boxes); }
 
   /// Whether a box at this distance may hold the nearest hit. The margin covers the rounding of the distance
   /// to float.
@@ -72,19 +72,16 @@ class NearestHit {
 class ClosestPoint {
  public:
   ClosestPoint(const Surface& surface, const SliverSlabs& slabs, const Vec3f& query, double max_distance)
-      : surface_(surface),
-        slabs_(slabs),
-        query_(query.cast<double>()),
-        squared_distance_(max_distance * max_distance) {}
+      : surface_(surface), slabs_(slabs), query_(query), squared_distance_(max_distance * max_distance) {}
 
-  /// The squared distance of a box.
-  double nearest(const Box& box) const {
-    double sum = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double outside = std::max({box.min()[axis] - query_[axis], query_[axis] - box.max()[axis], 0.0});
-      sum += outside * outside;
-    }
-    return sum;
+  /// The squared distances of boxes, up to 1e-6 of them too small. Larger numbers than floats have are the
+  /// largest one.
+  BoxLanes::Lane nearest(const BoxLanes& boxes) const {
+    using Lane = BoxLanes::Lane;
+    Lane sum = Lane::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+      sum += (boxes.low(axis) - query_[axis]).max(query_[axis] - boxes.high(axis)).max(0.F).square();
+    return ((1 - 1e-6F) * sum).min(std::numeric_limits<float>::max());
   }
 
   /// Whether a box at this distance may hold the closest point. The margin keeps rounding from hiding an
@@ -92,11 +89,11 @@ class ClosestPoint {
   bool reaches(double squared_distance) const { return squared_distance <= squared_distance_ * (1 + 1e-9); }
 
   void meet(Index begin, Index end) {
-    if (!reaches(slabs_.nearest(begin, query_))) return;
+    if (!reaches(slabs_.nearest(begin, query_.cast<double>()))) return;
     for (Index triangle = begin; triangle < end; ++triangle) {
       // Rules out most triangles at a quarter of the cost.
-      if (!reaches(nearest(box_of(triangle)))) continue;
-      const TrianglePoint found = closest_point(surface_, triangle, query_);
+      if (!reaches(box_of(triangle).cast<double>().squaredExteriorDistance(query_.cast<double>()))) continue;
+      const TrianglePoint found = closest_point(surface_, triangle, query_.cast<double>());
       const bool nearer = found.squared_distance < squared_distance_;
       const bool same = found.squared_distance == squared_distance_;
       if (!nearer && !(same && triangle < triangle_)) continue;
@@ -121,7 +118,7 @@ class ClosestPoint {
 
   const Surface& surface_;
   const SliverSlabs& slabs_;
-  Vec3d query_;
+  Vec3f query_;
   double squared_distance_;
   Index triangle_ = no_index;
   double u_ = 0, v_ = 0;

@@ -59,7 +59,7 @@ class NextDisc {
         direction_(ray.direction.cast<double>()),
         after_(after) {}
 
-  double nearest(const DiscTree::Box& box) const { return boxes_.nearest(box); }
+  BoxLanes::Lane nearest(const BoxLanes& boxes) const { return boxes_.nearest(boxes); }
   bool reaches(double distance) const { return distance < BoxRay::infinity && distance <= found_.distance; }
   void meet(Index begin, Index end) {
     for (Index point = begin; point < end; ++point) {

@@ -1,0 +1,52 @@
+#pragma once
+#include <burin/base/vector.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace burin {
+
+/// Eight boxes side by side, so that a query computes what it asks of each in lanes. Boxes that were never
+/// set are empty: their lower bounds are above all numbers and their upper bounds below.
+class BoxLanes {
+ public:
+  static constexpr std::size_t count = 8;
+  using Lane = Eigen::Array<float, static_cast<int>(count), 1>;
+  using Box = Eigen::AlignedBox3f;
+
+  BoxLanes() {
+    low_.fill(Lane::Constant(std::numeric_limits<float>::max()));
+    high_.fill(Lane::Constant(std::numeric_limits<float>::lowest()));
+  }
+
+  void set(std::size_t lane, const Box& box) {
+    const auto at = static_cast<Eigen::Index>(lane);
+    for (int axis = 0; axis < 3; ++axis) {
+      low(axis)[at] = box.min()[axis];
+      high(axis)[at] = box.max()[axis];
+    }
+  }
+
+  /// The box around all.
+  Box whole() const {
+    Box box;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.min()[axis] = low(axis).minCoeff();
+      box.max()[axis] = high(axis).maxCoeff();
+    }
+    return box;
+  }
+
+  /// The bounds of the boxes along an axis.
+  const Lane& low(int axis) const { return low_[static_cast<std::size_t>(axis)]; }
+  const Lane& high(int axis) const { return high_[static_cast<std::size_t>(axis)]; }
+
+ private:
+  Lane& low(int axis) { return low_[static_cast<std::size_t>(axis)]; }
+  Lane& high(int axis) { return high_[static_cast<std::size_t>(axis)]; }
+
+  std::array<Lane, 3> low_, high_;
+};
+
+}  // namespace burin
