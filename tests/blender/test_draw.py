@@ -170,6 +170,42 @@ def test_escape_and_the_right_button_take_strokes_back(work):
     assert (now() != positions).any()
 
 
+def test_a_stroke_that_paints_is_seen_and_taken_back(work):
+    positions, faces = prepared(work)
+    view()[0].spaces.active.shading.color_type = "VERTEX"
+    chosen = bpy.context.scene.burin
+    chosen.brush, chosen.radius = "org.burin.arrow", 0.2
+    chosen.brush_org_burin_arrow.param_colour = (0.5, 0.05, 0.02, 1)
+    mesh = bpy.data.objects["Grid"].data
+
+    def colours():
+        values = np.empty(4 * len(positions), np.float32)
+        mesh.color_attributes.active_color.data.foreach_get("color", values)
+        return values.reshape(-1, 4)
+
+    yield
+    send("MOUSEMOVE", "NOTHING", PATH[0])
+    yield
+    send("LEFTMOUSE", "PRESS", PATH[0])
+    yield from moves(PATH)
+    assert (colours() < 0.6).any(), "nothing was shown while the pen was down"
+    send("ESC", "PRESS", PATH[-1])
+    yield
+    assert mesh.color_attributes.active_color is None
+    np.testing.assert_array_equal(now(), positions)
+    send("LEFTMOUSE", "RELEASE", PATH[-1])
+    send("ESC", "RELEASE", PATH[-1])
+    yield
+    yield from stroke()
+    oracle = burin.Session(burin.Library(), positions, sum(faces, []), [len(face) for face in faces])
+    oracle.write("colours", np.ones((len(positions), 4), np.float32))
+    oracle.replay(work / "strokes/0001.stroke")
+    np.testing.assert_array_equal(colours(), oracle.read("colours"))
+    np.testing.assert_array_equal(now(), oracle.read())
+    if PICTURE:
+        yield from take_picture(PICTURE + ".paint.png")
+
+
 def test_a_brush_that_fails_costs_its_stroke(work):
     Faulty = brush_that_fails(after=0.5)
 

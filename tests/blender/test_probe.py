@@ -26,10 +26,13 @@ class Probe(unittest.TestCase):
         addon_utils.enable(ADDON)
         make_object("Grid", *hilly_grid())
         bpy.ops.ed.undo_push(message="Start")
-        # The other brush of the probe paints, which the add-on does not show.
         stroke = write_stroke(Path(WORK.name, "one.stroke"), brush="org.burin.probe.solid", params={})
         for settings in ("", "solid=separate", "mirror=x", "follow=1"):
             drawn = bpy.ops.burin.replay("EXEC_DEFAULT", True, filepath=str(stroke), settings=settings)
+            self.assertEqual(drawn, {"FINISHED"})
+        paints = write_stroke(Path(WORK.name, "two.stroke"), brush="org.burin.probe", params={})
+        for settings in ("", "mirror=x"):
+            drawn = bpy.ops.burin.replay("EXEC_DEFAULT", True, filepath=str(paints), settings=settings)
             self.assertEqual(drawn, {"FINISHED"})
         bpy.ops.ed.undo()
         addon_utils.disable(ADDON)

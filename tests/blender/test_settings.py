@@ -1,6 +1,7 @@
 """Properties of Blender from descriptors of brushes, and settings of strokes from properties."""
 
 import math
+import os
 import types
 import unittest
 
@@ -74,6 +75,27 @@ class Properties(unittest.TestCase):
         self.assertEqual(set(settings.stroke_settings(chosen, pressure=True)["dynamics"]), {"strength", "radius"})
         self.assertEqual(settings.stroke_settings(chosen, pressure=False)["dynamics"], {})
         self.assertEqual(settings.symmetry(chosen, (1, 2, 3)), {"mirror": "xz", "symmetry_centre": (1, 2, 3)})
+
+
+class Presets(unittest.TestCase):
+    def test_bring_back_the_brush_and_its_parameters(self):
+        chosen = bpy.context.scene.burin
+        chosen.brush, chosen.radius, chosen.pressure_radius = "org.burin.arrow", 0.3, True
+        chosen.brush_org_burin_arrow.param_colour = (0.25, 0.5, 0.125, 1)
+        chosen.brush_org_burin_arrow.param_height = 0.375
+        self.assertEqual(bpy.ops.burin.add_preset(name="Green Arrow"), {"FINISHED"})
+        (file,) = bpy.utils.preset_paths("burin")
+        self.assertEqual(os.listdir(file), ["Green_Arrow.py"])
+        chosen.brush_org_burin_arrow.param_height = 0.5
+        chosen.brush_org_burin_arrow.param_colour = (0, 0, 0, 0)
+        chosen.brush, chosen.radius, chosen.pressure_radius = "org.burin.rope", 0.1, False
+        bpy.ops.script.execute_preset(filepath=f"{file}/Green_Arrow.py", menu_idname="BURIN_MT_presets")
+        self.assertEqual((chosen.brush, chosen.pressure_radius), ("org.burin.arrow", True))
+        self.assertAlmostEqual(chosen.radius, 0.3)
+        self.assertEqual(tuple(chosen.brush_org_burin_arrow.param_colour), (0.25, 0.5, 0.125, 1))
+        self.assertEqual(chosen.brush_org_burin_arrow.param_height, 0.375)
+        self.assertEqual(bpy.ops.burin.add_preset(name="Green Arrow", remove_name=True), {"FINISHED"})
+        self.assertEqual(os.listdir(file), [])
 
 
 class Pens(unittest.TestCase):

@@ -15,7 +15,7 @@ bl_info = {
     "category": "Mesh",
 }
 
-_PARTS = ("brushes", "preview", "object_session", "settings", "replay", "draw", "panel")
+_PARTS = ("brushes", "preview", "object_session", "settings", "presets", "replay", "draw", "panel")
 """Modules with register() or unregister(), in the order of their imports."""
 
 

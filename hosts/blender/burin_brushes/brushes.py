@@ -15,11 +15,6 @@ def library() -> burin.Library:
     return _library
 
 
-def is_shown(brush: burin.BrushInfo) -> bool:
-    """Whether a brush moves vertices or makes solids, and does nothing else. Blender gets no colours and masks yet."""
-    return brush.outputs in (("displacement",), ())
-
-
 def unregister() -> None:
     global _library
     _library = None

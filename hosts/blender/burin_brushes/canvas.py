@@ -8,7 +8,7 @@ import bpy
 import burin
 import numpy as np
 
-from . import brushes, mesh_io, object_session, preview
+from . import brushes, mesh_io, object_session, preview, vertex_values
 
 
 def _objects(context: Any) -> list[Any]:
@@ -28,21 +28,27 @@ def _add_object(solid: burin.Mesh, beside: Any) -> None:
 
 
 class Canvas:
-    """Sessions of objects, and the positions that these show while a stroke is open."""
+    """Sessions of objects, and what these show while a stroke is open."""
 
-    def __init__(self, context: Any) -> None:
-        """Raises Refused for an object that cannot be drawn on."""
+    def __init__(self, context: Any, outputs: set[str]) -> None:
+        """For strokes of brushes with these outputs. Raises Refused for an object that cannot be drawn on."""
         self._objects = _objects(context)
         self._check_meshes()
-        self._kept = [object_session.session_of(brushes.library(), object) for object in self._objects]
-        self._shown = [kept.local.copy() for kept in self._kept]
+        names = vertex_values.of_outputs(outputs)
+        self._paints = "colours" in names
+        self._had_colours = [object.data.color_attributes.active_color is not None for object in self._objects]
+        self._kept = [object_session.session_of(brushes.library(), object, names) for object in self._objects]
+        self._shown = [kept.shown(names) for kept in self._kept]
         sessions = [kept.session for kept in self._kept]
         self.pen: burin.Session | burin.Group = sessions[0] if len(sessions) == 1 else burin.Group(sessions)
         """What draws."""
         self._preview: preview.Preview | None = None
 
     def preview(self) -> None:
-        """From now on large objects are shown without Blender's evaluation, until what was drawn is kept or cancelled."""
+        """From now on large objects are shown without Blender's evaluation, until what was drawn is kept or cancelled. It
+        has no colours of vertices."""
+        if self._paints:
+            return
         whole = [(object, kept) for kept, object, _ in self._each() if not kept.hides_faces]
         large = [(object, kept.parts) for object, kept in whole if preview.is_wanted(object)]
         if large:
@@ -73,14 +79,14 @@ class Canvas:
         return zip(self._kept, self._objects, self._shown)
 
     def show(self) -> None:
-        """Shows what was drawn since."""
+        """Shows what was drawn since. Masks are not seen in object mode."""
         for kept, object, shown in self._each():
-            if not kept.drawn(shown):
-                continue
-            if self._preview and self._preview.shows(object):
+            changed = [name for name in kept.drawn(shown) if name != "masks"]
+            if changed and self._preview and self._preview.shows(object):
                 preview.redraw()
-            else:
-                mesh_io.write_positions(object.data, shown)
+                continue
+            for name in changed:
+                vertex_values.write(name, object.data, shown[name])
 
     def keep(self) -> None:
         """Shows what was drawn, which then is the objects' own, and adds objects for solids."""
@@ -108,8 +114,10 @@ class Canvas:
         """Takes the open stroke back, also after a failure, which has dropped it."""
         self._end_preview()
         self.pen.cancel()
-        for kept, object, _ in self._each():
+        for (kept, object, _), had_colours in zip(self._each(), self._had_colours):
             kept.drop(object)
+            if not had_colours and object.data.color_attributes.active_color:
+                vertex_values.remove_colours(object.data)
 
     def replay(self, path: str, **given: Any) -> None:
         """Draws all strokes of a recording. If one fails the objects are as before the first."""

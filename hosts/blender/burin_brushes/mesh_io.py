@@ -54,7 +54,7 @@ def fill(mesh: Any, made: Any) -> None:
 def changed_ranges(before: Floats, after: Floats, gap: int = 1000) -> list[tuple[int, int]]:
     """The vertices that differ, as ascending ranges [begin, end) that are farther apart than `gap`: a range for
     itself costs the library as much as a thousand vertices that have not changed."""
-    changed = np.flatnonzero(before.ravel() != after.ravel()) // 3
+    changed = np.flatnonzero(before.ravel() != after.ravel()) // (before.size // len(before))
     if not len(changed):
         return []
     last = np.append(np.flatnonzero(np.diff(changed) > gap), len(changed) - 1)

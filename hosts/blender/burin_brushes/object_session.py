@@ -13,7 +13,10 @@ import burin
 import bpy
 import numpy as np
 
-from . import mesh_io, preview
+from . import mesh_io, preview, vertex_values
+
+Shown = dict[str, mesh_io.Floats]
+"""Positions, and colours and masks where they are painted, that an object shows while a stroke is open."""
 
 
 class Refused(Exception):
@@ -29,11 +32,11 @@ class ObjectSession:
         self.matrix = np.array(object.matrix_world, np.float64)
         self._faces = mesh_io.read_faces(mesh)
         self._hidden = mesh_io.read_hidden(mesh)
-        self.local = mesh_io.read_positions(mesh)
+        self._known: Shown = {"positions": mesh_io.read_positions(mesh)}
         """What the mesh has, of which the session knows."""
         self.faces_are_known = True
         """False after what may have changed or hidden faces and left their number as it was."""
-        self._drawn = False
+        self._drawn: set[str] = set()
         self._solid_count = 0
         self._parts: preview.ShownParts | None = None
         self._is_world = np.array_equal(self.matrix, np.eye(4))
@@ -41,7 +44,7 @@ class ObjectSession:
             raise Refused(f"{object.name}: there is no face to draw on")
         self.session = burin.Session(
             library,
-            self.local,
+            self._known["positions"],
             self._faces.corners,
             self._faces.sizes,
             transform=None if self._is_world else self.matrix,
@@ -67,18 +70,31 @@ class ObjectSession:
             self._parts = None
         self._hidden, self.faces_are_known = hidden, True
 
-    def take_moved(self, object: Any) -> None:
-        """Takes the positions of vertices that others moved, at a cost in proportion to them."""
-        local = mesh_io.read_positions(object.data)
-        self._take(local)
+    def take_changed(self, object: Any, names: list[str]) -> None:
+        """Takes what others changed, at a cost in proportion to that: positions and masks, and what is painted. Raises
+        vertex_values.Unfit."""
+        for name in vertex_values.NAMES:
+            if name == "colours" and name not in names:
+                continue  # no stroke feels them
+            values = vertex_values.read(name, object.data)
+            if values is None and (name in names or name in self._known):
+                values = vertex_values.blank(name, object.data)
+            if values is not None:
+                self._take(name, values)
 
-    def _take(self, local: mesh_io.Floats) -> None:
-        ranges = mesh_io.changed_ranges(self.local, local)
+    def _take(self, name: str, values: mesh_io.Floats) -> None:
+        known = self._known.get(name)
+        ranges = [(0, len(values))] if known is None else mesh_io.changed_ranges(known, values)
         for begin, end in ranges:
-            self.session.write("positions", local[begin:end], begin)
-        self.session.update("positions")
-        self.local = local
-        self._send(local, ranges)
+            self.session.write(name, values[begin:end], begin)
+        self.session.update(name)
+        self._known[name] = values
+        if name == "positions":
+            self._send(values, ranges)
+
+    def shown(self, names: list[str]) -> Shown:
+        """What the object shows when a stroke begins that changes this: copies."""
+        return {name: self._known[name].copy() for name in names}
 
     @property
     def hides_faces(self) -> bool:
@@ -90,7 +106,7 @@ class ObjectSession:
         """The triangles on the graphics card, which from now on is sent what changes."""
         if self._parts is None:
             self._parts = preview.ShownParts(self.session)
-            self._send(self.local, [(0, len(self.local))])
+            self._send(self._known["positions"], [(0, self.counts[0])])
         return self._parts
 
     def _send(self, positions: mesh_io.Floats, ranges: Any) -> None:
@@ -102,25 +118,29 @@ class ObjectSession:
             self._parts = None  # it is made anew for the next stroke
             raise
 
-    def drawn(self, shown: mesh_io.Floats) -> bool:
-        """Writes what changed since the last call to the positions `shown`, and tells whether anything did."""
-        ranges = self.session.update("positions", most=1024)
-        positions = self.session.values("positions")
+    def drawn(self, shown: Shown) -> list[str]:
+        """Writes what changed since the last call to `shown`, and tells what of it did."""
+        changed = [name for name, values in shown.items() if self._draw(name, values)]
+        self._drawn.update(changed)
+        return changed
+
+    def _draw(self, name: str, shown: mesh_io.Floats) -> bool:
+        ranges = self.session.update(name, most=1024)
+        values = self.session.values(name)
         for begin, end in ranges:
-            shown[begin:end] = positions[begin:end]
-        self._send(shown, ranges)
-        self._drawn |= len(ranges) > 0
+            shown[begin:end] = values[begin:end]
+        if name == "positions":
+            self._send(shown, ranges)
         return len(ranges) > 0
 
-    def keep(self, object: Any, shown: mesh_io.Floats) -> None:
-        """Ends a stroke: the mesh and the session get the positions that are shown."""
-        if not self._drawn:
-            return
-        mesh_io.write_positions(object.data, shown)
-        if not self._is_world:
-            self._take(shown)  # floats of the world may have no equal in the object
-        self._drawn = False
-        self.local = shown
+    def keep(self, object: Any, shown: Shown) -> None:
+        """Ends a stroke: the mesh and the session get what is shown."""
+        for name in self._drawn:
+            vertex_values.write(name, object.data, shown[name])
+            if name == "positions" and not self._is_world:
+                self._take(name, shown[name])  # floats of the world may have no equal in the object
+            self._known[name] = shown[name]
+        self._drawn.clear()
 
     def take_solids(self) -> list[burin.Mesh]:
         """The solids that strokes made beside the mesh since the call before."""
@@ -130,10 +150,10 @@ class ObjectSession:
 
     def drop(self, object: Any) -> None:
         """Shows the mesh as it was before the stroke that was cancelled or has failed."""
-        if self._drawn:
-            mesh_io.write_positions(object.data, self.local)
-        self._drawn = False
-        self._send(self.local, self.session.update("positions"))
+        for name in self._drawn - {"masks"}:  # which are not shown before the stroke ends
+            vertex_values.write(name, object.data, self._known[name])
+        self._drawn.clear()
+        self._send(self._known["positions"], self.session.update("positions"))
 
 
 _sessions: dict[str, ObjectSession] = {}
@@ -164,17 +184,17 @@ def _check_modifiers(object: Any) -> None:
         )
 
 
-def session_of(library: burin.Library, object: Any) -> ObjectSession:
-    """The session of an object, as the object is now. Raises Refused or burin.Error."""
+def session_of(library: burin.Library, object: Any, names: list[str]) -> ObjectSession:
+    """The session of an object, as the object is now, for a stroke that changes this. Raises Refused or burin.Error."""
     _check(object)
     kept = _sessions.pop(object.name_full, None)
     try:
         if kept is None or not kept.fits(object):
             kept = None  # its memory is free before there is another
             kept = ObjectSession(library, object)
-        kept.take_moved(object)
+        kept.take_changed(object, names)
         kept.take_hidden(object)
-    except burin.Error as fault:
+    except (burin.Error, vertex_values.Unfit) as fault:
         raise Refused(f"{object.name}: {fault}") from fault
     _sessions[object.name_full] = kept
     return kept

@@ -6,7 +6,7 @@ from typing import Any
 
 import bpy
 
-from . import settings
+from . import presets, settings
 
 
 class BURIN_PT_brush(bpy.types.Panel):
@@ -22,6 +22,7 @@ class BURIN_PT_brush(bpy.types.Panel):
         layout = self.layout
         layout.use_property_split = True
         layout.use_property_decorate = False
+        presets.draw(layout)
         for name in ("brush", "radius", "strength", "follow"):
             layout.prop(chosen, name)
         pressure = layout.column(heading="Pressure")

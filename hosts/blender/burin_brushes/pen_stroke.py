@@ -34,7 +34,7 @@ class PenStroke:
 
     def __init__(self, context: Any, event: Any) -> None:
         self._region = context.region
-        self._canvas = canvas.Canvas(context)
+        self._canvas = canvas.Canvas(context, set(settings.chosen(context.scene.burin).outputs))
         self._start = time.perf_counter()
         self._waiting: list[Any] = []
         self._recorder: burin.Recorder | None = None

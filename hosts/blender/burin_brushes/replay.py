@@ -24,11 +24,10 @@ def parse_settings(text: str) -> dict[str, Any]:
     return settings
 
 
-def _check_brushes(path: str, brush: str | None) -> None:
-    for stroke in burin.read_recording(path).strokes:
-        name = brush or stroke.settings.get("brush")
-        if name in brushes.library() and not brushes.is_shown(brushes.library()[name]):
-            raise object_session.Refused(f"brush {name} paints colours or masks, which the add-on does not show yet")
+def _outputs(path: str, brush: str | None) -> set[str]:
+    """What the brushes of a recording write, or the given one. Brushes that are not there are not known to."""
+    names = {brush or stroke.settings.get("brush") for stroke in burin.read_recording(path).strokes}
+    return {output for name in names if name in brushes.library() for output in brushes.library()[name].outputs}
 
 
 class BURIN_OT_replay(bpy.types.Operator):
@@ -64,8 +63,7 @@ class BURIN_OT_replay(bpy.types.Operator):
     def _draw(self, context: Any) -> None:
         path = bpy.path.abspath(self.filepath)
         given = {"brush": self.brush or None, **parse_settings(self.settings)}
-        _check_brushes(path, given["brush"])
-        canvas.Canvas(context).replay(path, **given)
+        canvas.Canvas(context, _outputs(path, given["brush"])).replay(path, **given)
 
 
 def register() -> None:

@@ -10,6 +10,8 @@ import burin
 
 from . import brushes
 
+FEEL = ("radius", "strength", "follow", "pressure_strength", "pressure_radius")
+"""Settings of how strokes are drawn that belong to a brush, as its parameters do."""
 _INT_MAX = 2**31 - 1
 _classes: list[type] = []
 
@@ -125,7 +127,7 @@ def symmetry(settings: Any, origin: Any) -> dict[str, Any]:
 
 
 def register() -> None:
-    shown = [brush for brush in brushes.library() if brushes.is_shown(brush)]
+    shown = list(brushes.library())
     groups = [_group(brush) for brush in shown]
     _classes[:] = [*groups, _settings_group(shown, groups)]
     for made in _classes:
