@@ -4,6 +4,7 @@
 #   SOURCE, COMPILERS          built by each compiler that is there; each program of the build is run
 #   SAMPLES, BRUSHES           the samples, and where the prefix has the stock brushes
 #   GENERATOR, CXX_FLAGS       of the build
+#   SUBDIVIDE                  how often the sample mesh is refined
 # Leaves prefix, mesh.obj and hash, the text that programs must print.
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
@@ -17,7 +18,7 @@ endforeach()
 
 # A mesh of some fineness, and what the command makes of a stroke on it.
 set(stroke ${SAMPLES}/strokes/meander.stroke)
-run(${BURIN_COMMAND} replay ${stroke} --mesh ${SAMPLES}/meshes/ewer.obj --subdivide 4 --save-mesh ${WORK}/mesh.obj
+run(${BURIN_COMMAND} replay ${stroke} --mesh ${SAMPLES}/meshes/ewer.obj --subdivide ${SUBDIVIDE} --save-mesh ${WORK}/mesh.obj
   --json OUTPUT_FILE ${WORK}/first.json)
 execute_process(COMMAND ${BURIN_COMMAND} replay ${stroke} --mesh ${WORK}/mesh.obj --json
   OUTPUT_VARIABLE replayed COMMAND_ERROR_IS_FATAL ANY)

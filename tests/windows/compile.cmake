@@ -1,4 +1,5 @@
-# Builds the project SOURCE for Windows below WORK with the compilers CC and CXX, and looks at what its modules export.
+# Builds the project SOURCE for Windows below WORK with the compilers CC and CXX, without optimisation, and looks at
+# what its modules export.
 #   BURIN, VERSION_FOLDER   as the project has them
 #   OBJDUMP, GENERATOR
 if(NOT CXX OR NOT CC OR NOT OBJDUMP)
@@ -7,7 +8,7 @@ if(NOT CXX OR NOT CC OR NOT OBJDUMP)
 endif()
 file(REMOVE_RECURSE ${WORK})
 execute_process(COMMAND ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -B ${WORK} -DCMAKE_SYSTEM_NAME=Windows
-  -DCMAKE_C_COMPILER=${CC} -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_BUILD_TYPE=Release -DBURIN=${BURIN}
+  -DCMAKE_C_COMPILER=${CC} -DCMAKE_CXX_COMPILER=${CXX} -DBURIN=${BURIN}
   -DVERSION_FOLDER=${VERSION_FOLDER} -DHEADERS=${WORK}/headers COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK} --parallel 2 COMMAND_ERROR_IS_FATAL ANY)
 

@@ -22,28 +22,45 @@ namespace {
 /// Vertices of which nothing is asked at the rim, where half an edge decides: share of the radius.
 constexpr double asked_of_strokes = 0.97;
 
-double exact_distance(const test::ExactShape& shape, const SurfaceCurve& curve, const Vec3d& x, double most) {
-  const auto place = [&](std::size_t i) { return Vec3d(curve.points[i].at.position.cast<double>()); };
-  double least = shape.distance(x, place(0), place(0));
-  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
-    const Vec3d a = place(i), b = place(i + 1);
-    // Straight lines are shorter than any way on the surface.
-    if ((x - a).norm() - (b - a).norm() <= std::min(most, least))
-      least = std::min(least, shape.distance(x, a, b));
+/// Geodesic distances to a curve on a shape.
+class ExactDistance {
+ public:
+  ExactDistance(const test::ExactShape& shape, const SurfaceCurve& curve) : shape_(&shape) {
+    for (const CurvePoint& point : curve.points) places_.emplace_back(point.at.position.cast<double>());
+    for (std::size_t i = 0; i + 1 < places_.size(); ++i)
+      lengths_.push_back((places_[i + 1] - places_[i]).norm());
   }
-  return least;
-}
+
+  /// That of a point; more than `most` where it is farther.
+  double operator()(const Vec3d& x, double most) const {
+    double least = shape_->distance(x, places_[0], places_[0]), bound = std::min(most, least);
+    for (std::size_t i = 0; i < lengths_.size(); ++i) {
+      // Straight lines are shorter than any way on the surface.
+      const double reach = bound + lengths_[i];
+      if ((x - places_[i]).squaredNorm() > reach * reach) continue;
+      least = std::min(least, shape_->distance(x, places_[i], places_[i + 1]));
+      bound = std::min(bound, least);
+    }
+    return least;
+  }
+
+ private:
+  const test::ExactShape* shape_;
+  std::vector<Vec3d> places_;
+  std::vector<double> lengths_;  ///< [i] from a place to the next one
+};
 
 test::ToldErrors compare(const test::ExactShape& shape, const Surface& surface, const SurfaceCurve& curve,
                          const Chart& chart, double radius) {
   const std::map<Index, double> told = test::told_distances(chart);
+  const ExactDistance distance(shape, curve);
   Eigen::AlignedBox3d box;
   for (const CurvePoint& point : curve.points) box.extend(point.at.position.cast<double>());
   test::ToldErrors errors;
   for (Index vertex = 0; vertex < surface.vertex_count(); ++vertex) {
     const Vec3d x = surface.positions[vertex].cast<double>();
     if (box.squaredExteriorDistance(x) > radius * radius) continue;
-    const double exact = exact_distance(shape, curve, x, radius);
+    const double exact = distance(x, radius);
     if (exact > asked_of_strokes * radius) continue;
     errors.add(told, vertex, exact, radius);
   }

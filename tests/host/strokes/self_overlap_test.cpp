@@ -1,5 +1,6 @@
 // Tests strokes that overlap themselves, with real brushes.
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numbers>
 
@@ -181,8 +182,12 @@ TEST(SelfOverlap, DoesNotSeeTheDirectionOfTheStroke) {
 }
 
 TEST(SelfOverlap, GrowsToWhatOneEvaluationGives) {
-  for (const Overlap overlap : all_modes) {
-    for (const auto& places : {star(), figure_eight(), spiral(), to_and_fro()}) {
+  const std::array shapes{star(), figure_eight(), spiral(), to_and_fro()};
+  for (std::size_t mode = 0; mode < std::size(all_modes); ++mode) {
+    const Overlap overlap = all_modes[mode];
+    // Two of the shapes with each mode.
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::vector<Vec3d>& places = shapes[(mode + 2 * i) % shapes.size()];
       Session session = test::plane_session();
       const Surface base = session.surface();
       const StrokeSettings settings = test::every_input(overlap);

@@ -35,9 +35,12 @@ const std::string& wedge() {
   return path;
 }
 
-/// An example of what wants a mesh along the stroke.
+/// An example of what wants a mesh along the stroke, of which a few copies do.
 Example along(const json& value, const std::string& typed) {
-  return {value, {typed}, {{"along_mesh", wedge()}}, {"--along-mesh", wedge()}};
+  return {value,
+          {typed},
+          {{"along_mesh", wedge()}, {"along_spacing", 3}},
+          {"--along-mesh", wedge(), "--along-spacing", "3"}};
 }
 
 const std::map<std::string, Example>& examples() {
@@ -76,7 +79,7 @@ const std::map<std::string, Example>& examples() {
       {"along_start", along(wedge(), wedge())},
       {"along_end", along(wedge(), wedge())},
       {"along_axes", along("-z,y", "-z,y")},
-      {"along_spacing", along(3, "3")},
+      {"along_spacing", {3, {"3"}, {{"along_mesh", wedge()}}, {"--along-mesh", wedge()}}},
       {"along_twist", along(-0.5, "-0.5")},
       {"along_height", along(0.25, "0.25")},
       {"mirror", {"xz", {"xz"}}},

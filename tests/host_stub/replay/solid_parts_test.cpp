@@ -86,7 +86,7 @@ json merged_along_the_groove(const std::vector<std::string>& options) {
 TEST(SolidMerges, WorkAlongTheGrooveOfTheSameStroke) {
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--brush", "org.burin.tube", "--solid", "union"},
-        {"--brush", "org.burin.carve", "--solid", "difference"}}) {
+        {"--brush", "org.burin.carve", "--solid", "difference", "--voxel", "0.01"}}) {
     const json merge = merged_along_the_groove(options);
     EXPECT_GE(merge["least_angle"], 5) << options[1];
     EXPECT_GT(merge["triangles_added"], 10000) << options[1];

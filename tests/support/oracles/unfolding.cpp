@@ -101,7 +101,8 @@ void Unfolding::run() {
 }
 
 double Unfolding::Window::distance_to(double x) const {
-  return before + std::hypot(source.x() - x, source.y());
+  const double along = source.x() - x;
+  return before + std::sqrt(along * along + source.y() * source.y());
 }
 
 void Unfolding::relax(Index vertex, double distance) {
