@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -36,18 +37,33 @@ class LeafFiller {
     origin_ = Vec3d(origin.x(), origin.y(), origin.z());
   }
 
-  /// `triangle`: see SurfaceDistance.
-  void fill(const Eigen::Vector3i& low, int side, Index triangle) {
-    const Vec3d middle = origin_ + low.cast<double>() + Vec3d::Constant((side - 1) / 2.);
-    const double value = on_its_side(middle, (*distance_)(voxel_ * middle, triangle)),
-                 radius = std::sqrt(3.) * (side - 1) / 2 * voxel_;
-    if (side == 1 || value > band_.outside + radius || value < -band_.inside - radius)
-      return set(low, side, value);
-    const int half = side / 2;
-    for (int i = 0; i < 8; ++i) fill(low + half * Eigen::Vector3i(i >> 2, i >> 1 & 1, i & 1), half, triangle);
-  }
+  void fill() { fill(Eigen::Vector3i::Zero(), Leaf::DIM, nullptr, no_index); }
 
  private:
+  /// `near`: the triangles that may be closest to a voxel of the cube, or null where they are too many.
+  /// `triangle`: see SurfaceDistance.
+  void fill(const Eigen::Vector3i& low, int side, const NearTriangles* near, Index triangle) {
+    const Vec3d middle = origin_ + low.cast<double>() + Vec3d::Constant((side - 1) / 2.), p = voxel_ * middle;
+    const double distance = near ? (*distance_)(p, *near, triangle) : (*distance_)(p, triangle),
+                 value = on_its_side(middle, distance), radius = std::sqrt(3.) * (side - 1) / 2 * voxel_;
+    if (side == 1 || value > band_.outside + radius || value < -band_.inside - radius)
+      return set(low, side, value);
+    const std::optional<NearTriangles> found = triangles_near(p, distance, radius, side, near);
+    const int half = side / 2;
+    for (int i = 0; i < 8; ++i)
+      fill(low + half * Eigen::Vector3i(i >> 2, i >> 1 & 1, i & 1), half, found ? &*found : nullptr,
+           triangle);
+  }
+
+  /// Those that may be closest to a voxel of a cube around p; nothing where a tree finds them in less time.
+  std::optional<NearTriangles> triangles_near(const Vec3d& p, double distance, double radius, int side,
+                                              const NearTriangles* larger) const {
+    constexpr std::size_t most_a_voxel = 8;
+    if (larger) return SurfaceDistance::around(*larger, p, distance, radius);
+    return distance_->around(p, distance, radius,
+                             most_a_voxel * static_cast<std::size_t>(side * side * side));
+  }
+
   /// A distance at a point, voxels, with the right sign.
   double on_its_side(const Vec3d& point, double value) const {
     constexpr double near = 2;  // voxels
@@ -126,8 +142,7 @@ Grid::Ptr filled(const std::vector<openvdb::Coord>& origins, const SurfaceDistan
     report(progress, "comparing distances",
            static_cast<double>(from) / static_cast<double>(leaves.leafCount()));
     parallel_blocks(std::min(part, leaves.leafCount() - from), 1, [&](std::size_t i, std::size_t) {
-      LeafFiller(leaves.leaf(from + i), distance, sides, voxel, band)
-          .fill(Eigen::Vector3i::Zero(), Leaf::DIM, no_index);
+      LeafFiller(leaves.leaf(from + i), distance, sides, voxel, band).fill();
     });
   }
   return grid;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace burin {
@@ -65,6 +66,14 @@ Side side_of(const Surface& surface, Index triangle, const Vec3d& p) {
           pseudonormal(surface, surface.triangles[triangle], {1 - point.u - point.v, point.u, point.v})};
 }
 
+/// How far from a middle the closest triangles are of points within `radius` of it: those are no farther from
+/// the surface than `distance + radius`. With a margin for positions that are rounded to floats.
+float reach_around(const Vec3d& middle, double distance, double radius) {
+  constexpr double margin = 1e-6;
+  const double reach = std::abs(distance) + 2 * radius;
+  return static_cast<float>(reach + margin * (reach + middle.lpNorm<Eigen::Infinity>()));
+}
+
 }  // namespace
 
 /// From one triangle to the nearest neighbours of its vertices again and again: the triangle that is nearest
@@ -114,6 +123,23 @@ double SurfaceDistance::operator()(const Vec3d& p, Index& triangle) const {
     triangle = within(more * std::sqrt(squared));
   }
   if (triangle == no_index) triangle = within(all);
+  return signed_distance(p, triangle);
+}
+
+std::optional<NearTriangles> SurfaceDistance::around(const Vec3d& middle, double distance, double radius,
+                                                     std::size_t most) const {
+  auto triangles = picker_->near(middle.cast<float>(), reach_around(middle, distance, radius), most);
+  if (!triangles) return {};
+  return NearTriangles(*surface_, *triangles);
+}
+
+NearTriangles SurfaceDistance::around(const NearTriangles& larger, const Vec3d& middle, double distance,
+                                      double radius) {
+  return larger.within(middle.cast<float>(), reach_around(middle, distance, radius));
+}
+
+double SurfaceDistance::operator()(const Vec3d& p, const NearTriangles& near, Index& triangle) const {
+  triangle = near.closest(p.cast<float>(), triangle);
   return signed_distance(p, triangle);
 }
 

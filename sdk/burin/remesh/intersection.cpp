@@ -73,20 +73,33 @@ std::vector<Index> along_curve(const std::vector<Box>& boxes) {
   return spatial_order(middles);
 }
 
-/// What the tree asks of the triangles along the curve.
-struct Boxes {
-  const std::vector<Box>& boxes;
-  const std::vector<Index>& order;
+/// The boxes of triangles along the curve, as the tree asks for them and in lanes.
+class Boxes {
+ public:
+  Boxes(const std::vector<Box>& boxes, const std::vector<Index>& order)
+      : order_(&order), lanes_((order.size() + BoxLanes::count - 1) / BoxLanes::count) {
+    for (std::size_t at = 0; at < order.size(); ++at)
+      lanes_[at / BoxLanes::count].set(at % BoxLanes::count, boxes[order[at]]);
+  }
 
-  std::size_t size() const { return order.size(); }
-  void extend(Box& box, Index at) const { box.extend(boxes[order[at]]); }
+  std::size_t size() const { return order_->size(); }
+  void extend(Box& box, Index at) const { box.extend(own(at)); }
+
+  Index triangle(Index at) const { return (*order_)[at]; }
+  Box own(Index at) const { return lanes_[at / BoxLanes::count].box(at % BoxLanes::count); }
+  /// Those of the run that begins there.
+  const BoxLanes& run(Index begin) const { return lanes_[begin / BoxLanes::count]; }
+
+ private:
+  const std::vector<Index>* order_;
+  std::vector<BoxLanes> lanes_;
 };
 
 /// The query for the triangles later along the curve that a triangle meets; marks both.
 class Meeting {
  public:
   Meeting(const Crossings& crossings, const Boxes& items, Index at, std::vector<std::atomic<char>>& marks)
-      : crossings_(crossings), items_(items), at_(at), own_(items.boxes[items.order[at]]), marks_(marks) {}
+      : crossings_(crossings), items_(items), at_(at), own_(items.own(at)), marks_(marks) {}
 
   /// 0 for boxes that have a point in common with the triangle's own, else more.
   BoxLanes::Lane nearest(const BoxLanes& boxes) const {
@@ -98,10 +111,13 @@ class Meeting {
   bool reaches(float distance) const { return distance == 0; }
 
   void meet(Index begin, Index end) {
-    const Index own = items_.order[at_];
+    if (end <= at_ + 1) return;
+    const BoxLanes::Lane apart = nearest(items_.run(begin));
+    const Index own = items_.triangle(at_);
     for (Index i = std::max(begin, at_ + 1); i < end; ++i) {
-      const Index other = items_.order[i];
-      if (!items_.boxes[other].intersects(own_) || !crossings_.meet(own, other)) continue;
+      if (!reaches(apart[i - begin])) continue;
+      const Index other = items_.triangle(i);
+      if (!crossings_.meet(own, other)) continue;
       marks_[own] = 1;
       marks_[other] = 1;
     }
@@ -123,8 +139,8 @@ std::vector<Index> crossing_triangles(const PatchMesh& patch) {
   if (boxes.empty()) return {};
   for (std::size_t t = 0; t < boxes.size(); ++t) boxes[t] = crossings.box(t);
   const std::vector<Index> order = along_curve(boxes);
-  const Boxes items{boxes, order};
-  const BoxTree<Boxes> tree(items);
+  const BoxTree<Boxes> tree(Boxes(boxes, order));
+  const Boxes& items = tree.items();
   std::vector<std::atomic<char>> marks(boxes.size());
   parallel_blocks(boxes.size(), 512, [&](std::size_t begin, std::size_t end) {
     for (std::size_t at = begin; at < end; ++at) {

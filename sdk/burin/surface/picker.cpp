@@ -16,6 +16,11 @@ std::optional<SurfacePoint> Picker::closest(const Vec3f& position, float max_dis
   return scene_->closest(position, max_distance);
 }
 
+std::optional<std::vector<Index>> Picker::near(const Vec3f& position, float max_distance,
+                                               std::size_t most) const {
+  return scene_->near(position, max_distance, most);
+}
+
 void Picker::update(std::span<const Index> moved_vertices) { scene_->update(moved_vertices); }
 
 }  // namespace burin

@@ -28,6 +28,11 @@ class BoxLanes {
     }
   }
 
+  Box box(std::size_t lane) const {
+    const auto at = static_cast<Eigen::Index>(lane);
+    return {Vec3f(low_[0][at], low_[1][at], low_[2][at]), Vec3f(high_[0][at], high_[1][at], high_[2][at])};
+  }
+
   /// The box around all.
   Box whole() const {
     Box box;
@@ -48,5 +53,14 @@ class BoxLanes {
 
   std::array<Lane, 3> low_, high_;
 };
+
+/// Lower bounds of the squared distances from a position to boxes, up to 1e-6 of them too small. Numbers that
+/// floats cannot hold are the largest one.
+inline BoxLanes::Lane squared_distances(const BoxLanes& boxes, const Vec3f& position) {
+  BoxLanes::Lane sum = BoxLanes::Lane::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+    sum += (boxes.low(axis) - position[axis]).max(position[axis] - boxes.high(axis)).max(0.F).square();
+  return ((1 - 1e-6F) * sum).min(std::numeric_limits<float>::max());
+}
 
 }  // namespace burin

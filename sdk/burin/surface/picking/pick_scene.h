@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace burin {
 
@@ -13,6 +14,8 @@ class PickScene {
   virtual ~PickScene() = default;
   virtual std::optional<SurfacePoint> pick(const Ray& ray) const = 0;
   virtual std::optional<SurfacePoint> closest(const Vec3f& position, float max_distance) const = 0;
+  virtual std::optional<std::vector<Index>> near(const Vec3f& position, float max_distance,
+                                                 std::size_t most) const = 0;
   virtual void update(std::span<const Index> moved_vertices) = 0;
 };
 

@@ -8,6 +8,7 @@
 #include <burin/surface/picking/sliver_slabs.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -74,15 +75,7 @@ class ClosestPoint {
   ClosestPoint(const Surface& surface, const SliverSlabs& slabs, const Vec3f& query, double max_distance)
       : surface_(surface), slabs_(slabs), query_(query), squared_distance_(max_distance * max_distance) {}
 
-  /// The squared distances of boxes, up to 1e-6 of them too small. Larger numbers than floats have are the
-  /// largest one.
-  BoxLanes::Lane nearest(const BoxLanes& boxes) const {
-    using Lane = BoxLanes::Lane;
-    Lane sum = Lane::Zero();
-    for (int axis = 0; axis < 3; ++axis)
-      sum += (boxes.low(axis) - query_[axis]).max(query_[axis] - boxes.high(axis)).max(0.F).square();
-    return ((1 - 1e-6F) * sum).min(std::numeric_limits<float>::max());
-  }
+  BoxLanes::Lane nearest(const BoxLanes& boxes) const { return squared_distances(boxes, query_); }
 
   /// Whether a box at this distance may hold the closest point. The margin keeps rounding from hiding an
   /// equally close triangle.
@@ -124,6 +117,38 @@ class ClosestPoint {
   double u_ = 0, v_ = 0;
 };
 
+/// The query for the triangles whose boxes are within a distance, as long as they are not too many.
+class WithinReach {
+ public:
+  WithinReach(const Surface& surface, const Vec3f& query, float max_distance, std::size_t most)
+      : items_{surface}, query_(query), squared_distance_(max_distance * max_distance), most_(most) {}
+
+  BoxLanes::Lane nearest(const BoxLanes& boxes) const { return squared_distances(boxes, query_); }
+  bool reaches(float squared_distance) const {
+    return squared_distance <= squared_distance_ && triangles_.size() <= most_;
+  }
+
+  void meet(Index begin, Index end) {
+    for (Index triangle = begin; triangle < end; ++triangle) {
+      Box box;
+      items_.extend(box, triangle);
+      if (box.squaredExteriorDistance(query_) <= squared_distance_) triangles_.push_back(triangle);
+    }
+  }
+
+  std::optional<std::vector<Index>> triangles() && {
+    if (triangles_.size() > most_) return std::nullopt;
+    return std::move(triangles_);
+  }
+
+ private:
+  Triangles items_;
+  Vec3f query_;
+  float squared_distance_;
+  std::size_t most_;
+  std::vector<Index> triangles_;
+};
+
 class TriangleScene : public PickScene {
  public:
   explicit TriangleScene(const Surface& surface)
@@ -134,6 +159,12 @@ class TriangleScene : public PickScene {
   }
   std::optional<SurfacePoint> closest(const Vec3f& position, float max_distance) const override {
     return found(ClosestPoint(surface_, slabs_, position, max_distance));
+  }
+  std::optional<std::vector<Index>> near(const Vec3f& position, float max_distance,
+                                         std::size_t most) const override {
+    WithinReach query(surface_, position, max_distance, most);
+    tree_.search(query);
+    return std::move(query).triangles();
   }
   void update(std::span<const Index> moved_vertices) override {
     moved_.clear();

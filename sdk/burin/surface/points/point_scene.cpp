@@ -92,6 +92,9 @@ class PointScene : public PickScene {
       : tree_(surface.positions), projection_(surface, tree_), discs_(Discs(surface)) {}
   std::optional<SurfacePoint> pick(const Ray& ray) const override;
   std::optional<SurfacePoint> closest(const Vec3f& position, float max_distance) const override;
+  std::optional<std::vector<Index>> near(const Vec3f&, float, std::size_t) const override {
+    throw ContractError("a point set has no triangles");
+  }
   void update(std::span<const Index>) override {
     throw ContractError("the picker of a point set cannot follow moved points");
   }
