@@ -1,6 +1,7 @@
 // Lists pages, layers and strokes of a pen file in one pass over its strokes.
 #include "recordings/pen_listing.h"
 
+#include <burin/base/text/quoted_word.h>
 #include <fmt/format.h>
 
 #include <map>
@@ -18,10 +19,16 @@ std::vector<std::string> fields_of(const PenStroke& stroke) {
   if (stroke.fields.pressure) fields.emplace_back(stroke.made_pressure ? "made pressure" : "pressure");
   if (stroke.fields.tilt) fields.emplace_back("tilt");
   if (stroke.fields.twist) fields.emplace_back("twist");
-  if (stroke.has_barrel) fields.emplace_back("barrel");
+  if (stroke.fields.barrel) fields.emplace_back("barrel");
   if (stroke.has_z) fields.emplace_back("z");
   if (!stroke.widths.empty()) fields.emplace_back("width");
   return fields;
+}
+
+/// As plain as it is, if it is a word of letters.
+std::string shown(const std::string& tool) {
+  const bool plain = tool.size() < 16 && tool.find_first_not_of("abcdefghijklmnopqrstuvwxyz") == tool.npos;
+  return plain ? tool : quoted_word(tool);
 }
 
 /// Seconds from the first sample to the last.
@@ -32,8 +39,8 @@ double duration(const PenStroke& stroke) {
 
 std::string line_of(std::size_t number, const PenStroke& stroke) {
   std::string line = fmt::format("    stroke {}: {} samples", number, stroke.samples.size());
-  if (!stroke.tool.empty()) line += fmt::format(", {}", stroke.tool);
-  if (stroke.eraser) line += ", eraser";
+  if (!stroke.drawn_by.tool.empty()) line += fmt::format(", {}", shown(stroke.drawn_by.tool));
+  if (stroke.drawn_by.eraser) line += ", eraser";
   if (stroke.fields.time) line += fmt::format(", {:.3f} s", duration(stroke));
   for (const std::string& field : fields_of(stroke))
     if (field != "time") line += ", " + field;
@@ -62,8 +69,8 @@ Json listing_json(const PenFile& file) {
                     {"page", stroke.page},
                     {"layer", stroke.layer},
                     {"samples", stroke.samples.size()},
-                    {"tool", stroke.tool},
-                    {"eraser", stroke.eraser},
+                    {"tool", stroke.drawn_by.tool},
+                    {"eraser", stroke.drawn_by.eraser},
                     {"seconds", stroke.fields.time ? Json(duration(stroke)) : Json(nullptr)},
                     {"fields", fields_of(stroke)}});
   }

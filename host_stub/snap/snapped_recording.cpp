@@ -77,8 +77,8 @@ std::string followed_text(const SurfaceCurve& before, const TrackStep& step) {
 /// A stroke like another one, without samples. Those of a moved curve do not tell of the pen's buttons.
 RecordedStroke like(const RecordedStroke& stroke) {
   RecordedStroke made{stroke.settings, stroke.fields, {}};
-  made.eraser = stroke.eraser;
-  made.tool = stroke.tool;
+  made.fields.barrel = false;
+  made.drawn_by = stroke.drawn_by;
   return made;
 }
 

@@ -44,12 +44,12 @@ bool same(const PenStroke& a, const PenStroke& b) {
   const auto values = [](const Sample& sample) {
     const Pen& pen = sample.pen;
     return std::tuple(sample.position.x(), sample.position.y(), sample.position.z(), sample.time,
-                      pen.pressure, pen.tilt_x, pen.tilt_y, pen.twist);
+                      pen.pressure, pen.tilt_x, pen.tilt_y, pen.twist, sample.barrel);
   };
   const auto same_sample = [&](const Sample& one, const Sample& other) {
     return values(one) == values(other);
   };
-  return a.fields == b.fields && a.has_z == b.has_z && a.eraser == b.eraser && a.tool == b.tool &&
+  return a.fields == b.fields && a.has_z == b.has_z && a.drawn_by == b.drawn_by &&
          a.made_pressure == b.made_pressure && a.page == b.page && a.layer == b.layer &&
          a.widths == b.widths && std::ranges::equal(a.samples, b.samples, same_sample);
 }

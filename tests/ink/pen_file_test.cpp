@@ -81,15 +81,15 @@ TEST(PenFileOfOthersInDetail, HasTheQuirksThatAreStated) {
   const auto path = [](const std::string& name) { return test::shared_data("strokes/" + name); };
   if (!path("evemu_cintiq_12wx.events")) GTEST_SKIP() << "../shared/data/strokes is not on this machine";
   const PenFile& cintiq = only(path("evemu_cintiq_12wx.events"));
-  EXPECT_FALSE(cintiq.strokes.at(0).eraser);
-  EXPECT_TRUE(cintiq.strokes.at(1).eraser);
+  EXPECT_FALSE(cintiq.strokes.at(0).drawn_by.eraser);
+  EXPECT_TRUE(cintiq.strokes.at(1).drawn_by.eraser);
   EXPECT_EQ(cintiq.hovering, 362u - 241u);
   EXPECT_EQ(only(path("evemu_genius_i405x_hover.events")).hovering, 1112u);
   EXPECT_EQ(only(path("evemu_intuos4_6x9_stylus_drag.events")).hovering, 361u - 295u);
   EXPECT_EQ(only(path("evemu_uclogic_wp5540u_pen.events")).hovering, 506u - 459u);
   EXPECT_EQ(only(path("hid_intuospro_m_pen_strong_vertical.hid")).hovering, 368u - 281u);
   const PenFile& circle = only(path("hid_intuospro_m_eraser_ccw_circle.hid"));
-  EXPECT_TRUE(circle.strokes.at(0).eraser);
+  EXPECT_TRUE(circle.strokes.at(0).drawn_by.eraser);
   EXPECT_EQ(circle.hovering, 480u - 399u);
   test::Range x, y;
   for (const Sample& sample : circle.strokes[0].samples) {

@@ -23,8 +23,8 @@ std::vector<Recording> recordings() {
                                     PenFields{.pressure = true}, PenFields{.time = true}}) {
       RecordedStroke& stroke = recording.strokes.emplace_back();
       stroke.fields = fields;
-      stroke.has_barrel = fields.pressure;
-      stroke.eraser = fields.twist;
+      stroke.fields.barrel = fields.pressure;
+      stroke.drawn_by.eraser = fields.twist;
       double time = 1.7e9;
       for (int i = 0; i < 300; ++i) {
         Sample& sample = stroke.samples.emplace_back();
@@ -37,7 +37,7 @@ std::vector<Recording> recordings() {
           sample.pen.tilt_y = static_cast<float>(angle(random));
         }
         if (fields.twist) sample.pen.twist = static_cast<float>(angle(random));
-        sample.barrel = stroke.has_barrel && share(random) < 0.5;
+        sample.barrel = stroke.fields.barrel && share(random) < 0.5;
       }
       stroke.samples[5] = stroke.samples[4];  // equal samples stay two
     }
@@ -52,8 +52,8 @@ void expect_same(const PenFile& file, const std::vector<Recording>& all, bool er
       ASSERT_LT(number, file.strokes.size());
       const PenStroke& read = file.strokes[number++];
       EXPECT_EQ(read.fields, stroke.fields);
-      EXPECT_EQ(read.has_barrel, stroke.has_barrel);
-      EXPECT_EQ(read.eraser, erasers && stroke.eraser);
+      EXPECT_EQ(read.fields.barrel, stroke.fields.barrel);
+      EXPECT_EQ(read.drawn_by.eraser, erasers && stroke.drawn_by.eraser);
       EXPECT_EQ(read.has_z, recording.space == StrokeSpace::object);
       ASSERT_EQ(read.samples.size(), stroke.samples.size());
       for (std::size_t i = 0; i < read.samples.size(); ++i)

@@ -113,8 +113,8 @@ TEST(PenFileOfProgramInDetail, HasTheQuirksThatAreStated) {
   const PenFile uim = file_of("uim_31_digital_ink_is_processable.uim");
   EXPECT_FALSE(uim.strokes.back().fields.pressure) << "drawn with a mouse";
   EXPECT_FALSE(uim.strokes.back().fields.tilt);
-  EXPECT_EQ(uim.strokes.back().tool, "mouse");
-  EXPECT_EQ(uim.strokes.front().tool, "pen");
+  EXPECT_EQ(uim.strokes.back().drawn_by.tool, "mouse");
+  EXPECT_EQ(uim.strokes.front().drawn_by.tool, "pen");
   constexpr double year = 365.25 * 86400;
   EXPECT_NEAR((uim.strokes.back().samples[0].time - uim.strokes.front().samples[0].time) / year, 2.5, 0.3);
   const auto [least, most] = range_of_x(file_of("rm_v6_lines.rm"));

@@ -24,7 +24,7 @@ inline bool same_bits(const RecordedStroke& a, const RecordedStroke& b) {
   auto of_a = nlohmann::ordered_json::object(), of_b = of_a;
   write_settings(a.settings, of_a);
   write_settings(b.settings, of_b);
-  if (a.has_barrel != b.has_barrel || a.eraser != b.eraser || a.tool != b.tool) return false;
+  if (a.drawn_by != b.drawn_by) return false;
   if (of_a != of_b || a.fields != b.fields || a.samples.size() != b.samples.size()) return false;
   for (std::size_t i = 0; i < a.samples.size(); ++i)
     if (!same_bits(a.samples[i], b.samples[i])) return false;

@@ -48,7 +48,7 @@ std::vector<Sample> at_even_times(const std::vector<Sample>& samples, double rat
 
 /// Whether the samples of one stroke can go on with those of the other.
 bool same_kind(const RecordedStroke& a, const RecordedStroke& b) {
-  return a.fields == b.fields && a.has_barrel == b.has_barrel && a.eraser == b.eraser && a.tool == b.tool;
+  return a.fields == b.fields && a.drawn_by == b.drawn_by;
 }
 
 void check_times(const RecordedStroke& stroke, std::size_t number) {

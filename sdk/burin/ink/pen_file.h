@@ -14,11 +14,9 @@ namespace burin {
 /// One stroke of a pen file. What the file does not have is absent, never a neutral value that somebody could
 /// take for a measured one.
 struct PenStroke {
-  PenFields fields;            ///< what `samples` have beside x and y
-  bool has_z = false;          ///< lies in space; else z is 0
-  bool eraser = false;         ///< drawn with the pen's eraser, or an eraser tool
-  bool has_barrel = false;     ///< the samples tell of the button at the pen's side
-  std::string_view tool = {};  ///< "pen", "touch", "mouse" or "controller"; empty if the file does not tell
+  PenFields fields;    ///< what `samples` have beside x and y
+  bool has_z = false;  ///< lies in space; else z is 0
+  DrawnBy drawn_by = {};
   bool made_pressure = false;  ///< the program made the pressure from the speed; no device measured it
   bool estimated_y = false;  ///< lies beside typed text, whose lines have heights that the file does not tell
   std::size_t page = 1, layer = 1;  ///< from 1

@@ -53,7 +53,7 @@ constexpr std::array channels = {
                    [](const Recording&, const RecordedStroke& s) { return s.fields.twist; },
                    [](std::string& line, const Sample& s) { append(line, s.pen.twist); }},
     WrittenChannel{"barrel", R"(name="B1" type="boolean")",
-                   [](const Recording&, const RecordedStroke& s) { return s.has_barrel; },
+                   [](const Recording&, const RecordedStroke& s) { return s.fields.barrel; },
                    [](std::string& line, const Sample& s) { line += s.barrel ? "1" : "0"; },
                    [](std::string& line, const Sample& s) { line += s.barrel ? "T" : "F"; }}};
 
@@ -124,7 +124,7 @@ void write_pen_csv(std::span<const Recording> recordings, std::ostream& out) {
   bool erasers = false;
   for_each_stroke(recordings, [&](const RecordedStroke& stroke, const Given& given) {
     std::ranges::transform(any, given, any.begin(), std::logical_or());
-    erasers |= stroke.eraser;
+    erasers |= stroke.drawn_by.eraser;
   });
   out << "stroke";
   for (std::size_t i = 0; i < channels.size(); ++i)
@@ -141,7 +141,7 @@ void write_pen_csv(std::span<const Recording> recordings, std::ostream& out) {
         line += ',';
         if (given[i]) channels[i].append(line, sample);
       }
-      if (erasers) line += stroke.eraser ? ",1" : ",0";
+      if (erasers) line += stroke.drawn_by.eraser ? ",1" : ",0";
       out << line << '\n';
     }
   });

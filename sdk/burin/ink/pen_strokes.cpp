@@ -3,23 +3,10 @@
 #include <burin/stroke/recording.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 namespace burin {
-namespace {
-
-/// One of those that PenStroke::tool names, or none.
-std::string_view known_tool(std::string_view name) {
-  constexpr std::array<std::string_view, 4> tools = {"pen", "touch", "mouse", "controller"};
-  const auto known = std::ranges::find(tools, name);
-  return known == tools.end() ? std::string_view() : *known;
-}
-
-}  // namespace
-
 void keep_chosen(PenFile& file, const PenChoice& choice) {
   std::erase_if(file.strokes, [&](const PenStroke& stroke) {
     return choice.page.value_or(stroke.page) != stroke.page ||
@@ -51,9 +38,7 @@ Recording recording_of(PenFile file) {
   for (PenStroke& stroke : file.strokes) {
     RecordedStroke& made = recording.strokes.emplace_back();
     made.fields = stroke.fields;
-    made.has_barrel = stroke.has_barrel;
-    made.eraser = stroke.eraser;
-    made.tool = stroke.tool;
+    made.drawn_by = std::move(stroke.drawn_by);
     made.samples = std::move(stroke.samples);
     if (in_space) continue;
     for (Sample& sample : made.samples) {
@@ -74,9 +59,7 @@ PenFile pen_file_of(const Recording& recording) {
   for (const RecordedStroke& stroke : recording.strokes) {
     PenStroke& made = file.strokes.emplace_back();
     made.fields = stroke.fields;
-    made.has_barrel = stroke.has_barrel;
-    made.eraser = stroke.eraser;
-    made.tool = known_tool(stroke.tool);
+    made.drawn_by = stroke.drawn_by;
     made.has_z = in_space;
     made.samples = stroke.samples;
   }

@@ -19,7 +19,7 @@ void keep_chosen(PenFile& file, const PenChoice& choice);
 void press_by_width(PenFile& file);
 
 /// The strokes as the file has them, in its units and times, without cameras and settings. In object space if
-/// all strokes lie in space, else in screen space, where z is 0. Pages, tools and widths are left out.
+/// all strokes lie in space, else in screen space, where z is 0. Pages, layers and widths are left out.
 Recording recording_of(PenFile file);
 
 /// A recording as if it had been read as a pen file of the kind "stroke".

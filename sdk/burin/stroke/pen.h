@@ -17,6 +17,7 @@ struct PenFields {
   bool pressure = false;
   bool tilt = false;
   bool twist = false;
+  bool barrel = false;  ///< whether a button at its side is held; only recordings keep it
 
   bool operator==(const PenFields&) const = default;
 };

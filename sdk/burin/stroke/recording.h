@@ -23,15 +23,21 @@ struct Sample {
   bool barrel = false;  ///< a button at the pen's side is held
 };
 
+/// What drew a stroke, as far as it is known.
+struct DrawnBy {
+  std::string tool = {};  ///< "pen", "touch", "mouse" or the like; empty if unknown
+  bool eraser = false;    ///< the pen's eraser, or an eraser tool
+
+  bool operator==(const DrawnBy&) const = default;
+};
+
 /// One stroke of a recording. Settings that the file does not have are not given; the caller must supply
 /// them.
 struct RecordedStroke {
   GivenSettings settings;  ///< the rows of the setting table marked as recorded
   PenFields fields;
   std::vector<Sample> samples;  ///< finite as floats, pressure 0..1, time not falling
-  bool has_barrel = false;      ///< the samples tell of the button at the pen's side
-  bool eraser = false;          ///< drawn with the pen's eraser, or an eraser tool
-  std::string tool = {};        ///< "pen", "touch", "mouse" or the like; empty if unknown
+  DrawnBy drawn_by = {};
 };
 
 /// The content of a `.stroke` file.

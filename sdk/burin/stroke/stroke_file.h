@@ -53,8 +53,7 @@ class StrokeWriter {
   StrokeSpace space_;
   PassLines pass_lines_;
   PenFields fields_;
-  bool has_barrel_ = false;  ///< of the open stroke
-  bool open_ = false;        ///< within a stroke
+  bool open_ = false;  ///< within a stroke
   double last_time_ = 0;
 };
 

@@ -72,8 +72,8 @@ TEST(SnapCommand, WritesStrokesOnRidgesThatReplayDraws) {
   EXPECT_TRUE(stroke.fields.time && stroke.fields.pressure && !stroke.fields.tilt);
   EXPECT_EQ(*stroke.settings.find(&ReplaySettings::brush), "org.burin.groove");
   EXPECT_EQ(*stroke.settings.find(&ReplaySettings::radius), 12);
-  EXPECT_TRUE(stroke.eraser);
-  EXPECT_EQ(stroke.tool, "pen");
+  EXPECT_TRUE(stroke.drawn_by.eraser);
+  EXPECT_EQ(stroke.drawn_by.tool, "pen");
   EXPECT_EQ(report["strokes"][0]["points"], stroke.samples.size());
   for (const Sample& sample : stroke.samples)
     EXPECT_NEAR(sample.pen.pressure, 0.2 + 0.02 * (sample.position.x() + 30) / 2, 0.01)

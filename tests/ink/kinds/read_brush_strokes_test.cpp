@@ -17,7 +17,7 @@ bpy.ops.sculpt.brush_stroke(stroke=[{'location':(0.1, 0.2, 0.3), "time": 0, "x_t
   EXPECT_EQ(places(file.strokes[0]), "10 -20, 12 -30") << "y down";
   EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
   EXPECT_EQ(file.strokes[0].widths, (std::vector<float>{50, 60}));
-  EXPECT_TRUE(file.strokes[1].eraser);
+  EXPECT_TRUE(file.strokes[1].drawn_by.eraser);
   EXPECT_TRUE(file.strokes[2].has_z);
   EXPECT_EQ(file.strokes[2].samples[0].position, Vec3d(0.1, 0.2, 0.3));
   EXPECT_FLOAT_EQ(file.strokes[2].samples[0].pen.tilt_x, 0.785398F);

@@ -56,17 +56,17 @@ TEST(ReadCsv, PartsStrokesByTextsToo) {
 TEST(ReadCsv, TellsOfTheButtonAtThePensSide) {
   const PenFile file = PenFileFolder().read("stroke,x,y,barrel\n1,2,3,0\n1,3,4,1\n2,4,5,\n");
   ASSERT_EQ(file.strokes.size(), 2u);
-  EXPECT_TRUE(file.strokes[0].has_barrel);
+  EXPECT_TRUE(file.strokes[0].fields.barrel);
   EXPECT_FALSE(file.strokes[0].samples[0].barrel);
   EXPECT_TRUE(file.strokes[0].samples[1].barrel);
-  EXPECT_FALSE(file.strokes[1].has_barrel);
+  EXPECT_FALSE(file.strokes[1].fields.barrel);
 
   const PenFile late = PenFileFolder().read("stroke,x,y,barrel\n1,2,3,\n1,3,4,1\n");
-  EXPECT_TRUE(late.strokes[0].has_barrel) << "told in the second line";
+  EXPECT_TRUE(late.strokes[0].fields.barrel) << "told in the second line";
   const PenFile turned = PenFileFolder().read("stroke,x,y,eraser\n1,2,3,0\n1,3,4,1\n1,4,4,1\n");
   ASSERT_EQ(turned.strokes.size(), 2u) << "the pen was turned";
   EXPECT_EQ(places(turned.strokes[1]), "3 4, 4 4");
-  EXPECT_TRUE(turned.strokes[1].eraser);
+  EXPECT_TRUE(turned.strokes[1].drawn_by.eraser);
 }
 
 TEST(ReadCsv, TakesLineEndsWithinQuotes) {

@@ -49,7 +49,7 @@ TEST(ReadEvemu, HasTheEraserOfAFrameInWhateverOrder) {
       tablet + frame("1", {"0003 0000 200", "0003 0001 400", "0001 014a 1", "0001 0141 1"}) +
       frame("2", {"0001 014a 0", "0001 0141 0"}) + frame("3", {"0001 014a 1", "0001 0147 1"}));
   ASSERT_EQ(file.strokes.size(), 1u) << "a puck makes none";
-  EXPECT_TRUE(file.strokes[0].eraser);
+  EXPECT_TRUE(file.strokes[0].drawn_by.eraser);
   EXPECT_EQ(file.strokes[0].samples.size(), 1u);
   EXPECT_FALSE(file.strokes[0].fields.pressure) << "the range is there, and nothing was sent";
 }
@@ -68,8 +68,8 @@ TEST(ReadEvemu, TellsOfTheButtonsAtThePensSide) {
       frame("2", {"0001 014a 0"}) + frame("3", {"0001 014a 1"}) + frame("4", {"0001 014b 1"}) +
       frame("5", {"0003 0000 300"}) + frame("6", {"0001 014b 0"}) + frame("7", {"0001 014c 1"}));
   ASSERT_EQ(file.strokes.size(), 2u);
-  EXPECT_FALSE(file.strokes[0].has_barrel) << "none was sent yet";
-  EXPECT_TRUE(file.strokes[1].has_barrel);
+  EXPECT_FALSE(file.strokes[0].fields.barrel) << "none was sent yet";
+  EXPECT_TRUE(file.strokes[1].fields.barrel);
   std::string held;
   for (const Sample& sample : file.strokes[1].samples) held += sample.barrel ? '1' : '0';
   EXPECT_EQ(held, "01101");
@@ -94,7 +94,7 @@ TEST(ReadEvemu, PartsTouchesBySlots) {
   EXPECT_EQ(places(file.strokes[0]), "0 10") << "none where only the other touch moves";
   EXPECT_EQ(places(file.strokes[1]), "100 100, 100 101");
   EXPECT_EQ(places(file.strokes[2]), "2 10") << "the slot keeps what does not change";
-  EXPECT_EQ(file.strokes[0].tool, "touch");
+  EXPECT_EQ(file.strokes[0].drawn_by.tool, "touch");
   EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
   EXPECT_EQ(file.strokes[0].samples[0].pen.pressure, 0.2F);
   EXPECT_EQ(file.strokes[1].fields, (PenFields{.time = true}));
@@ -146,7 +146,7 @@ TEST(ReadEvemu, FollowsTouchesOfFramesThatTellAllAnewByTheirPlaces) {
   EXPECT_EQ(places(file.strokes[0]), "5 10, 6 10") << "in whatever order the packets come";
   EXPECT_EQ(places(file.strokes[1]), "150 100, 149 100, 148 100");
   EXPECT_EQ(places(file.strokes[2]), "147 100") << "all were lifted before";
-  EXPECT_EQ(file.strokes[0].tool, "touch");
+  EXPECT_EQ(file.strokes[0].drawn_by.tool, "touch");
   EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true}));
   EXPECT_EQ(file.unit, "mm");
   EXPECT_EQ(file.hovering, 1u);
@@ -213,7 +213,7 @@ TEST(ReadEvemu, FindsSlotsThatNoDescriptionHas) {
   const PenFile file = PenFileFolder().read(
       "# EVEMU 1.3\n" + frame("1", {"0003 002f 0", "0003 0039 5", "0003 0035 7", "0003 0036 8"}));
   ASSERT_EQ(file.strokes.size(), 1u);
-  EXPECT_EQ(file.strokes[0].tool, "touch");
+  EXPECT_EQ(file.strokes[0].drawn_by.tool, "touch");
 }
 
 TEST(ReadEvemu, GoesOnWithATouchWhoseIdIsSentAgain) {
@@ -234,7 +234,7 @@ TEST(ReadEvemu, KeepsThePenBesideAPalm) {
   ASSERT_EQ(file.strokes.size(), 3u);
   EXPECT_EQ(places(file.strokes[0]), "10 1");
   EXPECT_EQ(places(file.strokes[1]), "50 50, 50 50, 55 50") << "no finger's place";
-  EXPECT_EQ(file.strokes[1].tool, "") << "the pen";
+  EXPECT_EQ(file.strokes[1].drawn_by.tool, "") << "the pen";
   EXPECT_EQ(places(file.strokes[2]), "20 1");
   EXPECT_EQ(file.hovering, 0u) << "the palm rests";
 }

@@ -35,13 +35,13 @@ TEST(ReadHid, CutsReportsByTheDescriptor) {
   ASSERT_EQ(file.strokes.size(), 2u);
   // Logical 0..2000 mean 0..1000 times 10^-2 cm.
   EXPECT_EQ(places(file.strokes[0]), "10 20, 20 20");
-  EXPECT_TRUE(file.strokes[1].eraser);
+  EXPECT_TRUE(file.strokes[1].drawn_by.eraser);
   const Sample& sample = file.strokes[0].samples[0];
   EXPECT_NEAR(sample.pen.pressure, 511 / 1023., 1e-6);
   EXPECT_NEAR(sample.pen.tilt_x, 10 * std::numbers::pi / 180, 1e-6);
   EXPECT_NEAR(sample.pen.tilt_y, -10 * std::numbers::pi / 180, 1e-6);
   EXPECT_DOUBLE_EQ(sample.time, 0.005);
-  EXPECT_TRUE(file.strokes[0].has_barrel);
+  EXPECT_TRUE(file.strokes[0].fields.barrel);
   EXPECT_FALSE(sample.barrel);
   EXPECT_TRUE(file.strokes[0].samples[1].barrel) << "the second bit";
 }
@@ -78,7 +78,7 @@ TEST(ReadHid, PartsTouchesByTheirIds) {
   EXPECT_EQ(places(file.strokes[0]), "10 20, 11 20");
   EXPECT_EQ(places(file.strokes[1]), "100 10, 101 10");
   EXPECT_EQ(places(file.strokes[2]), "10 20");
-  EXPECT_EQ(file.strokes[0].tool, "touch");
+  EXPECT_EQ(file.strokes[0].drawn_by.tool, "touch");
   EXPECT_EQ(file.strokes[0].fields, PenFields{.time = true});
   EXPECT_EQ(file.unit, "mm");
   EXPECT_EQ(file.hovering, 1u);

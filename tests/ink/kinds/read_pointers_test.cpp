@@ -114,7 +114,7 @@ TEST(ReadPointers, ReadsPointsInWhateverShapeAlike) {
     const PenStroke& stroke = one.strokes[0];
     EXPECT_EQ(stroke.fields, (PenFields{.time = true, .pressure = true, .tilt = true}));
     EXPECT_FALSE(stroke.made_pressure);
-    EXPECT_EQ(stroke.tool, "pen");
+    EXPECT_EQ(stroke.drawn_by.tool, "pen");
     EXPECT_EQ(places(stroke), "1 -2.5, 4 30");
     EXPECT_EQ(stroke.samples[1].time, 1.508);
     EXPECT_EQ(stroke.samples[0].pen.pressure, 0.5F);
@@ -141,7 +141,7 @@ TEST(ReadPointers, ReadsListsOfEvents) {
   EXPECT_EQ(typed.kind, "pointer");
   ASSERT_EQ(typed.strokes.size(), 2u);
   EXPECT_EQ(places(typed.strokes[0]), "1 2, 2 2");
-  EXPECT_EQ(typed.strokes[0].tool, "mouse");
+  EXPECT_EQ(typed.strokes[0].drawn_by.tool, "mouse");
   EXPECT_EQ(typed.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
   EXPECT_EQ(typed.strokes[0].samples[1].time, 0.016);
   EXPECT_EQ(places(typed.strokes[1]), "7 2");
@@ -155,13 +155,14 @@ TEST(ReadPointers, ReadsListsOfEvents) {
     const PenFile pen = folder.read(text);
     ASSERT_EQ(pen.strokes.size(), 2u) << text;
     EXPECT_EQ(places(pen.strokes[0]), "1 2, 3 4");
-    EXPECT_TRUE(pen.strokes[0].has_barrel);
-    EXPECT_FALSE(pen.strokes[0].eraser);
+    EXPECT_TRUE(pen.strokes[0].fields.barrel);
+    EXPECT_FALSE(pen.strokes[0].drawn_by.eraser);
     EXPECT_FALSE(pen.strokes[0].samples[0].barrel);
     EXPECT_TRUE(pen.strokes[0].samples[1].barrel) << "the button at the side";
-    EXPECT_TRUE(pen.strokes[1].eraser);
+    EXPECT_TRUE(pen.strokes[1].drawn_by.eraser);
   }
-  EXPECT_FALSE(folder.read(R"([{"x":1,"y":2,"buttons":2,"pointerType":"mouse"}])").strokes.at(0).has_barrel);
+  EXPECT_FALSE(
+      folder.read(R"([{"x":1,"y":2,"buttons":2,"pointerType":"mouse"}])").strokes.at(0).fields.barrel);
   EXPECT_EQ(places(folder.read(R"([{"x": 1, "y": 2}, {"x": 3, "y": 4}])").strokes.at(0)), "1 2, 3 4");
   EXPECT_EQ(folder.complaint(R"([{"x": 1, "y": 2}, {"x": 3}])"), " [1]: lacks 'y'");
   EXPECT_EQ(places(folder.read(R"({"events": [{"pointers": [{"x": 1, "y": 2}]}]})").strokes.at(0)), "1 2");

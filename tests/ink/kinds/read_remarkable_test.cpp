@@ -121,7 +121,7 @@ TEST(ReadRemarkable, HasLayersOfLines) {
   EXPECT_EQ(file.kind, "remarkable");
   ASSERT_EQ(file.strokes.size(), 1u);
   EXPECT_EQ(file.strokes[0].layer, 2u);
-  EXPECT_TRUE(file.strokes[0].eraser);
+  EXPECT_TRUE(file.strokes[0].drawn_by.eraser);
   EXPECT_EQ(places(file.strokes[0]), "1 2");
   EXPECT_EQ(file.strokes[0].fields, PenFields{.pressure = true});
   EXPECT_EQ(file.strokes[0].samples[0].pen.pressure, 0.5F);

@@ -69,7 +69,7 @@ TEST(ReadUim, HasWhatTheSensorsMeasured) {
     const PenStroke& stroke = file.strokes[0];
     EXPECT_EQ(places(stroke), "1 3, 3 2.5");
     EXPECT_EQ(stroke.fields, (PenFields{.time = true, .pressure = true}));
-    EXPECT_EQ(stroke.tool, "mouse");
+    EXPECT_EQ(stroke.drawn_by.tool, "mouse");
     EXPECT_DOUBLE_EQ(stroke.samples[1].time, 1600000000.508);
     EXPECT_EQ(stroke.samples[1].pen.pressure, 0.25F);
   }
@@ -148,7 +148,7 @@ TEST(ReadUimJson, TellsTheTool) {
             R"({"id": "x", "type": "a/X"}, {"id": "y", "type": "a/Y"}]}]}]}, "sensorData": [{"dataChannels": [)"
             R"({"sensorChannelID": "x", "values": [1]}, {"sensorChannelID": "y", "values": [2]}]}]}})")
         .strokes.at(0)
-        .tool;
+        .drawn_by.tool;
   };
   EXPECT_EQ(tool(""), "pen");
   EXPECT_EQ(tool(R"(, "type": "MOUSE")"), "mouse");

@@ -56,7 +56,7 @@ TEST(ReadXournal, ReadsWhatXournalppWrites) {
   EXPECT_EQ(file.strokes[0].widths, (std::vector<float>{1.13F, 2, 2}));
   EXPECT_EQ(places(file.strokes[1]), "7 8, 9 10");
   EXPECT_EQ(places(file.strokes[2]), "10 -2.5, 11 12");
-  EXPECT_FALSE(file.strokes[2].eraser) << "white paint";
+  EXPECT_FALSE(file.strokes[2].drawn_by.eraser) << "white paint";
   EXPECT_EQ(file.not_used, (std::vector<std::string>{"image", "link", "teximage", "text"}));
 }
 

@@ -101,8 +101,8 @@ TEST(StrokeWriter, WritesToolEraserAndTheButtonAtThePensSide) {
   const test::TemporaryFolder folder;
   Recording recording;
   RecordedStroke& stroke = recording.strokes.emplace_back();
-  stroke.has_barrel = stroke.eraser = true;
-  stroke.tool = "pen";
+  stroke.fields.barrel = stroke.drawn_by.eraser = true;
+  stroke.drawn_by.tool = "pen";
   stroke.samples.resize(2);
   stroke.samples[1].barrel = true;
   recording.strokes.emplace_back().samples.resize(1);

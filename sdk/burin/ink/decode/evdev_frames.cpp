@@ -99,16 +99,16 @@ bool EvdevFrames::touches() const {
 
 void EvdevFrames::add_sample(double time) {
   const bool rubber = tool_ == tool_rubber;
-  if (!stroke_ || content_.strokes[*stroke_].eraser != rubber) {
+  if (!stroke_ || content_.strokes[*stroke_].drawn_by.eraser != rubber) {
     stroke_ = content_.strokes.size();
-    content_.strokes.emplace_back().eraser = rubber;
+    content_.strokes.emplace_back().drawn_by.eraser = rubber;
     set_fields(content_.strokes.back());
   }
   PenStroke& stroke = content_.strokes[*stroke_];
   Sample& sample = stroke.samples.emplace_back();
   sample.time = time;
   // Only changes are sent: before the first one no button was held.
-  stroke.has_barrel |= stylus_[0].has_value() || stylus_[1].has_value();
+  stroke.fields.barrel |= stylus_[0].has_value() || stylus_[1].has_value();
   sample.barrel = stylus_[0].value_or(false) || stylus_[1].value_or(false);
   sample.position = EvdevPlane(axes_, abs_x, abs_y).position(values_[abs_x], values_[abs_y]);
   if (stroke.fields.pressure)

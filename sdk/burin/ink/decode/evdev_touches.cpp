@@ -18,7 +18,7 @@ void add_touch_sample(const EvdevAxes& axes, const EvdevValues& values, double t
   if (!stroke) {
     stroke = content.strokes.size();
     PenStroke& made = content.strokes.emplace_back();
-    made.tool = "touch";
+    made.drawn_by.tool = "touch";
     made.fields.time = true;
     made.fields.pressure = pressure && pressed != values.end();
   }

@@ -93,7 +93,7 @@ void HidTouches::add(const Touch& touch, double time, PenFile& content) {
   const auto [stroke, begins] = strokes_.try_emplace(touch.id, content.strokes.size());
   if (begins) {
     PenStroke& made = content.strokes.emplace_back();
-    made.tool = "touch";
+    made.drawn_by.tool = "touch";
     made.fields.time = true;
   }
   content.strokes[stroke->second].samples.push_back({.time = time, .position = touch.position, .pen = {}});

@@ -99,11 +99,11 @@ InkmlChannels::At InkmlChannels::find(std::string_view name) const {
 PenStroke InkmlChannels::empty_stroke() const {
   PenStroke stroke;
   stroke.has_z = z_.has_value();
-  stroke.has_barrel = barrel_.has_value();
   stroke.fields = {.time = time_.has_value(),
                    .pressure = force_.has_value(),
                    .tilt = (tilt_x_ && tilt_y_) || (azimuth_ && elevation_),
-                   .twist = rotation_.has_value()};
+                   .twist = rotation_.has_value(),
+                   .barrel = barrel_.has_value()};
   return stroke;
 }
 
@@ -123,7 +123,7 @@ void InkmlChannels::drop_unknown(PenStroke& stroke, const InkmlValues& held) con
   fields.tilt &=
       (known(tilt_x_, held) && known(tilt_y_, held)) || (known(azimuth_, held) && known(elevation_, held));
   fields.twist &= known(rotation_, held);
-  stroke.has_barrel &= known(barrel_, held);
+  fields.barrel &= known(barrel_, held);
   for (Sample& sample : stroke.samples) {
     if (!fields.time) sample.time = 0;
     if (!fields.pressure) sample.pen.pressure = Pen{}.pressure;

@@ -180,12 +180,11 @@ PenFile EventList::finish() {
   for (ContactStroke& stroke : strokes_.take_strokes()) {
     PenStroke& made = content.strokes.emplace_back();
     made.fields = fields;
-    made.has_barrel = has_barrel();
-    made.eraser = stroke.eraser;
-    made.tool = tool_;
+    made.fields.barrel = has_barrel();
+    made.drawn_by = {std::string(tool_), stroke.eraser};
     made.made_pressure = fields.pressure && !reported_;
     made.samples = std::move(stroke.samples);
-    if (!made.has_barrel)
+    if (!made.fields.barrel)
       for (Sample& sample : made.samples) sample.barrel = false;  // the right button of a mouse
     keep_channels(made, whole_);
   }

@@ -63,7 +63,7 @@ class PlainStroke : public nlohmann::json_sax<nlohmann::json> {
   bool number_unsigned(number_unsigned_t value) override { return take_number(static_cast<double>(value)); }
   bool number_float(number_float_t value, const string_t&) override { return take_number(value); }
   bool string(string_t& value) override {
-    if (depth_ == 1 && type_follows_) stroke_.tool = tool_of_pointer_type(value);
+    if (depth_ == 1 && type_follows_) stroke_.drawn_by.tool = tool_of_pointer_type(value);
     return take_other();
   }
   bool binary(binary_t&) override { return false; }

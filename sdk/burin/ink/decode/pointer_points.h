@@ -36,7 +36,7 @@ void keep_channels(PenStroke& stroke, const std::array<bool, pointer_channels.si
 /// What a device reports, as against what programs make of the speed and call pressure too.
 inline constexpr std::string_view reported_pressure = "pressure";
 
-/// PenStroke::tool of a PointerEvent's pointerType, in any case; empty for others.
+/// DrawnBy::tool of a PointerEvent's pointerType, in any case; empty for others.
 std::string_view tool_of_pointer_type(std::string_view type);
 
 /// Reads one stroke: a list of points, flat objects of numbers, or an object with such a list as "pointers"

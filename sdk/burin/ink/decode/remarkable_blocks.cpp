@@ -115,8 +115,7 @@ void add_remarkable_points(ByteReader bytes, RemarkablePoints points, PenStroke&
 
 void set_remarkable_pen(std::uint32_t pen, PenStroke& stroke) {
   constexpr std::uint32_t eraser = 6, eraser_of_areas = 8;
-  stroke.tool = "pen";
-  stroke.eraser = pen == eraser || pen == eraser_of_areas;
+  stroke.drawn_by = {"pen", pen == eraser || pen == eraser_of_areas};
 }
 
 void read_remarkable_blocks(ByteReader bytes, PenFile& content) {

@@ -114,7 +114,7 @@ void add_stroke(const UimSensorData& data, const UimChannels& channels, PenFile&
   }
   if (measured.size() == 0) return;
   PenStroke stroke;
-  stroke.tool = measured.tool();
+  stroke.drawn_by.tool = measured.tool();
   stroke.samples.resize(measured.size());
   set_positions(*x, *y, stroke);
   if (const Values* times = measured.find("Timestamp")) set_times(*times, data.start, stroke);

@@ -17,7 +17,7 @@ struct UimChannel {
   std::int64_t precision = 0;  ///< numbers are in steps of 10^-precision
   double resolution = 0;       ///< per metre, second or radian; 0 if unknown
   double most = 0;             ///< the greatest value, as the device tells it; 0 if unknown
-  std::string_view tool;       ///< PenStroke::tool
+  std::string_view tool;       ///< DrawnBy::tool
 };
 
 /// Channels by their ids.

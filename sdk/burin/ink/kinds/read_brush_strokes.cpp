@@ -146,7 +146,7 @@ class ListOfElements {
 
 void ListOfElements::take(const ListElement& element) {
   if (content_.strokes.size() == first_ || element.is_start)
-    content_.strokes.emplace_back().eraser = element.pen_flip;
+    content_.strokes.emplace_back().drawn_by.eraser = element.pen_flip;
   PenStroke& stroke = content_.strokes.back();
   stroke.samples.push_back(sample_of(element, mouse_));
   if (element.size) stroke.widths.push_back(static_cast<float>(2 * *element.size));

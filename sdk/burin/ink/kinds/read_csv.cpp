@@ -53,7 +53,7 @@ std::vector<CsvColumn> header_columns(std::string_view line) {
 struct Row {
   Sample sample;
   PenFields fields;
-  bool has_x = false, has_y = false, has_z = false, contact = true, eraser = false, has_barrel = false;
+  bool has_x = false, has_y = false, has_z = false, contact = true, eraser = false;
   std::optional<double> azimuth, altitude;  ///< from +x towards +y, and above the plane, radians
   double stroke = 0;
   std::string_view stroke_name;  ///< where that is no number; empty else
@@ -112,7 +112,7 @@ void set(Row& row, CsvCell cell, double value) {
       break;
     case CsvCell::barrel:
       sample.barrel = value != 0;
-      row.has_barrel = true;
+      row.fields.barrel = true;
       break;
     case CsvCell::unknown:
       break;
@@ -160,6 +160,12 @@ Row row_of(std::string_view line, char separator, std::span<const CsvColumn> nam
   return row;
 }
 
+/// Whether lines have the same fields, but for the button, of which a stroke may tell here and there.
+bool same_cells(PenFields a, const PenFields& b) {
+  a.barrel = b.barrel;
+  return a == b;
+}
+
 /// Makes strokes of rows: one for each run of one number, or one text, in the column `stroke` in which the
 /// pen touches.
 class Rows {
@@ -171,18 +177,19 @@ class Rows {
       return;
     }
     if (!down_ || row.stroke != stroke_ || row.stroke_name != stroke_name_ ||
-        content_.strokes.back().eraser != row.eraser) {
+        content_.strokes.back().drawn_by.eraser != row.eraser) {
       PenStroke& stroke = content_.strokes.emplace_back();
       stroke.fields = row.fields;
       stroke.has_z = row.has_z;
-      stroke.eraser = row.eraser;
+      stroke.drawn_by.eraser = row.eraser;
     }
     down_ = true;
     stroke_ = row.stroke;
     stroke_name_ = row.stroke_name;
     PenStroke& stroke = content_.strokes.back();
-    stroke.has_barrel |= row.has_barrel;
-    if (row.fields != stroke.fields) throw Error("a line has other cells than the first of its stroke");
+    stroke.fields.barrel |= row.fields.barrel;
+    if (!same_cells(row.fields, stroke.fields))
+      throw Error("a line has other cells than the first of its stroke");
     stroke.samples.push_back(row.sample);
   }
   PenFile finish() { return std::move(content_); }

@@ -33,16 +33,14 @@ std::size_t take_numbers_of_line(std::string_view& text) {
   return count;
 }
 
-PenFile pen_file_of(ContactStrokes strokes, const PenFields& fields, std::string_view unit,
-                    bool has_barrel = false) {
+PenFile pen_file_of(ContactStrokes strokes, const PenFields& fields, std::string_view unit) {
   PenFile content;
   content.unit = unit;
   content.hovering = strokes.lifted();
   for (ContactStroke& stroke : strokes.take_strokes()) {
     PenStroke& made = content.strokes.emplace_back();
     made.fields = fields;
-    made.has_barrel = has_barrel;
-    made.eraser = stroke.eraser;
+    made.drawn_by.eraser = stroke.eraser;
     made.samples = std::move(stroke.samples);
   }
   return content;
@@ -51,7 +49,7 @@ PenFile pen_file_of(ContactStrokes strokes, const PenFields& fields, std::string
 PenFile pen_file_of(const PenEvents& recorded, std::string_view unit) {
   ContactStrokes strokes;
   for (const PenEvent& event : recorded.events) strokes.take(event);
-  return pen_file_of(std::move(strokes), recorded.fields, unit, recorded.has_barrel);
+  return pen_file_of(std::move(strokes), recorded.fields, unit);
 }
 
 /// Reads one array after the other. Returns false for whatever must be read as a whole.

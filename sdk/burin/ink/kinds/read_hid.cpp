@@ -112,14 +112,14 @@ float HidPen::angle(std::uint32_t usage, const HidReport& report) const {
 void HidPen::add_sample(double time, const HidReport& report, bool eraser) {
   const HidField* pressure = find(usage_pressure, report);
   const bool tilt = find(usage_tilt_x, report) && find(usage_tilt_y, report);
-  if (!down_ || content_.strokes.back().eraser != eraser) {
+  if (!down_ || content_.strokes.back().drawn_by.eraser != eraser) {
     PenStroke& stroke = content_.strokes.emplace_back();
-    stroke.eraser = eraser;
-    stroke.has_barrel = find(usage_barrel, report) || find(usage_barrel2, report);
+    stroke.drawn_by.eraser = eraser;
     stroke.fields = {.time = true,
                      .pressure = pressure && pressure->most > pressure->least,
                      .tilt = tilt,
-                     .twist = find(usage_twist, report) != nullptr};
+                     .twist = find(usage_twist, report) != nullptr,
+                     .barrel = find(usage_barrel, report) || find(usage_barrel2, report)};
   }
   PenStroke& stroke = content_.strokes.back();
   Sample& sample = stroke.samples.emplace_back();

@@ -97,7 +97,7 @@ PenStroke stroke_of(const JsonValue& one) {
   else if (one.is_object() && one.find("x") && one.member("x").is_array())
     read_lists(one, stroke);
   const auto type = one.is_object() ? one.find("pointerType") : std::nullopt;
-  if (type && type->is_text()) stroke.tool = tool_of_pointer_type(type->text());
+  if (type && type->is_text()) stroke.drawn_by.tool = tool_of_pointer_type(type->text());
   return stroke;
 }
 

@@ -28,7 +28,6 @@ void set_buttons(PenEvent& event, double buttons);
 struct PenEvents {
   std::vector<PenEvent> events;
   PenFields fields;
-  bool has_barrel = false;  ///< the events tell of the button at the pen's side
 };
 
 /// The event of a line of libmypaint's recordings, `time x y pressure`; pressure 0 means a lifted pen. Throws

@@ -29,9 +29,11 @@ PenEvents events_of(const PointerColumns& columns, const Reject& reject) {
     return degrees ? static_cast<float>((*degrees)[i] * std::numbers::pi / 180) : 0;
   };
   PenEvents made;
-  made.fields = {
-      .time = true, .pressure = pressure != nullptr, .tilt = tilt_x || tilt_y, .twist = twist != nullptr};
-  made.has_barrel = buttons != nullptr;
+  made.fields = {.time = true,
+                 .pressure = pressure != nullptr,
+                 .tilt = tilt_x || tilt_y,
+                 .twist = twist != nullptr,
+                 .barrel = buttons != nullptr};
   made.events.resize(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     PenEvent& event = made.events[i];

@@ -159,9 +159,9 @@ BeginLine parse_begin(const JsonValue& line, StrokeSpace space) {
   fields.pressure = has(begin.columns, Column::pressure);
   fields.tilt = has(begin.columns, Column::tilt_x) || has(begin.columns, Column::tilt_y);
   fields.twist = has(begin.columns, Column::twist);
-  begin.stroke.has_barrel = has(begin.columns, Column::barrel);
-  if (const auto eraser = line.find("eraser")) begin.stroke.eraser = boolean_of(*eraser);
-  if (const auto tool = line.find("tool")) begin.stroke.tool = tool->text();
+  fields.barrel = has(begin.columns, Column::barrel);
+  if (const auto eraser = line.find("eraser")) begin.stroke.drawn_by.eraser = boolean_of(*eraser);
+  if (const auto tool = line.find("tool")) begin.stroke.drawn_by.tool = tool->text();
   return begin;
 }
 

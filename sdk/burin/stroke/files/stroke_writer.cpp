@@ -47,7 +47,7 @@ std::vector<std::string> field_names(const RecordedStroke& stroke, StrokeSpace s
   if (fields.pressure) names.insert(names.end(), {"pressure"});
   if (fields.tilt) names.insert(names.end(), {"tilt_x", "tilt_y"});
   if (fields.twist) names.insert(names.end(), {"twist"});
-  if (stroke.has_barrel) names.insert(names.end(), {"barrel"});
+  if (fields.barrel) names.insert(names.end(), {"barrel"});
   return names;
 }
 
@@ -105,11 +105,10 @@ StrokeWriter::StrokeWriter(const std::filesystem::path& path, StrokeSpace space,
 void StrokeWriter::begin(const RecordedStroke& stroke) {
   if (open_) throw ContractError("stroke file: begin within a stroke");
   Json line = {{"begin", settings_json(stroke.settings)}, {"fields", field_names(stroke, space_)}};
-  if (!stroke.tool.empty()) line["tool"] = stroke.tool;
-  if (stroke.eraser) line["eraser"] = true;
+  if (!stroke.drawn_by.tool.empty()) line["tool"] = stroke.drawn_by.tool;
+  if (stroke.drawn_by.eraser) line["eraser"] = true;
   write_line(dump(line));
   fields_ = stroke.fields;
-  has_barrel_ = stroke.has_barrel;
   last_time_ = -std::numeric_limits<double>::infinity();
   open_ = true;
 }
@@ -129,7 +128,7 @@ void StrokeWriter::add(const Sample& sample) {
     append(line, sample.pen.tilt_y);
   }
   if (fields_.twist) append(line, sample.pen.twist);
-  if (has_barrel_) line += sample.barrel ? "1," : "0,";
+  if (fields_.barrel) line += sample.barrel ? "1," : "0,";
   line.back() = ']';
   write_line(std::move(line));
   last_time_ = sample.time;
