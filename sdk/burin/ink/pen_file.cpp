@@ -1,6 +1,7 @@
 // Finds the kind of a pen file by its first bytes, and has it read.
 #include <burin/base/error.h>
 #include <burin/base/file.h>
+#include <burin/base/text/utf8.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/unpack.h>
 #include <burin/ink/parse/utf16.h>
@@ -55,6 +56,15 @@ std::optional<PenFileText> opened_by_pieces(const std::filesystem::path& path, c
 /// Whether times of a kind count from any moment; others count from when a device, a program or 1970 began.
 bool has_times_from_anywhere(const PenFile& content) {
   return content.kind == "csv" || content.kind == "inkml";
+}
+
+/// Refuses names of tools that no text of JSON or XML can have.
+void check_tools(const PenFileText& file, const PenFile& content) {
+  const auto is_text = [](const PenStroke& stroke) { return is_utf8(stroke.drawn_by.tool); };
+  const auto other = std::ranges::find_if_not(content.strokes, is_text);
+  if (other != content.strokes.end())
+    throw FileError(file.path.string(), fmt::format("stroke {}: the name of the tool is not valid UTF-8",
+                                                    other - content.strokes.begin() + 1));
 }
 
 /// Refuses what no sample may have.
@@ -127,6 +137,7 @@ PenFile read_pen_file(const PenFileText& file, std::string_view name) {
   PenFile content = kind->read(file);
   content.kind = kind->name;
   check(file, content);
+  check_tools(file, content);
   return content;
 }
 

@@ -69,6 +69,21 @@ TEST(ReadCsv, TellsOfTheButtonAtThePensSide) {
   EXPECT_TRUE(turned.strokes[1].drawn_by.eraser);
 }
 
+TEST(ReadCsv, NamesTheTool) {
+  const PenFile file = PenFileFolder().read(
+      "stroke,x,y,tool\n1,2,3,pen\n1,3,4,pen\n1,4,5,\"a \"\"fat\"\", one\"\n2,5,6,\n2,6,7,NA\n3,7,8,pen\n");
+  ASSERT_EQ(file.strokes.size(), 4u) << "a new stroke where the tool changes";
+  EXPECT_EQ(file.strokes[0].drawn_by.tool, "pen");
+  EXPECT_EQ(places(file.strokes[0]), "2 3, 3 4");
+  EXPECT_EQ(file.strokes[1].drawn_by.tool, "a \"fat\", one");
+  EXPECT_EQ(file.strokes[2].drawn_by.tool, "");
+  EXPECT_EQ(places(file.strokes[2]), "5 6, 6 7");
+  EXPECT_EQ(file.strokes[3].drawn_by.tool, "pen");
+  EXPECT_EQ(PenFileFolder().read("x,y,pointerType\n1,2,touch\n").strokes.at(0).drawn_by.tool, "touch");
+  EXPECT_EQ(PenFileFolder().complaint("x,y,tool\n1,2,a\n1,2,\xff\n"),
+            " stroke 2: the name of the tool is not valid UTF-8");
+}
+
 TEST(ReadCsv, TakesLineEndsWithinQuotes) {
   const PenFileFolder folder;
   const PenFile file = folder.read(

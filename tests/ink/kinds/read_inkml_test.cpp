@@ -190,6 +190,27 @@ TEST(ReadInkml, HasTheUpperEndWhereAzimuthAndElevationSay) {
   EXPECT_FALSE(flat.strokes.at(0).fields.tilt) << "declared and not measured";
 }
 
+// A trace has the brush that it names, that its groups name, or that of its context.
+TEST(ReadInkml, TellsToolAndEraserByBrushes) {
+  const PenFile file = PenFileFolder().read(ink(R"(<definitions>
+    <brush xml:id="a"><brushProperty name="tool" value="pen"/></brush>
+    <brush xml:id="b"><brushProperty name="tool" value="pen"/><brushProperty name="eraser" value="true"/></brush>
+    <brush xml:id="c"><brushProperty name="width" value="3"/><brushProperty name="eraser" value="false"/></brush>
+    <context xml:id="named" brushRef="#b"/>
+    <context xml:id="own"><brush><brushProperty name="tool" value="touch"/></brush></context></definitions>
+    <traceGroup brushRef="#a"><trace>1 2</trace><traceGroup><trace brushRef="#b">1 2</trace></traceGroup></traceGroup>
+    <trace contextRef="#named">1 2</trace><trace contextRef="#own">1 2</trace>
+    <trace contextRef="#own" brushRef="#c">1 2</trace><trace brushRef="#d">1 2</trace><trace>1 2</trace>)"));
+  std::string tools;
+  for (const PenStroke& stroke : file.strokes)
+    tools += stroke.drawn_by.tool + (stroke.drawn_by.eraser ? " eraser, " : ", ");
+  EXPECT_EQ(tools, "pen, pen eraser, pen eraser, touch, , , , ");
+  EXPECT_EQ(
+      PenFileFolder().complaint(ink("<brush xml:id='a'><brushProperty name='tool' value='\xff'/></brush>"
+                                    "<trace brushRef='#a'>1 2</trace>")),
+      " stroke 1: the name of the tool is not valid UTF-8");
+}
+
 TEST(ReadInkml, NamesTheLineOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(ink("<trace>1 2,\n3</trace>")), "3: a point of 1 values, its format has 2");

@@ -1,4 +1,5 @@
-// Decodes one UTF-8 code point, and rejects overlong forms, surrogates and values above 10FFFF [RFC 3629].
+// Decodes UTF-8 code point by code point, and rejects overlong forms, surrogates and values above 10FFFF [RFC
+// 3629].
 #include <burin/base/text/utf8.h>
 
 #include <bit>
@@ -21,6 +22,12 @@ std::optional<char32_t> pop_code_point(std::string_view& text) {
   if (code < lowest[ones] || code > 0x10ffff || surrogate) return std::nullopt;
   text.remove_prefix(length);
   return code;
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty())
+    if (!pop_code_point(text)) return false;
+  return true;
 }
 
 }  // namespace burin

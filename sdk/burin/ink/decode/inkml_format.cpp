@@ -1,5 +1,5 @@
 // Collects the formats of traces in an InkML file: those of traceFormat elements, and through them those of
-// the contexts and sources around them.
+// the contexts and sources around them; and the brushes of traces.
 #include <burin/base/error.h>
 #include <burin/base/text/quoted_word.h>
 #include <burin/ink/decode/inkml_format.h>
@@ -51,6 +51,17 @@ void add_properties(InkmlFormat& format, const pugi::xml_node& properties) {
     channel->resolution = number_of(attribute(property, "value")).value_or(0);
     channel->resolution_units = attribute(property, "units").value();
   }
+}
+
+DrawnBy drawn_by(const pugi::xml_node& brush) {
+  DrawnBy made;
+  for (const pugi::xml_node& property : brush.children()) {
+    const std::string_view name = attribute(property, "name").value(),
+                           value = attribute(property, "value").value();
+    if (name == inkml_tool_property) made.tool = value;
+    if (name == inkml_eraser_property) made.eraser = value == "true";
+  }
+  return made;
 }
 
 std::string id_of(const pugi::xml_node& node) { return attribute(node, "id").value(); }
@@ -112,6 +123,24 @@ const InkmlFormat& InkmlFormats::of(const pugi::xml_node& node, std::string_view
     return plain_;
   }
   return found->second;
+}
+
+/// A context has the brush that it names, or that is in it.
+void InkmlBrushes::collect(const pugi::xml_node& node) {
+  for (const pugi::xml_node& one : node.children()) {
+    const std::string_view name = local_name(one.name());
+    if (name == "trace") continue;
+    collect(one);
+    if (name == "brush") brushes_[std::string("#") + attribute(one, "id").value()] = drawn_by(one);
+    if (name != "context") continue;
+    const pugi::xml_node own = child(one, "brush");
+    brushes_[InkmlFormats::reference_of(one)] = own ? drawn_by(own) : of(attribute(one, "brushRef").value());
+  }
+}
+
+DrawnBy InkmlBrushes::of(std::string_view reference) const {
+  const auto found = brushes_.find(reference);
+  return found == brushes_.end() ? DrawnBy{} : found->second;
 }
 
 }  // namespace burin

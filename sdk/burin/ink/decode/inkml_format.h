@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/ink/parse/xml.h>
+#include <burin/stroke/recording.h>
 
 #include <map>
 #include <optional>
@@ -12,6 +13,10 @@ namespace burin {
 /// An annotation of this type and content tells that strokes lie in space. The recommendation has no such
 /// strokes: its Z is the height of the pen above the paper.
 inline constexpr std::string_view inkml_space_annotation = "space", inkml_object_space = "object";
+
+/// Properties of brushes that write_inkml() gives to strokes whose tool is known; those of other programs
+/// tell of colours and widths only.
+inline constexpr std::string_view inkml_tool_property = "tool", inkml_eraser_property = "eraser";
 
 /// What InkML says of a channel.
 struct InkmlChannel {
@@ -53,6 +58,20 @@ class InkmlFormats {
   const XmlFile& file_;
   std::map<std::string, InkmlFormat, std::less<>> formats_;
   InkmlFormat plain_;
+};
+
+/// What the brushes of an InkML file tell of tools.
+class InkmlBrushes {
+ public:
+  explicit InkmlBrushes(const XmlFile& file) { collect(file.root()); }
+
+  /// Of the brush, or of that of the context, that a reference "#id" names; nothing is known of others.
+  DrawnBy of(std::string_view reference) const;
+
+ private:
+  void collect(const pugi::xml_node& node);
+
+  std::map<std::string, DrawnBy, std::less<>> brushes_;  ///< by "#id"
 };
 
 }  // namespace burin

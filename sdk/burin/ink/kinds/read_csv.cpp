@@ -57,6 +57,7 @@ struct Row {
   std::optional<double> azimuth, altitude;  ///< from +x towards +y, and above the plane, radians
   double stroke = 0;
   std::string_view stroke_name;  ///< where that is no number; empty else
+  std::string_view tool;         ///< quotes in it are doubled
 };
 
 void set(Row& row, CsvCell cell, double value) {
@@ -114,19 +115,24 @@ void set(Row& row, CsvCell cell, double value) {
       sample.barrel = value != 0;
       row.fields.barrel = true;
       break;
+    case CsvCell::tool:
     case CsvCell::unknown:
       break;
   }
 }
 
+bool is_absent(std::string_view cell) {
+  constexpr std::array<std::string_view, 6> words = {"", "nan", "NaN", "NA", "null", "None"};
+  return std::ranges::find(words, cell) != words.end();
+}
+
 /// The value of a cell, or nothing for an empty one and what tables have for one. Where a comma does not part
 /// cells, it may part the decimals of a number.
 std::optional<double> value_of(std::string_view cell) {
-  constexpr std::array<std::string_view, 6> absent = {"", "nan", "NaN", "NA", "null", "None"};
   std::string_view rest = cell;
   double value = 0;
   if (take_number(rest, value) && rest.empty()) return value;
-  if (std::ranges::find(absent, cell) != absent.end()) return std::nullopt;
+  if (is_absent(cell)) return std::nullopt;
   std::string word = in_lower_case(std::string(cell));
   if (word == "true" || word == "false") return word == "true" ? 1 : 0;
   std::ranges::replace(word, ',', '.');
@@ -149,6 +155,8 @@ Row row_of(std::string_view line, char separator, std::span<const CsvColumn> nam
     if (named[number].cell == CsvCell::unknown) continue;
     if (named[number].cell == CsvCell::stroke && !is_number(cell))
       row.stroke_name = cell;
+    else if (named[number].cell == CsvCell::tool)
+      row.tool = is_absent(cell) ? std::string_view() : cell;
     else if (const auto value = value_of(cell))
       set(row, named[number].cell, *value * named[number].scale);
   }
@@ -166,8 +174,18 @@ bool same_cells(PenFields a, const PenFields& b) {
   return a == b;
 }
 
-/// Makes strokes of rows: one for each run of one number, or one text, in the column `stroke` in which the
-/// pen touches.
+/// The text of a cell in which quotes are doubled.
+std::string unquoted(std::string_view cell) {
+  std::string text;
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    text += cell[i];
+    if (cell.substr(i).starts_with("\"\"")) ++i;
+  }
+  return text;
+}
+
+/// Makes strokes of rows: one for each run of one number, or one text, in the column `stroke` in which one
+/// tool touches with one end.
 class Rows {
  public:
   void take(const Row& row) {
@@ -176,16 +194,7 @@ class Rows {
       down_ = false;
       return;
     }
-    if (!down_ || row.stroke != stroke_ || row.stroke_name != stroke_name_ ||
-        content_.strokes.back().drawn_by.eraser != row.eraser) {
-      PenStroke& stroke = content_.strokes.emplace_back();
-      stroke.fields = row.fields;
-      stroke.has_z = row.has_z;
-      stroke.drawn_by.eraser = row.eraser;
-    }
-    down_ = true;
-    stroke_ = row.stroke;
-    stroke_name_ = row.stroke_name;
+    if (!goes_on(row)) begin(row);
     PenStroke& stroke = content_.strokes.back();
     stroke.fields.barrel |= row.fields.barrel;
     if (!same_cells(row.fields, stroke.fields))
@@ -195,10 +204,26 @@ class Rows {
   PenFile finish() { return std::move(content_); }
 
  private:
+  bool goes_on(const Row& row) const {
+    return down_ && row.stroke == stroke_ && row.stroke_name == stroke_name_ && row.tool == tool_ &&
+           row.eraser == content_.strokes.back().drawn_by.eraser;
+  }
+
+  void begin(const Row& row) {
+    PenStroke& stroke = content_.strokes.emplace_back();
+    stroke.fields = row.fields;
+    stroke.has_z = row.has_z;
+    stroke.drawn_by = {unquoted(row.tool), row.eraser};
+    down_ = true;
+    stroke_ = row.stroke;
+    stroke_name_ = row.stroke_name;
+    tool_ = row.tool;
+  }
+
   PenFile content_;
   bool down_ = false;
   double stroke_ = 0;
-  std::string stroke_name_;
+  std::string stroke_name_, tool_;  ///< as the open stroke's cells have them
 };
 
 /// Puts rows together whose cells have line ends in quotes.

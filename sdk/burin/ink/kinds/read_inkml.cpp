@@ -33,11 +33,25 @@ bool tells_of_space(const pugi::xml_node& ink) {
   });
 }
 
+/// What holds for the traces of a group, by references "#id".
+struct Around {
+  std::string context, brush;
+
+  void take(const pugi::xml_node& node) {
+    if (const pugi::xml_attribute own = attribute(node, "contextRef")) context = own.value();
+    if (const pugi::xml_attribute own = attribute(node, "brushRef")) brush = own.value();
+  }
+};
+
 /// Reads the traces of a file.
 class InkmlReader {
  public:
   explicit InkmlReader(const PenFileText& file)
-      : xml_(file), formats_(xml_), office_(from_office(file.text)), in_space_(tells_of_space(xml_.root())) {}
+      : xml_(file),
+        formats_(xml_),
+        brushes_(xml_),
+        office_(from_office(file.text)),
+        in_space_(tells_of_space(xml_.root())) {}
 
   PenFile read() {
     collect_defined(xml_.root());
@@ -49,16 +63,17 @@ class InkmlReader {
 
  private:
   void collect_defined(const pugi::xml_node& root);
-  void read_group(const pugi::xml_node& group, std::string context);
-  void read_element(const pugi::xml_node& node, const std::string& context);
-  void read_defined(const pugi::xml_node& view, const std::string& context);
-  void read_trace(const pugi::xml_node& trace, std::string_view context);
-  void read_points(const pugi::xml_node& trace, const InkmlChannels& channels, bool lifted);
+  void read_group(const pugi::xml_node& group, Around around);
+  void read_element(const pugi::xml_node& node, const Around& around);
+  void read_defined(const pugi::xml_node& view, const Around& around);
+  void read_trace(const pugi::xml_node& trace, Around around);
+  void read_points(const pugi::xml_node& trace, const InkmlChannels& channels, const DrawnBy& drawn_by);
   void add_points(const pugi::xml_node& trace, PenStroke stroke);
   void drop_tilt();
 
   XmlFile xml_;
   InkmlFormats formats_;
+  InkmlBrushes brushes_;
   bool office_, in_space_;
   bool heights_ = false;   ///< some trace has a Z that is no coordinate
   bool tilted_ = false;    ///< some point has a tilt other than 0
@@ -82,37 +97,37 @@ void InkmlReader::collect_defined(const pugi::xml_node& root) {
 
 /// Takes the traces of a group and of the groups in it. A context that stands between them holds for those
 /// that follow.
-void InkmlReader::read_group(const pugi::xml_node& group, std::string context) {
-  if (const pugi::xml_attribute own = attribute(group, "contextRef")) context = own.value();
+void InkmlReader::read_group(const pugi::xml_node& group, Around around) {
+  around.take(group);
   for (const pugi::xml_node& node : group.children()) {
-    if (local_name(node.name()) == "context") context = InkmlFormats::reference_of(node);
-    read_element(node, context);
+    if (local_name(node.name()) == "context") around.context = InkmlFormats::reference_of(node);
+    read_element(node, around);
   }
 }
 
-void InkmlReader::read_element(const pugi::xml_node& node, const std::string& context) {
+void InkmlReader::read_element(const pugi::xml_node& node, const Around& around) {
   const std::string_view name = local_name(node.name());
-  if (name == "traceGroup") read_group(node, context);
-  if (name == "trace") read_trace(node, context);
-  if (name == "traceView") read_defined(node, context);
+  if (name == "traceGroup") read_group(node, around);
+  if (name == "trace") read_trace(node, around);
+  if (name == "traceView") read_defined(node, around);
 }
 
 /// Takes what a view and the views in it refer to. What is no definition is taken where it stands.
-void InkmlReader::read_defined(const pugi::xml_node& view, const std::string& context) {
+void InkmlReader::read_defined(const pugi::xml_node& view, const Around& around) {
   if (const auto node = defined_.extract(attribute(view, "traceDataRef").value()))
-    read_element(node.mapped(), context);
+    read_element(node.mapped(), around);
   for (const pugi::xml_node& one : view.children())
-    if (local_name(one.name()) == "traceView") read_defined(one, context);
+    if (local_name(one.name()) == "traceView") read_defined(one, around);
 }
 
-void InkmlReader::read_trace(const pugi::xml_node& trace, std::string_view context) {
-  if (const pugi::xml_attribute own = attribute(trace, "contextRef")) context = own.value();
-  const InkmlChannels channels(formats_.of(trace, context), office_, in_space_);
+void InkmlReader::read_trace(const pugi::xml_node& trace, Around around) {
+  around.take(trace);
+  const InkmlChannels channels(formats_.of(trace, around.context), office_, in_space_);
   if (!channels.has_position()) xml_.reject(trace, "a format without X or Y");
   elevated_ |= channels.has_elevation();
   heights_ |= channels.has_height();
   try {
-    read_points(trace, channels, std::string_view(attribute(trace, "type").value()) == "penUp");
+    read_points(trace, channels, brushes_.of(around.brush.empty() ? around.context : around.brush));
   } catch (const FileError&) {
     throw;
   } catch (const Error& error) {
@@ -121,18 +136,21 @@ void InkmlReader::read_trace(const pugi::xml_node& trace, std::string_view conte
   if (channels.in_millimetres() && !content_.strokes.empty()) content_.unit = "mm";
 }
 
-/// `lifted`: the pen does not touch anywhere in the trace.
-void InkmlReader::read_points(const pugi::xml_node& trace, const InkmlChannels& channels, bool lifted) {
+void InkmlReader::read_points(const pugi::xml_node& trace, const InkmlChannels& channels,
+                              const DrawnBy& drawn_by) {
+  const bool lifted = std::string_view(attribute(trace, "type").value()) == "penUp";
   double offset = 0;  // milliseconds
   std::string_view said = attribute(trace, "timeOffset").value();
   take_number(said, offset);
   std::string joined;
   InkmlTrace points(text_of(trace, joined), channels.format().channels.size(), channels.format().regular);
-  PenStroke stroke = channels.empty_stroke();
+  PenStroke empty = channels.empty_stroke();
+  empty.drawn_by = drawn_by;
+  PenStroke stroke = empty;
   InkmlValues values, held(channels.format().channels.size());
   const auto finish_stroke = [&] {
     channels.drop_unknown(stroke, held);
-    add_points(trace, std::exchange(stroke, channels.empty_stroke()));
+    add_points(trace, std::exchange(stroke, empty));
   };
   while (points.next(values)) {
     channels.hold(values, held);
@@ -157,6 +175,7 @@ void InkmlReader::add_points(const pugi::xml_node& trace, PenStroke stroke) {
     return fields == stroke.fields;
   };
   const bool goes_on = (part == "middle" || part == "end") && before != stroke_of_.end() &&
+                       content_.strokes[before->second].drawn_by == stroke.drawn_by &&
                        has_fields_of(content_.strokes[before->second].fields);
   const std::size_t at = goes_on ? before->second : content_.strokes.size();
   if (goes_on)

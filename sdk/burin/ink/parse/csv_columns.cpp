@@ -31,7 +31,8 @@ constexpr std::array names = {
     Name{"contact", CsvCell::contact, ""}, Name{"pen_down", CsvCell::contact, ""},
     Name{"pendown", CsvCell::contact, ""}, Name{"stroke", CsvCell::stroke, ""},
     Name{"stroke_id", CsvCell::stroke, ""}, Name{"strokeid", CsvCell::stroke, ""},
-    Name{"eraser", CsvCell::eraser, ""}, Name{"barrel", CsvCell::barrel, ""},
+    Name{"eraser", CsvCell::eraser, ""}, Name{"barrel", CsvCell::barrel, ""}, Name{"tool", CsvCell::tool, ""},
+    Name{"pointertype", CsvCell::tool, ""},
     // Of Wacom's Universal Ink Library.
     Name{spline_x, CsvCell::x, "px"}, Name{"spline_y", CsvCell::y, "px"},
     Name{"sensor_timestamp", CsvCell::time, "ms"}, Name{"sensor_pressure", CsvCell::pressure, ""},

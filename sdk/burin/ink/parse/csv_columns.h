@@ -21,6 +21,7 @@ enum class CsvCell {
   stroke,
   eraser,
   barrel,
+  tool,
   unknown
 };
 
