@@ -18,7 +18,7 @@ class RecorderInC : public testing::Test {
     return burin_recorder_open(&options, &text_);
   }
   burin_status begin(burin_recorder* recorder, const char* settings, std::uint32_t fields) {
-    const burin_recorded_stroke stroke = {sizeof stroke, fields, settings};
+    const burin_recorded_stroke stroke = {sizeof stroke, fields, settings, tool_, 0, 0};
     return burin_recorder_begin(recorder, &stroke, &text_);
   }
 
@@ -26,6 +26,7 @@ class RecorderInC : public testing::Test {
   const std::string path_ = (folder_.path() / "a.stroke").string();
   std::string line_ = std::string(200, ' ');
   burin_text text_{sizeof text_, 200, line_.data()};
+  const char* tool_ = nullptr;
   burin_recorded_sample sample_{sizeof sample_, 0.5F, 1, {1, 2, 3}, 0, 0, 0, 0};
 };
 
@@ -42,7 +43,8 @@ TEST_F(RecorderInC, RecordsFromAProgramInC) {
   const RecordedStroke& stroke = recording.strokes[0];
   EXPECT_EQ(stroke.settings.complete().brush, "org.burin.groove");
   EXPECT_EQ(stroke.settings.complete().params.at("depth"), ParamSetting(0.25));
-  EXPECT_EQ(stroke.fields, (PenFields{true, true, true, true}));
+  EXPECT_EQ(stroke.fields, (PenFields{true, true, true, true, true}));
+  EXPECT_EQ(stroke.drawn_by, (DrawnBy{"pen", true}));
   ASSERT_EQ(stroke.samples.size(), 2u);
   EXPECT_EQ(stroke.samples[0].time, 1.25);
   EXPECT_EQ(stroke.samples[0].position, Vec3d(1, 2, 3));
@@ -50,7 +52,11 @@ TEST_F(RecorderInC, RecordsFromAProgramInC) {
   EXPECT_EQ(stroke.samples[0].pen.tilt_x, 0.1F);
   EXPECT_EQ(stroke.samples[0].pen.tilt_y, -0.2F);
   EXPECT_EQ(stroke.samples[0].pen.twist, 0.3F);
+  EXPECT_FALSE(stroke.samples[0].barrel);
+  EXPECT_TRUE(stroke.samples[1].barrel);
   EXPECT_EQ(recording.strokes[1].fields, PenFields());
+  EXPECT_FALSE(recording.strokes[1].samples.at(0).barrel) << "a mouse does not report it";
+  EXPECT_EQ(recording.strokes[1].drawn_by, DrawnBy());
 }
 
 TEST_F(RecorderInC, LosesNothingOfAProgramThatIsKilled) {
@@ -92,6 +98,10 @@ TEST_F(RecorderInC, RefusesWhatBreaksTheContract) {
   EXPECT_EQ(begin(recorder, R"({"brush": "a", "radius": -1})", 0), BURIN_INVALID_ARGUMENT);
   EXPECT_EQ(begin(recorder, "{", 0), BURIN_INVALID_ARGUMENT);
   EXPECT_EQ(begin(recorder, nullptr, 0), BURIN_INVALID_ARGUMENT);
+  tool_ = "\xff";
+  EXPECT_EQ(begin(recorder, groove, 0), BURIN_INVALID_ARGUMENT);
+  EXPECT_STREQ(line_.c_str(), "stroke file: a text is not valid UTF-8");
+  tool_ = "pen";
   EXPECT_EQ(begin(recorder, groove, 0), BURIN_OK) << line_;
   sample_.struct_size = 4;
   EXPECT_EQ(burin_recorder_add(recorder, &sample_, &text_), BURIN_INVALID_ARGUMENT);
@@ -112,15 +122,19 @@ TEST_F(RecorderInC, TakesStructsOfEveryVersion) {
     options.struct_size = first_options + more;
     burin_recorder* const recorder = burin_recorder_open(&options, &text_);
     ASSERT_TRUE(recorder) << line_;
-    const burin_recorded_stroke stroke = {first_stroke + more, BURIN_PEN_TWIST, groove};
+    const burin_recorded_stroke stroke = {first_stroke + more, BURIN_PEN_TWIST, groove, "pen", 1, 0};
     EXPECT_EQ(burin_recorder_begin(recorder, &stroke, &text_), BURIN_OK) << line_;
     sample_.struct_size = first_sample + more;
     sample_.twist = 0.25F;
+    sample_.barrel = 7;  // was reserved, and need not be 0
     EXPECT_EQ(burin_recorder_add(recorder, &sample_, &text_), BURIN_OK) << line_;
     sample_.struct_size = first_sample - 1;
     EXPECT_EQ(burin_recorder_add(recorder, &sample_, &text_), BURIN_INVALID_ARGUMENT);
     burin_recorder_close(recorder);
-    EXPECT_EQ(read_strokes(path_).strokes.at(0).samples.at(0).pen.twist, 0.25F);
+    const RecordedStroke read = read_strokes(path_).strokes.at(0);
+    EXPECT_EQ(read.samples.at(0).pen.twist, 0.25F);
+    EXPECT_FALSE(read.samples[0].barrel);
+    EXPECT_EQ(read.drawn_by, more == 0 ? DrawnBy() : (DrawnBy{"pen", true}));
   }
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 using test::error_of;
 
-constexpr PenFields tablet{.time = true, .pressure = true, .tilt = true};
+constexpr PenFields tablet{.time = true, .pressure = true, .tilt = true, .twist = false, .barrel = true};
 
 /// A brush with random numbers, so that the seed matters, and dynamics.
 GivenSettings bark() {
@@ -36,7 +36,7 @@ Camera camera() { return framing_camera({-1, -1, 0}, {1, 1, 0}, {0.2, 0.3, -1}, 
 /// Draws and records strokes as an application does. `at` makes of a position what the session takes.
 template <class At>
 void draw(Session& session, StrokeRecorder& recorder, const std::vector<Sample>& samples, const At& at) {
-  const ReplaySettings settings = recorder.begin(bark(), tablet);
+  const ReplaySettings settings = recorder.begin(bark(), tablet, {"pen", true});
   StrokePieces stroke(session, settings, settings.closure);
   for (const Sample& sample : samples) {
     recorder.add(sample);
@@ -58,11 +58,15 @@ TEST(StrokeRecorder, RecordsWhatReplaysToTheSameHash) {
   StrokeRecorder recorder(path, StrokeSpace::object, {}, "Intuos Pro M");
   std::vector<Sample> off = test::wave(60);
   for (std::size_t i = 20; i < 30; ++i) off[i].position.z() = 9;  // the pen leaves the surface
+  for (std::size_t i = 0; i < off.size(); i += 7) off[i].barrel = true;
   for (const auto& samples : {test::wave(), off, test::wave(15)})
     draw(session, recorder, samples, [](const Sample& sample) { return sample.position; });
   EXPECT_EQ(hash_of_replay(path), session.result_hash());
   EXPECT_EQ(read_strokes(path).device, "Intuos Pro M");
-  EXPECT_EQ(read_strokes(path).strokes.size(), 3u);
+  const Recording read = read_strokes(path);
+  ASSERT_EQ(read.strokes.size(), 3u);
+  EXPECT_EQ(read.strokes[1].drawn_by, (DrawnBy{"pen", true}));
+  for (std::size_t i = 0; i < off.size(); ++i) EXPECT_EQ(read.strokes[1].samples.at(i).barrel, i % 7 == 0);
 }
 
 TEST(StrokeRecorder, RecordsPixelsOfACamera) {

@@ -97,9 +97,11 @@ class Recordings(unittest.TestCase):
                     radius=0.25,
                     params={"depth": 0.5},
                     dynamics={"strength": ("pressure", [0, 0, 1, 1])},
-                    fields="pressure",
+                    fields="pressure barrel",
+                    tool="pen",
+                    eraser=True,
                 )
-                recorder.add(wave(), pressure=np.linspace(0, 1, 40))
+                recorder.add(wave(), pressure=np.linspace(0, 1, 40), barrel=np.arange(40) % 3 == 0)
                 recorder.end()
                 recorder.begin(brush="org.burin.text", radius=1, params={"text": "1884"}, closed=True)
                 recorder.end()
@@ -115,9 +117,11 @@ class Recordings(unittest.TestCase):
                 "dynamics": {"strength": ("pressure", [0, 0, 1, 1])},
             },
         )
-        self.assertEqual((first.fields, second.seed), (("pressure",), 1))
+        self.assertEqual((first.fields, second.seed), (("pressure", "barrel"), 1))
         np.testing.assert_array_equal(first.samples["position"], wave())
         np.testing.assert_array_equal(first.samples["pressure"], np.linspace(0, 1, 40, dtype=np.float32))
+        np.testing.assert_array_equal(first.samples["barrel"], np.arange(40) % 3 == 0)
+        self.assertEqual((first.tool, first.eraser, second.tool, second.eraser), ("pen", True, "", False))
         self.assertFalse(first.samples.flags.writeable)
         self.assertEqual(second.settings["params"], {"text": "1884"})
 

@@ -17,7 +17,7 @@ Curve = Sequence[float]
 Setting = Union[Value, Mapping[str, Value], Mapping[str, tuple[str, Curve]], None]
 """What a keyword argument of Session.begin() may be; None: not given."""
 
-PEN_FIELDS = {"time": 1, "pressure": 2, "tilt": 4, "twist": 8}
+PEN_FIELDS = {"time": 1, "pressure": 2, "tilt": 4, "twist": 8, "barrel": 16}
 
 
 def fields_of(names: str | Iterable[str]) -> int:

@@ -205,7 +205,7 @@ class Sample(Sized):
         ("tilt_x", c_float),
         ("tilt_y", c_float),
         ("twist", c_float),
-        ("reserved", c_uint32),
+        ("barrel", c_uint32),
     ]
 
 
@@ -271,6 +271,9 @@ class RecordingStroke(Sized):
         ("seed", c_uint64),
         ("samples", c_void_p),
         ("sample_count", c_uint64),
+        ("tool", c_char_p),
+        ("eraser", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -309,7 +312,14 @@ class RecorderOptions(Sized):
 
 
 class RecordedStroke(Sized):
-    _fields_ = [("struct_size", c_uint32), ("fields", c_uint32), ("settings", c_char_p)]
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("fields", c_uint32),
+        ("settings", c_char_p),
+        ("tool", c_char_p),
+        ("eraser", c_uint32),
+        ("reserved", c_uint32),
+    ]
 
 
 class RecordedSample(Sized):
@@ -321,5 +331,5 @@ class RecordedSample(Sized):
         ("tilt_x", c_float),
         ("tilt_y", c_float),
         ("twist", c_float),
-        ("reserved", c_uint32),
+        ("barrel", c_uint32),
     ]

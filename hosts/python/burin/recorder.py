@@ -82,15 +82,20 @@ class Recorder:
             raise Error(str(error))
         self._finalizer = weakref.finalize(self, _c.lib.burin_recorder_close, self._pointer)
 
-    def begin(self, *, fields: str | Iterable[str] = (), **settings: Setting) -> None:
-        """Begins a stroke. Settings are those of docs/stroke_format.md, as Session.begin() takes them."""
-        _c.call("burin_recorder_begin", self._pointer, _c.RecordedStroke(fields_of(fields), _json(settings).encode()))
+    def begin(
+        self, *, fields: str | Iterable[str] = (), tool: str = "", eraser: bool = False, **settings: Setting
+    ) -> None:
+        """Begins a stroke. Settings are those of docs/stroke_format.md, as Session.begin() takes them. tool: what draws it,
+        "pen", "touch", "mouse" or the like; eraser: it is the pen's eraser, or an eraser tool."""
+        stroke = _c.RecordedStroke(fields_of(fields), _json(settings).encode(), tool.encode(), eraser)
+        _c.call("burin_recorder_begin", self._pointer, stroke)
 
     def add(self, position: Any, **pen: ArrayLike) -> None:
         """Adds samples, as Session.add() takes them, without rays."""
         given = position if getattr(position, "dtype", None) == SAMPLE else samples(position, **pen)
         for one in np.atleast_1d(given):
-            sample = _c.RecordedSample(one["pressure"], one["time"], tuple(one["position"]), *one["tilt"], one["twist"])
+            place = tuple(one["position"])
+            sample = _c.RecordedSample(one["pressure"], one["time"], place, *one["tilt"], one["twist"], one["barrel"])
             _c.call("burin_recorder_add", self._pointer, sample)
 
     def end(self) -> None:

@@ -25,10 +25,14 @@ class RecordedStroke:
     settings: dict[str, Any]
     """What was recorded, as keyword arguments of Session.begin(); values of params are texts."""
     fields: tuple[str, ...]
-    """What the pen reported, of "time", "pressure", "tilt", "twist"."""
+    """What the pen reported, of "time", "pressure", "tilt", "twist", "barrel"."""
     seed: int
     samples: NDArray[np.void]
     """Of type SAMPLE; of a recording on a screen the rays through the camera. A read-only view."""
+    tool: str = ""
+    """What drew it, "pen", "touch", "mouse" or the like; "" if unknown."""
+    eraser: bool = False
+    """Whether it was the pen's eraser, or an eraser tool."""
 
     def settings_with(self, given: dict[str, Any]) -> dict[str, Any]:
         """The recorded settings, of which those that are given take the place: of parameters name by name, of dynamics target
@@ -99,6 +103,8 @@ def read_recording(path: str | os.PathLike[str]) -> Recording:
                 tuple(name for name, bit in PEN_FIELDS.items() if stroke.fields & bit),
                 stroke.seed,
                 view(stroke.samples, (stroke.sample_count,), kind=SAMPLE, owner=file),
+                stroke.tool.decode(),
+                bool(stroke.eraser),
             )
         )
     return Recording(_c.lib.burin_recording_device(file.pointer).decode(), tuple(strokes))

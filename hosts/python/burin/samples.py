@@ -16,13 +16,14 @@ SAMPLE = np.dtype(
         ("direction", "<f8", 3),
         ("tilt", "<f4", 2),
         ("twist", "<f4"),
-        ("reserved", "<u4"),
+        ("barrel", "<u4"),
     ]
 )
 """A sample of the pen, the bytes of burin_sample; samples() fills it.
 
 pressure 0..1; time in seconds, not falling; position in object units, near the surface or where the sample's ray starts;
-direction of the ray, zeros: none; tilt in radians from upright, towards +x and +y; twist in radians."""
+direction of the ray, zeros: none; tilt in radians from upright, towards +x and +y; twist in radians;
+barrel 1 while a button at the pen's side is held, which a Recorder keeps and a Session does not use."""
 
 
 def samples(
@@ -33,6 +34,7 @@ def samples(
     pressure: ArrayLike | None = None,
     tilt: ArrayLike | None = None,
     twist: ArrayLike | None = None,
+    barrel: ArrayLike | None = None,
 ) -> NDArray[np.void]:
     """Samples of the pen, an array of shape (n,) and type SAMPLE.
 
@@ -52,6 +54,7 @@ def samples(
         ("pressure", pressure),
         ("tilt", tilt),
         ("twist", twist),
+        ("barrel", barrel),
     ):
         if values is not None:
             made[name] = values

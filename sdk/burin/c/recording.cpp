@@ -18,6 +18,7 @@ struct Stroke {
   std::vector<const char*> settings;  ///< ended by a null pointer
   std::uint32_t fields;
   std::vector<burin_sample> samples;
+  DrawnBy drawn_by;
 };
 
 burin_sample sample_of(const Sample& from, const Recording& recording) {
@@ -36,7 +37,7 @@ burin_sample sample_of(const Sample& from, const Recording& recording) {
 }
 
 Stroke stroke_of(const RecordedStroke& from, const Recording& recording) {
-  Stroke stroke{setting_texts(from.settings), {}, bits_of(from.fields), {}};
+  Stroke stroke{setting_texts(from.settings), {}, bits_of(from.fields), {}, from.drawn_by};
   for (const std::string& text : stroke.texts) stroke.settings.push_back(text.c_str());
   stroke.settings.push_back(nullptr);
   for (const Sample& sample : from.samples) stroke.samples.push_back(sample_of(sample, recording));
@@ -88,7 +89,10 @@ burin_status burin_recording_get_stroke(const burin_recording* recording, uint64
                                        .settings = from.settings.data(),
                                        .seed = index,
                                        .samples = from.samples.data(),
-                                       .sample_count = from.samples.size()};
+                                       .sample_count = from.samples.size(),
+                                       .tool = from.drawn_by.tool.c_str(),
+                                       .eraser = from.drawn_by.eraser ? 1U : 0U,
+                                       .reserved = 0};
     c::give(known, stroke, stroke && BURIN_HAS(stroke, burin_recording_stroke, sample_count), "stroke");
   });
 }

@@ -44,7 +44,7 @@ RecordedStroke stroke_of(const burin_session& session, const burin_sample* sampl
   stroke.fields = fields;
   read_samples(samples, count, [&](const burin_sample& from, std::uint64_t i) {
     Sample sample;
-    read_pen(from, fields, sample.time, sample.pen);
+    read_pen(from, fields, sample);
     sample.position = Eigen::Map<const Vec3d>(from.position);
     const Vec3d direction = Eigen::Map<const Vec3d>(from.direction);
     if (!sample.position.allFinite() || !direction.allFinite()) reject("a sample is not finite");

@@ -67,7 +67,7 @@ GivenSettings settings_of(const char* text) {
 Sample sample_of(const burin_recorded_sample& given, const PenFields& fields) {
   Sample sample;
   sample.position = Vec3d(given.position[0], given.position[1], given.position[2]);
-  c::read_pen(given, fields, sample.time, sample.pen);
+  c::read_pen(given, fields, sample);
   return sample;
 }
 
@@ -100,7 +100,7 @@ burin_status burin_recorder_begin(burin_recorder* recorder, const burin_recorded
     if (!settings.find(&StrokeSettings::brush) || !settings.find(&StrokeSettings::radius))
       reject("settings lack brush or radius");
     const PenFields fields = fields_of(known.fields);
-    recorder->recorder.begin(settings, fields);
+    recorder->recorder.begin(settings, fields, {known.tool ? known.tool : "", known.eraser != 0});
     recorder->fields = fields;
   });
 }
@@ -111,7 +111,7 @@ burin_status burin_recorder_add(burin_recorder* recorder, const burin_recorded_s
   return called(error, [&] {
     check_recorder(recorder);
     const burin_recorded_sample known =
-        known_members(sample, sample && BURIN_HAS(sample, burin_recorded_sample, reserved), "the sample");
+        known_members(sample, sample && BURIN_HAS(sample, burin_recorded_sample, barrel), "the sample");
     recorder->recorder.add(sample_of(known, recorder->fields));
   });
 }

@@ -35,7 +35,14 @@ enum {
 };
 
 /* What a pen reports beside its position. */
-enum { BURIN_PEN_TIME = 1, BURIN_PEN_PRESSURE = 2, BURIN_PEN_TILT = 4, BURIN_PEN_TWIST = 8 };
+enum {
+  BURIN_PEN_TIME = 1,
+  BURIN_PEN_PRESSURE = 2,
+  BURIN_PEN_TILT = 4,
+  BURIN_PEN_TWIST = 8,
+  BURIN_PEN_BARREL =
+      16 /* whether a button at its side is held, which recordings keep and strokes do not use */
+};
 
 typedef struct burin_recorder burin_recorder;
 
@@ -60,6 +67,9 @@ typedef struct burin_recorded_stroke {
   uint32_t fields;      /* BURIN_PEN_* that the pen reports */
   const char* settings; /* a JSON object of the settings of "begin" in docs/stroke_format.md, among them brush
                            and radius: {"brush": "org.burin.groove", "radius": 0.05} */
+  const char* tool;     /* "pen", "touch", "mouse" or the like, UTF-8; may be null: unknown */
+  uint32_t eraser;      /* 1: drawn with the pen's eraser, or an eraser tool; 0: not */
+  uint32_t reserved;
 } burin_recorded_stroke;
 
 /* What the pen does not report is not read. */
@@ -70,7 +80,7 @@ typedef struct burin_recorded_sample {
   double position[3];   /* of the space */
   float tilt_x, tilt_y; /* radians from upright, towards +x and +y */
   float twist;          /* radians */
-  uint32_t reserved;
+  uint32_t barrel;      /* 1: a button at the pen's side is held; 0: none is */
 } burin_recorded_sample;
 
 /* Creates a recording. Returns null and writes a text on failure. */

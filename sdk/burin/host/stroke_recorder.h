@@ -36,9 +36,9 @@ class StrokeRecorder {
 
   /// Begins a stroke. `settings` need brush and radius. Returns what replay() will draw it with, seed and
   /// pen fields included; settings that recordings do not keep (docs/stroke_format.md) have their defaults
-  /// in it. Throws ContractError within a stroke and for values out of range, Error if brush or radius lack;
-  /// nothing is written then.
-  ReplaySettings begin(const GivenSettings& settings, const PenFields& fields);
+  /// in it. Throws ContractError within a stroke, for values out of range and for a tool whose name is not
+  /// UTF-8, Error if brush or radius lack; nothing is written then.
+  ReplaySettings begin(const GivenSettings& settings, const PenFields& fields, DrawnBy drawn_by = {});
 
   /// Adds a sample of the open stroke, whether or not it hits the surface. Throws ContractError, without
   /// writing, for values that are not finite, pressure outside 0..1, and time that falls.

@@ -56,13 +56,15 @@ Recording seen_on_a_screen() {
     stroke.settings[&StrokeSettings::brush] = number ? "org.burin.bead" : "org.burin.bark";
     stroke.settings[&StrokeSettings::radius] = 0.17;
     stroke.settings[&StrokeSettings::dynamics] = {{"strength", PenSource::pressure, {0, 0, 1, 1.5}}};
-    stroke.fields = {.time = true, .pressure = true};
+    stroke.fields = {.time = true, .pressure = true, .tilt = false, .twist = false, .barrel = number == 0};
+    if (number == 0) stroke.drawn_by = {"pen", true};
     for (int i = 0; i < 30; ++i) {
       Sample sample;
       // Stamps of packets, which are repaired.
       sample.time = 0.02 * (i / 3);
       sample.position = Vec3d(200 + 13 * i, 300 + 40 * number + 3 * i, 0);
       sample.pen.pressure = static_cast<float>(i) / 30;
+      sample.barrel = number == 0 && i == 7;
       stroke.samples.push_back(sample);
     }
     recording.strokes.push_back(stroke);
@@ -93,7 +95,12 @@ TEST(CRecordings, DrawnStrokeByStrokeHaveTheBitsOfAReplay) {
   CSession session(mesh);
   for (std::uint64_t i = 0; i < 2; ++i) {
     const burin_recording_stroke from = recording.stroke(i);
-    EXPECT_EQ(from.fields, static_cast<std::uint32_t>(BURIN_PEN_TIME | BURIN_PEN_PRESSURE));
+    EXPECT_EQ(from.fields, static_cast<std::uint32_t>(BURIN_PEN_TIME | BURIN_PEN_PRESSURE |
+                                                      (i == 0 ? BURIN_PEN_BARREL : 0)));
+    for (std::uint64_t k = 0; k < from.sample_count; ++k)
+      EXPECT_EQ(from.samples[k].barrel, i == 0 && k == 7 ? 1U : 0U);
+    EXPECT_STREQ(from.tool, i == 0 ? "pen" : "");
+    EXPECT_EQ(from.eraser, i == 0 ? 1U : 0U);
     auto stroke = sized<burin_stroke>();
     stroke.fields = from.fields;
     stroke.settings = from.settings;

@@ -40,7 +40,7 @@ extern "C" {
 /* Functions and structs are added with a new minor version, never changed: a program that was built with this
  * header runs with every later library of the same major version, which is that of libburin.so.0. */
 #define BURIN_C_MAJOR 0u
-#define BURIN_C_MINOR 5u
+#define BURIN_C_MINOR 6u
 
 /* What a library is. */
 typedef struct burin_version_info {
@@ -295,7 +295,7 @@ typedef struct burin_sample {
   double direction[3];  /* zero: none; else the sample is the first place of the surface along this ray */
   float tilt_x, tilt_y; /* radians from upright, towards +x and +y */
   float twist;          /* radians */
-  uint32_t reserved;
+  uint32_t barrel;      /* 1: a button at the pen's side is held, as a recording told; not used */
 } burin_sample;
 
 /* How a stroke is drawn. */
@@ -619,6 +619,9 @@ typedef struct burin_recording_stroke {
   uint64_t seed;
   const burin_sample* samples; /* of a recording on a screen the rays through the camera */
   uint64_t sample_count;
+  const char* tool; /* "pen", "touch", "mouse" or the like; "" if unknown */
+  uint32_t eraser;  /* 1: drawn with the pen's eraser, or an eraser tool; else 0 */
+  uint32_t reserved;
 } burin_recording_stroke;
 
 /* Reads a recording, docs/stroke_format.md. Fails for one that was cut off. [any thread, concurrent] */

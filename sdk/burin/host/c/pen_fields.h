@@ -12,7 +12,8 @@ inline PenFields fields_of(std::uint32_t fields) {
   return {.time = (fields & BURIN_PEN_TIME) != 0,
           .pressure = (fields & BURIN_PEN_PRESSURE) != 0,
           .tilt = (fields & BURIN_PEN_TILT) != 0,
-          .twist = (fields & BURIN_PEN_TWIST) != 0};
+          .twist = (fields & BURIN_PEN_TWIST) != 0,
+          .barrel = (fields & BURIN_PEN_BARREL) != 0};
 }
 
 /// Passes samples on, completed, and their numbers: they lie one after the other, each of the size that it
@@ -22,7 +23,7 @@ void read_samples(const burin_sample* samples, std::uint64_t count, const Take& 
   const char* at = reinterpret_cast<const char*>(samples);
   for (std::uint64_t i = 0; i < count; ++i) {
     const auto* next = reinterpret_cast<const burin_sample*>(at);
-    take(known_members(next, BURIN_HAS(next, burin_sample, reserved), "a sample"), i);
+    take(known_members(next, BURIN_HAS(next, burin_sample, barrel), "a sample"), i);
     at += next->struct_size;
   }
 }
@@ -34,22 +35,24 @@ inline std::uint32_t bits_of(const PenFields& fields) {
   if (fields.pressure) bits |= BURIN_PEN_PRESSURE;
   if (fields.tilt) bits |= BURIN_PEN_TILT;
   if (fields.twist) bits |= BURIN_PEN_TWIST;
+  if (fields.barrel) bits |= BURIN_PEN_BARREL;
   return bits;
 }
 
-/// The time and pen of a sample, a struct of C: those fields alone that the pen reports.
+/// What a struct of C has of a sample beside its position: those fields alone that the pen reports.
 template <class Given>
-void read_pen(const Given& given, const PenFields& fields, double& time, Pen& pen) {
-  if (fields.time) time = given.time;
-  if (fields.pressure) pen.pressure = given.pressure;
+void read_pen(const Given& given, const PenFields& fields, Sample& sample) {
+  if (fields.time) sample.time = given.time;
+  if (fields.pressure) sample.pen.pressure = given.pressure;
   if (fields.tilt) {
-    pen.tilt_x = given.tilt_x;
-    pen.tilt_y = given.tilt_y;
+    sample.pen.tilt_x = given.tilt_x;
+    sample.pen.tilt_y = given.tilt_y;
   }
-  if (fields.twist) pen.twist = given.twist;
+  if (fields.twist) sample.pen.twist = given.twist;
+  if (fields.barrel) sample.barrel = given.barrel != 0;
 }
 
-/// Gives the time and pen of a sample to a struct of C.
+/// Gives what a sample has beside its position to a struct of C.
 template <class Given>
 void write_pen(const Sample& from, Given& into) {
   into.time = from.time;
@@ -57,6 +60,7 @@ void write_pen(const Sample& from, Given& into) {
   into.tilt_x = from.pen.tilt_x;
   into.tilt_y = from.pen.tilt_y;
   into.twist = from.pen.twist;
+  into.barrel = from.barrel ? 1 : 0;
 }
 
 }  // namespace burin::c

@@ -60,7 +60,7 @@ std::vector<PenSample> PenInput::read(const burin_sample* given, std::uint64_t c
   read_samples(given, count, [&](const burin_sample& known, std::uint64_t i) {
     samples[i].sample.position = Vec3d(known.position[0], known.position[1], known.position[2]);
     samples[i].direction = Vec3d(known.direction[0], known.direction[1], known.direction[2]);
-    read_pen(known, fields_, samples[i].sample.time, samples[i].sample.pen);
+    read_pen(known, fields_, samples[i].sample);
     const double time = samples[i].sample.time;
     check(samples[i], i, i > 0 ? samples[i - 1].sample.time : last_time_.value_or(time));
   });
