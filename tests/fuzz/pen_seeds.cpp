@@ -62,6 +62,16 @@ std::string isf() {
              28);
 }
 
+/// Three points with a status and two buttons each.
+std::string isf_buttons() {
+  constexpr char size = 27;
+  return std::string(1, '\0') + size +
+         std::string(
+             "\x05\x05\x35\x06\x02\x53\x55\x0a\x12\x03\x08\x00\x01\x02\x08\x00\x01\x02\x08\x00\x02\x00\x74"
+             "\x00\x00\x00\x00",
+             27);
+}
+
 std::string remarkable_5() {
   Bytes bytes;
   bytes.add_text("reMarkable .lines file, version=5          ").add(2U).add(0U).add(1U);
@@ -148,6 +158,7 @@ std::vector<PenSeed> all_seeds() {
       {"will", will()},
       {"tilt", tilt()},
       {"isf", isf()},
+      {"isf", isf_buttons()},
       {"remarkable", remarkable_5()},
       {"remarkable", remarkable_6()},
       {"remarkable", remarkable_6() + remarkable_text()},
@@ -161,6 +172,10 @@ std::vector<PenSeed> all_seeds() {
        R"(<channel name="X" type="integer"/><channel name="Y" type="integer"/><channel name="F" max="255"/>)"
        R"(</traceFormat></context></definitions><trace contextRef="#c">32 635 27,'34'0'10,"0"0"2,-2 0-1</trace>)"
        R"(</ink>)"},
+      {"inkml",
+       R"(<ink><definitions><brush xml:id="b"><brushProperty name="tool" value="p&#233;n"/><brushProperty )"
+       R"(name="eraser" value="true"/></brush><context xml:id="c" brushRef="#b"/></definitions>)"
+       R"(<traceGroup brushRef="#b"><trace contextRef="#c">1 2,3 4</trace></traceGroup></ink>)"},
       {"xournal",
        R"(<xournal><page width="9" height="9"><layer><stroke tool="pen" width="1 2">1 2 3 4</stroke>)"
        R"(<timestamp ts="1" fn="a"/><text x="1" y="2">a</text><image left="1">QQ==</image></layer></page></xournal>)"},
@@ -216,6 +231,7 @@ std::vector<PenSeed> all_seeds() {
        R"(f(stroke=[{"name":'it\'s', "location":(0.1, 0.2, 0.3), "mouse":(10, 20), "pressure":0.5, "size":25,)"
        R"("pen_flip":False, "time":1.5, "is_start":True}, {'location':(0, 1, 2), "x_tilt": 0.5, 'y_tilt': 0,}]))"},
       {"csv", "idx,SPLINE_X,SPLINE_Y,SENSOR_TIMESTAMP,note\n0,1,2,3,\"a\nb\"\"\"\n1,5,6,7,\n"},
+      {"csv", "stroke,x,y,tool\n1,1,2,\"a \"\"b\"\"\"\n1,3,4,pen\n"},
       {"csv", "stroke,x,y,barrel,eraser,note\n1,1,2,1,0,\"a\"\n2,3,4,0,1,\"b\nc\"\n"},
       {"csv", "stroke,x,y,time,pressure\n1,1,2,0,0.5\n2,3,4,8,1\n"},
   };

@@ -45,6 +45,45 @@ TEST(ReadIsf, HasTheSameInEachWrapping) {
   EXPECT_EQ(PenFileFolder().read("base64:AAcKBQEICggU").strokes.size(), 1u);
 }
 
+/// A stroke of three points 0 0, 1 1, 2 2 whose descriptor is this, and what follows its x and y.
+std::string three_points(const std::string& guids, const std::string& descriptor, const std::string& behind) {
+  constexpr char guid_table = 1, descriptor_block = 5, stroke = 10;
+  Bytes bytes;
+  if (!guids.empty()) bytes.add(guid_table).add_text(with_length(guids));
+  bytes.add(descriptor_block).add_text(with_length(descriptor));
+  bytes.add(stroke).add_text(with_length(std::string("\3\x08\0\1\2\x08\0\1\2", 9) + behind));
+  return stream_of(bytes.text());
+}
+
+TEST(ReadIsf, TellsOfTheButtonAtThePensSide) {
+  // The tags of the buttons: of the tip, 83, and of the pen's side, 85 or what the table of GUIDs gives.
+  const std::string barrel = "\x28\x03\x72\xf0\x3b\x66\x8f\x41\x85\xa6\x95\x31\xae\x3e\xcd\xfa";
+  const std::string others(16, 'x');
+  for (const auto& [guids, tags] :
+       std::vector<std::pair<std::string, std::string>>{{"", "\x53\x55"}, {others + barrel, "\x53\x65"}}) {
+    // Two bits a point, of which the second is the tip: 01, 11, 01.
+    const PenFile file = PenFileFolder().read(three_points(guids, "\6\2" + tags, "\x74"));
+    ASSERT_EQ(file.strokes.size(), 1u);
+    EXPECT_EQ(file.strokes[0].fields, PenFields{.barrel = true});
+    EXPECT_FALSE(file.strokes[0].samples.at(0).barrel);
+    EXPECT_TRUE(file.strokes[0].samples.at(1).barrel);
+    EXPECT_FALSE(file.strokes[0].samples.at(2).barrel);
+  }
+  const PenFile without = PenFileFolder().read(three_points("", "\6\1\x53", "\xe0"));
+  EXPECT_FALSE(without.strokes.at(0).fields.barrel) << "of the tip only";
+  const PenFile absent = PenFileFolder().read(three_points("", "\6\1\x55", ""));
+  EXPECT_FALSE(absent.strokes.at(0).fields.barrel) << "told, but not there";
+  EXPECT_EQ(PenFileFolder().complaint(three_points("", "\6\7\x55", "")).substr(0, 5), "byte ");
+}
+
+TEST(ReadIsf, TellsTheEraserOfAPenThatIsInverted) {
+  for (const char status : {'\0', '\1', '\2', '\3'}) {
+    const PenFile file =
+        PenFileFolder().read(three_points("", "\x35", std::string("\x08\0", 2) + status + '\0'));
+    EXPECT_EQ(file.strokes.at(0).drawn_by.eraser, status >= 2) << int{status};
+  }
+}
+
 TEST(ReadIsf, NamesTheByteOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(stream_of("\x0a" + with_length("\xff\xff\xff\xff\x07"))),

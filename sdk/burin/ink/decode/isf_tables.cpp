@@ -5,11 +5,13 @@
 #include <burin/math/elementary.h>
 
 #include <numbers>
+#include <string_view>
 
 namespace burin {
 namespace {
 
 enum Tag : std::uint64_t {
+  guid_table = 1,
   descriptor_table = 4,
   descriptor_block = 5,
   transform_table = 15,
@@ -23,11 +25,32 @@ enum Tag : std::uint64_t {
   metric_block = 25
 };
 
-IsfDescriptor read_descriptor(ByteReader content) {
+/// Of the button at the pen's side, f0720328-663b-418f-85a6-9531ae3ecdfa, as the file has it.
+constexpr std::string_view barrel_guid = "\x28\x03\x72\xf0\x3b\x66\x8f\x41\x85\xa6\x95\x31\xae\x3e\xcd\xfa";
+
+/// The tag that a table of GUIDs gives to the button at the pen's side.
+std::optional<std::uint64_t> barrel_in(ByteReader guids) {
+  constexpr std::uint64_t first_tag = 100;
+  for (std::uint64_t tag = first_tag; guids.left() >= barrel_guid.size(); ++tag)
+    if (guids.take_bytes(barrel_guid.size()) == barrel_guid) return tag;
+  return std::nullopt;
+}
+
+/// Reads how many buttons there are, and the tag of each.
+void read_buttons(ByteReader& content, const IsfTables& tables, IsfDescriptor& descriptor) {
+  constexpr std::uint64_t usual_barrel_tag = 85;
+  descriptor.buttons = content.count(content.varint(), 1);
+  for (std::size_t i = 0; i < descriptor.buttons; ++i)
+    if (const std::uint64_t tag = content.varint(); tag == usual_barrel_tag || tag == tables.barrel_tag)
+      descriptor.barrel = i;
+}
+
+IsfDescriptor read_descriptor(ByteReader content, const IsfTables& tables) {
   constexpr std::uint64_t buttons = 6, no_x = 7, no_y = 8, stroke_properties = 11;
   IsfDescriptor descriptor;
   while (!content.empty()) {
     const std::uint64_t tag = content.varint();
+    if (tag == buttons) read_buttons(content, tables, descriptor);
     if (tag == buttons || tag == stroke_properties) break;
     if (tag == no_x)
       descriptor.x = false;
@@ -86,14 +109,15 @@ bool read_isf_table(std::uint64_t tag, ByteReader& stream, IsfTables& tables) {
     tables.transforms.push_back(read_transform(tag, stream));
     return true;
   }
-  if (tag != Tag::descriptor_table && tag != Tag::descriptor_block && tag != Tag::transform_table &&
-      tag != Tag::metric_table && tag != Tag::metric_block)
+  if (tag != Tag::guid_table && tag != Tag::descriptor_table && tag != Tag::descriptor_block &&
+      tag != Tag::transform_table && tag != Tag::metric_table && tag != Tag::metric_block)
     return false;
   ByteReader content = stream.part(stream.varint());
-  if (tag == Tag::descriptor_block) tables.descriptors.push_back(read_descriptor(content));
+  if (tag == Tag::guid_table) tables.barrel_tag = barrel_in(content);
+  if (tag == Tag::descriptor_block) tables.descriptors.push_back(read_descriptor(content, tables));
   if (tag == Tag::metric_block) tables.metrics.push_back(read_metrics(content));
   while (tag == Tag::descriptor_table && !content.empty())
-    tables.descriptors.push_back(read_descriptor(content.part(content.varint())));
+    tables.descriptors.push_back(read_descriptor(content.part(content.varint()), tables));
   while (tag == Tag::metric_table && !content.empty())
     tables.metrics.push_back(read_metrics(content.part(content.varint())));
   while (tag == Tag::transform_table && !content.empty()) {

@@ -11,6 +11,7 @@ namespace burin {
 
 /// Property tags of packets that are read.
 enum IsfProperty : std::uint64_t {
+  isf_packet_status = 53,
   isf_pressure = 56,
   isf_tilt_x = 59,
   isf_tilt_y = 60,
@@ -22,6 +23,8 @@ enum IsfProperty : std::uint64_t {
 struct IsfDescriptor {
   bool x = true, y = true;
   std::vector<std::uint64_t> properties;  ///< behind x and y
+  std::size_t buttons = 0;                ///< bits for each packet behind its properties
+  std::optional<std::size_t> barrel;      ///< which of the buttons is the one at the pen's side, from 0
 };
 
 /// Range and unit of a property.
@@ -33,6 +36,7 @@ struct IsfMetric {
 
 /// The tables of a stream, from which strokes choose by their index.
 struct IsfTables {
+  std::optional<std::uint64_t> barrel_tag;  ///< of the button at the pen's side, if the file gives it one
   std::vector<IsfDescriptor> descriptors;
   std::vector<Eigen::Affine2d> transforms;
   std::vector<std::map<std::uint64_t, IsfMetric>> metrics;

@@ -10,6 +10,7 @@
 #include <burin/ink/pen_file.h>
 #include <burin/math/degree.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -91,6 +92,30 @@ void set_tilts(const Columns& columns, const Metrics& metrics, PenStroke& stroke
          [](Pen& pen, double azimuth, double altitude) { set_tilt(pen, azimuth, altitude); });
 }
 
+/// A status tells whether the pen is inverted, so that its eraser touches.
+void set_eraser(const Columns& columns, PenStroke& stroke) {
+  constexpr std::int64_t inverted = 2;
+  const auto found = columns.find(isf_packet_status);
+  stroke.drawn_by.eraser =
+      found != columns.end() &&
+      std::ranges::any_of(found->second, [](std::int64_t status) { return (status & inverted) != 0; });
+}
+
+/// Buttons lie behind all arrays, as many bits for each packet: from the most significant bit of each byte
+/// on, the last button first. How more than eight are packed is not known.
+void set_barrels(const IsfDescriptor& descriptor, ByteReader& content, PenStroke& stroke) {
+  constexpr std::size_t byte = 8;
+  if (!descriptor.barrel || descriptor.buttons > byte || content.empty()) return;
+  const std::size_t count = descriptor.buttons * stroke.samples.size();
+  const std::string_view bits = content.take_bytes((count + byte - 1) / byte);
+  stroke.fields.barrel = true;
+  for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
+    const std::size_t at = (i + 1) * descriptor.buttons - 1 - *descriptor.barrel;
+    stroke.samples[i].barrel =
+        (static_cast<unsigned char>(bits[at / byte]) >> (byte - 1 - at % byte) & 1) != 0;
+  }
+}
+
 PenStroke read_stroke(ByteReader content, const IsfTables& tables, Chosen& chosen) {
   constexpr std::uint64_t x_property = 50, y_property = 51;
   const IsfDescriptor descriptor = item_or_default(tables.descriptors, chosen.descriptor, IsfDescriptor{});
@@ -117,6 +142,8 @@ PenStroke read_stroke(ByteReader content, const IsfTables& tables, Chosen& chose
   }
   set_pressures(columns, metrics, made);
   set_tilts(columns, metrics, made);
+  set_eraser(columns, made);
+  set_barrels(descriptor, content, made);
   return made;
 }
 
