@@ -4,5 +4,6 @@
 /// that add options include it.
 namespace CLI {
 class App;
+class Option;
 class Validator;
 }  // namespace CLI

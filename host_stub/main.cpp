@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <string>
+#include <string_view>
 
 #include "command.h"
 #include "man_page.h"
@@ -20,6 +22,18 @@ int fail(int code, const char* what) {
   return code;
 }
 
+/// What CLI11 found wrong. Of an option without its value it writes "--fit: 1 required view|mesh missing".
+std::string message_of(const CLI::ParseError& error) {
+  constexpr std::string_view before = ": 1 required ", behind = " missing";
+  const std::string line = error.what();
+  const std::size_t at = line.find(before);
+  if (at == line.npos || !line.ends_with(behind)) return line;
+  std::string value = line.substr(at + before.size());
+  value.resize(value.size() - behind.size());
+  // "FLOAT:NUMBER > 0" has the type of the variable, too.
+  return line.substr(0, at) + " needs a value: " + value.substr(value.find(':') + 1);
+}
+
 /// Lets CLI11 print the help; returns the exit code.
 int print_help(const CLI::App& app, const CLI::ParseError& error) {
   const int code = app.exit(error);
@@ -34,7 +48,7 @@ int run(CLI::App& app, int argc, char** argv) {
     if (!burin::flush_results()) return fail(2, output_failed);
     return 0;
   } catch (const CLI::ParseError& error) {
-    return error.get_exit_code() == 0 ? print_help(app, error) : fail(2, error.what());
+    return error.get_exit_code() == 0 ? print_help(app, error) : fail(2, message_of(error).c_str());
   } catch (const burin::Error& error) {
     return fail(2, error.what());
   } catch (const std::bad_alloc&) {

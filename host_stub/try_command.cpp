@@ -148,7 +148,7 @@ void add_try(CLI::App& app) {
                            .add_flag("--watch{0}", options->watch,
                                      "draw the stroke and the picture again whenever the module changes, "
                                      "until interrupted, or with --watch=N for N changes")
-                           ->check(CLI::NonNegativeNumber);
+                           ->check(whole_number_from_0());
   command.add_flag("--isolate", options->isolate, isolate_help);
   command.callback([options, watch] {
     // CLI11 gives a flag its default where it is absent, too.

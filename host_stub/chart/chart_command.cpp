@@ -21,6 +21,7 @@
 #include "input/radius_fit.h"
 #include "input/stroke_input.h"
 #include "options/axes_option.h"
+#include "options/options.h"
 #include "options/setting_options.h"
 #include "options/view.h"
 #include "pictures/checkerboard.h"
@@ -213,7 +214,7 @@ void add_chart(CLI::App& app) {
       ->required()
       ->type_name("FILE.stroke");
   command.add_option("--stroke", options->stroke, "which stroke of the file, from 1")
-      ->check(CLI::PositiveNumber)
+      ->check(whole_number_from_1())
       ->capture_default_str();
   add_mesh_options(command, options->mesh);
   add_drawing_axes_options(command, options->axes);
@@ -222,10 +223,9 @@ void add_chart(CLI::App& app) {
   add_view_options(command, options->view);
   constexpr std::string_view keys[] = {"radius", "cap", "join", "closed", "pressure_width", "follow"};
   add_setting_options(command, options->settings, keys);
-  command
-      .add_option("--order", options->order,
-                  "of the chart: 1, as published, or 2, on curved strokes and surfaces")
-      ->check(CLI::IsMember({1, 2}))
+  choose(command.add_option("--order", options->order,
+                            "of the chart: 1, as published, or 2, on curved strokes and surfaces"),
+         {"1", "2"})
       ->capture_default_str();
   command.add_option("--csv", options->csv, "table to write")->type_name("FILE");
   command.add_option("--png", options->png, "picture to write: a checkerboard of (t, d)")->type_name("FILE");

@@ -76,23 +76,22 @@ void add_mesh_options(CLI::App& command, MeshOptions& options) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30))
       ->excludes(levels);
   using Scheme = std::optional<SubdivisionScheme>;
-  command
-      .add_option_function<std::string>(
-          "--scheme",
-          [&options](const std::string& name) {
-            static const std::map<std::string, Scheme> schemes = {
-                {"auto", std::nullopt},
-                {"catmull-clark", SubdivisionScheme::catmull_clark},
-                {"loop", SubdivisionScheme::loop}};
-            options.scheme = schemes.at(name);
-          },
-          "subdivision scheme; auto: Loop for a cage of triangles only, else Catmull-Clark")
-      ->check(CLI::IsMember({"auto", "catmull-clark", "loop"}));
+  choose(command.add_option_function<std::string>(
+             "--scheme",
+             [&options](const std::string& name) {
+               static const std::map<std::string, Scheme> schemes = {
+                   {"auto", std::nullopt},
+                   {"catmull-clark", SubdivisionScheme::catmull_clark},
+                   {"loop", SubdivisionScheme::loop}};
+               options.scheme = schemes.at(name);
+             },
+             "subdivision scheme; auto: Loop for a cage of triangles only, else Catmull-Clark"),
+         {"auto", "catmull-clark", "loop"});
   command
       .add_option("--weld", options.weld,
                   "join edges that lie on each other no farther apart, object units; 0: exactly; heals\n"
                   "rounding unless given")
-      ->check(CLI::NonNegativeNumber & finite_number())
+      ->check(number_from_0())
       ->type_name("TOL");
 }
 

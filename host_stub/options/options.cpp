@@ -1,10 +1,16 @@
 // Parses what the options of several commands have in common: numbers, vectors, and parameters NAME=VALUE.
 #include "options/options.h"
 
+#include <burin/base/text/lower_case.h>
 #include <burin/base/text/quoted_word.h>
 #include <burin/stroke/files/setting_texts.h>
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <system_error>
 
 namespace burin {
 namespace {
@@ -18,25 +24,73 @@ Vec3d parse_vector(const std::string& name, const std::string& text) {
   return vector;
 }
 
+/// Accepts the texts for which `good` holds. `wanted`: "a number above 0".
+template <class Good>
+CLI::Validator texts(const Good& good, const std::string& wanted, const std::string& type) {
+  return {[=](std::string& text) {
+            return good(text) ? std::string() : fmt::format("must be {}, not {}", wanted, quoted_word(text));
+          },
+          type};
+}
+
+template <class InRange>
+CLI::Validator numbers(const InRange& in_range, const std::string& wanted, const std::string& type) {
+  const auto good = [in_range](const std::string& text) {
+    const auto number = parse_number(text);
+    return number && in_range(*number);
+  };
+  return texts(good, wanted, type);
+}
+
+CLI::Validator whole_numbers(std::uint64_t least, const std::string& type) {
+  const auto good = [least](const std::string& text) {
+    std::uint64_t number = 0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && stop == text.data() + text.size() && number >= least;
+  };
+  return texts(good, fmt::format("a whole number from {} on", least), type);
+}
+
 }  // namespace
 
 const CLI::Validator& positive_number() {
-  static const CLI::Validator validator(
-      [](std::string& text) {
-        const auto number = parse_number(text);
-        return number && *number > 0 ? std::string() : "must be a number above 0, not " + quoted_word(text);
-      },
-      "NUMBER > 0");
+  static const CLI::Validator validator =
+      numbers([](double number) { return number > 0; }, "a number above 0", "NUMBER > 0");
   return validator;
 }
 
 const CLI::Validator& finite_number() {
-  static const CLI::Validator validator(
-      [](std::string& text) {
-        return parse_number(text) ? std::string() : "must be a number, not " + quoted_word(text);
-      },
-      "NUMBER");
+  static const CLI::Validator validator = numbers([](double) { return true; }, "a number", "NUMBER");
   return validator;
+}
+
+const CLI::Validator& number_from_0() {
+  static const CLI::Validator validator =
+      numbers([](double number) { return number >= 0; }, "a number from 0 on", "NUMBER >= 0");
+  return validator;
+}
+
+const CLI::Validator& whole_number_from_0() {
+  static const CLI::Validator validator = whole_numbers(0, "NUMBER >= 0");
+  return validator;
+}
+
+const CLI::Validator& whole_number_from_1() {
+  static const CLI::Validator validator = whole_numbers(1, "NUMBER >= 1");
+  return validator;
+}
+
+CLI::Option* choose(CLI::Option* option, const std::vector<std::string>& words) {
+  const std::string wanted =
+      words.size() == 1 ? words.front() : fmt::format("one of {}", fmt::join(words, ", "));
+  const auto one_of_them = [words, wanted](std::string& text) {
+    const auto found = std::ranges::find(words, in_lower_case(text));
+    if (found == words.end()) return fmt::format("must be {}, not {}", wanted, quoted_word(text));
+    text = *found;
+    return std::string();
+  };
+  return option->transform(CLI::Validator(one_of_them, ""))
+      ->type_name(fmt::format("{}", fmt::join(words, "|")));
 }
 
 void add_vector_option(CLI::App& command, const std::string& name, std::optional<Vec3d>& vector,

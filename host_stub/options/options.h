@@ -18,6 +18,18 @@ const CLI::Validator& positive_number();
 /// Accepts finite numbers.
 const CLI::Validator& finite_number();
 
+/// Accepts finite numbers from zero on.
+const CLI::Validator& number_from_0();
+
+/// Accepts whole numbers from zero on.
+const CLI::Validator& whole_number_from_0();
+
+/// Accepts whole numbers from one on.
+const CLI::Validator& whole_number_from_1();
+
+/// Lets an option take one of these words, in whatever case; the help names them. Returns the option.
+CLI::Option* choose(CLI::Option* option, const std::vector<std::string>& words);
+
 /// Adds an option that takes "x,y,z", finite and not all zero.
 void add_vector_option(CLI::App& command, const std::string& name, std::optional<Vec3d>& vector,
                        const std::string& help);

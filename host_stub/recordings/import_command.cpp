@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -116,25 +115,27 @@ void run(ImportOptions& options) {
 /// The options that say which strokes are taken, and what they become.
 void add_stroke_options(CLI::App& command, PenImport& import, std::string& pressure_from) {
   command.add_option("--page", import.choice.page, "only strokes of this page, from 1")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number_from_1());
   command.add_option("--layer", import.choice.layer, "only strokes of this layer, from 1")
-      ->check(CLI::PositiveNumber);
-  const std::map<std::string, PenFit> fits = {{"view", PenFit::view}, {"mesh", PenFit::mesh}};
-  command
-      .add_option("--fit", import.fit,
-                  "where a drawing is put: view, so that it fills the picture, or mesh, as large as possible "
-                  "with all samples on the mesh as seen in it")
-      ->transform(CLI::CheckedTransformer(fits, CLI::ignore_case))
+      ->check(whole_number_from_1());
+  const auto fit = [&import](const std::string& word) {
+    import.fit = word == "mesh" ? PenFit::mesh : PenFit::view;
+  };
+  choose(command.add_option_function<std::string>(
+             "--fit", fit,
+             "where a drawing is put: view, so that it fills the picture, or mesh, as large as possible "
+             "with all samples on the mesh as seen in it"),
+         {"view", "mesh"})
       ->default_str("view");
   command
       .add_option(
           "--speed", import.speed,
           "of the pen in strokes without times: pixels per second, or object units of strokes in space")
       ->check(positive_number());
-  command
-      .add_option("--pressure-from", pressure_from,
-                  "width: strokes without pressure get their width at each sample, 1 for the greatest one")
-      ->check(CLI::IsMember({"width"}));
+  choose(command.add_option(
+             "--pressure-from", pressure_from,
+             "width: strokes without pressure get their width at each sample, 1 for the greatest one"),
+         {"width"});
 }
 
 }  // namespace
@@ -145,11 +146,10 @@ void add_import(CLI::App& app) {
       *app.add_subcommand("import", "turn a pen recording into a .stroke file in front of a surface");
   command.add_option("recording", options->recording, "a pen file of any kind in docs/recordings.md")
       ->required();
-  command
-      .add_option("--format", options->format,
-                  "of the recording; auto: pen if its first bytes are those of a pen file, else by the name: "
-                  "pointer for .json, svc for .svc, else mypaint")
-      ->check(CLI::IsMember({"auto", "pen", "mypaint", "pointer", "svc"}))
+  choose(command.add_option("--format", options->format,
+                            "of the recording; auto: pen if its first bytes are those of a pen file, else by "
+                            "the name: pointer for .json, svc for .svc, else mypaint"),
+         {"auto", "pen", "mypaint", "pointer", "svc"})
       ->capture_default_str();
   add_stroke_options(command, options->import, options->pressure_from);
   command.add_flag("--list", options->list, "only list the pages, layers and strokes of the recording");

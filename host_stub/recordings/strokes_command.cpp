@@ -9,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -158,12 +157,13 @@ void run(const StrokesOptions& options) {
 
 void add_picture_options(CLI::App& command, StrokesOptions& options) {
   command.add_option("--png", options.png, "draw the strokes of one file")->type_name("FILE");
-  const std::map<std::string, LineColour> colours = {{"pressure", LineColour::pressure},
-                                                     {"speed", LineColour::speed}};
-  command
-      .add_option("--colour", options.colour,
-                  "what the lines of --png are coloured by: pressure (the default if there is any) or speed")
-      ->transform(CLI::CheckedTransformer(colours, CLI::ignore_case));
+  const auto colour = [&options](const std::string& word) {
+    options.colour = word == "speed" ? LineColour::speed : LineColour::pressure;
+  };
+  choose(command.add_option_function<std::string>(
+             "--colour", colour,
+             "what the lines of --png are coloured by: pressure (the default if there is any) or speed"),
+         {"pressure", "speed"});
   add_mesh_options(command, options.mesh);
   command.get_option("--mesh")->required(false);  // without, --png draws in the plane
   add_view_options(command, options.view);
@@ -174,11 +174,11 @@ void add_edit_options(CLI::App& command, StrokesOptions& options) {
                    "mend order, duplicates, packets of equal times, wild samples and hooks of one file");
   command
       .add_option("--split", options.split, "begin a new stroke after a pause of more than so many seconds")
-      ->check(CLI::NonNegativeNumber & finite_number());
+      ->check(number_from_0());
   command
       .add_option("--join", options.join,
                   "join strokes that begin at most so many seconds after the one before ends")
-      ->check(CLI::NonNegativeNumber & finite_number());
+      ->check(number_from_0());
   command.add_option("--resample", options.resample, "samples at even times, so many to the second")
       ->check(positive_number());
   command

@@ -322,7 +322,7 @@ void add_replay(CLI::App& app) {
               "draw the last stroke again whenever the module of its brush changes, until interrupted, "
               "or with --watch=N for N changes; with --report, watch.html in the folder shows it before "
               "and after")
-          ->check(CLI::NonNegativeNumber);
+          ->check(whole_number_from_0());
   command.add_flag("--isolate", options->isolate, isolate_help);
   command.add_flag("--json", options->json, "write JSON to the standard output")->excludes(watch);
   command.callback([options, watch] {

@@ -1,5 +1,6 @@
 // The command `burin snap`: moves recorded strokes to ridges, silhouettes and other features of a surface.
 #include <burin/base/error.h>
+#include <burin/base/text/quoted_word.h>
 #include <burin/feature/feature.h>
 #include <burin/stroke/move_origin.h>
 #include <burin/stroke/sample_times.h>
@@ -188,7 +189,10 @@ void add_snap_options(CLI::App& command, SnapCommandOptions& options) {
       ->required()
       ->type_name("ridge|valley|silhouette|suggestive|border|crease|scalar:NAME")
       ->check([](const std::string& name) {
-        return feature_named(name) ? std::string() : fmt::format("'{}' is no feature", name);
+        return feature_named(name) ? std::string()
+                                   : "must be one of ridge, valley, silhouette, suggestive, border, crease, "
+                                     "scalar:NAME, not " +
+                                         quoted_word(name);
       });
   command
       .add_option(
@@ -203,10 +207,10 @@ void add_snap_options(CLI::App& command, SnapCommandOptions& options) {
   command
       .add_option("--significance", options.job.snap.significance,
                   "least contrast of a feature, in units of the noise; the stroke stays where it is less")
-      ->check(CLI::NonNegativeNumber & finite_number())
+      ->check(number_from_0())
       ->capture_default_str();
-  command.add_option("--ends", options.ends, "ends of strokes are moved too, or stay")
-      ->check(CLI::IsMember({"free", "fixed"}))
+  choose(command.add_option("--ends", options.ends, "ends of strokes are moved too, or stay"),
+         {"free", "fixed"})
       ->capture_default_str();
   command
       .add_option("--track", options.job.most_edges,
