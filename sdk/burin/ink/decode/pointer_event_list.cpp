@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -101,10 +102,12 @@ bool take_named(std::string_view name, std::string_view part, const Names& names
   return value.has_value();
 }
 
-/// The event that a text is, read without a tree of JSON values; nothing if event_of() may find a fault.
-std::optional<ListedEvent> plain_event(std::string_view json) {
+/// Removes the event at the front of a text, read without a tree of JSON values; nothing if event_of() may
+/// find a fault.
+std::optional<ListedEvent> plain_event(TextWindow& json) {
   ListedEvent event;
-  const bool whole = for_each_json_part(json, [&](std::string_view name, std::string_view part) {
+  const bool whole = for_each_json_part(json, [&](std::string_view name, TextWindow& of_part) {
+    const std::string_view part = take_json_value(of_part);
     if (name == "pointerId") return (event.pointer = number_of(part)).has_value();
     if (name == "buttons") return (event.buttons = number_of(part)).has_value();
     if (name == altitude_name) return (event.altitude = number_of(part)).has_value();
@@ -194,9 +197,11 @@ PenFile EventList::finish() {
 PenFile read_event_lines(const PenFileText& file) {
   EventList events;
   const auto take_plain = [&](std::string_view text) {
-    const auto plain = plain_event(text);
-    if (plain) events.take(*plain);
-    return plain.has_value();
+    TextWindow window(text);
+    const auto plain = plain_event(window);
+    if (!plain || window.skip_blanks()) return false;
+    events.take(*plain);
+    return true;
   };
   for_each_json_value(file, take_plain, [&](const JsonValue& value) { events.take(event_of(value)); });
   return events.finish();
@@ -219,9 +224,14 @@ PenFile read_event_list(const PenFileText& file) {
   auto by_events = pen_file_by_parts(file, [&](TextWindow& text, PenFile& content) {
     EventList events;
     const bool read = for_each_json_part(text, [&](std::string_view, TextWindow& json) {
-      const std::string_view part = take_json_value(json);
-      const auto plain = plain_event(part);
-      events.take(plain ? *plain : event_of(pen_json_part(file, part)));
+      json.skip_blanks();
+      const std::uintmax_t place = json.place();
+      auto event = plain_event(json);
+      if (!event) {
+        json.go_to(place);
+        event = event_of(pen_json_part(file, take_json_value(json)));
+      }
+      events.take(*event);
       return true;
     });
     content = events.finish();

@@ -96,7 +96,9 @@ ListElement element_of(const JsonValue& json, bool mouse) {
 }
 
 /// Reads a member of an element without a tree of JSON values. Returns false if it is not as it should be.
-bool take_member(std::string_view name, std::string_view part, ListElement& element) {
+/// `numbers`: memory for those of places.
+bool take_member(std::string_view name, std::string_view part, std::vector<double>& numbers,
+                 ListElement& element) {
   if (const auto number = number_named(name)) {
     double value = 0;
     if (!take_number(part, value) || !part.empty()) return false;
@@ -104,7 +106,7 @@ bool take_member(std::string_view name, std::string_view part, ListElement& elem
   }
   const bool mouse = name == "mouse", location = name == "location";
   if (mouse || location) {
-    std::vector<double> numbers;
+    numbers.clear();
     if (!append_numbers(part, numbers, PartSyntax::python) || numbers.size() < (mouse ? 2U : 3U))
       return false;
     numbers.resize(3);
@@ -187,12 +189,13 @@ bool append_list(const PenFileText& file, TextWindow& text, bool mouse, PenFile&
   ListOfElements list(mouse, content);
   std::size_t number = 0;
   bool placed = true;
+  std::vector<double> numbers;
   const auto take = [&](std::string_view, TextWindow& json) {
     const std::uintmax_t place = json.skip_blanks() ? json.place() : 0;
     ListElement element;
     ++number;
     const auto take_part = [&](std::string_view name, TextWindow& part) {
-      return take_member(name, take_json_value(part), element);
+      return take_member(name, take_json_value(part), numbers, element);
     };
     if (!json.text().starts_with('{') || !for_each_json_part(json, take_part, PartSyntax::python))
       reject_element(file, place, number, mouse);

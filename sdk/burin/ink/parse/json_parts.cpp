@@ -1,6 +1,8 @@
 #include <burin/ink/parse/json_parts.h>
 #include <burin/ink/parse/scan.h>
 
+#include <array>
+
 namespace burin {
 namespace {
 
@@ -15,9 +17,26 @@ std::size_t end_of_text(std::string_view json) {
   return json.size();
 }
 
+/// Tells for each character whether it is one of these.
+using Characters = std::array<bool, 256>;
+
+constexpr Characters characters_of(std::string_view set) {
+  Characters among{};
+  for (const char c : set) among[static_cast<unsigned char>(c)] = true;
+  return among;
+}
+
+constexpr Characters word_ends = characters_of(",:]}) \t\r\n\f\v"), structure = characters_of("\"'[{(]})");
+
+/// Where the first of these characters is from `begin` on; the size of the text if there is none.
+std::size_t find_any(std::string_view json, const Characters& among, std::size_t begin) {
+  while (begin < json.size() && !among[static_cast<unsigned char>(json[begin])]) ++begin;
+  return begin;
+}
+
 std::size_t end_of_brackets(std::string_view json) {
   std::size_t depth = 0;
-  for (std::size_t i = 0; i < json.size();) {
+  for (std::size_t i = 0; (i = find_any(json, structure, i)) < json.size();) {
     const char c = json[i];
     if (c == '"' || c == '\'') {
       i += end_of_text(json.substr(i));
@@ -30,18 +49,10 @@ std::size_t end_of_brackets(std::string_view json) {
   return json.size();
 }
 
-std::size_t end_of_word(std::string_view json) {
-  std::size_t end = 0;
-  while (end < json.size() && json[end] != ',' && json[end] != ']' && json[end] != '}' && json[end] != ')' &&
-         json[end] != ':' && !is_blank(json[end]))
-    ++end;
-  return end;
-}
-
 std::size_t end_of_value(std::string_view json) {
   const char c = json.empty() ? ' ' : json.front();
   if (c == '"' || c == '\'') return end_of_text(json);
-  return c == '[' || c == '{' || c == '(' ? end_of_brackets(json) : end_of_word(json);
+  return c == '[' || c == '{' || c == '(' ? end_of_brackets(json) : find_any(json, word_ends, 0);
 }
 
 }  // namespace

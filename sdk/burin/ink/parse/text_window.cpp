@@ -48,19 +48,13 @@ bool TextWindow::grow() {
   return text_.size() > kept;
 }
 
-bool TextWindow::skip_blanks() {
+bool TextWindow::skip_blanks_and_grow() {
   do {
     std::string_view rest = text_;
     burin::skip_blanks(rest);
     remove_prefix(text_.size() - rest.size());
   } while (text_.empty() && grow());
   return !text_.empty();
-}
-
-bool TextWindow::take_character(char expected) {
-  if (!skip_blanks() || text_.front() != expected) return false;
-  remove_prefix(1);
-  return true;
 }
 
 std::string_view TextWindow::line() {

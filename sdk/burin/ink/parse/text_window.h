@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/base/error.h>
+#include <burin/ink/parse/scan.h>
 #include <burin/ink/pen_file.h>
 
 #include <cstdint>
@@ -39,10 +40,17 @@ class TextWindow {
   bool grow();
 
   /// Whether a character that is no blank follows; removes the blanks before it.
-  bool skip_blanks();
+  bool skip_blanks() {
+    if (!text_.empty() && !is_blank(text_.front())) return true;
+    return skip_blanks_and_grow();
+  }
 
   /// Removes blanks and then this character. Returns false if another one follows.
-  bool take_character(char expected);
+  bool take_character(char expected) {
+    if (!skip_blanks() || text_.front() != expected) return false;
+    remove_prefix(1);
+    return true;
+  }
 
   /// The next line without its end, which is LF, CR or CRLF. Empty at the end of the text.
   std::string_view line();
@@ -51,6 +59,8 @@ class TextWindow {
   std::string_view take_line();
 
  private:
+  bool skip_blanks_and_grow();
+
   std::string_view whole_;  ///< of a text in memory
   std::string_view text_;
   std::uintmax_t place_ = 0;
