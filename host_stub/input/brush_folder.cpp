@@ -60,6 +60,7 @@ void load_module(BrushLibrary& library, const std::filesystem::path& module) {
 
 std::span<const BrushEntry> load_named_brushes(BrushLibrary& library, const std::string& name) {
   if (!std::filesystem::is_regular_file(name)) {
+    if (name.ends_with(".burin")) throw FileError(name, "there is no such file");
     load_brushes(library);
     return {&library.find(name), 1};
   }

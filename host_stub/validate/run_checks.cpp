@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <string_view>
 
 #include "validate/child_checks.h"
@@ -54,10 +55,11 @@ std::string_view topic_of(const Result& result) {
 
 /// Checks that compare two drawings which should be the same, besides those of `shape` and `repeat`.
 bool compares(const Result& result) {
-  constexpr std::array<std::string_view, 11> names = {
-      "life.many-strokes",       "life.two-brushes",     "host.newer",           "host.older",
-      "host.older-batch",        "evaluate.batch-sizes", "evaluate.stride-zero", "evaluate.wide-strides",
-      "evaluate.output-strides", "process.lent",         "ability.end-influence"};
+  constexpr std::array<std::string_view, 12> names = {
+      "life.many-strokes",    "life.two-brushes",      "host.newer",
+      "host.older",           "host.older-batch",      "evaluate.batch-sizes",
+      "evaluate.stride-zero", "evaluate.wide-strides", "evaluate.output-strides",
+      "process.lent",         "ability.end-influence", "ability.end-distance"};
   const std::string_view topic = topic_of(result);
   return topic == "shape" || topic == "repeat" || std::ranges::find(names, result.check->name) != names.end();
 }
@@ -108,34 +110,64 @@ void skip_what_follows(std::vector<Result>& results) {
   }
 }
 
+/// Runs checks, and keeps what each of them told.
+class Run {
+ public:
+  Run(const Subject& subject, const RunOptions& options) : subject_(subject), options_(options) {}
+
+  const Result& run(const Check* check) {
+    run(std::vector{check});
+    return done_.at(check);
+  }
+
+  /// Those that have not been run or skipped.
+  void run(const std::vector<const Check*>& checks) {
+    std::vector<const Check*> open;
+    std::ranges::copy_if(checks, std::back_inserter(open),
+                         [this](const Check* check) { return !done_.contains(check); });
+    if (!options_.in_process) {
+      for (const Result& result : run_checks_in_children(subject_, open, options_.jobs)) keep(result);
+    } else {
+      for (const Check* check : open) keep(run_here(subject_, *check));
+    }
+  }
+
+  /// Skips checks that have not been run, if `explained` says that the reason is theirs.
+  void skip(std::span<const Check* const> checks, const char* reason, bool (*explained)(const Result&)) {
+    for (const Check* check : checks) {
+      const Result skipped{check, Verdict::skip, reason};
+      if (!done_.contains(check) && explained(skipped)) keep(skipped);
+    }
+  }
+
+  const Result& of(const Check* check) const { return done_.at(check); }
+
+ private:
+  void keep(const Result& result) { done_.emplace(result.check, result); }
+
+  const Subject& subject_;
+  const RunOptions& options_;
+  std::map<const Check*, Result> done_;
+};
+
 }  // namespace
 
 std::vector<Result> run_checks(const Subject& subject, std::span<const Check* const> checks,
                                const RunOptions& options) {
-  const auto run = [&](std::span<const Check* const> some) {
-    if (!options.in_process) return run_checks_in_children(subject, some, options.jobs);
-    std::vector<Result> results;
-    for (const Check* check : some) results.push_back(run_here(subject, *check));
-    return results;
-  };
-  const Check* const loads = find_check("module.loads");
-  const Result first = run({&loads, 1})[0];
-  std::vector<const Check*> others;
-  std::copy_if(checks.begin(), checks.end(), std::back_inserter(others),
-               [&](const Check* check) { return check != loads; });
+  const Check *const loads = find_check("module.loads"), *const begins = find_check("life.begin-default");
+  const auto is_asked = [&](const Check* check) { return std::ranges::find(checks, check) != checks.end(); };
+  Run run(subject, options);
+  const bool is_loaded = run.run(loads).verdict == Verdict::pass;
+  if (!is_loaded) run.skip(checks, "the module does not load", [](const Result&) { return true; });
+  // Each check would wait until its time is over.
+  if (is_loaded && is_asked(begins) && run.run(begins).verdict == Verdict::timeout)
+    run.skip(checks, causes[0].text, draws);
+  run.run({checks.begin(), checks.end()});
   std::vector<Result> results;
-  if (others.size() < checks.size() || first.verdict != Verdict::pass) results.push_back(first);
-  if (first.verdict == Verdict::pass) {
-    const auto rest = run(others);
-    results.insert(results.end(), rest.begin(), rest.end());
-    skip_what_follows(results);
-  } else {
-    Result skipped{nullptr, Verdict::skip, "the module does not load"};
-    for (const Check* check : others) {
-      skipped.check = check;
-      results.push_back(skipped);
-    }
-  }
+  if (is_asked(loads) || !is_loaded) results.push_back(run.of(loads));
+  for (const Check* check : checks)
+    if (check != loads) results.push_back(run.of(check));
+  skip_what_follows(results);
   return results;
 }
 

@@ -93,6 +93,24 @@ void check_end_influence(const Subject& subject) {
   });
 }
 
+void check_end_distance(const Subject& subject) {
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    if (!(descriptor.inputs_read & BURIN_INPUT_END_DISTANCE)) throw Skipped("it does not read end_distance");
+    ProbeBrush brush(plugin, descriptor, subject);
+    ProbeStroke stroke(brush);
+    if (stroke.plan.end_influence > 0) return;
+    Nodes nodes = random_nodes(1000, subject.seed);
+    std::vector<float>& end_distance = nodes.of(BURIN_INPUT_END_DISTANCE);
+    std::ranges::fill(end_distance, 0.0f);
+    const auto at_the_end = stroke.evaluate(nodes);
+    std::ranges::fill(end_distance, 1.0f);
+    require(
+        difference(at_the_end, stroke.evaluate(nodes)).empty(),
+        "reads end_distance, which is 0 everywhere, since it is at most end_influence, and that is 0: set "
+        "end_influence to how far back it matters, as taper_influence() does");
+  });
+}
+
 /// The saved state of a brush.
 std::vector<char> saved(const ProbeBrush& brush, const burin_state& state) {
   std::uint64_t size = 0;
@@ -234,6 +252,8 @@ constexpr Check ability_list[] = {
     {"ability.end-influence", 2,
      "brush.h: end_influence, how far back from the end the result depends on length or FINAL",
      "Lets a stroke grow and end, and looks farther back than that.", check_end_influence},
+    {"ability.end-distance", 2, "stroke.h: end_distance is at most end_influence",
+     "Draws with other distances from the ends, if the brush asks for no end_influence.", check_end_distance},
     {"ability.state", 2, "ext/state.h: load restores what save wrote", "Saves, loads and saves a state.",
      check_state},
     {"ability.damaged-state", 3,

@@ -60,7 +60,10 @@ void check_seam(const Subject& subject) {
     after.columns = before.columns;
     for (std::size_t i = 0; i < d.size(); ++i) after.t(i) = 10;
     const float step = distance(stroke.evaluate(before), stroke.evaluate(after));
-    require(step <= 2e-3f, fmt::format("a closed stroke has a step of {} at its seam", step));
+    require(step <= 2e-3f,
+            fmt::format("a closed stroke has a step of {} at its seam; a pattern must fit a whole number "
+                        "of times along it, see whole_period()",
+                        step));
   });
 }
 

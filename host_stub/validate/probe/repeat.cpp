@@ -1,10 +1,12 @@
 // Runs work in a forked process, whose memory starts as this one's. The result comes back through a pipe.
 #include "validate/probe/repeat.h"
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <exception>
 
 namespace burin::validate {
@@ -38,8 +40,12 @@ constexpr int whole = 0, failed = 1, skipped = 3;
 std::string in_process(const std::function<std::string()>& work) {
   std::array<int, 2> ends{};
   require(pipe(ends.data()) == 0, "no pipe can be made");
-  const pid_t process = fork();
-  if (process == 0) work_and_send(ends[1], work);
+  const pid_t parent = getpid(), process = fork();
+  if (process == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(failed);
+    work_and_send(ends[1], work);
+  }
   close(ends[1]);
   std::string text;
   std::array<char, 4096> part{};
