@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <set>
 
 #include "support/shapes.h"
 #include "surface/test_meshes.h"
@@ -147,6 +148,28 @@ TEST(Picker, FindsTheClosestPointThatBruteForceFinds) {
   }
   EXPECT_GT(within, 50);
   EXPECT_GT(beyond, 50);
+}
+
+TEST(Picker, ListsTrianglesWithinADistance) {
+  const Surface surface = make_surface(test::sphere(4, 0.3, 5));
+  const Picker picker(surface);
+  Random random;
+  std::size_t listed = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3f query = random.point(1.5F);
+    const float reach = 0.1F + 0.01F * static_cast<float>(i);
+    const auto near = picker.near(query, reach, surface.triangles.size());
+    ASSERT_TRUE(near);
+    std::set<Index> numbers(near->begin(), near->end());
+    ASSERT_EQ(numbers.size(), near->size());
+    for (Index triangle = 0; triangle < surface.triangles.size(); ++triangle)
+      if (closest_point(surface, triangle, query.cast<double>()).squared_distance <= 0.999 * reach * reach)
+        ASSERT_TRUE(numbers.contains(triangle)) << "seed " << seed << ", query " << i;
+    listed += near->size();
+    if (!near->empty()) EXPECT_FALSE(picker.near(query, reach, near->size() - 1));
+  }
+  EXPECT_GT(listed, 1000U);
+  EXPECT_LT(listed, 100 * surface.triangles.size() / 2);
 }
 
 TEST(Picker, PrefersTheLowestOfEquallyNearTriangles) {
