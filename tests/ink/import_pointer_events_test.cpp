@@ -15,7 +15,8 @@ TEST(ImportPointerEvents, TakesEveryEventInContactOfARealRecording) {
   EXPECT_EQ(recording.space, StrokeSpace::screen);
   ASSERT_EQ(recording.strokes.size(), 1u);
   const RecordedStroke& stroke = recording.strokes[0];
-  EXPECT_EQ(stroke.fields, (PenFields{true, true, true, true}));
+  EXPECT_EQ(stroke.fields,
+            (PenFields{.time = true, .pressure = true, .tilt = true, .twist = true, .barrel = true}));
   ASSERT_EQ(stroke.samples.size(), 148u);
   EXPECT_NEAR(stroke.samples.back().time - stroke.samples.front().time, 2.48, 0.01);
   EXPECT_EQ(stroke.samples.front().time, 0);
@@ -50,7 +51,7 @@ TEST_F(PointerText, LiftsThePenByItsButtonsWhateverThePressure) {
   ASSERT_EQ(recording.strokes[1].samples.size(), 5u);
   EXPECT_EQ(recording.strokes[1].samples[0].time, 0.003);
   EXPECT_EQ(recording.strokes[1].samples[2].pen.pressure, 0);
-  EXPECT_EQ(recording.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
+  EXPECT_EQ(recording.strokes[0].fields, (PenFields{.time = true, .pressure = true, .barrel = true}));
   EXPECT_EQ(counts.lifted, 1u);
 }
 
