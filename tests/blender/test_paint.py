@@ -95,6 +95,20 @@ class Painted(OfOneMesh):
         self.assertEqual([each.name for each in self.mesh_now.color_attributes], ["Mine"])
         self.assertGreater((self.colours() == before).all(axis=1).sum(), 1000)
 
+    def test_leaves_bright_colours_beside_the_stroke(self):
+        there = self.mesh.color_attributes.new("Bright", "FLOAT_COLOR", "POINT")
+        self.mesh.color_attributes.active_color = there
+        before = np.full((len(self.positions), 4), 3, np.float32)
+        there.data.foreach_set("color", before.ravel())
+        oracle = self.oracle()
+        oracle.replay(self.ink)
+        self.replay(self.ink)
+        now, painted = self.colours(), oracle.read("colours")
+        beside = (painted == 1).all(axis=1)
+        np.testing.assert_array_equal(now[beside], before[beside])
+        np.testing.assert_array_equal(now[~beside], painted[~beside])
+        self.assertGreater((~beside).sum(), 100)
+
     def test_of_bytes_is_what_bytes_hold(self):
         there = self.mesh.color_attributes.new("Bytes", "BYTE_COLOR", "POINT")
         self.mesh.color_attributes.active_color = there

@@ -57,17 +57,26 @@ def _read_colours(mesh: Any) -> mesh_io.Floats | None:
         return None
     if attribute.domain != "POINT":
         raise Unfit(f"the colour attribute {attribute.name} is of face corners; convert it to vertices to paint on it")
+    return np.clip(_stored(attribute, mesh), 0, 1)
+
+
+def _stored(attribute: Any, mesh: Any) -> mesh_io.Floats:
+    """The colours of an attribute, which may be brighter than 1."""
     colours = np.empty(4 * len(mesh.vertices), np.float32)
     attribute.data.foreach_get("color", colours)
-    return np.clip(colours, 0, 1).reshape(-1, 4)
+    return colours.reshape(-1, 4)
 
 
 def _write_colours(mesh: Any, colours: mesh_io.Floats) -> None:
+    """Colours that are brighter than 1 stay where nobody has painted."""
     attribute = mesh.color_attributes.active_color
     if not attribute:
         attribute = mesh.color_attributes.new("Color", "FLOAT_COLOR", "POINT")
         mesh.color_attributes.active_color = attribute
-    attribute.data.foreach_set("color", np.ascontiguousarray(colours, np.float32).ravel())
+    stored = _stored(attribute, mesh)
+    painted = (np.clip(stored, 0, 1) != colours).any(axis=1)
+    stored[painted] = colours[painted]
+    attribute.data.foreach_set("color", stored.ravel())
     mesh.update()
 
 
