@@ -64,11 +64,14 @@ bool compares(const Result& result) {
   return topic == "shape" || topic == "repeat" || std::ranges::find(names, result.check->name) != names.end();
 }
 
-/// Whether a check draws strokes, and could crash with others.
+/// Whether a check draws strokes, and could hang with others.
 bool draws(const Result& result) {
   const std::string_view topic = topic_of(result);
-  return topic != "module" && topic != "descriptor" && topic != "memory";
+  return topic != "module" && topic != "descriptor";
 }
+
+/// Whether a check draws strokes and tells nothing of why a brush crashes.
+bool only_draws(const Result& result) { return draws(result) && topic_of(result) != "memory"; }
 
 /// A fault that makes other checks fail, which then tell nothing new and are skipped.
 struct Cause {
@@ -82,13 +85,14 @@ struct Cause {
 /// tell why. One without room for large batches crashes wherever there are some, and one that draws otherwise
 /// each time fails wherever drawings are compared.
 constexpr std::array<Cause, 3> causes = {
-    {{"life.begin-default", "", "a brush does not draw with its defaults, see life.begin-default", draws},
+    {{"life.begin-default", "", "a brush does not draw with its defaults, see life.begin-default",
+      only_draws},
      {"evaluate.batch-sizes", "crashes with a batch of",
       "a brush crashes with some sizes of batches, see evaluate.batch-sizes",
       [](const Result& failure) {
         const bool crashed =
             failure.verdict == Verdict::crash || failure.text.find("process crashes") != failure.text.npos;
-        return draws(failure) && crashed;
+        return only_draws(failure) && crashed;
       }},
      {"repeat.runs", "", "a brush draws otherwise each time, see repeat.runs",
       [](const Result& failure) { return failure.verdict == Verdict::fail && compares(failure); }}}};

@@ -73,6 +73,16 @@ TEST(ValidateCommand, HasAPluginWithAFaultForEachCheck) {
   EXPECT_GE(in_cpp.size(), 40u);
 }
 
+TEST(ValidateCommand, WaitsOnceForABrushThatHangs) {
+  const nlohmann::json found = report(bad_plugin("fuzz.always-hangs"), "2");
+  EXPECT_EQ(failed_checks(found), Names{"life.begin-default"});
+  std::map<std::string, int> verdicts;
+  for (const auto& check : found["checks"]) ++verdicts[check["verdict"]];
+  EXPECT_EQ(verdicts["TIMEOUT"], 1);
+  EXPECT_GT(verdicts["SKIP"], 30);
+  EXPECT_GT(verdicts["PASS"], 10) << "what looks at the module and its descriptors";
+}
+
 class BadPlugins : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(BadPlugins, AreFoundByTheOneCheckOfTheirName) {
