@@ -1,5 +1,6 @@
 #include <burin/surface/picker.h>
 #include <burin/surface/picking/closest_point.h>
+#include <burin/surface/picking/pick_scene.h>
 #include <burin/surface/picking/ray_triangle.h>
 #include <gtest/gtest.h>
 
@@ -148,6 +149,14 @@ TEST(Picker, FindsTheClosestPointThatBruteForceFinds) {
   }
   EXPECT_GT(within, 50);
   EXPECT_GT(beyond, 50);
+}
+
+TEST(Picker, FindsNothingWhereThereIsNothing) {
+  Surface surface;
+  const std::unique_ptr<PickScene> scene = make_triangle_scene(surface);
+  EXPECT_FALSE(scene->pick({{0, 0, 1}, {0, 0, -1}}));
+  EXPECT_FALSE(scene->closest(Vec3f::Zero(), unlimited));
+  EXPECT_TRUE(scene->near(Vec3f::Zero(), 1, 9)->empty());
 }
 
 TEST(Picker, ListsTrianglesWithinADistance) {

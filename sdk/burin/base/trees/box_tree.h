@@ -77,7 +77,7 @@ BoxTree<Items>::BoxTree(Items items) : items_(std::move(items)) {
   do {
     nodes = runs(nodes);
     sizes_.push_back(nodes);
-    levels_.emplace_back(runs(nodes));
+    levels_.emplace_back(std::max<std::size_t>(runs(nodes), 1));
     parallel_blocks(nodes, boxes_per_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t index = begin; index < end; ++index) fit(levels_.size() - 1, index);
     });
