@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 
 import burin
-from support import brush_that_fails, write_stroke
+from support import activate, brush_that_fails, write_stroke
 from test_replay import OfOneMesh
 
 
@@ -24,6 +24,12 @@ class Inked(burin.Brush):
         for channel, ink in enumerate((0.8, 0.1, 0.05, 1)):
             batch.colour[:, channel] = (1 - inside) * batch.colour_before[:, channel] + inside * ink
         batch.mask = batch.mask_before * (1 - 0.75 * inside)
+
+
+def activate_empty():
+    empty = bpy.data.objects.new("Nothing", None)
+    bpy.context.collection.objects.link(empty)
+    activate(empty)
 
 
 class Painted(OfOneMesh):
@@ -108,6 +114,42 @@ class Painted(OfOneMesh):
         np.testing.assert_array_equal(now[beside], before[beside])
         np.testing.assert_array_equal(now[~beside], painted[~beside])
         self.assertGreater((~beside).sum(), 100)
+
+    def test_that_is_taken_back_leaves_colours_to_the_bit(self):
+        for kind in ("FLOAT_COLOR", "BYTE_COLOR"):
+            there = self.mesh.color_attributes.new(kind, kind, "POINT")
+            self.mesh.color_attributes.active_color = there
+            there.data.foreach_set("color", np.linspace(-1, 3, 4 * len(self.positions), dtype=np.float32))
+            before = self.colours()
+            canvas = sys.modules["burin_brushes.canvas"].Canvas(bpy.context, set(Inked.outputs))
+            canvas.pen.begin(brush=Inked.id, radius=0.2)
+            canvas.pen.add([[-0.5, 0, 0], [0.5, 0, 0]])
+            canvas.show()
+            self.assertGreater((self.colours() != before).any(axis=1).sum(), 100)
+            canvas.cancel()
+            np.testing.assert_array_equal(self.colours(), before)
+            np.testing.assert_array_equal(self.now(), self.positions)
+
+    def test_wants_a_mesh(self):
+        refused = sys.modules["burin_brushes.object_session"].Refused
+        activate_empty()
+        with self.assertRaisesRegex(refused, "select a mesh to draw on"):
+            sys.modules["burin_brushes.canvas"].Canvas(bpy.context, set(Inked.outputs))
+
+    def test_that_cannot_be_kept_leaves_no_session(self):
+        values = sys.modules["burin_brushes.vertex_values"]
+        whole = values._write_masks
+        values._write_masks = lambda mesh, masks: 1 / 0
+        self.addCleanup(setattr, values, "_write_masks", whole)
+        canvas = sys.modules["burin_brushes.canvas"].Canvas(bpy.context, set(Inked.outputs))
+        canvas.pen.begin(brush=Inked.id, radius=0.2)
+        canvas.pen.add([[-0.5, 0, 0], [0.5, 0, 0]])
+        canvas.pen.end()
+        with self.assertRaises(ZeroDivisionError):
+            canvas.keep()
+        canvas.cancel()
+        self.assertFalse(sys.modules["burin_brushes.object_session"]._sessions)
+        np.testing.assert_array_equal(self.now(), self.positions)
 
     def test_of_bytes_is_what_bytes_hold(self):
         there = self.mesh.color_attributes.new("Bytes", "BYTE_COLOR", "POINT")

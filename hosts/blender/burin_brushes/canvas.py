@@ -36,8 +36,8 @@ class Canvas:
         self._check_meshes()
         names = vertex_values.of_outputs(outputs)
         self._paints = "colours" in names
-        self._had_colours = [object.data.color_attributes.active_color is not None for object in self._objects]
         self._kept = [object_session.session_of(brushes.library(), object, names) for object in self._objects]
+        self._colours = [vertex_values.stored_colours(object.data) if self._paints else None for object in self._objects]
         self._shown = [kept.shown(names) for kept in self._kept]
         sessions = [kept.session for kept in self._kept]
         self.pen: burin.Session | burin.Group = sessions[0] if len(sessions) == 1 else burin.Group(sessions)
@@ -92,9 +92,13 @@ class Canvas:
         """Shows what was drawn, which then is the objects' own, and adds objects for solids."""
         self._end_preview()
         solids = self._take_solids()
-        for kept, object, shown in self._each():
-            kept.drawn(shown)
-            kept.keep(object, shown)
+        try:
+            for kept, object, shown in self._each():
+                kept.drawn(shown)
+                kept.keep(object, shown)
+        except BaseException:
+            self._forget()
+            raise
         for solid, object in solids:
             _add_object(solid, object)
 
@@ -114,10 +118,10 @@ class Canvas:
         """Takes the open stroke back, also after a failure, which has dropped it."""
         self._end_preview()
         self.pen.cancel()
-        for (kept, object, _), had_colours in zip(self._each(), self._had_colours):
+        for (kept, object, _), colours in zip(self._each(), self._colours):
             kept.drop(object)
-            if not had_colours and object.data.color_attributes.active_color:
-                vertex_values.remove_colours(object.data)
+            if self._paints:
+                vertex_values.restore_colours(object.data, colours)
 
     def replay(self, path: str, **given: Any) -> None:
         """Draws all strokes of a recording. If one fails the objects are as before the first."""

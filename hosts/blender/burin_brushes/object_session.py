@@ -135,8 +135,10 @@ class ObjectSession:
 
     def keep(self, object: Any, shown: Shown) -> None:
         """Ends a stroke: the mesh and the session get what is shown."""
-        for name in self._drawn:
+        names = [name for name in vertex_values.NAMES if name in self._drawn]
+        for name in names:
             vertex_values.write(name, object.data, shown[name])
+        for name in names:
             if name == "positions" and not self._is_world:
                 self._take(name, shown[name])  # floats of the world may have no equal in the object
             self._known[name] = shown[name]
@@ -149,9 +151,9 @@ class ObjectSession:
         return solids
 
     def drop(self, object: Any) -> None:
-        """Shows the mesh as it was before the stroke that was cancelled or has failed."""
-        for name in self._drawn - {"masks"}:  # which are not shown before the stroke ends
-            vertex_values.write(name, object.data, self._known[name])
+        """Shows the positions as they were before the stroke that was cancelled or has failed."""
+        if "positions" in self._drawn:
+            vertex_values.write("positions", object.data, self._known["positions"])
         self._drawn.clear()
         self._send(self._known["positions"], self.session.update("positions"))
 

@@ -25,7 +25,7 @@ def parse_settings(text: str) -> dict[str, Any]:
 
 
 def _outputs(path: str, brush: str | None) -> set[str]:
-    """What the brushes of a recording write, or the given one. Brushes that are not there are not known to."""
+    """What the brushes of a recording write, or the given one. A brush that is not there is refused when it is to draw."""
     names = {brush or stroke.settings.get("brush") for stroke in burin.read_recording(path).strokes}
     return {output for name in names if name in brushes.library() for output in brushes.library()[name].outputs}
 

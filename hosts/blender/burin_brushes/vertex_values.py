@@ -46,9 +46,22 @@ def write(name: str, mesh: Any, values: mesh_io.Floats) -> None:
         _write_masks(mesh, values)
 
 
-def remove_colours(mesh: Any) -> None:
-    """Takes the colour attribute away that write() has added."""
-    mesh.color_attributes.remove(mesh.color_attributes.active_color)
+def stored_colours(mesh: Any) -> mesh_io.Floats | None:
+    """The active colours as the mesh has them, to the bit, or None."""
+    attribute = mesh.color_attributes.active_color
+    return _stored(attribute, mesh) if attribute else None
+
+
+def restore_colours(mesh: Any, colours: mesh_io.Floats | None) -> None:
+    """Sets what stored_colours() has told, and takes an attribute away that write() has added."""
+    attribute = mesh.color_attributes.active_color
+    if not attribute:
+        return
+    if colours is None:
+        mesh.color_attributes.remove(attribute)
+    else:
+        attribute.data.foreach_set("color", colours.ravel())
+    mesh.update()
 
 
 def _read_colours(mesh: Any) -> mesh_io.Floats | None:
