@@ -172,7 +172,7 @@ TEST(Picker, ListsTrianglesWithinADistance) {
     std::set<Index> numbers(near->begin(), near->end());
     ASSERT_EQ(numbers.size(), near->size());
     for (Index triangle = 0; triangle < surface.triangles.size(); ++triangle)
-      if (closest_point(surface, triangle, query.cast<double>()).squared_distance <= 0.999 * reach * reach)
+      if (closest_point(surface, triangle, query.cast<double>()).squared_distance <= reach * reach)
         ASSERT_TRUE(numbers.contains(triangle)) << "seed " << seed << ", query " << i;
     listed += near->size();
     if (!near->empty()) EXPECT_FALSE(picker.near(query, reach, near->size() - 1));

@@ -121,7 +121,10 @@ class ClosestPoint {
 class WithinReach {
  public:
   WithinReach(const Surface& surface, const Vec3f& query, float max_distance, std::size_t most)
-      : items_{surface}, query_(query), squared_distance_(max_distance * max_distance), most_(most) {}
+      : items_{surface},
+        query_(query),
+        squared_distance_((1 + margin) * max_distance * max_distance),
+        most_(most) {}
 
   BoxLanes::Lane nearest(const BoxLanes& boxes) const { return squared_distances(boxes, query_); }
   bool reaches(float squared_distance) const {
@@ -142,6 +145,9 @@ class WithinReach {
   }
 
  private:
+  /// Above what floats round in a squared distance.
+  static constexpr float margin = 2e-6F;
+
   Triangles items_;
   Vec3f query_;
   float squared_distance_;
