@@ -2,6 +2,7 @@
 #include <burin/base/trees/box_lanes.h>
 #include <burin/surface/surface.h>
 
+#include <span>
 #include <vector>
 
 namespace burin {
@@ -11,7 +12,7 @@ namespace burin {
 /// outlive it.
 class NearTriangles {
  public:
-  NearTriangles(const Surface& surface, std::vector<Index> triangles);
+  NearTriangles(const Surface& surface, std::span<const Index> triangles);
 
   /// Those of which a point may be as near to a position as that.
   NearTriangles within(const Vec3f& position, float max_distance) const;
@@ -21,13 +22,17 @@ class NearTriangles {
   Index closest(const Vec3f& position, Index guess) const;
 
  private:
-  NearTriangles(const Surface& surface) : surface_(&surface) {}
+  explicit NearTriangles(const Surface& surface) : surface_(&surface) {}
 
-  void add(Index triangle, const BoxLanes::Box& box);
+  void add(Index triangle, const LanedBoxes::Box& box);
+
+  /// Calls visit(i) for the boxes that are as near as reaches(squared distance) says, in their order.
+  template <class Reaches, class Visit>
+  void for_near(const Vec3f& position, const Reaches& reaches, const Visit& visit) const;
 
   const Surface* surface_;
   std::vector<Index> triangles_;
-  std::vector<BoxLanes> boxes_;  ///< [i] of the triangles from 8 i on
+  LanedBoxes boxes_;  ///< [i] of triangle i
 };
 
 }  // namespace burin

@@ -6,6 +6,7 @@
 #include <burin/base/parallel.h>
 #include <burin/level_set/replaced.h>
 #include <burin/remesh/refine.h>
+#include <burin/surface/geometry/triangle_box.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -111,8 +112,7 @@ void check_sides(const Surface& surface, const Triangle& triangle) {
 
 std::vector<Index> triangles_within(const Surface& surface, const Eigen::AlignedBox3d& box) {
   return chosen(surface.triangles.size(), [&](Index t) {
-    Eigen::AlignedBox3f own;
-    for (const Index vertex : surface.triangles[t]) own.extend(surface.positions[vertex]);
+    const Eigen::AlignedBox3f own = triangle_box(surface.positions, surface.triangles[t]);
     return own.cast<double>().intersects(box) ? t : no_index;
   });
 }

@@ -76,23 +76,21 @@ std::vector<Index> along_curve(const std::vector<Box>& boxes) {
 /// The boxes of triangles along the curve, as the tree asks for them and in lanes.
 class Boxes {
  public:
-  Boxes(const std::vector<Box>& boxes, const std::vector<Index>& order)
-      : order_(&order), lanes_((order.size() + BoxLanes::count - 1) / BoxLanes::count) {
-    for (std::size_t at = 0; at < order.size(); ++at)
-      lanes_[at / BoxLanes::count].set(at % BoxLanes::count, boxes[order[at]]);
+  Boxes(const std::vector<Box>& boxes, const std::vector<Index>& order) : order_(&order) {
+    for (const Index triangle : order) boxes_.push_back(boxes[triangle]);
   }
 
   std::size_t size() const { return order_->size(); }
   void extend(Box& box, Index at) const { box.extend(own(at)); }
 
   Index triangle(Index at) const { return (*order_)[at]; }
-  Box own(Index at) const { return lanes_[at / BoxLanes::count].box(at % BoxLanes::count); }
+  Box own(Index at) const { return boxes_[at]; }
   /// Those of the run that begins there.
-  const BoxLanes& run(Index begin) const { return lanes_[begin / BoxLanes::count]; }
+  const BoxLanes& run(Index begin) const { return boxes_.run(begin / BoxLanes::count); }
 
  private:
   const std::vector<Index>* order_;
-  std::vector<BoxLanes> lanes_;
+  LanedBoxes boxes_;
 };
 
 /// The query for the triangles later along the curve that a triangle meets; marks both.

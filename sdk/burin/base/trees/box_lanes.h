@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace burin {
 
@@ -52,6 +53,40 @@ class BoxLanes {
   Lane& high(int axis) { return high_[static_cast<std::size_t>(axis)]; }
 
   std::array<Lane, 3> low_, high_;
+};
+
+/// Boxes one after the other, in lanes. Different ones may be set on different threads, if these are not of
+/// the same run of eight.
+class LanedBoxes {
+ public:
+  using Box = BoxLanes::Box;
+
+  LanedBoxes() = default;
+  /// Empty boxes.
+  explicit LanedBoxes(std::size_t size)
+      : size_(size), runs_((size + BoxLanes::count - 1) / BoxLanes::count) {}
+
+  std::size_t size() const { return size_; }
+  Box operator[](std::size_t i) const { return runs_[i / BoxLanes::count].box(i % BoxLanes::count); }
+  void set(std::size_t i, const Box& box) { runs_[i / BoxLanes::count].set(i % BoxLanes::count, box); }
+  void push_back(const Box& box) {
+    if (size_ % BoxLanes::count == 0) runs_.emplace_back();
+    set(size_++, box);
+  }
+
+  /// The boxes from number 8 i on.
+  const BoxLanes& run(std::size_t i) const { return runs_[i]; }
+
+  /// The box around all.
+  Box whole() const {
+    Box whole;
+    for (const BoxLanes& run : runs_) whole.extend(run.whole());
+    return whole;
+  }
+
+ private:
+  std::size_t size_ = 0;
+  std::vector<BoxLanes> runs_;
 };
 
 /// Lower bounds of the squared distances from a position to boxes, up to 1e-6 of them too small. Numbers that

@@ -38,7 +38,7 @@ class BoxTree {
   const Items& items() const { return items_; }
 
   /// The bounding box of all items.
-  const Box& box() const { return box_; }
+  Box box() const { return levels_.back().whole(); }
 
   /// Calls query.meet(begin, end) for the runs of items in boxes that the query reaches, nearer ones first:
   /// query.nearest(BoxLanes) tells a lower bound of the distance of each of eight boxes, at least 0, and
@@ -63,38 +63,33 @@ class BoxTree {
   std::size_t push_children(const Node& parent, const Query& query, Stack& stack, std::size_t size) const;
 
   Items items_;
-  std::vector<std::size_t> sizes_;  ///< [level] number of nodes; leaves first, the last level has one
-  std::vector<std::vector<BoxLanes>> levels_;  ///< [level] the boxes of the nodes, eight by eight
-  Box box_;
+  std::vector<LanedBoxes> levels_;        ///< of the nodes: leaves first, the last level has one box
   std::vector<Index> touched_;            ///< nodes of one level to be updated
   std::vector<std::uint8_t> is_touched_;  ///< [leaf] all 0 between updates
 };
 
 template <class Items>
 BoxTree<Items>::BoxTree(Items items) : items_(std::move(items)) {
-  const auto runs = [](std::size_t count) { return (count + fan - 1) / fan; };
   std::size_t nodes = items_.size();
   do {
-    nodes = runs(nodes);
-    sizes_.push_back(nodes);
-    levels_.emplace_back(std::max<std::size_t>(runs(nodes), 1));
+    nodes = (nodes + fan - 1) / fan;
+    levels_.emplace_back(nodes);
     parallel_blocks(nodes, boxes_per_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t index = begin; index < end; ++index) fit(levels_.size() - 1, index);
     });
   } while (nodes > 1);
-  box_ = levels_.back().front().whole();
-  is_touched_.resize(sizes_.front());
+  is_touched_.resize(levels_.front().size());
 }
 
 template <class Items>
 void BoxTree<Items>::fit(std::size_t level, std::size_t index) {
   Box box;
   if (level > 0)
-    box = levels_[level - 1][index].whole();
+    box = levels_[level - 1].run(index).whole();
   else
     for (std::size_t i = index * fan; i < std::min((index + 1) * fan, items_.size()); ++i)
       items_.extend(box, static_cast<Index>(i));
-  levels_[level][index / fan].set(index % fan, box);
+  levels_[level].set(index, box);
 }
 
 template <class Items>
@@ -115,12 +110,12 @@ void BoxTree<Items>::update(const Changed& changed) {
     for (Index& node : touched_) node = static_cast<Index>(node / fan);
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   }
-  box_ = levels_.back().front().whole();
 }
 
 template <class Items>
 template <class Query>
 void BoxTree<Items>::search(Query& query) const {
+  if (items_.size() == 0) return;
   Stack stack;
   // The node above the last level has no box of its own.
   std::size_t size = push_children({0, static_cast<Index>(levels_.size()), 0}, query, stack, 0);
@@ -142,9 +137,9 @@ template <class Query>
 std::size_t BoxTree<Items>::push_children(const Node& parent, const Query& query, Stack& stack,
                                           std::size_t size) const {
   const Index level = parent.level - 1;
-  const BoxLanes::Lane nearest = query.nearest(levels_[level][parent.index]);
+  const BoxLanes::Lane nearest = query.nearest(levels_[level].run(parent.index));
   const std::size_t first = std::size_t{parent.index} * fan, bottom = size,
-                    count = std::min(fan, sizes_[level] - first);
+                    count = std::min(fan, levels_[level].size() - first);
   for (std::size_t i = 0; i < count; ++i) {
     const float own = nearest[static_cast<Eigen::Index>(i)];
     if (!query.reaches(own)) continue;

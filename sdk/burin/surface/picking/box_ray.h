@@ -11,13 +11,13 @@ namespace burin {
 
 /// A ray prepared for tests against many boxes, by slabs. Floats suffice, since a difference of floats, an
 /// inverse and a product are each off by 2^-24 of themselves at most: bounds with a margin above the three
-/// together never miss a box that the ray meets.
+/// together never miss a box that the ray meets within 3e38 lengths of its direction.
 class BoxRay {
  public:
   static constexpr float infinity = std::numeric_limits<float>::infinity();
 
-  /// Boxes are enlarged by 1e-12 of the extent of `whole`, which contains everything, well above the rounding
-  /// of doubles (about 1e-16), so that the ray meets boxes without thickness that it lies in.
+  /// Boxes are enlarged by 1e-12 of the extent of `whole`, which contains everything, so that the ray meets
+  /// boxes without thickness that it lies in.
   BoxRay(const Eigen::AlignedBox3f& whole, const Ray& ray) : origin_(ray.origin) {
     const float extent =
         std::max({ray.origin.lpNorm<Eigen::Infinity>(), whole.min().lpNorm<Eigen::Infinity>(),

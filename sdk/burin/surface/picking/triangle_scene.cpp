@@ -1,6 +1,7 @@
 // Picking on meshes: searches a tree of triangles for the first hit of a ray or for the point closest to a
 // position.
 #include <burin/base/trees/box_tree.h>
+#include <burin/surface/geometry/triangle_box.h>
 #include <burin/surface/picking/box_ray.h>
 #include <burin/surface/picking/closest_point.h>
 #include <burin/surface/picking/pick_scene.h>
@@ -19,9 +20,10 @@ struct Triangles {
   const Surface& surface;
 
   std::size_t size() const { return surface.triangles.size(); }
-  void extend(Eigen::AlignedBox3f& box, Index triangle) const {
-    for (const Index corner : surface.triangles[triangle]) box.extend(surface.positions[corner]);
+  Eigen::AlignedBox3f box(Index triangle) const {
+    return triangle_box(surface.positions, surface.triangles[triangle]);
   }
+  void extend(Eigen::AlignedBox3f& whole, Index triangle) const { whole.extend(box(triangle)); }
 };
 using TriangleTree = BoxTree<Triangles>;
 using Box = TriangleTree::Box;
@@ -85,7 +87,8 @@ class ClosestPoint {
     if (!reaches(slabs_.nearest(begin, query_.cast<double>()))) return;
     for (Index triangle = begin; triangle < end; ++triangle) {
       // Rules out most triangles at a quarter of the cost.
-      if (!reaches(box_of(triangle).cast<double>().squaredExteriorDistance(query_.cast<double>()))) continue;
+      const Box box = Triangles{surface_}.box(triangle);
+      if (!reaches(box.cast<double>().squaredExteriorDistance(query_.cast<double>()))) continue;
       const TrianglePoint found = closest_point(surface_, triangle, query_.cast<double>());
       const bool nearer = found.squared_distance < squared_distance_;
       const bool same = found.squared_distance == squared_distance_;
@@ -103,12 +106,6 @@ class ClosestPoint {
   }
 
  private:
-  Box box_of(Index triangle) const {
-    Box box;
-    Triangles{surface_}.extend(box, triangle);
-    return box;
-  }
-
   const Surface& surface_;
   const SliverSlabs& slabs_;
   Vec3f query_;
@@ -132,11 +129,9 @@ class WithinReach {
   }
 
   void meet(Index begin, Index end) {
-    for (Index triangle = begin; triangle < end; ++triangle) {
-      Box box;
-      items_.extend(box, triangle);
-      if (box.squaredExteriorDistance(query_) <= squared_distance_) triangles_.push_back(triangle);
-    }
+    for (Index triangle = begin; triangle < end; ++triangle)
+      if (items_.box(triangle).squaredExteriorDistance(query_) <= squared_distance_)
+        triangles_.push_back(triangle);
   }
 
   std::optional<std::vector<Index>> triangles() && {
