@@ -43,13 +43,11 @@ class Painted(OfOneMesh):
     def mesh_now(self):
         return bpy.data.objects["Grid"].data
 
-    def oracle(self, colours=None, masks=None):
+    def oracle(self, colours=None):
         library = burin.Library()
         library.add(Inked)
         session = burin.Session(library, self.now(), sum(self.faces, []), [len(face) for face in self.faces])
         session.write("colours", np.ones((len(self.positions), 4), np.float32) if colours is None else colours)
-        if masks is not None:
-            session.write("masks", masks)
         return session
 
     def colours(self):
@@ -167,6 +165,20 @@ class Painted(OfOneMesh):
             self.replay(self.ink)
         np.testing.assert_array_equal(self.now(), self.positions)
         self.assertEqual(self.replay(), {"FINISHED"}, "strokes that do not paint are drawn")
+
+    def test_leaves_masks_beside_the_stroke_to_the_bit(self):
+        oracle = self.oracle()
+        oracle.replay(self.ink)
+        self.replay(self.ink)  # which makes the layer of masks
+        before = np.random.default_rng(3).random(len(self.positions), np.float32) ** 4
+        self.mesh_now.vertex_paint_masks[0].data.foreach_set("value", before)
+        oracle.write("masks", 1 - before)
+        oracle.replay(self.ink)
+        self.replay(self.ink)
+        beside = oracle.read("masks") == 1 - before
+        np.testing.assert_array_equal(self.masked()[beside], before[beside])
+        np.testing.assert_array_equal(self.masked()[~beside], 1 - oracle.read("masks")[~beside])
+        self.assertGreater((1 - (1 - before) != before).sum(), 100, "bits that would be lost")
 
     def test_sculpt_masks_protect(self):
         oracle = self.oracle()

@@ -37,7 +37,6 @@ class Canvas:
         names = vertex_values.of_outputs(outputs)
         self._paints = "colours" in names
         self._kept = [object_session.session_of(brushes.library(), object, names) for object in self._objects]
-        self._colours = [vertex_values.stored_colours(object.data) if self._paints else None for object in self._objects]
         self._shown = [kept.shown(names) for kept in self._kept]
         sessions = [kept.session for kept in self._kept]
         self.pen: burin.Session | burin.Group = sessions[0] if len(sessions) == 1 else burin.Group(sessions)
@@ -84,9 +83,8 @@ class Canvas:
             changed = [name for name in kept.drawn(shown) if name != "masks"]
             if changed and self._preview and self._preview.shows(object):
                 preview.redraw()
-                continue
-            for name in changed:
-                vertex_values.write(name, object.data, shown[name])
+            else:
+                kept.write(object, changed, shown)
 
     def keep(self) -> None:
         """Shows what was drawn, which then is the objects' own, and adds objects for solids."""
@@ -118,10 +116,8 @@ class Canvas:
         """Takes the open stroke back, also after a failure, which has dropped it."""
         self._end_preview()
         self.pen.cancel()
-        for (kept, object, _), colours in zip(self._each(), self._colours):
+        for kept, object, _ in self._each():
             kept.drop(object)
-            if self._paints:
-                vertex_values.restore_colours(object.data, colours)
 
     def replay(self, path: str, **given: Any) -> None:
         """Draws all strokes of a recording. If one fails the objects are as before the first."""

@@ -34,6 +34,8 @@ class ObjectSession:
         self._hidden = mesh_io.read_hidden(mesh)
         self._known: Shown = {"positions": mesh_io.read_positions(mesh)}
         """What the mesh has, of which the session knows."""
+        self._before: dict[str, vertex_values.Values] = {}
+        """What the mesh had when the open stroke began."""
         self.faces_are_known = True
         """False after what may have changed or hidden faces and left their number as it was."""
         self._drawn: set[str] = set()
@@ -76,11 +78,10 @@ class ObjectSession:
         for name in vertex_values.NAMES:
             if name == "colours" and name not in names:
                 continue  # no stroke feels them
-            values = vertex_values.read(name, object.data)
-            if values is None and (name in names or name in self._known):
-                values = vertex_values.blank(name, object.data)
-            if values is not None:
-                self._take(name, values)
+            values = vertex_values.read(name, object.data, blank=name in names or name in self._known)
+            if values:
+                self._before[name] = values
+                self._take(name, values.known)
 
     def _take(self, name: str, values: mesh_io.Floats) -> None:
         known = self._known.get(name)
@@ -133,16 +134,24 @@ class ObjectSession:
             self._send(shown, ranges)
         return len(ranges) > 0
 
+    def write(self, object: Any, names: list[str], shown: Shown) -> None:
+        """Gives the mesh these of what is shown."""
+        for name in names:
+            vertex_values.write(name, object.data, shown[name], self._before[name])
+
     def keep(self, object: Any, shown: Shown) -> None:
         """Ends a stroke: the mesh and the session get what is shown."""
         names = [name for name in vertex_values.NAMES if name in self._drawn]
-        for name in names:
-            vertex_values.write(name, object.data, shown[name])
+        self.write(object, names, shown)
         for name in names:
             if name == "positions" and not self._is_world:
                 self._take(name, shown[name])  # floats of the world may have no equal in the object
             self._known[name] = shown[name]
+        self._end()
+
+    def _end(self) -> None:
         self._drawn.clear()
+        self._before.clear()
 
     def take_solids(self) -> list[burin.Mesh]:
         """The solids that strokes made beside the mesh since the call before."""
@@ -151,10 +160,10 @@ class ObjectSession:
         return solids
 
     def drop(self, object: Any) -> None:
-        """Shows the positions as they were before the stroke that was cancelled or has failed."""
-        if "positions" in self._drawn:
-            vertex_values.write("positions", object.data, self._known["positions"])
-        self._drawn.clear()
+        """Shows the mesh as it was before the stroke that was cancelled or has failed."""
+        for name in self._drawn:
+            vertex_values.restore(name, object.data, self._before[name])
+        self._end()
         self._send(self._known["positions"], self.session.update("positions"))
 
 

@@ -3,6 +3,7 @@ the mesh's active colour attribute, linear red, green, blue and alpha; its masks
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import bmesh
@@ -23,45 +24,56 @@ def of_outputs(outputs: set[str]) -> list[str]:
     return [name for name, output in named if name == "positions" or output in outputs]
 
 
-def blank(name: str, mesh: Any) -> mesh_io.Floats:
-    """What painting begins with where a mesh has no colours or masks: white, and free."""
+@dataclass(frozen=True)
+class Values:
+    """Values of all vertices."""
+
+    stored: mesh_io.Floats | None
+    """As the mesh has them, colours brighter than 1 too; None for those that painting would begin with."""
+    known: mesh_io.Floats
+    """As sessions take them."""
+
+
+def read(name: str, mesh: Any, blank: bool = False) -> Values | None:
+    """The values of a mesh. Where it has none: None, or with `blank` what painting begins with, white and free. Raises
+    Unfit."""
+    if name == "positions":
+        positions = mesh_io.read_positions(mesh)
+        return Values(positions, positions)
+    stored = _read_colours(mesh) if name == "colours" else _read_masks(mesh)
+    if stored is not None:
+        clipped = np.clip(stored, 0, 1)
+        return Values(stored, clipped if name == "colours" else 1 - clipped)
     shape = (len(mesh.vertices), 4) if name == "colours" else (len(mesh.vertices),)
-    return np.ones(shape, np.float32)
+    return Values(None, np.ones(shape, np.float32)) if blank else None
 
 
-def read(name: str, mesh: Any) -> mesh_io.Floats | None:
-    """The values of all vertices, or None where the mesh has none. Raises Unfit."""
+def write(name: str, mesh: Any, shown: mesh_io.Floats, before: Values) -> None:
+    """Sets what is shown. Where that is as before the mesh keeps what it had to the bit. Where it has no colours or masks
+    it gets them."""
     if name == "positions":
-        return mesh_io.read_positions(mesh)
-    return _read_colours(mesh) if name == "colours" else _read_masks(mesh)
-
-
-def write(name: str, mesh: Any, values: mesh_io.Floats) -> None:
-    """Sets the values of all vertices. Where the mesh has no colours or masks it gets them."""
-    if name == "positions":
-        mesh_io.write_positions(mesh, values)
+        mesh_io.write_positions(mesh, shown)
     elif name == "colours":
-        _write_colours(mesh, values)
+        _write_colours(mesh, _merged(shown, shown, before))
     else:
-        _write_masks(mesh, values)
+        _write_masks(mesh, _merged(1 - shown, shown, before))
 
 
-def stored_colours(mesh: Any) -> mesh_io.Floats | None:
-    """The active colours as the mesh has them, to the bit, or None."""
-    attribute = mesh.color_attributes.active_color
-    return _stored(attribute, mesh) if attribute else None
+def _merged(values: mesh_io.Floats, shown: mesh_io.Floats, before: Values) -> mesh_io.Floats:
+    """The values of vertices of which those that are shown differ from before; of others what the mesh had."""
+    if before.stored is None:
+        return values
+    same = shown == before.known
+    return np.where(same.all(axis=1, keepdims=True) if same.ndim == 2 else same, before.stored, values)
 
 
-def restore_colours(mesh: Any, colours: mesh_io.Floats | None) -> None:
-    """Sets what stored_colours() has told, and takes an attribute away that write() has added."""
-    attribute = mesh.color_attributes.active_color
-    if not attribute:
-        return
-    if colours is None:
-        mesh.color_attributes.remove(attribute)
-    else:
-        attribute.data.foreach_set("color", colours.ravel())
-    mesh.update()
+def restore(name: str, mesh: Any, before: Values) -> None:
+    """Sets what the mesh had, and takes an attribute of colours away that write() has added."""
+    if before.stored is not None:
+        write(name, mesh, before.known, before)
+    elif name == "colours" and mesh.color_attributes.active_color:
+        mesh.color_attributes.remove(mesh.color_attributes.active_color)
+        mesh.update()
 
 
 def _read_colours(mesh: Any) -> mesh_io.Floats | None:
@@ -70,26 +82,17 @@ def _read_colours(mesh: Any) -> mesh_io.Floats | None:
         return None
     if attribute.domain != "POINT":
         raise Unfit(f"the colour attribute {attribute.name} is of face corners; convert it to vertices to paint on it")
-    return np.clip(_stored(attribute, mesh), 0, 1)
-
-
-def _stored(attribute: Any, mesh: Any) -> mesh_io.Floats:
-    """The colours of an attribute, which may be brighter than 1."""
     colours = np.empty(4 * len(mesh.vertices), np.float32)
     attribute.data.foreach_get("color", colours)
     return colours.reshape(-1, 4)
 
 
 def _write_colours(mesh: Any, colours: mesh_io.Floats) -> None:
-    """Colours that are brighter than 1 stay where nobody has painted."""
     attribute = mesh.color_attributes.active_color
     if not attribute:
         attribute = mesh.color_attributes.new("Color", "FLOAT_COLOR", "POINT")
         mesh.color_attributes.active_color = attribute
-    stored = _stored(attribute, mesh)
-    painted = (np.clip(stored, 0, 1) != colours).any(axis=1)
-    stored[painted] = colours[painted]
-    attribute.data.foreach_set("color", stored.ravel())
+    attribute.data.foreach_set("color", np.ascontiguousarray(colours, np.float32).ravel())
     mesh.update()
 
 
@@ -119,11 +122,11 @@ def _read_masks(mesh: Any) -> mesh_io.Floats | None:
         return None
     masked = np.empty(len(mesh.vertices), np.float32)
     data.foreach_get("value", masked)
-    return 1 - np.clip(masked, 0, 1)
+    return masked
 
 
-def _write_masks(mesh: Any, masks: mesh_io.Floats) -> None:
+def _write_masks(mesh: Any, masked: mesh_io.Floats) -> None:
     if _mask_data(mesh) is None:
         _add_mask(mesh)
-    _mask_data(mesh).foreach_set("value", np.ascontiguousarray(1 - masks, np.float32))
+    _mask_data(mesh).foreach_set("value", np.ascontiguousarray(masked, np.float32))
     mesh.update()
