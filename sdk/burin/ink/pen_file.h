@@ -11,6 +11,16 @@
 
 namespace burin {
 
+/// Adds the fields of further samples to those of their stroke. The button may be told of here and there.
+/// Returns false, and leaves the fields, if any other one differs.
+inline bool join_fields(PenFields& fields, const PenFields& further) {
+  PenFields joined = further;
+  joined.barrel = fields.barrel;
+  if (joined != fields) return false;
+  fields.barrel |= further.barrel;
+  return true;
+}
+
 /// One stroke of a pen file. What the file does not have is absent, never a neutral value that somebody could
 /// take for a measured one.
 struct PenStroke {

@@ -143,6 +143,19 @@ TEST(ReadInkml, JoinsContinuations) {
   EXPECT_EQ(places(file.strokes[2]), "9 9");
 }
 
+TEST(ReadInkml, KeepsTheButtonOfContinuations) {
+  const PenFile file = PenFileFolder().read(ink(R"(<context xml:id="c"><inkSource><traceFormat>
+    <channel name="X"/><channel name="Y"/><intermittentChannels><channel name="B1" type="boolean"/>
+    </intermittentChannels></traceFormat></inkSource></context>
+    <trace xml:id="a" contextRef="#c" continuation="begin">1 2</trace>
+    <trace contextRef="#c" continuation="end" priorRef="#a">3 4 T</trace>)"));
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4");
+  EXPECT_TRUE(file.strokes[0].fields.barrel);
+  EXPECT_FALSE(file.strokes[0].samples[0].barrel);
+  EXPECT_TRUE(file.strokes[0].samples[1].barrel);
+}
+
 TEST(ReadInkml, TakesDefinedTracesThatViewsName) {
   const PenFile file = PenFileFolder().read(ink(R"(<definitions><trace xml:id="a">1 2</trace>
     <traceGroup xml:id="g"><trace>3 4</trace></traceGroup><trace xml:id="unused">5 6</trace></definitions>

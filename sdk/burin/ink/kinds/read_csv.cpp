@@ -168,12 +168,6 @@ Row row_of(std::string_view line, char separator, std::span<const CsvColumn> nam
   return row;
 }
 
-/// Whether lines have the same fields, but for the button, of which a stroke may tell here and there.
-bool same_cells(PenFields a, const PenFields& b) {
-  a.barrel = b.barrel;
-  return a == b;
-}
-
 /// The text of a cell in which quotes are doubled.
 std::string unquoted(std::string_view cell) {
   std::string text;
@@ -196,8 +190,7 @@ class Rows {
     }
     if (!goes_on(row)) begin(row);
     PenStroke& stroke = content_.strokes.back();
-    stroke.fields.barrel |= row.fields.barrel;
-    if (!same_cells(row.fields, stroke.fields))
+    if (!join_fields(stroke.fields, row.fields))
       throw Error("a line has other cells than the first of its stroke");
     stroke.samples.push_back(row.sample);
   }

@@ -170,13 +170,9 @@ void InkmlReader::add_points(const pugi::xml_node& trace, PenStroke stroke) {
   if (stroke.samples.empty()) return;
   const std::string_view part = attribute(trace, "continuation").value();
   const auto before = stroke_of_.find(attribute(trace, "priorRef").value());
-  const auto has_fields_of = [&stroke](PenFields fields) {
-    fields.barrel = stroke.fields.barrel;  // the button may be told of here and there
-    return fields == stroke.fields;
-  };
   const bool goes_on = (part == "middle" || part == "end") && before != stroke_of_.end() &&
                        content_.strokes[before->second].drawn_by == stroke.drawn_by &&
-                       has_fields_of(content_.strokes[before->second].fields);
+                       join_fields(content_.strokes[before->second].fields, stroke.fields);
   const std::size_t at = goes_on ? before->second : content_.strokes.size();
   if (goes_on)
     std::ranges::move(stroke.samples, std::back_inserter(content_.strokes[at].samples));
