@@ -73,6 +73,8 @@ bool draws(const Result& result) {
 /// Whether a check draws strokes and tells nothing of why a brush crashes.
 bool only_draws(const Result& result) { return draws(result) && topic_of(result) != "memory"; }
 
+constexpr const char* draws_nothing = "a brush does not draw with its defaults, see life.begin-default";
+
 /// A fault that makes other checks fail, which then tell nothing new and are skipped.
 struct Cause {
   std::string_view check;
@@ -85,8 +87,7 @@ struct Cause {
 /// tell why. One without room for large batches crashes wherever there are some, and one that draws otherwise
 /// each time fails wherever drawings are compared.
 constexpr std::array<Cause, 3> causes = {
-    {{"life.begin-default", "", "a brush does not draw with its defaults, see life.begin-default",
-      only_draws},
+    {{"life.begin-default", "", draws_nothing, only_draws},
      {"evaluate.batch-sizes", "crashes with a batch of",
       "a brush crashes with some sizes of batches, see evaluate.batch-sizes",
       [](const Result& failure) {
@@ -165,7 +166,7 @@ std::vector<Result> run_checks(const Subject& subject, std::span<const Check* co
   if (!is_loaded) run.skip(checks, "the module does not load", [](const Result&) { return true; });
   // Each check would wait until its time is over.
   if (is_loaded && is_asked(begins) && run.run(begins).verdict == Verdict::timeout)
-    run.skip(checks, causes[0].text, draws);
+    run.skip(checks, draws_nothing, draws);
   run.run({checks.begin(), checks.end()});
   std::vector<Result> results;
   if (is_asked(loads) || !is_loaded) results.push_back(run.of(loads));

@@ -1,6 +1,7 @@
 // Pen files as their programs write them, shortened.
 #include "pen_seeds.h"
 
+#include <string_view>
 #include <vector>
 
 #include "ink/kinds/bytes.h"
@@ -11,6 +12,7 @@ namespace {
 using test::Bytes;
 using test::riff;
 using test::zigzags;
+using namespace std::string_view_literals;
 
 std::string uim() {
   constexpr double per_metre = 96 / 0.0254;
@@ -53,23 +55,22 @@ std::string tilt() {
   return bytes.text();
 }
 
+/// A stream with these contents, fewer than 128 bytes.
+std::string isf_stream(std::string_view content) {
+  return std::string(1, '\0') + static_cast<char>(content.size()) + std::string(content);
+}
+
 std::string isf() {
-  constexpr char size = 28;
-  return std::string(1, '\0') + size +
-         std::string(
-             "\x05\x01\x38\x11\x00\x00\xc8\x42\x0a\x12"
-             "\x02\x08\x0a\x14\x08\x1e\xd8\x09\x19\xbf\xc0\x00\x00\x00\x00\x00\x00\x00\x00",
-             28);
+  return isf_stream(
+      "\x05\x01\x38\x11\x00\x00\xc8\x42\x0a\x12"
+      "\x02\x08\x0a\x14\x08\x1e\xd8\x09\x19\xbf\xc0\x00\x00\x00\x00\x00\x00\x00"sv);
 }
 
 /// Three points with a status and two buttons each.
 std::string isf_buttons() {
-  constexpr char size = 27;
-  return std::string(1, '\0') + size +
-         std::string(
-             "\x05\x05\x35\x06\x02\x53\x55\x0a\x12\x03\x08\x00\x01\x02\x08\x00\x01\x02\x08\x00\x02\x00\x74"
-             "\x00\x00\x00\x00",
-             27);
+  return isf_stream(
+      "\x05\x05\x35\x06\x02\x53\x55\x0a\x12\x03\x08\x00\x01\x02\x08\x00\x01\x02\x08\x00\x02\x00\x74"
+      "\x00\x00\x00\x00"sv);
 }
 
 std::string remarkable_5() {
