@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 #include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "support/process.h"
 #include "support/shared_data.h"
@@ -35,13 +38,25 @@ class NotingMachine {
 
   /// The calls that the command of `./dev` makes, a line each.
   std::string calls_of(const std::string& command) const {
-    write_file_whole(calls(), [](std::ostream&) {});
-    const std::string path = "PATH=" + (folder_.path() / "programs").string() + ":/usr/bin:/bin";
-    run_process({"/usr/bin/env", path, "bash", "-c", (folder_.path() / "dev").string() + " " + command});
+    run(command);
     return read_file(calls());
   }
 
+  /// What the command of `./dev` says; it must make no calls.
+  ProcessResult idle_result_of(const std::string& command) const {
+    const ProcessResult result = run(command);
+    EXPECT_EQ(read_file(calls()), "") << command;
+    return result;
+  }
+
  private:
+  ProcessResult run(const std::string& command) const {
+    write_file_whole(calls(), [](std::ostream&) {});
+    const std::string path = "PATH=" + (folder_.path() / "programs").string() + ":/usr/bin:/bin";
+    return run_process(
+        {"/usr/bin/env", path, "bash", "-c", (folder_.path() / "dev").string() + " " + command});
+  }
+
   std::string calls() const { return folder_.path() / "calls"; }
 
   /// A script that notes its call.
@@ -131,6 +146,49 @@ TEST(Dev, FuzzBuildsWithClangAndTriesEveryReaderOrOne) {
       << of_one;
   EXPECT_EQ(machine.calls_of("fuzz three").find("max_total_time"), std::string::npos);
   EXPECT_EQ(machine.calls_of("fuzz --minutes x"), "");
+}
+
+/// The commands that the usage lists.
+std::vector<std::string> listed_commands(const std::string& usage) {
+  static const std::regex command("\n  ([a-z-]+)");
+  return {std::sregex_token_iterator(usage.begin(), usage.end(), command, 1), {}};
+}
+
+TEST(Dev, TellsOfEachCommandAndStartsNothing) {
+  const NotingMachine machine("none");
+  const std::string usage = machine.idle_result_of("help").out;
+  const std::vector<std::string> commands = listed_commands(usage);
+  EXPECT_GT(commands.size(), 10u);
+  for (const std::string& command : commands)
+    for (const char* option : {" --help", " -h", " some --help"}) {
+      const ProcessResult result = machine.idle_result_of(command + option);
+      EXPECT_EQ(result.exit_code, 0) << command;
+      EXPECT_TRUE(result.out.starts_with("  " + command + " ")) << result.out;
+      EXPECT_EQ(listed_commands("\n" + result.out).size(), 1u) << result.out;
+      EXPECT_NE(usage.find(result.out), usage.npos) << result.out;
+    }
+  EXPECT_EQ(machine.idle_result_of("glow --help").exit_code, 1);
+}
+
+TEST(Dev, RefusesWhatACommandDoesNotTakeBeforeAnythingStarts) {
+  const NotingMachine machine("*");
+  const auto refusal = [&](const std::string& command) {
+    const ProcessResult result = machine.idle_result_of(command);
+    EXPECT_EQ(result.exit_code, 1) << command;
+    return result.err;
+  };
+  EXPECT_EQ(refusal("fuzz --minute 3"), "dev: no option '--minute': ./dev fuzz --help\n");
+  EXPECT_EQ(refusal("fuzz --minutes"), "dev: --minutes takes a value: ./dev fuzz --help\n");
+  EXPECT_EQ(refusal("fuzz obj ply"), "dev: 'ply' is too much: ./dev fuzz --help\n");
+  EXPECT_EQ(refusal("mutate --number=3"), "dev: no option '--number': ./dev mutate --help\n");
+  for (const std::string& command : listed_commands(machine.idle_result_of("help").out))
+    EXPECT_EQ(refusal(command + " --glow"), "dev: no option '--glow': ./dev " + command + " --help\n");
+}
+
+TEST(Dev, TakesValuesOfOptionsEitherWay) {
+  const NotingMachine machine("*");
+  EXPECT_EQ(machine.calls_of("fuzz two --minutes=7"), machine.calls_of("fuzz two --minutes 7"));
+  EXPECT_NE(machine.calls_of("fuzz two --minutes=7").find("-max_total_time=420 "), std::string::npos);
 }
 
 TEST(Dev, ProgramsAreInstalledForTheTestsThatNeedThem) {
