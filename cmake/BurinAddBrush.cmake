@@ -1,8 +1,9 @@
 # For authors of brushes:
 #
 #   burin_add_brush(NAME SOURCE... [VALIDATE LEVEL|OFF])
-#     The module NAME.burin. After the build `burin validate` tests it up to LEVEL, 2 unless given, if the program is
-#     there (BURIN_PROGRAM). `cmake --install` puts it into lib/burin/brushes: hosts of the same prefix find it there,
+#     The module NAME.burin. A build of all targets tests it by `burin validate` up to LEVEL, 2 unless given, if the
+#     program is there (BURIN_PROGRAM). Where that fails so does the build; the module stays, to look at it, and the next
+#     build tests it again. `cmake --install` puts it into lib/burin/brushes: hosts of the same prefix find it there,
 #     others if BURIN_PLUGIN_PATH names the folder.
 #   burin_test_brush(NAME [PARAMS ID=VALUE...])
 #     Two tests for CTest: `burin validate` and one stroke by `burin try`, with these parameters.
@@ -36,9 +37,18 @@ function(burin_add_brush name)
   elseif(NOT BURIN_PROGRAM)
     message(STATUS "Burin: without the program burin, ${name} is not validated")
   elseif(NOT CMAKE_CROSSCOMPILING)
-    add_custom_command(TARGET ${name} POST_BUILD VERBATIM
-      COMMAND ${BURIN_PROGRAM} validate $<TARGET_FILE:${name}> --level ${ARG_VALIDATE} --quiet)
+    burin_validate_brush(${name} ${ARG_VALIDATE})
   endif()
+endfunction()
+
+# burin_validate_brush(NAME LEVEL): a file beside the module is made when it has passed. As a step of the module's own
+# build a failure would let make delete the module.
+function(burin_validate_brush name level)
+  set(passed ${CMAKE_CURRENT_BINARY_DIR}/${name}.validated-${level}$<CONFIG>)
+  add_custom_command(OUTPUT ${passed} DEPENDS ${name} VERBATIM COMMENT "Validating ${name}"
+    COMMAND ${BURIN_PROGRAM} validate $<TARGET_FILE:${name}> --level ${level} --quiet
+    COMMAND ${CMAKE_COMMAND} -E touch ${passed})
+  add_custom_target(${name}_validated ALL DEPENDS ${passed})
 endfunction()
 
 function(burin_test_brush name)
