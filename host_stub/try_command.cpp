@@ -9,16 +9,19 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "command.h"
 #include "input/brush_folder.h"
 #include "input/grid_mesh.h"
 #include "options/options.h"
+#include "options/setting_options.h"
 #include "options/view.h"
 #include "pictures/result_picture.h"
 #include "replay/replay_pictures.h"
@@ -33,6 +36,7 @@ namespace {
 struct TryOptions {
   std::string brush, png = "try.png";
   std::vector<std::string> params;
+  GivenSettings solid;  ///< what becomes of the solid of a brush that makes one
   double radius = 0.15;
   std::optional<int> watch;
   bool isolate = false;
@@ -93,20 +97,15 @@ Camera view_of(const Session& session, const StrokeExtent& extent) {
 void watch_stroke(const TryOptions& options, Session& session, BrushLibrary& library,
                   const Recording& recording, const Camera& camera, Picture picture) {
   flush_results();
-  watch({session,
-         library,
-         recording,
-         {},
-         camera,
+  watch({session, library, recording, options.solid, camera,
          [&](const WatchedStroke&, const WatchedStroke& after) { write_png(options.png, after.picture); },
-         *options.watch,
-         std::move(picture)});
+         *options.watch, std::move(picture)});
 }
 
 void run(const TryOptions& options) {
   check_output_path(options.png);
   BrushLibrary library = brush_library(options.isolate);
-  const BrushEntry& entry = load_named_brushes(library, options.brush).front();
+  const BrushEntry& entry = load_named_brush(library, options.brush);
   const std::string brush = entry.descriptor->id;
   ParamSettings params = parse_param_settings(
       options.params, [&](const std::string& name) { return takes_text(library, &brush, name); });
@@ -119,7 +118,7 @@ void run(const TryOptions& options) {
   ReplayObserver observer;
   observer.piece_ended = [&](const Session& done) { extent.piece_ended(done); };
   const Recording recording = make_recording(brush, options, params);
-  const ReplayResult result = replay(session, recording, {}, observer);
+  const ReplayResult result = replay(session, recording, options.solid, observer);
   for (const std::string& line : session.warnings()) warn(line);
   const Camera camera = view_of(session, extent);
   Picture picture = draw_result(session, part_meshes(session), camera);
@@ -134,9 +133,7 @@ void run(const TryOptions& options) {
 void add_try(CLI::App& app) {
   const auto options = std::make_shared<TryOptions>();
   CLI::App& command = *app.add_subcommand("try", "draw one stroke on a small surface, and a picture of it");
-  command.add_option("brush", options->brush, std::string(named_brushes_help) + "; of a module the first")
-      ->required()
-      ->type_name("BRUSH");
+  command.add_option("brush", options->brush, named_brushes_help)->required()->type_name("BRUSH");
   command.add_option("--png", options->png, "picture to write")->type_name("FILE")->capture_default_str();
   command.add_option("--radius", options->radius, "of the stroke; the surface is 2 wide")
       ->check(CLI::Range(0.02, 0.4))
@@ -144,6 +141,8 @@ void add_try(CLI::App& app) {
   command.add_option("--param", options->params, "parameter of the brush; may be given repeatedly")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
+  constexpr std::array<std::string_view, 2> of_solids = {"solid", "voxel"};
+  add_setting_options(command, options->solid, of_solids);
   CLI::Option* watch = command
                            .add_flag("--watch{0}", options->watch,
                                      "draw the stroke and the picture again whenever the module changes, "

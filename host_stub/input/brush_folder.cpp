@@ -1,6 +1,7 @@
 // Loads the brushes of a command. At the end of the process a function checks that no plugin called exit().
 #include "input/brush_folder.h"
 
+#include <burin/abi/brush.h>
 #include <burin/base/error.h>
 #include <burin/base/program_file.h>
 #include <burin/deform/evaluate/plugin_call.h>
@@ -10,6 +11,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 #include "system/console.h"
 #include "system/crash_line.h"
@@ -60,13 +62,26 @@ void load_module(BrushLibrary& library, const std::filesystem::path& module) {
 
 std::span<const BrushEntry> load_named_brushes(BrushLibrary& library, const std::string& name) {
   if (!std::filesystem::is_regular_file(name)) {
-    if (name.ends_with(".burin")) throw FileError(name, "there is no such file");
+    // Ids have no slashes.
+    if (name.ends_with(".burin") || name.find('/') != name.npos)
+      throw FileError(name, "there is no such file");
     load_brushes(library);
     return {&library.find(name), 1};
   }
   load_module(library, name);
   if (library.brushes().empty()) throw FileError(name, "has no brushes");
   return library.brushes();
+}
+
+const BrushEntry& load_named_brush(BrushLibrary& library, const std::string& name) {
+  const std::span<const BrushEntry> brushes = load_named_brushes(library, name);
+  if (brushes.size() == 1) return brushes.front();
+  std::vector<std::string> ids;
+  for (const BrushEntry& entry : brushes) ids.emplace_back(entry.descriptor->id);
+  throw FileError(name,
+                  fmt::format("has several brushes: {}; with the environment variable "
+                              "BURIN_PLUGIN_PATH={} each is found by its id",
+                              fmt::join(ids, ", "), std::filesystem::absolute(name).parent_path().string()));
 }
 
 }  // namespace burin

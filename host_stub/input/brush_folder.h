@@ -30,7 +30,10 @@ void load_module(BrushLibrary& library, const std::filesystem::path& module);
 /// module, or this one. Throws Error if there is none.
 std::span<const BrushEntry> load_named_brushes(BrushLibrary& library, const std::string& name);
 
-/// What load_named_brushes() takes, for the help.
+/// The same for one brush: of a module the only one. Throws Error, which lists them, if there are several.
+const BrushEntry& load_named_brush(BrushLibrary& library, const std::string& name);
+
+/// What these take, for the help.
 inline constexpr const char* named_brushes_help = "module, NAME.burin, or id of a brush";
 
 }  // namespace burin

@@ -1,5 +1,6 @@
 // The command `burin replay`: draws recorded strokes on a surface, and writes the results: a summary, the
 // mesh, solids, a displacement map, pictures and a report.
+#include <burin/abi/brush.h>
 #include <burin/base/error.h>
 #include <burin/host/plugin/brush_params.h>
 #include <burin/host/replay.h>
@@ -155,15 +156,23 @@ Eigen::Matrix3d turn_to_save(const ReplayOptions& options) {
   return turn_of_saved(options.axes, options.mesh.mesh.path, options.save_mesh);
 }
 
-void check_options(const ReplayOptions& options, const BrushLibrary& library) {
+void check_options(const ReplayOptions& options) {
   check_mesh_path(options.save_mesh);
   turn_to_save(options);
   check_output_path(options.save_vdb);
   check_output_path(options.png);
   check_report_folder(options.report);
   check_bake_path(options.bake);
-  if (const std::string* brush = options.settings.find(&StrokeSettings::brush))
-    with_file_context("--brush", [&] { library.find(*brush); });
+}
+
+/// Loads the brush that --brush names, or all that strokes may have been recorded with.
+void load(ReplayOptions& options, BrushLibrary& library) {
+  const std::string* named = options.settings.find(&StrokeSettings::brush);
+  if (!named) return load_brushes(library);
+  with_file_context("--brush", [&] {
+    const BrushEntry& brush = load_named_brush(library, *named);
+    options.settings[&StrokeSettings::brush] = brush.descriptor->id;
+  });
 }
 
 /// Goes on with the last stroke. A report has undone all, so they are drawn once more.
@@ -241,8 +250,8 @@ bool is_bundle(const ReplayOptions& options) {
 
 void run(ReplayOptions& options) {
   BrushLibrary library = brush_library(options.isolate);
-  load_brushes(library);
-  check_options(options, library);
+  load(options, library);
+  check_options(options);
   options.settings[&StrokeSettings::params] = read_params(options, library);
   refine_by_default(options);
   std::vector<Recording> recordings = read_recordings(options);
@@ -303,6 +312,9 @@ void add_replay(CLI::App& app) {
   command.get_option("--mesh")->required(false);
   add_axes_options(command, options->axes);
   add_all_setting_options(command, options->settings, options->params);
+  command.get_option("--brush")
+      ->description(fmt::format("{} (as recorded)", named_brushes_help))
+      ->type_name("BRUSH");
   command
       .add_option("--save-mesh", options->save_mesh,
                   "surface to write, with what is painted on it: .ply, .glb, .obj or .off")

@@ -32,6 +32,21 @@ TEST(TryCommand, DrawsSoftHillsWhereTheUserChoseNoFile) {
   EXPECT_EQ(result.err, "burin: warning: no --param stamp=FILE was given: it is an image of soft hills\n");
 }
 
+TEST(TryCommand, ShowsTheSolidThatIsAskedFor) {
+  const CommandFolder folder;
+  const auto picture = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> command = {"try", "org.burin.tube", "--png", folder.path("a.png")};
+    command.insert(command.end(), options.begin(), options.end());
+    burin_output(command);
+    return read_file(folder.path("a.png"));
+  };
+  const std::string fine = picture({});
+  EXPECT_NE(picture({"--solid", "none"}), fine);
+  EXPECT_NE(picture({"--voxel", "0.05"}), fine) << "coarse voxels";
+  const std::string refused = burin({"try", "org.burin.tube", "--solid", "glow"}).err;
+  EXPECT_EQ(refused, burin({"replay", "a.stroke", "--mesh", "a.obj", "--solid", "glow"}).err);
+}
+
 TEST(TryCommand, NamesWhatIsNoBrush) {
   const CommandFolder folder;
   const std::string module =
