@@ -19,6 +19,7 @@ class Groove : public Brush {
       .features = {"procedural"},
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_END_DISTANCE,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
+      .budget = 100,
   };
   static constexpr FloatParam depth =
       common::depth("Depth along the middle; below 0 a ridge.", {0, 1}, 0.25f);

@@ -53,6 +53,13 @@ TEST(BenchBrush, FailsWhereABudgetIsExceededAndWritesAPageWithThePicture) {
   EXPECT_NE(page.str().find(">org.burin.groove</text>"), std::string::npos);
 }
 
+TEST(BenchBrush, TellsTheBudgetThatABrushStatesInItsInfo) {
+  const fs::path groove = fs::path(BURIN_COMMAND).parent_path() / "brushes" / "groove.burin";
+  const ProcessResult result = burin({"bench-brush", groove, "--rounds", "1", "--json"});
+  // Whether it is kept depends on what the compiler was told.
+  EXPECT_EQ(nlohmann::json::parse(result.out)[0]["budget"], 100) << result.err;
+}
+
 TEST(BenchBrush, RefusesWhatIsNoPlugin) {
   const CommandFolder folder;
   EXPECT_EQ(burin({"bench-brush", folder.write("a.burin", "text")}).exit_code, 2);

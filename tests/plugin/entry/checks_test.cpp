@@ -17,6 +17,14 @@ TEST(ReverseDns, IsPartsBetweenDots) {
     EXPECT_FALSE(checks::reverse_dns(id)) << (id ? id : "null");
 }
 
+TEST(BudgetChecks, WantAFiniteNumberFromZeroOn) {
+  EXPECT_TRUE(checks::promises(0));
+  EXPECT_TRUE(checks::promises(40.5));
+  for (const double budget :
+       {-1.0, -0.5, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_FALSE(checks::promises(budget)) << budget;
+}
+
 bool accepted(const auto& param) { return !checks::broken_by(param_list(param), 0); }
 
 TEST(ParamChecks, WantIdAndName) {

@@ -1,7 +1,9 @@
+#include <burin/abi/ext/bench_budget.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -102,6 +104,24 @@ TEST(BrushDescriptor, NeedsNeitherParametersNorFeatures) {
   EXPECT_EQ(brush.param_count, 0u);
   EXPECT_TRUE(list(brush.features).empty());
   EXPECT_EQ(brush.help, nullptr);
+}
+
+/// What the only brush of a module promises of its time, or nothing.
+std::optional<double> promised_budget(const PluginModule& module) {
+  const test::TestHost host;
+  const burin_brush_factory& factory = module.factory();
+  const burin_brush* brush = factory.create(&factory, &host.abi, factory.brushes[0]->id, nullptr);
+  std::optional<double> cost;
+  const auto* budget =
+      static_cast<const burin_bench_budget*>(brush->get_extension(brush, BURIN_EXT_BENCH_BUDGET));
+  if (budget) cost = budget->evaluate_cost(brush, nullptr);
+  brush->destroy(brush);
+  return cost;
+}
+
+TEST(BrushInfo, PromisesABudgetWhereItStatesOne) {
+  EXPECT_EQ(promised_budget(PluginModule("brushes/groove")), 100);
+  EXPECT_EQ(promised_budget(PluginModule("brushes/bead")), std::nullopt);
 }
 
 TEST(StockBrushes, DeclareTheParametersThatStrokesName) {

@@ -44,6 +44,9 @@ constexpr const char* broken_by_ranges(const burin_param_info& info) {
   return nullptr;
 }
 
+/// Whether a budget is a number from 0 on.
+constexpr bool promises(double budget) { return budget >= 0 && budget <= std::numeric_limits<double>::max(); }
+
 /// Whether x is a whole number within the range in which floats hold all whole numbers.
 constexpr bool whole(float x) {
   constexpr float limit = 16777216;

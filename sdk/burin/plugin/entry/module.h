@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/abi/ext/bench_budget.h>
 #include <burin/abi/plugin.h>
 #include <burin/plugin/brush.h>
 #include <burin/plugin/c/param_ranges.h>
@@ -41,6 +42,7 @@ struct Declaration {
 
   static_assert(B::info.overlap >= BURIN_OVERLAP_STRONGEST && B::info.overlap <= BURIN_OVERLAP_AVERAGE,
                 "BrushInfo::overlap must be one of BURIN_OVERLAP_STRONGEST .. BURIN_OVERLAP_AVERAGE");
+  static_assert(checks::promises(B::info.budget), "BrushInfo::budget must be a finite number from 0 on");
 
   static constexpr auto params = params_of<B>();
   template <std::size_t... I>
@@ -97,6 +99,8 @@ class Instance {
       if (std::string_view(id) == BURIN_EXT_VOLUME) return &volume_;
     if constexpr (std::derived_from<B, CurveFilter>)
       if (std::string_view(id) == BURIN_EXT_CURVE_FILTER) return &curve_filter_;
+    if constexpr (B::info.budget > 0)
+      if (std::string_view(id) == BURIN_EXT_BENCH_BUDGET) return &budget_;
     return nullptr;
   }
 
@@ -184,6 +188,11 @@ class Instance {
       return {};
   }
   static constexpr burin_curve_filter curve_filter_ = curve_filter();
+
+  static double BURIN_CALL evaluate_cost(const burin_brush*, const burin_params*) noexcept {
+    return B::info.budget;
+  }
+  static constexpr burin_bench_budget budget_{sizeof(burin_bench_budget), 0, evaluate_cost};
 
   static void BURIN_CALL end(const burin_brush*, void* stroke) { delete static_cast<B*>(stroke); }
 
