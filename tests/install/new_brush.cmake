@@ -2,6 +2,7 @@
 # compiler and standard, and one is built, validated and tested as its README says.
 #   BURIN_BUILD, BURIN_CONFIG   the build to install, below WORK
 #   BURIN_COMMAND               the program burin
+#   SAMPLES                     samples/ of the sources, for a stroke and a mesh
 #   C_COMPILERS, CXX_COMPILERS  those of them that are there
 #   GENERATOR
 function(run)
@@ -27,6 +28,7 @@ new(stamp)
 new(tiled --features tile)
 new(painted --features paint)
 new(solid --features volume)
+new(tiled_and_painted --features tile,paint)
 new(all_features --features tile,paint,volume)
 new(plain_c --c)
 new(painted_c --c --features paint)
@@ -59,9 +61,43 @@ if(compiled LESS 2)
   message(FATAL_ERROR "new_brush: nothing was compiled")
 endif()
 
+# A brush in C and the same in C++ draw the same: positions and colours of all vertices have the same bits.
+list(GET C_COMPILERS 0 c_compiler)
+list(GET CXX_COMPILERS 0 cxx_compiler)
+# draw(NAME COMPILER LANGUAGE): NAME.ply.
+function(draw name compiler language)
+  set(file ${WORK}/${name}/${name})
+  run(${compiler} -O2 -ffp-contract=off -fPIC -shared -I${WORK}/prefix/include ${file}.${language} -o ${file}.burin -lm ${ARGN})
+  run(${BURIN_COMMAND} replay ${SAMPLES}/strokes/meander.stroke --mesh ${SAMPLES}/meshes/ewer.obj --subdivide 3
+    --brush ${file}.burin --save-mesh ${WORK}/${name}.ply OUTPUT_QUIET)
+  file(SHA256 ${WORK}/${name}.ply hash)
+  set(drawn_${name} ${hash} PARENT_SCOPE)
+endfunction()
+set(all_drawn "")
+foreach(pair plain/plain_c tiled/tiled_c painted/painted_c tiled_and_painted/all_c)
+  get_filename_component(cpp ${pair} DIRECTORY)
+  get_filename_component(c ${pair} NAME)
+  draw(${cpp} ${cxx_compiler} cpp -std=c++20)
+  draw(${c} ${c_compiler} c)
+  if(NOT drawn_${cpp} STREQUAL drawn_${c})
+    message(FATAL_ERROR "new_brush: ${cpp} and ${c} draw different things")
+  endif()
+  list(APPEND all_drawn ${drawn_${c}})
+endforeach()
+list(REMOVE_DUPLICATES all_drawn)
+list(LENGTH all_drawn count)
+if(NOT count EQUAL 4)
+  message(FATAL_ERROR "new_brush: some features draw nothing")
+endif()
+foreach(source ${sources_c} ${sources_cpp})
+  file(READ ${source} text)
+  if(NOT text MATCHES "rim_slope = 1.125f")
+    message(FATAL_ERROR "new_brush: ${source} states no rim_slope")
+  endif()
+endforeach()
+
 # As builds without CMake do.
 find_program(PKG_CONFIG pkg-config)
-list(GET C_COMPILERS 0 c_compiler)
 if(PKG_CONFIG)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${WORK}/prefix/share/pkgconfig
     ${PKG_CONFIG} --cflags burin-plugin OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
@@ -75,7 +111,6 @@ if(PKG_CONFIG)
     message(FATAL_ERROR "new_brush: values outside of their ranges: ${outside}")
   endif()
 endif()
-list(GET CXX_COMPILERS 0 cxx_compiler)
 set(ENV{CC} ${c_compiler})
 set(ENV{CXX} ${cxx_compiler})
 foreach(name all_features all_c)
