@@ -151,14 +151,14 @@ TEST(Guide, ShowsBrushesThatKeepToTheAbi) {
       "find_package(Burin REQUIRED COMPONENTS plugin)\n";
   std::map<std::string, int> recipes;  // by language
   for (const char* language : {"cpp", "c"})
-    for (const char* page : {"brush_recipes", "parameters", "debugging"})
+    for (const char* page : {"brush_recipes", "parameters", "debugging", "watch"})
       for (const std::string& block : fenced_blocks(page_text(page), language)) {
         const std::string name = fmt::format("{}_{}", language, ++recipes[language]);
         write_file_whole(checkout.path() / fmt::format("{}.{}", name, language),
                          [&](std::ostream& out) { out << block; });
         lists += fmt::format("burin_add_brush({0} {0}.{1} VALIDATE 4)\n", name, language);
       }
-  EXPECT_EQ(recipes, (std::map<std::string, int>{{"c", 1}, {"cpp", 8}}));
+  EXPECT_EQ(recipes, (std::map<std::string, int>{{"c", 1}, {"cpp", 11}}));
   write_file_whole(checkout.path() / "CMakeLists.txt", [&](std::ostream& out) { out << lists; });
   EXPECT_EQ(
       checkout.run("cmake --install build/release --component plugin --prefix prefix\n"
