@@ -119,7 +119,7 @@ function(burin_install_guide)
     set(FOLDER ${CMAKE_INSTALL_DATADIR}/doc/burin-dev/guide)
     include(\"${PROJECT_SOURCE_DIR}/cmake/InstalledGuide.cmake\")"
     COMPONENT plugin)
-  foreach(kind strokes meshes stamps)
+  foreach(kind meshes recordings solids stamps strokes suites)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples/${kind} DESTINATION ${CMAKE_INSTALL_DATADIR}/burin/samples COMPONENT command)
   endforeach()
 endfunction()

@@ -96,11 +96,9 @@ std::string section(const BrushEntry& entry) {
 std::string page() {
   std::string text =
       "# The stock brushes\n\n"
-      "Each is one source in `brushes/`; `./dev gallery` draws the pictures. Lengths in radii are multiples "
-      "of\n"
-      "half the width of the stroke. [overlap.md](overlap.md) tells what the brushes do where a stroke "
-      "overlaps\n"
-      "itself.\n";
+      "Lengths in radii are multiples of half the width of the stroke. [overlap.md](overlap.md) tells what\n"
+      "the brushes do where a stroke overlaps itself.<!-- sources --> Each is one source in `brushes/`;\n"
+      "`./dev gallery` draws the pictures.<!-- /sources -->\n";
   BrushLibrary library;
   library.load_folder(test::brushes_folder);
   for (const BrushEntry& brush : library.brushes()) text += section(brush);

@@ -19,7 +19,7 @@ endfunction()
 
 expect(burin bin/burin share/man/man1/burin.1.gz lib/burin/brushes/groove.burin
   lib/burin/burin-brush-process lib/burin/burin-images.so lib/burin/burin-solids.so share/burin/samples/strokes/wave.stroke share/burin/samples/meshes/ewer.obj
-  share/burin/samples/stamps/scales.exr)
+  share/burin/samples/stamps/scales.exr share/burin/samples/suites/everyday.json share/burin/samples/solids/rail.vdb)
 expect(burin-dev include/burin/plugin/plugin.h include/burin/abi/plugin.h lib/cmake/Burin/BurinAddBrush.cmake
   share/pkgconfig/burin-plugin.pc share/doc/burin-dev/guide/guide.md share/doc/burin-dev/guide/chart.png)
 expect(libburin0 lib/libburin.so.0.1.0)
@@ -61,6 +61,30 @@ foreach(page ${pages})
 endforeach()
 if(links LESS 50)
   message(FATAL_ERROR "packages: ${links} links in the guide")
+endif()
+
+# Readers of the guide have neither the sources nor ./dev: every file that it names in backquotes is a header that the
+# packages hold, and nothing else of the repository is there.
+set(include ${WORK}/unpacked/usr/include)
+set(names 0)
+foreach(page ${pages})
+  file(READ ${page} text)
+  foreach(word "\\./dev" "build/release" "<!--" "sdk/burin" "(^|[^/])samples/" "host_stub/" "host_probe" "hosts/" "tests/" "CONTRIBUTING")
+    if(text MATCHES "[^\n]*${word}[^\n]*")
+      message(FATAL_ERROR "packages: ${page} tells readers without the sources: ${CMAKE_MATCH_0}")
+    endif()
+  endforeach()
+  string(REGEX MATCHALL "`[a-z_0-9/]+/[a-z_0-9]+\\.(h|c|cpp|cmake|md|py|sh)`" found "${text}")
+  foreach(name ${found})
+    string(REPLACE "`" "" name "${name}")
+    if(NOT EXISTS ${include}/${name} AND NOT EXISTS ${include}/burin/${name})
+      message(FATAL_ERROR "packages: ${page} names ${name}, which no package holds")
+    endif()
+    math(EXPR names "${names} + 1")
+  endforeach()
+endforeach()
+if(names LESS 20)
+  message(FATAL_ERROR "packages: ${names} names of headers in the guide")
 endif()
 
 file(GLOB debs ${WORK}/*.deb)
