@@ -5,8 +5,9 @@
 #     program is there (BURIN_PROGRAM). Where that fails so does the build; the module stays, to look at it, and the next
 #     build tests it again. `cmake --install` puts it into lib/burin/brushes: hosts of the same prefix find it there,
 #     others if BURIN_PLUGIN_PATH names the folder.
-#   burin_test_brush(NAME [PARAMS ID=VALUE...])
-#     Two tests for CTest: `burin validate` and one stroke by `burin try`, with these parameters.
+#   burin_test_brush(NAME [BRUSHES ID...] [PARAMS ID=VALUE...])
+#     Tests for CTest: `burin validate` and one stroke by `burin try`, with these parameters. BRUSHES names the brushes
+#     of a module that has several; there is a stroke for each.
 
 # burin_brush_module(NAME SOURCE...): the module alone, as the stock brushes are built.
 function(burin_brush_module name)
@@ -52,12 +53,18 @@ function(burin_validate_brush name level)
 endfunction()
 
 function(burin_test_brush name)
-  cmake_parse_arguments(ARG "" "" "PARAMS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "BRUSHES;PARAMS" ${ARGN})
   list(TRANSFORM ARG_PARAMS PREPEND --param=)
   if(NOT BURIN_PROGRAM)
     message(STATUS "Burin: without the program burin, ${name} is not tested")
     return()
   endif()
   add_test(NAME ${name}.validate COMMAND ${BURIN_PROGRAM} validate $<TARGET_FILE:${name}> --quiet)
-  add_test(NAME ${name}.try COMMAND ${BURIN_PROGRAM} try $<TARGET_FILE:${name}> --png ${name}.png ${ARG_PARAMS})
+  if(NOT ARG_BRUSHES)
+    add_test(NAME ${name}.try COMMAND ${BURIN_PROGRAM} try $<TARGET_FILE:${name}> --png ${name}.png ${ARG_PARAMS})
+  endif()
+  foreach(brush ${ARG_BRUSHES})
+    add_test(NAME ${name}.try.${brush}
+      COMMAND ${BURIN_PROGRAM} try $<TARGET_FILE:${name}>:${brush} --png ${brush}.png ${ARG_PARAMS})
+  endforeach()
 endfunction()

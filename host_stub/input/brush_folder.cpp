@@ -11,6 +11,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 #include <vector>
 
 #include "system/console.h"
@@ -60,28 +61,46 @@ void load_module(BrushLibrary& library, const std::filesystem::path& module) {
   load_guarded([&] { library.load(module); });
 }
 
+namespace {
+
+constexpr std::string_view module_ending = ".burin";
+
+/// A module that a user names, "NAME.burin" or "NAME.burin:ID".
+struct NamedModule {
+  std::string file;
+  std::string id;  ///< of one of its brushes; empty: all
+};
+
+NamedModule named_module(const std::string& name) {
+  const std::size_t end = name.rfind(std::string(module_ending) + ":");
+  if (end == name.npos || std::filesystem::exists(name)) return {name, ""};
+  const std::size_t colon = end + module_ending.size();
+  return {name.substr(0, colon), name.substr(colon + 1)};
+}
+
+}  // namespace
+
 std::span<const BrushEntry> load_named_brushes(BrushLibrary& library, const std::string& name) {
-  if (!std::filesystem::is_regular_file(name)) {
+  const auto& [file, id] = named_module(name);
+  if (!std::filesystem::is_regular_file(file)) {
     // Ids have no slashes.
-    if (name.ends_with(".burin") || name.find('/') != name.npos)
-      throw FileError(name, "there is no such file");
+    if (file.ends_with(module_ending) || file.find('/') != file.npos)
+      throw FileError(file, "there is no such file");
     load_brushes(library);
     return {&library.find(name), 1};
   }
-  load_module(library, name);
-  if (library.brushes().empty()) throw FileError(name, "has no brushes");
+  load_module(library, file);
+  if (library.brushes().empty()) throw FileError(file, "has no brushes");
+  if (!id.empty()) return {&library.find(id), 1};
   return library.brushes();
 }
 
 const BrushEntry& load_named_brush(BrushLibrary& library, const std::string& name) {
   const std::span<const BrushEntry> brushes = load_named_brushes(library, name);
   if (brushes.size() == 1) return brushes.front();
-  std::vector<std::string> ids;
-  for (const BrushEntry& entry : brushes) ids.emplace_back(entry.descriptor->id);
-  throw FileError(name,
-                  fmt::format("has several brushes: {}; with the environment variable "
-                              "BURIN_PLUGIN_PATH={} each is found by its id",
-                              fmt::join(ids, ", "), std::filesystem::absolute(name).parent_path().string()));
+  std::vector<std::string> names;
+  for (const BrushEntry& entry : brushes) names.push_back(fmt::format("{}:{}", name, entry.descriptor->id));
+  throw FileError(name, fmt::format("has several brushes; name one: {}", fmt::join(names, ", ")));
 }
 
 }  // namespace burin

@@ -26,14 +26,15 @@ void load_brushes(BrushLibrary& library);
 /// The same with the brushes of one module alone.
 void load_module(BrushLibrary& library, const std::filesystem::path& module);
 
-/// Loads what a user names: a module, or the search path for the brush with an id. Returns the brushes of the
-/// module, or this one. Throws Error if there is none.
+/// Loads what a user names: a module, of which ":ID" behind its name may choose a brush, or the search path
+/// for the brush with an id. Returns the brushes of the module, or this one. Throws Error if there is none.
 std::span<const BrushEntry> load_named_brushes(BrushLibrary& library, const std::string& name);
 
 /// The same for one brush: of a module the only one. Throws Error, which lists them, if there are several.
 const BrushEntry& load_named_brush(BrushLibrary& library, const std::string& name);
 
 /// What these take, for the help.
-inline constexpr const char* named_brushes_help = "module, NAME.burin, or id of a brush";
+inline constexpr const char* named_brushes_help =
+    "module, NAME.burin, or NAME.burin:ID for one of several brushes; or id of a brush";
 
 }  // namespace burin

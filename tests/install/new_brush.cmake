@@ -113,6 +113,27 @@ if(PKG_CONFIG)
 endif()
 set(ENV{CC} ${c_compiler})
 set(ENV{CXX} ${cxx_compiler})
+
+# A module with two brushes, a stroke of each.
+file(MAKE_DIRECTORY ${WORK}/pair)
+file(READ ${WORK}/plain/plain.cpp one)
+string(REGEX REPLACE "BURIN_PLUGIN.*" "" one "${one}")
+string(REGEX REPLACE ".*using namespace [a-z:]+;" "" two "${one}")
+string(REPLACE "PlainPlugin" "OtherPlugin" two "${two}")
+string(REPLACE "org.example.plain" "org.example.other" two "${two}")
+file(WRITE ${WORK}/pair/pair.cpp "${one}${two}BURIN_PLUGIN(PlainPlugin, OtherPlugin);\n")
+file(WRITE ${WORK}/pair/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\nproject(pair LANGUAGES CXX)\n\
+find_package(Burin REQUIRED COMPONENTS plugin)\nburin_add_brush(pair pair.cpp)\nenable_testing()\n\
+burin_test_brush(pair BRUSHES org.example.plain org.example.other)\n")
+run(${CMAKE_COMMAND} -S ${WORK}/pair -B ${WORK}/pair/build -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release
+  -DCMAKE_PREFIX_PATH=${WORK}/prefix -DBURIN_PROGRAM=${BURIN_COMMAND})
+run(${CMAKE_COMMAND} --build ${WORK}/pair/build)
+run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/pair/build --no-tests=error --output-on-failure)
+foreach(id plain other)
+  if(NOT EXISTS ${WORK}/pair/build/org.example.${id}.png)
+    message(FATAL_ERROR "new_brush: no stroke of ${id}")
+  endif()
+endforeach()
 foreach(name all_features all_c)
   set(build ${WORK}/${name}/build)
   run(${CMAKE_COMMAND} --preset release -S ${WORK}/${name} -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK}/prefix

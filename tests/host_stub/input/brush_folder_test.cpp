@@ -50,20 +50,25 @@ TEST(NamedBrush, MayBeAModuleWithTheIdOfAnInstalledOne) {
 
 TEST(NamedBrush, IsOneOfAModule) {
   const NamedModules modules;
-  const std::string line =
-      "burin: " + several_brushes +
-      ": has several brushes: org.burin.test.params, org.burin.test.start; with the environment variable "
-      "BURIN_PLUGIN_PATH=" +
-      fs::path(several_brushes).parent_path().string() + " each is found by its id\n";
+  const std::string line = "burin: " + several_brushes +
+                           ": has several brushes; name one: " + several_brushes +
+                           ":org.burin.test.params, " + several_brushes + ":org.burin.test.start\n";
   EXPECT_EQ(modules.error(modules.replay(several_brushes)), line);
   EXPECT_EQ(modules.error({"try", several_brushes, "--png", modules.folder.path("a.png")}), line);
+  const ProcessResult one = burin(modules.replay(several_brushes + ":org.burin.test.start"));
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(burin_output({"list", several_brushes + ":org.burin.test.start"}).find("org.burin.test.start"),
+            0u);
+  EXPECT_EQ(modules.error(modules.replay(several_brushes + ":org.none"))
+                .find("burin: --brush: no brush 'org.none'"),
+            0u);
 }
 
 TEST(NamedBrush, ThatIsNoFileIsSaidToBeNone) {
   const NamedModules modules;
-  for (const char* name : {"gone.burin", "./build/gone"})
+  for (const std::string name : {"gone.burin", "./build/gone", "./gone.burin:org.none"})
     EXPECT_EQ(modules.error(modules.replay(name)),
-              std::string("burin: ") + name + ": there is no such file\n");
+              "burin: " + name.substr(0, name.find(':')) + ": there is no such file\n");
   EXPECT_EQ(modules.error(modules.replay(modules.mesh)).find("burin: " + modules.mesh + ": "), 0u);
   EXPECT_EQ(modules.error(modules.replay("org.none")).find("burin: --brush: "), 0u);
 }
