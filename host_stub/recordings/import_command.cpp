@@ -144,7 +144,9 @@ void add_import(CLI::App& app) {
   const auto options = std::make_shared<ImportOptions>();
   CLI::App& command =
       *app.add_subcommand("import", "turn a pen recording into a .stroke file in front of a surface");
-  command.add_option("recording", options->recording, "a pen file of any kind in docs/recordings.md")
+  command
+      .add_option("recording", options->recording,
+                  "a pen file of one of the kinds that recordings.md of the guide lists")
       ->required();
   choose(command.add_option("--format", options->format,
                             "of the recording; auto: pen if its first bytes are those of a pen file, else by "

@@ -194,7 +194,8 @@ void add_strokes(CLI::App& app) {
   CLI::App& command =
       *app.add_subcommand("strokes", "tell what recordings hold, draw them or write them mended");
   command
-      .add_option("files", options->files, ".stroke files, and pen files of any kind in docs/recordings.md")
+      .add_option("files", options->files,
+                  ".stroke files, and pen files of the kinds that recordings.md of the guide lists")
       ->required();
   add_picture_options(command, *options);
   add_edit_options(command, *options);

@@ -31,6 +31,12 @@ TEST(ManPage, DescribesAllCommandsButItself) {
   EXPECT_NE(page.find("\\fB\\-\\-fuzz\\fR \\fIMINUTES\\fR"), std::string::npos);
 }
 
+TEST(ManPage, NamesNoFoldersOfTheSources) {
+  const std::string page = burin_output({"man-page"});
+  for (const char* folder : {"docs/", "samples/", "build/release"})
+    EXPECT_EQ(page.find(folder), std::string::npos) << folder;
+}
+
 TEST(ManPage, HasNothingThatManComplainsAbout) {
   const CommandFolder folder;
   const std::string page = folder.write("burin.1", burin_output({"man-page"}));
