@@ -27,8 +27,8 @@ struct BrushInfo {
   /// A displacement is at most this number times the distance to the rim, where the surface stays as it is.
   /// 0: not stated; infinity: it steps.
   float rim_slope = 0;
-  /// The time that evaluate() takes at most, whatever the parameters, as a multiple of copying its inputs and
-  /// outputs; `burin bench-brush` measures it (abi/ext/bench_budget.h). 0: not promised.
+  /// The time that evaluate() takes at most, whatever the parameters, as a multiple of copying its declared
+  /// inputs: what `burin bench-brush` prints (abi/ext/bench_budget.h). 0: not promised.
   double budget = 0;
 };
 
