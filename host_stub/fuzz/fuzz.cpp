@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <sstream>
 #include <string_view>
 
 #include "fuzz/bundle.h"
@@ -18,6 +19,7 @@
 #include "input/brush_folder.h"
 #include "system/child_tasks.h"
 #include "validate/probe/plugin.h"
+#include "validate/probe/stroke.h"
 
 namespace burin {
 namespace {
@@ -31,11 +33,38 @@ constexpr int tries = 400;
 constexpr double longer_than_others = 10, least_limit = 0.5;
 constexpr int steps_that_hang = 60;
 
-FuzzCase case_of(const validate::Subject& subject, std::size_t number) {
+FuzzCase case_of(const validate::Subject& subject, const TakenFiles& files, std::size_t number) {
   const validate::Plugin plugin(subject);
   const auto brushes = plugin.brushes();
   if (brushes.empty()) throw Error("the module has no brushes");
-  return random_case(*brushes[number % brushes.size()], subject.seed ^ (number * 0x9E3779B97F4A7C15u));
+  return random_case(*brushes[number % brushes.size()], files, subject.seed ^ (number * 0x9E3779B97F4A7C15u));
+}
+
+/// Lines of three words, "BRUSH PARAMETER FILE", of all files that a brush of the module begins with.
+std::string lines_of_taken_files(const validate::Subject& subject) {
+  std::string lines;
+  const validate::Plugin plugin(subject);
+  for (const burin_brush_descriptor* brush : plugin.brushes())
+    for (std::uint32_t i = 0; i < brush->param_count; ++i)
+      for (const char* file : fuzz_files) {
+        if (brush->params[i]->type != BURIN_PARAM_FILE) continue;
+        validate::ProbeBrush probe(plugin, *brush, subject);
+        probe.values.set_text(i, (subject.folder / file).string());
+        if (probe.begins()) lines += fmt::format("{} {} {}\n", brush->id, brush->params[i]->id, file);
+      }
+  return lines;
+}
+
+/// In a process of its own, which a brush may end: then any file is tried.
+TakenFiles taken_files(const validate::Subject& subject, double time_limit) {
+  TakenFiles files;
+  const ChildResult child =
+      run_in_children(1, 1, time_limit, [&](std::size_t) { return lines_of_taken_files(subject); })[0];
+  if (child.end != End::whole) return files;
+  std::istringstream lines(child.text);
+  for (std::string brush, param, file; lines >> brush >> param >> file;)
+    files[{brush, param}].push_back(file);
+  return files;
 }
 
 /// What a child sends: a digit, the outcome, and its text. An error is a module that cannot be loaded.
@@ -74,6 +103,7 @@ class Fuzzer {
 
   FuzzResult run() {
     expect_module_that_loads();
+    files_ = taken_files(subject_, options_.time_limit);
     const Stopwatch watch;
     do run_some();
     while (result_.failure.empty() && watch.elapsed() < 60 * options_.minutes);
@@ -100,7 +130,7 @@ class Fuzzer {
     const auto children = run_in_children(count, options_.jobs, options_.time_limit, [&](std::size_t index) {
       FuzzCase made;
       return sent(subject_, [&]() -> const Trial& {
-        made = case_of(subject_, first + index);
+        made = case_of(subject_, files_, first + index);
         return made.trial;
       });
     });
@@ -153,7 +183,7 @@ class Fuzzer {
   void report(const ChildResult& child) {
     const std::size_t number = result_.trials++;
     std::string failure = failure_text(child);
-    const FuzzCase least = least_of(case_of(subject_, number), child, failure);
+    const FuzzCase least = least_of(case_of(subject_, files_, number), child, failure);
     write_bundle(options_.bundle, {subject_.module, failure, least.trial, options_.time_limit},
                  subject_.folder);
     result_.failure = fmt::format("trial {}: {}\n        {} samples, {} vertices, {}", number, failure,
@@ -163,6 +193,7 @@ class Fuzzer {
 
   const validate::Subject& subject_;
   const FuzzOptions& options_;
+  TakenFiles files_;
   FuzzResult result_;
   double longest_ = 0;  ///< of the trials that did not fail, seconds
 };

@@ -35,7 +35,13 @@ Json random_knots(Draws& draws) {
   return knots;
 }
 
-Json random_value(const burin_param_info& info, Draws& draws) {
+/// One of the files that the brush takes, now and then one that it may refuse.
+Json random_file(const std::vector<std::string>* taken, Draws& draws) {
+  if (!taken || draws.once_in(10)) return fuzz_files[draws.below(fuzz_files.size())];
+  return (*taken)[draws.below(taken->size())];
+}
+
+Json random_value(const burin_param_info& info, const std::vector<std::string>* files, Draws& draws) {
   switch (info.type) {
     case BURIN_PARAM_FLOAT:
     case BURIN_PARAM_INT:
@@ -54,17 +60,19 @@ Json random_value(const burin_param_info& info, Draws& draws) {
       return draws.one_of<std::string>(
           {"", "A", "two words", "\u00df \u6f22\u5b57 \u05d0", std::string(200, 'W')});
     default:
-      return fuzz_files[draws.below(fuzz_files.size())];
+      return random_file(files, draws);
   }
 }
 
-Json random_params(const burin_brush_descriptor& brush, Draws& draws) {
+Json random_params(const burin_brush_descriptor& brush, const TakenFiles& files, Draws& draws) {
   Json params = Json::object();
   for (const burin_param_info* info : std::span(brush.params, brush.param_count)) {
     const bool needed = info->type == BURIN_PARAM_FILE && !info->default_file;
     // Brushes refuse most texts.
-    if (needed || draws.once_in(info->type == BURIN_PARAM_TEXT ? 6 : 2))
-      params[info->id] = random_value(*info, draws);
+    if (needed || draws.once_in(info->type == BURIN_PARAM_TEXT ? 6 : 2)) {
+      const auto taken = files.find({brush.id, info->id});
+      params[info->id] = random_value(*info, taken == files.end() ? nullptr : &taken->second, draws);
+    }
   }
   return params;
 }
@@ -141,7 +149,7 @@ RecordedStroke random_stroke(const FuzzSurface& surface, Draws& draws) {
 
 }  // namespace
 
-FuzzCase random_case(const burin_brush_descriptor& brush, std::uint64_t seed) {
+FuzzCase random_case(const burin_brush_descriptor& brush, const TakenFiles& files, std::uint64_t seed) {
   Draws draws(seed);
   FuzzCase made;
   made.surface = random_surface(draws);
@@ -151,7 +159,8 @@ FuzzCase random_case(const burin_brush_descriptor& brush, std::uint64_t seed) {
   const double radius = draws.between(0.05, 0.5);
   // Coarse voxels, so that solids are made in no time.
   settings = {{"brush", brush.id}, {"radius", radius}, {"voxel", radius / draws.between(4, 8)}};
-  if (Json params = random_params(brush, draws); !params.empty()) settings["params"] = std::move(params);
+  if (Json params = random_params(brush, files, draws); !params.empty())
+    settings["params"] = std::move(params);
   if (Json dynamics = random_dynamics(brush, draws); !dynamics.empty())
     settings["dynamics"] = std::move(dynamics);
   add_settings(settings, draws);

@@ -3,6 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "fuzz/fuzz_surface.h"
 #include "fuzz/trial.h"
@@ -18,7 +22,11 @@ struct FuzzCase {
 /// The names of the files that random cases name in the trial's folder: those of validate::WorkFolder.
 inline constexpr std::array fuzz_files = {"stamp.png", "solid.vdb"};
 
-/// Random parameters, settings, stroke and surface for a brush; the same for the same seed.
-FuzzCase random_case(const burin_brush_descriptor& brush, std::uint64_t seed);
+/// Which of the files a brush begins with, by the ids of the brush and of its parameter.
+using TakenFiles = std::map<std::pair<std::string, std::string>, std::vector<std::string>>;
+
+/// Random parameters, settings, stroke and surface for a brush; the same for the same seed. Files are mostly
+/// such as the brush takes.
+FuzzCase random_case(const burin_brush_descriptor& brush, const TakenFiles& files, std::uint64_t seed);
 
 }  // namespace burin

@@ -2,9 +2,16 @@
 // sends its verdict through a pipe and is killed at its time limit.
 #include "validate/child_checks.h"
 
+#include <burin/base/text/quoted_word.h>
+#include <burin/host/brush_library.h>
+#include <fmt/format.h>
+
 #include <filesystem>
 
+#include "input/brush_folder.h"
+#include "options/options.h"
 #include "system/child_tasks.h"
+#include "validate/probe/values.h"
 
 namespace burin::validate {
 namespace {
@@ -28,7 +35,37 @@ Result result_of(const Check& check, const ChildResult& child) {
   }
 }
 
+/// What is wrong with values for a module that can be loaded, or nothing.
+std::string params_problem(const Subject& subject) {
+  BrushLibrary library;
+  try {
+    load_module(library, subject.module);
+  } catch (const Error&) {
+    return {};  // The checks tell it.
+  }
+  ParamSettings unknown = parse_param_settings(subject.params, [](const std::string&) { return true; });
+  for (const BrushEntry& brush : library.brushes()) {
+    const Values values(*brush.descriptor, subject);
+    for (const auto& [name, setting] : settings_of(*brush.descriptor, subject.params)) unknown.erase(name);
+  }
+  if (unknown.empty()) return {};
+  return fmt::format("no brush of {} has a parameter {}", subject.module.string(),
+                     quoted_word(unknown.begin()->first));
+}
+
 }  // namespace
+
+void check_params(const Subject& subject) {
+  if (subject.params.empty()) return;
+  const ChildResult child = run_in_children(1, 1, time_limit, [&](std::size_t) {
+    try {
+      return params_problem(subject);
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+  })[0];
+  if (child.end == ChildResult::End::whole && !child.text.empty()) throw Error(child.text);
+}
 
 std::vector<Result> run_checks_in_children(const Subject& subject, std::span<const Check* const> checks,
                                            int jobs) {

@@ -48,8 +48,10 @@ int level_reached(std::span<const Result> results, int highest) {
 }
 
 std::string command_of(const Subject& subject, const Check& check) {
-  return fmt::format("burin validate {} --only {} --seed {}", shell_word(subject.module.string()), check.name,
-                     subject.seed);
+  std::string command = fmt::format("burin validate {} --only {} --seed {}",
+                                    shell_word(subject.module.string()), check.name, subject.seed);
+  for (const std::string& param : subject.params) command += " --param " + shell_word(param);
+  return command;
 }
 
 namespace {

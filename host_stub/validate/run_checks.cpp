@@ -55,11 +55,11 @@ std::string_view topic_of(const Result& result) {
 
 /// Checks that compare two drawings which should be the same, besides those of `shape` and `repeat`.
 bool compares(const Result& result) {
-  constexpr std::array<std::string_view, 12> names = {
-      "life.many-strokes",    "life.two-brushes",      "host.newer",
-      "host.older",           "host.older-batch",      "evaluate.batch-sizes",
-      "evaluate.stride-zero", "evaluate.wide-strides", "evaluate.output-strides",
-      "process.lent",         "ability.end-influence", "ability.end-distance"};
+  constexpr std::array<std::string_view, 13> names = {
+      "life.many-strokes",     "life.two-brushes",        "host.newer",       "host.older",
+      "host.older-batch",      "evaluate.batch-sizes",    "evaluate.varying", "evaluate.stride-zero",
+      "evaluate.wide-strides", "evaluate.output-strides", "process.lent",     "ability.end-influence",
+      "ability.end-distance"};
   const std::string_view topic = topic_of(result);
   return topic == "shape" || topic == "repeat" || std::ranges::find(names, result.check->name) != names.end();
 }
@@ -75,32 +75,42 @@ bool only_draws(const Result& result) { return draws(result) && topic_of(result)
 
 constexpr const char* draws_nothing = "a brush does not draw with its defaults, see life.begin-default";
 
+/// Whether a check failed since it ended its process, or one that it started.
+bool crashed(const Result& result) {
+  return result.verdict == Verdict::crash || result.text.find("crashes") != result.text.npos;
+}
+
 /// A fault that makes other checks fail, which then tell nothing new and are skipped.
 struct Cause {
   std::string_view check;
-  std::string_view told;  ///< a part of what it tells then
+  bool (*is_there)(const Result& failure);  ///< of that check
   const char* text;
   bool (*explains)(const Result& failure);
 };
 
-/// A brush that cannot draw with its defaults fails in each check that draws, and only those of memory may
-/// tell why. One without room for large batches crashes wherever there are some, and one that draws otherwise
-/// each time fails wherever drawings are compared.
-constexpr std::array<Cause, 3> causes = {
-    {{"life.begin-default", "", draws_nothing, only_draws},
-     {"evaluate.batch-sizes", "crashes with a batch of",
-      "a brush crashes with some sizes of batches, see evaluate.batch-sizes",
+bool always(const Result&) { return true; }
+
+/// A table of parameters that cannot be read lets anything fail. A brush that writes beyond its
+/// arrays does so anywhere. One that cannot draw with its defaults fails in each check that draws, and only
+/// those of memory may tell why. One without room for large batches crashes wherever there are some, and one
+/// that draws otherwise each time fails wherever drawings are compared.
+constexpr std::array<Cause, 5> causes = {
+    {{"descriptor.param-ids",
       [](const Result& failure) {
-        const bool crashed =
-            failure.verdict == Verdict::crash || failure.text.find("process crashes") != failure.text.npos;
-        return only_draws(failure) && crashed;
-      }},
-     {"repeat.runs", "", "a brush draws otherwise each time, see repeat.runs",
+        return crashed(failure) || failure.text.find("has no id") != failure.text.npos;
+      },
+      "its table of parameters cannot be read, see descriptor.param-ids", always},
+     {"memory.writes-within", always, "a brush writes beyond its arrays, see memory.writes-within", crashed},
+     {"life.begin-default", always, draws_nothing, only_draws},
+     {"evaluate.batch-sizes",
+      [](const Result& failure) { return failure.text.find("crashes with a batch of") != failure.text.npos; },
+      "a brush crashes with some sizes of batches, see evaluate.batch-sizes",
+      [](const Result& failure) { return only_draws(failure) && crashed(failure); }},
+     {"repeat.runs", always, "a brush draws otherwise each time, see repeat.runs",
       [](const Result& failure) { return failure.verdict == Verdict::fail && compares(failure); }}}};
 
 bool is_there(const Cause& cause, const Result& result) {
-  return result.check->name == cause.check && has_failed(result) &&
-         result.text.find(cause.told) != result.text.npos;
+  return result.check->name == cause.check && has_failed(result) && cause.is_there(result);
 }
 
 void skip_what_follows(std::vector<Result>& results) {

@@ -14,6 +14,7 @@
 #include "report/report_folder.h"
 #include "system/console.h"
 #include "validate/badge.h"
+#include "validate/child_checks.h"
 #include "validate/report.h"
 #include "validate/work_folder.h"
 
@@ -24,6 +25,7 @@ using namespace validate;
 
 struct ValidateOptions {
   std::string module, junit, badge, only, explain;
+  std::vector<std::string> params;
   int level = levels - 1;
   std::uint64_t seed = 1;
   RunOptions run;
@@ -61,7 +63,9 @@ void validate_module(const ValidateOptions& options) {
   if (!std::filesystem::is_regular_file(options.module)) throw FileError(options.module, "is no file");
   const WorkFolder folder;
   folder.add_solid();
-  const Subject subject = folder.subject(options.module, options.seed);
+  Subject subject = folder.subject(options.module, options.seed);
+  subject.params = options.params;
+  check_params(subject);
   keep_plugins_off_standard_output();
   const std::vector<Result> results = run_checks(subject, chosen_checks(options), options.run);
   const Counts counts = count(results);
@@ -136,6 +140,12 @@ void add_validate(CLI::App& app) {
       ->check(CLI::Range(1, 64));
   CLI::Option* in_process =
       command.add_flag("--in-process", options->run.in_process, "run checks in this process, for a debugger");
+  CLI::Option* params = command
+                            .add_option("--param", options->params,
+                                        "value of a parameter instead of its default, for all checks; may be "
+                                        "given repeatedly")
+                            ->type_name("NAME=VALUE")
+                            ->allow_extra_args(false);
   CLI::Option* quiet =
       command.add_flag("--quiet", options->quiet, "print the first failures and the last line only");
   CLI::Option* json = command.add_flag("--json", options->json, "write JSON to the standard output");
@@ -153,7 +163,7 @@ void add_validate(CLI::App& app) {
               "many minutes, or until one fails")
           ->type_name("MINUTES")
           ->check(positive_number());
-  for (CLI::Option* of_checks : {level, only, in_process, quiet, json, junit, badge})
+  for (CLI::Option* of_checks : {level, only, in_process, params, quiet, json, junit, badge})
     fuzz->excludes(of_checks);
   command
       .add_option("--bundle", options->bundle,

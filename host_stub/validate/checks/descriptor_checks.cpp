@@ -139,6 +139,8 @@ void check_ranges(const burin_param_info& info) {
   require(info.hard_min <= info.hard_max, "its hard range is empty");
   require(std::isfinite(info.soft_min) && std::isfinite(info.soft_max), "its soft range is not finite");
   require(info.soft_min <= info.soft_max, "its soft range is empty");
+  require(info.soft_min < info.soft_max || info.hard_min == info.hard_max,
+          fmt::format("its soft range, which a slider spans, is {} .. {}", info.soft_min, info.soft_max));
   require(info.soft_min >= info.hard_min && info.soft_max <= info.hard_max,
           fmt::format("its soft range {} .. {} exceeds the hard one, {} .. {}", info.soft_min, info.soft_max,
                       info.hard_min, info.hard_max));

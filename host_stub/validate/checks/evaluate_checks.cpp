@@ -1,12 +1,14 @@
 // Checks what evaluate reads and writes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
 
 #include "validate/probe/repeat.h"
 #include "validate/probe/stroke.h"
+#include "validate/probe/varying_params.h"
 
 namespace burin::validate {
 namespace {
@@ -24,8 +26,13 @@ void each_stroke(const Subject& subject, const std::function<void(ProbeBrush&, P
 
 void check_bounded(const Subject& subject) {
   each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
-    for (const Row& row : stroke.evaluate(random_nodes(1999, subject.seed)))
-      require(!(std::hypot(row[0], row[1], row[2]) > 1000), "moves a node by more than 1000 radii");
+    const Nodes nodes = random_nodes(1999, subject.seed);
+    const auto rows = stroke.evaluate(nodes);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const float moved = std::hypot(rows[i][0], rows[i][1], rows[i][2]);
+      require(!(moved > 1000), fmt::format("moves a node at t {} and d {} by {}: more than 1000 radii",
+                                           nodes.t(i), nodes.d(i), moved));
+    }
   });
 }
 
@@ -48,10 +55,25 @@ void check_sizes(const Subject& subject) {
     const auto all = stroke.evaluate(nodes);
     for (const std::size_t size : {1, 255, 256, 257, 4096}) {
       auto part = stroke.evaluate(nodes, 0, size);
-      const std::string other = difference(part, all);
+      const std::string other = difference(part, all, nodes);
       require(other.empty(), fmt::format("a batch of {} differs from one of 65536: {}", size, other));
     }
   });
+}
+
+/// Evaluates batches of so many nodes, the last of which may be smaller.
+std::vector<Row> evaluate_parts(const ProbeStroke& stroke, const Nodes& nodes, const VaryingParams& params,
+                                std::size_t size) {
+  std::vector<Row> all;
+  for (std::size_t begin = 0; begin < nodes.size(); begin += size) {
+    const std::size_t count = std::min(size, nodes.size() - begin);
+    const VaryingParams::Part part = params.from(begin);
+    std::vector<Row> rows(count);
+    require(stroke.call(batch_of(nodes, begin, count, part.abi()), outputs_of(rows)) == BURIN_OK,
+            fmt::format("evaluate fails with {} nodes whose numbers vary", count));
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  return all;
 }
 
 /// The batch with the numbers of its first node for all: as arrays, or with stride 0.
@@ -69,7 +91,7 @@ std::vector<Row> with_stride(ProbeStroke& stroke, Nodes nodes, std::uint32_t str
 void check_stride_zero(const Subject& subject) {
   each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
     const Nodes nodes = random_nodes(100, subject.seed);
-    const std::string other = difference(with_stride(stroke, nodes, 1), with_stride(stroke, nodes, 0));
+    const std::string other = difference(with_stride(stroke, nodes, 1), with_stride(stroke, nodes, 0), nodes);
     require(other.empty(), "stride 0 and an array of one number differ: " + other);
   });
 }
@@ -87,8 +109,23 @@ void check_wide_strides(const Subject& subject) {
       for (std::size_t k = 0; k < input.count; ++k) array_of(batch, input, k).stride = 3;
     std::vector<Row> rows(nodes.size());
     require(stroke.call(batch, outputs_of(rows)) == BURIN_OK, "evaluate fails with stride 3");
-    const std::string other = difference(stroke.evaluate(nodes), rows);
+    const std::string other = difference(stroke.evaluate(nodes), rows, nodes);
     require(other.empty(), "stride 3 and stride 1 differ: " + other);
+  });
+}
+
+void check_varying(const Subject& subject) {
+  each_stroke(subject, [&](ProbeBrush& brush, ProbeStroke& stroke) {
+    stroke.context.radius_max = largest_varied_radius;
+    Nodes nodes = random_nodes(500, subject.seed);
+    vary(nodes);
+    const VaryingParams params(brush.descriptor, stroke.params(), nodes);
+    const auto whole = evaluate_parts(stroke, nodes, params, nodes.size());
+    const std::string other = difference(evaluate_parts(stroke, nodes, params, 7), whole, nodes);
+    require(other.empty(),
+            "where radii, the pen or dynamic parameters vary, a batch of 7 differs from one of "
+            "500, as if numbers of one node were used for all: " +
+                other);
   });
 }
 
@@ -113,8 +150,8 @@ void check_output_strides(const Subject& subject) {
         for (std::size_t i = 0; i < spread[k].size(); ++i) {
           const float expected = i % stride == 0 ? rows[i / stride][k] : padding;
           require(std::memcmp(&spread[k][i], &expected, sizeof(float)) == 0,
-                  fmt::format("with outputs of stride {} and of 8 '{}' of node {} differs", stride,
-                              output_name(k), i / stride));
+                  fmt::format("with outputs of stride {} and of 8 '{}' at t {} and d {} differs", stride,
+                              output_name(k), nodes.t(i / stride), nodes.d(i / stride)));
         }
     }
   });
@@ -138,12 +175,18 @@ void check_inputs_unchanged(const Subject& subject) {
 
 void check_declared_outputs(const Subject& subject) {
   each_stroke(subject, [&](ProbeBrush& brush, ProbeStroke& stroke) {
-    std::vector<Row> before(500);
-    outputs_of(before);
-    const auto rows = stroke.evaluate(random_nodes(500, subject.seed));
-    for (std::size_t i = 0; i < rows.size(); ++i)
+    const Nodes nodes = random_nodes(500, subject.seed);
+    std::vector<Row> rows(nodes.size());
+    const burin_outputs outputs = outputs_of(rows);
+    // No brush writes this by chance, as it may the values before the stroke.
+    for (Row& row : rows)
       for (std::size_t k = 0; k < 8; ++k)
-        require(writes(brush.descriptor, k) || rows[i][k] == before[i][k],
+        if (!writes(brush.descriptor, k)) row[k] = padding;
+    require(stroke.call(batch_of(nodes, 0, nodes.size(), stroke.params()), outputs) == BURIN_OK,
+            "evaluate fails");
+    for (const Row& row : rows)
+      for (std::size_t k = 0; k < 8; ++k)
+        require(writes(brush.descriptor, k) || row[k] == padding,
                 fmt::format("writes the output '{}' without declaring it", output_name(k)));
   });
 }
@@ -177,21 +220,23 @@ void check_dab(const Subject& subject) {
     stroke.context.length = 0;
     stroke.context.dab_t = 3;
     const std::array<float, 5> t = {0, 0.5f, -0.5f, 0.9f, 0}, d = {0, 0.5f, 0.2f, -0.1f, -1};
-    for (const Row& row : stroke.evaluate(nodes_at(t, d)))
-      for (const float number : row) require(std::isfinite(number), "a dab's result is not finite");
+    const Nodes nodes = nodes_at(t, d);
+    require_finite(stroke.evaluate(nodes), nodes);
   });
 }
 
 void check_short(const Subject& subject) {
   each_stroke(subject, [&](ProbeBrush&, ProbeStroke& stroke) {
+    const Nodes nodes = random_nodes(200, subject.seed);
     for (const double length : {0.0, 1e-6, 0.1, 1e4}) {
       stroke.context.length = length;
       for (const std::uint64_t flags : {std::uint64_t{0}, BURIN_STROKE_FINAL}) {
         stroke.context.flags = flags;
-        for (const Row& row : stroke.evaluate(random_nodes(200, subject.seed)))
-          for (const float number : row)
-            require(std::isfinite(number),
-                    fmt::format("a result is not finite on a stroke of length {}", length));
+        try {
+          require_finite(stroke.evaluate(nodes), nodes);
+        } catch (const Failed& failed) {
+          throw Failed(fmt::format("on a stroke of length {} it {}", length, failed.what()));
+        }
       }
     }
   });
@@ -206,6 +251,9 @@ constexpr Check evaluate_list[] = {
      "Compares with arrays of one value.", check_stride_zero},
     {"evaluate.wide-strides", 2, "base.h: element i is data[i * stride]",
      "Compares inputs of stride 1 and 3.", check_wide_strides},
+    {"evaluate.varying", 2, "stroke.h: one element per node; param.h: dynamic parameters have one too",
+     "Compares small batches with large ones where radii, the pen and dynamic parameters vary.",
+     check_varying},
     {"evaluate.output-strides", 2, "base.h: element i is data[i * stride]",
      "Compares outputs of stride 1, 3 and 8, and looks at what lies between them.", check_output_strides},
     {"evaluate.inputs-unchanged", 1, "brush.h: evaluate computes the outputs and changes nothing else",

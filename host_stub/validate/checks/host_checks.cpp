@@ -185,8 +185,9 @@ std::vector<Row> draw_as(const HostSizes& sizes, ProbeBrush& brush, const Subjec
 void compare_as(const HostSizes& sizes, const Plugin& plugin, const Brush& descriptor,
                 const Subject& subject) {
   ProbeBrush brush(plugin, descriptor, subject);
-  const auto now = ProbeStroke(brush).evaluate(random_nodes(300, subject.seed));
-  const std::string other = difference(now, draw_as(sizes, brush, subject));
+  const Nodes nodes = random_nodes(300, subject.seed);
+  const std::string other =
+      difference(ProbeStroke(brush).evaluate(nodes), draw_as(sizes, brush, subject), nodes);
   require(other.empty(), "another host gets another result: " + other);
 }
 

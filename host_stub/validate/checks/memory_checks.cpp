@@ -3,6 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "validate/probe/guarded.h"
 #include "validate/probe/refused_calls.h"
@@ -38,20 +40,24 @@ burin_outputs guarded_outputs(std::size_t count, Guard guard, Arrays& arrays) {
   return outputs;
 }
 
-/// Evaluates with these arrays guarded, or none, in another process. Returns whether that came to its end.
-bool ends_well(const ProbeStroke& stroke, const Subject& subject, Guard inputs, Guard outputs) {
+/// What evaluate returns with these arrays guarded, or none, in another process; nothing if that does not
+/// come to its end.
+std::optional<burin_status> evaluated(const ProbeStroke& stroke, const Subject& subject, Guard inputs,
+                                      Guard outputs) {
   try {
-    in_process([&]() -> std::string {
+    return std::stoi(in_process([&] {
       const Nodes nodes = random_nodes(guarded_nodes, subject.seed);
       Arrays arrays;
-      stroke.call(guarded_batch(nodes, stroke.params(), inputs, arrays),
-                  guarded_outputs(nodes.size(), outputs, arrays));
-      return {};
-    });
-    return true;
+      const burin_batch batch = guarded_batch(nodes, stroke.params(), inputs, arrays);
+      return std::to_string(stroke.call(batch, guarded_outputs(nodes.size(), outputs, arrays)));
+    }));
   } catch (const Failed&) {
-    return false;
+    return std::nullopt;
   }
+}
+
+bool ends_well(const ProbeStroke& stroke, const Subject& subject, Guard inputs, Guard outputs) {
+  return evaluated(stroke, subject, inputs, outputs).has_value();
 }
 
 /// Calls `check` with an open stroke of each brush. A brush that ends the process anyway, or fails, does so
@@ -61,12 +67,9 @@ void each_sound_stroke(const Subject& subject,
   each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
     ProbeBrush brush(plugin, descriptor, subject);
     ProbeStroke stroke(brush);
-    if (!ends_well(stroke, subject, Guard::none, Guard::none))
-      throw Skipped("evaluate ends the process wherever its arrays lie");
-    const Nodes nodes = random_nodes(guarded_nodes, subject.seed);
-    std::vector<Row> rows(nodes.size());
-    if (stroke.call(batch_of(nodes, 0, nodes.size(), stroke.params()), outputs_of(rows)) != BURIN_OK)
-      throw Skipped("evaluate fails, see life.begin-default");
+    const auto status = evaluated(stroke, subject, Guard::none, Guard::none);
+    if (!status) throw Skipped("evaluate ends the process wherever its arrays lie");
+    if (*status != BURIN_OK) throw Skipped("evaluate fails, see life.begin-default");
     check(plugin, descriptor, stroke);
   });
 }
@@ -91,10 +94,11 @@ void check_undeclared_inputs(const Subject& subject) {
     for (const InputColumns& input : input_columns()) {
       if (descriptor.inputs_read & input.bit) continue;
       const auto evaluate = [&]() -> std::string {
-        burin_batch batch = batch_of(nodes, 0, nodes.size(), stroke.params());
+        Arrays arrays;
+        burin_batch batch = guarded_batch(nodes, stroke.params(), Guard::none, arrays);
         for (std::size_t k = 0; k < input.count; ++k) array_of(batch, input, k) = {};
-        std::vector<Row> rows(nodes.size());
-        require(stroke.call(batch, outputs_of(rows)) == BURIN_OK, "evaluate fails");
+        const burin_outputs outputs = guarded_outputs(nodes.size(), Guard::none, arrays);
+        require(stroke.call(batch, outputs) == BURIN_OK, "evaluate fails");
         return {};
       };
       try {
@@ -107,6 +111,7 @@ void check_undeclared_inputs(const Subject& subject) {
 }
 
 void check_calls(const Subject& subject) {
+  if (malloc_is_replaced()) throw Skipped("malloc is replaced, by a sanitizer or a preloaded library");
   each_sound_stroke(subject, [&](const Plugin& plugin, const Brush&, const ProbeStroke& stroke) {
     const Nodes nodes = random_nodes(300, subject.seed);
     stroke.evaluate(nodes, 0, nodes.size());  // A first call may make what later ones keep.

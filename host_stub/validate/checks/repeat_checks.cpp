@@ -24,8 +24,9 @@ void each_stroke(const Subject& subject, const std::function<void(ProbeStroke&, 
   });
 }
 
-void require_same(const std::vector<Row>& a, const std::vector<Row>& b, const char* fault) {
-  const std::string other = difference(a, b);
+void require_same(const std::vector<Row>& a, const std::vector<Row>& b, const Nodes& nodes,
+                  const char* fault) {
+  const std::string other = difference(a, b, nodes);
   require(other.empty(), std::string(fault) + ": " + other);
 }
 
@@ -39,7 +40,7 @@ void check_split(const Subject& subject) {
       parts.insert(parts.end(), part.begin(), part.end());
       begin = end;
     }
-    require_same(stroke.evaluate(nodes), parts, "smaller batches give another result");
+    require_same(stroke.evaluate(nodes), parts, nodes, "smaller batches give another result");
   });
 }
 
@@ -55,7 +56,7 @@ void check_order(const Subject& subject) {
     const auto plain = stroke.evaluate(nodes), rows = stroke.evaluate(shuffled);
     std::vector<Row> back(rows.size());
     for (std::size_t i = 0; i < order.size(); ++i) back[order[i]] = rows[i];
-    require_same(plain, back, "another order of nodes gives another result");
+    require_same(plain, back, nodes, "another order of nodes gives another result");
   });
 }
 
@@ -72,7 +73,7 @@ void check_threads(const Subject& subject) {
             const auto start = std::chrono::steady_clock::now();
             while (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(50)) {
               results[k] = stroke.evaluate(nodes);
-              if (!difference(alone, results[k]).empty()) break;
+              if (!difference(alone, results[k], nodes).empty()) break;
             }
           } catch (const Failed& failed) {
             faults[k] = failed.what();
@@ -82,7 +83,7 @@ void check_threads(const Subject& subject) {
     }
     for (std::size_t k = 0; k < results.size(); ++k) {
       require(faults[k].empty(), faults[k]);
-      require_same(alone, results[k], "several threads give another result");
+      require_same(alone, results[k], nodes, "several threads give another result");
     }
   });
 }
@@ -93,7 +94,40 @@ void check_runs(const Subject& subject) {
     ProbeBrush brush(plugin, descriptor, subject);
     const auto draw = [&] { return ProbeStroke(brush).evaluate(nodes); };
     const auto first = draw();
-    for (int i = 0; i < 2; ++i) require_same(first, draw(), "drawn again, it gives another result");
+    for (int i = 0; i < 2; ++i) require_same(first, draw(), nodes, "drawn again, it gives another result");
+  });
+}
+
+/// The bits of a stroke with random values, in a process where no stroke was drawn before, or one with the
+/// defaults.
+std::string drawn_anew(const Plugin& plugin, const Brush& descriptor, const Subject& subject,
+                       std::uint64_t seed, bool after_another) {
+  return in_process([&] {
+    const Nodes nodes = random_nodes(500, subject.seed);
+    ProbeBrush brush(plugin, descriptor, subject);
+    if (after_another) ProbeStroke(brush).evaluate(nodes);
+    brush.values.set_random(seed);
+    const auto rows = ProbeStroke(brush).evaluate(nodes);
+    return std::string(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row));
+  });
+}
+
+void check_first_stroke(const Subject& subject) {
+  each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
+    for (std::uint64_t seed = subject.seed; seed < subject.seed + 3; ++seed) {
+      std::string alone, again, after;
+      try {
+        alone = drawn_anew(plugin, descriptor, subject, seed, false);
+        again = drawn_anew(plugin, descriptor, subject, seed, false);
+        after = drawn_anew(plugin, descriptor, subject, seed, true);
+      } catch (const Failed&) {
+        throw Skipped("it fails with random values, see life.begin-random");
+      }
+      if (alone != again) throw Skipped("two processes give different results, see repeat.processes");
+      require(alone == after,
+              "draws otherwise after a stroke with other values of parameters: it keeps what it made of the "
+              "first ones, in static data or in the brush");
+    }
   });
 }
 
@@ -119,7 +153,7 @@ void check_seed(const Subject& subject) {
     burin_stroke_context other = stroke_context();
     other.seed += 1;
     ProbeStroke(brush, other).evaluate(nodes);
-    require_same(plain, stroke.evaluate(nodes),
+    require_same(plain, stroke.evaluate(nodes), nodes,
                  "evaluated again after a stroke of another seed, it gives another result");
   });
 }
@@ -133,6 +167,9 @@ constexpr Check repeat_list[] = {
      "Compares with four threads.", check_threads},
     {"repeat.runs", 2, "brush.h: evaluate is a pure function of context, parameters and batch",
      "Draws three times.", check_runs},
+    {"repeat.first-stroke", 2, "brush.h: evaluate is a pure function of context, parameters and batch",
+     "Draws with random values as the first stroke of a process, and after one with the defaults.",
+     check_first_stroke},
     {"repeat.processes", 4, "brush.h: evaluate is a pure function of context, parameters and batch",
      "Draws in two processes.", check_processes},
     {"repeat.seed", 4, "stroke.h: seed, so that a stroke drawn again is the same",

@@ -6,16 +6,18 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace burin::validate {
 
 /// What a check is given.
 struct Subject {
-  std::filesystem::path module;  ///< absolute
-  std::filesystem::path folder;  ///< a folder for files of this check, which exists
-  std::filesystem::path stamp;   ///< an image for parameters that must name a file
-  std::filesystem::path solid;   ///< an OpenVDB file for those that do not take an image
-  std::uint64_t seed = 1;        ///< of all that is random
+  std::filesystem::path module;          ///< absolute
+  std::filesystem::path folder;          ///< a folder for files of this check, which exists
+  std::filesystem::path stamp;           ///< an image for parameters that must name a file
+  std::filesystem::path solid;           ///< an OpenVDB file for those that do not take an image
+  std::uint64_t seed = 1;                ///< of all that is random
+  std::vector<std::string> params = {};  ///< "NAME=VALUE", instead of defaults
 };
 
 /// The plugin broke the clause of the check. what() says how, in one line.
@@ -62,6 +64,7 @@ const Check* find_check(std::string_view name);
 std::span<const Check> module_checks();
 std::span<const Check> descriptor_checks();
 std::span<const Check> struct_checks();
+std::span<const Check> value_checks();
 std::span<const Check> life_checks();
 std::span<const Check> host_checks();
 std::span<const Check> evaluate_checks();

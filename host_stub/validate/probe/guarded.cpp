@@ -13,7 +13,7 @@ namespace burin::validate {
 Guarded::Guarded(std::span<const float> numbers, Guard guard) {
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   // Without a guard there is as much room around the numbers as brushes write beyond arrays by mistake.
-  const std::size_t room = guard == Guard::none ? 16 * page : 0;
+  const std::size_t room = guard == Guard::none ? 256 * page : 0;
   const std::size_t middle = (numbers.size_bytes() + page - 1) / page * page + 2 * room;
   bytes_ = middle + 2 * page;
   pages_ = mmap(nullptr, bytes_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);

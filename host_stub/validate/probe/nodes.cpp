@@ -132,6 +132,18 @@ Nodes random_nodes(std::size_t count, std::uint64_t seed) {
   return nodes_at(t, d);
 }
 
+void vary(Nodes& nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    // Neighbours in the batch lie anywhere along the stroke, so each number differs from node to node.
+    const float wave = 0.5f + 0.5f * std::sin(2 * nodes.t(i));
+    nodes.of(BURIN_INPUT_RADIUS)[i] = 1 + (largest_varied_radius - 1) * wave;
+    nodes.of(BURIN_INPUT_PRESSURE)[i] = 0.2f + 0.7f * wave;
+    nodes.of(BURIN_INPUT_SPEED)[i] = 1 + 3 * wave;
+    nodes.of(BURIN_INPUT_MASK)[i] = 0.5f + 0.5f * wave;
+    for (std::size_t c = 0; c < 4; ++c) nodes.of(BURIN_INPUT_COLOUR, c)[i] = 0.1f + 0.8f * wave;
+  }
+}
+
 void scale(Nodes& nodes, float factor) {
   std::size_t column = 0;
   for (const InputColumns& input : table) {

@@ -31,6 +31,8 @@ struct Nodes {
   std::size_t size() const { return columns.empty() ? 0 : columns[0].size(); }
   float& t(std::size_t i) { return columns[0][i]; }
   float& d(std::size_t i) { return columns[1][i]; }
+  float t(std::size_t i) const { return columns[0][i]; }
+  float d(std::size_t i) const { return columns[1][i]; }
   float radius(std::size_t i) const { return columns[2][i]; }
 
   /// The column of an input's member.
@@ -48,6 +50,10 @@ Nodes random_nodes(std::size_t count, std::uint64_t seed);
 
 /// A node for each pair of t and d.
 Nodes nodes_at(std::span<const float> t, std::span<const float> d);
+
+/// Makes numbers vary from node to node that may: radii from 1 to the largest, pressure, speed, mask, colour.
+inline constexpr float largest_varied_radius = 1.5f;
+void vary(Nodes& nodes);
 
 /// The nodes of a surface that is `factor` times as large.
 void scale(Nodes& nodes, float factor);

@@ -25,6 +25,16 @@ ProbeBrush::ProbeBrush(const Plugin& plugin, const burin_brush_descriptor& brush
 
 ProbeBrush::~ProbeBrush() { brush_->destroy(brush_); }
 
+bool ProbeBrush::begins(burin_text* error) {
+  burin_stroke_plan plan{sizeof plan, 1, 0};
+  void* stroke = nullptr;
+  const burin_stroke_context context = empty_stroke_context();
+  const burin_status status = brush_->begin(brush_, &context, &values.abi(), &plan, &stroke, error);
+  if (status == BURIN_OK) brush_->end(brush_, stroke);
+  require(status != BURIN_STATUS_UNKNOWN, "begin returns no status");
+  return status == BURIN_OK;
+}
+
 ProbeStroke::ProbeStroke(ProbeBrush& brush, const burin_stroke_context& drawn)
     : context(drawn), brush_(brush), params_(&brush.values.abi()) {
   const std::string error = begin();
@@ -101,12 +111,20 @@ bool writes(const burin_brush_descriptor& brush, std::size_t array) {
   return brush.outputs_written & bit;
 }
 
-std::string difference(const std::vector<Row>& a, const std::vector<Row>& b) {
+std::string difference(const std::vector<Row>& a, const std::vector<Row>& b, const Nodes& nodes) {
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t k = 0; k < a[i].size(); ++k)
       if (std::memcmp(&a[i][k], &b[i][k], sizeof(float)) != 0)
-        return fmt::format("node {}: {} is {} and {}", i, output_names[k], a[i][k], b[i][k]);
+        return fmt::format("at t {} and d {} '{}' is {} and {}", nodes.t(i), nodes.d(i), output_names[k],
+                           a[i][k], b[i][k]);
   return {};
+}
+
+void require_finite(const std::vector<Row>& rows, const Nodes& nodes) {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t k = 0; k < rows[i].size(); ++k)
+      require(std::isfinite(rows[i][k]), fmt::format("writes {} to '{}' at t {} and d {}", rows[i][k],
+                                                     output_names[k], nodes.t(i), nodes.d(i)));
 }
 
 float distance(const std::vector<Row>& a, const std::vector<Row>& b) {

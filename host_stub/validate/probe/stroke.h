@@ -29,6 +29,9 @@ class ProbeBrush {
   Values values;
   const burin_brush& abi() const { return *brush_; }
 
+  /// Whether a stroke can begin, which is ended at once. `error` gets why not.
+  bool begins(burin_text* error = nullptr);
+
   /// The brush's interface with this id, or null.
   template <class Interface>
   const Interface* interface(const char* id) const {
@@ -87,8 +90,11 @@ const char* output_name(std::size_t array);
 /// Whether a brush declares this one of the arrays of outputs.
 bool writes(const burin_brush_descriptor& brush, std::size_t array);
 
-/// Where two results differ in their bits: "node 7: along is 1 and 2"; empty if they do not.
-std::string difference(const std::vector<Row>& a, const std::vector<Row>& b);
+/// Where two results differ in their bits: "at t 3.2 and d -0.5 'along' is 1 and 2"; empty if they do not.
+std::string difference(const std::vector<Row>& a, const std::vector<Row>& b, const Nodes& nodes);
+
+/// Throws Failed with the node and the output if a number of a result is not finite.
+void require_finite(const std::vector<Row>& rows, const Nodes& nodes);
 
 /// The largest absolute difference of two results.
 float distance(const std::vector<Row>& a, const std::vector<Row>& b);

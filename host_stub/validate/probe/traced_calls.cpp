@@ -136,6 +136,13 @@ std::vector<Slot> all_slots() {
 
 }  // namespace
 
+bool malloc_is_replaced() {
+  Dl_info heap{}, library{};
+  const bool found = dladdr(dlsym(RTLD_DEFAULT, "malloc"), &heap) != 0 &&
+                     dladdr(dlsym(RTLD_DEFAULT, "gnu_get_libc_version"), &library) != 0;
+  return !found || heap.dli_fbase != library.dli_fbase;
+}
+
 std::vector<std::string> calls_during(const burin_plugin_entry& entry, const std::function<void()>& work) {
   traced_module = &entry;
   calls = {};

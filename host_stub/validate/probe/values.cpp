@@ -1,13 +1,33 @@
 // Makes values for the parameters of a brush: its defaults, the ends of their ranges, or random ones.
 #include "validate/probe/values.h"
 
+#include <burin/host/plugin/param_snapshot.h>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 
+#include "options/options.h"
 #include "validate/probe/plugin.h"
 
 namespace burin::validate {
+
+ParamSettings settings_of(const burin_brush_descriptor& brush, const std::vector<std::string>& texts) {
+  const auto find = [&](const std::string& name) -> const burin_param_info* {
+    for (const burin_param_info* info : std::span(brush.params, brush.param_count))
+      if (info->id && info->id == name) return info;
+    return nullptr;
+  };
+  ParamSettings settings = parse_param_settings(texts, [&](const std::string& name) {
+    const burin_param_info* info = find(name);
+    return info && (info->type == BURIN_PARAM_TEXT || info->type == BURIN_PARAM_FILE ||
+                    info->type == BURIN_PARAM_CHOICE);
+  });
+  std::erase_if(settings, [&](const auto& setting) { return !find(setting.first); });
+  return settings;
+}
 
 float least_of(const burin_param_info& info) {
   if (info.type == BURIN_PARAM_BOOL || info.type == BURIN_PARAM_CHOICE) return 0;
@@ -23,8 +43,10 @@ float greatest_of(const burin_param_info& info) {
 Values::Values(const burin_brush_descriptor& brush, const Subject& subject)
     : brush_(brush),
       subject_(subject),
+      given_(settings_of(brush, subject.params)),
       numbers_(brush.param_count),
       texts_(brush.param_count),
+      knots_(brush.param_count),
       values_(brush.param_count) {
   for (std::uint32_t i = 0; i < brush.param_count; ++i) {
     const burin_param_info& info = *brush.params[i];
@@ -33,10 +55,21 @@ Values::Values(const burin_brush_descriptor& brush, const Subject& subject)
     if (info.type == BURIN_PARAM_TEXT && BURIN_HAS(&info, burin_param_info, default_text) &&
         info.default_text)
       texts_[i] = info.default_text;
-    if (info.type != BURIN_PARAM_FILE) continue;
-    needs_file_ |= !info.default_file;
-    texts_[i] = info.default_file ? info.default_file : subject.stamp.string();
+    if (info.type == BURIN_PARAM_FILE)
+      texts_[i] = info.default_file ? info.default_file : subject.stamp.string();
+    needs_file_ |= is_to_choose(i);
+    if (const auto setting = given_.find(info.id ? info.id : ""); setting != given_.end()) {
+      ParamValue value = resolve_param(brush, info, &setting->second);
+      numbers_[i] = value.numbers;
+      texts_[i] = std::move(value.text);
+      knots_[i] = std::move(value.knots);
+    }
   }
+}
+
+bool Values::is_to_choose(std::uint32_t index) const {
+  const burin_param_info& info = *brush_.params[index];
+  return info.type == BURIN_PARAM_FILE && !info.default_file && !given_.contains(info.id ? info.id : "");
 }
 
 void Values::set_numbers(const std::function<float(const burin_param_info&)>& number) {
@@ -48,6 +81,21 @@ void Values::set_numbers(const std::function<float(const burin_param_info&)>& nu
     if (info.type == BURIN_PARAM_COLOUR)
       for (float& channel : numbers_[i]) channel = number(channel_info);
   }
+}
+
+std::string Values::told() const {
+  std::string text;
+  for (std::uint32_t i = 0; i < brush_.param_count; ++i) {
+    const burin_param_info& info = *brush_.params[i];
+    if (info.type < BURIN_PARAM_FLOAT || info.type > BURIN_PARAM_CHOICE) continue;
+    const float number = numbers_[i][0];
+    const auto choice = static_cast<std::size_t>(number);
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", info.id,
+                        info.type == BURIN_PARAM_CHOICE ? list_of(info.choices)[choice]
+                        : info.type == BURIN_PARAM_BOOL ? std::string(number != 0 ? "true" : "false")
+                                                        : fmt::format("{}", number));
+  }
+  return text;
 }
 
 void Values::set_least() { set_numbers(least_of); }
@@ -83,8 +131,7 @@ bool Values::choose_solids() {
   bool changes = false;
   const std::string solid = subject_.solid.string();
   for (std::uint32_t i = 0; i < brush_.param_count; ++i) {
-    const burin_param_info& info = *brush_.params[i];
-    if (info.type != BURIN_PARAM_FILE || info.default_file || texts_[i] == solid) continue;
+    if (!is_to_choose(i) || texts_[i] == solid) continue;
     texts_[i] = solid;
     changes = true;
   }
@@ -102,8 +149,9 @@ const burin_params& Values::abi() {
     if (info.type == BURIN_PARAM_COLOUR)
       for (std::size_t c = 0; c < 4; ++c) value.colour[c].data = &numbers_[i][c];
     if (info.type == BURIN_PARAM_CURVE) {
-      value.knots = info.default_knots;
-      value.knot_count = info.default_knot_count;
+      value.knots = knots_[i].empty() ? info.default_knots : knots_[i].data();
+      value.knot_count =
+          knots_[i].empty() ? info.default_knot_count : static_cast<std::uint32_t>(knots_[i].size() / 2);
     }
   }
   params_ = {sizeof(burin_params), brush_.param_count, values_.data()};

@@ -1,5 +1,6 @@
 #pragma once
 #include <burin/abi/brush.h>
+#include <burin/stroke/param_setting.h>
 
 #include <array>
 #include <cstdint>
@@ -14,7 +15,8 @@ namespace burin::validate {
 /// A value for each parameter of a brush.
 class Values {
  public:
-  /// The defaults. Files that the user must choose are the stamp of the subject, which outlives the object.
+  /// The defaults, but for values that the subject has. Files that the user must choose are the stamp of the
+  /// subject, which outlives the object. Throws Error for a value that a parameter cannot have.
   Values(const burin_brush_descriptor& brush, const Subject& subject);
   Values(const Values&) = delete;
   Values& operator=(const Values&) = delete;
@@ -38,22 +40,33 @@ class Values {
   /// Makes the files that the user must choose the solid of the subject. Returns whether anything changes.
   bool choose_solids();
 
-  /// Whether the brush has a file parameter without a default.
+  /// Whether the brush has a file parameter without a default, for which the subject has no value.
   bool needs_file() const { return needs_file_; }
+
+  /// The numbers as `--param` takes them: "height=0.25, count=3".
+  std::string told() const;
 
   const burin_params& abi();
 
  private:
   void set_numbers(const std::function<float(const burin_param_info&)>& number);
 
+  /// Whether the user must choose this file, and has not.
+  bool is_to_choose(std::uint32_t index) const;
+
   const burin_brush_descriptor& brush_;
   const Subject& subject_;
+  ParamSettings given_;  ///< those of the subject
   std::vector<std::array<float, 4>> numbers_;
   std::vector<std::string> texts_;
+  std::vector<std::vector<float>> knots_;  ///< x0 y0 x1 y1 ..., empty for the default ones
   std::vector<burin_param_value> values_;
   burin_params params_{};
   bool needs_file_ = false;
 };
+
+/// Of settings "NAME=VALUE" those of this brush's parameters. Throws Error where one is no such setting.
+ParamSettings settings_of(const burin_brush_descriptor& brush, const std::vector<std::string>& texts);
 
 /// Ends of the range of a number that hosts pass.
 float least_of(const burin_param_info& info);

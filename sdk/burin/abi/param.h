@@ -37,8 +37,9 @@ enum {
  * points to this struct. The host never passes NaN, infinities or values outside the hard range, neither
  * to begin nor in the arrays of dynamic parameters; a brush need not check for them: it may fail or draw
  * anything, but should not crash. begin() checks what a range cannot say: files, texts, several values
- * together. The soft range is what a slider spans. Types other than FLOAT and INT have a range of their own
- * and ignore both. Ids are unique within a brush, those of choices within a parameter. */
+ * together. The soft range is what a slider spans, so it is a single number only where the hard range is one.
+ * Types other than FLOAT and INT have a range of their own and ignore both. Ids are unique within a brush,
+ * those of choices within a parameter. */
 typedef struct burin_param_info {
   uint32_t struct_size;
   burin_param_type type;

@@ -74,13 +74,82 @@ TEST(ValidateCommand, HasAPluginWithAFaultForEachCheck) {
 }
 
 TEST(ValidateCommand, WaitsOnceForABrushThatHangs) {
-  const nlohmann::json found = report(bad_plugin("fuzz.always-hangs"), "2");
+  const nlohmann::json found = report(bad_plugin("several.always-hangs"), "2");
   EXPECT_EQ(failed_checks(found), Names{"life.begin-default"});
   std::map<std::string, int> verdicts;
   for (const auto& check : found["checks"]) ++verdicts[check["verdict"]];
   EXPECT_EQ(verdicts["TIMEOUT"], 1);
   EXPECT_GT(verdicts["SKIP"], 30);
   EXPECT_GT(verdicts["PASS"], 10) << "what looks at the module and its descriptors";
+}
+
+TEST(ValidateCommand, TellsOneFailureOfABrushThatWritesFarBeyondItsArrays) {
+  const nlohmann::json found = report(bad_plugin("several.writes-far"), "4");
+  EXPECT_EQ(failed_checks(found), Names{"memory.writes-within"});
+}
+
+TEST(ValidateCommand, TellsOneFailureOfATableOfParametersThatEndsTooEarly) {
+  const nlohmann::json found = report(bad_plugin("several.param-count"), "4");
+  EXPECT_EQ(failed_checks(found), Names{"descriptor.param-ids"});
+}
+
+TEST(ValidateCommand, FindsSoftRangesThatWereForgotten) {
+  const nlohmann::json found = report(bad_plugin("several.soft-range"), "4");
+  EXPECT_EQ(failed_checks(found), Names{"descriptor.param-ranges"});
+  for (const auto& check : found["checks"])
+    if (check["name"] == "descriptor.param-ranges") {
+      EXPECT_EQ(check["text"],
+                "org.example.good: parameter 'count': its soft range, which a slider spans, is 0 .. 0");
+    }
+}
+
+TEST(ValidateCommand, TellsTheNodeAndTheOutput) {
+  const std::string module = bad_plugin("life.begin-default");
+  const std::string out = burin({"validate", module, "--only", "life.begin-default"}).out;
+  EXPECT_TRUE(
+      std::regex_search(out, std::regex("writes -?(nan|inf) to 'up' at t -?[0-9.]+ and d -?[0-9.]+\n")))
+      << out;
+}
+
+TEST(ValidateCommand, ChecksWithValuesOfParameters) {
+  const std::string module = bad_plugin("life.optional-files");
+  const ProcessResult result =
+      burin({"validate", module, "--param", "file=any name", "--only", "life.begin-default"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.out.find("--only life.begin-default --seed 1 --param 'file=any name'\n"),
+            std::string::npos)
+      << result.out;
+  EXPECT_EQ(
+      burin({"validate", bad_plugin("good"), "--param", "height=0.5", "--param", "profile=flat"}).exit_code,
+      0);
+}
+
+TEST(ValidateCommand, RefusesValuesThatParametersCannotHave) {
+  const std::string good = bad_plugin("good");
+  const auto refusal = [&](const std::string& param) {
+    const ProcessResult result = burin({"validate", good, "--param", param});
+    EXPECT_EQ(result.exit_code, 2) << param;
+    return result.err;
+  };
+  EXPECT_NE(refusal("heigth=1").find("no brush of " + good + " has a parameter 'heigth'"), std::string::npos);
+  EXPECT_NE(refusal("height=7").find("parameter 'height' of org.example.good: 7 is above the maximum 1"),
+            std::string::npos);
+  EXPECT_NE(refusal("height").find("takes NAME=VALUE"), std::string::npos);
+}
+
+TEST(ValidateCommand, SkipsWhatItCannotCountWhereASanitizerServesMemory) {
+  std::string library = run_process({"g++", "-print-file-name=libasan.so"}).out;
+  library.resize(library.find('\n'));
+  const auto found = nlohmann::json::parse(
+      run_process({"env", "LD_PRELOAD=" + library, "ASAN_OPTIONS=detect_leaks=0", BURIN_COMMAND, "validate",
+                   bad_plugin("life.strokes-freed"), "--json"})
+          .out);
+  EXPECT_EQ(failed_checks(found), Names{});
+  Names skipped;
+  for (const auto& check : found["checks"])
+    if (check["text"] == "malloc is replaced, by a sanitizer or a preloaded library")
+      skipped.insert(check["name"]);
+  EXPECT_EQ(skipped, (Names{"life.brushes-freed", "life.strokes-freed", "memory.allocations"}));
 }
 
 class BadPlugins : public ::testing::TestWithParam<std::string> {};

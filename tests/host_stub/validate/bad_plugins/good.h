@@ -36,6 +36,9 @@
 #ifndef RIM_SLOPE
 #define RIM_SLOPE 1
 #endif
+#ifndef PARAM_COUNT
+#define PARAM_COUNT 6
+#endif
 /* Members of the parameters that come last and win. */
 #ifndef HEIGHT
 #define HEIGHT
@@ -173,7 +176,7 @@ static const burin_param_info file_param = {.struct_size = sizeof(burin_param_in
 static const burin_param_info* const params[] = {&height, &count_param, &profile,
                                                  &curve,  &text_param,  &file_param};
 static const burin_brush_descriptor descriptor = {.struct_size = sizeof descriptor,
-                                                  .param_count = 6,
+                                                  .param_count = PARAM_COUNT,
                                                   .id = ID,
                                                   .name = NAME,
                                                   .vendor = "Example",

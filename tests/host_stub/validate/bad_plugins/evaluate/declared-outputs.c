@@ -1,4 +1,4 @@
-/* Writes a mask though it declares none. */
+/* Writes what the mask is anyway, though it declares none. */
 #define AT_NODE \
-  if (outputs->mask.data) AT(outputs->mask, i) = 0.5f
+  if (outputs->mask.data) AT(outputs->mask, i) = 1
 #include "../good.h"
