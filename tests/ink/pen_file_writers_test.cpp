@@ -10,8 +10,8 @@
 namespace burin {
 namespace {
 
-/// Names of tools, of which one needs quotes in every format.
-const char* const tools[] = {"pen", "a \"felt\" <pen>, 1 & 2;\u00e9\nof two lines"};
+/// Names of tools, of which some need quotes in every format, or where tables have words for no name.
+const char* const tools[] = {"pen", "a \"felt\" <pen>, 1 & 2;\u00e9\nof two lines", "None", " a pen "};
 
 /// Strokes with all fields, with some and with none, whose numbers have all their bits.
 std::vector<Recording> recordings() {
@@ -27,8 +27,8 @@ std::vector<Recording> recordings() {
       RecordedStroke& stroke = recording.strokes.emplace_back();
       stroke.fields = fields;
       stroke.fields.barrel = fields.pressure;
-      stroke.drawn_by = {recording.strokes.size() % 2 == 0 ? "" : tools[recording.strokes.size() / 2],
-                         fields.twist};
+      const std::size_t number = recording.strokes.size(), first = &recording == &all[0] ? 0 : 2;
+      stroke.drawn_by = {number % 2 == 0 ? "" : tools[first + number / 2], fields.twist};
       double time = 1.7e9;
       for (int i = 0; i < 300; ++i) {
         Sample& sample = stroke.samples.emplace_back();

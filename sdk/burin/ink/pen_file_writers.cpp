@@ -1,5 +1,6 @@
 // Writes recordings as InkML and CSV. Numbers are the shortest that are read back as the same.
 #include <burin/ink/decode/inkml_format.h>
+#include <burin/ink/parse/csv_columns.h>
 #include <burin/ink/pen_file_writers.h>
 #include <fmt/format.h>
 
@@ -67,7 +68,7 @@ bool is_plain(char letter) {
 }
 
 std::string csv_cell(const std::string& text) {
-  if (std::ranges::all_of(text, is_plain)) return text;
+  if (std::ranges::all_of(text, is_plain) && !is_absent_cell(text)) return text;
   std::string cell = "\"";
   for (const char letter : text) cell += letter == '"' ? "\"\"" : std::string(1, letter);
   return cell + '"';

@@ -203,21 +203,25 @@ TEST(ReadInkml, HasTheUpperEndWhereAzimuthAndElevationSay) {
   EXPECT_FALSE(flat.strokes.at(0).fields.tilt) << "declared and not measured";
 }
 
-// A trace has the brush that it names, that its groups name, or that of its context.
+// A trace has the brush that it names, that its groups name, or that of its context, which may name one that
+// stands behind it, or another context that does.
 TEST(ReadInkml, TellsToolAndEraserByBrushes) {
   const PenFile file = PenFileFolder().read(ink(R"(<definitions>
     <brush xml:id="a"><brushProperty name="tool" value="pen"/></brush>
     <brush xml:id="b"><brushProperty name="tool" value="pen"/><brushProperty name="eraser" value="true"/></brush>
     <brush xml:id="c"><brushProperty name="width" value="3"/><brushProperty name="eraser" value="false"/></brush>
     <context xml:id="named" brushRef="#b"/>
-    <context xml:id="own"><brush><brushProperty name="tool" value="touch"/></brush></context></definitions>
+    <context xml:id="own"><brush><brushProperty name="tool" value="touch"/></brush></context>
+    <context xml:id="early" brushRef="#late"/><context xml:id="heir" contextRef="#early"/>
+    <brush xml:id="late"><brushProperty name="tool" value="chalk"/></brush></definitions>
     <traceGroup brushRef="#a"><trace>1 2</trace><traceGroup><trace brushRef="#b">1 2</trace></traceGroup></traceGroup>
     <trace contextRef="#named">1 2</trace><trace contextRef="#own">1 2</trace>
-    <trace contextRef="#own" brushRef="#c">1 2</trace><trace brushRef="#d">1 2</trace><trace>1 2</trace>)"));
+    <trace contextRef="#own" brushRef="#c">1 2</trace><trace brushRef="#d">1 2</trace><trace>1 2</trace>
+    <trace contextRef="#heir">1 2</trace>)"));
   std::string tools;
   for (const PenStroke& stroke : file.strokes)
     tools += stroke.drawn_by.tool + (stroke.drawn_by.eraser ? " eraser, " : ", ");
-  EXPECT_EQ(tools, "pen, pen eraser, pen eraser, touch, , , , ");
+  EXPECT_EQ(tools, "pen, pen eraser, pen eraser, touch, , , , chalk, ");
   EXPECT_EQ(
       PenFileFolder().complaint(ink("<brush xml:id='a'><brushProperty name='tool' value='\xff'/></brush>"
                                     "<trace brushRef='#a'>1 2</trace>")),

@@ -125,17 +125,28 @@ const InkmlFormat& InkmlFormats::of(const pugi::xml_node& node, std::string_view
   return found->second;
 }
 
-/// A context has the brush that it names, or that is in it.
-void InkmlBrushes::collect(const pugi::xml_node& node) {
+InkmlBrushes::InkmlBrushes(const XmlFile& file) {
+  Named named;
+  collect(file.root(), named);
+  for (const pugi::xml_node& brush : named.brushes) brushes_["#" + id_of(brush)] = drawn_by(brush);
+  for (const pugi::xml_node& context : named.contexts)
+    brushes_[InkmlFormats::reference_of(context)] = of_context(context);
+}
+
+void InkmlBrushes::collect(const pugi::xml_node& node, Named& named) {
   for (const pugi::xml_node& one : node.children()) {
     const std::string_view name = local_name(one.name());
-    if (name == "trace") continue;
-    collect(one);
-    if (name == "brush") brushes_[std::string("#") + attribute(one, "id").value()] = drawn_by(one);
-    if (name != "context") continue;
-    const pugi::xml_node own = child(one, "brush");
-    brushes_[InkmlFormats::reference_of(one)] = own ? drawn_by(own) : of(attribute(one, "brushRef").value());
+    if (name == "brush") named.brushes.push_back(one);
+    if (name == "context") named.contexts.push_back(one);
+    if (name != "trace") collect(one, named);
   }
+}
+
+/// The brush in a context or that it names, else that of the context that it names, which came before.
+DrawnBy InkmlBrushes::of_context(const pugi::xml_node& context) const {
+  if (const pugi::xml_node own = child(context, "brush")) return drawn_by(own);
+  const pugi::xml_attribute brush = attribute(context, "brushRef");
+  return of(brush ? brush.value() : attribute(context, "contextRef").value());
 }
 
 DrawnBy InkmlBrushes::of(std::string_view reference) const {

@@ -63,13 +63,18 @@ class InkmlFormats {
 /// What the brushes of an InkML file tell of tools.
 class InkmlBrushes {
  public:
-  explicit InkmlBrushes(const XmlFile& file) { collect(file.root()); }
+  explicit InkmlBrushes(const XmlFile& file);
 
   /// Of the brush, or of that of the context, that a reference "#id" names; nothing is known of others.
   DrawnBy of(std::string_view reference) const;
 
  private:
-  void collect(const pugi::xml_node& node);
+  /// What may be named before it stands, in the order of the file.
+  struct Named {
+    std::vector<pugi::xml_node> brushes, contexts;
+  };
+  static void collect(const pugi::xml_node& node, Named& named);
+  DrawnBy of_context(const pugi::xml_node& context) const;
 
   std::map<std::string, DrawnBy, std::less<>> brushes_;  ///< by "#id"
 };

@@ -121,18 +121,13 @@ void set(Row& row, CsvCell cell, double value) {
   }
 }
 
-bool is_absent(std::string_view cell) {
-  constexpr std::array<std::string_view, 6> words = {"", "nan", "NaN", "NA", "null", "None"};
-  return std::ranges::find(words, cell) != words.end();
-}
-
 /// The value of a cell, or nothing for an empty one and what tables have for one. Where a comma does not part
 /// cells, it may part the decimals of a number.
 std::optional<double> value_of(std::string_view cell) {
   std::string_view rest = cell;
   double value = 0;
   if (take_number(rest, value) && rest.empty()) return value;
-  if (is_absent(cell)) return std::nullopt;
+  if (is_absent_cell(cell)) return std::nullopt;
   std::string word = in_lower_case(std::string(cell));
   if (word == "true" || word == "false") return word == "true" ? 1 : 0;
   std::ranges::replace(word, ',', '.');
@@ -150,13 +145,14 @@ bool is_number(std::string_view cell) {
 Row row_of(std::string_view line, char separator, std::span<const CsvColumn> named) {
   Row row;
   for (std::size_t number = 0; !line.empty(); ++number) {
-    const std::string_view cell = take_csv_cell(line, separator);
+    const CsvText text = take_csv_cell(line, separator);
+    const std::string_view cell = trimmed(text.text);
     if (number >= named.size()) throw Error(fmt::format("a line of more than the {} columns", named.size()));
     if (named[number].cell == CsvCell::unknown) continue;
     if (named[number].cell == CsvCell::stroke && !is_number(cell))
       row.stroke_name = cell;
     else if (named[number].cell == CsvCell::tool)
-      row.tool = is_absent(cell) ? std::string_view() : cell;
+      row.tool = text.quoted ? text.text : is_absent_cell(cell) ? std::string_view() : cell;
     else if (const auto value = value_of(cell))
       set(row, named[number].cell, *value * named[number].scale);
   }

@@ -60,11 +60,6 @@ constexpr std::array units = {ColumnUnit{"mm", Measure::length, 1},
                               ColumnUnit{"rad", Measure::angle, 1},
                               ColumnUnit{"%", Measure::share, 0.01}};
 
-std::string_view trimmed(std::string_view text) {
-  skip_blanks(text);
-  return text.substr(0, text.find_last_not_of(blanks) + 1);
-}
-
 /// Parts a name as "time_ms", "Time (ms)" and "time [ms]" into the name and its unit, in lower case.
 std::pair<std::string, std::string> name_and_unit(std::string_view cell) {
   std::string name = in_lower_case(std::string(cell)), unit;
@@ -115,6 +110,11 @@ std::size_t end_of_quotes(std::string_view text, std::size_t begin) {
 
 }  // namespace
 
+std::string_view trimmed(std::string_view text) {
+  skip_blanks(text);
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
 bool is_position(CsvCell cell) { return cell == CsvCell::x || cell == CsvCell::y || cell == CsvCell::z; }
 
 char csv_separator_of(std::string_view header) {
@@ -138,7 +138,7 @@ OpenQuotes quotes_behind(std::string_view line, char separator, OpenQuotes befor
   return OpenQuotes::none;
 }
 
-std::string_view take_csv_cell(std::string_view& line, char separator) {
+CsvText take_csv_cell(std::string_view& line, char separator) {
   const std::size_t begin = std::min(line.find_first_not_of(" \r"), line.size());
   const bool quoted = line.substr(begin).starts_with('"');
   const std::size_t close = quoted ? end_of_quotes(line, begin + 1) : 0;
@@ -146,13 +146,18 @@ std::string_view take_csv_cell(std::string_view& line, char separator) {
   const std::string_view cell = quoted ? line.substr(begin + 1, close - begin - 1) : line.substr(0, end);
   line.remove_prefix(std::min(end + 1, line.size()));
   if (separator == ' ') skip_blanks(line);
-  return trimmed(cell);
+  return {quoted ? cell : trimmed(cell), quoted};
+}
+
+bool is_absent_cell(std::string_view cell) {
+  constexpr std::array<std::string_view, 6> words = {"", "nan", "NaN", "NA", "null", "None"};
+  return std::ranges::find(words, cell) != words.end();
 }
 
 std::vector<CsvColumn> csv_columns_of(std::string_view header) {
   const char separator = csv_separator_of(header);
   std::vector<CsvColumn> named;
-  while (!header.empty()) named.push_back(column_of(take_csv_cell(header, separator)));
+  while (!header.empty()) named.push_back(column_of(trimmed(take_csv_cell(header, separator).text)));
   // The Universal Ink Library numbers strokes so; elsewhere an index is that of the row.
   const auto is = [](std::string_view name) {
     return [name](const CsvColumn& column) { return in_lower_case(column.name) == name; };

@@ -35,6 +35,9 @@ struct CsvColumn {
 
 bool is_position(CsvCell cell);
 
+/// Without blanks at the ends.
+std::string_view trimmed(std::string_view text);
+
 /// What parts the cells of the lines of a table, by the one that names its columns.
 char csv_separator_of(std::string_view header);
 
@@ -45,9 +48,18 @@ enum class OpenQuotes { none, here, before };
 /// Those behind a line. `before`: those behind the line before it.
 OpenQuotes quotes_behind(std::string_view line, char separator, OpenQuotes before);
 
+/// The text of a cell of a line.
+struct CsvText {
+  std::string_view text;  ///< without blanks at its ends, or what is between quotes, with all that is there
+  bool quoted = false;
+};
+
 /// Removes the next cell and its separator from the front of a line. Quotes around a cell keep separators in
 /// it, and are removed.
-std::string_view take_csv_cell(std::string_view& line, char separator);
+CsvText take_csv_cell(std::string_view& line, char separator);
+
+/// Whether a cell is empty, or has one of the words by which tables tell that it is.
+bool is_absent_cell(std::string_view cell);
 
 /// The columns that a line names.
 std::vector<CsvColumn> csv_columns_of(std::string_view header);
