@@ -6,10 +6,11 @@
 #include <burin/host/brush_library.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <span>
 
 #include "input/brush_folder.h"
-#include "options/options.h"
 #include "system/child_tasks.h"
 #include "validate/probe/values.h"
 
@@ -35,6 +36,11 @@ Result result_of(const Check& check, const ChildResult& child) {
   }
 }
 
+bool declares(const burin_brush_descriptor& brush, const std::string& name) {
+  return std::ranges::any_of(std::span(brush.params, brush.param_count),
+                             [&](const burin_param_info* info) { return info->id == name; });
+}
+
 /// What is wrong with values for a module that can be loaded, or nothing.
 std::string params_problem(const Subject& subject) {
   BrushLibrary library;
@@ -43,14 +49,13 @@ std::string params_problem(const Subject& subject) {
   } catch (const Error&) {
     return {};  // The checks tell it.
   }
-  ParamSettings unknown = parse_param_settings(subject.params, [](const std::string&) { return true; });
-  for (const BrushEntry& brush : library.brushes()) {
-    const Values values(*brush.descriptor, subject);
-    for (const auto& [name, setting] : settings_of(*brush.descriptor, subject.params)) unknown.erase(name);
+  for (const BrushEntry& brush : library.brushes()) const Values values(*brush.descriptor, subject);
+  for (const auto& [name, value] : subject.params) {
+    const auto has_it = [&](const BrushEntry& brush) { return declares(*brush.descriptor, name); };
+    if (std::ranges::none_of(library.brushes(), has_it))
+      return fmt::format("no brush of {} has a parameter {}", subject.module.string(), quoted_word(name));
   }
-  if (unknown.empty()) return {};
-  return fmt::format("no brush of {} has a parameter {}", subject.module.string(),
-                     quoted_word(unknown.begin()->first));
+  return {};
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ int level_reached(std::span<const Result> results, int highest) {
 std::string command_of(const Subject& subject, const Check& check) {
   std::string command = fmt::format("burin validate {} --only {} --seed {}",
                                     shell_word(subject.module.string()), check.name, subject.seed);
-  for (const std::string& param : subject.params) command += " --param " + shell_word(param);
+  for (const auto& [name, value] : subject.params) command += " --param " + shell_word(name + "=" + value);
   return command;
 }
 

@@ -64,7 +64,8 @@ void validate_module(const ValidateOptions& options) {
   const WorkFolder folder;
   folder.add_solid();
   Subject subject = folder.subject(options.module, options.seed);
-  subject.params = options.params;
+  for (const auto& [name, value] : parse_param_settings(options.params, [](auto&) { return true; }))
+    subject.params[name] = std::get<std::string>(value);
   check_params(subject);
   keep_plugins_off_standard_output();
   const std::vector<Result> results = run_checks(subject, chosen_checks(options), options.run);

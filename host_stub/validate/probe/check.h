@@ -3,21 +3,21 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace burin::validate {
 
 /// What a check is given.
 struct Subject {
-  std::filesystem::path module;          ///< absolute
-  std::filesystem::path folder;          ///< a folder for files of this check, which exists
-  std::filesystem::path stamp;           ///< an image for parameters that must name a file
-  std::filesystem::path solid;           ///< an OpenVDB file for those that do not take an image
-  std::uint64_t seed = 1;                ///< of all that is random
-  std::vector<std::string> params = {};  ///< "NAME=VALUE", instead of defaults
+  std::filesystem::path module;                    ///< absolute
+  std::filesystem::path folder;                    ///< a folder for files of this check, which exists
+  std::filesystem::path stamp;                     ///< an image for parameters that must name a file
+  std::filesystem::path solid;                     ///< an OpenVDB file for those that do not take an image
+  std::uint64_t seed = 1;                          ///< of all that is random
+  std::map<std::string, std::string> params = {};  ///< values instead of defaults, as users type them
 };
 
 /// The plugin broke the clause of the check. what() says how, in one line.

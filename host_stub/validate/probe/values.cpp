@@ -2,32 +2,16 @@
 #include "validate/probe/values.h"
 
 #include <burin/host/plugin/param_snapshot.h>
+#include <burin/stroke/files/setting_texts.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <span>
 
-#include "options/options.h"
 #include "validate/probe/plugin.h"
 
 namespace burin::validate {
-
-ParamSettings settings_of(const burin_brush_descriptor& brush, const std::vector<std::string>& texts) {
-  const auto find = [&](const std::string& name) -> const burin_param_info* {
-    for (const burin_param_info* info : std::span(brush.params, brush.param_count))
-      if (info->id && info->id == name) return info;
-    return nullptr;
-  };
-  ParamSettings settings = parse_param_settings(texts, [&](const std::string& name) {
-    const burin_param_info* info = find(name);
-    return info && (info->type == BURIN_PARAM_TEXT || info->type == BURIN_PARAM_FILE ||
-                    info->type == BURIN_PARAM_CHOICE);
-  });
-  std::erase_if(settings, [&](const auto& setting) { return !find(setting.first); });
-  return settings;
-}
 
 float least_of(const burin_param_info& info) {
   if (info.type == BURIN_PARAM_BOOL || info.type == BURIN_PARAM_CHOICE) return 0;
@@ -43,7 +27,6 @@ float greatest_of(const burin_param_info& info) {
 Values::Values(const burin_brush_descriptor& brush, const Subject& subject)
     : brush_(brush),
       subject_(subject),
-      given_(settings_of(brush, subject.params)),
       numbers_(brush.param_count),
       texts_(brush.param_count),
       knots_(brush.param_count),
@@ -58,18 +41,30 @@ Values::Values(const burin_brush_descriptor& brush, const Subject& subject)
     if (info.type == BURIN_PARAM_FILE)
       texts_[i] = info.default_file ? info.default_file : subject.stamp.string();
     needs_file_ |= is_to_choose(i);
-    if (const auto setting = given_.find(info.id ? info.id : ""); setting != given_.end()) {
-      ParamValue value = resolve_param(brush, info, &setting->second);
-      numbers_[i] = value.numbers;
-      texts_[i] = std::move(value.text);
-      knots_[i] = std::move(value.knots);
-    }
+    if (const std::string* text = given(i)) set_given(i, *text);
   }
+}
+
+const std::string* Values::given(std::uint32_t index) const {
+  const char* id = brush_.params[index]->id;
+  const auto found = id ? subject_.params.find(id) : subject_.params.end();
+  return found == subject_.params.end() ? nullptr : &found->second;
+}
+
+void Values::set_given(std::uint32_t index, const std::string& text) {
+  const burin_param_info& info = *brush_.params[index];
+  const bool as_text =
+      info.type == BURIN_PARAM_TEXT || info.type == BURIN_PARAM_FILE || info.type == BURIN_PARAM_CHOICE;
+  const ParamSetting setting = as_text ? ParamSetting(text) : param_of_text(text);
+  ParamValue value = resolve_param(brush_, info, &setting);
+  numbers_[index] = value.numbers;
+  texts_[index] = std::move(value.text);
+  knots_[index] = std::move(value.knots);
 }
 
 bool Values::is_to_choose(std::uint32_t index) const {
   const burin_param_info& info = *brush_.params[index];
-  return info.type == BURIN_PARAM_FILE && !info.default_file && !given_.contains(info.id ? info.id : "");
+  return info.type == BURIN_PARAM_FILE && !info.default_file && !given(index);
 }
 
 void Values::set_numbers(const std::function<float(const burin_param_info&)>& number) {

@@ -1,6 +1,5 @@
 #pragma once
 #include <burin/abi/brush.h>
-#include <burin/stroke/param_setting.h>
 
 #include <array>
 #include <cstdint>
@@ -51,12 +50,17 @@ class Values {
  private:
   void set_numbers(const std::function<float(const burin_param_info&)>& number);
 
+  /// The subject's value of a parameter, or null.
+  const std::string* given(std::uint32_t index) const;
+
+  /// Makes a value of such a text.
+  void set_given(std::uint32_t index, const std::string& text);
+
   /// Whether the user must choose this file, and has not.
   bool is_to_choose(std::uint32_t index) const;
 
   const burin_brush_descriptor& brush_;
   const Subject& subject_;
-  ParamSettings given_;  ///< those of the subject
   std::vector<std::array<float, 4>> numbers_;
   std::vector<std::string> texts_;
   std::vector<std::vector<float>> knots_;  ///< x0 y0 x1 y1 ..., empty for the default ones
@@ -64,9 +68,6 @@ class Values {
   burin_params params_{};
   bool needs_file_ = false;
 };
-
-/// Of settings "NAME=VALUE" those of this brush's parameters. Throws Error where one is no such setting.
-ParamSettings settings_of(const burin_brush_descriptor& brush, const std::vector<std::string>& texts);
 
 /// Ends of the range of a number that hosts pass.
 float least_of(const burin_param_info& info);
