@@ -12,6 +12,7 @@
 #include <functional>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "fuzz/bundle.h"
 #include "fuzz/fuzz_case.h"
@@ -22,6 +23,8 @@
 #include "validate/probe/stroke.h"
 
 namespace burin {
+namespace fs = std::filesystem;
+
 namespace {
 
 using End = ChildResult::End;
@@ -33,38 +36,56 @@ constexpr int tries = 400;
 constexpr double longer_than_others = 10, least_limit = 0.5;
 constexpr int steps_that_hang = 60;
 
-FuzzCase case_of(const validate::Subject& subject, const TakenFiles& files, std::size_t number) {
+FuzzCase case_of(const validate::Subject& subject, const TakenWords& words, std::size_t number) {
   const validate::Plugin plugin(subject);
   const auto brushes = plugin.brushes();
   if (brushes.empty()) throw Error("the module has no brushes");
-  return random_case(*brushes[number % brushes.size()], files, subject.seed ^ (number * 0x9E3779B97F4A7C15u));
+  return random_case(*brushes[number % brushes.size()], words, subject.seed ^ (number * 0x9E3779B97F4A7C15u));
 }
 
-/// Lines of three words, "BRUSH PARAMETER FILE", of all files that a brush of the module begins with.
-std::string lines_of_taken_files(const validate::Subject& subject) {
+/// Tries which words a brush begins with for its parameter `param`, and adds a line "BRUSH PARAMETER TYPE
+/// NUMBER" for each of these. A file that is taken stays.
+void try_words(validate::ProbeBrush& probe, std::uint32_t param, const fs::path& folder, std::string& lines) {
+  const burin_param_info& info = *probe.descriptor.params[param];
+  const bool file = info.type == BURIN_PARAM_FILE;
+  const std::vector<std::string> words = fuzz_words(info.type);
+  std::string kept = probe.values.text(param);
+  bool none = true;
+  for (std::size_t number = 0; number < words.size(); ++number) {
+    const std::string word = file ? (folder / words[number]).string() : words[number];
+    probe.values.set_text(param, word);
+    if (!probe.begins()) continue;
+    lines += fmt::format("{} {} {} {}\n", probe.descriptor.id, info.id, info.type, number);
+    if (file && std::exchange(none, false)) kept = word;
+  }
+  probe.values.set_text(param, kept);
+}
+
+/// Of all brushes. Texts come behind files, since many are refused with the wrong file only.
+std::string lines_of_taken_words(const validate::Subject& subject) {
   std::string lines;
   const validate::Plugin plugin(subject);
-  for (const burin_brush_descriptor* brush : plugin.brushes())
-    for (std::uint32_t i = 0; i < brush->param_count; ++i)
-      for (const char* file : fuzz_files) {
-        if (brush->params[i]->type != BURIN_PARAM_FILE) continue;
-        validate::ProbeBrush probe(plugin, *brush, subject);
-        probe.values.set_text(i, (subject.folder / file).string());
-        if (probe.begins()) lines += fmt::format("{} {} {}\n", brush->id, brush->params[i]->id, file);
-      }
+  for (const burin_brush_descriptor* brush : plugin.brushes()) {
+    validate::ProbeBrush probe(plugin, *brush, subject);
+    for (const burin_param_type type : {BURIN_PARAM_FILE, BURIN_PARAM_TEXT})
+      for (std::uint32_t i = 0; i < brush->param_count; ++i)
+        if (brush->params[i]->type == type) try_words(probe, i, subject.folder, lines);
+  }
   return lines;
 }
 
-/// In a process of its own, which a brush may end: then any file is tried.
-TakenFiles taken_files(const validate::Subject& subject, double time_limit) {
-  TakenFiles files;
+/// In a process of its own, which a brush may end: then any word is tried.
+TakenWords taken_words(const validate::Subject& subject, double time_limit) {
+  TakenWords words;
   const ChildResult child =
-      run_in_children(1, 1, time_limit, [&](std::size_t) { return lines_of_taken_files(subject); })[0];
-  if (child.end != End::whole) return files;
+      run_in_children(1, 1, time_limit, [&](std::size_t) { return lines_of_taken_words(subject); })[0];
+  if (child.end != End::whole) return words;
   std::istringstream lines(child.text);
-  for (std::string brush, param, file; lines >> brush >> param >> file;)
-    files[{brush, param}].push_back(file);
-  return files;
+  burin_param_type type = 0;
+  std::size_t number = 0;
+  for (std::string brush, param; lines >> brush >> param >> type >> number;)
+    words[{brush, param}].push_back(fuzz_words(type).at(number));
+  return words;
 }
 
 /// What a child sends: a digit, the outcome, and its text. An error is a module that cannot be loaded.
@@ -103,7 +124,7 @@ class Fuzzer {
 
   FuzzResult run() {
     expect_module_that_loads();
-    files_ = taken_files(subject_, options_.time_limit);
+    words_ = taken_words(subject_, options_.time_limit);
     const Stopwatch watch;
     do run_some();
     while (result_.failure.empty() && watch.elapsed() < 60 * options_.minutes);
@@ -130,7 +151,7 @@ class Fuzzer {
     const auto children = run_in_children(count, options_.jobs, options_.time_limit, [&](std::size_t index) {
       FuzzCase made;
       return sent(subject_, [&]() -> const Trial& {
-        made = case_of(subject_, files_, first + index);
+        made = case_of(subject_, words_, first + index);
         return made.trial;
       });
     });
@@ -183,7 +204,7 @@ class Fuzzer {
   void report(const ChildResult& child) {
     const std::size_t number = result_.trials++;
     std::string failure = failure_text(child);
-    const FuzzCase least = least_of(case_of(subject_, files_, number), child, failure);
+    const FuzzCase least = least_of(case_of(subject_, words_, number), child, failure);
     write_bundle(options_.bundle, {subject_.module, failure, least.trial, options_.time_limit},
                  subject_.folder);
     result_.failure = fmt::format("trial {}: {}\n        {} samples, {} vertices, {}", number, failure,
@@ -193,7 +214,7 @@ class Fuzzer {
 
   const validate::Subject& subject_;
   const FuzzOptions& options_;
-  TakenFiles files_;
+  TakenWords words_;
   FuzzResult result_;
   double longest_ = 0;  ///< of the trials that did not fail, seconds
 };

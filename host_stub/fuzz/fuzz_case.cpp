@@ -35,13 +35,14 @@ Json random_knots(Draws& draws) {
   return knots;
 }
 
-/// One of the files that the brush takes, now and then one that it may refuse.
-Json random_file(const std::vector<std::string>* taken, Draws& draws) {
-  if (!taken || draws.once_in(10)) return fuzz_files[draws.below(fuzz_files.size())];
-  return (*taken)[draws.below(taken->size())];
+/// One of the words that the brush takes, now and then one that it may refuse.
+std::string random_word(burin_param_type type, const std::vector<std::string>* taken, Draws& draws) {
+  const std::vector<std::string> all = fuzz_words(type);
+  const auto& from = taken && !draws.once_in(10) ? *taken : all;
+  return from[draws.below(from.size())];
 }
 
-Json random_value(const burin_param_info& info, const std::vector<std::string>* files, Draws& draws) {
+Json random_value(const burin_param_info& info, const std::vector<std::string>* taken, Draws& draws) {
   switch (info.type) {
     case BURIN_PARAM_FLOAT:
     case BURIN_PARAM_INT:
@@ -56,23 +57,19 @@ Json random_value(const burin_param_info& info, const std::vector<std::string>* 
       return {draws.between(0, 1), draws.between(0, 1), draws.between(0, 1), draws.between(0, 1)};
     case BURIN_PARAM_CURVE:
       return random_knots(draws);
-    case BURIN_PARAM_TEXT:
-      return draws.one_of<std::string>(
-          {"", "A", "two words", "\u00df \u6f22\u5b57 \u05d0", std::string(200, 'W')});
     default:
-      return random_file(files, draws);
+      return random_word(info.type, taken, draws);
   }
 }
 
-Json random_params(const burin_brush_descriptor& brush, const TakenFiles& files, Draws& draws) {
+Json random_params(const burin_brush_descriptor& brush, const TakenWords& words, Draws& draws) {
   Json params = Json::object();
   for (const burin_param_info* info : std::span(brush.params, brush.param_count)) {
     const bool needed = info->type == BURIN_PARAM_FILE && !info->default_file;
-    // Brushes refuse most texts.
-    if (needed || draws.once_in(info->type == BURIN_PARAM_TEXT ? 6 : 2)) {
-      const auto taken = files.find({brush.id, info->id});
-      params[info->id] = random_value(*info, taken == files.end() ? nullptr : &taken->second, draws);
-    }
+    const auto taken = words.find({brush.id, info->id});
+    const bool refused = info->type == BURIN_PARAM_TEXT && taken == words.end();
+    if (!needed && !draws.once_in(refused ? 12 : 2)) continue;
+    params[info->id] = random_value(*info, taken == words.end() ? nullptr : &taken->second, draws);
   }
   return params;
 }
@@ -149,7 +146,14 @@ RecordedStroke random_stroke(const FuzzSurface& surface, Draws& draws) {
 
 }  // namespace
 
-FuzzCase random_case(const burin_brush_descriptor& brush, const TakenFiles& files, std::uint64_t seed) {
+std::vector<std::string> fuzz_words(burin_param_type type) {
+  if (type == BURIN_PARAM_FILE) return {fuzz_files.begin(), fuzz_files.end()};
+  if (type == BURIN_PARAM_TEXT)
+    return {"", "A", "two words", "\u00df \u6f22\u5b57 \u05d0", std::string(200, 'W')};
+  return {};
+}
+
+FuzzCase random_case(const burin_brush_descriptor& brush, const TakenWords& words, std::uint64_t seed) {
   Draws draws(seed);
   FuzzCase made;
   made.surface = random_surface(draws);
@@ -159,7 +163,7 @@ FuzzCase random_case(const burin_brush_descriptor& brush, const TakenFiles& file
   const double radius = draws.between(0.05, 0.5);
   // Coarse voxels, so that solids are made in no time.
   settings = {{"brush", brush.id}, {"radius", radius}, {"voxel", radius / draws.between(4, 8)}};
-  if (Json params = random_params(brush, files, draws); !params.empty())
+  if (Json params = random_params(brush, words, draws); !params.empty())
     settings["params"] = std::move(params);
   if (Json dynamics = random_dynamics(brush, draws); !dynamics.empty())
     settings["dynamics"] = std::move(dynamics);

@@ -22,11 +22,14 @@ struct FuzzCase {
 /// The names of the files that random cases name in the trial's folder: those of validate::WorkFolder.
 inline constexpr std::array fuzz_files = {"stamp.png", "solid.vdb"};
 
-/// Which of the files a brush begins with, by the ids of the brush and of its parameter.
-using TakenFiles = std::map<std::pair<std::string, std::string>, std::vector<std::string>>;
+/// What random cases have for a file or text parameter; nothing for others.
+std::vector<std::string> fuzz_words(burin_param_type type);
 
-/// Random parameters, settings, stroke and surface for a brush; the same for the same seed. Files are mostly
-/// such as the brush takes.
-FuzzCase random_case(const burin_brush_descriptor& brush, const TakenFiles& files, std::uint64_t seed);
+/// Which of these a brush begins with, by the ids of the brush and of its parameter.
+using TakenWords = std::map<std::pair<std::string, std::string>, std::vector<std::string>>;
+
+/// Random parameters, settings, stroke and surface for a brush; the same for the same seed. Files and texts
+/// are mostly such as the brush takes.
+FuzzCase random_case(const burin_brush_descriptor& brush, const TakenWords& words, std::uint64_t seed);
 
 }  // namespace burin

@@ -33,7 +33,8 @@ class Values {
   /// Multiplies lengths. Returns whether all stay in their ranges.
   bool scale_lengths(float factor);
 
-  /// Sets the text of a text or file parameter.
+  /// The text of a text or file parameter.
+  const std::string& text(std::uint32_t index) const { return texts_[index]; }
   void set_text(std::uint32_t index, std::string text);
 
   /// Makes the files that the user must choose the solid of the subject. Returns whether anything changes.
