@@ -17,7 +17,7 @@ typedef struct burin_bench_budget {
   uint32_t reserved;
 
   /* Returns the promised time of evaluate with these parameters, as a multiple of the time that copying the
-   * batch's inputs and outputs takes on the same machine, so that machines can be compared.
+   * inputs that the brush declared takes on the same machine, so that machines can be compared.
    * [any thread, concurrent] */
   double(BURIN_CALL* evaluate_cost)(const burin_brush* brush, const burin_params* params);
 } burin_bench_budget;
