@@ -2,7 +2,6 @@
 // edges, weighted as N. Max (Weights for Computing Vertex Normals from Facet Normals, 1999), which is exact
 // on spheres; but where triangles of very different size meet they are weighted by area, since large ones are
 // facets that fillets meet without a bend.
-#include <burin/base/segment.h>
 #include <burin/refine/smooth_facets.h>
 #include <burin/surface/geometry/area_vector.h>
 #include <burin/surface/geometry/triangle_shape.h>
@@ -118,17 +117,9 @@ Vec3d SmoothFacets::normal(Index triangle, std::size_t corner) {
 SmoothFacets::Facet& SmoothFacets::facet(Index triangle) {
   const auto [at, is_new] = facet_of_.try_emplace(triangle, static_cast<Index>(facets_.size()));
   if (!is_new) return facets_[at->second];
-  Facet made;
   const Triangle& t = surface_->triangles[triangle];
-  for (std::size_t i = 0; i < 3; ++i) made.corners[i] = position(*surface_, t[i]);
-  const Vec3d b = made.corners[1] - made.corners[0], c = made.corners[2] - made.corners[0], area = b.cross(c);
-  const double squared = area.squaredNorm();
-  made.has_area = squared > 0;
-  if (made.has_area) {
-    made.along_b = c.cross(area) / squared;
-    made.along_c = area.cross(b) / squared;
-    bend(triangle, made);
-  }
+  Facet made({position(*surface_, t[0]), position(*surface_, t[1]), position(*surface_, t[2])});
+  if (made.has_area) bend(triangle, made);
   for (std::size_t side = 0; side < 3; ++side) {
     triangles_beside(*surface_, triangle, side, beside_);
     for (std::size_t i = 0; i < 2; ++i) made.beside[side][i] = i < beside_.size() ? beside_[i] : no_index;
@@ -166,27 +157,8 @@ void SmoothFacets::bend(Index triangle, Facet& facet) {
 }
 
 FacetPlace SmoothFacets::nearest_on(Index triangle, const Vec3d& point) {
-  const Facet& f = facet(triangle);
-  const Vec3d way = point - f.corners[0];
-  if (f.has_area) {
-    const double b = f.along_b.dot(way), c = f.along_c.dot(way), a = 1 - b - c;
-    if (a >= 0 && b >= 0 && c >= 0)
-      return {triangle, {a, b, c}, a * f.corners[0] + b * f.corners[1] + c * f.corners[2]};
-  }
-  FacetPlace best;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t next = (i + 1) % 3;
-    const double share = share_on_segment(f.corners[i], f.corners[next], point);
-    const Vec3d there = (1 - share) * f.corners[i] + share * f.corners[next];
-    const double squared = (there - point).squaredNorm();
-    if (!(squared < least)) continue;
-    least = squared;
-    best = {triangle, {0, 0, 0}, there};
-    best.weights[i] = 1 - share;
-    best.weights[next] = share;
-  }
-  return best;
+  const auto [weights, at] = facet(triangle).nearest(point);
+  return {triangle, weights, at};
 }
 
 FacetPlace SmoothFacets::nearest(Index triangle, const Vec3d& point) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/refine/flat_facet.h>
 #include <burin/surface/surface.h>
 
 #include <array>
@@ -41,10 +42,8 @@ class SmoothFacets {
   Vec3d smooth(const FacetPlace& place);
 
  private:
-  struct Facet {
-    std::array<Vec3d, 3> corners;
-    Vec3d along_b, along_c;  ///< gradients of the weights of the second and third corner
-    bool has_area = false;
+  struct Facet : FlatFacet {
+    using FlatFacet::FlatFacet;
     bool curved = false;                         ///< the rest is set
     std::array<Vec3d, 6> edge_points;            ///< control points beside the corners: after and before each
     Vec3d middle = Vec3d::Zero();                ///< control point
