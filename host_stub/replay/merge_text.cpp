@@ -50,7 +50,11 @@ Json refinements_json(std::span<const RefineReport> refinements) {
                    {"triangles_removed", refined.triangles_removed},
                    {"triangles_added", refined.triangles_added},
                    {"vertices_added", refined.vertices_added},
-                   {"seconds", {{"split", refined.split_seconds}, {"rebuild", refined.rebuild_seconds}}}});
+                   {"vertices_removed", refined.vertices_removed},
+                   {"seconds",
+                    {{"split", refined.split_seconds},
+                     {"collapse", refined.collapse_seconds},
+                     {"rebuild", refined.rebuild_seconds}}}});
   return all;
 }
 
@@ -60,7 +64,7 @@ std::string refinements_text(std::span<const RefineReport> refinements) {
     text +=
         fmt::format("refined         {} triangles in place of {}, with edges of about {:.3g}, in {:.3f} s\n",
                     refined.triangles_added, refined.triangles_removed, refined.edge,
-                    refined.split_seconds + refined.rebuild_seconds);
+                    refined.split_seconds + refined.collapse_seconds + refined.rebuild_seconds);
   return text;
 }
 

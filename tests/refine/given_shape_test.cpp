@@ -1,9 +1,12 @@
 // Gaps between vertices against closed forms: of a grid, of slivers, of one sliver in a fine mesh, of a
 // patch, of what was drawn on.
+#include <burin/base/sort_unique.h>
+#include <burin/refine/coarsen_surface.h>
 #include <burin/refine/given_shape.h>
 #include <burin/surface/surface_patch.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -66,7 +69,7 @@ TEST(GivenShape, HasTheGapsThatPatchesLeave) {
   const EdgeLength lengths({straight({0.5, 0.5, 1}, {1.5, 0.5, 1})}, 0.1, 0.05);
   const Patched made(surface, given, lengths, std::array<Index, 2>{4, 5});
   const auto& [after, came_from] = made.after;
-  const GivenShape refined = given.patched(after, came_from, made.made.given),
+  const GivenShape refined = given.patched(after, came_from, {made.made.given, made.made.edges}),
                    solid = given.patched(after, came_from, {}), anew(after);
   std::size_t fresh = 0;
   for (Index v = 0; v < after.vertex_count(); ++v) {
@@ -78,6 +81,44 @@ TEST(GivenShape, HasTheGapsThatPatchesLeave) {
     fresh += refined.is_refined(v);
   }
   EXPECT_GT(fresh, 400u);
+}
+
+// Vertices know for which edges they were added, or kept; where some are taken out the gaps are wider again.
+TEST(GivenShape, KnowsForWhichEdgesVerticesAreThere) {
+  const Surface surface = make_surface(box({2, 1, 1}));
+  const GivenShape bare(surface);
+  const EdgeLength lengths({straight({0.5, 0.5, 1}, {1.5, 0.5, 1})}, 0.1, 0.05);
+  const Patched made(surface, bare, lengths, std::array<Index, 2>{4, 5});
+  const auto& [fine, came_from] = made.after;
+  GivenShape given = bare.patched(fine, came_from, {made.made.given, made.made.edges});
+  EXPECT_FLOAT_EQ(given.least_edge(), 0.05F);
+  EXPECT_GT(bare.least_edge(), 1e9F);
+  std::vector<Index> added;
+  for (Index v = 0; v < fine.vertex_count(); ++v) {
+    if (made.is_new(v, surface)) added.push_back(v);
+    const double there = lengths.at(fine.positions[v].cast<double>());
+    EXPECT_EQ(given.is_finer(v, 1.0001 * there), made.is_new(v, surface));
+    EXPECT_FALSE(given.is_finer(v, 0.9999 * there));
+  }
+  KeptEdges kept{{added[3], added[5]}, {1, 2}};
+  given.exchange(kept);
+  EXPECT_FALSE(given.is_finer(added[3], 0.9));
+  EXPECT_TRUE(given.is_finer(added[3], 1));
+  given.exchange(kept);
+  EXPECT_EQ(kept.edges, (std::vector<float>{1, 2}));
+
+  const SurfacePatch patch = coarsen_surface(fine, added, {.edge = 0.2, .apart = 0.001});
+  ASSERT_GT(patch.removed.size(), 100u);
+  std::vector<Index> corners;
+  for (const Index triangle : patch.removed)
+    corners.insert(corners.end(), fine.triangles[triangle].begin(), fine.triangles[triangle].end());
+  sort_unique(corners);
+  const auto [coarse, left] = patched(fine, patch);
+  const GivenShape after = given.coarsened(coarse, left, corners), anew(coarse);
+  for (Index v = 0; v < coarse.vertex_count(); ++v) {
+    EXPECT_EQ(after.is_refined(v), given.is_refined(left[v]));
+    EXPECT_EQ(after.gap(v), std::ranges::binary_search(corners, left[v]) ? anew.gap(v) : given.gap(left[v]));
+  }
 }
 
 // A plane is drawn out into a ridge with slopes of 3, and refined along that. As it was given it needs a few
@@ -93,7 +134,8 @@ TEST(GivenShape, KeepsWhatWasDrawnFromLookingCoarse) {
   for (Index i = 0; i < seeds.size(); ++i) seeds[i] = i;
   const Patched made(surface, given, lengths, seeds), stretched(surface, GivenShape(surface), lengths, seeds);
   EXPECT_LT(2 * made.made.patch.triangles.size(), stretched.made.patch.triangles.size());
-  const GivenShape refined = given.patched(made.after.surface, made.after.came_from, made.made.given);
+  const GivenShape refined =
+      given.patched(made.after.surface, made.after.came_from, {made.made.given, made.made.edges});
   const std::span<const Vec3f> flat = refined.positions(made.after.surface);
   const Surface& after = made.after.surface;
   std::size_t fresh = 0, within = 0;

@@ -23,15 +23,6 @@ std::map<int, int> edge_uses(const Surface& surface) {
   return counts;
 }
 
-/// Six times the volume; of an open surface the cone over it.
-double volume(const Surface& surface) {
-  double sum = 0;
-  for (const Triangle& t : surface.triangles)
-    sum += surface.positions[t[0]].cast<double>().dot(
-        surface.positions[t[1]].cast<double>().cross(surface.positions[t[2]].cast<double>()));
-  return sum;
-}
-
 double area(const Surface& surface) {
   double sum = 0;
   for (const Triangle& t : surface.triangles) {
@@ -159,21 +150,6 @@ TEST(RefineSurface, RefusesMoreTrianglesThanAllowed) {
   const Refinable refinable(box({2, 1, 1}), straight({0.2, 0.5, 1}, {1.8, 0.6, 1}), 0.15, 0.01);
   EXPECT_EQ(error_of([&] { refinable.refine(5000); }),
             "refining the surface would take more than 5000 triangles");
-}
-
-/// Triangles of random corners: edges with any number of triangles, in any direction, and some without area.
-TriangleMesh random_soup(std::mt19937& random) {
-  std::uniform_real_distribution<float> place(-1, 1);
-  TriangleMesh mesh;
-  for (int i = 0; i < 12; ++i) mesh.positions.emplace_back(place(random), place(random), place(random));
-  mesh.positions[5] = (mesh.positions[3] + mesh.positions[4]) / 2;
-  mesh.triangles.push_back({3, 4, 5});
-  std::uniform_int_distribution<Index> corner(0, 11);
-  for (int i = 0; i < 20; ++i) mesh.triangles.push_back({corner(random), corner(random), corner(random)});
-  // Where two have the same corners their halves have an edge in common that counts once.
-  std::set<std::set<Index>> known;
-  std::erase_if(mesh.triangles, [&](const Triangle& t) { return !known.emplace(t.begin(), t.end()).second; });
-  return mesh;
 }
 
 TEST(RefineSurface, KeepsTheAreaOfAnySoup) {

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -34,6 +36,30 @@ inline TriangleMesh slivers() {
     mesh.triangles.push_back({i + 1, i + 2, i + 3});
   }
   return mesh;
+}
+
+/// Triangles of random corners: edges with any number of triangles, in any direction, and some without area.
+inline TriangleMesh random_soup(std::mt19937& random) {
+  std::uniform_real_distribution<float> place(-1, 1);
+  TriangleMesh mesh;
+  for (int i = 0; i < 12; ++i) mesh.positions.emplace_back(place(random), place(random), place(random));
+  mesh.positions[5] = (mesh.positions[3] + mesh.positions[4]) / 2;
+  mesh.triangles.push_back({3, 4, 5});
+  std::uniform_int_distribution<Index> corner(0, 11);
+  for (int i = 0; i < 20; ++i) mesh.triangles.push_back({corner(random), corner(random), corner(random)});
+  // Where two have the same corners their halves have an edge in common that counts once.
+  std::set<std::set<Index>> known;
+  std::erase_if(mesh.triangles, [&](const Triangle& t) { return !known.emplace(t.begin(), t.end()).second; });
+  return mesh;
+}
+
+/// Six times the volume; of an open surface the cone over it.
+inline double volume(const Surface& surface) {
+  double sum = 0;
+  for (const Triangle& t : surface.triangles)
+    sum += surface.positions[t[0]].cast<double>().dot(
+        surface.positions[t[1]].cast<double>().cross(surface.positions[t[2]].cast<double>()));
+  return sum;
 }
 
 /// A surface that is to be refined along a line near it.

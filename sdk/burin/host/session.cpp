@@ -12,6 +12,7 @@
 #include <burin/host/session/stroke_refining.h>
 #include <burin/surface/patch_uv.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -157,11 +158,19 @@ std::span<const Index> Session::Impl::finish(Closure closure) {
     clock.lap(Stage::record);
     return surface.changed();
   }
-  surface.keep(products.add(*stroke));
+  const std::uint64_t before = surface.generation();
+  PathCoarsening coarser = refining.coarser(surface);
+  const MadePart made = products.add(*stroke);
+  if (!coarser.patch.removed.empty()) {
+    stroke.reset();
+    last_live = nullptr;
+  }
+  refining.keep(made, std::move(coarser), surface);
   keep_products();
   stroke.reset();
   clock.lap(Stage::record);
-  return is_other ? surface.note_all_changed() : surface.changed();
+  const bool is_coarser = surface.generation() != before;
+  return is_other || is_coarser ? surface.note_all_changed() : surface.changed();
 }
 
 void Session::Impl::keep_products() {
@@ -228,18 +237,21 @@ bool Session::Impl::refine_at(const SurfacePoint& at) {
 }
 
 std::size_t Session::Impl::refined_triangles() const {
-  std::size_t added = 0;
-  for (const RefineReport& report : products.refinements.there) added += report.triangles_added;
-  return added;
+  std::size_t added = 0, removed = 0;
+  for (const RefineReport& report : products.refinements.there) {
+    added += report.triangles_added;
+    removed += report.triangles_removed;
+  }
+  return added - std::min(added, removed);
 }
 
 /// Refines the surface where a stroke will go, and where later ones will.
 void Session::Impl::begin_refining(const BrushEntry* entry, const StrokeSettings& settings,
                                    std::span<const Vec3d> path, const LaterStrokes& later) {
-  refining.begin(entry, settings, refined_triangles());
+  refining.begin(entry, settings, refined_triangles(), later);
   // Before anything is refined, as the settings may be bad.
   open(entry, refining.given().settings_now());
-  if (refine(refining.along(surface, path, later))) open(entry, refining.given().settings_now());
+  if (refine(refining.along(surface, path))) open(entry, refining.given().settings_now());
 }
 
 /// Refines the surface until it represents the finished stroke as exactly as its settings say, and finishes
@@ -299,6 +311,7 @@ const Picker& Session::picker() const { return impl_->surface.picker(); }
 std::span<const Vec3f> Session::positions() const { return impl_->surface.shown().positions(); }
 std::span<const Vec3f> Session::normals() const { return impl_->surface.shown().normals(); }
 std::uint64_t Session::generation() const { return impl_->surface.generation(); }
+Index Session::kept_vertices() const { return impl_->surface.kept_vertices(); }
 void Session::set_progress(Progress progress) { impl_->progress = std::move(progress); }
 
 std::span<const StrokeSolid> Session::parts() const { return impl_->products.parts.there; }

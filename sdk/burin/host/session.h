@@ -61,11 +61,13 @@ struct MergeReport {
   double solid_seconds = 0, rebuild_seconds = 0;  ///< making the solid, and all that depends on the surface
 };
 
-/// What refining the surface for a stroke did.
+/// What refining the surface for a stroke did, and taking out what the stroke did not need.
 struct RefineReport {
-  double edge = 0;  ///< about the length of the new edges, object units
-  std::size_t triangles_removed = 0, triangles_added = 0, vertices_added = 0;
-  double split_seconds = 0, rebuild_seconds = 0;  ///< splitting, and all that depends on the surface
+  double edge = 0;  ///< about the length of the new edges, or of those that are left, object units
+  std::size_t triangles_removed = 0, triangles_added = 0;
+  std::size_t vertices_added = 0, vertices_removed = 0;  ///< removed: what earlier strokes added
+  double split_seconds = 0, collapse_seconds = 0;        ///< until it was known what is added, and removed
+  double rebuild_seconds = 0;                            ///< all that depends on the surface
 };
 
 /// What a finished stroke did, as an object that the undo stack of an application holds: the values that the
@@ -110,9 +112,13 @@ class Session {
   const Surface& surface() const;
 
   /// Changes whenever the surface is replaced by one of other vertices and triangles: where a stroke refines
-  /// it, when a stroke ends that merged a solid with it, and when either is undone or dropped. All indices of
-  /// vertices are new then.
+  /// it, when a stroke ends that merged a solid with it or took out what finer strokes had refined, and when
+  /// any of these is undone or dropped. All indices of vertices are new then.
   std::uint64_t generation() const;
+
+  /// How many vertices were there before the last non-const call and are there after it, by their numbers in
+  /// Surface::source_vertex: those below. Others have other numbers now, or are new.
+  Index kept_vertices() const;
   const Picker& picker() const;  ///< of that surface
 
   /// The current positions, object units, and unit normals by vertex, including the open stroke.
@@ -171,9 +177,10 @@ class Session {
   /// `path`: places of the surface where the stroke will go, in order, object units; there and at the images
   /// of symmetry the surface is refined at once, as StrokeSettings::refining says, with the stroke as one
   /// step of undo. Throws Error where that would take more than 10 million triangles.
-  /// `later`: the strokes that will follow, asked for only if the surface is refined along the path. It is
-  /// then refined for those too that need edges of the same length, one after the other as long as bounds
-  /// allow, since each refinement costs in proportion to the whole surface.
+  /// `later`: the strokes that will follow, asked for, until the stroke ends, only if the surface is refined
+  /// along the path, or if its end takes out what finer strokes refined. The surface is then refined for
+  /// those too that need edges of the same length, one after the other as long as bounds allow, since each
+  /// refinement costs in proportion to the whole surface; and what they need is not taken out.
   void begin_stroke(const StrokeSettings& settings, std::span<const Vec3d> path = {},
                     const LaterStrokes& later = {});
 
@@ -196,9 +203,10 @@ class Session {
   /// Ends the open stroke and makes it part of the surface. A stroke without a sample has no effect and
   /// cannot be undone. Strokes are open while they are drawn; here the stroke may become closed, which
   /// changes all of it. curve().closed tells whether it did; CurveTracer::closed_curve() documents the
-  /// conditions. Returns the vertices that changed, as StrokeEvent::changed; all where the stroke merged a
-  /// solid with the surface, or refined it to an error; valid until the next call. Throws Error where a solid
-  /// cannot be merged, or that would take more than 10 million triangles.
+  /// conditions. Returns the vertices that changed, as StrokeEvent::changed; all where generation()
+  /// changes: where the stroke merged a solid with the surface, refined it to an error, or took out vertices
+  /// that strokes with shorter edges added and it does not need; valid until the next call. Throws Error
+  /// where a solid cannot be merged, or that would take more than 10 million triangles.
   std::span<const Index> end_stroke(Closure closure = Closure::open);
 
   /// Drops the open stroke, if there is one. changed() then lists the vertices that returned to their

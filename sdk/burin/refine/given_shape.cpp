@@ -39,6 +39,12 @@ float gap_at(const Surface& surface, std::span<const Vec3f> positions, Index ver
   return 2 * std::sqrt(greatest);
 }
 
+/// The greatest gap at a vertex as it is and as it was given, whichever is less. `edges`: to work in.
+float gap_now(const Surface& after, std::span<const Vec3f> given, Index vertex, std::vector<EdgeGap>& edges) {
+  const float now = gap_at(after, after.positions, vertex, edges);
+  return given.empty() ? now : std::min(now, gap_at(after, given, vertex, edges));
+}
+
 }  // namespace
 
 GivenShape::GivenShape(const Surface& surface) : gaps_(surface.vertex_count()) {
@@ -47,53 +53,75 @@ GivenShape::GivenShape(const Surface& surface) : gaps_(surface.vertex_count()) {
     for (std::size_t v = begin; v < end; ++v)
       gaps_[v] = gap_at(surface, surface.positions, static_cast<Index>(v), edges);
   });
-  find_greatest();
+  find_extremes();
 }
 
 void GivenShape::keep_positions(const Surface& surface) {
   if (positions_.empty()) positions_ = surface.positions;
 }
 
-GivenShape GivenShape::patched(const Surface& after, std::span<const Index> came_from,
-                               std::span<const Vec3f> given) const {
+void GivenShape::exchange(KeptEdges& kept) {
+  if (kept.vertices.empty()) return;
+  for (std::size_t i = 0; i < kept.vertices.size(); ++i) std::swap(edges_[kept.vertices[i]], kept.edges[i]);
+  find_extremes();
+}
+
+/// All but the gaps of vertices, which are those that they had; of new ones 0.
+GivenShape GivenShape::carried(const Surface& after, std::span<const Index> came_from,
+                               const AddedVertices& added) const {
   const auto old_count = static_cast<Index>(gaps_.size());
   GivenShape made;
   made.gaps_.resize(came_from.size());
-  if (!positions_.empty()) {
-    made.positions_ = after.positions;
-    for (Index vertex = 0; vertex < came_from.size(); ++vertex) {
-      const Index from = came_from[vertex];
-      if (from < old_count)
-        made.positions_[vertex] = positions_[from];
-      else if (!given.empty())
-        made.positions_[vertex] = given[from - old_count];
-    }
+  if (!positions_.empty()) made.positions_ = after.positions;
+  if (!edges_.empty() || !added.edges.empty()) made.edges_.resize(came_from.size());
+  for (Index vertex = 0; vertex < came_from.size(); ++vertex) {
+    const Index from = came_from[vertex];
+    const bool is_old = from < old_count;
+    if (is_old) made.gaps_[vertex] = gaps_[from];
+    if (!positions_.empty() && (is_old || !added.given.empty()))
+      made.positions_[vertex] = is_old ? positions_[from] : added.given[from - old_count];
+    if (is_old && !edges_.empty()) made.edges_[vertex] = edges_[from];
+    if (!is_old && !added.edges.empty()) made.edges_[vertex] = added.edges[from - old_count];
   }
-  const auto is_new = [&](Index vertex) { return came_from[vertex] >= old_count; };
-  parallel_blocks(came_from.size(), block, [&](std::size_t begin, std::size_t end) {
-    std::vector<EdgeGap> edges;
-    const auto measured = [&](Index vertex) {
-      const float now = gap_at(after, after.positions, vertex, edges);
-      return made.positions_.empty() ? now : std::min(now, gap_at(after, made.positions_, vertex, edges));
-    };
-    for (auto vertex = static_cast<Index>(begin); vertex < end; ++vertex) {
-      if (is_new(vertex)) {
-        made.gaps_[vertex] = given.empty() ? measured(vertex) : -measured(vertex);
-        continue;
-      }
-      const float before = gaps_[came_from[vertex]];
-      made.gaps_[vertex] = before;
-      if (std::ranges::any_of(after.neighbours[vertex], is_new))
-        made.gaps_[vertex] = std::copysign(std::min(std::abs(before), measured(vertex)), before);
-    }
-  });
-  made.find_greatest();
   return made;
 }
 
-void GivenShape::find_greatest() {
+GivenShape GivenShape::patched(const Surface& after, std::span<const Index> came_from,
+                               const AddedVertices& added) const {
+  GivenShape made = carried(after, came_from, added);
+  const auto is_new = [&](Index vertex) { return came_from[vertex] >= gaps_.size(); };
+  parallel_blocks(came_from.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::vector<EdgeGap> edges;
+    for (auto vertex = static_cast<Index>(begin); vertex < end; ++vertex) {
+      if (is_new(vertex))
+        made.gaps_[vertex] = gap_now(after, made.positions_, vertex, edges);
+      else if (std::ranges::any_of(after.neighbours[vertex], is_new))
+        made.gaps_[vertex] = std::min(made.gaps_[vertex], gap_now(after, made.positions_, vertex, edges));
+    }
+  });
+  made.find_extremes();
+  return made;
+}
+
+GivenShape GivenShape::coarsened(const Surface& after, std::span<const Index> came_from,
+                                 std::span<const Index> changed) const {
+  GivenShape made = carried(after, came_from, {});
+  parallel_blocks(came_from.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::vector<EdgeGap> edges;
+    for (auto vertex = static_cast<Index>(begin); vertex < end; ++vertex)
+      if (std::ranges::binary_search(changed, came_from[vertex]))
+        made.gaps_[vertex] = gap_now(after, made.positions_, vertex, edges);
+  });
+  made.find_extremes();
+  return made;
+}
+
+void GivenShape::find_extremes() {
   greatest_ = 0;
-  for (const float gap : gaps_) greatest_ = std::max(greatest_, std::abs(gap));
+  for (const float gap : gaps_) greatest_ = std::max(greatest_, gap);
+  least_edge_ = std::numeric_limits<float>::infinity();
+  for (const float edge : edges_)
+    if (edge > 0) least_edge_ = std::min(least_edge_, edge);
 }
 
 }  // namespace burin

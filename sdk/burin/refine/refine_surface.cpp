@@ -4,6 +4,7 @@
 // keeps the least angle above half of what it was; flips mend it on facets and where the surface is nearly
 // flat at the scale of the edges. O(n log n) for n new triangles.
 #include <burin/base/error.h>
+#include <burin/refine/face_quad.h>
 #include <burin/refine/refine_surface.h>
 #include <burin/refine/region_mesh.h>
 #include <burin/refine/smooth_facets.h>
@@ -64,36 +65,6 @@ class LongEdges {
   std::unordered_set<Index> seen_;
   std::vector<Index> open_;
   std::unordered_map<Index, double> allowed_;  ///< [vertex] length
-};
-
-/// Two faces at an edge from a to b, with the apexes c to the left and d to the right.
-struct Quad {
-  const Vec3d &a, &b, &c, &d;
-
-  /// Whether the angles opposite to the edge sum up to at most two right angles.
-  bool is_delaunay() const {
-    const Vec3d ca = a - c, cb = b - c, da = a - d, db = b - d;
-    const double sine = ca.cross(cb).norm() * da.dot(db) + da.cross(db).norm() * ca.dot(cb);
-    constexpr double enough = -1e-6;  // of the sine of the sum; `sine` is that times four lengths
-    return !(sine <
-             enough * std::sqrt(ca.squaredNorm() * cb.squaredNorm() * da.squaredNorm() * db.squaredNorm()));
-  }
-
-  double longest_diagonal() const {
-    return std::sqrt(std::max((b - a).squaredNorm(), (d - c).squaredNorm()));
-  }
-
-  /// Whether the edge from c to d is at most so far from that from a to b, and both new faces look where the
-  /// old ones do.
-  bool can_flip(double most_apart) const {
-    const Vec3d across = (b - a).cross(d - c);
-    if (!(std::abs((c - a).dot(across)) <= most_apart * across.norm())) return false;
-    const Vec3d up = (a - c).cross(b - c) + (b - d).cross(a - d);
-    const Vec3d first = (a - c).cross(d - c), second = (b - d).cross(c - d);
-    constexpr double agrees = 0.7;
-    const double least = agrees * up.norm();
-    return least > 0 && first.dot(up) > least * first.norm() && second.dot(up) > least * second.norm();
-  }
 };
 
 class Refinement {
@@ -332,7 +303,7 @@ bool Refinement::should_flip(Side side, bool only_in_plane) {
   const Index a = mesh_.from(side), b = mesh_.to(side), c = mesh_.apex(side), d = mesh_.apex(other);
   // Where faces around a vertex are not one fan, the new edge might be there already.
   if (mesh_.vertices()[c].is_crowded || mesh_.vertices()[d].is_crowded) return false;
-  const Quad quad{mesh_.position(a), mesh_.position(b), mesh_.position(c), mesh_.position(d)};
+  const FaceQuad quad{mesh_.position(a), mesh_.position(b), mesh_.position(c), mesh_.position(d)};
   if (quad.is_delaunay()) return false;
   constexpr double in_plane = 2e-6, nearly = 0.01;
   double most = in_plane * quad.longest_diagonal();
@@ -360,6 +331,7 @@ SurfaceRefinement Refinement::made() const {
     if (vertex.source != no_index) continue;
     patch.positions.push_back(vertex.at.cast<float>());
     made.given.push_back(vertex.given.cast<float>());
+    made.edges.push_back(static_cast<float>(lengths_.at(vertex.at)));
   }
   return made;
 }

@@ -12,6 +12,7 @@ namespace burin {
 struct SurfaceRefinement {
   SurfacePatch patch;
   std::vector<Vec3f> given;  ///< [new vertex] where it would be if nothing was drawn, object units
+  std::vector<float> edges;  ///< [new vertex] how long edges may be there, object units
 };
 
 /// Splits edges that are more than longest_edge_factor times as long as they may be, until there is none. The

@@ -2,6 +2,7 @@
 // known belong to faces that are still triangles of the surface: a face is connected before it changes.
 #include <burin/refine/region_mesh.h>
 #include <burin/refine/smooth_facets.h>
+#include <burin/refine/vertex_fan.h>
 #include <burin/surface/geometry/triangle_shape.h>
 
 #include <algorithm>
@@ -116,6 +117,14 @@ void RegionMesh::split(Side side, const Vec3d& at, std::vector<Side>& opposite) 
   close_ring(second_half_);
 }
 
+std::array<RegionMesh::Corners, 2> RegionMesh::flipped(Side side) const {
+  const Side other = twin(side);
+  const Face &f = faces_[side / 3], &q = faces_[other / 3];
+  const std::size_t a = side % 3, b = (a + 1) % 3, c = (a + 2) % 3, d = (other % 3 + 2) % 3;
+  return {Corners{{f.corners[c], f.corners[a], q.corners[d]}, {f.uv[c], f.uv[a], q.uv[d]}},
+          Corners{{q.corners[d], f.corners[b], f.corners[c]}, {q.uv[d], f.uv[b], f.uv[c]}}};
+}
+
 void RegionMesh::flip(Side side, std::array<Side, 4>& outer) {
   const Side other = twin(side);
   const Index f = side / 3, q = other / 3;
@@ -132,17 +141,12 @@ void RegionMesh::flip(Side side, std::array<Side, 4>& outer) {
     lasts[i] = previous(old[i]);
     sharps[i] = is_sharp_side(old[i]);
   }
-  const Face before_f = faces_[f], before_q = faces_[q];
-  const std::size_t i = side % 3, j = other % 3;
-  const Index a = before_f.corners[i], b = before_f.corners[(i + 1) % 3], c = before_f.corners[(i + 2) % 3],
-              d = before_q.corners[(j + 2) % 3];
-  const Vec2f uv_a = before_f.uv[i], uv_b = before_f.uv[(i + 1) % 3], uv_c = before_f.uv[(i + 2) % 3],
-              uv_d = before_q.uv[(j + 2) % 3];
+  const auto [first, second] = flipped(side);
   Face &one = faces_[f], &two = faces_[q];
-  one.corners = {c, a, d};
-  two.corners = {d, b, c};
-  one.uv = {uv_c, uv_a, uv_d};
-  two.uv = {uv_d, uv_b, uv_c};
+  one.corners = first.vertices;
+  one.uv = first.uv;
+  two.corners = second.vertices;
+  two.uv = second.uv;
   one.changed = two.changed = true;
   one.sharp = {sharps[0], sharps[1], false};
   two.sharp = {sharps[2], sharps[3], false};
@@ -152,6 +156,38 @@ void RegionMesh::flip(Side side, std::array<Side, 4>& outer) {
   }
   link(3 * f + 2, 3 * q + 2);
   link(3 * q + 2, 3 * f + 2);
+}
+
+/// Joins the edges of two sides of a face that is gone: what is left of their rings becomes one.
+void RegionMesh::close_over(Side outer, Side inner) {
+  ring_.clear();
+  for (const Side side : {outer, inner})
+    for (Side member = next(side); member != side; member = next(member)) ring_.push_back(member);
+  const bool sharp = is_sharp_side(outer) || is_sharp_side(inner);
+  close_ring(ring_);
+  for (const Side side : ring_) faces_[side / 3].sharp[side % 3] = sharp;
+}
+
+void RegionMesh::collapse(const VertexFan& fan, const Collapse& how) {
+  const std::size_t count = fan.size(), k = how.onto;
+  const Index onto = k < count ? to(fan.leaving[k]) : from(spoke(fan, k));
+  // The faces that begin and end at the edge, as far as there are such.
+  const bool has_left = k<count, has_right = k> 0 || fan.closed;
+  const std::size_t left = has_left ? k : 0, right = has_right ? fan.before(k) : 0;
+  const Face before_left = faces_[fan.leaving[left] / 3], before_right = faces_[fan.leaving[right] / 3];
+  const Vec2f uv_left = before_left.uv[after(fan.leaving[left]) % 3],
+              uv_right = before_right.uv[before(fan.leaving[right]) % 3];
+  const std::size_t end_of_left = how.crest == k ? count : (how.crest + count - k) % count;
+  for (std::size_t i = 0; i < count; ++i) {
+    Face& face = faces_[fan.leaving[i] / 3];
+    face.changed = true;
+    face.gone = (has_left && i == left) || (has_right && i == right);
+    const bool is_left = has_left && (!has_right || (i + count - k) % count < end_of_left);
+    face.corners[fan.leaving[i] % 3] = onto;
+    face.uv[fan.leaving[i] % 3] = is_left ? uv_left : uv_right;
+  }
+  if (has_left) close_over(after(fan.leaving[left]), before(fan.leaving[left]));
+  if (has_right) close_over(after(fan.leaving[right]), fan.leaving[right]);
 }
 
 /// Goes around the vertex at which a side begins, in one direction; `whole` tells whether it came back.

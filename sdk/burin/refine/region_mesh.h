@@ -14,6 +14,8 @@ namespace burin {
 /// A side of a face: 3 * face + i runs from its corner i to the next.
 using Side = Index;
 
+struct VertexFan;
+
 /// The triangles of a surface that are being changed, as faces. Faces are taken in when they are first
 /// needed, so that all costs depend on what is changed. Any number of faces may meet at an edge: the sides of
 /// an edge form a ring, on a border of one side.
@@ -30,6 +32,7 @@ class RegionMesh {
     TriangleUv uv{};              ///< if the surface has them
     Index origin = no_index;      ///< a triangle of the surface that it came of, or is near to
     bool changed = false;         ///< it is not that triangle any more
+    bool gone = false;            ///< it is no face any more
   };
 
   struct Vertex {
@@ -74,9 +77,29 @@ class RegionMesh {
   /// around it that do not touch it. All faces at the edge must be connected.
   void split(Side side, const Vec3d& at, std::vector<Side>& opposite);
 
+  /// The corners of a face, with texture coordinates if the surface has them.
+  struct Corners {
+    Triangle vertices;
+    TriangleUv uv;
+  };
+
+  /// The two faces at a side and at its twin once flip() has turned their edge.
+  std::array<Corners, 2> flipped(Side side) const;
+
   /// Turns the edge between two faces, so that it joins their apexes; `outer` gets the four sides around. The
   /// faces must be connected and agree on outside, and the apexes may not be joined already.
   void flip(Side side, std::array<Side, 4>& outer);
+
+  /// Where the edge from a vertex to its neighbour is collapsed.
+  struct Collapse {
+    std::size_t onto;   ///< number of the neighbour
+    std::size_t crest;  ///< number of the other neighbour along a sharp line, or the same if there is none
+  };
+
+  /// Moves a vertex onto a neighbour: the faces between them are gone, those on either side of the sharp line
+  /// take the neighbour's place and texture coordinates on that side. The edge must satisfy the link
+  /// condition.
+  void collapse(const VertexFan& fan, const Collapse& how);
 
   /// Whether an edge joins the vertex at which a side begins, which is not crowded, with another one.
   bool are_joined(Side side, Index other);
@@ -90,6 +113,7 @@ class RegionMesh {
   Side previous(Side side) const;
   bool is_beside(Side side, Index other, bool forwards, bool& whole);
   void close_ring(const std::vector<Side>& ring);
+  void close_over(Side outer, Side inner);
 
   const Surface* surface_;
   std::span<const Vec3f> given_;

@@ -104,6 +104,26 @@ TEST(CPatch, TellsWhatStrokesSplitAndUndoTakesBack) {
   EXPECT_GT(arrays.follow(), 1000u);
 }
 
+// A wide stroke takes out what a narrow one refined: vertices behind the first that goes get other numbers.
+TEST(CPatch, TellsWhatAWiderStrokeTookOut) {
+  CSession session(refinable(box({2, 1, 1})));
+  Follower arrays(session);
+  session.draw({"brush=org.burin.groove", "radius=0.04", "refine=auto"}, over_the_edge());
+  arrays.follow();
+  const std::multiset<Triangle> fine = as_set(arrays.triangles);
+  session.draw({"brush=org.burin.groove", "radius=0.2", "refine=auto"}, over_the_edge());
+  EXPECT_GT(arrays.follow(), 1000u);
+  EXPECT_GE(arrays.kept, 8u);
+  EXPECT_LT(arrays.kept, arrays.positions.size() / 3);
+  EXPECT_LT(as_set(arrays.triangles).size(), fine.size());
+  for (const auto turn : {IN_C(burin_session_undo), IN_C(burin_session_redo), IN_C(burin_session_undo)}) {
+    session.check(turn(session, &session.error));
+    EXPECT_GT(arrays.follow(), 1000u);
+    EXPECT_GE(arrays.kept, 8u);
+  }
+  EXPECT_EQ(as_set(arrays.triangles), fine);
+}
+
 TEST(CPatch, TellsOfStrokesThatAreCancelledOrFail) {
   const TriangleMesh mesh = box({2, 1, 1});
   CSession session(refinable(mesh));

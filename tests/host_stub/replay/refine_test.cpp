@@ -141,6 +141,31 @@ TEST(Refine, RefinesOnceForARecording) {
   EXPECT_EQ(result["refined"].size(), 1u);
 }
 
+// A wide stroke over a narrow one, twice: triangles are taken out once, and the report tells how many.
+TEST(Refine, TakesOutWhatAWiderStrokeDoesNotNeed) {
+  const Box box;
+  std::string text = "{\"burin_stroke\":1,\"space\":\"object\"}\n";
+  for (const double radius : {0.03, 0.2, 0.2}) {
+    text += fmt::format(
+        "{{\"begin\":{{\"brush\":\"org.burin.bead\",\"radius\":{}}},"
+        "\"fields\":[\"x\",\"y\",\"z\"]}}\n",
+        radius);
+    for (int i = 0; i <= 40; ++i) text += fmt::format("[{},0.5,1]\n", 0.4 + 0.03 * i);
+    text += "{\"end\":true}\n";
+  }
+  const std::string strokes = box.folder.write("three.stroke", text);
+  const nlohmann::json result =
+      burin_json({"replay", strokes, "--mesh", box.mesh, "--save-mesh", box.saved})["refined"];
+  ASSERT_EQ(result.size(), 2u);
+  EXPECT_EQ(result[0]["vertices_removed"], 0);
+  EXPECT_GT(result[1]["vertices_removed"], 1000);
+  EXPECT_GT(result[1]["seconds"]["collapse"], 0.0);
+  long count = 12;
+  for (const auto& stroke : result)
+    count += stroke["triangles_added"].get<long>() - stroke["triangles_removed"].get<long>();
+  EXPECT_EQ(read_mesh(box.saved).face_sizes.size(), static_cast<std::size_t>(count));
+}
+
 // A stroke that would take more than a million triangles was hardly meant.
 TEST(Refine, DeclinesWhatTakesTooManyTriangles) {
   const Box box;

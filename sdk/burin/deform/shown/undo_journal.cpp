@@ -15,7 +15,8 @@ std::size_t bytes_in(const Vectors&... vectors) {
 std::size_t bytes_of(const UndoStep& step) {
   std::size_t bytes = sizeof step + bytes_in(step.vertices, step.positions) +
                       bytes_in(step.paint.vertices, step.paint.colours, step.paint.masks) +
-                      bytes_in(step.surface_paint.colour, step.surface_paint.mask);
+                      bytes_in(step.surface_paint.colour, step.surface_paint.mask) +
+                      bytes_in(step.noted, step.notes);
   if (const std::optional<Surface>& surface = step.surface)
     bytes += bytes_in(surface->positions, surface->normals, surface->triangles, surface->gauss_curvature,
                       surface->triangle_uv, surface->source_vertex, surface->neighbours.offsets,
@@ -26,13 +27,10 @@ std::size_t bytes_of(const UndoStep& step) {
 }  // namespace
 
 void UndoJournal::record(std::span<const Index> vertices, std::span<const Vec3f> positions_of_surface,
-                         PaintStep paint, MadePart made) {
-  UndoStep step;
+                         UndoStep step) {
   step.vertices.assign(vertices.begin(), vertices.end());
   step.positions.reserve(vertices.size());
   for (const Index vertex : vertices) step.positions.push_back(positions_of_surface[vertex]);
-  step.paint = std::move(paint);
-  step.made = made;
   record(std::move(step));
 }
 

@@ -20,6 +20,8 @@ struct UndoStep {
   std::vector<Index> vertices;
   std::vector<Vec3f> positions;  ///< [i] of vertices[i]
   PaintStep paint;
+  std::vector<Index> noted;  ///< vertices of which the host noted a number, beside what they are
+  std::vector<float> notes;  ///< [i] of noted[i]
   MadePart made = MadePart::none;
   std::optional<Surface> surface;        ///< instead of vertices and their paint: what the stroke replaced
   Paint surface_paint;                   ///< of that
@@ -31,10 +33,10 @@ struct UndoStep {
 /// Normals follow from positions and are not stored.
 class UndoJournal {
  public:
-  /// Stores the current positions of these vertices, and the paint before the stroke. A stroke that changed
-  /// nothing is a step too.
+  /// Stores the current positions of these vertices with what else a step has, such as the paint before the
+  /// stroke. A stroke that changed nothing is a step too.
   void record(std::span<const Index> vertices, std::span<const Vec3f> positions_of_surface,
-              PaintStep paint = {}, MadePart made = MadePart::none);
+              UndoStep step = {});
 
   void record(UndoStep step);
 

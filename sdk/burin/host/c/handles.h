@@ -80,7 +80,6 @@ struct burin_session {
   burin::Index vertex_count;                    ///< of the surface that is known
   burin::Index kept_vertices;                   ///< that were there all the time since triangles were told
   std::uint64_t generation = 0;                 ///< of the surface that is known
-  std::size_t merges = 0;                       ///< of solids with it
   bool has_other_triangles = false;             ///< than those that were told
   burin::Progress progress;
   std::optional<burin::c::OpenStroke> stroke;

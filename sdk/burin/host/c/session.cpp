@@ -16,10 +16,7 @@ using namespace burin;
 /// Follows a surface that has other triangles, and more or fewer vertices.
 void burin_session::renew() {
   const Index count = session.surface().vertex_count();
-  // Where a solid is merged vertices go, and those behind them get other numbers.
-  const bool renumbers = merges != session.merges().size();
-  merges = session.merges().size();
-  const Index kept = renumbers ? 0 : std::min(vertex_count, count);
+  const Index kept = session.kept_vertices();
   kept_vertices = std::min(kept_vertices, kept);
   vertex_count = count;
   generation = session.generation();

@@ -22,6 +22,7 @@ struct GivenSample {
 struct GivenSamples {
   struct Piece {
     std::vector<GivenSample> samples;
+    std::vector<Vec3d> places;  ///< [sample] where it is on the surface, object units
     std::optional<Closure> ended;
   };
 
@@ -41,6 +42,7 @@ struct GivenSamples {
     length += step_to(place).length();
     if (pieces.back().ended) pieces.emplace_back();
     pieces.back().samples.push_back(sample);
+    pieces.back().places.push_back(place);
     last = place;
   }
   void end_piece(Closure closure) {

@@ -1,11 +1,8 @@
-// Traces the curve that a stroke through some places will have, on the surface as it is, and asks for edges
-// that suit the stroke within its radius of that.
-#include <burin/along/along_parts.h>
+// Asks for edges that suit a stroke within its radius of the curve that it will have.
 #include <burin/base/error.h>
 #include <burin/base/segment.h>
 #include <burin/host/session/refine_path.h>
 #include <burin/refine/displacement_error.h>
-#include <burin/stroke/curve/surface_curve.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,60 +13,12 @@
 #include <vector>
 
 namespace burin {
-
-double refined_edge(const StrokeSettings& settings) {
-  const Refining& refining = settings.refining;
-  return refining.kind == Refining::Kind::edge ? refining.edge : settings.radius / Refining::fine;
-}
-
 namespace {
 
 constexpr std::size_t most_triangles = 10'000'000;
 
-/// Where the stroke and its images go.
-struct Lines {
-  std::vector<std::vector<Vec3d>> points;
-  std::vector<Index> triangles;  ///< in which these lie
-};
-
-void append(const SurfaceCurve& curve, const Picker& picker, const SymmetryInstance& image, double radius,
-            Lines& lines) {
-  std::vector<Vec3d> line;
-  for (const CurvePoint& point : curve.points) {
-    const Vec3d there = image(point.at.position.cast<double>());
-    const auto at = picker.closest(there.cast<float>(), static_cast<float>(radius));
-    if (!at) continue;
-    line.push_back(there);
-    lines.triangles.push_back(at->triangle);
-  }
-  if (!line.empty()) lines.points.push_back(std::move(line));
-}
-
-/// A line ends where the next place is across a gap.
-Lines lines_through(std::span<const Vec3d> path, const Surface& surface, const Picker& picker,
-                    const StrokeSettings& settings) {
-  std::vector<SurfaceCurve> curves;
-  std::optional<CurveTracer> tracer;
-  double time = 0;
-  for (const Vec3d& place : path) {
-    const auto at = picker.closest(place.cast<float>(), static_cast<float>(settings.radius));
-    if (tracer && !(at && tracer->connects(*at))) {
-      curves.push_back(tracer->curve());
-      tracer.reset();
-    }
-    if (!at) continue;
-    if (!tracer) tracer.emplace(surface, picker, settings.radius);
-    tracer->add(*at, time++, {});
-  }
-  if (tracer) curves.push_back(tracer->curve());
-  Lines lines;
-  for (const SymmetryInstance& image : symmetry_instances(settings.symmetry))
-    for (const SurfaceCurve& curve : curves) append(curve, picker, image, settings.radius, lines);
-  return lines;
-}
-
 /// About how many triangles get edges of this length within a distance of the lines.
-double expected_triangles(const Lines& lines, double reach, double edge) {
+double expected_triangles(const StrokeLines& lines, double reach, double edge) {
   // Measured: about 3.5 in the area of the square of an edge, with those of the transition.
   constexpr double triangles_per_square = 3.5;
   double length = 0;
@@ -78,12 +27,6 @@ double expected_triangles(const Lines& lines, double reach, double edge) {
   const double ends = std::numbers::pi * reach * static_cast<double>(lines.points.size());
   const double area = reach * (2 * length + ends);
   return triangles_per_square * area / (edge * edge);
-}
-
-/// How far from the curve triangles matter, object units.
-double reach_of(const StrokeSettings& settings) {
-  const double wide = settings.along.given() ? AlongParts::chart_radii : 1;
-  return wide * settings.radius + refined_edge(settings);
 }
 
 bool is_automatic(const StrokeSettings& settings) {
@@ -119,11 +62,6 @@ Coarseness coarseness(const StrokeGround& ground, const StrokeSettings& settings
   return was_refined ? Coarseness::refined : Coarseness::fine;
 }
 
-/// The positions by which a stroke judges the lengths of edges.
-std::span<const Vec3f> judged_positions(const StrokeGround& ground, const StrokeSettings& settings) {
-  return is_automatic(settings) ? ground.given.positions(ground.surface) : ground.surface.positions;
-}
-
 /// Whether such a vertex has an edge for which the surface is refined.
 template <class IsWithin>
 bool has_long_edge(const StrokeGround& ground, const StrokeSettings& settings,
@@ -150,7 +88,7 @@ double most_of(const StrokeSettings& settings) {
   return is_automatic(settings) ? most_automatic : static_cast<double>(most_triangles);
 }
 
-PathRefinement refined(const StrokeGround& ground, const StrokeSettings& settings, const Lines& lines,
+PathRefinement refined(const StrokeGround& ground, const StrokeSettings& settings, const StrokeLines& lines,
                        double reach, std::size_t added) {
   const double edge = refined_edge(settings);
   const double expected = static_cast<double>(added) + expected_triangles(lines, reach, edge);
@@ -167,7 +105,7 @@ PathRefinement refined(const StrokeGround& ground, const StrokeSettings& setting
 
 /// Where a stroke will go, and how coarse the surface is for it there; `fine` also if there is nowhere.
 struct Prospect {
-  Lines lines;
+  StrokeLines lines;
   Coarseness found = Coarseness::fine;
   bool is_refined() const { return found == Coarseness::coarse; }
 };
@@ -175,7 +113,7 @@ struct Prospect {
 /// Coarse only if there are edges to split.
 Prospect prospect(const StrokeGround& ground, const StrokeSettings& settings, std::span<const Vec3d> path,
                   NearVertices& near) {
-  Prospect made{lines_through(path, ground.surface, ground.picker, settings)};
+  Prospect made{lines_through(ground, settings, path)};
   if (made.lines.points.empty()) return made;
   const EdgeLength reached(made.lines.points, reach_of(settings), refined_edge(settings));
   const auto is_within = [&](const Vec3d& place) { return reached.at(place) <= reached.edge(); };
@@ -194,7 +132,7 @@ bool refine_alike(const StrokeSettings& a, const StrokeSettings& b) {
 /// Appends the lines of later strokes for which the surface is to be refined too.
 void append_later(const StrokeGround& ground, const StrokeSettings& settings,
                   const std::vector<PlannedStroke>& later, std::size_t added, NearVertices& near,
-                  Lines& lines) {
+                  StrokeLines& lines) {
   const double reach = reach_of(settings), edge = refined_edge(settings);
   double expected = static_cast<double>(added) + expected_triangles(lines, reach, edge);
   for (const PlannedStroke& planned : later) {
@@ -231,7 +169,7 @@ PathRefinement refined_at(const StrokeGround& ground, const StrokeSettings& sett
   constexpr double least_ahead = 4, leeway = 1.75;
   const double length = step.length(), ahead = std::max(least_ahead * settings.radius, step.drawn / 2);
   const double reach = reach_of(settings);
-  Lines lines;
+  StrokeLines lines;
   bool is_coarse = false;
   for (const SymmetryInstance& image : symmetry_instances(settings.symmetry)) {
     const Vec3d from = image(step.from), to = image(step.to);
@@ -259,7 +197,10 @@ PathRefinement refined_to_error(const Surface& surface, const StrokeSettings& se
                                 .least_edge = settings.radius / Refining::finest};
   DisplacementError found = displacement_error(surface, displaced, vertices, bound);
   if (found.empty()) return {};
-  return with_edges(surface, EdgeLength(std::move(found.lengths)), found.triangles);
+  PathRefinement result = with_edges(surface, EdgeLength(std::move(found.lengths)), found.triangles);
+  if (result.made)
+    for (float& edge : result.made->edges) edge = std::max(edge, static_cast<float>(refined_edge(settings)));
+  return result;
 }
 
 }  // namespace burin

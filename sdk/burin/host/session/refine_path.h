@@ -1,25 +1,14 @@
 #pragma once
 #include <burin/host/session.h>
-#include <burin/refine/given_shape.h>
+#include <burin/host/session/stroke_lines.h>
 #include <burin/refine/near_vertices.h>
 #include <burin/refine/refine_surface.h>
 #include <burin/stroke/stroke_settings.h>
-#include <burin/surface/picker.h>
 
 #include <optional>
 #include <span>
 
 namespace burin {
-
-/// About the length of the edges into which a stroke refines a surface before it is drawn, object units.
-double refined_edge(const StrokeSettings& settings);
-
-/// What a stroke is drawn on.
-struct StrokeGround {
-  const Surface& surface;
-  const Picker& picker;
-  const GivenShape& given;
-};
 
 /// Whether strokes with these settings may refine a surface that is too coarse for them as it was given: two
 /// of its vertices are farther from each other than half of the radius.

@@ -1,6 +1,7 @@
 // Keeps a session's surface, its paint, its picker and its chart builders in step. A stroke's end costs
 // O(vertices that it changed); only a surface that is replaced is made anew as a whole.
 #include <burin/base/error.h>
+#include <burin/base/sort_unique.h>
 #include <burin/host/session/released_step.h>
 #include <burin/host/session/sculpted_surface.h>
 #include <burin/surface/connect_surface.h>
@@ -91,8 +92,7 @@ void SculptedSurface::show(const VertexMoves& moves) {
 
 void SculptedSurface::drop() {
   if (unrefined_) {
-    exchange(std::move(unrefined_->painted), std::move(unrefined_->kept.given),
-             std::move(unrefined_->kept.builders));
+    exchange(std::move(unrefined_->painted), std::move(unrefined_->kept));
     unrefined_.reset();
     return;
   }
@@ -104,49 +104,88 @@ void SculptedSurface::drop() {
   shown_.take_displaced(surface_);
 }
 
-void SculptedSurface::keep(MadePart made) {
+void SculptedSurface::keep(MadePart made, KeptEdges kept) {
   const std::vector<Index> displaced = shown_.take_displaced(surface_);
   PaintStep painted = paint_.commit();
   state_.repainted(surface_, painted, paint_.base());
+  given_.exchange(kept);
   if (unrefined_) {
-    UndoStep step = step_to(std::move(*unrefined_));
-    unrefined_.reset();
+    UndoStep step;
     step.made = made;
     step.refined = true;
-    journal_.record(std::move(step));
+    record_replaced(*std::exchange(unrefined_, std::nullopt), std::move(step));
   } else {
-    journal_.record(displaced, surface_.positions, std::move(painted), made);
+    UndoStep step;
+    step.paint = std::move(painted);
+    step.made = made;
+    step.noted = std::move(kept.vertices);
+    step.notes = std::move(kept.edges);
+    journal_.record(displaced, surface_.positions, std::move(step));
   }
   end_redoing();
   commit(displaced);
 }
 
-void SculptedSurface::replace(PaintedPatch made) {
-  GivenShape given = given_.patched(made.painted.surface, made.came_from, {});
-  Replaced replaced = exchange(std::move(made.painted), std::move(given));
-  const bool refined = is_refined();
-  UndoStep step = step_to(std::move(refined ? *unrefined_ : replaced));
-  unrefined_.reset();
-  step.refined = refined;
-  step.merged = true;
-  journal_.record(std::move(step));
+/// How many vertices, by their numbers in the source, are the same in a patched surface.
+Index SculptedSurface::same_numbers(const PaintedPatch& made) const {
+  const std::vector<Index>& source = made.painted.surface.source_vertex;
+  auto same = static_cast<Index>(source.size());
+  for (std::size_t v = 0; v < source.size(); ++v) {
+    const Index from = made.came_from[v];
+    if (from >= surface_.vertex_count() || surface_.source_vertex[from] != source[v])
+      same = std::min(same, source[v]);
+  }
+  return same;
+}
+
+void SculptedSurface::keep_coarser(MadePart made, PathCoarsening coarser) {
+  PaintedPatch patch = with_patch(coarser.drawn, picker_, paint_.shown(), coarser.patch);
+  std::vector<Index> corners;
+  for (const Index triangle : coarser.patch.removed)
+    corners.insert(corners.end(), surface_.triangles[triangle].begin(), surface_.triangles[triangle].end());
+  sort_unique(corners);
+  GivenShape given = given_;
+  given.exchange(coarser.kept);
+  given = given.coarsened(patch.painted.surface, patch.came_from, corners);
+  const Index same = same_numbers(patch);
+  Replaced replaced = exchange(std::move(patch.painted), {nullptr, std::move(given), same});
+  UndoStep step;
+  step.made = made;
+  step.refined = true;
+  if (unrefined_) {
+    replaced = *std::exchange(unrefined_, std::nullopt);
+    replaced.kept.same = std::min(replaced.kept.same, same);
+  }
+  record_replaced(std::move(replaced), std::move(step));
   end_redoing();
 }
 
-void SculptedSurface::refine(PaintedPatch made, std::span<const Vec3f> given_places) {
-  GivenShape given = given_.patched(made.painted.surface, made.came_from, given_places);
-  Replaced replaced = exchange(std::move(made.painted), std::move(given));
+void SculptedSurface::replace(PaintedPatch made) {
+  GivenShape given = given_.patched(made.painted.surface, made.came_from, {});
+  Replaced replaced = exchange(std::move(made.painted), {nullptr, std::move(given), 0});
+  UndoStep step;
+  step.merged = true;
+  step.refined = is_refined();
+  if (unrefined_) replaced = *std::exchange(unrefined_, std::nullopt);
+  replaced.kept.same = 0;
+  record_replaced(std::move(replaced), std::move(step));
+  end_redoing();
+}
+
+void SculptedSurface::refine(PaintedPatch made, const AddedVertices& added) {
+  GivenShape given = given_.patched(made.painted.surface, made.came_from, added);
+  const Index same = surface_.vertex_count();
+  Replaced replaced = exchange(std::move(made.painted), {nullptr, std::move(given), same});
   if (!unrefined_) unrefined_ = std::move(replaced);
 }
 
-/// The step that brings a surface back; what belongs to it is kept for that.
-UndoStep SculptedSurface::step_to(Replaced replaced) {
+/// Records the step that brings a surface back; what belongs to it is kept for that.
+void SculptedSurface::record_replaced(Replaced replaced, UndoStep step) {
   replaced.kept.builders->free_strokes();
   replaced_.push_back(std::move(replaced.kept));
-  UndoStep step;
   step.surface = std::move(replaced.painted.surface);
   step.surface_paint = std::move(replaced.painted.paint);
-  return step;
+  journal_.record(std::move(step));
 }
 
 void SculptedSurface::end_redoing() {
@@ -179,8 +218,7 @@ UndoStep SculptedSurface::restore_surface(UndoStep step, Turn turn) {
   std::vector<Kept>& of_turn = kept_of(turn);
   Kept back = std::move(of_turn.back());
   of_turn.pop_back();
-  Replaced replaced = exchange({std::move(*step.surface), std::move(step.surface_paint)},
-                               std::move(back.given), std::move(back.builders));
+  Replaced replaced = exchange({std::move(*step.surface), std::move(step.surface_paint)}, std::move(back));
   replaced.kept.builders->free_strokes();
   kept_of(turn == Turn::undo ? Turn::redo : Turn::undo).push_back(std::move(replaced.kept));
   step.surface = std::move(replaced.painted.surface);
@@ -192,6 +230,10 @@ UndoStep SculptedSurface::restore_vertices(UndoStep step) {
   for (std::size_t i = 0; i < step.vertices.size(); ++i)
     step.positions[i] = surface_.positions[step.vertices[i]];
   commit(step.vertices);
+  KeptEdges kept{std::move(step.noted), std::move(step.notes)};
+  given_.exchange(kept);
+  step.noted = std::move(kept.vertices);
+  step.notes = std::move(kept.edges);
   step.paint = paint_.restore(step.paint);
   state_.repainted(surface_, step.paint, paint_.base());
   return step;
@@ -243,17 +285,18 @@ std::span<const Index> SculptedSurface::note_all_changed() {
 }
 
 /// Makes all that depends on the surface anew, but for chart builders that are given. Returns what was there.
-SculptedSurface::Replaced SculptedSurface::exchange(PaintedSurface made, GivenShape given,
-                                                    std::unique_ptr<ChartBuilders> builders) {
+SculptedSurface::Replaced SculptedSurface::exchange(PaintedSurface made, Kept kept) {
   Paint paint = paint_.exchange(made.surface.vertex_count(), std::move(made.paint));
-  Replaced replaced{{std::move(surface_), std::move(paint)}, {std::move(builders_), std::move(given_)}};
+  Replaced replaced{{std::move(surface_), std::move(paint)},
+                    {std::move(builders_), std::move(given_), kept.same}};
   surface_ = std::move(made.surface);
   picker_ = Picker(surface_);
   shown_ = ShownSurface(surface_);
-  builders_ = builders ? std::move(builders) : std::make_unique<ChartBuilders>(surface_, picker_);
+  builders_ = kept.builders ? std::move(kept.builders) : std::make_unique<ChartBuilders>(surface_, picker_);
   state_.reset();
   of_source_.clear();
-  given_ = std::move(given);
+  given_ = std::move(kept.given);
+  kept_vertices_ = std::min(kept_vertices_, kept.same);
   ++generation_;
   note_all_changed();
   return replaced;

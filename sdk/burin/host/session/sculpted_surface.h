@@ -3,6 +3,7 @@
 #include <burin/deform/shown/shown_surface.h>
 #include <burin/deform/shown/undo_journal.h>
 #include <burin/host/session.h>
+#include <burin/host/session/coarsen_path.h>
 #include <burin/host/session/merged_surface.h>
 #include <burin/host/session/stroke_instance.h>
 #include <burin/host/session/surface_state.h>
@@ -41,7 +42,14 @@ class SculptedSurface {
 
   /// The vertices that the last call changed.
   std::span<const Index> changed() const { return changed_; }
-  void clear_changed() { changed_.clear(); }
+  void clear_changed() {
+    changed_.clear();
+    kept_vertices_ = surface_.vertex_count();
+  }
+
+  /// How many vertices, by their numbers in the source, were there before clear_changed() and all the time
+  /// since.
+  Index kept_vertices() const { return kept_vertices_; }
   std::span<const Index> note_all_changed();
 
   /// Sets the paint. Throws ContractError unless there are none or one value per vertex, from 0 to 1.
@@ -62,20 +70,26 @@ class SculptedSurface {
   /// then nothing changes. No stroke may refer to the surface.
   void hide(const std::vector<bool>& hidden);
   void require_all_shown() const;  ///< throws Error if triangles are hidden
+  bool hides() const { return all_triangles_.has_value(); }
 
   /// The vertices that the open stroke moved, ascending.
   std::vector<Index> displaced() { return shown_.displaced(surface_); }
 
-  /// Makes the shown surface and paint those of base(), with an undo step.
-  void keep(MadePart made);
+  /// Makes the shown surface and paint those of base(), with an undo step. `kept`: what refinement keeps from
+  /// now on, of vertices of base(); the step takes that back too.
+  void keep(MadePart made, KeptEdges kept);
+
+  /// The same without vertices that the open stroke does not need. No stroke may refer to the surface any
+  /// more.
+  void keep_coarser(MadePart made, PathCoarsening coarser);
 
   /// Replaces a part of the surface, with an undo step. No stroke may refer to the surface any more.
   void replace(PaintedPatch made);
 
   /// Refines the surface for a stroke that is to be drawn on it: both become one step of undo, and drop()
-  /// takes both back. No stroke may refer to the surface. Chart builders are new ones. `given`: [new vertex]
-  /// where it would be on the surface as it was given, object units.
-  void refine(PaintedPatch made, std::span<const Vec3f> given);
+  /// takes both back. No stroke may refer to the surface. Chart builders are new ones. `added`: new vertices,
+  /// as in SurfaceRefinement.
+  void refine(PaintedPatch made, const AddedVertices& added);
   bool is_refined() const { return unrefined_.has_value(); }  ///< for a stroke that is not finished
 
   /// Undoing and redoing take two calls: show() moves the vertices of the step, and restore() makes that the
@@ -105,6 +119,7 @@ class SculptedSurface {
   struct Kept {
     std::unique_ptr<ChartBuilders> builders;
     GivenShape given;
+    Index same = 0;  ///< vertices, by their numbers in the source, that are in what replaced it too
   };
 
   /// A surface that was replaced.
@@ -129,7 +144,9 @@ class SculptedSurface {
   std::uint64_t state() { return state_.of(surface_, paint_.base()); }
   void note_changed(std::span<const Index> moved, std::span<const Index> painted);
   void commit(std::span<const Index> displaced);
-  Replaced exchange(PaintedSurface made, GivenShape given, std::unique_ptr<ChartBuilders> builders = nullptr);
+  Index same_numbers(const PaintedPatch& made) const;
+  Replaced exchange(PaintedSurface made, Kept kept);
+  void record_replaced(Replaced replaced, UndoStep step);
   UndoStep step_to(Replaced replaced);
 
   Surface surface_;
@@ -147,6 +164,7 @@ class SculptedSurface {
   std::vector<Index>
       of_source_;  ///< [vertex of the original mesh] its number; made for the first step applied
   std::vector<Index> changed_;
+  Index kept_vertices_ = 0;
   std::uint64_t generation_ = 0;
 };
 
