@@ -1,5 +1,5 @@
-// What was refined is made coarser again: against the lengths that refinement gives, the shape that was there,
-// and the topology, on planes, spheres, boxes with sharp edges and seams, and soups.
+// What was refined is made coarser again: against the lengths that refinement gives, the shape that was
+// there, and the topology, on planes, spheres, boxes with sharp edges and seams, and soups.
 #include <burin/refine/coarsen_surface.h>
 #include <burin/surface/topology/euler.h>
 #include <gtest/gtest.h>
@@ -22,8 +22,7 @@ struct Refined {
   std::vector<Index> added_within(double distance) const {
     std::vector<Index> found;
     for (const Index v : added)
-      if (lengths.at(surface.positions[v].cast<double>()) <=
-          lengths.edge() + EdgeLength::growth * distance)
+      if (lengths.at(surface.positions[v].cast<double>()) <= lengths.edge() + EdgeLength::growth * distance)
         found.push_back(v);
     return found;
   }
@@ -43,9 +42,7 @@ struct Refined {
   }
 };
 
-Refinable fine_plane() {
-  return {plane(1, 0.25, 3), straight({-0.5, 0, 0}, {0.5, 0.1, 0}), 0.15, 0.01};
-}
+Refinable fine_plane() { return {plane(1, 0.25, 3), straight({-0.5, 0, 0}, {0.5, 0.1, 0}), 0.15, 0.01}; }
 
 /// The greatest distance of the vertices of one surface from another one.
 double farthest(const Surface& from, const Surface& to) {

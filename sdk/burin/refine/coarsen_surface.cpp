@@ -1,7 +1,7 @@
 // Collapses of half-edges [H. Hoppe, T. DeRose, T. Duchamp, J. McDonald and W. Stuetzle, Mesh optimization,
-// 1993], at the vertex with the shortest edge first, with the lengths of M. Botsch and L. Kobbelt (A remeshing
-// approach to multiresolution modeling, 2004). Removed vertices stay as samples of the faces that came in
-// their place, so that the error is that of the result, not of one step.
+// 1993], at the vertex with the shortest edge first, with the lengths of M. Botsch and L. Kobbelt (A
+// remeshing approach to multiresolution modeling, 2004). Removed vertices stay as samples of the faces that
+// came in their place, so that the error is that of the result, not of one step.
 #include <burin/base/segment.h>
 #include <burin/base/sort_unique.h>
 #include <burin/refine/coarsen_surface.h>
@@ -69,6 +69,18 @@ class Coarsening {
     Vec2f uv = Vec2f::Zero();  ///< of the neighbour
   };
 
+  /// How well shaped some faces are.
+  struct Shape {
+    double least_sine = 1;  ///< of their angles
+    std::size_t thin = 0;   ///< how many of them have a small angle
+
+    void add(double sine) {
+      constexpr double well_shaped = 0.342;  // of 20 degrees
+      least_sine = std::min(least_sine, sine);
+      thin += sine < well_shaped;
+    }
+  };
+
   /// One way to take a vertex out.
   struct Way {
     RegionMesh::Collapse how;
@@ -81,9 +93,9 @@ class Coarsening {
   std::vector<Way> ways();
   bool satisfies_link(std::size_t k);
   bool is_gone_face(std::size_t i, std::size_t k) const;
-  std::optional<double> shape_after(std::size_t k, double least) const;
+  std::optional<Shape> shape_after(std::size_t k) const;
   bool is_too_long(Index a, Index b) const;
-  double least_sine_now() const;
+  Shape shape_now() const;
   std::vector<Part> parts(const RegionMesh::Collapse& how) const;
   bool keeps_sharp_line(const RegionMesh::Collapse& how);
   bool collapse(Index vertex, const RegionMesh::Collapse& how);
@@ -151,12 +163,10 @@ std::optional<std::vector<std::size_t>> Coarsening::sharp_neighbours() const {
   return sharp;
 }
 
-bool Coarsening::is_gone_face(std::size_t i, std::size_t k) const {
-  return i == k || fan_.after(i) == k;
-}
+bool Coarsening::is_gone_face(std::size_t i, std::size_t k) const { return i == k || fan_.after(i) == k; }
 
-/// Whether the vertex and its neighbour have no neighbours in common but the apexes of the faces between them,
-/// and no face would be there twice.
+/// Whether the vertex and its neighbour have no neighbours in common but the apexes of the faces between
+/// them, and no face would be there twice.
 bool Coarsening::satisfies_link(std::size_t k) {
   const Side start = k < fan_.size() ? RegionMesh::after(fan_.leaving[k]) : spoke(fan_, k);
   if (!find_fan(mesh_, start, other_fan_)) return false;
@@ -191,20 +201,20 @@ bool Coarsening::is_too_long(Index a, Index b) const {
   return judged_squared(from.at, to.at, from.given, to.given) > longest * longest;
 }
 
-double Coarsening::least_sine_now() const {
-  double least = 1;
+Coarsening::Shape Coarsening::shape_now() const {
+  Shape found;
   for (const Side side : fan_.leaving)
-    least = std::min(least, least_sine(mesh_.position(mesh_.from(side)), mesh_.position(mesh_.to(side)),
-                                       mesh_.position(mesh_.apex(side))));
-  return least;
+    found.add(least_sine(mesh_.position(mesh_.from(side)), mesh_.position(mesh_.to(side)),
+                         mesh_.position(mesh_.apex(side))));
+  return found;
 }
 
-/// The sine of the least angle after a collapse; nothing where it is below `least`, where a triangle turns by
-/// more than 60 degrees or where an edge becomes too long.
-std::optional<double> Coarsening::shape_after(std::size_t k, double least) const {
+/// Of the faces that a collapse leaves; nothing where a triangle turns by more than 60 degrees or an edge
+/// becomes too long.
+std::optional<Coarsening::Shape> Coarsening::shape_after(std::size_t k) const {
   const Index onto = neighbour(mesh_, fan_, k);
   const Vec3d& target = mesh_.position(onto);
-  double found = 1;
+  Shape found;
   for (std::size_t i = 0; i < fan_.size(); ++i) {
     if (is_gone_face(i, k)) continue;
     const Side side = fan_.leaving[i];
@@ -214,8 +224,7 @@ std::optional<double> Coarsening::shape_after(std::size_t k, double least) const
     const Vec3d before = (q - p).cross(r - p), now = (q - target).cross(r - target);
     constexpr double least_turn = 0.5;
     if (!(before.dot(now) > least_turn * before.norm() * now.norm())) return {};
-    found = std::min(found, least_sine(target, q, r));
-    if (!(found >= least)) return {};
+    found.add(least_sine(target, q, r));
   }
   return found;
 }
@@ -224,11 +233,13 @@ std::optional<double> Coarsening::shape_after(std::size_t k, double least) const
 std::vector<Coarsening::Way> Coarsening::ways() {
   std::vector<Way> found;
   const auto sharp = sharp_neighbours();
-  constexpr double well_shaped = 0.342;  // of 20 degrees
-  const double least = std::min(well_shaped, least_sine_now());
   if (!sharp || fan_.neighbour_count() < 3) return found;
+  const Shape now = shape_now();
   const auto add = [&](std::size_t k, std::size_t crest) {
-    if (const auto shape = shape_after(k, least)) found.push_back({{k, crest}, *shape});
+    const auto shape = shape_after(k);
+    if (!shape) return;
+    const bool is_better = shape->thin < now.thin && shape->least_sine >= now.least_sine;
+    if (shape->thin == 0 || is_better) found.push_back({{k, crest}, shape->least_sine});
   };
   if (sharp->empty())
     for (std::size_t k = 0; k < fan_.size(); ++k) add(k, k);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <optional>
 
 namespace burin {
 namespace {
@@ -17,6 +17,30 @@ bool fits(const Vec2f& at, const TriangleUv& uv, const std::array<double, 3>& we
     squared = std::max(squared, (uv[(i + 1) % 3] - uv[i]).squaredNorm());
   }
   return (there - at).squaredNorm() <= share * share * squared;
+}
+
+/// One of some facets, and the weights of its corners at a point.
+struct Keeper {
+  std::size_t number = 0;
+  std::array<double, 3> weights{};
+};
+
+/// The facet that keeps a point: the first one above which it is near enough, or else the nearest; nothing if
+/// none is near enough.
+std::optional<Keeper> keeper_of(const std::vector<FlatFacet>& facets, const Vec3d& point, double apart) {
+  for (std::size_t i = 0; i < facets.size(); ++i)
+    if (const auto foot = facets[i].foot(point); foot && (foot->at - point).squaredNorm() <= apart * apart)
+      return Keeper{i, foot->weights};
+  double least = apart * apart;
+  std::optional<Keeper> found;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const FlatFacet::Place place = facets[i].nearest(point);
+    const double squared = (place.at - point).squaredNorm();
+    if (!(squared <= least)) continue;
+    least = squared;
+    found = Keeper{i, place.weights};
+  }
+  return found;
 }
 
 }  // namespace
@@ -56,20 +80,11 @@ bool DrawnSamples::assign(std::span<const Draft> drafts, const Bounds& bounds,
     facets.emplace_back(std::array{mesh_->position(a), mesh_->position(b), mesh_->position(c)});
   }
   for (Sample& sample : samples) {
-    double least = std::numeric_limits<double>::infinity();
-    FlatFacet::Place nearest;
-    std::size_t keeper = 0;
-    for (std::size_t i = 0; i < facets.size(); ++i) {
-      const FlatFacet::Place place = facets[i].nearest(sample.at);
-      const double squared = (place.at - sample.at).squaredNorm();
-      if (!(squared < least)) continue;
-      least = squared;
-      nearest = place;
-      keeper = i;
-    }
-    if (!(least <= bounds.apart * bounds.apart)) return false;
-    if (!is_like(sample, drafts[keeper].corners, nearest.weights, bounds)) return false;
-    sample.face = drafts[keeper].face;
+    const std::optional<Keeper> keeper = keeper_of(facets, sample.at, bounds.apart);
+    if (!keeper) return false;
+    const auto& [face, corners] = drafts[keeper->number];
+    if (!is_like(sample, corners, keeper->weights, bounds)) return false;
+    sample.face = face;
   }
   return true;
 }

@@ -45,15 +45,15 @@ class DrawnSamples {
     RegionMesh::Corners corners;
   };
 
-  /// Finds for each sample the nearest of some drafts; returns whether all are within bounds.
+  /// Finds for each sample one of some drafts to keep it; returns whether all are within bounds.
   bool assign(std::span<const Draft> drafts, const Bounds& bounds, std::vector<Sample>& samples) const;
 
   /// Gives faces the samples that they are to keep, in place of what they had.
   void keep(std::span<const Draft> drafts, std::span<const Sample> samples);
 
  private:
-  bool is_like(const Sample& sample, const RegionMesh::Corners& corners,
-               const std::array<double, 3>& weights, const Bounds& bounds) const;
+  bool is_like(const Sample& sample, const RegionMesh::Corners& corners, const std::array<double, 3>& weights,
+               const Bounds& bounds) const;
   Triangle numbers_of(const Triangle& corners) const;
 
   const Surface* surface_;

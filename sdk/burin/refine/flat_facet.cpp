@@ -14,12 +14,16 @@ FlatFacet::FlatFacet(const std::array<Vec3d, 3>& of) : corners(of) {
   along_c = area.cross(b) / squared;
 }
 
-FlatFacet::Place FlatFacet::nearest(const Vec3d& point) const {
+std::optional<FlatFacet::Place> FlatFacet::foot(const Vec3d& point) const {
+  if (!has_area) return {};
   const Vec3d way = point - corners[0];
-  if (has_area) {
-    const double b = along_b.dot(way), c = along_c.dot(way), a = 1 - b - c;
-    if (a >= 0 && b >= 0 && c >= 0) return {{a, b, c}, a * corners[0] + b * corners[1] + c * corners[2]};
-  }
+  const double b = along_b.dot(way), c = along_c.dot(way), a = 1 - b - c;
+  if (!(a >= 0 && b >= 0 && c >= 0)) return {};
+  return Place{{a, b, c}, a * corners[0] + b * corners[1] + c * corners[2]};
+}
+
+FlatFacet::Place FlatFacet::nearest(const Vec3d& point) const {
+  if (const std::optional<Place> there = foot(point)) return *there;
   Place best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {

@@ -2,6 +2,7 @@
 #include <burin/base/vector.h>
 
 #include <array>
+#include <optional>
 
 namespace burin {
 
@@ -14,6 +15,9 @@ struct FlatFacet {
   };
 
   explicit FlatFacet(const std::array<Vec3d, 3>& of);
+
+  /// The foot of the perpendicular from a point, if that is in the triangle.
+  std::optional<Place> foot(const Vec3d& point) const;
 
   /// A triangle without area counts as its sides.
   Place nearest(const Vec3d& point) const;

@@ -128,8 +128,9 @@ Session session_with_steps() {
 double farthest(const Session& from, const Session& to) {
   double most = 0;
   for (const Vec3f& p : from.positions())
-    most = std::max(most, static_cast<double>(
-                              (to.picker().closest(p, std::numeric_limits<float>::max())->position - p).norm()));
+    most =
+        std::max(most, static_cast<double>(
+                           (to.picker().closest(p, std::numeric_limits<float>::max())->position - p).norm()));
   return most;
 }
 
@@ -141,7 +142,8 @@ TEST(CoarsenPath, LosesNoReliefThatOtherStrokesDrew) {
   EXPECT_LE(farthest(fine, session), 0.0101 * radius / Refining::fine);
   // Strokes of ever the same radius do not wear it off either.
   const std::vector<Triangle> left = session.surface().triangles;
-  for (int i = 0; i < 3; ++i) draw_along(session, stroke_of(radius, 0), straight({-0.4, -0.01, 0}, {0.4, 0, 0}));
+  for (int i = 0; i < 3; ++i)
+    draw_along(session, stroke_of(radius, 0), straight({-0.4, -0.01, 0}, {0.4, 0, 0}));
   EXPECT_LE(farthest(fine, session), 0.0101 * radius / Refining::fine);
 }
 

@@ -93,8 +93,7 @@ PathCoarsening coarsened_along(const StrokeGround& ground, const StrokeSettings&
                                const DrawnStroke& stroke, const LaterStrokes& later, NearVertices& near) {
   PathCoarsening made;
   if (static_cast<double>(ground.given.least_edge()) > finest_needed(settings)) return made;
-  std::vector<Index> vertices =
-      finer_within(ground, settings, lines_of(ground, settings, stroke), near);
+  std::vector<Index> vertices = finer_within(ground, settings, lines_of(ground, settings, stroke), near);
   if (!vertices.empty() && later) keep_for_later(ground, settings, later(), vertices);
   if (vertices.empty()) return made;
   made.drawn = ground.surface;
