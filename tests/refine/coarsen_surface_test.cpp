@@ -1,5 +1,6 @@
 // What was refined is made coarser again: against the lengths that refinement gives, the shape that was
 // there, and the topology, on planes, spheres, boxes with sharp edges and seams, and soups.
+#include <burin/base/segment.h>
 #include <burin/refine/coarsen_surface.h>
 #include <burin/surface/topology/euler.h>
 #include <gtest/gtest.h>
@@ -150,6 +151,37 @@ TEST(CoarsenSurface, LeavesABoxABoxWithItsTexture) {
       on_edge += p.x() == 2 && p.z() == 1;
     }
   EXPECT_GT(on_edge, 20u);
+}
+
+/// The edges of a surface that have one triangle.
+std::set<std::pair<Index, Index>> border_of(const Surface& surface) {
+  std::set<std::pair<Index, Index>> border;
+  for (const Triangle& t : surface.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::pair<Index, Index> edge = std::minmax(t[i], t[(i + 1) % 3]);
+      if (!border.insert(edge).second) border.erase(edge);
+    }
+  return border;
+}
+
+// A notch of a border, which triangles could cover without being far from anything, stays one.
+TEST(CoarsenSurface, KeepsABorderWithinTheBound) {
+  Refined fine({plane(1, 0.25, 3), straight({1, -0.5, 0}, {1, 0.5, 0}), 0.15, 0.01});
+  for (Vec3f& p : fine.surface.positions)
+    if (p.x() > 0.8F) p.x() += 0.1F * (p.x() - 0.8F) * std::sin(30 * p.y());
+  constexpr double apart = 0.0004;
+  const Surface coarse = fine.coarsened({.edge = 0.04, .apart = apart}).surface;
+  const auto border = border_of(coarse), before = border_of(fine.surface);
+  EXPECT_LT(border.size(), before.size() - 20);
+  for (const auto& [vertex, end] : before) {
+    const Vec3d at = fine.surface.positions[vertex].cast<double>();
+    double least = 1;
+    for (const auto& [a, b] : border) {
+      const Vec3d from = coarse.positions[a].cast<double>(), to = coarse.positions[b].cast<double>();
+      least = std::min(least, (at - from - share_on_segment(from, to, at) * (to - from)).norm());
+    }
+    ASSERT_LE(least, apart * (1 + 1e-4));
+  }
 }
 
 /// A ridge along a line, as strokes draw them.
