@@ -19,8 +19,9 @@ struct ChildResult {
 };
 
 /// Calls task(0) to task(count - 1), each in a copy of this process that ends with this one, `jobs` at a
-/// time. What they print is discarded. `limit`: seconds that each may take. No other thread may run in this
-/// process, since copies would lack it.
+/// time. What they print is discarded. `limit`: seconds that each may take. No other thread may work in
+/// this process, since copies would lack it; those that libraries start and that wait, as OpenVDB's do for
+/// its log, are no harm.
 std::vector<ChildResult> run_in_children(std::size_t count, int jobs, double limit,
                                          const std::function<std::string(std::size_t)>& task);
 
