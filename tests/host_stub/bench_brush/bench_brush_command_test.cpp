@@ -60,6 +60,12 @@ TEST(BenchBrush, TellsTheBudgetThatABrushStatesInItsInfo) {
   EXPECT_EQ(nlohmann::json::parse(result.out)[0]["budget"], 100) << result.err;
 }
 
+TEST(BenchBrush, TellsTheBudgetOfABrushInC) {
+  const fs::path brush = fs::path(BURIN_TEST_PLUGINS).parent_path() / "test-brushes" / "budget_in_c.burin";
+  const ProcessResult result = burin({"bench-brush", brush, "--rounds", "1", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(result.out)[0]["budget"], 12.5) << result.err;
+}
+
 TEST(BenchBrush, RefusesWhatIsNoPlugin) {
   const CommandFolder folder;
   EXPECT_EQ(burin({"bench-brush", folder.write("a.burin", "text")}).exit_code, 2);

@@ -8,13 +8,16 @@
  *
  * `descriptor` describes the only brush. It has no memory of its own: `evaluate`, of the type of
  * burin_brush.evaluate, gets null for the stroke. `plan` may change what burin_stroke_plan has by default.
- * Values of parameters outside of their ranges are refused before it is called.
- * Build the module with burin_add_brush() of CMake: it must be named NAME.burin. For plugins with more
- * brushes, memory or extensions see burin/abi/plugin.h.
+ * Values of parameters outside of their ranges are refused before it is called. BURIN_C_BUDGET, defined
+ * before this header is included, promises how long evaluate takes (burin/abi/ext/bench_budget.h): at most so
+ * many times what copying the declared inputs takes, whatever the parameters. Build the module with
+ * burin_add_brush() of CMake: it must be named NAME.burin. For plugins with more brushes, memory or
+ * extensions see burin/abi/plugin.h.
  */
 #ifndef BURIN_PLUGIN_C_MODULE_H
 #define BURIN_PLUGIN_C_MODULE_H
 
+#include <burin/abi/ext/bench_budget.h>
 #include <burin/abi/plugin.h>
 #include <burin/plugin/c/param_ranges.h>
 #include <string.h>
@@ -24,9 +27,19 @@
 
 static inline void BURIN_CALL burin_c_destroy(const burin_brush* brush) { (void)brush; }
 
+#ifndef BURIN_C_BUDGET
+#define BURIN_C_BUDGET 0 /* promises nothing */
+#endif
+
+static inline double BURIN_CALL burin_c_evaluate_cost(const burin_brush* brush, const burin_params* params) {
+  (void)brush, (void)params;
+  return BURIN_C_BUDGET;
+}
+
 static inline const void* BURIN_CALL burin_c_get_extension(const burin_brush* brush, const char* id) {
-  (void)brush, (void)id;
-  return NULL;
+  static const burin_bench_budget budget = {sizeof(burin_bench_budget), 0, burin_c_evaluate_cost};
+  (void)brush;
+  return BURIN_C_BUDGET > 0 && strcmp(id, BURIN_EXT_BENCH_BUDGET) == 0 ? &budget : NULL;
 }
 
 static inline void BURIN_CALL burin_c_end(const burin_brush* brush, void* stroke) {
