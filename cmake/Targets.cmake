@@ -201,6 +201,7 @@ function(burin_test folder)
   target_link_libraries(${name} PRIVATE
     ${ARG_LINK} burin_test_support GTest::gtest_main burin_build_flags burin_test_flags)
   add_dependencies(${name} burin_images)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES
+  # A program that was not in memory may take longer to list its tests than the 5 seconds that CMake allows.
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES
     TIMEOUT ${burin_test_seconds} COST ${ARG_COST} LABELS "${ARG_LABELS};${folder}")
 endfunction()
