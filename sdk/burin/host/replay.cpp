@@ -107,7 +107,8 @@ void Replayer::draw(std::size_t number) {
 /// Where strokes may refine the surface the session is told where they go.
 void Replayer::begin(std::size_t number) {
   if (settings_[number].refining.kind == Refining::Kind::off) return session_.begin_stroke(settings_[number]);
-  const auto later = [&] {
+  // It is asked until the stroke ends, when this call is over.
+  const auto later = [this, number] {
     std::vector<PlannedStroke> planned;
     for (std::size_t i = number + 1; i < settings_.size(); ++i)
       planned.push_back({settings_[i], places_of(recording_.strokes[i])});

@@ -1,5 +1,6 @@
 // Strokes over what finer strokes refined, drawn through sessions: what they take out of it, what they keep,
 // and that undo brings it back.
+#include <burin/host/replay.h>
 #include <burin/surface/topology/euler.h>
 
 #include <algorithm>
@@ -218,6 +219,31 @@ TEST(CoarsenPath, KeepsWhatAStrokeToComeNeeds) {
   told.end_stroke();
   EXPECT_GE(asked, 1u);
   EXPECT_GE(told.surface().triangles.size(), fine);
+}
+
+// A replay tells of the strokes to come until each stroke ends.
+TEST(CoarsenPath, KeepsWhatLaterStrokesOfARecordingNeed) {
+  const auto removed_by_all = [](const std::vector<double>& radii) {
+    Recording recording;
+    for (const double wide : radii) {
+      RecordedStroke& stroke = recording.strokes.emplace_back();
+      stroke.settings[&StrokeSettings::brush] = "org.burin.groove";
+      stroke.settings[&StrokeSettings::radius] = wide;
+      stroke.settings[&StrokeSettings::strength] = 0;
+      stroke.settings[&StrokeSettings::refining] = refining_if_coarse().refining;
+      for (const Vec3d& place : along) stroke.samples.push_back({0, place, {}});
+    }
+    Session session = coarse_session();
+    replay(session, recording);
+    // A wide stroke that changes nothing has no report.
+    std::size_t removed = 0;
+    for (const RefineReport& report : session.refinements()) removed += report.vertices_removed;
+    return removed;
+  };
+  const std::size_t all = removed_by_all({narrow_radius, radius});
+  EXPECT_GT(all, 10'000u);
+  // Around what the third stroke needs edges grow, and may go.
+  EXPECT_LT(removed_by_all({narrow_radius, radius, narrow_radius}), all / 10);
 }
 
 }  // namespace
