@@ -130,21 +130,19 @@ TEST(CThreads, ThatAreLentDrawTheSameBitsAndNoOthersWork) {
   Lent expected(nullptr, nullptr, mesh);
   ASSERT_EQ(expected.draw("brush=org.burin.rope", samples), BURIN_OK) << expected.error.str();
   Pool pool(3);
-  {
-    const TbbArrivals arrivals;
+  const int arrivals = CountedArena().arrivals_during([&] {
     Lent lent(Pool::run, &pool, mesh);
     EXPECT_GT(pool.calls, 5u) << "to make the surface";
     EXPECT_EQ(lent.draw("brush=org.burin.rope", samples), BURIN_OK) << lent.error.str();
     EXPECT_EQ(lent.hash(), expected.hash());
-    EXPECT_EQ(arrivals.count, 0);
-  }
+  });
+  EXPECT_EQ(arrivals, 0);
   EXPECT_GT(pool.calls, 60u);
   EXPECT_FALSE(pool.used.contains(std::this_thread::get_id()));
   EXPECT_GT(pool.used.size(), 1u);
   if (test::sanitized) return;  // the thread sanitizer's loops have threads of their own
-  const TbbArrivals arrivals;
-  for (int i = 0; i < 50 && arrivals.count == 0; ++i) expected.draw("brush=org.burin.rope", samples);
-  EXPECT_GT(arrivals.count, 0) << "they would be counted";
+  EXPECT_TRUE(CountedArena().arrive_at([&] { expected.draw("brush=org.burin.rope", samples); }))
+      << "they would be counted";
 }
 
 TEST(CThreads, ThatAreLentBringFaultsBack) {
