@@ -75,6 +75,7 @@ NamedModule named_module(const std::string& name) {
   const std::size_t end = name.rfind(std::string(module_ending) + ":");
   if (end == name.npos || std::filesystem::exists(name)) return {name, ""};
   const std::size_t colon = end + module_ending.size();
+  if (colon + 1 == name.size()) throw FileError(name, "the id of a brush is missing after the colon");
   return {name.substr(0, colon), name.substr(colon + 1)};
 }
 
@@ -85,7 +86,7 @@ std::span<const BrushEntry> load_named_brushes(BrushLibrary& library, const std:
   if (!std::filesystem::is_regular_file(file)) {
     // Ids have no slashes.
     if (file.ends_with(module_ending) || file.find('/') != file.npos)
-      throw FileError(file, "there is no such file");
+      throw FileError(file, std::filesystem::exists(file) ? "is no file" : "there is no such file");
     load_brushes(library);
     return {&library.find(name), 1};
   }

@@ -71,6 +71,11 @@ TEST(NamedBrush, ThatIsNoFileIsSaidToBeNone) {
               "burin: " + name.substr(0, name.find(':')) + ": there is no such file\n");
   EXPECT_EQ(modules.error(modules.replay(modules.mesh)).find("burin: " + modules.mesh + ": "), 0u);
   EXPECT_EQ(modules.error(modules.replay("org.none")).find("burin: --brush: "), 0u);
+  const std::string folder = modules.folder.path("folder.burin");
+  fs::create_directory(folder);
+  EXPECT_EQ(modules.error(modules.replay(folder)), "burin: " + folder + ": is no file\n");
+  EXPECT_EQ(modules.error(modules.replay("gone.burin:")),
+            "burin: gone.burin:: the id of a brush is missing after the colon\n");
 }
 
 }  // namespace
