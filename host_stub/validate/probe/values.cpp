@@ -1,6 +1,7 @@
 // Makes values for the parameters of a brush: its defaults, the ends of their ranges, or random ones.
 #include "validate/probe/values.h"
 
+#include <burin/host/plugin/brush_params.h>
 #include <burin/host/plugin/param_snapshot.h>
 #include <burin/stroke/files/setting_texts.h>
 #include <fmt/format.h>
@@ -13,15 +14,25 @@
 
 namespace burin::validate {
 
+namespace {
+
+/// The end of a range: the hard one, or the soft one where that is infinite, or the default where both are.
+float end_of(const burin_param_info& info, float hard, float soft) {
+  if (std::isfinite(hard)) return hard;
+  return std::isfinite(soft) ? soft : info.default_number;
+}
+
+}  // namespace
+
 float least_of(const burin_param_info& info) {
   if (info.type == BURIN_PARAM_BOOL || info.type == BURIN_PARAM_CHOICE) return 0;
-  return std::isfinite(info.hard_min) ? info.hard_min : info.soft_min;
+  return end_of(info, info.hard_min, info.soft_min);
 }
 
 float greatest_of(const burin_param_info& info) {
   if (info.type == BURIN_PARAM_BOOL) return 1;
   if (info.type == BURIN_PARAM_CHOICE) return static_cast<float>(list_of(info.choices).size()) - 1;
-  return std::isfinite(info.hard_max) ? info.hard_max : info.soft_max;
+  return end_of(info, info.hard_max, info.soft_max);
 }
 
 Values::Values(const burin_brush_descriptor& brush, const Subject& subject)
@@ -53,9 +64,7 @@ const std::string* Values::given(std::uint32_t index) const {
 
 void Values::set_given(std::uint32_t index, const std::string& text) {
   const burin_param_info& info = *brush_.params[index];
-  const bool as_text =
-      info.type == BURIN_PARAM_TEXT || info.type == BURIN_PARAM_FILE || info.type == BURIN_PARAM_CHOICE;
-  const ParamSetting setting = as_text ? ParamSetting(text) : param_of_text(text);
+  const ParamSetting setting = takes_text(info.type) ? ParamSetting(text) : param_of_text(text);
   ParamValue value = resolve_param(brush_, info, &setting);
   numbers_[index] = value.numbers;
   texts_[index] = std::move(value.text);

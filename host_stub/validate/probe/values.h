@@ -20,7 +20,8 @@ class Values {
   Values(const Values&) = delete;
   Values& operator=(const Values&) = delete;
 
-  /// Sets every number to the ends of its range: the hard one, or the soft one where that is infinite.
+  /// Sets every number to the ends of its range: the hard one, or the soft one where that is infinite, or its
+  /// default where both are.
   void set_least();
   void set_greatest();
 

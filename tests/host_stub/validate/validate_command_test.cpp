@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "../run_command.h"
+#include "sanitizers/sanitized.h"
 #include "validate/report.h"
 
 namespace burin::test {
@@ -29,6 +30,19 @@ Names failed_checks(const nlohmann::json& report) {
   for (const auto& check : report["checks"])
     if (check["verdict"] != "PASS" && check["verdict"] != "SKIP") names.insert(check["name"]);
   return names;
+}
+
+/// What a report tells of a check; a failure of the test if it does not name it.
+std::string text_of(const nlohmann::json& report, const std::string& name) {
+  for (const auto& check : report["checks"])
+    if (check["name"] == name) return check["text"];
+  ADD_FAILURE() << "no check " << name;
+  return {};
+}
+
+/// What one check of a module prints.
+std::string output_of(const std::string& module, const std::string& check) {
+  return burin({"validate", module, "--only", check}).out;
 }
 
 /// The names of all checks.
@@ -96,16 +110,19 @@ TEST(ValidateCommand, TellsOneFailureOfATableOfParametersThatEndsTooEarly) {
 TEST(ValidateCommand, FindsSoftRangesThatWereForgotten) {
   const nlohmann::json found = report(bad_plugin("several.soft-range"), "4");
   EXPECT_EQ(failed_checks(found), Names{"descriptor.param-ranges"});
-  for (const auto& check : found["checks"])
-    if (check["name"] == "descriptor.param-ranges") {
-      EXPECT_EQ(check["text"],
-                "org.example.good: parameter 'count': its soft range, which a slider spans, is 0 .. 0");
-    }
+  EXPECT_EQ(text_of(found, "descriptor.param-ranges"),
+            "org.example.good: parameter 'count': its soft range, which a slider spans, is 0 .. 0");
+}
+
+TEST(ValidateCommand, TriesNoInfiniteValuesOfARangeWithoutAnEnd) {
+  const nlohmann::json found = report(bad_plugin("several.endless-range"), "4");
+  EXPECT_EQ(failed_checks(found), Names{"descriptor.param-ranges"});
+  EXPECT_EQ(text_of(found, "descriptor.param-ranges"),
+            "org.example.good: parameter 'height': its soft range is not finite");
 }
 
 TEST(ValidateCommand, TellsTheNodeAndTheOutput) {
-  const std::string module = bad_plugin("life.begin-default");
-  const std::string out = burin({"validate", module, "--only", "life.begin-default"}).out;
+  const std::string out = output_of(bad_plugin("life.begin-default"), "life.begin-default");
   EXPECT_TRUE(
       std::regex_search(out, std::regex("writes -?(nan|inf) to 'up' at t -?[0-9.]+ and d -?[0-9.]+\n")))
       << out;
@@ -152,6 +169,18 @@ TEST(ValidateCommand, SkipsWhatItCannotCountWhereASanitizerServesMemory) {
   EXPECT_EQ(skipped, (Names{"life.brushes-freed", "life.strokes-freed", "memory.allocations"}));
 }
 
+/// The checks that fail of a plugin with a fault: the one for it. Where this program and so the command have
+/// the address sanitizer, that serves memory, which some checks count then no more, ends a process that reads
+/// beyond an array before the check can tell, and overwrites memory that was freed.
+Names checks_that_find(const std::string& check) {
+  if (!test::sanitized) return {check};
+  if (Names{"life.brushes-freed", "life.strokes-freed", "memory.allocations"}.contains(check)) return {};
+  if (check == "memory.reads-within")
+    return {"life.begin-default", "memory.reads-within", "memory.system-calls"};
+  if (check == "process.lent") return {"life.two-brushes", "process.lent"};
+  return {check};
+}
+
 class BadPlugins : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(BadPlugins, AreFoundByTheOneCheckOfTheirName) {
@@ -164,7 +193,7 @@ TEST_P(BadPlugins, AreFoundByTheOneCheckOfTheirName) {
     if (fast) {
       EXPECT_TRUE(failed.contains(check)) << name;
     } else {
-      EXPECT_EQ(failed, Names{check}) << name;
+      EXPECT_EQ(failed, checks_that_find(check)) << name;
     }
   }
 }
@@ -198,10 +227,8 @@ TEST(ValidateCommand, TellsOneFailureWhereABrushNeverDraws) {
   for (const char* brush : {"error_brush", "crashing_brush"}) {
     const nlohmann::json found = report(fmt::format("{}/{}.burin", BURIN_TEST_PLUGINS, brush), "4");
     EXPECT_EQ(failed_checks(found), Names{"life.begin-default"}) << brush;
-    for (const auto& check : found["checks"])
-      if (check["name"] == "life.begin-random") {
-        EXPECT_EQ(check["text"], "a brush does not draw with its defaults, see life.begin-default");
-      }
+    EXPECT_EQ(text_of(found, "life.begin-random"),
+              "a brush does not draw with its defaults, see life.begin-default");
   }
 }
 
@@ -213,8 +240,7 @@ TEST(ValidateCommand, TellsWhatPassed) {
             std::string::npos)
       << out;
   const std::string stock =
-      burin_output({"validate", (fs::path(BURIN_COMMAND).parent_path() / "brushes/groove.burin").string(),
-                    "--only", "life.outside-values"});
+      output_of(fs::path(BURIN_COMMAND).parent_path() / "brushes/groove.burin", "life.outside-values");
   EXPECT_TRUE(stock.starts_with("PASS    life.outside-values: begin refuses them\n")) << stock;
 }
 
@@ -251,8 +277,9 @@ TEST(ValidateCommand, DrawsWithBrushesThatTakeNoImage) {
 }
 
 TEST(ValidateCommand, TellsWhereAModuleAllocates) {
+  if (test::sanitized) GTEST_SKIP() << "a sanitizer serves malloc";
   const std::string module = bad_plugin("memory.allocations");
-  const std::string out = burin({"validate", module, "--only", "memory.allocations"}).out;
+  const std::string out = output_of(module, "memory.allocations");
   std::smatch place;
   ASSERT_TRUE(
       std::regex_search(out, place, std::regex("evaluate calls malloc 1 times, first at (0x[0-9a-f]+)")))
@@ -261,16 +288,18 @@ TEST(ValidateCommand, TellsWhereAModuleAllocates) {
 }
 
 TEST(ValidateCommand, TellsWhereALibraryAllocatesForAModule) {
-  const std::string module = bad_plugin("memory.allocations.cpp");
-  const std::string out = burin({"validate", module, "--only", "memory.allocations"}).out;
+  if (test::sanitized) GTEST_SKIP() << "a sanitizer serves malloc";
+  const std::string out = output_of(bad_plugin("memory.allocations.cpp"), "memory.allocations");
   EXPECT_TRUE(
       std::regex_search(out, std::regex("evaluate calls operator new [0-9]+ times, first at 0x[0-9a-f]+")))
       << out;
 }
 
 TEST(ValidateCommand, TellsTheSystemCallAndItsPlace) {
+  if (test::sanitized)
+    GTEST_SKIP() << "a sanitizer's function makes the call, without a frame that leads to it";
   const std::string module = bad_plugin("memory.system-calls");
-  const std::string out = burin({"validate", module, "--only", "memory.system-calls"}).out;
+  const std::string out = output_of(module, "memory.system-calls");
   std::smatch place;
   ASSERT_TRUE(std::regex_search(out, place, std::regex("it calls openat at (0x[0-9a-f]+) \\("))) << out;
   EXPECT_TRUE(run_process({"addr2line", "-fe", module, place[1]}).out.starts_with("evaluate\n"));
@@ -279,24 +308,16 @@ TEST(ValidateCommand, TellsTheSystemCallAndItsPlace) {
 TEST(ValidateCommand, SkipsComparisonsOfABrushThatDrawsOtherwiseEachTime) {
   const nlohmann::json found = report(bad_plugin("repeat.runs.cpp"), "2");
   EXPECT_EQ(failed_checks(found), Names{"repeat.runs"});
-  for (const auto& check : found["checks"])
-    if (check["name"] == "evaluate.stride-zero") {
-      EXPECT_EQ(check["text"], "a brush draws otherwise each time, see repeat.runs");
-    }
+  EXPECT_EQ(text_of(found, "evaluate.stride-zero"), "a brush draws otherwise each time, see repeat.runs");
 }
 
 TEST(ValidateCommand, TellsOneFailureWhereLargeBatchesHaveNoRoom) {
   const nlohmann::json found = report(bad_plugin("evaluate.batch-sizes.cpp"), "4");
   EXPECT_EQ(failed_checks(found), Names{"evaluate.batch-sizes"});
-  for (const auto& check : found["checks"]) {
-    if (check["name"] == "evaluate.batch-sizes") {
-      EXPECT_EQ(check["text"],
-                "org.example.good: crashes with a batch of 4096 nodes; hosts may pass any number");
-    }
-    if (check["name"] == "repeat.split") {
-      EXPECT_EQ(check["text"], "a brush crashes with some sizes of batches, see evaluate.batch-sizes");
-    }
-  }
+  EXPECT_EQ(text_of(found, "evaluate.batch-sizes"),
+            "org.example.good: crashes with a batch of 4096 nodes; hosts may pass any number");
+  EXPECT_EQ(text_of(found, "repeat.split"),
+            "a brush crashes with some sizes of batches, see evaluate.batch-sizes");
 }
 
 TEST(ValidateCommand, TellsNoLevelOfOneCheck) {
