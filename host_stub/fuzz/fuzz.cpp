@@ -12,7 +12,6 @@
 #include <functional>
 #include <sstream>
 #include <string_view>
-#include <utility>
 
 #include "fuzz/bundle.h"
 #include "fuzz/fuzz_case.h"
@@ -49,14 +48,14 @@ void try_words(validate::ProbeBrush& probe, std::uint32_t param, const fs::path&
   const burin_param_info& info = *probe.descriptor.params[param];
   const bool file = info.type == BURIN_PARAM_FILE;
   const std::vector<std::string> words = fuzz_words(info.type);
-  std::string kept = probe.values.text(param);
-  bool none = true;
+  const std::string before = probe.values.text(param);
+  std::string kept = before;
   for (std::size_t number = 0; number < words.size(); ++number) {
     const std::string word = file ? (folder / words[number]).string() : words[number];
     probe.values.set_text(param, word);
     if (!probe.begins()) continue;
     lines += fmt::format("{} {} {} {}\n", probe.descriptor.id, info.id, info.type, number);
-    if (file && std::exchange(none, false)) kept = word;
+    if (file && kept == before) kept = word;
   }
   probe.values.set_text(param, kept);
 }

@@ -4,11 +4,10 @@
 
 #include <burin/base/text/quoted_word.h>
 #include <burin/host/brush_library.h>
+#include <burin/host/plugin/brush_params.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <span>
 
 #include "input/brush_folder.h"
 #include "system/child_tasks.h"
@@ -36,11 +35,6 @@ Result result_of(const Check& check, const ChildResult& child) {
   }
 }
 
-bool declares(const burin_brush_descriptor& brush, const std::string& name) {
-  return std::ranges::any_of(std::span(brush.params, brush.param_count),
-                             [&](const burin_param_info* info) { return info->id == name; });
-}
-
 /// What is wrong with values for a module that can be loaded, or nothing.
 std::string params_problem(const Subject& subject) {
   BrushLibrary library;
@@ -50,11 +44,9 @@ std::string params_problem(const Subject& subject) {
     return {};  // The checks tell it.
   }
   for (const BrushEntry& brush : library.brushes()) const Values values(*brush.descriptor, subject);
-  for (const auto& [name, value] : subject.params) {
-    const auto has_it = [&](const BrushEntry& brush) { return declares(*brush.descriptor, name); };
-    if (std::ranges::none_of(library.brushes(), has_it))
+  for (const auto& [name, value] : subject.params)
+    if (!has_param(library, nullptr, name, {}))
       return fmt::format("no brush of {} has a parameter {}", subject.module.string(), quoted_word(name));
-  }
   return {};
 }
 

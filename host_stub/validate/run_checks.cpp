@@ -90,10 +90,11 @@ struct Cause {
 
 bool always(const Result&) { return true; }
 
-/// A table of parameters that cannot be read lets anything fail. A brush that writes beyond its
-/// arrays does so anywhere. One that cannot draw with its defaults fails in each check that draws, and only
-/// those of memory may tell why. One without room for large batches crashes wherever there are some, and one
-/// that draws otherwise each time fails wherever drawings are compared.
+/// A table of parameters that cannot be read, or has one without a name for others to ask by, lets anything
+/// fail. A brush that writes beyond its arrays does
+/// so anywhere. One that cannot draw with its defaults fails in each check that draws, and only those of
+/// memory may tell why. One without room for large batches crashes wherever there are some, and one that
+/// draws otherwise each time fails wherever drawings are compared.
 constexpr std::array<Cause, 5> causes = {
     {{"descriptor.param-ids",
       [](const Result& failure) {

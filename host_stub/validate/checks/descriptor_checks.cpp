@@ -107,11 +107,7 @@ void each_param(const Subject& subject, void (*check)(const burin_param_info& in
     if (brush.param_count == 0) throw Skipped("it has no parameters");
     for (std::uint32_t i = 0; i < brush.param_count; ++i) {
       const burin_param_info& info = *brush.params[i];
-      try {
-        check(info);
-      } catch (const Failed& failed) {
-        throw Failed(fmt::format("parameter '{}': {}", info.id ? info.id : "", failed.what()));
-      }
+      tell_where(fmt::format("parameter '{}': ", info.id ? info.id : ""), [&] { check(info); });
     }
   });
 }

@@ -232,11 +232,8 @@ void check_short(const Subject& subject) {
       stroke.context.length = length;
       for (const std::uint64_t flags : {std::uint64_t{0}, BURIN_STROKE_FINAL}) {
         stroke.context.flags = flags;
-        try {
-          require_finite(stroke.evaluate(nodes), nodes);
-        } catch (const Failed& failed) {
-          throw Failed(fmt::format("on a stroke of length {} it {}", length, failed.what()));
-        }
+        tell_where(fmt::format("on a stroke of length {} it ", length),
+                   [&] { require_finite(stroke.evaluate(nodes), nodes); });
       }
     }
   });

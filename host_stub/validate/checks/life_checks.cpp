@@ -20,7 +20,7 @@ using Brush = burin_brush_descriptor;
 
 /// Bytes of the heap of the C library. Throws Skipped where another serves malloc.
 std::size_t heap_in_use() {
-  if (malloc_is_replaced()) throw Skipped("malloc is replaced, by a sanitizer or a preloaded library");
+  require_countable_memory();
   return mallinfo2().uordblks;
 }
 

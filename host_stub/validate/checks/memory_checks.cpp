@@ -111,7 +111,7 @@ void check_undeclared_inputs(const Subject& subject) {
 }
 
 void check_calls(const Subject& subject) {
-  if (malloc_is_replaced()) throw Skipped("malloc is replaced, by a sanitizer or a preloaded library");
+  require_countable_memory();
   each_sound_stroke(subject, [&](const Plugin& plugin, const Brush&, const ProbeStroke& stroke) {
     const Nodes nodes = random_nodes(300, subject.seed);
     stroke.evaluate(nodes, 0, nodes.size());  // A first call may make what later ones keep.

@@ -156,7 +156,7 @@ std::string drawn_without(ProbeBrush& probe, const burin_brush& brush, Lent gone
   const burin_outputs outputs = outputs_of(rows);
   brush.evaluate(&brush, stroke, &context, &batch, &outputs, nullptr);
   brush.end(&brush, stroke);
-  return {reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row)};
+  return bits_of(rows);
 }
 
 /// Draws with a brush of the module in a process of its own, where what was lent is soon useless.
@@ -216,12 +216,10 @@ void check_lent(const Subject& subject) {
   const std::vector<std::string> ids = brush_ids(subject);
   for (std::size_t number = 0; number < ids.size(); ++number) {
     try {
-      require_not_kept(subject, number);
+      tell_where(ids[number] + ": ", [&] { require_not_kept(subject, number); });
       ran = true;
     } catch (const Skipped& skipped) {
       reason = skipped.what();
-    } catch (const Failed& failed) {
-      throw Failed(ids[number] + ": " + failed.what());
     }
   }
   if (!ran) throw Skipped(reason);

@@ -107,8 +107,7 @@ std::string drawn_anew(const Plugin& plugin, const Brush& descriptor, const Subj
     ProbeBrush brush(plugin, descriptor, subject);
     if (after_another) ProbeStroke(brush).evaluate(nodes);
     brush.values.set_random(seed);
-    const auto rows = ProbeStroke(brush).evaluate(nodes);
-    return std::string(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row));
+    return bits_of(ProbeStroke(brush).evaluate(nodes));
   });
 }
 
@@ -136,8 +135,7 @@ void check_processes(const Subject& subject) {
     std::string bits;
     each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
       ProbeBrush brush(plugin, descriptor, subject);
-      const auto rows = ProbeStroke(brush).evaluate(random_nodes(2000, subject.seed));
-      bits.append(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row));
+      bits += bits_of(ProbeStroke(brush).evaluate(random_nodes(2000, subject.seed)));
     });
     return bits;
   };

@@ -45,11 +45,8 @@ void check_random(const Subject& subject) {
     const Nodes nodes = random_nodes(100, subject.seed);
     for (std::uint64_t seed = subject.seed; seed < subject.seed + 200; ++seed) {
       brush.values.set_random(seed);
-      try {
-        require_finite(ProbeStroke(brush).evaluate(nodes), nodes);
-      } catch (const Failed& failed) {
-        throw Failed(fmt::format("with {} it {}", brush.values.told(), failed.what()));
-      }
+      tell_where(fmt::format("with {} it ", brush.values.told()),
+                 [&] { require_finite(ProbeStroke(brush).evaluate(nodes), nodes); });
     }
   });
 }
@@ -169,15 +166,12 @@ void check_optional_files(const Subject& subject) {
     for (std::uint32_t i = 0; i < descriptor.param_count; ++i) {
       const burin_param_info& info = *descriptor.params[i];
       if (info.type != BURIN_PARAM_FILE || !info.default_file) continue;
-      try {
-        if (draws_with_file(subject, plugin, descriptor, i))
-          drew = true;
-        else
-          reason =
-              fmt::format("'{}' takes neither an image nor an OpenVDB file; give one by --param", info.id);
-      } catch (const Failed& failed) {
-        throw Failed(fmt::format("with a file for '{}' it {}", info.id, failed.what()));
-      }
+      bool taken = false;
+      tell_where(fmt::format("with a file for '{}' it ", info.id),
+                 [&] { taken = draws_with_file(subject, plugin, descriptor, i); });
+      drew |= taken;
+      if (!taken)
+        reason = fmt::format("'{}' takes neither an image nor an OpenVDB file; give one by --param", info.id);
     }
     if (!drew) throw Skipped(reason);
   });

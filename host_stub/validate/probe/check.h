@@ -43,6 +43,16 @@ inline void require(bool holds, const std::string& otherwise) {
   if (!holds) throw Failed(otherwise);
 }
 
+/// Runs `check`; what it tells where it fails begins with `where`.
+template <class Function>
+void tell_where(const std::string& where, const Function& check) {
+  try {
+    check();
+  } catch (const Failed& failed) {
+    throw Failed(where + failed.what());
+  }
+}
+
 /// A rule of the plugin ABI and how it is tested.
 struct Check {
   const char* name;    ///< "TOPIC.RULE"

@@ -38,12 +38,10 @@ void each_brush(const Subject& subject,
   for (const burin_brush_descriptor* brush : plugin.brushes()) {
     const std::string id = brush->id ? brush->id : "a brush without an id";
     try {
-      check(plugin, *brush);
+      tell_where(id + ": ", [&] { check(plugin, *brush); });
       ran = true;
     } catch (const Skipped& skipped) {
       reason = skipped.what();
-    } catch (const Failed& failed) {
-      throw Failed(id + ": " + failed.what());
     }
   }
   if (!ran) throw Skipped(reason);

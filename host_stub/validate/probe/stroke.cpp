@@ -120,6 +120,10 @@ std::string difference(const std::vector<Row>& a, const std::vector<Row>& b, con
   return {};
 }
 
+std::string bits_of(const std::vector<Row>& rows) {
+  return {reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row)};
+}
+
 void require_finite(const std::vector<Row>& rows, const Nodes& nodes) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t k = 0; k < rows[i].size(); ++k)

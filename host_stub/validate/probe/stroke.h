@@ -93,6 +93,9 @@ bool writes(const burin_brush_descriptor& brush, std::size_t array);
 /// Where two results differ in their bits: "at t 3.2 and d -0.5 'along' is 1 and 2"; empty if they do not.
 std::string difference(const std::vector<Row>& a, const std::vector<Row>& b, const Nodes& nodes);
 
+/// The bytes of a result, to compare what two processes drew.
+std::string bits_of(const std::vector<Row>& rows);
+
 /// Throws Failed with the node and the output if a number of a result is not finite.
 void require_finite(const std::vector<Row>& rows, const Nodes& nodes);
 

@@ -136,11 +136,12 @@ std::vector<Slot> all_slots() {
 
 }  // namespace
 
-bool malloc_is_replaced() {
+void require_countable_memory() {
   Dl_info heap{}, library{};
   const bool found = dladdr(dlsym(RTLD_DEFAULT, "malloc"), &heap) != 0 &&
                      dladdr(dlsym(RTLD_DEFAULT, "gnu_get_libc_version"), &library) != 0;
-  return !found || heap.dli_fbase != library.dli_fbase;
+  if (!found || heap.dli_fbase != library.dli_fbase)
+    throw Skipped("malloc is replaced, by a sanitizer or a preloaded library");
 }
 
 std::vector<std::string> calls_during(const burin_plugin_entry& entry, const std::function<void()>& work) {

@@ -13,8 +13,8 @@ namespace burin::validate {
 /// call is not counted.
 std::vector<std::string> calls_during(const burin_plugin_entry& entry, const std::function<void()>& work);
 
-/// Whether another library than that of C serves malloc, as with sanitizers: then calls of it do not pass
-/// through the tables that are changed, and the heap of the C library stays empty.
-bool malloc_is_replaced();
+/// Throws Skipped if another library than that of C serves malloc, as with sanitizers: then calls of it do
+/// not pass through the tables that are changed, and the heap of the C library stays empty.
+void require_countable_memory();
 
 }  // namespace burin::validate

@@ -1,3 +1,4 @@
+// Hands points of the surface before collapses on to the faces that come in place of others.
 #include <burin/refine/drawn_samples.h>
 
 #include <algorithm>

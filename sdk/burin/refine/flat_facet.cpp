@@ -1,3 +1,4 @@
+// Finds points of a triangle by the gradients of its barycentric coordinates, which are computed once.
 #include <burin/base/segment.h>
 #include <burin/refine/flat_facet.h>
 

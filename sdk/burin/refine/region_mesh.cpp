@@ -172,7 +172,8 @@ void RegionMesh::collapse(const VertexFan& fan, const Collapse& how) {
   const std::size_t count = fan.size(), k = how.onto;
   const Index onto = k < count ? to(fan.leaving[k]) : from(spoke(fan, k));
   // The faces that begin and end at the edge, as far as there are such.
-  const bool has_left = k<count, has_right = k> 0 || fan.closed;
+  const bool has_left = k < count;
+  const bool has_right = k > 0 || fan.closed;
   const std::size_t left = has_left ? k : 0, right = has_right ? fan.before(k) : 0;
   const Face before_left = faces_[fan.leaving[left] / 3], before_right = faces_[fan.leaving[right] / 3];
   const Vec2f uv_left = before_left.uv[after(fan.leaving[left]) % 3],

@@ -1,3 +1,4 @@
+// Walks around a vertex from face to face, counter-clockwise, and from a border clockwise, too.
 #include <burin/refine/vertex_fan.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Asks which vertices that finer strokes added may go, along the curve of a stroke that has ended.
 #include <burin/host/session/coarsen_path.h>
 #include <burin/refine/coarsen_surface.h>
 #include <burin/refine/edge_length.h>

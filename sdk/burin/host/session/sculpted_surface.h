@@ -147,7 +147,6 @@ class SculptedSurface {
   Index same_numbers(const PaintedPatch& made) const;
   Replaced exchange(PaintedSurface made, Kept kept);
   void record_replaced(Replaced replaced, UndoStep step);
-  UndoStep step_to(Replaced replaced);
 
   Surface surface_;
   Picker picker_;

@@ -1,3 +1,4 @@
+// Traces the curve that a stroke through some places will have, on the surface as it is.
 #include <burin/along/along_parts.h>
 #include <burin/host/session/stroke_lines.h>
 #include <burin/stroke/curve/surface_curve.h>
