@@ -86,3 +86,5 @@ class Changes(unittest.TestCase):
                 self.assertEqual(mesh_io.changed_ranges(before, after, gap=64), expected)
         after = before + np.float32(1)
         self.assertEqual(mesh_io.changed_ranges(before, after), [(0, 400)])
+        self.assertEqual(mesh_io.changed_ranges(before, after, within=(7, 31)), [(7, 31)])
+        self.assertEqual(mesh_io.changed_ranges(before, before, within=(7, 31)), [])

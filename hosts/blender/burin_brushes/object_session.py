@@ -38,7 +38,8 @@ class ObjectSession:
         """What the mesh had when the open stroke began."""
         self.faces_are_known = True
         """False after what may have changed or hidden faces and left their number as it was."""
-        self._drawn: set[str] = set()
+        self._drawn: dict[str, tuple[int, int]] = {}
+        """What the open stroke changed, with a range that has all of its vertices."""
         self._solid_count = 0
         self._parts: preview.ShownParts | None = None
         self._is_world = np.array_equal(self.matrix, np.eye(4))
@@ -83,9 +84,9 @@ class ObjectSession:
                 self._before[name] = values
                 self._take(name, values.known)
 
-    def _take(self, name: str, values: mesh_io.Floats) -> None:
+    def _take(self, name: str, values: mesh_io.Floats, within: tuple[int, int] | None = None) -> None:
         known = self._known.get(name)
-        ranges = [(0, len(values))] if known is None else mesh_io.changed_ranges(known, values)
+        ranges = [(0, len(values))] if known is None else mesh_io.changed_ranges(known, values, within=within)
         for begin, end in ranges:
             self.session.write(name, values[begin:end], begin)
         self.session.update(name)
@@ -121,9 +122,7 @@ class ObjectSession:
 
     def drawn(self, shown: Shown) -> list[str]:
         """Writes what changed since the last call to `shown`, and tells what of it did."""
-        changed = [name for name, values in shown.items() if self._draw(name, values)]
-        self._drawn.update(changed)
-        return changed
+        return [name for name, values in shown.items() if self._draw(name, values)]
 
     def _draw(self, name: str, shown: mesh_io.Floats) -> bool:
         ranges = self.session.update(name, most=1024)
@@ -132,7 +131,11 @@ class ObjectSession:
             shown[begin:end] = values[begin:end]
         if name == "positions":
             self._send(shown, ranges)
-        return len(ranges) > 0
+        if not len(ranges):
+            return False
+        begin, end = self._drawn.get(name, (len(shown), 0))
+        self._drawn[name] = min(begin, int(ranges[0, 0])), max(end, int(ranges[-1, 1]))
+        return True
 
     def write(self, object: Any, names: list[str], shown: Shown) -> None:
         """Gives the mesh these of what is shown."""
@@ -145,7 +148,8 @@ class ObjectSession:
         self.write(object, names, shown)
         for name in names:
             if name == "positions" and not self._is_world:
-                self._take(name, shown[name])  # floats of the world may have no equal in the object
+                # Floats of the world may have no equal in the object.
+                self._take(name, shown[name], within=self._drawn[name])
             self._known[name] = shown[name]
         self._end()
 
