@@ -39,4 +39,13 @@ class TaskRunnerScope {
   const TaskRunner* before_;
 };
 
+/// Runs tasks one after the other on the thread that calls: the loops that tasks on lent threads start.
+class OneByOne final : public TaskRunner {
+ public:
+  std::size_t threads() const override { return 1; }
+  void run(std::size_t count, const std::function<void(std::size_t)>& task) const override {
+    for (std::size_t i = 0; i < count; ++i) task(i);
+  }
+};
+
 }  // namespace burin

@@ -55,10 +55,10 @@ std::shared_ptr<const TaskRunner> threads_of(const burin_library_options& option
 }
 
 std::shared_ptr<const VoxelField> read_vdb(const fs::path& path, const VoxelFieldOptions& options) {
-  return solid_tools().read_vdb(path, options);
+  return solid_tools().read_vdb(TaskRunner::current(), path, options);
 }
 
-MergedSolid merge(const SolidMerge& merge) { return solid_tools().merge(merge); }
+MergedSolid merge(const SolidMerge& merge) { return solid_tools().merge(TaskRunner::current(), merge); }
 
 void load(burin_library& library, const char* path) {
   if (!path)

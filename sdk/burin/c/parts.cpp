@@ -39,7 +39,9 @@ using namespace burin;
 
 burin_status burin_session_read_solid(const burin_session* session, uint64_t solid,
                                       burin_triangles** triangles, burin_text* error) {
-  const auto make = [](const StrokeSolid& of) { return burin_triangles{solid_tools().mesh_of(of)}; };
+  const auto make = [](const StrokeSolid& of) {
+    return burin_triangles{solid_tools().mesh_of(TaskRunner::current(), of)};
+  };
   return c::give_part(session, &Session::parts, solid, make, triangles, error);
 }
 

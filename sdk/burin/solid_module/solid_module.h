@@ -1,4 +1,5 @@
 #pragma once
+#include <burin/base/task_runner.h>
 #include <burin/surface/triangle_mesh.h>
 #include <burin/volume/solid.h>
 
@@ -10,12 +11,13 @@ namespace burin {
 class VoxelField;
 struct VoxelFieldOptions;
 
-/// What level_set does with solids: merge_solid(), mesh_of() and read_vdb() of level_set/solid_mesh.h. They
-/// use oneTBB, whatever threads an application lends.
+/// What level_set does with solids: merge_solid(), mesh_of() and read_vdb() of level_set/solid_mesh.h. `lent`
+/// are the threads that an application lends, or null: oneTBB. OpenVDB knows no others, so that its own loops
+/// run on the thread of the call where there are such.
 struct SolidTools {
-  MergedSolid (*merge)(const SolidMerge& merge);
-  TriangleMesh (*mesh_of)(const StrokeSolid& solid);
-  std::shared_ptr<const VoxelField> (*read_vdb)(const std::filesystem::path& path,
+  MergedSolid (*merge)(const TaskRunner* lent, const SolidMerge& merge);
+  TriangleMesh (*mesh_of)(const TaskRunner* lent, const StrokeSolid& solid);
+  std::shared_ptr<const VoxelField> (*read_vdb)(const TaskRunner* lent, const std::filesystem::path& path,
                                                 const VoxelFieldOptions& options);
 };
 

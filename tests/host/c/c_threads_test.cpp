@@ -89,7 +89,9 @@ class Lent {
     check(IN_C(burin_library_create)(&options, &library_, &error));
     check(IN_C(burin_library_load)(library_, brushes_folder.c_str(), &error));
     check(IN_C(burin_library_load)(library_, (test_plugins_folder / "error_brush.burin").c_str(), &error));
-    const burin_mesh arrays = arrays_of(mesh);
+    burin_mesh arrays = arrays_of(mesh);
+    arrays.refines = 1;  // solids may be merged
+    arrays.order = BURIN_ORDER_CALLER;
     check(IN_C(burin_session_create)(library_, &arrays, &session_, &error));
   }
   Lent(const Lent&) = delete;
@@ -99,14 +101,23 @@ class Lent {
     IN_C(burin_library_destroy)(library_);
   }
 
-  burin_status draw(const char* brush, const std::vector<burin_sample>& samples) {
-    const char* const settings[] = {brush, "radius=0.4", nullptr};
+  burin_status draw(std::vector<const char*> settings, const std::vector<burin_sample>& samples) {
+    settings.push_back(nullptr);
     auto stroke = sized<burin_stroke>();
-    stroke.settings = settings;
+    stroke.settings = settings.data();
     burin_status status = IN_C(burin_session_begin)(session_, &stroke, &error);
     for (std::size_t i = 0; status == BURIN_OK && i < samples.size(); ++i)
       status = IN_C(burin_session_add)(session_, &samples[i], 1, nullptr, &error);
     return status == BURIN_OK ? IN_C(burin_session_end)(session_, &error) : status;
+  }
+  /// How many triangles the surface of the first solid beside the mesh has.
+  std::uint64_t triangles_of_solid() {
+    burin_triangles* triangles = nullptr;
+    check(IN_C(burin_session_read_solid)(session_, 0, &triangles, &error));
+    auto arrays = sized<burin_mesh>();
+    check(IN_C(burin_triangles_get)(triangles, &arrays, nullptr, &error));
+    IN_C(burin_triangles_destroy)(triangles);
+    return arrays.face_count;
   }
   std::uint64_t hash() {
     std::uint64_t hash = 0;
@@ -124,16 +135,18 @@ class Lent {
   burin_session* session_ = nullptr;
 };
 
+const std::vector<const char*> rope = {"brush=org.burin.rope", "radius=0.4"};
+
 TEST(CThreads, ThatAreLentDrawTheSameBitsAndNoOthersWork) {
   const TriangleMesh mesh = shuffled(plane(1, 0.01, 4), 5);
   const std::vector<burin_sample> samples = in_c(without_pen(wave(20)));
   Lent expected(nullptr, nullptr, mesh);
-  ASSERT_EQ(expected.draw("brush=org.burin.rope", samples), BURIN_OK) << expected.error.str();
+  ASSERT_EQ(expected.draw(rope, samples), BURIN_OK) << expected.error.str();
   Pool pool(3);
   const int arrivals = CountedArena().arrivals_during([&] {
     Lent lent(Pool::run, &pool, mesh);
     EXPECT_GT(pool.calls, 5u) << "to make the surface";
-    EXPECT_EQ(lent.draw("brush=org.burin.rope", samples), BURIN_OK) << lent.error.str();
+    EXPECT_EQ(lent.draw(rope, samples), BURIN_OK) << lent.error.str();
     EXPECT_EQ(lent.hash(), expected.hash());
   });
   EXPECT_EQ(arrivals, 0);
@@ -141,8 +154,31 @@ TEST(CThreads, ThatAreLentDrawTheSameBitsAndNoOthersWork) {
   EXPECT_FALSE(pool.used.contains(std::this_thread::get_id()));
   EXPECT_GT(pool.used.size(), 1u);
   if (test::sanitized) return;  // the thread sanitizer's loops have threads of their own
-  EXPECT_TRUE(CountedArena().arrive_at([&] { expected.draw("brush=org.burin.rope", samples); }))
-      << "they would be counted";
+  EXPECT_TRUE(CountedArena().arrive_at([&] { expected.draw(rope, samples); })) << "they would be counted";
+}
+
+TEST(CThreads, ThatAreLentMakeSolidsOfTheSameBitsAndNoOthersWork) {
+  const TriangleMesh mesh = shuffled(plane(1, 0.02, 4), 5);
+  const std::vector<burin_sample> samples = in_c(without_pen(wave(20)));
+  const std::vector<const char*> merged = {"brush=org.burin.tube", "radius=0.2", "solid=union", "voxel=0.04"},
+                                 beside = {"brush=org.burin.tube", "radius=0.2", "voxel=0.04"};
+  Lent expected(nullptr, nullptr, mesh);
+  ASSERT_EQ(expected.draw(merged, samples), BURIN_OK) << expected.error.str();
+  ASSERT_EQ(expected.draw(beside, samples), BURIN_OK) << expected.error.str();
+  const std::uint64_t hash = expected.hash(), triangles = expected.triangles_of_solid();
+  Pool pool(3);
+  const int arrivals = CountedArena().arrivals_during([&] {
+    Lent lent(Pool::run, &pool, mesh);
+    const std::size_t before = pool.calls;
+    EXPECT_EQ(lent.draw(merged, samples), BURIN_OK) << lent.error.str();
+    EXPECT_GT(pool.calls, before + 10);
+    EXPECT_EQ(lent.draw(beside, samples), BURIN_OK) << lent.error.str();
+    EXPECT_EQ(lent.hash(), hash);
+    const std::size_t drawn = pool.calls;
+    EXPECT_EQ(lent.triangles_of_solid(), triangles);
+    EXPECT_GT(pool.calls, drawn);
+  });
+  EXPECT_EQ(arrivals, 0);
 }
 
 TEST(CThreads, ThatAreLentBringFaultsBack) {
@@ -151,16 +187,16 @@ TEST(CThreads, ThatAreLentBringFaultsBack) {
   Lent lent(Pool::run, &pool, mesh), expected(nullptr, nullptr, mesh);
   const std::uint64_t before = lent.hash();
   const std::vector<burin_sample> samples = in_c(without_pen(wave(20)));
-  EXPECT_EQ(expected.draw("brush=org.burin.test.error", samples), BURIN_ERROR);
-  EXPECT_EQ(lent.draw("brush=org.burin.test.error", samples), BURIN_ERROR);
+  EXPECT_EQ(expected.draw({"brush=org.burin.test.error", "radius=0.4"}, samples), BURIN_ERROR);
+  EXPECT_EQ(lent.draw({"brush=org.burin.test.error", "radius=0.4"}, samples), BURIN_ERROR);
   EXPECT_EQ(lent.error.str(), expected.error.str());
   EXPECT_EQ(lent.hash(), before);
   pool.forgets = 1;
-  EXPECT_EQ(lent.draw("brush=org.burin.rope", samples), BURIN_ERROR);
+  EXPECT_EQ(lent.draw(rope, samples), BURIN_ERROR);
   EXPECT_EQ(lent.error.str(), "the application has not run all tasks");
   pool.forgets = 0;
   EXPECT_EQ(lent.hash(), before);
-  EXPECT_EQ(lent.draw("brush=org.burin.rope", samples), BURIN_OK) << lent.error.str();
+  EXPECT_EQ(lent.draw(rope, samples), BURIN_OK) << lent.error.str();
 }
 
 }  // namespace

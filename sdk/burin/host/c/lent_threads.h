@@ -22,7 +22,7 @@ class LentThreads final : public TaskRunner {
   std::size_t threads() const override { return threads_; }
 
   void run(std::size_t count, const std::function<void(std::size_t)>& task) const override {
-    if (count <= 1) return one_by_one(count, task);
+    if (count <= 1) return OneByOne().run(count, task);
     Tasks tasks(task);
     run_(user_, run_one, &tasks, count);
     if (tasks.failure) std::rethrow_exception(tasks.failure);
@@ -30,14 +30,6 @@ class LentThreads final : public TaskRunner {
   }
 
  private:
-  /// Runs the loops that tasks start.
-  struct OneByOne final : TaskRunner {
-    std::size_t threads() const override { return 1; }
-    void run(std::size_t count, const std::function<void(std::size_t)>& task) const override {
-      one_by_one(count, task);
-    }
-  };
-
   struct Tasks {
     explicit Tasks(const std::function<void(std::size_t)>& one) : task(one) {}
 
@@ -46,10 +38,6 @@ class LentThreads final : public TaskRunner {
     std::mutex failing;
     std::exception_ptr failure;
   };
-
-  static void one_by_one(std::size_t count, const std::function<void(std::size_t)>& task) {
-    for (std::size_t i = 0; i < count; ++i) task(i);
-  }
 
   static void BURIN_CALL run_one(void* all, std::uint64_t number) {
     auto& tasks = *static_cast<Tasks*>(all);
