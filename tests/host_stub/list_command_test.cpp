@@ -55,7 +55,8 @@ TEST(ListCommand, TellsOfTextParameters) {
 TEST(ListCommand, NamesEveryParameterInItsText) {
   const std::string text = burin_output({"list"});
   EXPECT_NE(text.find("\n  overlap: strongest\n"), std::string::npos);
-  for (const json& brush : burin_json({"list"})["brushes"]) {
+  const json brushes = burin_json({"list"})["brushes"];
+  for (const json& brush : brushes) {
     EXPECT_NE(text.find(brush["id"].get<std::string>()), std::string::npos);
     for (const json& param : brush["params"]) {
       EXPECT_NE(text.find("    " + param["id"].get<std::string>() + " "), std::string::npos) << param["id"];

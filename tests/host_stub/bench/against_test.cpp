@@ -43,7 +43,9 @@ TEST(BenchAgainst, FailsWhereThisBuildIsSlower) {
   const ProcessResult result = comparison.run(fast, "1.05");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.err.rfind("burin: 2 of 2 cases are slower than 1.05 times", 0), 0u) << result.err;
-  for (const json& one : json::parse(result.out)["cases"]) {
+  const json cases = json::parse(result.out)["cases"];
+  EXPECT_EQ(cases.size(), 2u);
+  for (const json& one : cases) {
     EXPECT_GT(one["low"], 2);
     EXPECT_EQ(one["verdict"], "slower");
   }

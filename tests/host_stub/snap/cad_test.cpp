@@ -190,7 +190,8 @@ TEST(CadFillet, IsARidgeAlongItsMiddle) {
                                   "0.2", "--out", out});
   EXPECT_GT(report["strokes"][0]["snapped_share"], 0.95) << report.dump();
   std::vector<double> errors;
-  for (const Sample& sample : read_strokes(out).strokes[0].samples) {
+  const std::vector<Sample> samples = read_strokes(out).strokes[0].samples;
+  for (const Sample& sample : samples) {
     const double angle = std::atan2(sample.position.x() - 1.6, radius - sample.position.z());
     errors.push_back(std::abs(angle - pi / 4) * radius / edge);
   }
