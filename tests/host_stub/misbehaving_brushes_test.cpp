@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "run_command.h"
+#include "sanitizers/sanitized.h"
 #include "support/shapes.h"
 
 namespace burin::test {
@@ -102,7 +103,10 @@ TEST_F(MisbehavingBrushes, AreErrorsWhenTheyEndTheProcess) {
 
 TEST_F(MisbehavingBrushes, AreNamedWhenTheyCrash) {
   const ProcessResult result = replay("org.burin.test.crashing", {"--save-mesh", folder_.path("out.ply")});
-  EXPECT_EQ(result.exit_code, -1) << "the signal ends the process, so that it may leave a core";
+  EXPECT_NE(result.exit_code, 0);
+  if (!test::sanitized) {  // whose own handlers end the process by a code of theirs
+    EXPECT_EQ(result.exit_code, -1) << "the signal ends the process, so that it may leave a core";
+  }
   EXPECT_EQ(own_lines(result.err)[0], "burin: brush org.burin.test.crashing crashed: segmentation fault");
   EXPECT_FALSE(std::filesystem::exists(folder_.path("out.ply")));
 }
