@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <iostream>
 #include <numbers>
 
 #include "feature/known_lines.h"
+#include "sanitizers/processor_seconds.h"
 #include "sanitizers/sanitized.h"
 #include "support/shapes.h"
 
@@ -400,15 +400,12 @@ TEST(Snap, TakesAboutTwiceTheTimeOfOneChart) {
   // In turn, so that whatever slows the machine down slows both.
   double snap = 1e9, chart = 1e9;
   std::size_t nodes = 0;
-  const auto seconds = [](const auto& work) {
-    const std::clock_t begin = std::clock();
-    work();
-    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  };
   for (int i = 0; i < 9; ++i) {
-    snap = std::min(snap,
-                    seconds([&] { scene.snapper.snap(scene.stroke, {FeatureKind::ridge}, {.radius = r}); }));
-    chart = std::min(chart, seconds([&] { nodes = builder.chart(scene.stroke, {.radius = r}).size(); }));
+    snap = std::min(snap, processor_seconds([&] {
+                      scene.snapper.snap(scene.stroke, {FeatureKind::ridge}, {.radius = r});
+                    }));
+    chart = std::min(chart,
+                     processor_seconds([&] { nodes = builder.chart(scene.stroke, {.radius = r}).size(); }));
   }
   std::cout << nodes << " vertices in reach: " << 1e3 * snap << " ms, its chart " << 1e3 * chart << " ms\n";
   EXPECT_NEAR(static_cast<double>(nodes), 10'000, 500);

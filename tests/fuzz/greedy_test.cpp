@@ -5,11 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <ctime>
 #include <stdexcept>
 
 #include "peak_memory.h"
 #include "readers.h"
+#include "sanitizers/processor_seconds.h"
 #include "sanitizers/sanitized.h"
 #include "support/shared_data.h"
 
@@ -157,12 +157,10 @@ Refusal refusal_of(const Reader& reader, const std::filesystem::path& path) {
   if (pipe(ends) != 0) throw std::runtime_error("pipe");
   const pid_t child = fork();
   if (child == 0) {
-    const std::clock_t start = std::clock();  // of the processor, whatever else runs
     const double before = peak_memory();
     Refusal refusal;
-    refusal.refused = !accepts(reader, path);
+    refusal.seconds = test::processor_seconds([&] { refusal.refused = !accepts(reader, path); });
     refusal.bytes = peak_memory() - before;
-    refusal.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     _exit(write(ends[1], &refusal, sizeof refusal) == sizeof refusal ? 0 : 1);
   }
   close(ends[1]);

@@ -5,10 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <ctime>
 #include <iostream>
 
 #include "ink/pen_files.h"
+#include "sanitizers/processor_seconds.h"
 #include "sanitizers/sanitized.h"
 #include "support/process.h"
 
@@ -78,10 +78,8 @@ Cost cost_of(const ReadRight& read_right) {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     const long before = usage.ru_maxrss;
-    const std::clock_t start = std::clock();  // of the processor, whatever else runs
     Cost cost;
-    cost.right = read_right();
-    cost.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    cost.seconds = test::processor_seconds([&] { cost.right = read_right(); });
     getrusage(RUSAGE_SELF, &usage);
     cost.megabytes = static_cast<double>(usage.ru_maxrss - before) / 1024;
     const bool told = write(ends[1], &cost, sizeof cost) == sizeof cost;
