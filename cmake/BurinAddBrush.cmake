@@ -18,6 +18,8 @@ function(burin_brush_module name)
     target_compile_options(${name} PRIVATE
       $<$<COMPILE_LANG_AND_ID:${language},GNU,Clang,AppleClang>:-ffp-contract=off>)
   endforeach()
+  # Systems never unload a module with unique symbols, which g++ makes of std::to_string() and the like.
+  target_compile_options(${name} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
   # Compilers of C leave square roots of negative numbers to the library.
   if(UNIX)
     target_link_libraries(${name} PRIVATE $<$<LINK_LANGUAGE:C>:m>)

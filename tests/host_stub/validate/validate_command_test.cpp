@@ -121,6 +121,18 @@ TEST(ValidateCommand, TriesNoInfiniteValuesOfARangeWithoutAnEnd) {
             "org.example.good: parameter 'height': its soft range is not finite");
 }
 
+TEST(ValidateCommand, LooksAfterAStrokeWhatAModuleLeaves) {
+  const nlohmann::json file = report(bad_plugin("several.keeps-file"), "4");
+  EXPECT_EQ(failed_checks(file), Names{"module.unloads"});
+  EXPECT_EQ(text_of(file, "module.unloads"), "leaves a file open after its last deinit");
+  const nlohmann::json loaded = report(bad_plugin("several.stays-loaded"), "4");
+  EXPECT_EQ(failed_checks(loaded), Names{"module.unloads"});
+  EXPECT_TRUE(text_of(loaded, "module.unloads").starts_with("stays in memory after it was unloaded"));
+  for (int time = 0; time < 20; ++time)
+    EXPECT_EQ(burin({"validate", bad_plugin("several.joins-thread"), "--only", "module.unloads"}).exit_code,
+              0);
+}
+
 TEST(ValidateCommand, TellsTheNodeAndTheOutput) {
   const std::string out = output_of(bad_plugin("life.begin-default"), "life.begin-default");
   EXPECT_TRUE(

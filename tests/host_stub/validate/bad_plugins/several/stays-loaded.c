@@ -1,0 +1,2 @@
+/* Cannot be unloaded, as it is linked. */
+#include "../good.h"
