@@ -15,6 +15,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 
 namespace burin {
@@ -31,9 +32,16 @@ struct Child {
   Stopwatch watch;
 };
 
+/// Lets exit(), should the task call it, end the child at once with its code: destructors of the parent's
+/// objects would wait for threads that a child does not have.
+void end_at_exit() {
+  on_exit([](int code, void*) { _exit(code); }, nullptr);
+}
+
 /// The child: does the task, sends its text and ends without any destructor of the parent's.
 [[noreturn]] void be_child(std::size_t index, const Task& task, int pipe, pid_t parent) {
   setpgid(0, 0);
+  end_at_exit();
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
   const rlimit no_core{0, 0};

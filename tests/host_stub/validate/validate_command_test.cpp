@@ -133,6 +133,11 @@ TEST(ValidateCommand, LooksAfterAStrokeWhatAModuleLeaves) {
               0);
 }
 
+TEST(ValidateCommand, TellsOfABrushThatEndsTheProcess) {
+  EXPECT_TRUE(output_of(bad_plugin("several.calls-exit"), "life.begin-default")
+                  .starts_with("CRASH   life.begin-default: ended the process with exit code 0\n"));
+}
+
 TEST(ValidateCommand, TellsTheNodeAndTheOutput) {
   const std::string out = output_of(bad_plugin("life.begin-default"), "life.begin-default");
   EXPECT_TRUE(
