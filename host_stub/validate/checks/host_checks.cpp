@@ -51,6 +51,8 @@ void look_at_texts(const char* of, const std::function<bool(burin_text*)>& fails
     require(std::ranges::all_of(bytes.begin() + capacity, bytes.end(), [](char c) { return c == '#'; }),
             fmt::format("{} writes beyond a text of {} bytes", of, capacity));
     if (capacity == 0) continue;
+    require(bytes[0] != '#' || std::memchr(bytes.data(), 0, capacity),
+            fmt::format("{} fails without a text", of));
     require(std::memchr(bytes.data(), 0, capacity),
             fmt::format("{} does not end a text of {} bytes", of, capacity));
     require(!bytes[0] || is_text(bytes.data()),

@@ -138,6 +138,12 @@ TEST(ValidateCommand, TellsOfABrushThatEndsTheProcess) {
                   .starts_with("CRASH   life.begin-default: ended the process with exit code 0\n"));
 }
 
+TEST(ValidateCommand, TellsOfAFailureWithoutAText) {
+  const nlohmann::json found = report(bad_plugin("several.no-text"), "4");
+  EXPECT_EQ(failed_checks(found), Names{"host.text-capacity"});
+  EXPECT_EQ(text_of(found, "host.text-capacity"), "create fails without a text");
+}
+
 TEST(ValidateCommand, TellsTheNodeAndTheOutput) {
   const std::string out = output_of(bad_plugin("life.begin-default"), "life.begin-default");
   EXPECT_TRUE(
