@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 
 #include "command.h"
@@ -24,8 +25,8 @@ namespace {
 using namespace validate;
 
 struct ValidateOptions {
-  std::string module, junit, badge, only, explain;
-  std::vector<std::string> params;
+  std::string module, junit, badge, explain;
+  std::vector<std::string> only, params;
   int level = levels - 1;
   std::uint64_t seed = 1;
   RunOptions run;
@@ -50,10 +51,11 @@ void print_explanation(const Check& check) {
 }
 
 std::vector<const Check*> chosen_checks(const ValidateOptions& options) {
-  if (!options.only.empty()) return {&named_check(options.only)};
+  std::set<const Check*> named;
+  for (const std::string& name : options.only) named.insert(&named_check(name));
   std::vector<const Check*> chosen;
   for (const Check& check : all_checks())
-    if (check.level <= options.level) chosen.push_back(&check);
+    if (named.empty() ? check.level <= options.level : named.contains(&check)) chosen.push_back(&check);
   return chosen;
 }
 
@@ -135,8 +137,15 @@ void add_validate(CLI::App& app) {
                       "deterministic and "
                       "bounded (the default), 5 fast, for machines that are not busy")
           ->check(CLI::Range(1, levels));
-  CLI::Option* only = command.add_option("--only", options->only, "run one check")->type_name("CHECK");
-  command.add_option("--seed", options->seed, "seed of what is random, 1 unless given");
+  CLI::Option* only =
+      command
+          .add_option("--only", options->only,
+                      "run this check; several are separated by commas, or --only is repeated")
+          ->type_name("CHECK")
+          ->delimiter(',')
+          ->allow_extra_args(false);
+  command.add_option("--seed", options->seed, "seed of what is random, 1 unless given")
+      ->check(whole_number_from_0());
   command.add_option("--jobs", options->run.jobs, "checks at a time, 2 unless given")
       ->check(CLI::Range(1, 64));
   CLI::Option* in_process =

@@ -43,8 +43,8 @@ void check_random(const Subject& subject) {
   each_brush(subject, [&](const Plugin& plugin, const Brush& descriptor) {
     ProbeBrush brush(plugin, descriptor, subject);
     const Nodes nodes = random_nodes(100, subject.seed);
-    for (std::uint64_t seed = subject.seed; seed < subject.seed + 200; ++seed) {
-      brush.values.set_random(seed);
+    for (std::uint64_t i = 0; i < 200; ++i) {
+      brush.values.set_random(subject.seed + i);
       tell_where(fmt::format("with {} it ", brush.values.told()),
                  [&] { require_finite(ProbeStroke(brush).evaluate(nodes), nodes); });
     }

@@ -144,6 +144,27 @@ TEST(ValidateCommand, TellsOfAFailureWithoutAText) {
   EXPECT_EQ(text_of(found, "host.text-capacity"), "create fails without a text");
 }
 
+TEST(ValidateCommand, RunsTheChecksThatAreNamed) {
+  const std::string good = bad_plugin("good");
+  const auto names = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"validate", good, "--json"});
+    std::vector<std::string> run;
+    const nlohmann::json found = burin_json(options);
+    for (const auto& check : found["checks"]) run.push_back(check["name"]);
+    return run;
+  };
+  const std::vector<std::string> both = {"module.loads", "shape.seam"};
+  EXPECT_EQ(names({"--only", "shape.seam,module.loads"}), both);
+  EXPECT_EQ(names({"--only", "shape.seam", "--only", "module.loads", "--only", "shape.seam"}), both);
+}
+
+TEST(ValidateCommand, DrawsWithRandomValuesWhateverTheSeed) {
+  EXPECT_NE(burin({"validate", bad_plugin("life.begin-random"), "--only", "life.begin-random", "--seed",
+                   "18446744073709551615"})
+                .out.find("FAIL    life.begin-random"),
+            std::string::npos);
+}
+
 TEST(ValidateCommand, TellsTheNodeAndTheOutput) {
   const std::string out = output_of(bad_plugin("life.begin-default"), "life.begin-default");
   EXPECT_TRUE(
@@ -363,6 +384,8 @@ TEST(ValidateCommand, RefusesWrongUse) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"validate"},
                                                     {"validate", "/nowhere/a.burin"},
                                                     {"validate", bad_plugin("good"), "--only", "no.check"},
+                                                    {"validate", bad_plugin("good"), "--only", ""},
+                                                    {"validate", bad_plugin("good"), "--seed", "-1"},
                                                     {"validate", bad_plugin("good"), "--level", "6"}})
     EXPECT_EQ(burin(arguments).exit_code, 2);
 }
