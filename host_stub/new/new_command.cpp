@@ -25,6 +25,7 @@ struct NewOptions {
 
 void make_folder(const fs::path& folder) {
   std::error_code error;
+  if (!fs::exists(folder, error)) check_output(folder);
   if (!fs::create_directory(folder, error))
     throw FileError(folder.string(), error ? error.message() : "exists already");
 }

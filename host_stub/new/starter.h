@@ -19,7 +19,7 @@ struct StarterFile {
   std::string text;
 };
 
-/// What a brush may have besides a displacement: of C++ "tile", "paint" and "volume", of C "paint".
+/// What a brush may have besides a displacement: "tile", "paint", and in C++ "volume".
 std::set<std::string> starter_features(StarterLanguage language);
 
 /// The files of the project. Throws Error if the name is not of a-z, 0-9 and _ after a letter, is longer than

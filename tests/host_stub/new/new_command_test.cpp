@@ -50,6 +50,14 @@ TEST(NewCommand, LeavesWhatExistsAsItIs) {
   EXPECT_TRUE(fs::is_empty(folder.path("mine")));
 }
 
+TEST(NewCommand, TellsTheFolderThatThereIsNot) {
+  const CommandFolder folder;
+  const ProcessResult result = burin({"new", folder.path("nowhere/mine")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err, "burin: " + folder.path("nowhere/mine") + ": there is no folder " +
+                            folder.path("nowhere") + "\n");
+}
+
 TEST(NewCommand, RefusesNamesAndFeaturesThatAreNone) {
   const CommandFolder folder;
   const auto error = [&](const std::string& name, std::vector<std::string> options) {
