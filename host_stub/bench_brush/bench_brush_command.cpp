@@ -46,6 +46,14 @@ BrushReport report_of(const BrushTimes& brush, const std::vector<BrushTimes>& al
   return report;
 }
 
+/// The other version must have a brush to compare; says which it has not.
+void check_against(const std::string& other, const std::vector<BrushReport>& reports) {
+  if (std::ranges::none_of(reports, [](const auto& report) { return report.against.has_value(); }))
+    throw FileError(other, "has no brush of the same id that can be measured");
+  for (const BrushReport& report : reports)
+    if (!report.against) warn(fmt::format("{}: has no {} that can be measured", other, report.brush.id));
+}
+
 void check_budgets(const std::vector<BrushReport>& reports) {
   for (const BrushReport& report : reports)
     if (!report.keeps_budget())
@@ -61,6 +69,7 @@ void run(const BenchBrushOptions& options) {
   std::vector<BrushReport> reports;
   for (const BrushTimes& brush : all)
     if (brush.origin == BrushOrigin::plugin) reports.push_back(report_of(brush, all, options.plugin));
+  if (!options.other.empty()) check_against(options.other, reports);
   if (!options.report.empty()) write_brush_page(options.report, reports);
   Json json = Json::array();
   for (const BrushReport& report : reports) {

@@ -66,6 +66,14 @@ TEST(BenchBrush, TellsTheBudgetOfABrushInC) {
   EXPECT_EQ(nlohmann::json::parse(result.out)[0]["budget"], 12.5) << result.err;
 }
 
+TEST(BenchBrush, RefusesAnotherVersionThatHasOtherBrushes) {
+  const std::string other = fs::path(BURIN_COMMAND).parent_path() / "brushes" / "groove.burin";
+  const ProcessResult result =
+      burin({"bench-brush", bad_plugin("good"), "--against", other, "--rounds", "1"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err, "burin: " + other + ": has no brush of the same id that can be measured\n");
+}
+
 TEST(BenchBrush, RefusesWhatIsNoPlugin) {
   const CommandFolder folder;
   EXPECT_EQ(burin({"bench-brush", folder.write("a.burin", "text")}).exit_code, 2);
