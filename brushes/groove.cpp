@@ -19,6 +19,7 @@ class Groove : public Brush {
       .features = {"procedural"},
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_END_DISTANCE,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
+      .rim_slope = 22.5f,  // of a flat profile, 9/8 times 2, with the greatest depth
       .budget = 100,
   };
   static constexpr FloatParam depth =

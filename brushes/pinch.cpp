@@ -19,6 +19,7 @@ class Pinch : public Brush {
       .features = {"procedural"},
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS | BURIN_INPUT_STRETCH,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
+      .rim_slope = 11.26f,  // of the greatest lift, times 9/8, and 1/4 of the pull
   };
   static constexpr FloatParam amount = common::amount(
       "1 draws the surface next to the stroke onto it; below 0 pushes it away.", {-1, 1}, 0.75f);

@@ -21,6 +21,7 @@ class Wave : public Brush, public CurveFilter {
       .features = {"procedural", "curve"},
       .inputs = BURIN_INPUT_T | BURIN_INPUT_D | BURIN_INPUT_RADIUS,
       .outputs = BURIN_OUTPUT_DISPLACEMENT,
+      .rim_slope = 11.86f,  // of (1 - x^2)^2, 32/27, with the greatest height
   };
   static constexpr FloatParam height =
       common::height("Height along the middle; below 0 a groove.", {-0.5f, 0.5f}, 0.2f);

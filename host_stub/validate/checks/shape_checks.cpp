@@ -26,7 +26,7 @@ void check_rim(const Subject& subject) {
     if (!told || std::isinf(descriptor.rim_slope)) throw Skipped("it does not state a rim_slope");
     ProbeBrush brush(plugin, descriptor, subject);
     ProbeStroke stroke(brush);
-    for (const float gap : {0.1f, 0.03f, 0.01f, 0.001f, 0.0f}) {
+    for (const float gap : {1.0f, 0.75f, 0.6f, 0.5f, 0.33f, 0.25f, 0.1f, 0.03f, 0.01f, 0.001f, 0.0f}) {
       std::vector<float> t, d;
       for (int i = 0; i < 400; ++i) {
         const float angle = 0.0157f * static_cast<float>(i), out = 1 - gap;
@@ -128,8 +128,8 @@ void check_mirrored(const Subject& subject) {
 }
 
 constexpr Check shape_list[] = {
-    {"shape.rim", 2, "brush.h: rim_slope", "Measures displacements near the rim and around both caps.",
-     check_rim},
+    {"shape.rim", 2, "brush.h: rim_slope",
+     "Measures displacements from the rim to the middle and around both caps.", check_rim},
     {"shape.seam", 2, "stroke.h: on closed strokes t and t + length are one place",
      "Compares both sides of the seam of a closed stroke.", check_seam},
     {"shape.moved", 2, "brush.h: results follow the surface; BURIN_FEATURE_FIXED_PLACE",

@@ -133,6 +133,25 @@ TEST(ValidateCommand, LooksAfterAStrokeWhatAModuleLeaves) {
               0);
 }
 
+TEST(ValidateCommand, MeasuresTheRimSlopeFromTheRimToTheMiddle) {
+  const nlohmann::json found = report(bad_plugin("several.rim-inside"), "4");
+  EXPECT_EQ(failed_checks(found), Names{"shape.rim"});
+}
+
+TEST(ValidateCommand, FindsTheRimSlopesOfStockBrushesRightWithTheGreatestValues) {
+  const std::map<std::string, std::vector<std::string>> greatest = {
+      {"groove", {"depth=10", "profile=flat", "taper=0"}},
+      {"crease", {"depth=10", "sharpness=32", "bulge=1", "pinch=1", "taper=0"}},
+      {"pinch", {"amount=1", "lift=10"}},
+      {"wave", {"height=10", "width=1"}}};
+  for (const auto& [brush, values] : greatest) {
+    const fs::path module = fs::path(BURIN_COMMAND).parent_path() / "brushes" / (brush + ".burin");
+    std::vector<std::string> arguments = {"validate", module, "--only", "shape.rim"};
+    for (const std::string& value : values) arguments.insert(arguments.end(), {"--param", value});
+    EXPECT_EQ(burin_output(arguments), "PASS    shape.rim\n1 passed, 0 failed, 0 skipped\n") << brush;
+  }
+}
+
 TEST(ValidateCommand, TellsOfABrushThatEndsTheProcess) {
   EXPECT_TRUE(output_of(bad_plugin("several.calls-exit"), "life.begin-default")
                   .starts_with("CRASH   life.begin-default: ended the process with exit code 0\n"));
