@@ -35,10 +35,19 @@ void write_solid(const std::filesystem::path& path) {
   write_vdb(path, std::array{solid_of(box, 0.1)});
 }
 
+/// The folder for temporary files. Throws FileError if there is none.
+std::filesystem::path temporary_folder() {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  if (!error) return folder;
+  const char* name = std::getenv("TMPDIR");
+  throw FileError(name ? name : "/tmp", "is no folder for temporary files (TMPDIR)");
+}
+
 }  // namespace
 
 WorkFolder::WorkFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "burin-validate-XXXXXX").string();
+  std::string name = (temporary_folder() / "burin-validate-XXXXXX").string();
   if (!mkdtemp(name.data())) throw FileError(name, "the folder cannot be made");
   path_ = name;
   write_stamp(stamp());

@@ -255,8 +255,8 @@ constexpr Check evaluate_list[] = {
      "Compares outputs of stride 1, 3 and 8, and looks at what lies between them.", check_output_strides},
     {"evaluate.inputs-unchanged", 1, "brush.h: evaluate computes the outputs and changes nothing else",
      "Compares all inputs before and after.", check_inputs_unchanged},
-    {"evaluate.declared-outputs", 2, "stroke.h: outputs_written", "Looks whether others are written.",
-     check_declared_outputs},
+    {"evaluate.declared-outputs", 2, "stroke.h: outputs_written",
+     "Looks whether outputs that are not declared are written.", check_declared_outputs},
     {"evaluate.odd-numbers", 3,
      "stroke.h: with inputs that are not finite a brush may fail but must not crash; values written must be "
      "finite",

@@ -196,7 +196,7 @@ constexpr Check module_list[] = {
     {"module.libraries", 3,
      "plugin.h: it needs no library that talks to a screen or the network, runs an interpreter or keeps "
      "threads",
-     "Looks for libraries of such kinds among those that the module needs.", check_libraries},
+     "Looks for libraries of screens, networks, interpreters and threads.", check_libraries},
     {"module.symbol-versions", 2,
      "plugin.h: it needs no symbol newer than GLIBC_2.36, GLIBCXX_3.4.30 and CXXABI_1.3.13",
      "Reads the versions of symbols that the module needs.", check_symbol_versions},
@@ -209,7 +209,8 @@ constexpr Check module_list[] = {
     {"module.unloads", 3,
      "plugin.h: the last deinit leaves no thread, open file or signal handler, so that the module can be "
      "unloaded",
-     "Compares them before loading and after a stroke and unloading, and looks whether the module is gone.",
+     "Compares threads, files and handlers before loading and after a stroke, and looks whether the module "
+     "is gone.",
      check_unloads},
     {"module.load-time", 5, "plugin.h: loading and the first init take 100 ms at most",
      "Measures loading and init.", check_load_time},

@@ -229,12 +229,13 @@ constexpr Check process_list[] = {
     {"process.state", 2,
      "base.h: a call leaves the process as it was: standard streams, signal handlers, working directory, "
      "environment",
-     "Compares them before and after each call of a stroke.", check_process_state},
+     "Compares streams, handlers, folder and environment before and after each call of a stroke.",
+     check_process_state},
     {"process.float-modes", 2,
      "base.h: a call leaves rounding mode and the flushing of denormals as they were",
-     "Compares them before and after loading and each call of a stroke.", check_float_modes_of_calls},
+     "Compares both before and after loading and each call of a stroke.", check_float_modes_of_calls},
     {"process.locale", 2, "base.h: a call leaves the locale as it was",
-     "Compares it before and after each call of a stroke.", check_locale_of_calls},
+     "Compares the locale before and after each call of a stroke.", check_locale_of_calls},
     {"process.lent", 2,
      "plugin.h: plugin_path and brush_id are valid during the call only; param.h: so are values of "
      "parameters",

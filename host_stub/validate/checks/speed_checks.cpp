@@ -54,7 +54,7 @@ void check_denormals(const Subject& subject) {
 
 constexpr Check speed_list[] = {
     {"speed.budget", 5, "ext/bench_budget.h: evaluate takes no longer than promised",
-     "Compares with copying the declared inputs.", check_budget},
+     "Compares the time of evaluate with that of copying the declared inputs.", check_budget},
     {"speed.batch-growth", 5,
      "brush.h: a brush is a pointwise function: its time grows as the number of nodes",
      "Compares batches of 1024 and 16384 nodes.", check_growth_with_batch},

@@ -395,6 +395,13 @@ TEST(ValidateCommand, FailsOnWhatIsNoModule) {
   EXPECT_TRUE(result.out.starts_with("FAIL    module.loads: ")) << result.out;
 }
 
+TEST(ValidateCommand, NamesAFolderForTemporaryFilesThatIsNotThere) {
+  const ProcessResult result =
+      run_process({"env", "TMPDIR=/nowhere", BURIN_COMMAND, "validate", bad_plugin("good")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err, "burin: /nowhere: is no folder for temporary files (TMPDIR)\n");
+}
+
 TEST(ValidateCommand, FailsWhereNothingWasTested) {
   EXPECT_EQ(burin({"validate", bad_plugin("good"), "--only", "ability.passes"}).exit_code, 1);
 }
