@@ -71,8 +71,15 @@ bool draws(const Result& result) {
          result.check->name == std::string_view("module.unloads");
 }
 
+/// Whether no stroke could begin in a check.
+bool begins_nothing(const Result& result) {
+  return draws(result) && result.text.find("begin fails") != result.text.npos;
+}
+
 /// Whether a check draws strokes and tells nothing of why a brush crashes.
-bool only_draws(const Result& result) { return draws(result) && topic_of(result) != "memory"; }
+bool only_draws(const Result& result) {
+  return draws(result) && (topic_of(result) != "memory" || begins_nothing(result));
+}
 
 constexpr const char* draws_nothing = "a brush does not draw with its defaults, see life.begin-default";
 
@@ -92,16 +99,18 @@ struct Cause {
 bool always(const Result&) { return true; }
 
 /// A table of parameters that cannot be read, or has one without a name for others to ask by, lets anything
-/// fail. A brush that writes beyond its arrays does so anywhere. One that cannot draw with its defaults fails
-/// in each check that draws, and only those of memory may tell why. One without room for large batches
-/// crashes wherever there are some, and one that draws otherwise each time fails wherever drawings are
-/// compared.
-constexpr std::array<Cause, 5> causes = {
+/// fail. A brush may refuse a default that lies outside of its range. One that writes beyond its arrays does
+/// so anywhere. One that cannot draw with its defaults fails in each check that draws, and only those of
+/// memory may tell why. One without room for large batches crashes wherever there are some, and one that
+/// draws otherwise each time fails wherever drawings are compared.
+constexpr std::array<Cause, 6> causes = {
     {{"descriptor.param-ids",
       [](const Result& failure) {
         return crashed(failure) || failure.text.find("has no id") != failure.text.npos;
       },
       "its table of parameters cannot be read, see descriptor.param-ids", always},
+     {"descriptor.param-defaults", always, "a default cannot be right, see descriptor.param-defaults",
+      begins_nothing},
      {"memory.writes-within", always, "a brush writes beyond its arrays, see memory.writes-within", crashed},
      {"life.begin-default", always, draws_nothing, only_draws},
      {"evaluate.batch-sizes",

@@ -107,6 +107,12 @@ TEST(ValidateCommand, TellsOneFailureOfATableOfParametersThatEndsTooEarly) {
   EXPECT_EQ(failed_checks(found), Names{"descriptor.param-ids"});
 }
 
+TEST(ValidateCommand, TellsOneFailureOfADefaultThatIsRefused) {
+  const nlohmann::json found = report(bad_plugin("several.default-outside"), "4");
+  EXPECT_EQ(failed_checks(found), Names{"descriptor.param-defaults"});
+  EXPECT_EQ(text_of(found, "life.begin-default"), "a default cannot be right, see descriptor.param-defaults");
+}
+
 TEST(ValidateCommand, FindsSoftRangesThatWereForgotten) {
   const nlohmann::json found = report(bad_plugin("several.soft-range"), "4");
   EXPECT_EQ(failed_checks(found), Names{"descriptor.param-ranges"});
