@@ -56,12 +56,17 @@ std::string command_of(const Subject& subject, const Check& check) {
 
 namespace {
 
+/// The clause that a result is about: that of its check, unless a call did not return.
+std::string_view clause_of(const Result& result) {
+  return result.verdict == Verdict::timeout ? "base.h: every call returns" : result.check->clause;
+}
+
 std::string text_of(const Subject& subject, const Result& result) {
   std::string text = fmt::format("{:<7} {}{}{}\n", name_of(result.verdict), result.check->name,
                                  result.text.empty() ? "" : ": ", result.text);
   if (!has_failed(result)) return text;
   return text +
-         fmt::format("        {}\n        {}\n", result.check->clause, command_of(subject, *result.check));
+         fmt::format("        {}\n        {}\n", clause_of(result), command_of(subject, *result.check));
 }
 
 std::string text_of(const Counts& counts) {
@@ -100,7 +105,7 @@ Json json_report(const Subject& subject, std::span<const Result> results, int hi
                       {"level", result.check->level},
                       {"verdict", name_of(result.verdict)},
                       {"text", result.text},
-                      {"clause", result.check->clause},
+                      {"clause", clause_of(result)},
                       {"seconds", result.seconds},
                       {"command", command_of(subject, *result.check)}});
   const Counts counts = count(results);
@@ -124,9 +129,9 @@ std::string junit_report(const Subject& subject, std::span<const Result> results
     text += fmt::format("  <testcase classname=\"burin.validate\" name=\"{}\" time=\"{:.3f}\">",
                         result.check->name, result.seconds);
     if (has_failed(result))
-      text +=
-          fmt::format("<failure message=\"{}: {}\">{}\n{}</failure>", name_of(result.verdict),
-                      xml(result.text), xml(result.check->clause), xml(command_of(subject, *result.check)));
+      text += fmt::format("<failure message=\"{}: {}\">{}\n{}</failure>", name_of(result.verdict),
+                          xml(result.text), xml(std::string(clause_of(result))),
+                          xml(command_of(subject, *result.check)));
     else if (result.verdict == Verdict::skip)
       text += fmt::format("<skipped message=\"{}\"/>", xml(result.text));
     text += "</testcase>\n";

@@ -330,6 +330,22 @@ TEST(ValidateCommand, IsQuietIfItIsToBe) {
       2u);
 }
 
+TEST(ValidateReport, NamesTheClauseThatACallBreaksWhichDoesNotReturn) {
+  using namespace validate;
+  const std::vector<Result> results = {{find_check("shape.seam"), Verdict::timeout, "did not end"},
+                                       {find_check("shape.seam"), Verdict::fail, "a step"}};
+  Subject subject;
+  subject.module = bad_plugin("good");
+  const std::string late = "base.h: every call returns", step = find_check("shape.seam")->clause;
+  const Json json = json_report(subject, results, 4);
+  EXPECT_EQ(json["checks"][0]["clause"], late);
+  EXPECT_EQ(json["checks"][1]["clause"], step);
+  for (const std::string& text : {text_report(subject, results), junit_report(subject, results)}) {
+    EXPECT_LT(text.find(late), text.find(step)) << text;
+    EXPECT_NE(text.find(step), std::string::npos) << text;
+  }
+}
+
 TEST(ValidateReport, TellsOfMemoryBeforeWhatComesOfIt) {
   using namespace validate;
   const std::vector<Result> results = {{find_check("life.two-brushes"), Verdict::crash, {}},
