@@ -6,7 +6,7 @@
 #     build tests it again. `cmake --install` puts it into lib/burin/brushes: hosts of the same prefix find it there,
 #     others if BURIN_PLUGIN_PATH names the folder.
 #   burin_test_brush(NAME [BRUSHES ID...] [PARAMS ID=VALUE...])
-#     Tests for CTest: `burin validate` and one stroke by `burin try`, with these parameters. BRUSHES names the brushes
+#     Tests for CTest: `burin validate` and one stroke by `burin try`, both with these parameters. BRUSHES names the brushes
 #     of a module that has several; there is a stroke for each.
 
 # burin_brush_module(NAME SOURCE...): the module alone, as the stock brushes are built.
@@ -61,7 +61,7 @@ function(burin_test_brush name)
     message(STATUS "Burin: without the program burin, ${name} is not tested")
     return()
   endif()
-  add_test(NAME ${name}.validate COMMAND ${BURIN_PROGRAM} validate $<TARGET_FILE:${name}> --quiet)
+  add_test(NAME ${name}.validate COMMAND ${BURIN_PROGRAM} validate $<TARGET_FILE:${name}> --quiet ${ARG_PARAMS})
   if(NOT ARG_BRUSHES)
     add_test(NAME ${name}.try COMMAND ${BURIN_PROGRAM} try $<TARGET_FILE:${name}> --png ${name}.png ${ARG_PARAMS})
   endif()

@@ -124,11 +124,15 @@ string(REPLACE "org.example.plain" "org.example.other" two "${two}")
 file(WRITE ${WORK}/pair/pair.cpp "${one}${two}BURIN_PLUGIN(PlainPlugin, OtherPlugin);\n")
 file(WRITE ${WORK}/pair/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\nproject(pair LANGUAGES CXX)\n\
 find_package(Burin REQUIRED COMPONENTS plugin)\nburin_add_brush(pair pair.cpp)\nenable_testing()\n\
-burin_test_brush(pair BRUSHES org.example.plain org.example.other)\n")
+burin_test_brush(pair BRUSHES org.example.plain org.example.other PARAMS height=0.5)\n")
 run(${CMAKE_COMMAND} -S ${WORK}/pair -B ${WORK}/pair/build -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release
   -DCMAKE_PREFIX_PATH=${WORK}/prefix -DBURIN_PROGRAM=${BURIN_COMMAND})
 run(${CMAKE_COMMAND} --build ${WORK}/pair/build)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/pair/build --no-tests=error --output-on-failure)
+file(READ ${WORK}/pair/build/CTestTestfile.cmake tests)
+if(NOT tests MATCHES "\"validate\" [^\n]*\"--param=height=0.5\"" OR NOT tests MATCHES "\"try\" [^\n]*\"--param=height=0.5\"")
+  message(FATAL_ERROR "new_brush: tests without the parameters that they are to have: ${tests}")
+endif()
 foreach(id plain other)
   if(NOT EXISTS ${WORK}/pair/build/org.example.${id}.png)
     message(FATAL_ERROR "new_brush: no stroke of ${id}")
