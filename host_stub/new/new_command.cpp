@@ -74,7 +74,7 @@ void add_new(CLI::App& app) {
   command.add_flag("--cpp", options->cpp, "in C++, the default")->excludes(c);
   command
       .add_option("--features", options->features,
-                  "what the brush has besides a displacement: tile, paint, volume; in C tile and paint")
+                  "what the brush has besides a displacement: tile, paint, volume")
       ->type_name("LIST")
       ->delimiter(',');
   command.callback([options] { run(*options); });

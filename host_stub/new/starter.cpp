@@ -36,11 +36,10 @@ void check_name(const std::string& name) {
 }
 
 void check_features(const Starter& starter) {
-  const std::set<std::string> known = starter_features(starter.language);
   for (const std::string& feature : starter.features)
-    if (!known.contains(feature))
-      throw Error(fmt::format("--features: no {} in {}; there are: {}", quoted_word(feature),
-                              starter.language == StarterLanguage::c ? "C" : "C++", fmt::join(known, ", ")));
+    if (!starter_features().contains(feature))
+      throw Error(fmt::format("--features: no {}; there are: {}", quoted_word(feature),
+                              fmt::join(starter_features(), ", ")));
 }
 
 /// "My brush".
@@ -102,9 +101,9 @@ std::string filled(const char* file, const Starter& starter) {
 
 }  // namespace
 
-std::set<std::string> starter_features(StarterLanguage language) {
-  if (language == StarterLanguage::c) return {"tile", "paint"};
-  return {"tile", "paint", "volume"};
+const std::set<std::string>& starter_features() {
+  static const std::set<std::string> features = {"tile", "paint", "volume"};
+  return features;
 }
 
 std::vector<StarterFile> starter_files(const Starter& starter) {

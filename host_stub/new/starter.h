@@ -19,8 +19,8 @@ struct StarterFile {
   std::string text;
 };
 
-/// What a brush may have besides a displacement: "tile", "paint", and in C++ "volume".
-std::set<std::string> starter_features(StarterLanguage language);
+/// What a brush may have besides a displacement: "tile", "paint" and "volume".
+const std::set<std::string>& starter_features();
 
 /// The files of the project. Throws Error if the name is not of a-z, 0-9 and _ after a letter, is longer than
 /// 40 characters or a target that CMake has itself, and for a feature that the language does not have.

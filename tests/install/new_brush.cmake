@@ -33,7 +33,9 @@ new(all_features --features tile,paint,volume)
 new(plain_c --c)
 new(painted_c --c --features paint)
 new(tiled_c --c --features tile)
-new(all_c --c --features tile,paint)
+new(solid_c --c --features volume)
+new(tiled_and_painted_c --c --features tile,paint)
+new(all_c --c --features tile,paint,volume)
 
 # compile(LANGUAGE COMPILER STANDARD...): all sources of the language.
 set(compiled 0)
@@ -64,17 +66,22 @@ endif()
 # A brush in C and the same in C++ draw the same: positions and colours of all vertices have the same bits.
 list(GET C_COMPILERS 0 c_compiler)
 list(GET CXX_COMPILERS 0 cxx_compiler)
-# draw(NAME COMPILER LANGUAGE): NAME.ply.
+# draw(NAME COMPILER LANGUAGE OPTION...): NAME.ply, the surface with the solids beside it.
 function(draw name compiler language)
   set(file ${WORK}/${name}/${name})
   run(${compiler} -O2 -ffp-contract=off -fPIC -shared -I${WORK}/prefix/include ${file}.${language} -o ${file}.burin -lm ${ARGN})
+  set(solid "")
+  if(name MATCHES "solid|all")
+    set(solid --solid separate --voxel 0.02)
+  endif()
   run(${BURIN_COMMAND} replay ${SAMPLES}/strokes/meander.stroke --mesh ${SAMPLES}/meshes/ewer.obj --subdivide 3
-    --brush ${file}.burin --save-mesh ${WORK}/${name}.ply OUTPUT_QUIET)
+    --brush ${file}.burin ${solid} --save-mesh ${WORK}/${name}.ply OUTPUT_QUIET)
   file(SHA256 ${WORK}/${name}.ply hash)
   set(drawn_${name} ${hash} PARENT_SCOPE)
 endfunction()
 set(all_drawn "")
-foreach(pair plain/plain_c tiled/tiled_c painted/painted_c tiled_and_painted/all_c)
+foreach(pair plain/plain_c tiled/tiled_c painted/painted_c tiled_and_painted/tiled_and_painted_c solid/solid_c
+    all_features/all_c)
   get_filename_component(cpp ${pair} DIRECTORY)
   get_filename_component(c ${pair} NAME)
   draw(${cpp} ${cxx_compiler} cpp -std=c++20)
@@ -86,7 +93,7 @@ foreach(pair plain/plain_c tiled/tiled_c painted/painted_c tiled_and_painted/all
 endforeach()
 list(REMOVE_DUPLICATES all_drawn)
 list(LENGTH all_drawn count)
-if(NOT count EQUAL 4)
+if(NOT count EQUAL 5)  # both solids are the same rod
   message(FATAL_ERROR "new_brush: some features draw nothing")
 endif()
 foreach(source ${sources_c} ${sources_cpp})

@@ -11,8 +11,8 @@
  * Values of parameters outside of their ranges are refused before it is called. BURIN_C_BUDGET, defined
  * before this header is included, promises how long evaluate takes (burin/abi/ext/bench_budget.h): at most so
  * many times what copying the declared inputs takes, whatever the parameters. Build the module with
- * burin_add_brush() of CMake: it must be named NAME.burin. For plugins with more brushes, memory or
- * extensions see burin/abi/plugin.h.
+ * burin_add_brush() of CMake: it must be named NAME.burin. A brush that makes solids has
+ * burin/plugin/c/solid.h. For plugins with more brushes, memory or other extensions see burin/abi/plugin.h.
  */
 #ifndef BURIN_PLUGIN_C_MODULE_H
 #define BURIN_PLUGIN_C_MODULE_H
@@ -70,8 +70,11 @@ static inline int burin_c_refuses(const burin_brush_descriptor* brush, const bur
   return outside != NULL;
 }
 
+#define BURIN_C_PLUGIN(descriptor, plan, evaluate) \
+  BURIN_C_PLUGIN_WITH(descriptor, plan, evaluate, burin_c_get_extension)
+
 /* Names that end in _ are the macro's own, so that authors may have all others. */
-#define BURIN_C_PLUGIN(descriptor, plan, evaluate)                                                         \
+#define BURIN_C_PLUGIN_WITH(descriptor, plan, evaluate, get_extension)                                     \
   static burin_status BURIN_CALL burin_c_begin(                                                            \
       const burin_brush* brush_, const burin_stroke_context* context_, const burin_params* params_,        \
       burin_stroke_plan* plan_, void** stroke_, burin_text* error_) {                                      \
@@ -82,8 +85,7 @@ static inline int burin_c_refuses(const burin_brush_descriptor* brush, const bur
     return BURIN_OK;                                                                                       \
   }                                                                                                        \
   static const burin_brush burin_c_brush = {                                                               \
-      sizeof(burin_brush), 0,        NULL,       burin_c_destroy, burin_c_get_extension,                   \
-      burin_c_begin,       evaluate, burin_c_end};                                                         \
+      sizeof(burin_brush), 0, NULL, burin_c_destroy, get_extension, burin_c_begin, evaluate, burin_c_end}; \
   static const burin_brush* BURIN_CALL burin_c_create(                                                     \
       const burin_brush_factory* factory_, const burin_host* host_, const char* id_, burin_text* error_) { \
     (void)factory_, (void)host_;                                                                           \
