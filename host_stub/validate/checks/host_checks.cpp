@@ -1,9 +1,11 @@
 // Checks how a plugin deals with other hosts: older, newer, with fewer services.
+#include <burin/abi/ext/curve_filter.h>
 #include <burin/abi/ext/lettering.h>
 #include <burin/abi/ext/log.h>
 #include <burin/abi/ext/stamps.h>
 #include <burin/abi/ext/state.h>
 #include <burin/abi/ext/vdb_stamps.h>
+#include <burin/abi/ext/volume.h>
 #include <burin/host/plugin/descriptor_check.h>
 #include <fmt/format.h>
 
@@ -139,6 +141,9 @@ void check_services(const Subject& subject) {
   });
 }
 
+/// How many bytes larger the structs of a newer host are.
+constexpr std::size_t growth = 24;
+
 /// A struct of another size, its bytes beyond `size` set to 0xEE: on the heap, where sanitizers see its end.
 template <class Struct>
 std::vector<std::byte> resized(const Struct& from, std::size_t size) {
@@ -147,6 +152,77 @@ std::vector<std::byte> resized(const Struct& from, std::size_t size) {
   const auto told = static_cast<std::uint32_t>(size);
   std::memcpy(bytes.data(), &told, sizeof told);
   return bytes;
+}
+
+/// Fails if what a brush filled differs from the struct of this version, or goes on behind it.
+template <class Struct>
+void require_filled_as(const Struct& expected, const std::vector<std::byte>& filled, const char* name) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(&expected);
+  require(std::equal(bytes + sizeof(std::uint32_t), bytes + sizeof expected,
+                     filled.data() + sizeof(std::uint32_t)),
+          fmt::format("fills a larger {} with something else", name));
+  require(std::all_of(filled.begin() + sizeof expected, filled.end(),
+                      [](std::byte byte) { return byte == std::byte{0xEE}; }),
+          fmt::format("writes members of {} that there are not", name));
+}
+
+void create_by_larger_host(const Plugin& plugin, const Brush& descriptor) {
+  const ProbeHost host;
+  const auto larger = resized(*host.abi(), sizeof(burin_host) + growth);
+  std::array<char, 200> line{};
+  burin_text error{sizeof error, 200, line.data()};
+  const burin_brush* brush = plugin.factory().create(
+      &plugin.factory(), reinterpret_cast<const burin_host*>(larger.data()), descriptor.id, &error);
+  require(brush, fmt::format("create fails with a larger burin_host: {}", line.data()));
+  brush->destroy(brush);
+}
+
+void plan_larger_solid(const ProbeBrush& brush, const ProbeStroke& stroke) {
+  const auto* volume = brush.interface<burin_volume>(BURIN_EXT_VOLUME);
+  if (!volume) return;
+  burin_stroke_context context = stroke_context();
+  context.flags = BURIN_STROKE_FINAL;
+  const auto plan = [&](burin_solid_plan& to) {
+    return volume->plan(&brush.abi(), stroke.self(), &context, &stroke.params(), &to, nullptr);
+  };
+  burin_solid_plan expected{sizeof expected, 0, 0, 0, 0};
+  auto larger = resized(expected, sizeof expected + growth);
+  if (plan(expected) != BURIN_OK) return;  // ability.volume tells it.
+  require(plan(*reinterpret_cast<burin_solid_plan*>(larger.data())) == BURIN_OK,
+          "its plan of a solid fails with a larger burin_solid_plan");
+  require_filled_as(expected, larger, "burin_solid_plan");
+}
+
+/// The offsets of the points of a curve.
+std::array<float, 6> moved(const ProbeBrush& brush, const ProbeStroke& stroke,
+                           const burin_curve_filter& filter, const burin_curve_points& points) {
+  const burin_stroke_context context = stroke_context();
+  std::array<float, 6> offsets{};
+  const burin_status status =
+      filter.filter(&brush.abi(), stroke.self(), &context, &stroke.params(), &points, {offsets.data(), 1, 0},
+                    {offsets.data() + 3, 1, 0}, nullptr);
+  require(status == BURIN_OK, "filter fails with burin_curve_points of another size");
+  return offsets;
+}
+
+void move_larger_curve(const ProbeBrush& brush, const ProbeStroke& stroke, const burin_curve_filter& filter) {
+  const std::array<float, 3> t{0, 0.1f, 0.2f}, zero{}, one{1, 1, 1};
+  const burin_floats along{t.data(), 1, 0}, none{zero.data(), 1, 0}, unit{one.data(), 1, 0};
+  const burin_curve_points points{
+      sizeof points, 3, along, {along, none, none}, {none, none, unit}, {unit, none, none}};
+  const auto larger = resized(points, sizeof points + growth);
+  require(moved(brush, stroke, filter, points) ==
+              moved(brush, stroke, filter, *reinterpret_cast<const burin_curve_points*>(larger.data())),
+          "moves larger burin_curve_points elsewhere");
+}
+
+void tell_larger_reach(const ProbeBrush& brush, const ProbeStroke& stroke,
+                       const burin_curve_filter& filter) {
+  burin_curve_reach expected{sizeof expected, 0, 0, 0};
+  auto larger = resized(expected, sizeof expected + growth);
+  filter.reach(&brush.abi(), stroke.self(), &expected);
+  filter.reach(&brush.abi(), stroke.self(), reinterpret_cast<burin_curve_reach*>(larger.data()));
+  require_filled_as(expected, larger, "burin_curve_reach");
 }
 
 /// Sizes of the structs that a host of some version passes.
@@ -198,6 +274,14 @@ void check_newer_host(const Subject& subject) {
     compare_as({sizeof(burin_stroke_context) + 40, sizeof(burin_batch) + 160, sizeof(burin_outputs) + 64,
                 sizeof(burin_stroke_plan) + 24, sizeof(burin_params) + 32, sizeof(burin_text) + 16},
                plugin, descriptor, subject);
+    create_by_larger_host(plugin, descriptor);
+    ProbeBrush brush(plugin, descriptor, subject);
+    const ProbeStroke stroke(brush);
+    plan_larger_solid(brush, stroke);
+    const auto* filter = brush.interface<burin_curve_filter>(BURIN_EXT_CURVE_FILTER);
+    if (!filter) return;
+    tell_larger_reach(brush, stroke, *filter);
+    move_larger_curve(brush, stroke, *filter);
   });
 }
 
@@ -232,8 +316,8 @@ constexpr Check host_list[] = {
      check_text_capacity},
     {"host.missing-services", 3, "host.h: get_extension returns null when the host does not have a service",
      "Draws with hosts that lack some services, in each way.", check_services},
-    {"host.newer", 2, "base.h: structs may grow at their end", "Draws with a host whose structs are larger.",
-     check_newer_host},
+    {"host.newer", 2, "base.h: structs may grow at their end",
+     "Draws with a host whose structs are larger, those of solids and moved curves, too.", check_newer_host},
     {"host.older", 2, "base.h: a reader reads a member only if struct_size covers it",
      "Draws with a host whose context ends before dab_t.", check_older_host},
     {"host.older-batch", 2, "base.h: a reader reads a member only if struct_size covers it",

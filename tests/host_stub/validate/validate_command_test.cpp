@@ -120,6 +120,19 @@ TEST(ValidateCommand, FindsSoftRangesThatWereForgotten) {
             "org.example.good: parameter 'count': its soft range, which a slider spans, is 0 .. 0");
 }
 
+TEST(ValidateCommand, EnlargesEachStructThatAHostFills) {
+  const std::map<std::string, std::string> texts = {
+      {"several.larger-host", "create fails with a larger burin_host: "},
+      {"several.larger-solid", "fills a larger burin_solid_plan with something else"},
+      {"several.larger-curve", "filter fails with burin_curve_points of another size"},
+      {"several.larger-reach", "writes members of burin_curve_reach that there are not"}};
+  for (const auto& [plugin, text] : texts) {
+    const nlohmann::json found = report(bad_plugin(plugin), "4");
+    EXPECT_EQ(failed_checks(found), Names{"host.newer"}) << plugin;
+    EXPECT_EQ(text_of(found, "host.newer"), "org.example.good: " + text);
+  }
+}
+
 TEST(ValidateCommand, TriesNoInfiniteValuesOfARangeWithoutAnEnd) {
   const nlohmann::json found = report(bad_plugin("several.endless-range"), "4");
   EXPECT_EQ(failed_checks(found), Names{"descriptor.param-ranges"});

@@ -86,6 +86,12 @@
 #ifndef IN_LOAD
 #define IN_LOAD
 #endif
+#ifndef IN_PLAN_SOLID
+#define IN_PLAN_SOLID
+#endif
+#ifndef IN_REACH
+#define IN_REACH
+#endif
 #ifndef IN_DISTANCE
 #define IN_DISTANCE
 #endif
@@ -224,6 +230,7 @@ static burin_status BURIN_CALL plan_solid(const burin_brush* brush, void* stroke
   (void)brush, (void)stroke, (void)values, (void)error;
   plan->h_min = 0;
   plan->h_max = plan->detail = context->radius_max * 0.1;
+  IN_PLAN_SOLID;
   return BURIN_OK;
 }
 
@@ -239,6 +246,7 @@ static burin_status BURIN_CALL distance(const burin_brush* brush, void* stroke,
 static void BURIN_CALL reach(const burin_brush* brush, void* stroke, burin_curve_reach* out) {
   (void)brush, (void)stroke;
   out->behind = out->ahead = 0;
+  IN_REACH;
 }
 
 static burin_status BURIN_CALL filter(const burin_brush* brush, void* stroke,
