@@ -198,9 +198,8 @@ std::array<float, 6> moved(const ProbeBrush& brush, const ProbeStroke& stroke,
                            const burin_curve_filter& filter, const burin_curve_points& points) {
   const burin_stroke_context context = stroke_context();
   std::array<float, 6> offsets{};
-  const burin_status status =
-      filter.filter(&brush.abi(), stroke.self(), &context, &stroke.params(), &points, {offsets.data(), 1, 0},
-                    {offsets.data() + 3, 1, 0}, nullptr);
+  const burin_status status = filter.filter(&brush.abi(), stroke.self(), &context, &stroke.params(), &points,
+                                            {offsets.data(), 1, 0}, {offsets.data() + 3, 1, 0}, nullptr);
   require(status == BURIN_OK, "filter fails with burin_curve_points of another size");
   return offsets;
 }
@@ -208,16 +207,15 @@ std::array<float, 6> moved(const ProbeBrush& brush, const ProbeStroke& stroke,
 void move_larger_curve(const ProbeBrush& brush, const ProbeStroke& stroke, const burin_curve_filter& filter) {
   const std::array<float, 3> t{0, 0.1f, 0.2f}, zero{}, one{1, 1, 1};
   const burin_floats along{t.data(), 1, 0}, none{zero.data(), 1, 0}, unit{one.data(), 1, 0};
-  const burin_curve_points points{
-      sizeof points, 3, along, {along, none, none}, {none, none, unit}, {unit, none, none}};
+  const burin_curve_points points{sizeof points,     3, along, {along, none, none}, {none, none, unit},
+                                  {unit, none, none}};
   const auto larger = resized(points, sizeof points + growth);
   require(moved(brush, stroke, filter, points) ==
               moved(brush, stroke, filter, *reinterpret_cast<const burin_curve_points*>(larger.data())),
           "moves larger burin_curve_points elsewhere");
 }
 
-void tell_larger_reach(const ProbeBrush& brush, const ProbeStroke& stroke,
-                       const burin_curve_filter& filter) {
+void tell_larger_reach(const ProbeBrush& brush, const ProbeStroke& stroke, const burin_curve_filter& filter) {
   burin_curve_reach expected{sizeof expected, 0, 0, 0};
   auto larger = resized(expected, sizeof expected + growth);
   filter.reach(&brush.abi(), stroke.self(), &expected);
