@@ -191,7 +191,7 @@ class Fuzzer {
     for (double limit = std::max(longer_than_others * longest_, least_limit); limit < options_.time_limit;
          limit *= 4) {
       int left = steps_that_hang;
-      const FuzzCase least = shrunk(
+      FuzzCase least = shrunk(
           failing, [&](const FuzzCase& some) { return left > 0 && hangs_for(some, limit) && left-- > 0; },
           tries);
       if (hangs_for(least, options_.time_limit)) return least;

@@ -99,9 +99,11 @@ bool read_child(Child& child) {
 /// Waits until a child sends something or 50 ms pass; returns for each whether there is something to read.
 std::vector<bool> wait_for(const std::vector<Child>& children) {
   std::vector<pollfd> pipes;
+  pipes.reserve(children.size());
   for (const Child& child : children) pipes.push_back({child.pipe, POLLIN, 0});
   poll(pipes.data(), pipes.size(), 50);
   std::vector<bool> ready;
+  ready.reserve(pipes.size());
   for (const pollfd& pipe : pipes) ready.push_back(pipe.revents != 0);
   return ready;
 }

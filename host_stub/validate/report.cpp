@@ -50,7 +50,8 @@ int level_reached(std::span<const Result> results, int highest) {
 std::string command_of(const Subject& subject, const Check& check) {
   std::string command = fmt::format("burin validate {} --only {} --seed {}",
                                     shell_word(subject.module.string()), check.name, subject.seed);
-  for (const auto& [name, value] : subject.params) command += " --param " + shell_word(name + "=" + value);
+  for (const auto& [name, value] : subject.params)
+    command += fmt::format(" --param {}", shell_word(fmt::format("{}={}", name, value)));
   return command;
 }
 
@@ -86,7 +87,7 @@ std::string short_report(const Subject& subject, std::span<const Result> results
   std::vector<Result> failures;
   std::ranges::copy_if(results, std::back_inserter(failures), has_failed);
   // A write beyond an array makes other checks crash, which tells less.
-  std::ranges::stable_partition(failures, [](const Result& result) {
+  std::stable_partition(failures.begin(), failures.end(), [](const Result& result) {
     return std::string_view(result.check->name).starts_with("memory.");
   });
   std::string text;

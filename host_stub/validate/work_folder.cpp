@@ -38,7 +38,7 @@ void write_solid(const std::filesystem::path& path) {
 /// The folder for temporary files. Throws FileError if there is none.
 std::filesystem::path temporary_folder() {
   std::error_code error;
-  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  std::filesystem::path folder = std::filesystem::temp_directory_path(error);
   if (!error) return folder;
   const char* name = std::getenv("TMPDIR");
   throw FileError(name ? name : "/tmp", "is no folder for temporary files (TMPDIR)");
