@@ -10,8 +10,8 @@ namespace burin::test {
 /// A rectangle of the (u, v) plane divided into cells and mapped to space. Inner grid points are moved at
 /// random, and the diagonals of cells are chosen at random. u x v points outward.
 struct PatchGrid {
-  double u_min, u_max, v_min, v_max;
-  int cells_u, cells_v;
+  double u_min = 0, u_max = 1, v_min = 0, v_max = 1;
+  int cells_u = 1, cells_v = 1;
   bool wrap_u = false;                    ///< u_max is identified with u_min
   double jitter_u = 0.3, jitter_v = 0.3;  ///< greatest displacement of points, as a share of a cell
   std::uint32_t seed = 1;
