@@ -6,8 +6,8 @@
 #     build tests it again. `cmake --install` puts it into lib/burin/brushes: hosts of the same prefix find it there,
 #     others if BURIN_PLUGIN_PATH names the folder.
 #   burin_test_brush(NAME [BRUSHES ID...] [PARAMS ID=VALUE...])
-#     Tests for CTest: `burin validate` and one stroke by `burin try`, both with these parameters. BRUSHES names the brushes
-#     of a module that has several; there is a stroke for each.
+#     Tests for CTest: `burin validate` and one stroke by `burin try`, both with these parameters. BRUSHES names the
+#     brushes of a module that has several; there is a stroke for each.
 
 # burin_brush_module(NAME SOURCE...): the module alone, as the stock brushes are built.
 function(burin_brush_module name)

@@ -1,13 +1,14 @@
 /* burin/plugin/c/solid.h - a plugin in C with one brush that makes solids, burin/abi/ext/volume.h.
  *
- *   static void solid(const burin_stroke_context* stroke, const burin_params* values, burin_solid_plan*
- * solid); static float distance(const burin_stroke_context* stroke, const burin_batch* in, uint32_t i, float
- * h); BURIN_C_SOLID_PLUGIN(descriptor, plan, evaluate, solid, distance);
+ *   static void solid(const burin_stroke_context* stroke, const burin_params* values,
+ *                     burin_solid_plan* solid);
+ *   static float distance(const burin_stroke_context* stroke, const burin_batch* in, uint32_t i, float h);
+ *   BURIN_C_SOLID_PLUGIN(descriptor, plan, evaluate, solid, distance);
  *
- * The first three are those of BURIN_C_PLUGIN in module.h. `solid` says between which heights the solid of a
- * finished stroke lies and how fine it is; struct_size is set, all else zero. `distance` returns the signed
- * distance to the solid at point i of a batch and the height h, object units, negative inside; it is called
- * on any thread, on several at once.
+ * `descriptor`, `plan` and `evaluate` are those of BURIN_C_PLUGIN in module.h. `solid` says between which
+ * heights the solid of a finished stroke lies and how fine it is; struct_size is set, all else zero.
+ * `distance` returns the signed distance to the solid at point i of a batch and the height h, object units,
+ * negative inside; it is called on any thread, on several at once.
  */
 #ifndef BURIN_PLUGIN_C_SOLID_H
 #define BURIN_PLUGIN_C_SOLID_H
