@@ -39,7 +39,7 @@ class TaskRunnerScope {
   const TaskRunner* before_;
 };
 
-/// Runs tasks one after the other on the thread that calls: the loops that tasks on lent threads start.
+/// Runs tasks one after the other on the thread that calls.
 class OneByOne final : public TaskRunner {
  public:
   std::size_t threads() const override { return 1; }
@@ -47,5 +47,12 @@ class OneByOne final : public TaskRunner {
     for (std::size_t i = 0; i < count; ++i) task(i);
   }
 };
+
+/// Calls task(number), a task on a lent thread, whose own loops are not divided again.
+inline void run_undivided(const std::function<void(std::size_t)>& task, std::size_t number) {
+  static const OneByOne one_by_one;
+  const TaskRunnerScope scope(&one_by_one);
+  task(number);
+}
 
 }  // namespace burin

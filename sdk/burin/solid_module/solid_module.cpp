@@ -17,11 +17,7 @@ class LentToModule final : public TaskRunner {
 
   std::size_t threads() const override { return lent_.threads(); }
   void run(std::size_t count, const std::function<void(std::size_t)>& task) const override {
-    lent_.run(count, [&](std::size_t number) {
-      static const OneByOne inner;
-      const TaskRunnerScope scope(&inner);
-      task(number);
-    });
+    lent_.run(count, [&](std::size_t number) { run_undivided(task, number); });
   }
 
  private:

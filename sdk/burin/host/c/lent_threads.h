@@ -41,10 +41,8 @@ class LentThreads final : public TaskRunner {
 
   static void BURIN_CALL run_one(void* all, std::uint64_t number) {
     auto& tasks = *static_cast<Tasks*>(all);
-    static const OneByOne inner;
-    const TaskRunnerScope scope(&inner);
     try {
-      tasks.task(number);
+      run_undivided(tasks.task, number);
     } catch (...) {
       const std::lock_guard lock(tasks.failing);
       tasks.failure = std::current_exception();
