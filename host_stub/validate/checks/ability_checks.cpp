@@ -9,6 +9,7 @@
 #include <cmath>
 #include <random>
 
+#include "validate/probe/straight_curve.h"
 #include "validate/probe/stroke.h"
 
 namespace burin::validate {
@@ -175,16 +176,10 @@ void check_older_states(const Subject& subject) {
   });
 }
 
-burin_stroke_context finished() {
-  burin_stroke_context context = stroke_context();
-  context.flags = BURIN_STROKE_FINAL;
-  return context;
-}
-
 void check_volume(const Subject& subject) {
   each_offering<burin_volume>(subject, BURIN_EXT_VOLUME, [&](ProbeBrush& brush, const burin_volume& volume) {
     ProbeStroke stroke(brush);
-    const burin_stroke_context context = finished();
+    const burin_stroke_context context = finished_context();
     burin_solid_plan plan{sizeof plan, 0, 0, 0, 0};
     require(volume.plan(&brush.abi(), stroke.self(), &context, &stroke.params(), &plan, nullptr) == BURIN_OK,
             "its plan fails");
@@ -201,28 +196,6 @@ void check_volume(const Subject& subject) {
   });
 }
 
-/// Offsets of the points of a straight curve along t, a tenth apart, from `first` on.
-std::vector<float> offsets(const ProbeBrush& brush, const ProbeStroke& stroke,
-                           const burin_curve_filter& filter, double first, std::size_t count, double length) {
-  std::vector<float> t, zero(count), one(count, 1.0f), along(count), across(count);
-  for (std::size_t i = 0; i < count; ++i)
-    t.push_back(static_cast<float>(first + 0.1 * static_cast<double>(i)));
-  const burin_floats none{zero.data(), 1, 0}, unit{one.data(), 1, 0}, place{t.data(), 1, 0};
-  const burin_curve_points points{
-      sizeof points,     static_cast<std::uint32_t>(count), place, {place, none, none}, {none, none, unit},
-      {unit, none, none}};
-  burin_stroke_context context = stroke_context();
-  context.length = length;
-  require(filter.filter(&brush.abi(), stroke.self(), &context, &stroke.params(), &points,
-                        {along.data(), 1, 0}, {across.data(), 1, 0}, nullptr) == BURIN_OK,
-          "filter fails");
-  for (std::size_t i = 0; i < count; ++i) {
-    require(std::hypot(along[i], across[i]) <= 100, "moves a point by more than 100 radii");
-    along.push_back(across[i]);
-  }
-  return along;
-}
-
 void check_curve_filter(const Subject& subject) {
   each_offering<burin_curve_filter>(
       subject, BURIN_EXT_CURVE_FILTER, [](ProbeBrush& brush, const burin_curve_filter& filter) {
@@ -230,10 +203,17 @@ void check_curve_filter(const Subject& subject) {
         burin_curve_reach reach{sizeof reach, 0, 0, 0};
         filter.reach(&brush.abi(), stroke.self(), &reach);
         require(reach.behind >= 0 && reach.ahead >= 0, "its reach is below 0");
-        const auto whole = offsets(brush, stroke, filter, 0, 101, 10);
-        require(whole == offsets(brush, stroke, filter, 0, 101, 10), "moves the same curve in two ways");
+        const auto moved = [&](std::size_t count, double length) {
+          const auto made =
+              offsets(brush, stroke, filter, StraightCurve(count).points(), length, "filter fails");
+          for (std::size_t i = 0; i < count; ++i)
+            require(std::hypot(made[i], made[count + i]) <= 100, "moves a point by more than 100 radii");
+          return made;
+        };
+        const auto whole = moved(101, 10);
+        require(whole == moved(101, 10), "moves the same curve in two ways");
         if (std::isinf(reach.ahead)) return;
-        const auto longer = offsets(brush, stroke, filter, 0, 131, 13);
+        const auto longer = moved(131, 13);
         const auto kept = static_cast<std::size_t>(std::max(0.0, std::floor((10 - reach.ahead) / 0.1) - 1));
         for (std::size_t i = 0; i < std::min<std::size_t>(kept, 101); ++i)
           require(whole[i] == longer[i] && whole[101 + i] == longer[131 + i],

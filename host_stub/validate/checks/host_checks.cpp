@@ -1,5 +1,4 @@
 // Checks how a plugin deals with other hosts: older, newer, with fewer services.
-#include <burin/abi/ext/curve_filter.h>
 #include <burin/abi/ext/lettering.h>
 #include <burin/abi/ext/log.h>
 #include <burin/abi/ext/stamps.h>
@@ -19,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "validate/probe/straight_curve.h"
 #include "validate/probe/stroke.h"
 
 namespace burin::validate {
@@ -154,6 +154,14 @@ std::vector<std::byte> resized(const Struct& from, std::size_t size) {
   return bytes;
 }
 
+/// Fails if a brush wrote into a struct of another size behind the members that there are.
+template <class Struct>
+void require_unchanged_behind(const std::vector<std::byte>& filled, const std::string& otherwise) {
+  require(std::all_of(filled.begin() + sizeof(Struct), filled.end(),
+                      [](std::byte byte) { return byte == std::byte{0xEE}; }),
+          otherwise);
+}
+
 /// Fails if what a brush filled differs from the struct of this version, or goes on behind it.
 template <class Struct>
 void require_filled_as(const Struct& expected, const std::vector<std::byte>& filled, const char* name) {
@@ -161,9 +169,7 @@ void require_filled_as(const Struct& expected, const std::vector<std::byte>& fil
   require(std::equal(bytes + sizeof(std::uint32_t), bytes + sizeof expected,
                      filled.data() + sizeof(std::uint32_t)),
           fmt::format("fills a larger {} with something else", name));
-  require(std::all_of(filled.begin() + sizeof expected, filled.end(),
-                      [](std::byte byte) { return byte == std::byte{0xEE}; }),
-          fmt::format("writes members of {} that there are not", name));
+  require_unchanged_behind<Struct>(filled, fmt::format("writes members of {} that there are not", name));
 }
 
 void create_by_larger_host(const Plugin& plugin, const Brush& descriptor) {
@@ -180,8 +186,7 @@ void create_by_larger_host(const Plugin& plugin, const Brush& descriptor) {
 void plan_larger_solid(const ProbeBrush& brush, const ProbeStroke& stroke) {
   const auto* volume = brush.interface<burin_volume>(BURIN_EXT_VOLUME);
   if (!volume) return;
-  burin_stroke_context context = stroke_context();
-  context.flags = BURIN_STROKE_FINAL;
+  const burin_stroke_context context = finished_context();
   const auto plan = [&](burin_solid_plan& to) {
     return volume->plan(&brush.abi(), stroke.self(), &context, &stroke.params(), &to, nullptr);
   };
@@ -193,25 +198,15 @@ void plan_larger_solid(const ProbeBrush& brush, const ProbeStroke& stroke) {
   require_filled_as(expected, larger, "burin_solid_plan");
 }
 
-/// The offsets of the points of a curve.
-std::array<float, 6> moved(const ProbeBrush& brush, const ProbeStroke& stroke,
-                           const burin_curve_filter& filter, const burin_curve_points& points) {
-  const burin_stroke_context context = stroke_context();
-  std::array<float, 6> offsets{};
-  const burin_status status = filter.filter(&brush.abi(), stroke.self(), &context, &stroke.params(), &points,
-                                            {offsets.data(), 1, 0}, {offsets.data() + 3, 1, 0}, nullptr);
-  require(status == BURIN_OK, "filter fails with burin_curve_points of another size");
-  return offsets;
-}
-
 void move_larger_curve(const ProbeBrush& brush, const ProbeStroke& stroke, const burin_curve_filter& filter) {
-  const std::array<float, 3> t{0, 0.1f, 0.2f}, zero{}, one{1, 1, 1};
-  const burin_floats along{t.data(), 1, 0}, none{zero.data(), 1, 0}, unit{one.data(), 1, 0};
-  const burin_curve_points points{sizeof points,     3, along, {along, none, none}, {none, none, unit},
-                                  {unit, none, none}};
-  const auto larger = resized(points, sizeof points + growth);
-  require(moved(brush, stroke, filter, points) ==
-              moved(brush, stroke, filter, *reinterpret_cast<const burin_curve_points*>(larger.data())),
+  const StraightCurve curve(3);
+  const auto larger = resized(curve.points(), sizeof(burin_curve_points) + growth);
+  const auto moved = [&](const burin_curve_points& points, const char* otherwise) {
+    return offsets(brush, stroke, filter, points, 10, otherwise);
+  };
+  require(moved(curve.points(), "filter fails") ==
+              moved(*reinterpret_cast<const burin_curve_points*>(larger.data()),
+                    "filter fails with burin_curve_points of another size"),
           "moves larger burin_curve_points elsewhere");
 }
 
@@ -255,8 +250,7 @@ std::vector<Row> draw_as(const HostSizes& sizes, ProbeBrush& brush, const Subjec
                         reinterpret_cast<burin_stroke_plan*>(plan.data()), &again, as_text);
   require(begun == BURIN_OK, fmt::format("begin fails with structs of another size: {}", line.data()));
   brush.abi().end(&brush.abi(), again);
-  for (std::size_t i = sizeof(burin_stroke_plan); i < plan.size(); ++i)
-    require(plan[i] == std::byte{0xEE}, "begin writes members of the plan that there are not");
+  require_unchanged_behind<burin_stroke_plan>(plan, "begin writes members of the plan that there are not");
   return rows;
 }
 

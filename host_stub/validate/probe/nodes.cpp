@@ -102,6 +102,12 @@ burin_stroke_context stroke_context() {
   return context;
 }
 
+burin_stroke_context finished_context() {
+  burin_stroke_context context = stroke_context();
+  context.flags = BURIN_STROKE_FINAL;
+  return context;
+}
+
 burin_stroke_context empty_stroke_context() {
   burin_stroke_context context = stroke_context();
   context.length = 0;

@@ -42,6 +42,9 @@ struct Nodes {
 /// The stroke on which nodes lie: radius 1, length 10 object units.
 burin_stroke_context stroke_context();
 
+/// The same when the stroke has ended.
+burin_stroke_context finished_context();
+
 /// That stroke as begin gets it: nothing of it is drawn yet.
 burin_stroke_context empty_stroke_context();
 
