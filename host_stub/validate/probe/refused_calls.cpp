@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -17,10 +16,10 @@
 #include <array>
 #include <csignal>
 #include <cstddef>
-#include <new>
 #include <vector>
 
 #include "validate/probe/repeat.h"
+#include "validate/probe/shared.h"
 #include "validate/probe/stack_places.h"
 
 namespace burin::validate {
@@ -78,33 +77,22 @@ const char* name_of_call(int number) {
   return "a system call";
 }
 
-/// Memory that a copy of this process shares with it.
-class Shared {
- public:
-  Shared()
-      : memory_(mmap(nullptr, sizeof(Noted), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
-    require(memory_ != MAP_FAILED, "no memory can be shared with another process");
-    noted = new (memory_) Noted;
-  }
-  Shared(const Shared&) = delete;
-  Shared& operator=(const Shared&) = delete;
-  ~Shared() { munmap(memory_, sizeof(Noted)); }
-
- private:
-  void* memory_;
-};
-
 }  // namespace
 
 std::string refused_call(const void* address, const std::function<void()>& work) {
-  const Shared shared;
+  const Shared<Noted> shared;
+  noted = &*shared;
   (void)stack_here();  // The first stack of all loads what it needs.
-  in_process([&]() -> std::string {
-    refuse();
-    work();
+  try {
+    in_process([&]() -> std::string {
+      refuse();
+      work();
+      return {};
+    });
     return {};
-  });
-  if (noted->number < 0) return {};
+  } catch (const Crashed&) {
+    if (noted->number < 0) throw;
+  }
   const std::string places = places_in_module(noted->stack, address);
   return fmt::format("{}{}{}", name_of_call(noted->number), places.empty() ? "" : " at ", places);
 }

@@ -1,4 +1,5 @@
-// Runs work in a forked process, whose memory starts as this one's. The result comes back through a pipe.
+// Runs work in a forked process, whose memory starts as this one's. The result comes back through a pipe, and
+// how the work ended through shared memory: a plugin may end the process with any exit code.
 #include "validate/probe/repeat.h"
 
 #include <sys/prctl.h>
@@ -9,30 +10,35 @@
 #include <csignal>
 #include <exception>
 
+#include "validate/probe/shared.h"
+
 namespace burin::validate {
 namespace {
 
-/// How a process ended that could tell.
-constexpr int whole = 0, failed = 1, skipped = 3;
+/// How work came to its end. A process that ended before has written none of these.
+enum class End { none, whole, failed, skipped };
 
-[[noreturn]] void send(int pipe, const std::string& text, int end) {
+void send(int pipe, const std::string& text) {
   std::size_t sent = 0;
   while (sent < text.size()) {
     const ssize_t bytes = write(pipe, text.data() + sent, text.size() - sent);
-    if (bytes <= 0) _exit(failed);
+    if (bytes <= 0) _exit(1);
     sent += static_cast<std::size_t>(bytes);
   }
-  _exit(end);
 }
 
-[[noreturn]] void work_and_send(int pipe, const std::function<std::string()>& work) {
+[[noreturn]] void work_and_send(int pipe, End& end, const std::function<std::string()>& work) {
   try {
-    send(pipe, work(), whole);
+    send(pipe, work());
+    end = End::whole;
   } catch (const Skipped& reason) {
-    send(pipe, reason.what(), skipped);
+    send(pipe, reason.what());
+    end = End::skipped;
   } catch (const std::exception& error) {
-    send(pipe, error.what(), failed);
+    send(pipe, error.what());
+    end = End::failed;
   }
+  _exit(0);
 }
 
 }  // namespace
@@ -40,11 +46,12 @@ constexpr int whole = 0, failed = 1, skipped = 3;
 std::string in_process(const std::function<std::string()>& work) {
   std::array<int, 2> ends{};
   require(pipe(ends.data()) == 0, "no pipe can be made");
+  const Shared<End> end;
   const pid_t parent = getpid(), process = fork();
   if (process == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(failed);
-    work_and_send(ends[1], work);
+    if (getppid() != parent) _exit(1);
+    work_and_send(ends[1], *end, work);
   }
   close(ends[1]);
   std::string text;
@@ -52,12 +59,10 @@ std::string in_process(const std::function<std::string()>& work) {
   for (ssize_t bytes; (bytes = read(ends[0], part.data(), part.size())) > 0;)
     text.append(part.data(), static_cast<std::size_t>(bytes));
   close(ends[0]);
-  int status = 0;
-  waitpid(process, &status, 0);
-  const int end = process > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  if (end == skipped) throw Skipped(text);
-  if (end == failed && !text.empty()) throw Failed(text);
-  if (end != whole) throw Crashed("a second process crashes");
+  waitpid(process, nullptr, 0);
+  if (*end == End::none) throw Crashed("a second process crashes");
+  if (*end == End::skipped) throw Skipped(text);
+  if (*end == End::failed) throw Failed(text);
   return text;
 }
 
