@@ -27,6 +27,23 @@ TEST(ReadPointers, HasPointsOfEachShape) {
   EXPECT_NEAR(lists.strokes[0].samples[0].pen.tilt_x, std::numbers::pi / 2, 1e-6);
 }
 
+TEST(ReadPointers, TellsShapesFromStrokesAndLooksIntoGroups) {
+  const std::string stroke = R"({"type": "stroke", "pointers": [{"x": 1, "y": 2, "t": 3, "p": 0.5}]})",
+                    shape = R"({"type": "shape", "kind": "polygon", "points": [{"x": 9, "y": 9}]})",
+                    edge = R"({"points": [{"x": 8, "y": 8}, {"x": 7, "y": 7}], "type": "edge"})";
+  const std::string group = R"({"type": "group", "children": [)" + stroke + ", " + shape +
+                            R"(, {"type": "recognized", "strokes": [)" + stroke + "]}]}";
+  for (const std::string& text :
+       {"[" + shape + ", " + stroke + ", " + edge + ", " + group + "]",
+        R"({"strokes": [)" + shape + ", " + edge + ", " + stroke + ", " + group + "]}",
+        shape + "\n" + stroke + "\n" + edge + "\n" + group + "\n"}) {
+    const PenFile file = PenFileFolder().read(text);
+    ASSERT_EQ(file.strokes.size(), 3u) << text;
+    for (const PenStroke& one : file.strokes) EXPECT_EQ(places(one), "1 2");
+    EXPECT_EQ(file.not_used, (std::vector<std::string>{"shape", "edge"}));
+  }
+}
+
 TEST(ReadPointers, ReadsListsOfListsOfPoints) {
   const PenFile file = PenFileFolder().read(
       R"([[{"time": 0, "x": 1, "y": 2, "pressure": 0.5}, {"time": 8, "x": 3, "y": 4, "pressure": 1}],

@@ -64,6 +64,7 @@ class PlainStroke : public nlohmann::json_sax<nlohmann::json> {
   bool number_float(number_float_t value, const string_t&) override { return take_number(value); }
   bool string(string_t& value) override {
     if (depth_ == 1 && type_follows_) stroke_.drawn_by.tool = tool_of_pointer_type(value);
+    if (depth_ == 1 && kind_follows_ && is_shape_of_program(value)) return false;
     return take_other();
   }
   bool binary(binary_t&) override { return false; }
@@ -89,7 +90,7 @@ class PlainStroke : public nlohmann::json_sax<nlohmann::json> {
   std::size_t depth_ = 0;
   std::size_t list_depth_ = 0;  ///< of the points; 0 outside their list
   bool in_point_ = false;
-  bool list_follows_ = false, type_follows_ = false, has_list_ = false;
+  bool list_follows_ = false, type_follows_ = false, kind_follows_ = false, has_list_ = false;
   Slot at_;                                 ///< of the value that follows
   std::array<double, slots> values_{};      ///< of the point
   std::array<std::size_t, slots> ranks_{};  ///< 1 + the rank of its name; 0: the point lacks it
@@ -110,8 +111,10 @@ bool PlainStroke::key(string_t& name) {
   if (depth_ != 1 || in_point_) return true;
   list_follows_ = name == "pointers" || name == "points";
   type_follows_ = name == "pointerType";
-  // Two lists, or lists of numbers.
-  return !(list_follows_ && has_list_) && name != "x";
+  kind_follows_ = name == "type";
+  // Two lists, lists of numbers, or a group.
+  return !(list_follows_ && has_list_) && name != "x" &&
+         std::ranges::find(groups_of_strokes, name) == groups_of_strokes.end();
 }
 
 bool PlainStroke::end_object() {
@@ -207,6 +210,11 @@ std::string_view tool_of_pointer_type(std::string_view type) {
   static constexpr std::array<std::string_view, 3> tools = {"pen", "touch", "mouse"};
   const auto found = std::ranges::find(tools, in_lower_case(std::string(type)));
   return found == tools.end() ? std::string_view() : *found;
+}
+
+bool is_shape_of_program(std::string_view type) {
+  static constexpr std::array<std::string_view, 4> shapes = {"decorator", "edge", "shape", "text"};
+  return std::ranges::find(shapes, type) != shapes.end();
 }
 
 std::optional<PenStroke> plain_pointer_stroke(std::string_view json) {

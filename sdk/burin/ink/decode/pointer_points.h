@@ -39,9 +39,15 @@ inline constexpr std::string_view reported_pressure = "pressure";
 /// DrawnBy::tool of a PointerEvent's pointerType, in any case; empty for others.
 std::string_view tool_of_pointer_type(std::string_view type);
 
+/// Whether the `type` of an element says that it is no stroke, in files of MyScript's programs.
+bool is_shape_of_program(std::string_view type);
+
+/// Members of an element that have the strokes of a group.
+inline constexpr std::array<std::string_view, 2> groups_of_strokes = {"children", "strokes"};
+
 /// Reads one stroke: a list of points, flat objects of numbers, or an object with such a list as "pointers"
 /// or "points". Needs no memory but for the samples. Returns nothing for malformed JSON, and for whatever
-/// else may be a stroke or a fault; one without samples for an object without points.
+/// else may be a stroke, a group, a shape or a fault; one without samples for an object without points.
 std::optional<PenStroke> plain_pointer_stroke(std::string_view json);
 
 }  // namespace burin

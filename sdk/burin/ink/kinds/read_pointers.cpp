@@ -4,6 +4,8 @@
 // "p": []}. Each line may have a stroke instead, or a drawing of Quick, Draw!
 // [github.com/googlecreativelab/quickdraw-dataset], {"drawing": [[[x...], [y...], [t...]]]}. Positions are
 // CSS pixels, times milliseconds, tilts and twist degrees, as PointerEvent has them.
+// Groups of strokes may stand in a list, with their strokes as "children" or "strokes". What says of itself
+// that it is a shape, text or line between shapes has no strokes, even if it has points.
 //
 // "p" is what programs make of the speed and call pressure, "pressure" what a device reports.
 #include <burin/base/error.h>
@@ -106,8 +108,28 @@ void add(PenStroke stroke, PenFile& content) {
   if (!stroke.samples.empty()) content.strokes.push_back(std::move(stroke));
 }
 
+/// Notes once what is not used.
+void leave_out(const std::string& name, PenFile& content) {
+  if (std::ranges::find(content.not_used, name) == content.not_used.end()) content.not_used.push_back(name);
+}
+
+/// Adds what an element of a list has: a stroke, or those of a group. A shape has no strokes of its own.
+void add_strokes_of(const JsonValue& one, PenFile& content) {
+  const auto type = one.is_object() ? one.find("type") : std::nullopt;
+  const bool shape = type && type->is_text() && is_shape_of_program(type->text());
+  if (shape) leave_out(type->text(), content);
+  PenStroke stroke = shape ? PenStroke() : stroke_of(one);
+  const bool may_be_group = one.is_object() && stroke.samples.empty();
+  add(std::move(stroke), content);
+  for (const std::string_view name : groups_of_strokes) {
+    const auto members = may_be_group ? told(one, name) : std::nullopt;
+    if (!members || !members->is_array()) continue;
+    for (const JsonValue& member : members->items()) add_strokes_of(member, content);
+  }
+}
+
 void read_strokes_of(const JsonValue& list, PenFile& content) {
-  for (const JsonValue& one : list.items()) add(stroke_of(one), content);
+  for (const JsonValue& one : list.items()) add_strokes_of(one, content);
 }
 
 /// The list of strokes that an object has.
@@ -120,8 +142,10 @@ std::optional<JsonValue> list_of_strokes(const JsonValue& root) {
 bool read_by_strokes(const PenFileText& file, TextWindow& text, PenFile& content) {
   const auto take_stroke = [&](std::string_view, TextWindow& json) {
     const std::string_view part = take_json_value(json);
-    auto stroke = plain_pointer_stroke(part);
-    add(stroke ? std::move(*stroke) : stroke_of(pen_json_part(file, part)), content);
+    if (auto stroke = plain_pointer_stroke(part))
+      add(std::move(*stroke), content);
+    else
+      add_strokes_of(pen_json_part(file, part), content);
     return true;
   };
   const auto take_list_of_group = [&](std::string_view name, TextWindow& json) {
@@ -203,10 +227,10 @@ PenFile read_lines(const PenFileText& file) {
   for_each_json_value(file, take_plain, [&](const JsonValue& value) {
     if (const auto drawing = drawing_of(value))
       read_drawing(*drawing, ++pages, content);
-    else if (PenStroke stroke = stroke_of(value); stroke.samples.empty() && has_list_of_strokes(value))
+    else if (has_list_of_strokes(value) && stroke_of(value).samples.empty())
       read_whole(value, content);
     else
-      add(std::move(stroke), content);
+      add_strokes_of(value, content);
   });
   return content;
 }
