@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "ink/kinds/bytes.h"
 #include "ink/pen_files.h"
 
@@ -82,6 +84,28 @@ TEST(ReadIsf, TellsTheEraserOfAPenThatIsInverted) {
         PenFileFolder().read(three_points("", "\x35", std::string("\x08\0", 2) + status + '\0'));
     EXPECT_EQ(file.strokes.at(0).drawn_by.eraser, status >= 2) << int{status};
   }
+}
+
+TEST(ReadIsf, TakesTheTiltOfPensWhoseMetricsAreTheUsualOnes) {
+  // Tilts of 10, 0, 0 and 0, -20, 0 tenths of a degree.
+  const std::string tilts("\x08\x0a\0\0\x08\0\xec\0", 8);
+  const PenFile file = PenFileFolder().read(three_points("", "\x3b\x3c", tilts));
+  ASSERT_TRUE(file.strokes.at(0).fields.tilt);
+  constexpr float degree = static_cast<float>(std::numbers::pi / 180);
+  EXPECT_FLOAT_EQ(file.strokes[0].samples.at(0).pen.tilt_x, degree);
+  EXPECT_FLOAT_EQ(file.strokes[0].samples.at(1).pen.tilt_y, -2 * degree);
+}
+
+TEST(ReadIsf, PlacesPointsByTheLastTransform) {
+  constexpr char transform = 16, scale = 17, stroke = 10;
+  Bytes bytes;
+  bytes.add(scale).add(7.F);
+  // What x gives to x and y, what y gives to x and y, and what is added, 0.01 mm.
+  for (bytes.add(transform); const float one : {0.F, 100.F, -200.F, 0.F, 300.F, 400.F}) bytes.add(one);
+  bytes.add(stroke).add_text(with_length(std::string("\2\x08\1\2\x08\0\3", 7)));
+  const PenFile file = PenFileFolder().read(stream_of(bytes.text()));
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "3 5, -3 6");
 }
 
 TEST(ReadIsf, NamesTheByteOfAFault) {

@@ -62,12 +62,12 @@ IsfDescriptor read_descriptor(ByteReader content, const IsfTables& tables) {
   return descriptor;
 }
 
-std::map<std::uint64_t, IsfMetric> read_metrics(ByteReader content) {
-  std::map<std::uint64_t, IsfMetric> metrics;
+IsfMetrics read_metrics(ByteReader content) {
+  IsfMetrics metrics;
   while (!content.empty()) {
     const std::uint64_t property = content.varint();
     ByteReader of_property = content.part(content.varint());
-    IsfMetric& metric = metrics[property];
+    IsfMetric& metric = metrics.try_emplace(property, isf_usual_metric(property)).first->second;
     if (!of_property.empty()) metric.least = take_isf_signed(of_property);
     if (!of_property.empty()) metric.most = take_isf_signed(of_property);
     if (!of_property.empty()) metric.unit = of_property.varint();
@@ -76,7 +76,7 @@ std::map<std::uint64_t, IsfMetric> read_metrics(ByteReader content) {
   return metrics;
 }
 
-/// A matrix as the file has it: x by x, y by x, x by y, y by y, and what is added.
+/// A matrix of what x gives x, what y gives x, what x gives y, what y gives y, and what is added.
 Eigen::Affine2d affine(double xx, double xy, double yx, double yy, double dx, double dy) {
   Eigen::Affine2d made = Eigen::Affine2d::Identity();
   made.linear() << xx, xy, yx, yy;
@@ -96,17 +96,30 @@ Eigen::Affine2d read_transform(std::uint64_t tag, ByteReader& stream) {
   if (tag == Tag::same_scale || tag == Tag::two_scales) return affine(a, 0, 0, b, 0, 0);
   const double c = next(), d = next();
   if (tag == Tag::scaled_and_moved) return affine(a, 0, 0, b, c, d);
+  // The file has what x gives to both first, as WPF reads it.
   const double e = next(), f = next();
-  return affine(a, b, c, d, e, f);
+  return affine(a, c, b, d, e, f);
 }
 
 bool is_transform(std::uint64_t tag) { return tag >= Tag::transform && tag <= Tag::scaled_and_moved; }
 
 }  // namespace
 
+IsfMetric isf_usual_metric(std::uint64_t property) {
+  constexpr std::int64_t usual_pressure = 1023;
+  if (property == isf_pressure) return {.most = usual_pressure};
+  if (property >= isf_tilt_x && property <= isf_altitude) return {.unit = isf_degrees, .precision = 10};
+  return {};
+}
+
+IsfMetric isf_metric_of(const IsfMetrics& metrics, std::uint64_t property) {
+  const auto told = metrics.find(property);
+  return told == metrics.end() ? isf_usual_metric(property) : told->second;
+}
+
 bool read_isf_table(std::uint64_t tag, ByteReader& stream, IsfTables& tables) {
   if (is_transform(tag)) {
-    tables.transforms.push_back(read_transform(tag, stream));
+    tables.transforms = {read_transform(tag, stream)};
     return true;
   }
   if (tag != Tag::guid_table && tag != Tag::descriptor_table && tag != Tag::descriptor_block &&
@@ -114,8 +127,11 @@ bool read_isf_table(std::uint64_t tag, ByteReader& stream, IsfTables& tables) {
     return false;
   ByteReader content = stream.part(stream.varint());
   if (tag == Tag::guid_table) tables.barrel_tag = barrel_in(content);
-  if (tag == Tag::descriptor_block) tables.descriptors.push_back(read_descriptor(content, tables));
-  if (tag == Tag::metric_block) tables.metrics.push_back(read_metrics(content));
+  if (tag == Tag::descriptor_block) tables.descriptors = {read_descriptor(content, tables)};
+  if (tag == Tag::metric_block) tables.metrics = {read_metrics(content)};
+  if (tag == Tag::descriptor_table) tables.descriptors.clear();
+  if (tag == Tag::metric_table) tables.metrics.clear();
+  if (tag == Tag::transform_table) tables.transforms.clear();
   while (tag == Tag::descriptor_table && !content.empty())
     tables.descriptors.push_back(read_descriptor(content.part(content.varint()), tables));
   while (tag == Tag::metric_table && !content.empty())

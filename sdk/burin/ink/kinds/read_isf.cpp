@@ -47,15 +47,12 @@ Item item_or_default(const std::vector<Item>& items, std::size_t index, Item oth
 }
 
 using Columns = std::map<std::uint64_t, std::vector<std::int64_t>>;
-using Metrics = std::map<std::uint64_t, IsfMetric>;
 
-void set_pressures(const Columns& columns, const Metrics& metrics, PenStroke& stroke) {
+void set_pressures(const Columns& columns, const IsfMetrics& metrics, PenStroke& stroke) {
   const auto found = columns.find(isf_pressure);
   if (found == columns.end()) return;
-  constexpr std::int64_t usual_most = 1023;
-  const auto metric = metrics.find(isf_pressure);
-  const std::int64_t most = metric == metrics.end() ? usual_most : metric->second.most,
-                     least = metric == metrics.end() ? 0 : metric->second.least;
+  const IsfMetric metric = isf_metric_of(metrics, isf_pressure);
+  const std::int64_t most = metric.most, least = metric.least;
   if (most <= least) return;
   stroke.fields.pressure = true;
   for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
@@ -66,15 +63,14 @@ void set_pressures(const Columns& columns, const Metrics& metrics, PenStroke& st
 }
 
 /// Radians of a number of this property; 0 if its metric does not tell.
-double radians_of_one(const Metrics& metrics, std::uint64_t property) {
-  constexpr std::uint64_t degrees = 3, radians = 4;
-  const auto metric = metrics.find(property);
-  if (metric == metrics.end() || !(metric->second.precision > 0)) return 0;
-  if (metric->second.unit == radians) return 1 / double{metric->second.precision};
-  return metric->second.unit == degrees ? math::degree / metric->second.precision : 0;
+double radians_of_one(const IsfMetrics& metrics, std::uint64_t property) {
+  const IsfMetric metric = isf_metric_of(metrics, property);
+  if (!(metric.precision > 0)) return 0;
+  if (metric.unit == isf_radians) return 1 / double{metric.precision};
+  return metric.unit == isf_degrees ? math::degree / metric.precision : 0;
 }
 
-void set_tilts(const Columns& columns, const Metrics& metrics, PenStroke& stroke) {
+void set_tilts(const Columns& columns, const IsfMetrics& metrics, PenStroke& stroke) {
   const auto angles = [&](std::uint64_t x, std::uint64_t y, const auto& set) {
     const auto first = columns.find(x), second = columns.find(y);
     const double by_first = radians_of_one(metrics, x), by_second = radians_of_one(metrics, y);
@@ -119,7 +115,7 @@ void set_barrels(const IsfDescriptor& descriptor, ByteReader& content, PenStroke
 PenStroke read_stroke(ByteReader content, const IsfTables& tables, Chosen& chosen) {
   constexpr std::uint64_t x_property = 50, y_property = 51;
   const IsfDescriptor descriptor = item_or_default(tables.descriptors, chosen.descriptor, IsfDescriptor{});
-  const Metrics metrics = item_or_default(tables.metrics, chosen.metrics, Metrics{});
+  const IsfMetrics metrics = item_or_default(tables.metrics, chosen.metrics, IsfMetrics{});
   const Eigen::Affine2d place =
       item_or_default(tables.transforms, chosen.transform, Eigen::Affine2d(Eigen::Affine2d::Identity()));
   constexpr std::size_t most_points_a_byte = 8;
