@@ -31,6 +31,23 @@ TEST(ReadTilt, HasPointsInSpace) {
   EXPECT_EQ(stroke.widths, std::vector<float>{1}) << "size by scale";
 }
 
+TEST(ReadTilt, HasTheLayerOfOpenBrush) {
+  Bytes bytes;
+  bytes.add(0xc576a5cdU).add(6).add(0).add(0U).add(2);
+  for (const std::uint32_t layer : {2U, 0U}) {
+    bytes.add(0).add(1.F).add(0.F).add(0.F).add(1.F).add(0.5F);
+    bytes.add(0x1fU).add(0U);                                  // all short words; points without more
+    bytes.add(0U).add(2.F).add(7U).add(8U).add(layer).add(1);  // flags, scale, group, seed
+    for (int i = 0; i < 7; ++i) bytes.add(1.F);
+  }
+  const PenFile file = PenFileFolder().read(bytes.text());
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(file.strokes[0].layer, 3u);
+  EXPECT_EQ(file.strokes[1].layer, 1u);
+  EXPECT_EQ(file.strokes[0].fields, PenFields());
+  EXPECT_EQ(file.strokes[0].widths, std::vector<float>{1});
+}
+
 TEST(ReadTilt, ReadsASketchThatIsAFolder) {
   const test::TemporaryFolder folder;
   write_file_whole(folder.path() / "data.sketch", [](std::ostream& out) { out << sketch(1); });

@@ -20,20 +20,27 @@ constexpr std::string_view tilt_magic = "tilT";
 constexpr std::string_view sketch_magic = "\xcd\xa5\x76\xc5";
 constexpr unsigned mask_bits = 32, short_bits = 16;
 
-/// The words that a mask tells of a stroke.
-float read_extension(ByteReader& bytes, std::uint32_t mask) {
-  constexpr unsigned scale_bit = 1;
+/// What the words that a mask tells of a stroke say.
+struct Extension {
   float scale = 1;
+  std::uint32_t layer = 0;  ///< in sketches of Open Brush, from 0
+};
+
+Extension read_extension(ByteReader& bytes, std::uint32_t mask) {
+  constexpr unsigned scale_bit = 1, layer_bit = 4;
+  Extension read;
   for (unsigned bit = 0; bit < mask_bits; ++bit) {
     if (!(mask >> bit & 1)) continue;
     if (bit >= short_bits)
       bytes.take_bytes(bytes.take<std::uint32_t>());
     else if (bit == scale_bit)
-      scale = bytes.take<float>();
+      read.scale = bytes.take<float>();
+    else if (bit == layer_bit)
+      read.layer = bytes.take<std::uint32_t>();
     else
       bytes.take_bytes(4);
   }
-  return scale;
+  return read;
 }
 
 Sample read_point(ByteReader& bytes, std::uint32_t mask) {
@@ -59,14 +66,15 @@ PenStroke read_stroke(ByteReader& bytes) {
   bytes.take_bytes(brush_and_colour);
   const auto size = bytes.take<float>();
   const auto stroke_mask = bytes.take<std::uint32_t>(), point_mask = bytes.take<std::uint32_t>();
-  const float scale = read_extension(bytes, stroke_mask);
+  const Extension extension = read_extension(bytes, stroke_mask);
   PenStroke stroke;
+  stroke.layer = 1 + std::size_t{extension.layer};
   stroke.has_z = true;
   stroke.fields.pressure = point_mask & 1;
   stroke.fields.time = point_mask & 2;
   const std::size_t points = bytes.count(bytes.take<std::uint32_t>(), least_point);
   for (std::size_t i = 0; i < points; ++i) stroke.samples.push_back(read_point(bytes, point_mask));
-  stroke.widths.assign(points, size * scale);
+  stroke.widths.assign(points, size * extension.scale);
   return stroke;
 }
 
