@@ -27,6 +27,13 @@ TEST(ReadXournal, HasPositionsAndWidths) {
   EXPECT_EQ(file.unit, "pt");
 }
 
+TEST(ReadXournal, TakesTheCommasThatXournalWroteInSomeLanguagesForPoints) {
+  const PenFile file = PenFileFolder().read(page(R"(<stroke width="2,5 1,25">1,5 2 -3,25 4</stroke>)"));
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "1.5 2, -3.25 4");
+  EXPECT_EQ(file.strokes[0].widths, (std::vector<float>{1.25, 1.25}));
+}
+
 // The form of Xournal++ 1.2 and 1.3: sound, fills, dashes and names of layers, and what is no stroke, whose
 // places later versions tell by a matrix.
 TEST(ReadXournal, ReadsWhatXournalppWrites) {

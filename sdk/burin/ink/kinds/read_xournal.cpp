@@ -9,6 +9,7 @@
 #include <burin/ink/pen_file.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <string_view>
@@ -17,6 +18,13 @@
 
 namespace burin {
 namespace {
+
+/// The text with points in its numbers, where Xournal wrote commas in some languages.
+std::string with_points(std::string_view text) {
+  std::string changed(text);
+  std::ranges::replace(changed, ',', '.');
+  return changed;
+}
 
 /// Reads numbers to the end of a text. Throws Error for anything else.
 std::vector<double> numbers_in(std::string_view text) {
@@ -49,12 +57,14 @@ std::vector<float> widths_of(std::string_view text, std::size_t points) {
 
 PenStroke stroke_of(const XmlFile& xml, const pugi::xml_node& node) try {
   std::string joined;
-  const std::vector<double> numbers = numbers_in(text_of(node, joined));
+  std::string_view text = text_of(node, joined);
+  if (text.find(',') != text.npos) text = joined = with_points(text);
+  const std::vector<double> numbers = numbers_in(text);
   if (numbers.size() % 2 != 0) throw Error("a stroke with an x without y");
   PenStroke stroke;
   for (std::size_t i = 0; i < numbers.size(); i += 2)
     stroke.samples.push_back({.time = 0, .position = {numbers[i], numbers[i + 1], 0}, .pen = {}});
-  stroke.widths = widths_of(attribute(node, "width").value(), stroke.samples.size());
+  stroke.widths = widths_of(with_points(attribute(node, "width").value()), stroke.samples.size());
   return stroke;
 } catch (const FileError&) {
   throw;
