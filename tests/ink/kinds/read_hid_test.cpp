@@ -54,6 +54,20 @@ TEST(ReadHid, TakesRadiansWhereTheDescriptorHasThem) {
   EXPECT_EQ(file.strokes[0].samples[0].pen.tilt_y, -1);
 }
 
+TEST(ReadHid, PartsTouchesOfWhichEachReportHasOne) {
+  // Report 4 of a screen: tip, id, x and y, a byte each.
+  const PenFile file = PenFileFolder().read(
+      "R: 41 05 0d 09 04 a1 01 85 04 09 22 a1 02 09 42 15 00 25 01 75 08 95 01 81 02 09 51 25 7f 81 02 05 01 "
+      "09 30 "
+      "09 31 95 02 81 02 c0\n"
+      "E: 0 5 04 01 00 0a 14\nE: 0 5 04 01 01 64 14\nE: 0.01 5 04 01 00 0b 14\nE: 0.01 5 04 01 01 65 14\n"
+      "E: 0.02 5 04 00 00 0b 14\nE: 0.02 5 04 01 01 66 14\n");
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(places(file.strokes[0]), "10 20, 11 20");
+  EXPECT_EQ(places(file.strokes[1]), "100 20, 101 20, 102 20");
+  EXPECT_EQ(file.strokes[1].drawn_by.tool, "touch");
+}
+
 /// The lines of a tablet that tells of two touches at a time: their number, then the id, tip switch, x and y
 /// of each, in 1/40 mm. Its usages are those of Wacom's page of touch.
 std::string touches(const std::vector<std::string>& reports) {

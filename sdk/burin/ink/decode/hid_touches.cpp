@@ -1,8 +1,10 @@
-// Follows touches by their ids. A report has room for some of them, and tells how many there are; what room
-// is left holds zeros. More touches than there is room for come in reports that follow, whose count is 0.
+// Follows touches by their ids. A report has room for one or some of them, and tells how many there are; what
+// room is left holds zeros. More touches than there is room for come in reports that follow, whose count is
+// 0.
 #include <burin/ink/decode/hid_touches.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace burin {
@@ -10,9 +12,12 @@ namespace {
 
 constexpr std::size_t most_touches = 64;  // in a report; more than any device has
 
+constexpr std::array usages_of_pens{usage_barrel, usage_eraser, usage_tilt_x};
+
 /// Fields of touches in a report, in its order.
 struct TouchFields {
   std::vector<HidField> tips, ids, x, y, counts;
+  bool of_pen = false;  ///< has what only pens have
 
   std::vector<HidField>* of(std::uint32_t usage) {
     switch (usage) {
@@ -35,8 +40,10 @@ struct TouchFields {
 std::map<std::uint8_t, TouchFields> fields_by_report(const std::vector<HidField>& fields) {
   std::map<std::uint8_t, TouchFields> reports;
   for (const HidField& field : fields) {
-    std::vector<HidField>* same = reports[field.report].of(field.usage);
+    TouchFields& of_report = reports[field.report];
+    std::vector<HidField>* same = of_report.of(field.usage);
     if (same && same->size() < most_touches) same->push_back(field);
+    of_report.of_pen |= std::ranges::find(usages_of_pens, field.usage) != usages_of_pens.end();
   }
   return reports;
 }
@@ -47,7 +54,8 @@ HidTouches::HidTouches(const std::vector<HidField>& fields) {
   for (auto& [id, of] : fields_by_report(fields)) {
     Report& report = reports_[id];
     const std::size_t touches = std::min({of.tips.size(), of.ids.size(), of.x.size(), of.y.size()});
-    for (std::size_t i = 0; touches > 1 && i < touches; ++i)
+    const bool has_touches = touches > 1 || !of.of_pen;
+    for (std::size_t i = 0; has_touches && i < touches; ++i)
       report.places.push_back({of.tips[i], of.ids[i], of.x[i], of.y[i]});
     report.count = std::move(of.counts);
   }

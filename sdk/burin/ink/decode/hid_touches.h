@@ -9,12 +9,12 @@
 
 namespace burin {
 
-/// Makes a stroke of each touch of a device whose reports have several, each with its id.
+/// Makes a stroke of each touch of a device whose reports have one or several, each with its id.
 class HidTouches {
  public:
   explicit HidTouches(const std::vector<HidField>& fields);
 
-  /// Takes a report; returns whether it is one of several touches.
+  /// Takes a report; returns whether it is one of touches.
   bool take(double time, const HidReport& report, PenFile& content);
 
  private:

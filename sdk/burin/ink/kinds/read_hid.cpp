@@ -2,7 +2,7 @@
 // "E: time n bytes" are cut into fields.
 //
 // Contact is the tip switch or the eraser switch. Reports that lack the position belong to something else:
-// the battery, or the tablet's buttons. Reports of several touches are read by decode/hid_touches.h.
+// the battery, or the tablet's buttons. Reports of touches with ids are read by decode/hid_touches.h.
 #include <burin/base/error.h>
 #include <burin/ink/decode/hid_touches.h>
 #include <burin/ink/kinds/kinds.h>
@@ -28,8 +28,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::uint32_t usage_pressure = 0x0d0030, usage_tilt_x = 0x0d003d, usage_tilt_y = 0x0d003e,
-                        usage_twist = 0x0d0041, usage_eraser = 0x0d0045, usage_barrel = 0x0d0044,
+constexpr std::uint32_t usage_pressure = 0x0d0030, usage_tilt_y = 0x0d003e, usage_twist = 0x0d0041,
                         usage_barrel2 = 0x0d005a;
 constexpr std::array pen_usages{usage_x,      usage_y,     usage_tip,    usage_pressure, usage_tilt_x,
                                 usage_tilt_y, usage_twist, usage_eraser, usage_barrel,   usage_barrel2};

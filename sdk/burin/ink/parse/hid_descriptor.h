@@ -8,7 +8,8 @@ namespace burin {
 
 // Usages, page << 16 | usage, of pens and of touches.
 inline constexpr std::uint32_t usage_x = 0x010030, usage_y = 0x010031, usage_tip = 0x0d0042,
-                               usage_contact_id = 0x0d0051, usage_contact_count = 0x0d0054;
+                               usage_contact_id = 0x0d0051, usage_contact_count = 0x0d0054,
+                               usage_tilt_x = 0x0d003d, usage_barrel = 0x0d0044, usage_eraser = 0x0d0045;
 
 /// A field of the input reports of a HID device.
 struct HidField {
