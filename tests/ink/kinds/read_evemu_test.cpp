@@ -62,6 +62,32 @@ TEST(ReadEvemu, EndsAStrokeWhereEventsWereLost) {
   EXPECT_EQ(places(file.strokes[1]), "40 20");
 }
 
+TEST(ReadEvemu, KnowsTheUnitOfTiltsWithoutResolutionByTheirRange) {
+  for (const auto& [range, value] :
+       std::vector<std::pair<const char*, const char*>>{{"-9000 9000 0 0", "3000"},
+                                                        {"-900 900 0 0 0", "300"},
+                                                        {"-90 90 0 0", "30"},
+                                                        {"0 127 0 0", "94"}}) {
+    const PenFile file = PenFileFolder().read("# EVEMU 1.1\nA: 00 0 100 0 0\nA: 01 0 100 0 0\nA: 1a " +
+                                              std::string(range) + "\nA: 1b " + range + "\n" +
+                                              frame("1", {"0003 0000 20", "0003 0001 40", "0001 014a 1",
+                                                          ("0003 001a " + std::string(value)).c_str(),
+                                                          ("0003 001b " + std::string(value)).c_str()}));
+    EXPECT_FLOAT_EQ(file.strokes.at(0).samples.at(0).pen.tilt_x, static_cast<float>(30 * degree)) << range;
+  }
+}
+
+TEST(ReadEvemu, HasTheTwistOfPensThatMeasureIt) {
+  const std::string axis = "A: 02 -900 899 0 0 287\n";
+  const std::string down = frame("1", {"0003 0000 200", "0003 0001 400", "0003 0002 450", "0001 014a 1"});
+  const PenFile still = PenFileFolder().read(tablet + axis + down + frame("2", {"0003 0000 300"}));
+  EXPECT_FALSE(still.strokes.at(0).fields.twist);
+  const PenFile file = PenFileFolder().read(tablet + axis + down + frame("2", {"0003 0002 -900"}));
+  ASSERT_TRUE(file.strokes.at(0).fields.twist);
+  EXPECT_NEAR(file.strokes[0].samples.at(0).pen.twist, 0, 1e-6);
+  EXPECT_NEAR(file.strokes[0].samples.at(1).pen.twist, 90 * degree, 1e-6);
+}
+
 TEST(ReadEvemu, TellsOfTheButtonsAtThePensSide) {
   const PenFile file = PenFileFolder().read(
       tablet + frame("1", {"0003 0000 200", "0003 0001 400", "0001 0140 1", "0001 014a 1"}) +

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <set>
 #include <utility>
 
 namespace burin {
@@ -16,7 +18,8 @@ namespace {
 // Names and numbers are those of linux/input-event-codes.h.
 constexpr unsigned ev_syn = 0, ev_key = 1, ev_abs = 3;
 constexpr unsigned syn_report = 0, syn_mt_report = 2, syn_dropped = 3;
-constexpr unsigned abs_x = 0x00, abs_y = 0x01, abs_pressure = 0x18, abs_tilt_x = 0x1a, abs_tilt_y = 0x1b;
+constexpr unsigned abs_x = 0x00, abs_y = 0x01, abs_z = 0x02, abs_pressure = 0x18, abs_tilt_x = 0x1a,
+                   abs_tilt_y = 0x1b;
 constexpr unsigned first_tool = 0x140, tool_rubber = 0x141, tool_finger = 0x145, tool_mouse = 0x146,
                    tool_lens = 0x147, touch_code = 0x14a, stylus_code = 0x14b, stylus2_code = 0x14c;
 
@@ -101,7 +104,7 @@ void EvdevFrames::add_sample(double time) {
   const bool rubber = tool_ == tool_rubber;
   if (!stroke_ || content_.strokes[*stroke_].drawn_by.eraser != rubber) {
     stroke_ = content_.strokes.size();
-    content_.strokes.emplace_back().drawn_by.eraser = rubber;
+    content_.strokes.emplace_back().drawn_by = {tool_ == tool_finger ? "touch" : "", rubber};
     set_fields(content_.strokes.back());
   }
   PenStroke& stroke = content_.strokes[*stroke_];
@@ -117,6 +120,7 @@ void EvdevFrames::add_sample(double time) {
     sample.pen.tilt_x = static_cast<float>(tilt(abs_tilt_x));
     sample.pen.tilt_y = static_cast<float>(tilt(abs_tilt_y));
   }
+  if (stroke.fields.twist) sample.pen.twist = static_cast<float>(twist());
 }
 
 /// What the device has sent so far; of axes without a range only the position means something.
@@ -125,10 +129,11 @@ void EvdevFrames::set_fields(PenStroke& stroke) const {
   stroke.fields.pressure = values_.contains(abs_pressure) && axis(abs_pressure);
   stroke.fields.tilt =
       values_.contains(abs_tilt_x) && values_.contains(abs_tilt_y) && axis(abs_tilt_x) && axis(abs_tilt_y);
+  stroke.fields.twist = values_.contains(abs_z) && axis(abs_z);
 }
 
 /// Radians. A resolution of 57 per radian means degrees, one of 5730 hundredths; without one it is degrees
-/// from the middle of the range.
+/// from the middle of the range, or tenths or hundredths where no pen leans as many degrees.
 double EvdevFrames::tilt(unsigned code) const {
   const EvdevAxis& range = *axis(code);
   const double value = values_.at(code);
@@ -137,10 +142,35 @@ double EvdevFrames::tilt(unsigned code) const {
     const bool power_of_ten = std::abs(per_degree - 1) < 0.01 || std::abs(per_degree - 100) < 1;
     return power_of_ten ? value * math::degree / std::round(per_degree) : value / range.resolution;
   }
-  return (value - std::ceil((range.least + range.most) / 2)) * math::degree;
+  constexpr double turn = 360, tenths = 10, hundredths = 100;
+  const double span = range.most - range.least;
+  const double a_degree = span <= turn ? 1 : span <= turn * tenths ? tenths : hundredths;
+  return (value - std::ceil((range.least + range.most) / 2)) / a_degree * math::degree;
+}
+
+/// How far the pen is turned, radians from 0 to 2 pi. The range is a whole turn; at 0 of a range around it
+/// the buttons point to the right, which is a quarter off, as libinput has it.
+double EvdevFrames::twist() const {
+  const EvdevAxis& range = *axis(abs_z);
+  const double turn = (values_.at(abs_z) - range.least) / (range.most - range.least + 1) + 0.25;
+  return 2 * std::numbers::pi * (turn - std::floor(turn));
+}
+
+/// Takes the twist for none where it never changes: drivers send it for pens that cannot measure it.
+void EvdevFrames::drop_still_twist() {
+  std::set<float> twists;
+  for (const PenStroke& stroke : content_.strokes)
+    for (const Sample& sample : stroke.samples)
+      if (stroke.fields.twist && twists.size() < 2) twists.insert(sample.pen.twist);
+  if (twists.size() > 1) return;
+  for (PenStroke& stroke : content_.strokes) {
+    stroke.fields.twist = false;
+    for (Sample& sample : stroke.samples) sample.pen.twist = Pen{}.twist;
+  }
 }
 
 PenFile EvdevFrames::finish() {
+  drop_still_twist();
   if (EvdevPlane(axes_, abs_x, abs_y).has_millimetres()) content_.unit = "mm";
   return std::move(content_);
 }

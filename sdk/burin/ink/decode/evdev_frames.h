@@ -43,6 +43,8 @@ class EvdevFrames {
   void add_sample(double time);
   const EvdevAxis* axis(unsigned code) const { return axis_of(axes_, code); }
   double tilt(unsigned code) const;
+  double twist() const;
+  void drop_still_twist();
   void set_fields(PenStroke& stroke) const;
 
   EvdevAxes axes_;
