@@ -186,6 +186,69 @@ TEST(ReadPointers, ReadsListsOfEvents) {
 }
 
 // Of strokes whose reading needs a tree of JSON values and of those that do not.
+TEST(ReadPointers, TakesEventsThatTheBrowserPutTogetherForTheOneOfThem) {
+  const std::string down =
+      R"({"type": "pointerdown", "x": 1, "y": 2, "pressure": 0.25, "timeStamp": 8, "pointerId": 3, "coalescedEvents": []})";
+  const std::string move =
+      R"({"type": "pointermove", "x": 5, "y": 6, "pressure": 0.75, "timeStamp": 16, "pointerId": 3, "coalescedEvents":
+      [{"x": 3, "y": 4, "timeStamp": 12, "pressure": 0.5}, {"x": 5, "y": 6, "timeStamp": 16}]})";
+  for (const std::string& text :
+       {"[" + down + ", " + move + "]", R"({"page": 1, "events": [)" + down + ", " + move + "]}"}) {
+    const PenFile file = PenFileFolder().read(text);
+    EXPECT_EQ(file.kind, "pointer");
+    ASSERT_EQ(file.strokes.size(), 1u) << text;
+    EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4, 5 6");
+    EXPECT_EQ(file.strokes[0].samples[1].time, 0.012);
+    EXPECT_EQ(file.strokes[0].samples[2].pen.pressure, 0.75F);
+  }
+}
+
+TEST(ReadPointers, HasTheToolOfEachPointer) {
+  const PenFile file = PenFileFolder().read(
+      R"([{"x": 1, "y": 2, "buttons": 1, "pointerId": 1, "pointerType": "pen"},
+          {"x": 9, "y": 9, "buttons": 1, "pointerId": 2, "pointerType": "touch"}])");
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_EQ(file.strokes[0].drawn_by.tool, "pen");
+  EXPECT_TRUE(file.strokes[0].fields.barrel);
+  EXPECT_EQ(file.strokes[1].drawn_by.tool, "touch");
+  EXPECT_FALSE(file.strokes[1].fields.barrel);
+}
+
+TEST(ReadPointers, ReadsColumnsByTheNamesOfEvents) {
+  for (const char* more : {"", R"(, "note": {"a": 1}, "x": [1, 3], "pageX": [9, 9])"}) {
+    const PenFile file = PenFileFolder().read(
+        R"({"clientX": [1, 3], "clientY": [2, 4], "timeStamp": [0, 8], "buttons": [1, 1])" +
+        std::string(more) + "}");
+    EXPECT_EQ(file.kind, "pointer");
+    EXPECT_EQ(places(file.strokes.at(0)), "1 2, 3 4");
+    EXPECT_EQ(file.strokes[0].samples[1].time, 0.008);
+  }
+}
+
+TEST(ReadPointers, ReadsPointsThatAreListsOfNumbers) {
+  const PenFile file = PenFileFolder().read(
+      R"({"strokes": [{"points": [[1, 2, 0.25, 10], [3, 4, 1, 20]]}, [[5, 6, 7], [7, 8, 0.5]], [[9, 9]]]})");
+  ASSERT_EQ(file.strokes.size(), 3u);
+  EXPECT_EQ(places(file.strokes[0]), "1 2, 3 4");
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
+  EXPECT_EQ(file.strokes[0].samples[1].time, 0.02);
+  EXPECT_EQ(file.strokes[0].samples[0].pen.pressure, 0.25F);
+  EXPECT_EQ(file.strokes[1].fields, PenFields()) << "a third number that is no pressure";
+  EXPECT_EQ(places(file.strokes[2]), "9 9");
+}
+
+TEST(ReadPointers, CallsAPressureOfOneHalfThroughoutTheProgramsOwn) {
+  const auto made = [](const char* last) {
+    return PenFileFolder()
+        .read(R"([{"points": [{"x": 1, "y": 2, "pressure": 0.5}, {"x": 3, "y": 4, "pressure": )" +
+              std::string(last) + "}]}]")
+        .strokes.at(0)
+        .made_pressure;
+  };
+  EXPECT_TRUE(made("0.5"));
+  EXPECT_FALSE(made("0.25"));
+}
+
 TEST(ReadPointers, TellsTiltsOfAltitudeAndAzimuth) {
   const PenFileFolder folder;
   const std::string angles =

@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -82,6 +83,31 @@ ListedEvent event_of(const JsonValue& json) {
   return event;
 }
 
+/// Whether a member has the events that were put together in one, as getCoalescedEvents() gives them.
+bool is_of_coalesced(std::string_view name) { return name.find("oalesced") != name.npos; }
+
+/// Gives an event what it does not say, and the event does into which it was put.
+void take_missing(const ListedEvent& whole, ListedEvent& event) {
+  for (std::size_t i = 0; i < event.channels.size(); ++i)
+    if (!event.channels[i].has()) event.channels[i] = whole.channels[i];
+  if (!event.pointer) event.pointer = whole.pointer;
+  if (!event.buttons) event.buttons = whole.buttons;
+  if (!event.type) event.type = whole.type;
+  if (!event.pointer_type) event.pointer_type = whole.pointer_type;
+}
+
+/// The events that were put together in one, or else this one.
+std::vector<ListedEvent> events_of(const JsonValue& json) {
+  const ListedEvent whole = event_of(json);
+  std::vector<ListedEvent> events;
+  for (const auto& [name, member] : json.members()) {
+    if (!is_of_coalesced(name) || !member.is_array() || !events.empty()) continue;
+    for (const JsonValue& one : member.items()) take_missing(whole, events.emplace_back(event_of(one)));
+  }
+  if (events.empty()) events.push_back(whole);
+  return events;
+}
+
 std::optional<double> number_of(std::string_view part) {
   double value = 0;
   return take_number(part, value) && part.empty() ? std::optional(value) : std::nullopt;
@@ -102,12 +128,13 @@ bool take_named(std::string_view name, std::string_view part, const Names& names
   return value.has_value();
 }
 
-/// Removes the event at the front of a text, read without a tree of JSON values; nothing if event_of() may
-/// find a fault.
+/// Removes the event at the front of a text, read without a tree of JSON values; nothing if events_of() may
+/// find a fault or several.
 std::optional<ListedEvent> plain_event(TextWindow& json) {
   ListedEvent event;
   const bool whole = for_each_json_part(json, [&](std::string_view name, TextWindow& of_part) {
     const std::string_view part = take_json_value(of_part);
+    if (is_of_coalesced(name)) return part == "[]";
     if (name == "pointerId") return (event.pointer = number_of(part)).has_value();
     if (name == "buttons") return (event.buttons = number_of(part)).has_value();
     if (name == altitude_name) return (event.altitude = number_of(part)).has_value();
@@ -132,12 +159,12 @@ class EventList {
  private:
   bool goes_down(const ListedEvent& listed, const PenEvent& event);
   void set_contact(const ListedEvent& listed, PenEvent& event);
-  bool has_barrel() const { return has_buttons_ && (tool_.empty() || tool_ == "pen"); }
+  std::string_view tool_of(double pointer) const;
 
   ContactStrokes strokes_;
   std::array<bool, pointer_channels.size()> whole_{};
-  std::map<double, bool> down_;  ///< by pointer
-  std::string_view tool_;
+  std::map<double, bool> down_;               ///< by pointer
+  std::map<double, std::string_view> tools_;  ///< by pointer
   bool first_ = true;
   bool has_buttons_ = true;  ///< all events tell them
   bool reported_ = true;     ///< a pressure is what a device reports
@@ -152,7 +179,7 @@ void EventList::take(const ListedEvent& listed) {
     whole_[i] = (first_ || whole_[i]) && channel.has();
   }
   event.pointer = listed.pointer.value_or(event.pointer);
-  if (listed.pointer_type) tool_ = tool_of_pointer_type(*listed.pointer_type);
+  if (listed.pointer_type) tools_[event.pointer] = tool_of_pointer_type(*listed.pointer_type);
   if (first_) reported_ = listed.channels[pressure_channel].rank == 0;
   first_ = false;
   set_contact(listed, event);
@@ -173,6 +200,11 @@ bool EventList::goes_down(const ListedEvent& listed, const PenEvent& event) {
   return down;
 }
 
+std::string_view EventList::tool_of(double pointer) const {
+  const auto found = tools_.find(pointer);
+  return found == tools_.end() ? std::string_view() : found->second;
+}
+
 PenFile EventList::finish() {
   PenFile content;
   content.unit = "px";
@@ -183,8 +215,9 @@ PenFile EventList::finish() {
   for (ContactStroke& stroke : strokes_.take_strokes()) {
     PenStroke& made = content.strokes.emplace_back();
     made.fields = fields;
-    made.fields.barrel = has_barrel();
-    made.drawn_by = {std::string(tool_), stroke.eraser};
+    const std::string_view tool = tool_of(stroke.pointer);
+    made.fields.barrel = has_buttons_ && (tool.empty() || tool == "pen");
+    made.drawn_by = {std::string(tool), stroke.eraser};
     made.made_pressure = fields.pressure && !reported_;
     made.samples = std::move(stroke.samples);
     if (!made.fields.barrel)
@@ -203,8 +236,22 @@ PenFile read_event_lines(const PenFileText& file) {
     events.take(*plain);
     return true;
   };
-  for_each_json_value(file, take_plain, [&](const JsonValue& value) { events.take(event_of(value)); });
+  for_each_json_value(file, take_plain, [&](const JsonValue& value) {
+    for (const ListedEvent& event : events_of(value)) events.take(event);
+  });
   return events.finish();
+}
+
+/// The text from the list that an object has as "events" on; empty if it has none early.
+std::string_view at_events(std::string_view text) {
+  constexpr std::size_t early = 4096;
+  constexpr std::string_view name = "\"events\"";
+  const std::size_t at = text.substr(0, early).find(name);
+  if (!take_character(text, '{') || at == text.npos) return {};
+  text = text.substr(std::min(at - 1 + name.size(), text.size()));
+  if (!take_character(text, ':')) return {};
+  skip_blanks(text);
+  return text;
 }
 
 }  // namespace
@@ -213,25 +260,35 @@ bool begins_as_event_list(std::string_view text) {
   TextWindow window(text);
   if (!take_character(text, '[') && !begins_as_json_lines(window)) return false;
   if (!take_character(text, '{')) return false;
-  const std::size_t end = text.find('}');
+  const std::size_t end = text.find_first_of("}[");
+  const bool flat = end != text.npos && text[end] == '}';
   text = text.substr(0, end);
-  return end != text.npos && text.find('[') == text.npos &&
+  return (flat || is_of_coalesced(text)) &&
          (text.find("\"x\"") != text.npos || text.find("\"clientX\"") != text.npos);
 }
 
+bool has_event_list(std::string_view text) {
+  skip_blanks(text);
+  const std::string_view list = at_events(text);
+  return list.starts_with('[') && begins_as_event_list(list);
+}
+
 PenFile read_event_list(const PenFileText& file) {
-  if (file.text.find('{') < file.text.find('[')) return read_event_lines(file);
+  const bool within = !begins_as_event_list(file.text);
+  if (!within && file.text.find('{') < file.text.find('[')) return read_event_lines(file);
   auto by_events = pen_file_by_parts(file, [&](TextWindow& text, PenFile& content) {
     EventList events;
+    if (within) return false;
     const bool read = for_each_json_part(text, [&](std::string_view, TextWindow& json) {
       json.skip_blanks();
       const std::uintmax_t place = json.place();
-      auto event = plain_event(json);
-      if (!event) {
-        json.go_to(place);
-        event = event_of(pen_json_part(file, take_json_value(json)));
+      if (const auto event = plain_event(json)) {
+        events.take(*event);
+        return true;
       }
-      events.take(*event);
+      json.go_to(place);
+      for (const ListedEvent& event : events_of(pen_json_part(file, take_json_value(json))))
+        events.take(event);
       return true;
     });
     content = events.finish();
@@ -239,7 +296,9 @@ PenFile read_event_list(const PenFileText& file) {
   });
   if (by_events) return std::move(*by_events);
   EventList events;
-  for (const JsonValue& event : pen_json(file).items()) events.take(event_of(event));
+  const JsonValue root = pen_json(file), list = within ? root.member("events") : root;
+  for (const JsonValue& one : list.items())
+    for (const ListedEvent& event : events_of(one)) events.take(event);
   return events.finish();
 }
 

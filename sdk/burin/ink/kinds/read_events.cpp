@@ -63,6 +63,7 @@ bool read_columns(TextWindow& text, PenFile& content) {
     return is_new && append_numbers(part, column->second);
   };
   if (!for_each_json_part(text, take)) return false;
+  use_first_names(columns);
   auto events = pointer_events(columns);
   columns.clear();
   if (events) content = pen_file_of(*events, "px");
@@ -106,7 +107,7 @@ PenFile read_svc(const PenFileText& file) {
 
 bool is_pointer_arrays(std::string_view text) {
   const auto names = pointer_column_names();
-  if (begins_as_event_list(text)) return true;
+  if (begins_as_event_list(text) || has_event_list(text)) return true;
   const auto take = [&text](char expected) { return take_character(text, expected); };
   if (!take('{') || !take('"')) return false;
   const std::string_view name = text.substr(0, text.find('"'));
@@ -115,7 +116,7 @@ bool is_pointer_arrays(std::string_view text) {
 }
 
 PenFile read_pointer_arrays(const PenFileText& file) {
-  if (begins_as_event_list(file.text)) return read_event_list(file);
+  if (begins_as_event_list(file.text) || has_event_list(file.text)) return read_event_list(file);
   if (auto content = pen_file_by_parts(file, read_columns)) return std::move(*content);
   const PenFileText whole = file.rest_at == 0 ? file : whole_pen_file(file.path);
   check_json_bounds(whole);

@@ -1,9 +1,9 @@
 // Reads strokes of web programs from JSON: a list of strokes, or an object that has one as "strokes",
 // "events" or "pointers", or in groups as "strokeGroups". A stroke has its points as a list of objects,
 // {"pointers": [{"x", "y", "t", "p"}]} or the list alone, or as lists of numbers, {"x": [], "y": [], "t": [],
-// "p": []}. Each line may have a stroke instead, or a drawing of Quick, Draw!
-// [github.com/googlecreativelab/quickdraw-dataset], {"drawing": [[[x...], [y...], [t...]]]}. Positions are
-// CSS pixels, times milliseconds, tilts and twist degrees, as PointerEvent has them.
+// "p": []}; a point may be a list [x, y, pressure, time], too. Each line may have a stroke instead, or a
+// drawing of Quick, Draw! [github.com/googlecreativelab/quickdraw-dataset], {"drawing": [[[x...], [y...],
+// [t...]]]}. Positions are CSS pixels, times milliseconds, tilts and twist degrees, as PointerEvent has them.
 // Groups of strokes may stand in a list, with their strokes as "children" or "strokes". What says of itself
 // that it is a shape, text or line between shapes has no strokes, even if it has points.
 //
@@ -48,8 +48,30 @@ void tilt_by_angles(const std::vector<JsonValue>& points, PenStroke& stroke) {
   stroke.fields.tilt = true;
 }
 
+/// Reads points that are lists of x, y and, as perfect-freehand has them, a pressure and a time in
+/// milliseconds. A third number that is no pressure of 0..1 may be anything, and is not used.
+void read_number_points(const std::vector<JsonValue>& points, PenStroke& stroke) {
+  PenFields& fields = stroke.fields;
+  fields.time = fields.pressure = true;
+  for (const JsonValue& point : points) {
+    constexpr std::size_t most_numbers = 4;
+    const std::vector<double> numbers = point.numbers();
+    if (numbers.size() < 2 || numbers.size() > most_numbers) point.reject_type("a list of x and y");
+    Sample& sample = stroke.samples.emplace_back();
+    sample.position = {numbers[0], numbers[1], 0};
+    fields.pressure &= numbers.size() > 2 && numbers[2] >= 0 && numbers[2] <= 1;
+    fields.time &= fields.pressure && numbers.size() > 3;
+    if (fields.pressure) sample.pen.pressure = static_cast<float>(numbers[2]);
+    if (fields.time) sample.time = numbers[3] / 1000;
+  }
+  keep_channels(stroke, {fields.time, fields.pressure, true, true, true});
+}
+
+bool is_point_of_numbers(const JsonValue& point) { return point.is_array() && point.size() >= 2; }
+
 void read_points(const JsonValue& points, PenStroke& stroke) {
   const std::vector<JsonValue> items = points.items();
+  if (!items.empty() && is_point_of_numbers(items.front())) return read_number_points(items, stroke);
   for (const JsonValue& point : items)
     stroke.samples.emplace_back().position = {point.member("x").number(), point.member("y").number(), 0};
   if (items.empty()) return;
@@ -83,8 +105,9 @@ void read_lists(const JsonValue& lists, PenStroke& stroke) {
 
 std::optional<JsonValue> points_of(const JsonValue& stroke) {
   if (stroke.is_array()) {
-    const bool of_points = stroke.size() > 0 && stroke.items().front().is_object();
-    return of_points ? std::optional(stroke) : std::nullopt;
+    if (stroke.size() == 0) return std::nullopt;
+    const JsonValue first = stroke.items().front();
+    return first.is_object() || is_point_of_numbers(first) ? std::optional(stroke) : std::nullopt;
   }
   if (!stroke.is_object()) return std::nullopt;
   const auto pointers = stroke.find("pointers");
@@ -241,13 +264,21 @@ bool has_key_early(std::string_view text, std::string_view key) {
   return text.substr(0, early).find(key) != text.npos;
 }
 
-/// Takes a pressure that is 0 at every sample for none: so do touches of devices that measure it not.
+/// Whether all samples of a file that have a pressure have this one.
+bool has_only_pressure(const PenFile& content, float pressure) {
+  return std::ranges::all_of(content.strokes, [&](const PenStroke& stroke) {
+    return !stroke.fields.pressure || std::ranges::all_of(stroke.samples, [&](const Sample& sample) {
+      return sample.pen.pressure == pressure;
+    });
+  });
+}
+
+/// Takes a pressure that is 0 at every sample for none: so do touches of devices that measure it not. One of
+/// 0.5 throughout is what browsers tell of such devices.
 void leave_out_dead_pressure(PenFile& content) {
-  const auto is_dead = [](const PenStroke& stroke) {
-    return !stroke.fields.pressure ||
-           std::ranges::all_of(stroke.samples, [](const Sample& sample) { return sample.pen.pressure == 0; });
-  };
-  if (!std::ranges::all_of(content.strokes, is_dead)) return;
+  if (has_only_pressure(content, 0.5F))
+    for (PenStroke& stroke : content.strokes) stroke.made_pressure = stroke.fields.pressure;
+  if (!has_only_pressure(content, 0)) return;
   for (PenStroke& stroke : content.strokes) {
     if (!stroke.fields.pressure) continue;
     stroke.fields.pressure = stroke.made_pressure = false;

@@ -21,7 +21,7 @@ void ContactStrokes::take(const PenEvent& event) {
   const auto [at, begins] = open_.try_emplace(event.pointer, strokes_.size());
   if (begins || strokes_[at->second].eraser != event.eraser) {
     at->second = strokes_.size();
-    strokes_.push_back({{}, event.eraser});
+    strokes_.push_back({{}, event.eraser, event.pointer});
   }
   strokes_[at->second].samples.push_back(event.sample);
 }

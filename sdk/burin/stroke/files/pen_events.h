@@ -34,16 +34,21 @@ struct PenEvents {
 /// Error for malformed lines, values that are not finite and pressure outside 0..1.
 PenEvent mypaint_event(std::string_view line);
 
-/// HTML PointerEvent recordings: a JSON object of arrays x, y, time (ms) and optionally pressure, buttons,
-/// tiltX, tiltY, twist (degrees), pointerId. buttons 0 means a lifted pen, whatever its pressure; without
-/// buttons, pressure 0 does. Throws FileError that names the element, `path` is for messages.
+/// HTML PointerEvent recordings: a JSON object of arrays x, y, time (ms), or what events have instead of
+/// these (clientX, timeStamp), and optionally pressure, buttons, tiltX, tiltY, twist (degrees), pointerId.
+/// buttons 0 means a lifted pen, whatever its pressure; without buttons, pressure 0 does. Throws FileError
+/// that names the element, `path` is for messages.
 PenEvents pointer_events(const std::string& text, const std::filesystem::path& path);
 
-/// Such arrays by their names.
+/// Such arrays by their names, x, y and time.
 using PointerColumns = std::map<std::string, std::vector<double>, std::less<>>;
 
 /// The names of the arrays that are read.
 std::span<const std::string_view> pointer_column_names();
+
+/// Gives columns that were parsed by such names those of PointerColumns. Where several have one meaning, the
+/// first of pointer_column_names() counts.
+void use_first_names(PointerColumns& columns);
 
 /// The same of arrays that were parsed one by one; nothing if pointer_events() would throw.
 std::optional<PenEvents> pointer_events(const PointerColumns& columns);
@@ -61,6 +66,7 @@ PenEvent svc_event(std::string_view line);
 struct ContactStroke {
   std::vector<Sample> samples;
   bool eraser = false;
+  double pointer = 0;  ///< as PenEvent has it
 };
 
 /// Makes strokes of events, in the recorder's units and in the order of their starts: one of each run in

@@ -6,13 +6,32 @@
 
 #include <array>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace burin {
 namespace {
 
-constexpr std::array<std::string_view, 9> names = {"x",     "y",     "time",  "pressure", "buttons",
-                                                   "tiltX", "tiltY", "twist", "pointerId"};
+constexpr std::array<std::string_view, 18> names = {
+    "x",       "y",       "time",  "pressure", "buttons", "tiltX",   "tiltY", "twist",     "pointerId",
+    "clientX", "clientY", "pageX", "pageY",    "offsetX", "offsetY", "t",     "timeStamp", "timestamp"};
+
+/// The name that another one of `names` stands for.
+std::string_view first_name(std::string_view name) {
+  if (name.ends_with("X") && !name.starts_with("tilt")) return "x";
+  if (name.ends_with("Y") && !name.starts_with("tilt")) return "y";
+  return name == "t" || name == "timeStamp" || name == "timestamp" ? "time" : name;
+}
+
+/// The member of an object by the first of its names that it has. Throws FileError that names the first one
+/// if it is `needed` and not there.
+std::optional<JsonValue> column_of(const JsonValue& root, std::string_view name, bool needed) {
+  for (const std::string_view one : names)
+    if (first_name(one) == name)
+      if (auto found = root.find(std::string(one))) return found;
+  return needed ? std::optional(root.member(std::string(name))) : std::nullopt;
+}
 
 /// Makes events of arrays of the same length, of which x, y and time are there. Calls `reject` with the fault
 /// of one, and leaves the loop.
@@ -61,11 +80,11 @@ PenEvents pointer_events(const std::string& text, const std::filesystem::path& p
   const JsonValue root = JsonValue::parse(text, path.string());
   if (!root.is_object()) root.reject("expected an object of arrays x, y, time");
   PointerColumns columns;
-  const std::size_t count = root.member("x").numbers().size();
+  const std::size_t count = column_of(root, "x", true)->numbers().size();
   for (const std::string_view name : names) {
+    if (first_name(name) != name) continue;
     const bool needed = name == "x" || name == "y" || name == "time";
-    const std::optional<JsonValue> column =
-        needed ? std::optional(root.member(std::string(name))) : root.find(std::string(name));
+    const std::optional<JsonValue> column = column_of(root, name, needed);
     if (!column) continue;
     std::vector<double> values = column->numbers();
     if (values.size() != count) column->reject(fmt::format("has {} values, x has {}", values.size(), count));
@@ -85,5 +104,16 @@ std::optional<PenEvents> pointer_events(const PointerColumns& columns) {
 }
 
 std::span<const std::string_view> pointer_column_names() { return names; }
+
+void use_first_names(PointerColumns& columns) {
+  for (const std::string_view name : names) {
+    const std::string_view first = first_name(name);
+    const auto at = columns.find(name);
+    if (first == name || at == columns.end()) continue;
+    auto column = columns.extract(at);
+    column.key() = first;
+    if (!columns.contains(first)) columns.insert(std::move(column));
+  }
+}
 
 }  // namespace burin
