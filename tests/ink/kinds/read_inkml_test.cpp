@@ -228,6 +228,27 @@ TEST(ReadInkml, TellsToolAndEraserByBrushes) {
       " stroke 1: the name of the tool is not valid UTF-8");
 }
 
+TEST(ReadInkml, PutsTracesOfContextsWithOtherTimestampsInTheirOrder) {
+  const std::string format =
+      R"(<traceFormat><channel name="X"/><channel name="Y"/><channel name="T" units="ms"/></traceFormat>)";
+  const PenFile file = PenFileFolder().read(
+      R"(<ink><definitions><timestamp id="s" time="900000"/>
+<context id="a"><inkSource>)" +
+      format +
+      R"(</inkSource><timestamp id="t" timeString="1970-01-01T01:15:02.5+01:00"/></context>
+<context id="b" timestampRef="#s">)" +
+      format + R"(</context>
+<context id="c">)" +
+      format + R"(<timestamp timestampRef="#s" timeOffset="1000"/></context>
+<context id="d">)" +
+      format + R"(</context><context id="e" contextRef="#a"/></definitions>
+<trace contextRef="#a">1 2 0</trace><trace contextRef="#b">1 2 8</trace><trace contextRef="#c">1 2 0</trace>
+<trace contextRef="#d">1 2 8</trace><trace contextRef="#e" timeOffset="40">1 2 0</trace></ink>)");
+  std::string times;
+  for (const PenStroke& stroke : file.strokes) times += std::to_string(stroke.samples.at(0).time) + " ";
+  EXPECT_EQ(times, "2.500000 0.008000 1.000000 0.008000 2.540000 ");
+}
+
 TEST(ReadInkml, NamesTheLineOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(ink("<trace>1 2,\n3</trace>")), "3: a point of 1 values, its format has 2");

@@ -17,11 +17,9 @@
 namespace burin {
 namespace {
 
-using Vec2d = Eigen::Vector2d;
-
 /// The place on a Bézier curve of three or four points.
-Vec2d bezier(std::span<const Vec2d> points, double share) {
-  std::array<Vec2d, 4> left;
+Eigen::Vector2d bezier(std::span<const Eigen::Vector2d> points, double share) {
+  std::array<Eigen::Vector2d, 4> left;
   std::ranges::copy(points, left.begin());
   for (std::size_t count = points.size(); count > 1; --count)
     for (std::size_t i = 0; i + 1 < count; ++i) left[i] += share * (left[i + 1] - left[i]);
@@ -30,29 +28,31 @@ Vec2d bezier(std::span<const Vec2d> points, double share) {
 
 /// The elliptic arc between two points, by its centre (section B.2.4).
 struct Arc {
-  Arc(const Vec2d& from, const Vec2d& to, Vec2d radii, double turn, bool large, bool sweep);
-  Vec2d at(double share) const {
+  Arc(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Eigen::Vector2d radii, double turn, bool large,
+      bool sweep);
+  Eigen::Vector2d at(double share) const {
     const double angle = first + share * sweep_angle;
-    return centre + axes * Vec2d(math::cos(angle), math::sin(angle));
+    return centre + axes * Eigen::Vector2d(math::cos(angle), math::sin(angle));
   }
-  Vec2d centre = Vec2d::Zero();
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   Eigen::Matrix2d axes;
   double first = 0, sweep_angle = 0;
 };
 
-Arc::Arc(const Vec2d& from, const Vec2d& to, Vec2d radii, double turn, bool large, bool sweep) {
+Arc::Arc(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Eigen::Vector2d radii, double turn,
+         bool large, bool sweep) {
   Eigen::Matrix2d turned;
   turned << math::cos(turn), -math::sin(turn), math::sin(turn), math::cos(turn);
-  const Vec2d half = turned.transpose() * (from - to) / 2;
+  const Eigen::Vector2d half = turned.transpose() * (from - to) / 2;
   const double beyond = half.cwiseQuotient(radii).squaredNorm();
   if (beyond > 1) radii *= std::sqrt(beyond);
   axes = turned * radii.asDiagonal();
-  const Vec2d start = half.cwiseQuotient(radii);  // on the unit circle around `middle`
+  const Eigen::Vector2d start = half.cwiseQuotient(radii);  // on the unit circle around `middle`
   const double chord = start.squaredNorm();
   const double off = std::sqrt(std::max(0., 1 / chord - 1)) * (large == sweep ? -1 : 1);
-  const Vec2d middle = off * Vec2d(start.y(), -start.x());
+  const Eigen::Vector2d middle = off * Eigen::Vector2d(start.y(), -start.x());
   centre = axes * middle + (from + to) / 2;
-  const Vec2d a = start - middle, b = -start - middle;
+  const Eigen::Vector2d a = start - middle, b = -start - middle;
   first = math::atan2(a.y(), a.x());
   sweep_angle = math::atan2(b.y(), b.x()) - first;
   constexpr double full = 2 * std::numbers::pi;
@@ -63,32 +63,32 @@ Arc::Arc(const Vec2d& from, const Vec2d& to, Vec2d radii, double turn, bool larg
 class PathFollower {
  public:
   PathFollower(std::string_view data, const std::function<void()>& begin,
-               const std::function<void(const Vec2d&)>& point)
+               const std::function<void(const Eigen::Vector2d&)>& point)
       : rest_(data), begin_(begin), point_(point) {}
 
   void follow();
 
  private:
   void take_command(char command);
-  void take_curve(char kind, const Vec2d& origin);
-  void take_arc(const Vec2d& origin);
-  void go_to(const Vec2d& place);
+  void take_curve(char kind, const Eigen::Vector2d& origin);
+  void take_arc(const Eigen::Vector2d& origin);
+  void go_to(const Eigen::Vector2d& place);
   void skip_commas();
   bool number_follows();
   double number();
   bool flag();
-  Vec2d pair(const Vec2d& origin) {
+  Eigen::Vector2d pair(const Eigen::Vector2d& origin) {
     const double x = number();
-    return origin + Vec2d(x, number());
+    return origin + Eigen::Vector2d(x, number());
   }
 
   std::string_view rest_;
   const std::function<void()>& begin_;
-  const std::function<void(const Vec2d&)>& point_;
-  Vec2d at_ = Vec2d::Zero(), start_ = Vec2d::Zero();
-  Vec2d control_ = Vec2d::Zero();  ///< the last one of the curve before
-  char before_ = 'M';              ///< the command before, in upper case
-  bool open_ = false;              ///< the subpath has begun
+  const std::function<void(const Eigen::Vector2d&)>& point_;
+  Eigen::Vector2d at_ = Eigen::Vector2d::Zero(), start_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d control_ = Eigen::Vector2d::Zero();  ///< the last one of the curve before
+  char before_ = 'M';                                  ///< the command before, in upper case
+  bool open_ = false;                                  ///< the subpath has begun
 };
 
 void PathFollower::skip_commas() {
@@ -118,7 +118,7 @@ bool PathFollower::flag() {
   return set;
 }
 
-void PathFollower::go_to(const Vec2d& place) {
+void PathFollower::go_to(const Eigen::Vector2d& place) {
   if (!open_) {
     begin_();
     point_(at_);
@@ -128,15 +128,15 @@ void PathFollower::go_to(const Vec2d& place) {
   point_(at_);
 }
 
-void PathFollower::take_curve(char kind, const Vec2d& origin) {
+void PathFollower::take_curve(char kind, const Eigen::Vector2d& origin) {
   const bool cubic = kind == 'C' || kind == 'S';
   const bool smooth = kind == 'S' || kind == 'T';
   const bool follows = cubic ? before_ == 'C' || before_ == 'S' : before_ == 'Q' || before_ == 'T';
-  std::array<Vec2d, 4> points;
+  std::array<Eigen::Vector2d, 4> points;
   std::size_t count = 0;
   points[count++] = at_;
   if (smooth)
-    points[count++] = follows ? Vec2d(2 * at_ - control_) : at_;
+    points[count++] = follows ? Eigen::Vector2d(2 * at_ - control_) : at_;
   else
     points[count++] = pair(origin);
   if (cubic) points[count++] = pair(origin);
@@ -146,11 +146,11 @@ void PathFollower::take_curve(char kind, const Vec2d& origin) {
     go_to(bezier(std::span(points).first(count), static_cast<double>(i) / chords_of_svg_curve));
 }
 
-void PathFollower::take_arc(const Vec2d& origin) {
-  const Vec2d radii = pair(Vec2d::Zero()).cwiseAbs();
+void PathFollower::take_arc(const Eigen::Vector2d& origin) {
+  const Eigen::Vector2d radii = pair(Eigen::Vector2d::Zero()).cwiseAbs();
   const double turn = number() * std::numbers::pi / 180;
   const bool large = flag(), sweep = flag();
-  const Vec2d to = pair(origin);
+  const Eigen::Vector2d to = pair(origin);
   if (radii.minCoeff() == 0 || to == at_) return go_to(to);
   const Arc arc(at_, to, radii, turn, large, sweep);
   for (int i = 1; i < chords_of_svg_curve; ++i) go_to(arc.at(static_cast<double>(i) / chords_of_svg_curve));
@@ -160,7 +160,7 @@ void PathFollower::take_arc(const Vec2d& origin) {
 /// Takes one set of arguments of a command.
 void PathFollower::take_command(char command) {
   const char kind = command >= 'a' ? static_cast<char>(command - 'a' + 'A') : command;
-  const Vec2d origin = command == kind ? Vec2d::Zero() : at_;
+  const Eigen::Vector2d origin = command == kind ? Eigen::Vector2d::Zero() : at_;
   switch (kind) {
     case 'M':
       at_ = start_ = pair(origin);
@@ -213,7 +213,7 @@ void PathFollower::follow() {
 }  // namespace
 
 void follow_svg_path(std::string_view data, const std::function<void()>& begin,
-                     const std::function<void(const Vec2d& point)>& point) {
+                     const std::function<void(const Eigen::Vector2d& point)>& point) {
   PathFollower(data, begin, point).follow();
 }
 

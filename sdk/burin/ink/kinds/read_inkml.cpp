@@ -1,6 +1,7 @@
 // Reads InkML: traces in nested groups, whose contexts tell the channels of their points.
 #include <burin/base/error.h>
 #include <burin/ink/decode/inkml_channels.h>
+#include <burin/ink/decode/inkml_clocks.h>
 #include <burin/ink/decode/inkml_format.h>
 #include <burin/ink/decode/inkml_trace.h>
 #include <burin/ink/kinds/kinds.h>
@@ -50,6 +51,7 @@ class InkmlReader {
       : xml_(file),
         formats_(xml_),
         brushes_(xml_),
+        clocks_(xml_),
         office_(from_office(file.text)),
         in_space_(tells_of_space(xml_.root())) {}
 
@@ -67,13 +69,15 @@ class InkmlReader {
   void read_element(const pugi::xml_node& node, const Around& around);
   void read_defined(const pugi::xml_node& view, const Around& around);
   void read_trace(const pugi::xml_node& trace, Around around);
-  void read_points(const pugi::xml_node& trace, const InkmlChannels& channels, const DrawnBy& drawn_by);
+  void read_points(const pugi::xml_node& trace, const InkmlChannels& channels, const DrawnBy& drawn_by,
+                   double clock);
   void add_points(const pugi::xml_node& trace, PenStroke stroke);
   void drop_tilt();
 
   XmlFile xml_;
   InkmlFormats formats_;
   InkmlBrushes brushes_;
+  InkmlClocks clocks_;
   bool office_, in_space_;
   bool heights_ = false;   ///< some trace has a Z that is no coordinate
   bool tilted_ = false;    ///< some point has a tilt other than 0
@@ -127,7 +131,8 @@ void InkmlReader::read_trace(const pugi::xml_node& trace, Around around) {
   elevated_ |= channels.has_elevation();
   heights_ |= channels.has_height();
   try {
-    read_points(trace, channels, brushes_.of(around.brush.empty() ? around.context : around.brush));
+    read_points(trace, channels, brushes_.of(around.brush.empty() ? around.context : around.brush),
+                clocks_.of(around.context));
   } catch (const FileError&) {
     throw;
   } catch (const Error& error) {
@@ -136,8 +141,9 @@ void InkmlReader::read_trace(const pugi::xml_node& trace, Around around) {
   if (channels.in_millimetres() && !content_.strokes.empty()) content_.unit = "mm";
 }
 
+/// `clock`: when the times of the trace's context begin, seconds.
 void InkmlReader::read_points(const pugi::xml_node& trace, const InkmlChannels& channels,
-                              const DrawnBy& drawn_by) {
+                              const DrawnBy& drawn_by, double clock) {
   const bool lifted = std::string_view(attribute(trace, "type").value()) == "penUp";
   double offset = 0;  // milliseconds
   std::string_view said = attribute(trace, "timeOffset").value();
@@ -159,7 +165,7 @@ void InkmlReader::read_points(const pugi::xml_node& trace, const InkmlChannels& 
       finish_stroke();
       continue;
     }
-    stroke.samples.push_back(channels.sample(values, offset / 1000));
+    stroke.samples.push_back(channels.sample(values, clock + offset / 1000));
     tilted_ |= channels.tilted(values);
   }
   finish_stroke();
