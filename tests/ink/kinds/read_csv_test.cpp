@@ -123,6 +123,20 @@ TEST(ReadCsv, LeavesOutColumnsOfUnknownUnits) {
   EXPECT_EQ(file.strokes.at(0).samples.at(0).time, 5);
 }
 
+TEST(ReadCsv, LeavesOutPressuresOfWhichNothingTellsTheRange) {
+  const PenFile file = PenFileFolder().read("x,y,Pressure\n1,2,0\n3,4,1023\n");
+  EXPECT_EQ(file.strokes.at(0).fields, PenFields());
+  EXPECT_EQ(file.strokes[0].samples.at(1).pen.pressure, 1);
+  EXPECT_EQ(file.not_used, std::vector<std::string>{"Pressure"});
+}
+
+TEST(ReadCsv, ReadsTimesOfDays) {
+  const PenFile file =
+      PenFileFolder().read("time,x,y\n2024-01-01T10:00:00.250,1,2\n\"2024-01-01 10:00:01.5\",3,4\n");
+  EXPECT_TRUE(file.strokes.at(0).fields.time);
+  EXPECT_DOUBLE_EQ(file.strokes[0].samples.at(1).time - file.strokes[0].samples[0].time, 1.25);
+}
+
 TEST(ReadCsv, ReadsLinesThatEndInCarriageReturns) {
   const PenFile file = PenFileFolder().read("# of an old program\rx\ty\tp\r1\t2\tNaN\r3\t4\t\r");
   EXPECT_EQ(places(file.strokes.at(0)), "1 2, 3 4");

@@ -9,6 +9,7 @@
 #include <burin/ink/decode/tilt_angles.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/csv_columns.h>
+#include <burin/ink/parse/iso_time.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/text_window.h>
 #include <burin/ink/pen_file.h>
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -153,6 +155,8 @@ Row row_of(std::string_view line, char separator, std::span<const CsvColumn> nam
       row.stroke_name = cell;
     else if (named[number].cell == CsvCell::tool)
       row.tool = text.quoted ? text.text : is_absent_cell(cell) ? std::string_view() : cell;
+    else if (const auto time = named[number].cell == CsvCell::time ? iso_time(cell) : std::nullopt)
+      set(row, CsvCell::time, *time);
     else if (const auto value = value_of(cell))
       set(row, named[number].cell, *value * named[number].scale);
   }
@@ -190,6 +194,9 @@ class Rows {
       throw Error("a line has other cells than the first of its stroke");
     stroke.samples.push_back(row.sample);
   }
+  /// Leaves out pressures that are whole numbers of a device, up to more than 1, whose range nothing tells.
+  /// Returns whether they are.
+  bool drop_pressure_without_range();
   PenFile finish() { return std::move(content_); }
 
  private:
@@ -214,6 +221,21 @@ class Rows {
   double stroke_ = 0;
   std::string stroke_name_, tool_;  ///< as the open stroke's cells have them
 };
+
+bool Rows::drop_pressure_without_range() {
+  float most = 0;
+  for (const PenStroke& stroke : content_.strokes)
+    for (const Sample& sample : stroke.samples) {
+      if (sample.pen.pressure != std::floor(sample.pen.pressure)) return false;
+      most = std::max(most, sample.pen.pressure);
+    }
+  if (most <= 1) return false;
+  for (PenStroke& stroke : content_.strokes) {
+    stroke.fields.pressure = false;
+    for (Sample& sample : stroke.samples) sample.pen.pressure = Pen{}.pressure;
+  }
+  return true;
+}
 
 /// Puts rows together whose cells have line ends in quotes.
 class QuotedRows {
@@ -292,9 +314,11 @@ PenFile read_csv(const PenFileText& file) {
     }
   });
   quoted.finish();
+  const bool no_range = rows.drop_pressure_without_range();
   PenFile content = rows.finish();
   for (const CsvColumn& column : named) {
-    if (column.cell == CsvCell::unknown) content.not_used.push_back(column.name);
+    if (column.cell == CsvCell::unknown || (no_range && column.cell == CsvCell::pressure))
+      content.not_used.push_back(column.name);
     if (is_position(column.cell)) content.unit = column.unit;
   }
   if (content.unit == "mm") content.millimetres = 1;
