@@ -235,6 +235,19 @@ TEST(ReadSvg, GivesChordsOfCurves) {
   EXPECT_NEAR(file.strokes[2].samples[4].position.y(), -5, 1e-12) << "clockwise on the screen";
 }
 
+TEST(ReadSvg, HidesWhatItsStyleSheetsHide) {
+  const PenFile file = PenFileFolder().read(
+      R"(<svg><style>/* .c {display:none} */ @media print {.c{display:none}} .a, g.b {fill:none; display : none}
+.c{stroke:#000} #d, line {visibility:hidden} path .c {display:none}</style>
+<style><![CDATA[.e{transform:translate(10px,0)} .f{display:none}]]></style>
+<path class="x a" d="M1 1L2 2"/><g class="b"><path d="M1 1L2 2"/></g><path class="b c" d="M3 3L4 4"/>
+<path id="d" d="M1 1L2 2"/><line x2="5"/><path class="e" d="M5 5L6 6"/>
+<path class="f" style="display:inline" d="M7 7L8 8"/></svg>)");
+  std::string drawn;
+  for (const PenStroke& stroke : file.strokes) drawn += places(stroke) + "; ";
+  EXPECT_EQ(drawn, "3 3, 4 4; 15 5, 16 6; 7 7, 8 8; ");
+}
+
 TEST(ReadSvg, NamesTheLineOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(svg("<path d=\"M0 0L1\"/>")), "4: expected a number in a path, found ''");

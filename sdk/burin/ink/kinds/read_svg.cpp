@@ -5,6 +5,7 @@
 #include <burin/ink/decode/svg_path.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/svg_element.h>
+#include <burin/ink/parse/svg_styles.h>
 #include <burin/ink/parse/svg_transform.h>
 #include <burin/ink/parse/xml.h>
 #include <burin/ink/pen_file.h>
@@ -54,6 +55,7 @@ class SvgReader {
   }
 
   PenFile read() {
+    apply_styles();
     read_element(xml_.root(), Shown());
     content_.not_used.assign(others_.begin(), others_.end());
     return std::move(content_);
@@ -64,6 +66,7 @@ class SvgReader {
   static constexpr std::size_t always_samples = 100'000, samples_a_byte = 16, always_work = 2'000'000,
                                work_a_byte = 32, deepest = 300;
 
+  void apply_styles();
   void charge(const pugi::xml_node& node, std::size_t depth);
   bool read_element(const pugi::xml_node& node, Shown shown);
   void read_children(const pugi::xml_node& node, const Shown& shown);
@@ -78,6 +81,14 @@ class SvgReader {
   std::set<std::string> others_;  ///< names of elements that show something else
   PenFile content_;
 };
+
+void SvgReader::apply_styles() {
+  try {
+    apply_svg_style_sheets(xml_.root());
+  } catch (const Error& error) {
+    xml_.reject(xml_.root(), error.what());
+  }
+}
 
 /// Counts an element that is read. Throws Error for too much.
 void SvgReader::charge(const pugi::xml_node& node, std::size_t depth) {
