@@ -1,7 +1,7 @@
 // Reads the tables of the Ink Serialized Format: what packets have, how they are placed, and what their
 // numbers mean.
-#include <burin/ink/decode/isf_array.h>
 #include <burin/ink/decode/isf_tables.h>
+#include <burin/ink/parse/isf_array.h>
 #include <burin/math/elementary.h>
 
 #include <numbers>

@@ -2,11 +2,11 @@
 // millimetres by the transform that a stroke chooses; pressures become 0..1 by the range of their metric. No
 // time of samples is read. Bytes behind the stream are what an older, longer file left.
 #include <burin/base/error.h>
-#include <burin/ink/decode/isf_array.h>
 #include <burin/ink/decode/isf_stream.h>
 #include <burin/ink/decode/isf_tables.h>
 #include <burin/ink/decode/tilt_angles.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/parse/isf_array.h>
 #include <burin/ink/pen_file.h>
 #include <burin/math/degree.h>
 
