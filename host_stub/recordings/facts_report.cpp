@@ -95,8 +95,8 @@ std::string facts_text(const std::string& path, const PenFile& file) {
       "the place of the one before\n",
       path, file.kind, facts.strokes, facts.samples, facts.shortest, facts.longest, facts.pages, facts.layers,
       file.hovering, facts.duplicates);
-  if (facts.samples == 0) return text;
-  text += position_text(facts, file.unit) + time_text(facts) + pressure_text(facts) + tilt_text(facts);
+  if (facts.samples > 0)
+    text += position_text(facts, file.unit) + time_text(facts) + pressure_text(facts) + tilt_text(facts);
   return file.not_used.empty()
              ? text
              : text + fmt::format("  not used: {}{}\n", file.kind == "csv" ? "the columns " : "",

@@ -75,6 +75,16 @@ TEST(ReadUim, HasWhatTheSensorsMeasured) {
   }
 }
 
+TEST(ReadUim, TellsOfSplinesThatNoSensorMeasured) {
+  const std::string spline = Bytes().add_field(1, Bytes().add_field(1, "stroke").text()).text();
+  for (const std::string& text :
+       {riff("UINK", "INKD", spline), riff("UINK", "DATA", Bytes().add_field(2, spline).text())}) {
+    const PenFile file = PenFileFolder().read(text);
+    EXPECT_TRUE(file.strokes.empty());
+    EXPECT_EQ(file.not_used, std::vector<std::string>{"splines without sensor data"});
+  }
+}
+
 TEST(ReadUim, LeavesHoveringOut) {
   const PenFile file = PenFileFolder().read(riff("UINK", "INPT", input(data(1, {10, 20}, {30, -5}))));
   EXPECT_TRUE(file.strokes.empty());

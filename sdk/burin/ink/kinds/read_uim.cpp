@@ -119,6 +119,13 @@ void read_input(const ByteReader& message, PenFile& content) {
   });
 }
 
+/// Whether ink data has strokes.
+bool has_splines(const ByteReader& ink_data) {
+  bool any = false;
+  for_each_field(ink_data, [&](const ProtobufField& field) { any |= field.number == 1; });
+  return any;
+}
+
 /// Refuses a chunk that the head of version 3.1 tells to be compressed. The head has 4 bytes, then 8 for each
 /// chunk that follows: version, type of its content, compression.
 void check_plain(std::string_view head, std::size_t number, const RiffChunk& chunk) {
@@ -139,6 +146,7 @@ PenFile read_uim(const PenFileText& file) {
   content.millimetres = millimetres_a_pixel;
   std::string_view head;
   std::size_t number = 0;
+  bool splines = false;
   for (RiffChunks chunks(file.text, file.path); !chunks.empty();) {
     const RiffChunk chunk = chunks.next();
     if (chunk.name == "HEAD")
@@ -146,11 +154,14 @@ PenFile read_uim(const PenFileText& file) {
     else
       check_plain(head, number++, chunk);
     if (chunk.name == "INPT") read_input(chunk.content, content);
+    splines |= chunk.name == "INKD" && has_splines(chunk.content);
     if (chunk.name != "DATA") continue;
     for_each_field(chunk.content, [&](const ProtobufField& field) {
       if (field.number == 1) read_input(field.content, content);
+      splines |= field.number == 2 && has_splines(field.content);
     });
   }
+  if (splines && content.strokes.empty()) content.not_used.emplace_back("splines without sensor data");
   return content;
 }
 
