@@ -39,6 +39,16 @@ f(stroke=[]))");
   EXPECT_FALSE(file.strokes[1].fields.time) << "one element has none";
 }
 
+TEST(ReadBrushStrokes, TakesTheLocationsOfScriptsThatLeaveTheMouseAtOnePlace) {
+  const PenFile file = PenFileFolder().read(
+      R"(f(stroke=[{"mouse":(0, 0), "location":(1, 2, 3)}, {"mouse":(0, 0), "location":(4, 5, 6)}])
+f(stroke=[{"mouse":(7, 8), "location":(1, 2, 3)}, {"mouse":(7, 8), "location":(1, 2, 3)}]))");
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_TRUE(file.strokes[0].has_z);
+  EXPECT_EQ(file.strokes[0].samples[1].position, Vec3d(4, 5, 6));
+  EXPECT_EQ(places(file.strokes[1]), "7 -8, 7 -8") << "a click";
+}
+
 TEST(ReadBrushStrokes, TakesListsThatScriptsGiveByName) {
   const PenFile file = PenFileFolder().read(
       "import bpy\nbrush_stroke, strokes = None, 3\nstroke = [\n{'mouse': (10, 20), 'time': 0,},\n]\n"

@@ -2,7 +2,8 @@
 //   bpy.ops.sculpt.brush_stroke(stroke=[{"name": "", "location": (x, y, z), "mouse": (x, y), "pressure": 1,
 //     "size": 50, "pen_flip": False, "time": 0, "is_start": True, ...}, ...])
 // or the list alone, in Python or JSON. "mouse" is in pixels of the region, y up; "time" is in seconds;
-// "size" the radius of the brush in pixels. "is_start" begins another stroke.
+// "size" the radius of the brush in pixels. "is_start" begins another stroke. Scripts that tell of locations
+// only leave the mouse at one place.
 #include <burin/base/error.h>
 #include <burin/base/text/json_value.h>
 #include <burin/base/vector.h>
@@ -137,16 +138,29 @@ class ListOfElements {
 
   void take(const ListElement& element);
   void finish();
+  /// Whether the mouse rests where the brush moves, as in scripts that tell of locations only.
+  bool rests() const { return located_ && location_moves_ && !mouse_moves_; }
 
  private:
   bool mouse_;
   std::size_t first_;  ///< stroke of the list
   PenFields fields_{.time = true, .pressure = true, .tilt = true, .twist = false};
   bool sizes_ = true;
+  bool any_ = false, located_ = true, mouse_moves_ = false, location_moves_ = false;
+  Vec3d first_mouse_ = Vec3d::Zero(), first_location_ = Vec3d::Zero();
   PenFile& content_;
 };
 
 void ListOfElements::take(const ListElement& element) {
+  const Vec3d mouse = element.mouse.value_or(Vec3d::Zero()),
+              location = element.location.value_or(Vec3d::Zero());
+  if (!std::exchange(any_, true)) {
+    first_mouse_ = mouse;
+    first_location_ = location;
+  }
+  located_ &= element.location.has_value();
+  mouse_moves_ |= mouse != first_mouse_;
+  location_moves_ |= location != first_location_;
   if (content_.strokes.size() == first_ || element.is_start)
     content_.strokes.emplace_back().drawn_by.eraser = element.pen_flip;
   PenStroke& stroke = content_.strokes.back();
@@ -182,8 +196,8 @@ void ListOfElements::finish() {
   throw FileError(file.path.string(), line, fmt::format("element {} is malformed", number));
 }
 
-/// Adds the strokes of the list at the front of the text. Returns false, and adds nothing, if an element has
-/// no place of the mouse that is asked for.
+/// Adds the strokes of the list at the front of the text. Returns false, and adds nothing, if places of the
+/// mouse are asked for, and an element has none or the mouse rests.
 bool append_list(const PenFileText& file, TextWindow& text, bool mouse, PenFile& content) {
   const std::size_t strokes = content.strokes.size();
   ListOfElements list(mouse, content);
@@ -205,8 +219,10 @@ bool append_list(const PenFileText& file, TextWindow& text, bool mouse, PenFile&
     return placed;
   };
   const bool whole = for_each_json_part(text, take, PartSyntax::python);
-  if (!placed) content.strokes.resize(strokes);
-  if (!placed) return false;
+  if (!placed || (mouse && whole && list.rests())) {
+    content.strokes.resize(strokes);
+    return false;
+  }
   if (!whole)
     throw FileError(file.path.string(), std::to_string(line_of(file, text.place())), "malformed list");
   list.finish();
