@@ -153,6 +153,20 @@ TEST(ReadLibinput, TakesFramesOfOneListOnlyTogether) {
   EXPECT_EQ(places(file.strokes[0]), "10 2, 11 2, 12 2, 13 2");
 }
 
+TEST(ReadLibinput, HasTheNameOfTheDeviceThatDrew) {
+  const std::string events = R"(  - evdev:
+    - [0, 0, 3, 0, 2000]
+    - [0, 0, 3, 1, 400]
+    - [0, 0, 1, 330, 1]
+    - [0, 0, 0, 0, 0]
+)";
+  const std::string pad = "- node: /dev/input/event18\n  evdev:\n    name: \"A Pad\"\n  events:\n";
+  const PenFile file = PenFileFolder().read(head + events + pad);
+  EXPECT_EQ(file.device, "Wacom Pen");
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(PenFileFolder().read(head + pad).device, "A Pad") << "where none drew";
+}
+
 TEST(ReadLibinput, NamesTheLineOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(head + "  - evdev:\n    - [0, 0, 3, 0]\n"),

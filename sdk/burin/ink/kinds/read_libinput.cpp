@@ -34,7 +34,6 @@ class Recorded : public YAML::EventHandler {
   /// The file must outlive the object.
   explicit Recorded(const PenFileText& file) : text_(file) {}
 
-  std::string device;
   PenFile finish();
 
   void OnDocumentStart(const YAML::Mark&) override {}
@@ -78,6 +77,7 @@ class Recorded : public YAML::EventHandler {
   YAML::Mark mark_;
   EvdevAxes axes_;
   std::optional<EvdevFrames> frames_;  ///< of the device
+  std::string name_;                   ///< of the device
   PenFile content_;
 };
 
@@ -115,6 +115,7 @@ void Recorded::open(bool map) {
   if (map && levels_.size() == 2 && at_path({"devices", ""})) {
     axes_.clear();
     frames_.reset();
+    name_.clear();
   }
   levels_.push_back({.map = map});
   if (in_axis() || in_event()) numbers_.clear();
@@ -138,6 +139,7 @@ void Recorded::close() {
     PenFile of_device = frames_->finish();
     frames_.reset();
     content_.hovering += of_device.hovering;
+    if (content_.strokes.empty() && !of_device.strokes.empty()) content_.device = name_;
     if (!of_device.strokes.empty()) content_.unit = of_device.unit;
     for (PenStroke& stroke : of_device.strokes) content_.strokes.push_back(std::move(stroke));
   }
@@ -160,7 +162,10 @@ void Recorded::take_scalar(const YAML::Mark& mark, const std::string& value) {
   if (in_axis() || in_event()) take_number(mark, value);
   if (in_events())
     for_each_event_of_run(text_, value, [this](const EvdevEvent& event) { take_event(event); });
-  if (at_path({"devices", "", "evdev", "name"}) && levels_.size() == 4) content_.device = value;
+  if (at_path({"devices", "", "evdev", "name"}) && levels_.size() == 4) {
+    name_ = value;
+    if (content_.strokes.empty()) content_.device = value;
+  }
   value_ended();
 }
 
