@@ -77,6 +77,20 @@ TEST(ReadEvemu, KnowsTheUnitOfTiltsWithoutResolutionByTheirRange) {
   }
 }
 
+TEST(ReadEvemu, HasWhatIsSentForTheFirstTimeWithinAStroke) {
+  const PenFile file = PenFileFolder().read(
+      tablet + frame("1", {"0003 0000 200", "0003 0001 400", "0003 001a 30", "0001 014a 1"}) +
+      frame("2", {"0003 0018 500"}) + frame("3", {"0003 001b -20"}));
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true, .tilt = true}));
+  const auto& samples = file.strokes[0].samples;
+  EXPECT_EQ(samples.at(0).pen.pressure, 0);
+  EXPECT_EQ(samples.at(1).pen.pressure, 0.5F);
+  EXPECT_FLOAT_EQ(samples[0].pen.tilt_x, static_cast<float>(30 * degree));
+  EXPECT_EQ(samples[1].pen.tilt_y, 0);
+  EXPECT_FLOAT_EQ(samples.at(2).pen.tilt_y, static_cast<float>(-20 * degree));
+}
+
 TEST(ReadEvemu, HasTheTwistOfPensThatMeasureIt) {
   const std::string axis = "A: 02 -900 899 0 0 287\n";
   const std::string down = frame("1", {"0003 0000 200", "0003 0001 400", "0003 0002 450", "0001 014a 1"});

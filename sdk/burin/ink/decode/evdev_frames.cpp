@@ -105,38 +105,52 @@ void EvdevFrames::add_sample(double time) {
   if (!stroke_ || content_.strokes[*stroke_].drawn_by.eraser != rubber) {
     stroke_ = content_.strokes.size();
     content_.strokes.emplace_back().drawn_by = {tool_ == tool_finger ? "touch" : "", rubber};
-    set_fields(content_.strokes.back());
   }
   PenStroke& stroke = content_.strokes[*stroke_];
+  set_fields(stroke);
   Sample& sample = stroke.samples.emplace_back();
   sample.time = time;
-  // Only changes are sent: before the first one no button was held.
-  stroke.fields.barrel |= stylus_[0].has_value() || stylus_[1].has_value();
   sample.barrel = stylus_[0].value_or(false) || stylus_[1].value_or(false);
   sample.position = EvdevPlane(axes_, abs_x, abs_y).position(values_[abs_x], values_[abs_y]);
-  if (stroke.fields.pressure)
-    sample.pen.pressure = static_cast<float>(share_of(*axis(abs_pressure), values_[abs_pressure]));
-  if (stroke.fields.tilt) {
-    sample.pen.tilt_x = static_cast<float>(tilt(abs_tilt_x));
-    sample.pen.tilt_y = static_cast<float>(tilt(abs_tilt_y));
-  }
-  if (stroke.fields.twist) sample.pen.twist = static_cast<float>(twist());
+  set_pen(stroke.fields, values_, sample.pen);
 }
 
-/// What the device has sent so far; of axes without a range only the position means something.
+void EvdevFrames::set_pen(const PenFields& fields, const EvdevValues& values, Pen& pen) const {
+  const auto value = [&](unsigned code) {
+    const auto sent = values.find(code);
+    return sent == values.end() ? 0 : sent->second;
+  };
+  if (fields.pressure) pen.pressure = static_cast<float>(share_of(*axis(abs_pressure), value(abs_pressure)));
+  if (fields.tilt) {
+    pen.tilt_x = static_cast<float>(tilt(*axis(abs_tilt_x), value(abs_tilt_x)));
+    pen.tilt_y = static_cast<float>(tilt(*axis(abs_tilt_y), value(abs_tilt_y)));
+  }
+  if (fields.twist) pen.twist = static_cast<float>(twist(*axis(abs_z), value(abs_z)));
+}
+
+/// What the device has sent so far; of axes without a range only the position means something. What is sent
+/// for the first time within a stroke was 0 before, since only changes are sent; of no button was any held.
 void EvdevFrames::set_fields(PenStroke& stroke) const {
+  const auto sent = [&](unsigned code) { return values_.contains(code) && axis(code); };
+  // At 0 a tilt need not be sent, unless that is the end of its range.
+  const auto told = [&](unsigned code) { return sent(code) || (axis(code) && axis(code)->least < 0); };
+  const PenFields before = stroke.fields;
   stroke.fields.time = true;
-  stroke.fields.pressure = values_.contains(abs_pressure) && axis(abs_pressure);
-  stroke.fields.tilt =
-      values_.contains(abs_tilt_x) && values_.contains(abs_tilt_y) && axis(abs_tilt_x) && axis(abs_tilt_y);
-  stroke.fields.twist = values_.contains(abs_z) && axis(abs_z);
+  stroke.fields.barrel |= stylus_[0].has_value() || stylus_[1].has_value();
+  stroke.fields.pressure |= sent(abs_pressure);
+  stroke.fields.tilt |= (sent(abs_tilt_x) || sent(abs_tilt_y)) && told(abs_tilt_x) && told(abs_tilt_y);
+  stroke.fields.twist |= sent(abs_z);
+  const PenFields now = stroke.fields;
+  const PenFields further{.pressure = now.pressure && !before.pressure,
+                          .tilt = now.tilt && !before.tilt,
+                          .twist = now.twist && !before.twist};
+  if (further != PenFields())
+    for (Sample& sample : stroke.samples) set_pen(further, {}, sample.pen);
 }
 
 /// Radians. A resolution of 57 per radian means degrees, one of 5730 hundredths; without one it is degrees
 /// from the middle of the range, or tenths or hundredths where no pen leans as many degrees.
-double EvdevFrames::tilt(unsigned code) const {
-  const EvdevAxis& range = *axis(code);
-  const double value = values_.at(code);
+double EvdevFrames::tilt(const EvdevAxis& range, double value) {
   if (range.resolution > 0) {
     const double per_degree = range.resolution * math::degree;
     const bool power_of_ten = std::abs(per_degree - 1) < 0.01 || std::abs(per_degree - 100) < 1;
@@ -150,9 +164,8 @@ double EvdevFrames::tilt(unsigned code) const {
 
 /// How far the pen is turned, radians from 0 to 2 pi. The range is a whole turn; at 0 of a range around it
 /// the buttons point to the right, which is a quarter off, as libinput has it.
-double EvdevFrames::twist() const {
-  const EvdevAxis& range = *axis(abs_z);
-  const double turn = (values_.at(abs_z) - range.least) / (range.most - range.least + 1) + 0.25;
+double EvdevFrames::twist(const EvdevAxis& range, double value) {
+  const double turn = (value - range.least) / (range.most - range.least + 1) + 0.25;
   return 2 * std::numbers::pi * (turn - std::floor(turn));
 }
 

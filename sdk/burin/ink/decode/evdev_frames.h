@@ -42,8 +42,10 @@ class EvdevFrames {
   bool touches() const;
   void add_sample(double time);
   const EvdevAxis* axis(unsigned code) const { return axis_of(axes_, code); }
-  double tilt(unsigned code) const;
-  double twist() const;
+  /// Sets what `fields` has. Values that were not sent are 0.
+  void set_pen(const PenFields& fields, const EvdevValues& values, Pen& pen) const;
+  static double tilt(const EvdevAxis& range, double value);
+  static double twist(const EvdevAxis& range, double value);
   void drop_still_twist();
   void set_fields(PenStroke& stroke) const;
 

@@ -24,7 +24,7 @@ class InkmlClocks {
   Clock time_of(const pugi::xml_node& stamp) const;
 
   std::map<std::string, Clock, std::less<>> stamps_, contexts_;  ///< by "#id"
-  Clock earliest_;                                                ///< of the contexts
+  Clock earliest_;                                               ///< of the contexts
 };
 
 }  // namespace burin

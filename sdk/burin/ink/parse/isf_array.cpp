@@ -1,6 +1,6 @@
 // Unpacks the arrays of the Ink Serialized Format. The first byte tells how: by a prefix of ones that selects
 // the number of bits from a table, where values are second differences; or by a fixed number of bits.
-#include <burin/ink/decode/isf_array.h>
+#include <burin/ink/parse/isf_array.h>
 
 #include <array>
 

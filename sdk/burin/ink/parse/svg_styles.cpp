@@ -1,5 +1,5 @@
-// Reads the style sheets of SVG pictures, as Illustrator writes them: hidden layers have a class whose rule says
-// "display:none".
+// Reads the style sheets of SVG pictures, as Illustrator writes them: hidden layers have a class whose rule
+// says "display:none".
 #include <burin/base/error.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/svg_styles.h>
@@ -140,7 +140,8 @@ void apply_svg_style_sheets(const pugi::xml_node& root) {
   pugi::xml_node within = root;
   within.find_node([&](const pugi::xml_node& node) {
     std::string joined;
-    if (local_name(node.name()) == "style") add_rules(without_comments(std::string(text_of(node, joined))), rules);
+    if (local_name(node.name()) == "style")
+      add_rules(without_comments(std::string(text_of(node, joined))), rules);
     return false;
   });
   if (rules.empty()) return;
