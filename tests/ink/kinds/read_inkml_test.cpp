@@ -228,6 +228,23 @@ TEST(ReadInkml, TellsToolAndEraserByBrushes) {
       " stroke 1: the name of the tool is not valid UTF-8");
 }
 
+TEST(ReadInkml, GivesTracesThatNameNoFormatTheOnlyOne) {
+  const std::string
+      format =
+          R"(<traceFormat id="f"><channel name="Y"/><channel name="X"/><channel name="T"/></traceFormat>)",
+      trace = "<trace>1 2 0, 3 4 8</trace>";
+  const PenFile file =
+      PenFileFolder().read("<ink><definitions>" + format +
+                           R"(<context id="c" traceFormatRef="#f"/></definitions>)" + trace + "</ink>");
+  EXPECT_EQ(places(file.strokes.at(0)), "2 1, 4 3");
+  EXPECT_TRUE(file.strokes[0].fields.time);
+  const std::string other =
+      R"(<traceFormat id="g"><channel name="X"/><channel name="Y"/><channel name="F"/></traceFormat>)";
+  EXPECT_NE(
+      PenFileFolder().complaint("<ink><definitions>" + format + other + "</definitions>" + trace + "</ink>"),
+      "accepted");
+}
+
 TEST(ReadInkml, PutsTracesOfContextsWithOtherTimestampsInTheirOrder) {
   const std::string format =
       R"(<traceFormat><channel name="X"/><channel name="Y"/><channel name="T" units="ms"/></traceFormat>)";

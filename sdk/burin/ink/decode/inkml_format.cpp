@@ -76,9 +76,12 @@ std::string InkmlFormats::reference_of(const pugi::xml_node& context) {
 
 InkmlFormats::InkmlFormats(const XmlFile& file) : file_(file) {
   collect(file.root());
-  if (plain_.channels.empty()) plain_ = {{InkmlChannel{.name = "X"}, InkmlChannel{.name = "Y"}}, 2};
+  const bool says_plain = !plain_.channels.empty();
+  if (!says_plain) plain_ = {{InkmlChannel{.name = "X"}, InkmlChannel{.name = "Y"}}, 2};
   for (auto& [id, format] : formats_)
     if (format.channels.empty()) format = plain_;
+  // Some writers leave it at saying one format, with an id, which no trace names.
+  if (!says_plain && said_.size() == 1) plain_ = formats_.at(said_.front());
 }
 
 /// An element that has a format, or names one that came before, gives it to those around it: a source to its
@@ -94,6 +97,7 @@ void InkmlFormats::collect(const pugi::xml_node& node) {
     if (of_source) add_properties(format, child(around, "channelProperties"));
     const pugi::xml_node context = of_source ? around.parent() : around;
     for (const pugi::xml_node& one : {node, around, context}) formats_[reference_of(one).substr(1)] = format;
+    said_.push_back(reference_of(node).substr(1));
     if (plain_.channels.empty() && id_of(node).empty() && id_of(around).empty()) plain_ = format;
     return;
   }

@@ -48,7 +48,7 @@ class InkmlFormats {
   /// The reference by which of() finds what a context says, whether it has an id or not.
   static std::string reference_of(const pugi::xml_node& context);
 
-  /// The format of traces that name none: the first one that has no id, or X and Y.
+  /// The format of traces that name none: the first one that has no id, else the only one, or X and Y.
   const InkmlFormat& plain() const { return plain_; }
 
  private:
@@ -57,6 +57,7 @@ class InkmlFormats {
 
   const XmlFile& file_;
   std::map<std::string, InkmlFormat, std::less<>> formats_;
+  std::vector<std::string> said_;  ///< ids of formats
   InkmlFormat plain_;
 };
 
