@@ -46,6 +46,17 @@ TEST(ReadHid, CutsReportsByTheDescriptor) {
   EXPECT_TRUE(file.strokes[0].samples[1].barrel) << "the second bit";
 }
 
+TEST(ReadHid, TakesTheTipOfAnInvertedPenForItsEraser) {
+  const std::string inverted =
+      "R: 35 05 0d 09 02 a1 01 09 42 09 3c 15 00 25 01 75 04 95 02 81 02 05 01 09 30 09 31 26 ff 00 75 08 "
+      "95 02 81 02\n";
+  const PenFile file = PenFileFolder().read(inverted + "E: 0 3 01 07 09\nE: 1 3 11 08 09\nE: 2 3 10 08 09\n");
+  ASSERT_EQ(file.strokes.size(), 2u);
+  EXPECT_FALSE(file.strokes[0].drawn_by.eraser);
+  EXPECT_TRUE(file.strokes[1].drawn_by.eraser);
+  EXPECT_EQ(file.hovering, 1u);
+}
+
 TEST(ReadHid, TakesRadiansWhereTheDescriptorHasThem) {
   std::string in_radians = descriptor;
   in_radians.replace(in_radians.find("65 14"), 5, "65 12");

@@ -1,8 +1,9 @@
 // Reads recordings of hid-recorder: "R: n bytes" is the device's report descriptor, by which the reports
 // "E: time n bytes" are cut into fields.
 //
-// Contact is the tip switch or the eraser switch. Reports that lack the position belong to something else:
-// the battery, or the tablet's buttons. Reports of touches with ids are read by decode/hid_touches.h.
+// Contact is the tip switch or the eraser switch; some pens set the tip's for an eraser, and say that they
+// are inverted. Reports that lack the position belong to something else: the battery, or the tablet's
+// buttons. Reports of touches with ids are read by decode/hid_touches.h.
 #include <burin/base/error.h>
 #include <burin/ink/decode/hid_touches.h>
 #include <burin/ink/kinds/kinds.h>
@@ -29,9 +30,10 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::uint32_t usage_pressure = 0x0d0030, usage_tilt_y = 0x0d003e, usage_twist = 0x0d0041,
-                        usage_barrel2 = 0x0d005a;
-constexpr std::array pen_usages{usage_x,      usage_y,     usage_tip,    usage_pressure, usage_tilt_x,
-                                usage_tilt_y, usage_twist, usage_eraser, usage_barrel,   usage_barrel2};
+                        usage_barrel2 = 0x0d005a, usage_invert = 0x0d003c;
+constexpr std::array pen_usages{usage_x,      usage_y,       usage_tip,   usage_pressure,
+                                usage_tilt_x, usage_tilt_y,  usage_twist, usage_eraser,
+                                usage_barrel, usage_barrel2, usage_invert};
 
 /// "n bytes", the bytes in hexadecimal.
 Bytes parse_bytes(std::string_view rest) {
@@ -88,7 +90,8 @@ void HidPen::take(double time, const Bytes& bytes) {
   if (touches_.take(time, report, content_)) return;
   if (!find(usage_x, report) || !find(usage_y, report) || !find(usage_tip, report)) return;
   const bool tip = value(usage_tip, report).value_or(0) != 0;
-  const bool eraser = value(usage_eraser, report).value_or(0) != 0;
+  const bool inverted = value(usage_invert, report).value_or(0) != 0;
+  const bool eraser = value(usage_eraser, report).value_or(0) != 0 || (tip && inverted);
   if (tip || eraser)
     add_sample(time, report, eraser);
   else
