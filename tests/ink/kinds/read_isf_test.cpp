@@ -88,12 +88,14 @@ TEST(ReadIsf, TellsTheEraserOfAPenThatIsInverted) {
 
 TEST(ReadIsf, TakesTheTiltOfPensWhoseMetricsAreTheUsualOnes) {
   // Tilts of 10, 0, 0 and 0, -20, 0 tenths of a degree.
-  const std::string tilts("\x08\x0a\0\0\x08\0\xec\0", 8);
-  const PenFile file = PenFileFolder().read(three_points("", "\x3b\x3c", tilts));
+  const std::string tilts("\x08\x0a\0\0\x08\0\xec\0", 8), twists("\x08\x14\0\0", 4);
+  const PenFile file = PenFileFolder().read(three_points("", "\x3b\x3c\x3f", tilts + twists));
   ASSERT_TRUE(file.strokes.at(0).fields.tilt);
   constexpr float degree = static_cast<float>(std::numbers::pi / 180);
   EXPECT_FLOAT_EQ(file.strokes[0].samples.at(0).pen.tilt_x, degree);
   EXPECT_FLOAT_EQ(file.strokes[0].samples.at(1).pen.tilt_y, -2 * degree);
+  EXPECT_TRUE(file.strokes[0].fields.twist);
+  EXPECT_FLOAT_EQ(file.strokes[0].samples[0].pen.twist, 2 * degree);
 }
 
 TEST(ReadIsf, PlacesPointsByTheLastTransform) {

@@ -124,6 +124,26 @@ TEST(ReadUim, ScalesPressuresAboveOneByTheGreatest) {
   EXPECT_EQ(pressure_of(1), 1) << "declared ranges are wrong sometimes";
 }
 
+TEST(ReadUim, HasTheTwistOfPensThatMeasureIt) {
+  const std::string group = Bytes()
+                                .add_field(2, channel("x", "X", 0, 0))
+                                .add_field(2, channel("y", "Y", 0, 0))
+                                .add_field(2, channel("r", "Rotation", 1, 2))
+                                .text();
+  const std::string described = Bytes().add_field(5, Bytes().add_field(2, group).text()).text();
+  for (const std::int64_t turn : {0, 50}) {
+    const std::string measured = Bytes()
+                                     .add_field(5, numbers("x", {1, 1}))
+                                     .add_field(5, numbers("y", {1, 1}))
+                                     .add_field(5, numbers("r", {0, turn}))
+                                     .text();
+    const PenFile file = PenFileFolder().read(
+        riff("UINK", "INPT", Bytes().add_field(1, described).add_field(2, measured).text()));
+    EXPECT_EQ(file.strokes.at(0).fields.twist, turn != 0);
+    EXPECT_EQ(file.strokes[0].samples.at(1).pen.twist, turn == 0 ? 0 : 0.5F);
+  }
+}
+
 TEST(ReadUim, NamesTheByteOfAFault) {
   const PenFileFolder folder;
   const auto complaint = [&](const std::string& message) {

@@ -108,7 +108,7 @@ bool is_transform(std::uint64_t tag) { return tag >= Tag::transform && tag <= Ta
 IsfMetric isf_usual_metric(std::uint64_t property) {
   constexpr std::int64_t usual_pressure = 1023;
   if (property == isf_pressure) return {.most = usual_pressure};
-  if (property >= isf_tilt_x && property <= isf_altitude) return {.unit = isf_degrees, .precision = 10};
+  if (property >= isf_tilt_x && property <= isf_twist) return {.unit = isf_degrees, .precision = 10};
   return {};
 }
 

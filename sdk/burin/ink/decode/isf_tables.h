@@ -16,7 +16,8 @@ enum IsfProperty : std::uint64_t {
   isf_tilt_x = 59,
   isf_tilt_y = 60,
   isf_azimuth = 61,
-  isf_altitude = 62
+  isf_altitude = 62,
+  isf_twist = 63
 };
 
 /// Units of angles.

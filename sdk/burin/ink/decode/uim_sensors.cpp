@@ -101,6 +101,14 @@ void set_tilts(const Values& altitudes, const Values& azimuths, PenStroke& strok
     set_tilt(stroke.samples[i].pen, azimuths.values[i], altitudes.values[i]);
 }
 
+/// How far the pen is turned, radians; 0 throughout is what pens tell that cannot measure it.
+void set_twists(const Values& rotations, PenStroke& stroke) {
+  if (std::ranges::all_of(rotations.values, [](double value) { return value == 0; })) return;
+  stroke.fields.twist = true;
+  for (std::size_t i = 0; i < stroke.samples.size(); ++i)
+    stroke.samples[i].pen.twist = static_cast<float>(rotations.values[i]);
+}
+
 }  // namespace
 
 void add_stroke(const UimSensorData& data, const UimChannels& channels, PenFile& file) {
@@ -121,6 +129,7 @@ void add_stroke(const UimSensorData& data, const UimChannels& channels, PenFile&
   if (const Values* pressures = measured.find("Pressure")) set_pressures(*pressures, stroke);
   const Values *altitudes = measured.find("Altitude"), *azimuths = measured.find("Azimuth");
   if (altitudes && azimuths) set_tilts(*altitudes, *azimuths, stroke);
+  if (const Values* rotations = measured.find("Rotation")) set_twists(*rotations, stroke);
   file.strokes.push_back(std::move(stroke));
 }
 

@@ -88,6 +88,15 @@ void set_tilts(const Columns& columns, const IsfMetrics& metrics, PenStroke& str
          [](Pen& pen, double azimuth, double altitude) { set_tilt(pen, azimuth, altitude); });
 }
 
+void set_twists(const Columns& columns, const IsfMetrics& metrics, PenStroke& stroke) {
+  const auto found = columns.find(isf_twist);
+  const double by_one = radians_of_one(metrics, isf_twist);
+  if (found == columns.end() || by_one == 0) return;
+  stroke.fields.twist = true;
+  for (std::size_t i = 0; i < stroke.samples.size(); ++i)
+    stroke.samples[i].pen.twist = static_cast<float>(static_cast<double>(found->second[i]) * by_one);
+}
+
 /// A status tells whether the pen is inverted, so that its eraser touches.
 void set_eraser(const Columns& columns, PenStroke& stroke) {
   constexpr std::int64_t inverted = 2;
@@ -138,6 +147,7 @@ PenStroke read_stroke(ByteReader content, const IsfTables& tables, Chosen& chose
   }
   set_pressures(columns, metrics, made);
   set_tilts(columns, metrics, made);
+  set_twists(columns, metrics, made);
   set_eraser(columns, made);
   set_barrels(descriptor, content, made);
   return made;
