@@ -52,6 +52,18 @@ TEST(ReadPointLists, HasTheChannelsThatAllPointsHave) {
   EXPECT_EQ(PenFileFolder().complaint(R"({"a": [[1, 2], [3]]})"), " a[1]: must be a list of x and y");
 }
 
+TEST(ReadScap, TakesWholePressuresForNone) {
+  const auto stroke = [](const std::string& last) {
+    return PenFileFolder()
+        .read("#9\t9\n@2.0\n{\n\t#0\t4\n\t@2.0\n\t1\t2\t2\n\t3\t4\t" + last + "\n}\n")
+        .strokes.at(0);
+  };
+  EXPECT_EQ(stroke("0").fields, PenFields()) << "marks of what points are";
+  EXPECT_EQ(stroke("0").samples.at(0).pen.pressure, 1);
+  EXPECT_EQ(PenFileFolder().read("#9 9\n@1\n{\n1 2 0.5\n3 4 1\n}\n").strokes.at(0).fields,
+            PenFields{.pressure = true});
+}
+
 TEST(ReadScap, TakesZeroPressuresForNone) {
   const PenFile file = PenFileFolder().read("#9 9\n@1\n{\n\t#0\t0\n\t@1\n\t1\t2\t0\n\t3\t4\t0\n}\n");
   EXPECT_EQ(file.kind, "scap");

@@ -1,6 +1,6 @@
 // Reads .scap drawings of the research on sketches: "#width height", "@thickness", then strokes in braces,
-// each with "#stroke cluster" and lines of "x y pressure". Positions are pixels. Pressures that are 0
-// throughout the file are none; of time there is nothing.
+// each with "#stroke cluster" and lines of "x y pressure". Positions are pixels. Pressures that are whole
+// numbers throughout the file are none: 0, or marks of what a point is; of time there is nothing.
 #include <burin/base/error.h>
 #include <burin/ink/kinds/kinds.h>
 #include <burin/ink/parse/scan.h>
@@ -8,6 +8,7 @@
 #include <burin/ink/pen_file.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -55,7 +56,9 @@ class Strokes {
 
 void drop_void_pressure(std::vector<PenStroke>& strokes) {
   const auto pressed = [](const PenStroke& stroke) {
-    return std::ranges::any_of(stroke.samples, [](const Sample& sample) { return sample.pen.pressure != 0; });
+    return std::ranges::any_of(stroke.samples, [](const Sample& sample) {
+      return sample.pen.pressure != std::floor(sample.pen.pressure);
+    });
   };
   if (std::ranges::any_of(strokes, pressed)) return;
   for (PenStroke& stroke : strokes) {
