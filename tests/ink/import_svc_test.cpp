@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "ink/imports.h"
+#include "ink/pen_files.h"
 
 namespace burin {
 namespace {
@@ -97,6 +98,38 @@ TEST_F(SvcText, RejectsBadLines) {
   EXPECT_EQ(complaint("3\n" + good + "1 2 3 1 0 900 7\n"), "4: pressure must lie in 0..1");
   EXPECT_EQ(complaint("3\n" + good + "1 2 3 1 inf 900 1\n"), "4: tilt or twist is not finite");
   EXPECT_EQ(complaint("0\n"), " holds no stroke");
+}
+
+TEST(ReadSvc, KnowsWholeNumbersOfADevice) {
+  const test::PenFileFolder folder;
+  const PenFile file = folder.read(
+      "3\n4034 7509 354642400 1 1190 720 10852\n4150 7582 354642408 1 1190 720 10997\n"
+      "4150 7582 354642416 0 1190 720 0\n");
+  EXPECT_EQ(file.kind, "svc");
+  EXPECT_EQ(file.unit, "");
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(test::places(file.strokes[0]), "4034 -7509, 4150 -7582");
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .tilt = true}));
+  EXPECT_NEAR(file.strokes[0].samples.at(1).time - file.strokes[0].samples[0].time, 0.008, 1e-6);
+  EXPECT_EQ(file.not_used, std::vector<std::string>{"pressure of an unknown range"});
+  EXPECT_TRUE(folder.read("1\n1 2 3 1 0 900 1\n").strokes.at(0).fields.pressure);
+}
+
+TEST(ReadSvc, ReadsTheJsonOfTheSameData) {
+  const std::string columns =
+      R"("x": [1.5, 2, 3], "y": [2, 3, 4], "time": [0, 0.007, 0.015], "pen_status": [1, 1, 0],
+      "azimuth": [510, 510, 510], "tilt": [520, 520, 520], "pressure": [)";
+  const test::PenFileFolder folder;
+  const PenFile file = folder.read(R"({"meta_data": {"lpi": 1025}, "data": {)" + columns + "0.25, 0.5, 0]}}");
+  EXPECT_EQ(file.kind, "svc");
+  EXPECT_EQ(file.unit, "mm");
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(test::places(file.strokes[0]), "1.5 -2, 2 -3");
+  EXPECT_EQ(file.strokes[0].samples.at(1).time, 0.007);
+  EXPECT_EQ(file.strokes[0].samples[0].pen.pressure, 0.25F);
+  EXPECT_EQ(folder.complaint(R"({"data": {)" + columns + "0.25, 1.5, 0]}}"),
+            " data: event 1: pressure must lie in 0..1");
+  EXPECT_EQ(folder.complaint(R"({"data": {)" + columns + "0.25]}}"), " data.pressure: has 1 values, x has 3");
 }
 
 }  // namespace

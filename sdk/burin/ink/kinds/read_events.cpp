@@ -14,10 +14,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -70,6 +73,52 @@ bool read_columns(TextWindow& text, PenFile& content) {
   return events.has_value();
 }
 
+PenFile svc_file_of(ContactStrokes strokes, SvcUnits units) {
+  const bool converted = units == SvcUnits::converted;
+  const PenFields fields{.time = true, .pressure = converted, .tilt = true};
+  PenFile content = pen_file_of(std::move(strokes), fields, converted ? "mm" : "");
+  if (!converted) content.not_used.emplace_back("pressure of an unknown range");
+  return content;
+}
+
+constexpr std::array<const char*, 7> svc_names = {"x",       "y",    "time",    "pen_status",
+                                                  "azimuth", "tilt", "pressure"};
+
+/// Whether a text begins as the JSON of BDALab's handwriting-sample: an object with meta data, and with data
+/// that are the columns of an SVC file.
+bool is_svc_json(std::string_view text) {
+  constexpr std::size_t early = 4096;
+  skip_blanks(text);
+  text = text.substr(0, early);
+  const auto has = [&](std::string_view name) { return text.find(name) != text.npos; };
+  return text.starts_with('{') && (has("\"meta_data\"") || has("\"data\"")) && has("\"pen_status\"");
+}
+
+PenFile read_svc_json(const PenFileText& file) {
+  const JsonValue data = pen_json(file).member("data");
+  std::array<std::vector<double>, svc_names.size()> columns;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const JsonValue column = data.member(svc_names[i]);
+    columns[i] = column.numbers();
+    if (columns[i].size() != columns[0].size())
+      column.reject(fmt::format("has {} values, x has {}", columns[i].size(), columns[0].size()));
+  }
+  const auto is_whole = [](double value) { return value == std::floor(value); };
+  const std::vector<double>& pressures = columns.back();
+  const bool of_device = std::ranges::all_of(pressures, is_whole) &&
+                         std::ranges::any_of(pressures, [](double one) { return one > 1; });
+  const SvcUnits units = of_device ? SvcUnits::of_device : SvcUnits::converted;
+  ContactStrokes strokes;
+  for (std::size_t i = 0; i < columns[0].size(); ++i) try {
+      std::array<double, svc_names.size()> numbers{};
+      for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = columns[k][i];
+      strokes.take(svc_event(numbers, units));
+    } catch (const Error& error) {
+      data.reject(fmt::format("event {}: {}", i, error.what()));
+    }
+  return svc_file_of(std::move(strokes), units);
+}
+
 }  // namespace
 
 bool is_mypaint(std::string_view text) {
@@ -84,11 +133,14 @@ PenFile read_mypaint(const PenFileText& file) {
 }
 
 bool is_svc(std::string_view text) {
+  if (is_svc_json(text)) return true;
   constexpr std::size_t numbers = 7;
   return take_numbers_of_line(text) == 1 && take_numbers_of_line(text) == numbers;
 }
 
 PenFile read_svc(const PenFileText& file) {
+  if (is_svc_json(file.text)) return read_svc_json(file);
+  const SvcUnits units = svc_units(file.text);
   ContactStrokes strokes;
   std::optional<std::size_t> told;
   std::size_t count = 0;
@@ -97,12 +149,12 @@ PenFile read_svc(const PenFileText& file) {
       told = svc_count(line);
       return;
     }
-    strokes.take(svc_event(line));
+    strokes.take(svc_event(line, units));
     ++count;
   });
   if (count != told.value_or(0))
     throw FileError(file.path.string(), "1", fmt::format("{} lines are told, {} follow", *told, count));
-  return pen_file_of(std::move(strokes), {.time = true, .pressure = true, .tilt = true}, "mm");
+  return svc_file_of(std::move(strokes), units);
 }
 
 bool is_pointer_arrays(std::string_view text) {

@@ -56,11 +56,22 @@ std::optional<PenEvents> pointer_events(const PointerColumns& columns);
 /// The number of events of an SVC file, which its first line has. Throws Error.
 std::size_t svc_count(std::string_view line);
 
+/// The units of an SVC file: mm, seconds and pressures of 0..1, or whole numbers as the tablet sent them,
+/// whose times are milliseconds, and whose pressures have a range that the file does not tell.
+enum class SvcUnits { converted, of_device };
+
 /// The event of another line, `x y time pen_down azimuth altitude pressure`, in the units of BDALab's
 /// handwriting-sample: x, y are in mm, y upward; the azimuth of the pen's upper end is clockwise from the
-/// tablet's top and the altitude above its plane, both in tenths of a degree; pressure is 0..1. Throws Error
-/// as mypaint_event() does.
-PenEvent svc_event(std::string_view line);
+/// tablet's top and the altitude above its plane, both in tenths of a degree; pressure is 0..1. In units of a
+/// device the event has no pressure. Throws Error as mypaint_event() does.
+PenEvent svc_event(std::string_view line, SvcUnits units = SvcUnits::converted);
+
+/// The same of these seven numbers.
+PenEvent svc_event(std::span<const double, 7> numbers, SvcUnits units);
+
+/// The units of a file that begins with this text: whole numbers, of which some pressure is above 1, are a
+/// device's.
+SvcUnits svc_units(std::string_view text);
 
 /// What events have made.
 struct ContactStroke {
