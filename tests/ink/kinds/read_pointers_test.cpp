@@ -237,6 +237,18 @@ TEST(ReadPointers, ReadsPointsThatAreListsOfNumbers) {
   EXPECT_EQ(places(file.strokes[2]), "9 9");
 }
 
+TEST(ReadPointers, ReadsListsOfPointsThatAreListsOfNumbers) {
+  const PenFile one = PenFileFolder().read("[\n [1, 2, 0.25, 0],\n [3, 4, 0.5, 8]\n]\n");
+  EXPECT_EQ(one.kind, "pointers");
+  ASSERT_EQ(one.strokes.size(), 1u);
+  EXPECT_EQ(places(one.strokes[0]), "1 2, 3 4");
+  EXPECT_EQ(one.strokes[0].samples[1].time, 0.008);
+  const PenFile more = PenFileFolder().read("[[[1, 2], [3, 4]], [[5, 6]]]");
+  ASSERT_EQ(more.strokes.size(), 2u);
+  EXPECT_EQ(places(more.strokes[1]), "5 6");
+  EXPECT_EQ(PenFileFolder().complaint("[[1, 2], [3]]"), " [1]: must be a list of x and y");
+}
+
 TEST(ReadPointers, CallsAPressureOfOneHalfThroughoutTheProgramsOwn) {
   const auto made = [](const char* last) {
     return PenFileFolder()

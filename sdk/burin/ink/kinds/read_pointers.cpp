@@ -216,7 +216,16 @@ std::optional<JsonValue> drawing_of(const JsonValue& line) {
   return line.is_object() ? line.find("drawing") : std::nullopt;
 }
 
+/// Whether a list is one of points, which are lists of numbers, rather than of strokes.
+bool is_list_of_points(const JsonValue& root) {
+  if (!root.is_array() || root.size() == 0) return false;
+  const JsonValue first = root.items().front();
+  return is_point_of_numbers(first) && !first.items().front().is_array() &&
+         !first.items().front().is_object();
+}
+
 void read_whole(const JsonValue& root, PenFile& content) {
+  if (is_list_of_points(root)) return read_points(root, content.strokes.emplace_back());
   const auto list = root.is_array() ? std::optional(root) : list_of_strokes(root);
   if (list)
     read_strokes_of(*list, content);
@@ -299,6 +308,21 @@ bool begins_as_lines_of_strokes(std::string_view text) {
          (take_character(behind_x, ':') && take_character(behind_x, '['));
 }
 
+/// Whether a text begins as a list of points, or of strokes of points, that are lists of numbers.
+bool begins_with_points_of_numbers(std::string_view text) {
+  std::size_t lists = 0;
+  while (take_character(text, '[')) ++lists;
+  constexpr std::size_t most_numbers = 4;
+  std::size_t numbers = 0;
+  double number = 0;
+  do {
+    skip_blanks(text);
+    numbers += take_number(text, number);
+  } while (take_character(text, ',') && numbers <= most_numbers);
+  const bool point = numbers >= 2 && numbers <= most_numbers && take_character(text, ']');
+  return point && (lists == 2 || (lists == 3 && take_character(text, ',') && take_character(text, '[')));
+}
+
 /// Whether a text begins as a list of lists of objects with an x.
 bool begins_with_lists_of_points(std::string_view text) {
   for (const char next : {'[', '[', '{'}) {
@@ -313,7 +337,9 @@ bool begins_with_lists_of_points(std::string_view text) {
 
 bool is_pointers(std::string_view text) {
   skip_blanks(text);
-  if (begins_with_lists_of_points(text) || begins_as_lines_of_strokes(text)) return true;
+  if (begins_with_lists_of_points(text) || begins_with_points_of_numbers(text) ||
+      begins_as_lines_of_strokes(text))
+    return true;
   if (text.starts_with('[')) return has_key_early(text, "\"pointers\"") || has_key_early(text, "\"points\"");
   return text.starts_with('{') &&
          (has_key_early(text, "\"strokes\"") || has_key_early(text, "\"pointers\"") ||
