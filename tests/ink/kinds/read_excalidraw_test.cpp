@@ -31,6 +31,20 @@ TEST(ReadExcalidraw, HasNoPressureWhereSomePointsLackIt) {
   EXPECT_EQ(places(file.strokes[2]), "3 4, 4 5") << "the name in the program's first versions";
 }
 
+TEST(ReadExcalidraw, ReadsItemsOfEachFormInEitherList) {
+  const std::string element = R"({"type": "freedraw", "x": 1, "y": 2, "points": [[0, 0], [1, 1]]})",
+                    items = "[[" + element + R"(], {"id": "a", "elements": [)" + element + "]}]";
+  // Two lists leave the way that reads a file element by element.
+  for (const std::string& lists : {"\"libraryItems\": " + items, "\"library\": " + items,
+                                   "\"libraryItems\": " + items + ", \"library\": []"}) {
+    const PenFile file = PenFileFolder().read(R"({"type": "excalidrawlib", )" + lists + "}");
+    ASSERT_EQ(file.strokes.size(), 2u) << lists;
+    EXPECT_EQ(file.strokes[0].page, 1u);
+    EXPECT_EQ(file.strokes[1].page, 2u);
+    EXPECT_EQ(places(file.strokes[1]), "1 2, 2 3");
+  }
+}
+
 TEST(ReadExcalidraw, NamesThePlaceOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(R"({"type": "excalidraw", "elements": [{"type": "freedraw", "x": 1, "y": 2,

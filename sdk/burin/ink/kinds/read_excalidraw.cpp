@@ -1,5 +1,6 @@
 // Reads scenes and libraries of Excalidraw: JSON with elements, of which those drawn by hand ("freedraw") are
-// strokes; its first versions called them "draw". Points lie relative to the element, which then turns about
+// strokes; its first versions called them "draw". An item of a library is a list of elements, or an object
+// that has one. Points lie relative to the element, which then turns about
 // the middle of their box. Positions are CSS pixels. Pressures that the program simulates are not in the
 // file.
 #include <burin/base/text/json_value.h>
@@ -138,7 +139,8 @@ class ByElements {
       if (!items && !lists) return read_list(json, 1);
       std::size_t page = 0;
       return for_each_json_part(json, [&](std::string_view, TextWindow& item) {
-        return items ? read_item(item, ++page) : read_list(item, ++page);
+        item.skip_blanks();
+        return item.text().starts_with('{') ? read_item(item, ++page) : read_list(item, ++page);
       });
     });
     return whole && lists_ == 1;
@@ -188,10 +190,10 @@ PenFile read_excalidraw(const PenFileText& file) {
     content = std::move(*scene);
   } else {
     const JsonValue root = pen_json(file);
-    if (const auto items = root.find("libraryItems"))
-      for (const JsonValue& item : items->items()) read_elements(item.member("elements"), ++page, content);
-    else if (const auto library = root.find("library"))
-      for (const JsonValue& elements : library->items()) read_elements(elements, ++page, content);
+    const auto items = root.find("libraryItems"), library = items ? items : root.find("library");
+    if (library)
+      for (const JsonValue& item : library->items())
+        read_elements(item.is_array() ? item : item.member("elements"), ++page, content);
     else
       read_elements(root.member("elements"), 1, content);
   }
