@@ -248,6 +248,22 @@ TEST(ReadSvg, HidesWhatItsStyleSheetsHide) {
   EXPECT_EQ(drawn, "3 3, 4 4; 15 5, 16 6; 7 7, 8 8; ");
 }
 
+TEST(ReadSvg, RefusesStyleSheetsThatSayFarTooMuch) {
+  std::string selectors, comments, elements;
+  for (int i = 0; i < 20'000; ++i) selectors += ".a" + std::to_string(i) + ",";
+  for (int i = 0; i < 200'000; ++i) comments += "/**/";
+  for (int i = 0; i < 20'000; ++i) elements += "<g/>";
+  const auto complaint = [](const std::string& sheet, const std::string& rest) {
+    return PenFileFolder().complaint("<svg><style>" + sheet + "</style>" + rest + "</svg>");
+  };
+  const std::string fault = "1: style sheets that say more than pictures need";
+  const std::string rules = selectors + ".b{display:none}";
+  EXPECT_EQ(complaint(rules, elements), fault);
+  EXPECT_EQ(complaint(selectors + ".b{display:" + std::string(2000, 'x') + "}", ""), fault);
+  EXPECT_EQ(complaint(rules, "<g class='" + std::string(100'000, 'c') + "'/>"), fault);
+  EXPECT_EQ(complaint(comments + rules, "<path class='c' d='M0 0L1 1'/>"), "accepted");
+}
+
 TEST(ReadSvg, NamesTheLineOfAFault) {
   const PenFileFolder folder;
   EXPECT_EQ(folder.complaint(svg("<path d=\"M0 0L1\"/>")), "4: expected a number in a path, found ''");

@@ -23,12 +23,16 @@ std::string_view take_to(std::string_view& text, char mark) {
   return part.substr(0, part.find_last_not_of(blanks) + 1);
 }
 
-std::string without_comments(std::string text) {
-  for (std::size_t at = text.find("/*"); at != text.npos; at = text.find("/*", at)) {
-    const std::size_t end = text.find("*/", at + 2);
-    text.replace(at, end == text.npos ? end : end + 2 - at, " ");
+std::string without_comments(std::string_view text) {
+  std::string plain;
+  for (;;) {
+    const std::size_t begin = text.find("/*");
+    plain.append(text.substr(0, begin));
+    const std::size_t end = begin == text.npos ? begin : text.find("*/", begin + 2);
+    if (end == text.npos) return plain;
+    plain += ' ';
+    text.remove_prefix(end + 2);
   }
-  return text;
 }
 
 /// Of a rule's declarations those that are read.
@@ -41,6 +45,13 @@ std::string declarations_of(std::string_view block) {
     if (std::ranges::find(read, take_to(rest, ':')) != read.end()) declarations.append(one).append(";");
   }
   return declarations;
+}
+
+/// Adds what is to be done or kept to the sum so far. Throws Error for more than pictures need.
+void charge(std::size_t& sum, std::size_t more) {
+  constexpr std::size_t most = 20'000'000;
+  sum += more;
+  if (sum > most) throw Error("style sheets that say more than pictures need");
 }
 
 /// What a selector needs of an element; an id or else a name and a class, of which one may be empty.
@@ -78,8 +89,9 @@ void skip_at_rule(std::string_view& sheet) {
   sheet.remove_prefix(std::min(at + 1, sheet.size()));
 }
 
-/// Adds the rules of a sheet that say anything which is read, but not those for some media only.
-void add_rules(std::string_view sheet, std::vector<Rule>& rules) {
+/// Adds the rules of a sheet that say anything which is read, but not those for some media only. `kept`:
+/// bytes of rules so far.
+void add_rules(std::string_view sheet, std::vector<Rule>& rules, std::size_t& kept) {
   for (skip_blanks(sheet); !sheet.empty(); skip_blanks(sheet)) {
     if (sheet.starts_with('@')) {
       skip_at_rule(sheet);
@@ -87,9 +99,12 @@ void add_rules(std::string_view sheet, std::vector<Rule>& rules) {
     }
     std::string_view selectors = take_to(sheet, '{');
     const std::string declarations = declarations_of(take_to(sheet, '}'));
-    while (!declarations.empty() && !selectors.empty())
-      if (const std::string_view one = take_to(selectors, ','); is_simple(one))
-        rules.push_back(rule_of(one, declarations));
+    while (!declarations.empty() && !selectors.empty()) {
+      const std::string_view one = take_to(selectors, ',');
+      if (!is_simple(one)) continue;
+      charge(kept, sizeof(Rule) + one.size() + declarations.size());
+      rules.push_back(rule_of(one, declarations));
+    }
   }
 }
 
@@ -106,14 +121,13 @@ class StyledElements : public pugi::xml_tree_walker {
 
  private:
   void style(pugi::xml_node& node) {
+    constexpr std::size_t letters_a_rule = 8;  // take as long as a rule
+    const std::size_t letters = std::string_view(node.attribute("class").value()).size();
+    charge(compared_, rules_.size() * (1 + letters / letters_a_rule));
     std::string style;
-    constexpr std::size_t most_compared = 20'000'000;
-    compared_ += rules_.size();
     for (const Rule& rule : rules_)
       if (fits(rule, node)) style += rule.declarations;
-    added_ += style.size();
-    if (compared_ > most_compared || added_ > most_compared)
-      throw Error("style sheets that say more than pictures need");
+    charge(added_, style.size());
     if (style.empty()) return;
     pugi::xml_attribute own = node.attribute("style");
     if (!own) own = node.append_attribute("style");
@@ -138,10 +152,10 @@ class StyledElements : public pugi::xml_tree_walker {
 void apply_svg_style_sheets(const pugi::xml_node& root) {
   std::vector<Rule> rules;
   pugi::xml_node within = root;
+  std::size_t kept = 0;
   within.find_node([&](const pugi::xml_node& node) {
     std::string joined;
-    if (local_name(node.name()) == "style")
-      add_rules(without_comments(std::string(text_of(node, joined))), rules);
+    if (local_name(node.name()) == "style") add_rules(without_comments(text_of(node, joined)), rules, kept);
     return false;
   });
   if (rules.empty()) return;
