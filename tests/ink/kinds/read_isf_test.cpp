@@ -98,6 +98,17 @@ TEST(ReadIsf, TakesTheTiltOfPensWhoseMetricsAreTheUsualOnes) {
   EXPECT_FLOAT_EQ(file.strokes[0].samples[0].pen.twist, 2 * degree);
 }
 
+TEST(ReadIsf, PassesOverPropertiesOfTheFile) {
+  constexpr char stroke = 10, time_stamp = 78, of_guid = 100;
+  // A known property has no length; another has that of its data without the byte that tells the packing.
+  Bytes bytes;
+  bytes.add(time_stamp).add_text(std::string(16, '\x7f')).add(of_guid).add_text(with_length("abc")).add('\0');
+  bytes.add(stroke).add_text(with_length(std::string("\2\x08\1\2\x08\0\3", 7)));
+  const PenFile file = PenFileFolder().read(stream_of(bytes.text()));
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "0.01 0, 0.02 0.03");
+}
+
 TEST(ReadIsf, PlacesPointsByTheLastTransform) {
   constexpr char transform = 16, scale = 17, stroke = 10;
   Bytes bytes;

@@ -11,6 +11,7 @@
 #include <burin/math/degree.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -153,6 +154,23 @@ PenStroke read_stroke(ByteReader content, const IsfTables& tables, Chosen& chose
   return made;
 }
 
+/// Removes the content of a tag that is not used. Properties that WPF knows have as many bytes as these; the
+/// length of others does not count the byte that tells how they are packed.
+void skip_other(std::uint64_t tag, ByteReader& stream) {
+  constexpr std::uint64_t first_property = 50;
+  constexpr std::array<std::uint8_t, 38> bytes_of_known = {4,  4,  4,  4, 8, 4, 2, 2, 2, 4, 4, 4, 4,
+                                                           4,  2,  2,  2, 2, 4, 4, 4, 1, 4, 4, 0, 0,
+                                                           20, 12, 16, 2, 1, 4, 0, 4, 4, 4, 4, 4};
+  const bool property = tag >= first_property;
+  if (property && tag - first_property < bytes_of_known.size())
+    if (const std::uint8_t bytes = bytes_of_known[tag - first_property]; bytes > 0) {
+      stream.take_bytes(bytes);
+      return;
+    }
+  stream.part(stream.varint());
+  if (property) stream.take_bytes(1);
+}
+
 void read_tag(std::uint64_t tag, ByteReader& stream, IsfTables& tables, Chosen& chosen, PenFile& content) {
   if (read_isf_table(tag, stream, tables)) return;
   switch (tag) {
@@ -176,13 +194,8 @@ void read_tag(std::uint64_t tag, ByteReader& stream, IsfTables& tables, Chosen& 
       if (!made.samples.empty()) content.strokes.push_back(std::move(made));
       break;
     }
-    default: {
-      // The length of a property does not count the byte that tells how it is packed.
-      constexpr std::uint64_t first_property = 50;
-      const std::uint64_t length = stream.varint();
-      stream.part(length);
-      if (tag >= first_property) stream.take_bytes(1);
-    }
+    default:
+      skip_other(tag, stream);
   }
 }
 
