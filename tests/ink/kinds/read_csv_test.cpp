@@ -175,6 +175,14 @@ TEST(ReadCsv, KnowsNamesWithoutUnderscores) {
   EXPECT_TRUE(file.not_used.empty());
 }
 
+TEST(ReadCsv, KnowsContactByTheNamesOfHandwritingSets) {
+  for (const char* name : {"pen_status", "PenStatus", "pen_down", "contact"}) {
+    const PenFile file = PenFileFolder().read(std::string("x,y,") + name + "\n1,2,1\n3,4,0\n5,6,1\n");
+    EXPECT_EQ(file.strokes.size(), 2u) << name;
+    EXPECT_EQ(file.hovering, 1u);
+  }
+}
+
 TEST(ReadCsv, TakesNoMembersOfJsonForColumns) {
   const PenFileFolder folder;
   for (const char* text : {R"({"type": "stroke", "X": [1, 2], "Y": [3, 4]})", R"( {"x":1,"y":2})"})
