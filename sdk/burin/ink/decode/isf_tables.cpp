@@ -103,6 +103,20 @@ Eigen::Affine2d read_transform(std::uint64_t tag, ByteReader& stream) {
 
 bool is_transform(std::uint64_t tag) { return tag >= Tag::transform && tag <= Tag::scaled_and_moved; }
 
+Eigen::Affine2d read_transform_of_table(ByteReader& table) {
+  const std::uint64_t tag = table.varint();
+  if (!is_transform(tag)) table.reject("no transform in the table of transforms");
+  return read_transform(tag, table);
+}
+
+/// The items that `read` takes from a table to its end.
+template <class Read>
+auto list_in(ByteReader table, const Read& read) {
+  std::vector<decltype(read(table))> items;
+  while (!table.empty()) items.push_back(read(table));
+  return items;
+}
+
 }  // namespace
 
 IsfMetric isf_usual_metric(std::uint64_t property) {
@@ -129,18 +143,13 @@ bool read_isf_table(std::uint64_t tag, ByteReader& stream, IsfTables& tables) {
   if (tag == Tag::guid_table) tables.barrel_tag = barrel_in(content);
   if (tag == Tag::descriptor_block) tables.descriptors = {read_descriptor(content, tables)};
   if (tag == Tag::metric_block) tables.metrics = {read_metrics(content)};
-  if (tag == Tag::descriptor_table) tables.descriptors.clear();
-  if (tag == Tag::metric_table) tables.metrics.clear();
-  if (tag == Tag::transform_table) tables.transforms.clear();
-  while (tag == Tag::descriptor_table && !content.empty())
-    tables.descriptors.push_back(read_descriptor(content.part(content.varint()), tables));
-  while (tag == Tag::metric_table && !content.empty())
-    tables.metrics.push_back(read_metrics(content.part(content.varint())));
-  while (tag == Tag::transform_table && !content.empty()) {
-    const std::uint64_t of_table = content.varint();
-    if (!is_transform(of_table)) content.reject("no transform in the table of transforms");
-    tables.transforms.push_back(read_transform(of_table, content));
-  }
+  if (tag == Tag::descriptor_table)
+    tables.descriptors =
+        list_in(content, [&](ByteReader& list) { return read_descriptor(list.part(list.varint()), tables); });
+  if (tag == Tag::metric_table)
+    tables.metrics =
+        list_in(content, [](ByteReader& list) { return read_metrics(list.part(list.varint())); });
+  if (tag == Tag::transform_table) tables.transforms = list_in(content, read_transform_of_table);
   return true;
 }
 
