@@ -79,6 +79,17 @@ TEST(ReadHid, PartsTouchesOfWhichEachReportHasOne) {
   EXPECT_EQ(file.strokes[1].drawn_by.tool, "touch");
 }
 
+TEST(ReadHid, HasThePressureOfTouches) {
+  const PenFile file = PenFileFolder().read(
+      "R: 48 05 0d 09 04 a1 01 85 04 09 22 a1 02 09 42 15 00 25 01 75 08 95 01 81 02 09 51 25 7f 81 02 09 30 "
+      "26 ff 00 81 02 05 01 09 30 09 31 95 02 81 02 c0\n"
+      "E: 0 6 04 01 00 33 0a 14\nE: 0.01 6 04 01 00 ff 0b 14\n");
+  ASSERT_EQ(file.strokes.size(), 1u);
+  EXPECT_EQ(places(file.strokes[0]), "10 20, 11 20");
+  EXPECT_EQ(file.strokes[0].fields, (PenFields{.time = true, .pressure = true}));
+  EXPECT_FLOAT_EQ(file.strokes[0].samples[0].pen.pressure, 0.2F);
+}
+
 /// The lines of a tablet that tells of two touches at a time: their number, then the id, tip switch, x and y
 /// of each, in 1/40 mm. Its usages are those of Wacom's page of touch.
 std::string touches(const std::vector<std::string>& reports) {

@@ -16,7 +16,7 @@ constexpr std::array usages_of_pens{usage_barrel, usage_eraser, usage_tilt_x};
 
 /// Fields of touches in a report, in its order.
 struct TouchFields {
-  std::vector<HidField> tips, ids, x, y, counts;
+  std::vector<HidField> tips, ids, x, y, pressures, counts;
   bool of_pen = false;  ///< has what only pens have
 
   std::vector<HidField>* of(std::uint32_t usage) {
@@ -29,6 +29,8 @@ struct TouchFields {
         return &x;
       case usage_y:
         return &y;
+      case usage_pressure:
+        return &pressures;
       case usage_contact_count:
         return &counts;
       default:
@@ -48,6 +50,13 @@ std::map<std::uint8_t, TouchFields> fields_by_report(const std::vector<HidField>
   return reports;
 }
 
+/// The pressure of a touch, if all have one.
+std::optional<HidField> pressure_of(const TouchFields& of, std::size_t touch) {
+  const bool all = of.pressures.size() == of.tips.size();
+  const bool ranged = all && of.pressures[touch].most > of.pressures[touch].least;
+  return ranged ? std::optional(of.pressures[touch]) : std::nullopt;
+}
+
 }  // namespace
 
 HidTouches::HidTouches(const std::vector<HidField>& fields) {
@@ -56,7 +65,7 @@ HidTouches::HidTouches(const std::vector<HidField>& fields) {
     const std::size_t touches = std::min({of.tips.size(), of.ids.size(), of.x.size(), of.y.size()});
     const bool has_touches = touches > 1 || !of.of_pen;
     for (std::size_t i = 0; has_touches && i < touches; ++i)
-      report.places.push_back({of.tips[i], of.ids[i], of.x[i], of.y[i]});
+      report.places.push_back({of.tips[i], of.ids[i], of.x[i], of.y[i], pressure_of(of, i)});
     report.count = std::move(of.counts);
   }
 }
@@ -84,7 +93,9 @@ HidTouches::Touches HidTouches::touches_in(const Report& kind, const HidReport& 
     if (value(place.tip) != 0)
       touches.down.push_back(
           {value(place.id),
-           {hid_position(place.x, value(place.x)), hid_position(place.y, value(place.y)), 0}});
+           {hid_position(place.x, value(place.x)), hid_position(place.y, value(place.y)), 0},
+           place.pressure ? std::optional(hid_share(*place.pressure, value(*place.pressure)))
+                          : std::nullopt});
     else if (counts)
       touches.ended.push_back(value(place.id));
   }
@@ -103,8 +114,12 @@ void HidTouches::add(const Touch& touch, double time, PenFile& content) {
     PenStroke& made = content.strokes.emplace_back();
     made.drawn_by.tool = "touch";
     made.fields.time = true;
+    made.fields.pressure = touch.pressure.has_value();
   }
-  content.strokes[stroke->second].samples.push_back({.time = time, .position = touch.position, .pen = {}});
+  Sample& sample = content.strokes[stroke->second].samples.emplace_back();
+  sample.time = time;
+  sample.position = touch.position;
+  if (touch.pressure) sample.pen.pressure = *touch.pressure;
 }
 
 }  // namespace burin

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -21,6 +22,7 @@ class HidTouches {
   /// Where a report has one of its touches.
   struct Place {
     HidField tip, id, x, y;
+    std::optional<HidField> pressure;
   };
   struct Report {
     std::vector<Place> places;
@@ -29,6 +31,7 @@ class HidTouches {
   struct Touch {
     std::int32_t id;
     Vec3d position;
+    std::optional<float> pressure;
   };
   /// What a report tells of touches.
   struct Touches {

@@ -29,8 +29,8 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::uint32_t usage_pressure = 0x0d0030, usage_tilt_y = 0x0d003e, usage_twist = 0x0d0041,
-                        usage_barrel2 = 0x0d005a, usage_invert = 0x0d003c;
+constexpr std::uint32_t usage_tilt_y = 0x0d003e, usage_twist = 0x0d0041, usage_barrel2 = 0x0d005a,
+                        usage_invert = 0x0d003c;
 constexpr std::array pen_usages{usage_x,      usage_y,       usage_tip,   usage_pressure,
                                 usage_tilt_x, usage_tilt_y,  usage_twist, usage_eraser,
                                 usage_barrel, usage_barrel2, usage_invert};
@@ -129,11 +129,8 @@ void HidPen::add_sample(double time, const HidReport& report, bool eraser) {
   sample.barrel =
       value(usage_barrel, report).value_or(0) != 0 || value(usage_barrel2, report).value_or(0) != 0;
   sample.position = {position(*find(usage_x, report), report), position(*find(usage_y, report), report), 0};
-  if (stroke.fields.pressure && pressure) {
-    const double span = pressure->most - pressure->least;
-    const double share = (*value(usage_pressure, report) - pressure->least) / span;
-    sample.pen.pressure = static_cast<float>(std::clamp(share, 0., 1.));
-  }
+  if (stroke.fields.pressure && pressure)
+    sample.pen.pressure = hid_share(*pressure, *value(usage_pressure, report));
   if (stroke.fields.tilt && tilt) {
     sample.pen.tilt_x = angle(usage_tilt_x, report);
     sample.pen.tilt_y = angle(usage_tilt_y, report);

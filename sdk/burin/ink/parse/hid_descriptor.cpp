@@ -178,6 +178,10 @@ double hid_position(const HidField& field, std::int32_t value) {
   return unit > 0 ? hid_physical(field, value) * unit : value;
 }
 
+float hid_share(const HidField& field, std::int32_t value) {
+  return static_cast<float>(std::clamp((value - field.least) / (field.most - field.least), 0., 1.));
+}
+
 std::int32_t hid_value(const HidField& field, const HidReport& report) {
   std::uint64_t value = 0;
   const std::size_t first = field.bit / 8, last = (field.bit + field.bits - 1) / 8;

@@ -9,7 +9,8 @@ namespace burin {
 // Usages, page << 16 | usage, of pens and of touches.
 inline constexpr std::uint32_t usage_x = 0x010030, usage_y = 0x010031, usage_tip = 0x0d0042,
                                usage_contact_id = 0x0d0051, usage_contact_count = 0x0d0054,
-                               usage_tilt_x = 0x0d003d, usage_barrel = 0x0d0044, usage_eraser = 0x0d0045;
+                               usage_pressure = 0x0d0030, usage_tilt_x = 0x0d003d, usage_barrel = 0x0d0044,
+                               usage_eraser = 0x0d0045;
 
 /// A field of the input reports of a HID device.
 struct HidField {
@@ -49,6 +50,9 @@ double hid_millimetres(const HidField& field);
 
 /// A position in millimetres where the unit of the field is a length, else the value.
 double hid_position(const HidField& field, std::int32_t value);
+
+/// Where a value is in the logical range of its field, 0 to 1.
+float hid_share(const HidField& field, std::int32_t value);
 
 /// The value of a field in a report, which must have all bits of it.
 std::int32_t hid_value(const HidField& field, const HidReport& report);
