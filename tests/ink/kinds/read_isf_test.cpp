@@ -98,6 +98,14 @@ TEST(ReadIsf, TakesTheTiltOfPensWhoseMetricsAreTheUsualOnes) {
   EXPECT_FLOAT_EQ(file.strokes[0].samples[0].pen.twist, 2 * degree);
 }
 
+TEST(ReadIsf, TakesTiltsAboveAHalfTurnForThoseToTheOtherSide) {
+  // 16 bits each: 3500 and 100 tenths of a degree.
+  const std::string tilts("\x10\x0d\xac\0\x64\0\0\x10\0\0\0\0\0\0", 14);
+  const PenFile file = PenFileFolder().read(three_points("", "\x3b\x3c", tilts));
+  EXPECT_NEAR(file.strokes.at(0).samples.at(0).pen.tilt_x, -std::numbers::pi / 18, 1e-6);
+  EXPECT_NEAR(file.strokes[0].samples.at(1).pen.tilt_x, std::numbers::pi / 18, 1e-6);
+}
+
 TEST(ReadIsf, PassesOverPropertiesOfTheFile) {
   constexpr char stroke = 10, time_stamp = 78, of_guid = 100;
   // A known property has no length; another has that of its data without the byte that tells the packing.

@@ -12,9 +12,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -82,8 +84,9 @@ void set_tilts(const Columns& columns, const IsfMetrics& metrics, PenStroke& str
           static_cast<double>(second->second[i]) * by_second);
   };
   angles(isf_tilt_x, isf_tilt_y, [](Pen& pen, double x, double y) {
-    pen.tilt_x = static_cast<float>(x);
-    pen.tilt_y = static_cast<float>(y);
+    // Ranges of a whole turn have tilts to the other side above a half.
+    pen.tilt_x = static_cast<float>(std::remainder(x, 2 * std::numbers::pi));
+    pen.tilt_y = static_cast<float>(std::remainder(y, 2 * std::numbers::pi));
   });
   angles(isf_azimuth, isf_altitude,
          [](Pen& pen, double azimuth, double altitude) { set_tilt(pen, azimuth, altitude); });
