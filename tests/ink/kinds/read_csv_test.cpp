@@ -130,6 +130,20 @@ TEST(ReadCsv, LeavesOutPressuresOfWhichNothingTellsTheRange) {
   EXPECT_EQ(file.not_used, std::vector<std::string>{"Pressure"});
 }
 
+TEST(ReadCsv, KnowsTiltsWithoutUnitByTheirSize) {
+  const auto read = [](const std::string& names, const std::string& values) {
+    return PenFileFolder().read("x,y," + names + "\n1,2," + values + "\n");
+  };
+  EXPECT_FLOAT_EQ(read("tilt_x,Tilt Y", "-1.5,0.5").strokes.at(0).samples.at(0).pen.tilt_x, -1.5F);
+  const PenFile degrees = read("tilt_x,Tilt Y", "-30,0.5");
+  EXPECT_NEAR(degrees.strokes.at(0).samples.at(0).pen.tilt_x, -std::numbers::pi / 6, 1e-6);
+  EXPECT_NEAR(degrees.strokes[0].samples[0].pen.tilt_y, std::numbers::pi / 360, 1e-6);
+  const PenFile unknown = read("tilt_x,Tilt Y", "-3000,500");
+  EXPECT_EQ(unknown.strokes.at(0).fields, PenFields());
+  EXPECT_EQ(unknown.strokes[0].samples.at(0).pen.tilt_y, 0);
+  EXPECT_EQ(unknown.not_used, (std::vector<std::string>{"tilt_x", "Tilt Y"}));
+}
+
 TEST(ReadCsv, ReadsTimesOfDays) {
   const PenFile file =
       PenFileFolder().read("time,x,y\n2024-01-01T10:00:00.250,1,2\n\"2024-01-01 10:00:01.5\",3,4\n");

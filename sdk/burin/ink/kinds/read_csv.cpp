@@ -13,6 +13,7 @@
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/text_window.h>
 #include <burin/ink/pen_file.h>
+#include <burin/math/degree.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -197,6 +198,9 @@ class Rows {
   /// Leaves out pressures that are whole numbers of a device, up to more than 1, whose range nothing tells.
   /// Returns whether they are.
   bool drop_pressure_without_range();
+  /// Takes tilts of no told unit for degrees if some are more than a turn in radians. Returns false, and
+  /// leaves them out, if they are more than degrees can be.
+  bool settle_tilts();
   PenFile finish() { return std::move(content_); }
 
  private:
@@ -235,6 +239,30 @@ bool Rows::drop_pressure_without_range() {
     for (Sample& sample : stroke.samples) sample.pen.pressure = Pen{}.pressure;
   }
   return true;
+}
+
+bool Rows::settle_tilts() {
+  constexpr float right_angle = 90, turn_in_radians = static_cast<float>(360 * math::degree);
+  float most = 0;
+  for (const PenStroke& stroke : content_.strokes)
+    for (const Sample& sample : stroke.samples)
+      most = std::max({most, std::abs(sample.pen.tilt_x), std::abs(sample.pen.tilt_y)});
+  if (most <= turn_in_radians) return true;
+  const float by = most <= right_angle ? static_cast<float>(math::degree) : 0;
+  for (PenStroke& stroke : content_.strokes) {
+    stroke.fields.tilt &= by > 0;
+    for (Sample& sample : stroke.samples) {
+      sample.pen.tilt_x *= by;
+      sample.pen.tilt_y *= by;
+    }
+  }
+  return by > 0;
+}
+
+/// Whether a column is of tilts, in radians only since its name tells no unit.
+bool is_tilt_of_no_unit(const CsvColumn& column) {
+  return (column.cell == CsvCell::tilt_x || column.cell == CsvCell::tilt_y) && column.scale == 1 &&
+         in_lower_case(column.name).find("rad") == std::string::npos;
 }
 
 /// Puts rows together whose cells have line ends in quotes.
@@ -315,9 +343,11 @@ PenFile read_csv(const PenFileText& file) {
   });
   quoted.finish();
   const bool no_range = rows.drop_pressure_without_range();
+  const bool no_tilts = std::ranges::any_of(named, is_tilt_of_no_unit) && !rows.settle_tilts();
   PenFile content = rows.finish();
   for (const CsvColumn& column : named) {
-    if (column.cell == CsvCell::unknown || (no_range && column.cell == CsvCell::pressure))
+    if (column.cell == CsvCell::unknown || (no_range && column.cell == CsvCell::pressure) ||
+        (no_tilts && is_tilt_of_no_unit(column)))
       content.not_used.push_back(column.name);
     if (is_position(column.cell)) content.unit = column.unit;
   }
