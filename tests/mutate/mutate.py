@@ -131,10 +131,13 @@ def main():
     if unknown or options.count < 1:
         parser.error(f"no folder '{unknown[0]}'" if unknown else "--count must be above 0")
     folders = options.folders or tested
-    if not copy_last_commit() or not all(
-            builds(test) and passes(test) for folder in folders for test in tests_of(folder)):
-        print("mutate: the tests fail without a change", file=sys.stderr)
+    if not copy_last_commit():
+        print("mutate: the last commit cannot be configured", file=sys.stderr)
         return 2
+    for test in dict.fromkeys(test for folder in folders for test in tests_of(folder)):
+        if not builds(test) or not passes(test):
+            print(f"mutate: {test} fails without a change", file=sys.stderr)
+            return 2
     left = [(folder, *place) for folder in folders for place in places(folder)]
     random.Random(options.seed).shuffle(left)
     caught = []
