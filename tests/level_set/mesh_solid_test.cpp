@@ -72,6 +72,9 @@ TEST(MeshSolid, RefusesWhatIsNone) {
   TriangleMesh mesh = ball(0.6, Vec3d::Zero());
   EXPECT_EQ(test::error_of([&] { solid_of(mesh, 0); }), "the voxel must be above 0");
   EXPECT_NE(test::error_of([&] { solid_of(mesh, 1e-5); }).find("use larger voxels"), std::string::npos);
+  // 3 values for each voxel of the band of 6 voxels, and one for each within, of 4 bytes.
+  EXPECT_EQ(test::error_of([&] { solid_of(mesh, 0.01, 2'000'000); }),
+            "the solid's grid would take 7 MB or more, which is above the bound of 2 MB: use larger voxels");
   mesh.triangles.pop_back();
   EXPECT_EQ(test::error_of([&] { solid_of(mesh, 0.05); }),
             "the mesh is open: only a closed one bounds a solid");

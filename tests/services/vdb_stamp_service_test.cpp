@@ -68,6 +68,25 @@ TEST_F(VdbStampService, SamplesDistancesInTheUnitOfThePlaces) {
   EXPECT_GT(most, 1);
 }
 
+TEST_F(VdbStampService, GoesByTheStrides) {
+  ASSERT_EQ(open(rail.c_str()), BURIN_OK);
+  constexpr std::size_t count = 200, stride = 2, stride_of_values = 3;
+  std::vector<float> x, apart, values(count), expected(stride_of_values * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    x.push_back(0.8F * static_cast<float>(i));
+    apart.insert(apart.end(), {x.back(), -1.F});
+  }
+  ASSERT_EQ(sample(count, x.data(), values.data()), BURIN_OK);
+  EXPECT_LT(std::ranges::min(values), std::ranges::max(values));
+  std::vector<float> into(expected.size());
+  const float voxel = 1, middle = static_cast<float>(info_.size[1]) / 2, up = 0.4F * middle;
+  ASSERT_EQ(vdb_->sample(services_.abi(), stamp_, count, {&voxel, 0, 0}, {apart.data(), stride, 0},
+                         {&middle, 0, 0}, {&up, 0, 0}, {into.data(), stride_of_values, 0}),
+            BURIN_OK);
+  for (std::size_t i = 0; i < count; ++i) expected[stride_of_values * i] = values[i];
+  EXPECT_EQ(into, expected);
+}
+
 TEST_F(VdbStampService, SamplesOnManyThreads) {
   ASSERT_EQ(open(rail.c_str()), BURIN_OK);
   std::vector<float> x(20000), values(20000), expected(20000);

@@ -148,6 +148,24 @@ TEST(CoarsenPath, LosesNoReliefThatOtherStrokesDrew) {
   EXPECT_LE(farthest(fine, session), 0.0101 * radius / Refining::fine);
 }
 
+TEST(CoarsenPath, LosesAQuarterOfTheErrorAskedForAtMost) {
+  Session session = session_with_steps(), fine = session_with_steps();
+  const std::size_t before = session.surface().triangles.size();
+  const std::vector<Vec3f> bare = fine.surface().positions;
+  StrokeSettings shallow = stroke_of(radius, 0.1);
+  shallow.refining = {};
+  draw_along(fine, shallow, along);
+  float height = 0;
+  for (std::size_t v = 0; v < bare.size(); ++v)
+    height = std::max(height, (fine.surface().positions[v] - bare[v]).norm());
+  shallow.refining = {.kind = Refining::Kind::error, .error = 0.02};
+  draw_along(session, shallow, along);
+  EXPECT_LT(session.surface().triangles.size(), before);
+  const double most = 0.25 * 0.02 * static_cast<double>(height);
+  EXPECT_LT(most, 0.005 * radius / Refining::fine);
+  EXPECT_LE(farthest(fine, session), 1.01 * most);
+}
+
 TEST(CoarsenPath, DoesTheSameAsThePenComes) {
   Session told = coarse_session(), live = coarse_session();
   for (Session* session : {&told, &live}) draw_along(*session, stroke_of(narrow_radius, 1), along);
