@@ -4,6 +4,7 @@
 #include <burin/ink/fit/fit_to_mesh.h>
 #include <burin/ink/fit/fit_to_view.h>
 #include <burin/ink/import_pen_file.h>
+#include <burin/ink/no_pressure.h>
 #include <burin/ink/pen_file.h>
 #include <burin/stroke/files/recording_faults.h>
 #include <burin/stroke/recording.h>
@@ -28,10 +29,7 @@ void drop_void_pressure(std::vector<RecordedStroke>& strokes, ImportCounts& coun
   };
   if (std::ranges::any_of(strokes, pressed)) return;
   counts.pressures_dropped = strokes.size();
-  for (RecordedStroke& stroke : strokes) {
-    stroke.fields.pressure = false;
-    for (Sample& sample : stroke.samples) sample.pen.pressure = Pen{}.pressure;
-  }
+  for (RecordedStroke& stroke : strokes) leave_out_pressure(stroke);
 }
 
 /// The earliest time of all strokes; infinite if none has times.

@@ -125,14 +125,17 @@ TEST(ReadLibinput, NamesTheLineOfAFaultBelowEvents) {
             "30: malformed YAML: en");
 }
 
-// An item of another kind, or of another depth, ends a run of frames.
-TEST(ReadLibinput, TakesFramesOfOneListOnlyTogether) {
-  const std::string pen = R"(  - evdev:
+/// The first frame of a pen that touches.
+const std::string frame_of_contact = R"(  - evdev:
     - [0, 0, 3, 0, 2000]
     - [0, 0, 3, 1, 400]
     - [0, 0, 1, 330, 1]
     - [0, 0, 0, 0, 0]
-  - evdev:
+)";
+
+// An item of another kind, or of another depth, ends a run of frames.
+TEST(ReadLibinput, TakesFramesOfOneListOnlyTogether) {
+  const std::string pen = frame_of_contact + R"(  - evdev:
     - [1, 0, 3, 0, 2200]
     - [1, 0, 0, 0, 0]
 )";
@@ -154,14 +157,8 @@ TEST(ReadLibinput, TakesFramesOfOneListOnlyTogether) {
 }
 
 TEST(ReadLibinput, HasTheNameOfTheDeviceThatDrew) {
-  const std::string events = R"(  - evdev:
-    - [0, 0, 3, 0, 2000]
-    - [0, 0, 3, 1, 400]
-    - [0, 0, 1, 330, 1]
-    - [0, 0, 0, 0, 0]
-)";
   const std::string pad = "- node: /dev/input/event18\n  evdev:\n    name: \"A Pad\"\n  events:\n";
-  const PenFile file = PenFileFolder().read(head + events + pad);
+  const PenFile file = PenFileFolder().read(head + frame_of_contact + pad);
   EXPECT_EQ(file.device, "Wacom Pen");
   ASSERT_EQ(file.strokes.size(), 1u);
   EXPECT_EQ(PenFileFolder().read(head + pad).device, "A Pad") << "where none drew";

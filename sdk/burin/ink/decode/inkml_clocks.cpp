@@ -3,18 +3,11 @@
 #include <burin/ink/decode/inkml_clocks.h>
 #include <burin/ink/decode/inkml_format.h>
 #include <burin/ink/parse/iso_time.h>
-#include <burin/ink/parse/scan.h>
 
 #include <algorithm>
 
 namespace burin {
 namespace {
-
-std::optional<double> number_in(const pugi::xml_attribute& attribute) {
-  std::string_view text = attribute.value();
-  double value = 0;
-  return take_number(text, value) ? std::optional(value) : std::nullopt;
-}
 
 template <class Clocks>
 std::optional<double> named(const Clocks& clocks, const pugi::xml_attribute& reference) {
@@ -40,11 +33,11 @@ void InkmlClocks::collect(const pugi::xml_node& node) {
 
 InkmlClocks::Clock InkmlClocks::time_of(const pugi::xml_node& stamp) const {
   constexpr double milliseconds = 1000;
-  Clock time = number_in(attribute(stamp, "time"));
+  Clock time = number_of(attribute(stamp, "time"));
   if (!time)
     if (const auto told = iso_time(attribute(stamp, "timeString").value())) time = *told * milliseconds;
   if (!time) time = named(stamps_, attribute(stamp, "timestampRef"));
-  if (time) *time += number_in(attribute(stamp, "timeOffset")).value_or(0);
+  if (time) *time += number_of(attribute(stamp, "timeOffset")).value_or(0);
   return time;
 }
 

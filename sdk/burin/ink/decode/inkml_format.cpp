@@ -3,7 +3,6 @@
 #include <burin/base/error.h>
 #include <burin/base/text/quoted_word.h>
 #include <burin/ink/decode/inkml_format.h>
-#include <burin/ink/parse/scan.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,12 +11,6 @@
 
 namespace burin {
 namespace {
-
-std::optional<double> number_of(const pugi::xml_attribute& attribute) {
-  std::string_view text = attribute.value();
-  double value = 0;
-  return take_number(text, value) ? std::optional(value) : std::nullopt;
-}
 
 InkmlChannel channel_of(const pugi::xml_node& node) {
   return {.name = attribute(node, "name").value(),

@@ -8,6 +8,7 @@
 #include <burin/base/text/quoted_word.h>
 #include <burin/ink/decode/tilt_angles.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/no_pressure.h>
 #include <burin/ink/parse/csv_columns.h>
 #include <burin/ink/parse/iso_time.h>
 #include <burin/ink/parse/scan.h>
@@ -227,17 +228,9 @@ class Rows {
 };
 
 bool Rows::drop_pressure_without_range() {
-  float most = 0;
-  for (const PenStroke& stroke : content_.strokes)
-    for (const Sample& sample : stroke.samples) {
-      if (sample.pen.pressure != std::floor(sample.pen.pressure)) return false;
-      most = std::max(most, sample.pen.pressure);
-    }
-  if (most <= 1) return false;
-  for (PenStroke& stroke : content_.strokes) {
-    stroke.fields.pressure = false;
-    for (Sample& sample : stroke.samples) sample.pen.pressure = Pen{}.pressure;
-  }
+  const std::optional<float> most = greatest_whole_pressure(content_.strokes);
+  if (!most || *most <= 1) return false;
+  for (PenStroke& stroke : content_.strokes) leave_out_pressure(stroke);
   return true;
 }
 

@@ -12,6 +12,7 @@
 #include <burin/base/text/json_value.h>
 #include <burin/ink/decode/pointer_points.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/no_pressure.h>
 #include <burin/ink/parse/json_parts.h>
 #include <burin/ink/parse/pen_json.h>
 #include <burin/ink/parse/scan.h>
@@ -290,8 +291,8 @@ void leave_out_dead_pressure(PenFile& content) {
   if (!has_only_pressure(content, 0)) return;
   for (PenStroke& stroke : content.strokes) {
     if (!stroke.fields.pressure) continue;
-    stroke.fields.pressure = stroke.made_pressure = false;
-    for (Sample& sample : stroke.samples) sample.pen.pressure = Pen().pressure;
+    stroke.made_pressure = false;
+    leave_out_pressure(stroke);
   }
 }
 

@@ -3,12 +3,12 @@
 // numbers throughout the file are none: 0, or marks of what a point is; of time there is nothing.
 #include <burin/base/error.h>
 #include <burin/ink/kinds/kinds.h>
+#include <burin/ink/no_pressure.h>
 #include <burin/ink/parse/scan.h>
 #include <burin/ink/parse/text_window.h>
 #include <burin/ink/pen_file.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -55,16 +55,8 @@ class Strokes {
 };
 
 void drop_void_pressure(std::vector<PenStroke>& strokes) {
-  const auto pressed = [](const PenStroke& stroke) {
-    return std::ranges::any_of(stroke.samples, [](const Sample& sample) {
-      return sample.pen.pressure != std::floor(sample.pen.pressure);
-    });
-  };
-  if (std::ranges::any_of(strokes, pressed)) return;
-  for (PenStroke& stroke : strokes) {
-    stroke.fields.pressure = false;
-    for (Sample& sample : stroke.samples) sample.pen.pressure = Pen{}.pressure;
-  }
+  if (!greatest_whole_pressure(strokes)) return;
+  for (PenStroke& stroke : strokes) leave_out_pressure(stroke);
 }
 
 }  // namespace

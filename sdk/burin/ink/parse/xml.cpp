@@ -110,6 +110,12 @@ pugi::xml_attribute attribute(const pugi::xml_node& node, std::string_view name)
   return node.find_attribute([&](const pugi::xml_attribute& one) { return local_name(one.name()) == name; });
 }
 
+std::optional<double> number_of(const pugi::xml_attribute& attribute) {
+  std::string_view text = attribute.value();
+  double value = 0;
+  return take_number(text, value) ? std::optional(value) : std::nullopt;
+}
+
 std::string_view text_of(const pugi::xml_node& node, std::string& joined) {
   const auto is_text = [](const pugi::xml_node& one) {
     return one.type() == pugi::node_pcdata || one.type() == pugi::node_cdata;

@@ -1,6 +1,7 @@
 #pragma once
 #include <burin/ink/pen_file.h>
 
+#include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -35,6 +36,9 @@ std::string_view local_name(const char* name);
 
 /// The attribute of this name, with whatever prefix; an empty one if there is none.
 pugi::xml_attribute attribute(const pugi::xml_node& node, std::string_view name);
+
+/// The number at the front of an attribute's value; nothing if there is none.
+std::optional<double> number_of(const pugi::xml_attribute& attribute);
 
 /// The text of an element, whatever comments or CDATA part it. A text in several parts is put together in
 /// `joined`, which must outlive it.
